@@ -1,0 +1,17 @@
+# The script behind taut_embed.
+string(REPLACE "|" ";" files "${FILES}")
+set(rows "")
+set(arrays "")
+set(i 0)
+foreach(file IN LISTS files)
+  file(READ "${file}" hex HEX)
+  file(SIZE "${file}" size)
+  get_filename_component(name "${file}" NAME)
+  string(REGEX REPLACE "(..)" "0x\\1," bytes "${hex}")
+  string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "\\1\n"
+         bytes "${bytes}")
+  string(APPEND arrays "static const unsigned char file_${i}[] = {${bytes}0};\n")
+  string(APPEND rows "    {\"${name}\", (const char *)file_${i}, ${size}},\n")
+  math(EXPR i "${i} + 1")
+endforeach()
+file(WRITE "${OUTPUT}" "/* Generated from files in the source tree. */\n#include \"core/embedded.h\"\n\n${arrays}\nextern const taut_embedded ${SYMBOL}[];\nconst taut_embedded ${SYMBOL}[] = {\n${rows}    {0, 0, 0}};\n")

@@ -1,0 +1,17 @@
+# Flags of all of taut's own code.
+add_library(taut_flags INTERFACE)
+target_compile_options(taut_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wvla -fno-math-errno
+  $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes;-Wmissing-prototypes>
+  -ffp-contract=off -fvisibility=hidden -fPIC)
+target_compile_definitions(taut_flags INTERFACE _POSIX_C_SOURCE=200809L _XOPEN_SOURCE=700)
+target_include_directories(taut_flags INTERFACE
+  ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src)
+if(TAUT_WERROR)
+  target_compile_options(taut_flags INTERFACE -Werror)
+endif()
+if(TAUT_SANITIZE)
+  target_compile_options(taut_flags INTERFACE
+    -fsanitize=${TAUT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(taut_flags INTERFACE -fsanitize=${TAUT_SANITIZE})
+endif()

@@ -1,0 +1,18 @@
+# The program `taut`: one file per command, public headers only; examples and paper tables are built in.
+file(GLOB program_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/cli/*.c)
+file(GLOB example_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/examples/*.json)
+file(GLOB paper_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/paper/*.json)
+file(GLOB schema_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/schema/*.json)
+taut_embed(${CMAKE_BINARY_DIR}/generated/examples.c taut_examples ${example_files})
+taut_embed(${CMAKE_BINARY_DIR}/generated/papers.c taut_papers ${paper_files})
+taut_embed(${CMAKE_BINARY_DIR}/generated/schemas.c taut_schemas ${schema_files})
+add_library(taut_embedded_files STATIC
+  ${CMAKE_BINARY_DIR}/generated/examples.c ${CMAKE_BINARY_DIR}/generated/papers.c
+  ${CMAKE_BINARY_DIR}/generated/schemas.c)
+target_link_libraries(taut_embedded_files PUBLIC taut_flags)
+if(program_sources)
+  add_executable(taut_program ${program_sources})
+  set_target_properties(taut_program PROPERTIES OUTPUT_NAME taut)
+  target_link_libraries(taut_program PRIVATE taut_static taut_embedded_files)
+  install(TARGETS taut_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()

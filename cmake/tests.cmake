@@ -1,0 +1,61 @@
+# Every tests/<kind>/**/test_*.c is one program and one ctest; every tests/cli/test_*.sh one ctest.
+# A test that needs a library the product does not names it in a line `links: <package> ...` near its top.
+file(GLOB support_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.c)
+add_library(taut_test_support STATIC ${support_sources})
+target_include_directories(taut_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests/support)
+target_link_libraries(taut_test_support PUBLIC taut_static taut_embedded_files)
+
+function(taut_test file)
+  file(RELATIVE_PATH name ${CMAKE_SOURCE_DIR}/tests ${file})
+  string(REGEX REPLACE "\\.c$" "" name ${name})
+  string(REPLACE "/test_" "/" name ${name})
+  string(REPLACE "/" "-" target ${name})
+  file(STRINGS ${file} links REGEX "^ \\* links: " LIMIT_COUNT 1)
+  string(REGEX REPLACE "^ \\* links: " "" links "${links}")
+  separate_arguments(links)
+  add_executable(test-${target} ${file})
+  target_link_libraries(test-${target} PRIVATE taut_test_support ${links} m)
+  set_target_properties(test-${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  add_test(NAME ${name} COMMAND test-${target} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  set_tests_properties(${name} PROPERTIES TIMEOUT 300 ENVIRONMENT "OPENBLAS_NUM_THREADS=1")
+endfunction()
+
+file(GLOB_RECURSE test_files CONFIGURE_DEPENDS
+  ${CMAKE_SOURCE_DIR}/tests/unit/test_*.c ${CMAKE_SOURCE_DIR}/tests/property/test_*.c
+  ${CMAKE_SOURCE_DIR}/tests/paper/test_*.c)
+foreach(file IN LISTS test_files)
+  taut_test(${file})
+endforeach()
+
+# Fault tests put an allocator that fails on demand before the library's own.
+file(GLOB fault_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/fault/test_*.c)
+foreach(file IN LISTS fault_files)
+  taut_test(${file})
+  get_filename_component(short ${file} NAME_WE)
+  string(REPLACE "test_" "" short ${short})
+  target_sources(test-fault-${short} PRIVATE ${CMAKE_SOURCE_DIR}/tests/fault/failing_memory.c)
+endforeach()
+
+file(GLOB cli_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/cli/test_*.sh)
+foreach(file IN LISTS cli_tests)
+  get_filename_component(short ${file} NAME_WE)
+  string(REPLACE "test_" "" short ${short})
+  add_test(NAME cli/${short} COMMAND sh ${file})
+  set_tests_properties(cli/${short} PROPERTIES TIMEOUT 300
+    ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR}")
+endforeach()
+
+# Each public header compiles alone, as C17 and as C++17.
+file(GLOB public_headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/include/taut/*.h)
+foreach(header IN LISTS public_headers)
+  get_filename_component(short ${header} NAME_WE)
+  foreach(language c cpp)
+    set(source ${CMAKE_BINARY_DIR}/generated/headers/${short}.${language})
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"taut/${short}.h\"\n#include \"taut/${short}.h\"\nextern int taut_header_test;\n")
+    list(APPEND header_sources ${source})
+  endforeach()
+endforeach()
+add_library(test-headers OBJECT ${header_sources})
+target_include_directories(test-headers PRIVATE ${CMAKE_SOURCE_DIR}/include)
+target_compile_options(test-headers PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+  $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes>)

@@ -1,0 +1,51 @@
+/* taut/certify.h -- certificates: numbers that prove what a model claims to be.
+ *
+ * A certificate is computed from the finished model and the problem, never from what the
+ * construction knew, by code that the construction does not share (a check on the includes keeps it
+ * so).
+ */
+#ifndef TAUT_CERTIFY_H
+#define TAUT_CERTIFY_H
+
+#include "taut/record.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum taut_verdict {
+    TAUT_FALSE = 0,
+    TAUT_TRUE = 1,
+    TAUT_UNDECIDED = 2 /* rounding leaves it open: `holds` is null */
+} taut_verdict;
+
+typedef struct taut_claim {
+    const char *claim; /* its name, such as "stationary" */
+    double residual;   /* what was found */
+    double limit;      /* what it was held against */
+    taut_verdict holds;
+    const char *where; /* "" or the place of the largest residual, or why it is undecided */
+} taut_claim;
+
+typedef struct taut_certificate taut_certificate;
+
+TAUT_API void taut_certificate_free(taut_certificate *certificate); /* NULL is fine */
+TAUT_API taut_status taut_certificate_copy(const taut_certificate *certificate,
+                                           taut_certificate **copy);
+
+TAUT_API const char *taut_certificate_construct(const taut_certificate *certificate);
+/* TAUT_FALSE if any claim is, else TAUT_UNDECIDED if any is, else TAUT_TRUE. */
+TAUT_API taut_verdict taut_certificate_holds(const taut_certificate *certificate);
+TAUT_API int taut_certificate_claim_count(const taut_certificate *certificate);
+TAUT_API const taut_claim *taut_certificate_claim(const taut_certificate *certificate, int i);
+TAUT_API const taut_record *taut_certificate_figures(const taut_certificate *certificate);
+
+/* Building one, for certificates of your own: strings and figures are copied / taken over. */
+TAUT_API taut_status taut_certificate_new(const char *construct, taut_certificate **certificate);
+TAUT_API taut_status taut_certificate_add(taut_certificate *certificate, const taut_claim *claim);
+TAUT_API void taut_certificate_set_figures(taut_certificate *certificate, taut_record *figures);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_CERTIFY_H */

@@ -1,0 +1,59 @@
+/* taut/construct.h -- problems, and making a model from one.
+ *
+ * A problem is one document's request in memory: which construction, and its data. It comes from
+ * taut_problem_read (taut/read.h). Programs that hold their data already call a construction
+ * directly, through its own header (taut/dirichlet.h, ...), with the plain struct found there.
+ *
+ *     document -> taut_problem_read -> taut_make -> taut_certify -> taut_model_set_certificate
+ */
+#ifndef TAUT_CONSTRUCT_H
+#define TAUT_CONSTRUCT_H
+
+#include "taut/model.h"
+#include "taut/monitor.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct taut_problem taut_problem;
+
+TAUT_API void taut_problem_free(taut_problem *problem); /* NULL is fine */
+/* The construction's name, such as "dirichlet". */
+TAUT_API const char *taut_problem_construct(const taut_problem *problem);
+
+/* The names of all constructions, i = 0 .. count-1; NULL beyond. */
+TAUT_API int taut_construct_count(void);
+TAUT_API const char *taut_construct_name(int i);
+
+/* Zero means default everywhere. */
+typedef struct taut_make_options {
+    double tolerance; /* largest distance from the exact surface over its size; 0: 1e-6 */
+    int threads;      /* 0: 1 */
+    taut_monitor monitor;
+} taut_make_options;
+
+/* Makes the model: surfaces, curves and `details`, no certificate yet. options may be NULL.
+ * TAUT_NO_SOLUTION: well formed, but what it asks for does not exist; TAUT_NOT_CONVERGED;
+ * TAUT_NO_MEMORY; TAUT_INTERRUPTED. *model is the caller's on success, untouched on failure. */
+TAUT_API taut_status taut_make(const taut_problem *problem, const taut_make_options *options,
+                               taut_model **model, taut_error *error);
+
+/* Zero means default everywhere. */
+typedef struct taut_certify_options {
+    int threads;      /* 0: 1 */
+    double tolerance; /* that the model was made to, where a claim depends on it; 0: 1e-6 */
+} taut_certify_options;
+
+/* Proves a model again from its numbers alone. problem NULL: the construction is taken from the
+ * certificate the model carries, and claims that need the problem's data are judged from the model
+ * and its details where that is possible (each construction's page says how), else
+ * TAUT_BAD_INPUT says that the problem is needed. */
+TAUT_API taut_status taut_certify(const taut_model *model, const taut_problem *problem,
+                                  const taut_certify_options *options,
+                                  taut_certificate **certificate, taut_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_CONSTRUCT_H */

@@ -1,0 +1,15 @@
+/* taut/limits.h -- the largest sizes taut accepts. Each is refused by name, with the limit, before
+ * any memory is taken. */
+#ifndef TAUT_LIMITS_H
+#define TAUT_LIMITS_H
+
+#define TAUT_DEGREE_MAX 128        /* degree of one basis                                     */
+#define TAUT_COUNT_MAX 1000000     /* basis functions in one direction                        */
+#define TAUT_POINTS_MAX 50000000   /* control points of one curve or surface                  */
+#define TAUT_NAME_MAX 255          /* bytes in the name of a curve or surface                 */
+#define TAUT_OBJECTS_MAX 100000    /* curves, and surfaces, in one model                      */
+#define TAUT_FILE_MAX 4000000000.0 /* bytes in one document                                   */
+#define TAUT_GRID_MAX 20000        /* parameters per direction of a grid asked for by a person */
+#define TAUT_THREADS_MAX 256       /* threads of one command                                  */
+
+#endif /* TAUT_LIMITS_H */

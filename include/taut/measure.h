@@ -1,0 +1,97 @@
+/* taut/measure.h -- lengths, areas, energies, curvatures of what was made.
+ *
+ * First fundamental form  E = x_u.x_u  F = x_u.x_v  G = x_v.x_v,  W = |x_u x x_v| = sqrt(EG - F^2);
+ * second, with the unit normal n = x_u x x_v / W:  L = x_uu.n  M = x_uv.n  N = x_vv.n;
+ *     H = (L G - 2 M F + N E) / (2 W^2)        K = (L N - M^2) / W^2
+ * Source: [WuWang2011] sections 2.3 and 2.6. Where W = 0 there is no normal: such points are left
+ * out of extremes and counted.
+ */
+#ifndef TAUT_MEASURE_H
+#define TAUT_MEASURE_H
+
+#include "taut/curve.h"
+#include "taut/record.h"
+#include "taut/surface.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The forms and curvatures at one point. Where the normal vanishes `regular` is 0 and normal, L, M,
+ * N, H, K are NaN. */
+typedef struct taut_forms {
+    double e, f, g;   /* first fundamental form */
+    double w;         /* area element */
+    double normal[3]; /* unit */
+    double l, m, n;   /* second fundamental form */
+    double mean;      /* H */
+    double gaussian;  /* K */
+    int regular;
+} taut_forms;
+
+/* From the six vectors that taut_surface_eval gives at order 2. A normal is taken to vanish when
+ * W <= 2^-40 of what its factors and the rounding of the derivatives allow to be told from 0. */
+TAUT_API void taut_forms_of(const double values[6][3], taut_forms *forms);
+
+/* Zero means default everywhere. */
+typedef struct taut_measure_options {
+    int grid;    /* extremes over grid x grid parameters; 0: 101; 2..TAUT_GRID_MAX */
+    int threads; /* 0: 1; the result is the same for any number */
+} taut_measure_options;
+
+typedef struct taut_edge_measure {
+    double length;
+    double max_abs_normal_curvature;  /* NaN where undefined all along */
+    double max_angle_normal_binormal; /* in [0, pi/2]; NaN on straight edges */
+} taut_edge_measure;
+
+typedef struct taut_surface_measure {
+    double area;
+    double area_error; /* 0 when area is good to 1e-10 relative; else its estimated error */
+    double dirichlet_energy;
+    double bending_energy; /* iint |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2; infinity where a crease makes
+                              it so */
+    double box[2][3];
+    double max_abs_mean, mean_abs_mean;
+    double min_gaussian, max_gaussian;
+    double max_e_minus_g, max_f;
+    double isothermality; /* sqrt(iint (E-G)^2 + 4F^2) / iint (E+G); 0 for a point */
+    double max_laplacian;
+    double max_abs_mean_at[2];  /* parameters (u, v) of the largest |H| on the grid */
+    taut_edge_measure edges[4]; /* u0, u1, v0, v1 */
+    long singular_points;
+} taut_surface_measure;
+
+TAUT_API taut_status taut_measure_surface(const taut_surface *surface,
+                                          const taut_measure_options *options,
+                                          taut_surface_measure *measure, taut_error *error);
+
+typedef struct taut_curve_measure {
+    double length;
+    double max_curvature; /* NaN where undefined everywhere */
+    double max_torsion;   /* of the absolute value; NaN where undefined everywhere */
+} taut_curve_measure;
+
+TAUT_API taut_status taut_measure_curve(const taut_curve *curve,
+                                        const taut_measure_options *options,
+                                        taut_curve_measure *measure, taut_error *error);
+
+/* The integrals alone, each good to 1e-10 relative or better (adaptive Gauss quadrature, or exact
+ * where the integrand is polynomial). *error_estimate may be NULL. */
+TAUT_API taut_status taut_surface_area(const taut_surface *surface, double *area,
+                                       double *error_estimate);
+TAUT_API taut_status taut_surface_dirichlet_energy(const taut_surface *surface, double *energy);
+TAUT_API taut_status taut_surface_bending_energy(const taut_surface *surface, double *energy);
+TAUT_API taut_status taut_surface_isothermality(const taut_surface *surface, double *isothermality);
+
+/* The documents of `taut measure --json`, one surface or curve: adds the members of the
+ * contract (name first) to `record`. */
+TAUT_API void taut_measure_surface_record(const taut_surface *surface,
+                                          const taut_surface_measure *measure, taut_record *record);
+TAUT_API void taut_measure_curve_record(const taut_curve *curve, const taut_curve_measure *measure,
+                                        taut_record *record);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_MEASURE_H */

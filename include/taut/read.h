@@ -1,0 +1,33 @@
+/* taut/read.h -- documents and files in.
+ *
+ * Problems and models are JSON (docs/format.md). Errors say the file, line and column where JSON
+ * broke, or the JSON pointer of the member, what was found and what was expected:
+ * TAUT_BAD_INPUT for a document that is wrong, TAUT_NO_SOLUTION for the contract's exceptions,
+ * TAUT_IO for a file that cannot be read, TAUT_NO_MEMORY. All input is taken to be hostile.
+ */
+#ifndef TAUT_READ_H
+#define TAUT_READ_H
+
+#include "taut/construct.h"
+#include "taut/model.h"
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* path "-" is standard input. The results are the caller's. */
+TAUT_API taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error);
+TAUT_API taut_status taut_model_read(const char *path, taut_model **model, taut_error *error);
+
+/* The same from memory; `name` stands for the file in messages. Only JSON. */
+TAUT_API taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
+                                            taut_problem **problem, taut_error *error);
+TAUT_API taut_status taut_model_read_text(const char *text, size_t length, const char *name,
+                                          taut_model **model, taut_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_READ_H */

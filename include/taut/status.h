@@ -1,0 +1,53 @@
+/* taut/status.h -- how every taut function says what happened.
+ *
+ * A function that can fail returns a taut_status. A function that can fail for a reason a person
+ * must read also takes a `taut_error *error`, always last, which may be NULL. On success *error is
+ * left alone; on failure it is filled whole. Nothing is printed, nothing is global.
+ */
+#ifndef TAUT_STATUS_H
+#define TAUT_STATUS_H
+
+#include "taut/export.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One row per status: name, exit code of the command line, meaning. Values are never reused. */
+#define TAUT_STATUS_LIST(X)                                                                        \
+    X(TAUT_OK, 0, "done")                                                                          \
+    X(TAUT_NOT_CONVERGED, 1, "an iteration stopped short of its tolerance")                        \
+    X(TAUT_CHECK_FAILED, 1, "a result did not pass its own check")                                 \
+    X(TAUT_BAD_ARGUMENT, 2, "an argument is outside its documented range")                         \
+    X(TAUT_BAD_INPUT, 3, "a document is not what it should be")                                    \
+    X(TAUT_NO_SOLUTION, 4, "what is asked for does not exist")                                     \
+    X(TAUT_IO, 5, "a file could not be read or written")                                           \
+    X(TAUT_NO_MEMORY, 6, "memory ran out")                                                         \
+    X(TAUT_INTERNAL, 6, "a fault of taut's own")                                                   \
+    X(TAUT_INTERRUPTED, 130, "stopped on request")
+
+typedef enum taut_status {
+#define TAUT_STATUS_ENUM(name, exit_code, meaning) name,
+    TAUT_STATUS_LIST(TAUT_STATUS_ENUM)
+#undef TAUT_STATUS_ENUM
+} taut_status;
+
+/* What went wrong, in numbers first. Plain data: copy it, keep it, no free. */
+typedef struct taut_error {
+    taut_status status;
+    double found;      /* the quantity that failed, NaN if none */
+    double limit;      /* what it had to stay within, NaN if none */
+    char where[192];   /* "" or a JSON pointer such as "/points/1/2", or file:line:column */
+    char message[320]; /* one sentence: which condition, and what would mend it */
+} taut_error;
+
+/* The meaning of a status; never NULL, also for values that are none. */
+TAUT_API const char *taut_status_text(taut_status status);
+
+/* The exit code of the command line for a status; 6 for values that are none. */
+TAUT_API int taut_status_exit_code(taut_status status);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_STATUS_H */

@@ -1,0 +1,69 @@
+/* taut/surface.h -- tensor-product surfaces, optionally rational.
+ *
+ *     x(u, v) = sum_ij w_ij P_ij N_i(u) N_j(v) / sum_ij w_ij N_i(u) N_j(v),   w = 1 without weights
+ *
+ * Points are Euclidean (not multiplied by weights), double points[nu][nv][3], u slowest. A surface
+ * is immutable and a deep copy of what it was given, so every call here is safe from any thread. A
+ * surface carries its parameter range: it is the range of its bases.
+ */
+#ifndef TAUT_SURFACE_H
+#define TAUT_SURFACE_H
+
+#include "taut/basis.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct taut_surface taut_surface;
+
+/* name     at most TAUT_NAME_MAX bytes of UTF-8, NULL means ""
+ * u, v     the bases, copied
+ * points   double[nu][nv][3], finite, nu and nv the counts of u and v
+ * weights  double[nu][nv], finite and positive, or NULL; only on bases that allow them
+ * TAUT_BAD_INPUT with error->where such as "/weights/0/3"; TAUT_NO_MEMORY. */
+TAUT_API taut_status taut_surface_new(const char *name, const taut_basis *u, const taut_basis *v,
+                                      const double *points, const double *weights,
+                                      taut_surface **surface, taut_error *error);
+TAUT_API taut_status taut_surface_copy(const taut_surface *surface, taut_surface **copy);
+TAUT_API void taut_surface_free(taut_surface *surface); /* NULL is fine */
+
+TAUT_API const char *taut_surface_name(const taut_surface *surface);
+TAUT_API const taut_basis *taut_surface_u(const taut_surface *surface);   /* borrowed */
+TAUT_API const taut_basis *taut_surface_v(const taut_surface *surface);   /* borrowed */
+TAUT_API const double *taut_surface_points(const taut_surface *surface);  /* borrowed */
+TAUT_API const double *taut_surface_weights(const taut_surface *surface); /* borrowed, or NULL */
+
+/* Vectors per point at each order, in the order written. */
+enum {
+    TAUT_X = 0,  /* position */
+    TAUT_XU = 1, /* first derivatives */
+    TAUT_XV = 2,
+    TAUT_XUU = 3, /* second derivatives */
+    TAUT_XUV = 4,
+    TAUT_XVV = 5
+};
+/* 1, 3 or 6 vectors for order 0, 1 or 2. */
+#define TAUT_SURFACE_VECTORS(order) (((order) + 1) * ((order) + 2) / 2)
+
+/* Evaluates on the grid of nu by nv parameters:
+ *     values[i][j][k][3],  k = TAUT_X .. as many as the order gives, at (u[i], v[j])
+ * u, v     double[nu], double[nv]; in the closed ranges (TAUT_BAD_ARGUMENT otherwise, nothing
+ *          written); at an inner knot the derivatives are those from the right
+ * order    0, 1 or 2
+ * values   double[nu][nv][TAUT_SURFACE_VECTORS(order)][3], the caller's
+ * threads  0 or 1: this thread; more: so many; the result is the same for any number
+ * Cost: basis functions once per line, then O(nv local_u) + O(local_v) multiply-adds a row and
+ * point. TAUT_NO_MEMORY if the scratch of O(nu + nv + count_v) numbers is not to be had. */
+TAUT_API taut_status taut_surface_eval_grid(const taut_surface *surface, int nu, const double *u,
+                                            int nv, const double *v, int order, int threads,
+                                            double *values);
+
+/* The single point: values double[TAUT_SURFACE_VECTORS(order)][3]. No allocation. */
+TAUT_API taut_status taut_surface_eval(const taut_surface *surface, double u, double v, int order,
+                                       double *values);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_SURFACE_H */

@@ -1,0 +1,21 @@
+/* taut/taut.h -- all of taut's API. */
+#ifndef TAUT_TAUT_H
+#define TAUT_TAUT_H
+
+#include "taut/basis.h"
+#include "taut/certify.h"
+#include "taut/construct.h"
+#include "taut/curve.h"
+#include "taut/dirichlet.h"
+#include "taut/limits.h"
+#include "taut/measure.h"
+#include "taut/model.h"
+#include "taut/monitor.h"
+#include "taut/read.h"
+#include "taut/record.h"
+#include "taut/status.h"
+#include "taut/surface.h"
+#include "taut/version.h"
+#include "taut/write.h"
+
+#endif /* TAUT_TAUT_H */

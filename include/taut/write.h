@@ -1,0 +1,76 @@
+/* taut/write.h -- models, figures and records out.
+ *
+ * A file's ending says its format. An output appears whole or not at all: it is written beside its
+ * place and renamed when all has gone well (a device or pipe is written directly).
+ */
+#ifndef TAUT_WRITE_H
+#define TAUT_WRITE_H
+
+#include "taut/model.h"
+#include "taut/monitor.h"
+
+#include <stddef.h>
+#include <stdio.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Colour of the surfaces in figures. */
+typedef enum taut_colour { TAUT_COLOUR_PLAIN, TAUT_COLOUR_MEAN, TAUT_COLOUR_GAUSSIAN } taut_colour;
+
+/* Zero means default everywhere. */
+typedef struct taut_write_options {
+    double tolerance; /* 0: the format's own (1e-3 of the size for meshes) */
+    int divide;  /* meshes and figures: cells per knot span in each direction; 0: by tolerance */
+    int threads; /* 0: 1 */
+    const char *surface; /* only the surface of this name; NULL: all */
+    /* figures */
+    taut_colour colour;
+    int no_net;   /* nonzero: leave the control net out */
+    int has_view; /* nonzero: azimuth and elevation in degrees below */
+    double view[2];
+    const char *title; /* NULL: none */
+    taut_monitor monitor;
+} taut_write_options;
+
+/* The formats, i = 0 .. count-1: its ending without the dot, and one line on what it holds. */
+TAUT_API int taut_format_count(void);
+TAUT_API const char *taut_format_ending(int i);
+TAUT_API const char *taut_format_text(int i);
+/* The format of a path by its ending ("-" is json); -1 if none, then *error names those there are.
+ */
+TAUT_API int taut_format_of(const char *path, taut_error *error);
+
+/* Several outputs that appear together or not at all. */
+typedef struct taut_outputs taut_outputs;
+TAUT_API taut_status taut_outputs_new(taut_outputs **outputs);
+/* Writes the model beside `path` in the format of its ending; nothing is visible yet. */
+TAUT_API taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model,
+                                        const char *path, const taut_write_options *options,
+                                        taut_error *error);
+/* Writes a record as JSON, or plain text, likewise. */
+TAUT_API taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record,
+                                         const char *path, taut_error *error);
+TAUT_API taut_status taut_outputs_text(taut_outputs *outputs, const char *text, size_t length,
+                                       const char *path, taut_error *error);
+/* Puts every output in its place. On failure none that was not yet in place appears. */
+TAUT_API taut_status taut_outputs_commit(taut_outputs *outputs, taut_error *error);
+/* Frees; what was not committed is removed. NULL is fine. */
+TAUT_API void taut_outputs_free(taut_outputs *outputs);
+/* Removes what is not yet in place; may be called from a signal handler. */
+TAUT_API void taut_outputs_abandon(const taut_outputs *outputs);
+
+/* One model to one path: the above in one call. */
+TAUT_API taut_status taut_model_write(const taut_model *model, const char *path,
+                                      const taut_write_options *options, taut_error *error);
+
+/* A record as JSON text, two spaces an indent, numbers to 17 digits as needed to read back the
+ * same; *text is the caller's, to be freed by taut_text_free. */
+TAUT_API taut_status taut_record_write(const taut_record *record, char **text, size_t *length);
+TAUT_API void taut_text_free(char *text);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_WRITE_H */

@@ -1,0 +1,66 @@
+/* basis_ops.h -- what one basis must provide, and the inside of taut_basis. */
+#ifndef TAUT_BASIS_OPS_H
+#define TAUT_BASIS_OPS_H
+
+#include "basis/basis_list.h"
+#include "taut/basis.h"
+
+/* Members of a basis document, as bits: which a type needs, which it may have. */
+enum {
+    TAUT_MEMBER_DEGREE = 1 << 0,
+    TAUT_MEMBER_COUNT = 1 << 1,
+    TAUT_MEMBER_KNOTS = 1 << 2,
+    TAUT_MEMBER_ALPHA = 1 << 3,
+    TAUT_MEMBER_BETA = 1 << 4,
+    TAUT_MEMBER_GAMMA = 1 << 5,
+    TAUT_MEMBER_SEGMENTS = 1 << 6,
+    TAUT_MEMBER_RANGE = 1 << 7
+};
+
+/* The shape of a basis, worked out from its spec before memory is taken. */
+typedef struct taut_basis_shape {
+    int count;      /* functions */
+    int local;      /* alive on a span */
+    int span_count; /* non-empty spans */
+    int knot_count; /* full form; 0 where there are no knots */
+} taut_basis_shape;
+
+typedef struct taut_basis_ops {
+    const char *type;
+    unsigned needs;  /* members that must be given */
+    unsigned allows; /* members that may be given besides */
+    int polynomial;  /* the functions are polynomials of spec.degree on each span */
+    int weights;     /* rational weights allowed */
+    /* Is the spec legal? Fills the shape. `functions` as in taut_basis_new. Members present, degree
+     * within its limit and all numbers finite have been checked already. */
+    taut_status (*plan)(const taut_basis_spec *spec, int functions, taut_basis_shape *shape,
+                        taut_error *error);
+    /* Fills basis->breaks, ->first, ->knots, ->data (shape and spec are in place). Cannot fail. */
+    void (*fill)(taut_basis *basis);
+    /* values[k][a], k = 0..order, a = 0..local-1, at t of the closed span. */
+    void (*eval)(const taut_basis *basis, int span, double t, int order, double *values);
+} taut_basis_ops;
+
+enum { TAUT_BASIS_DATA = 24 };
+
+/* Immutable once made. */
+struct taut_basis {
+    const taut_basis_ops *ops;
+    taut_basis_spec spec; /* as given, defaults filled in; spec.knots points at knots below */
+    taut_basis_shape shape;
+    double *breaks; /* [span_count + 1] */
+    int *first;     /* [span_count] */
+    int *knot_span; /* [span_count]: the knot interval of a span; NULL without knots */
+    double *knots;  /* [knot_count], full form */
+    double data[TAUT_BASIS_DATA]; /* constants a type prepares for its own eval */
+};
+
+#define TAUT_BASIS_DECLARE(identifier, name) extern const taut_basis_ops taut_basis_##identifier;
+TAUT_BASIS_LIST(TAUT_BASIS_DECLARE)
+#undef TAUT_BASIS_DECLARE
+
+/* The ops of a type by its name, or NULL; and the i-th of the list, NULL beyond the end. */
+const taut_basis_ops *taut_basis_ops_find(const char *type);
+const taut_basis_ops *taut_basis_ops_at(int i);
+
+#endif /* TAUT_BASIS_OPS_H */

@@ -1,0 +1,55 @@
+/* certify.c -- from a model (and its problem) to the certificate of its construction. */
+#include "certify/certify_ops.h"
+#include "core/fail.h"
+#include "problem/problem.h"
+
+static const taut_certify_ops *const ops_table[] = {
+#define TAUT_CERTIFY_ROW(identifier, name) &taut_certify_##identifier,
+    TAUT_CONSTRUCT_LIST(TAUT_CERTIFY_ROW)
+#undef TAUT_CERTIFY_ROW
+};
+
+/* The construction of the problem, or that of the certificate the model carries; -1 if neither. */
+static int construct_of(const taut_model *model, const taut_problem *problem)
+{
+    if (problem != NULL) {
+        return problem->construct;
+    }
+    if (taut_model_certificate(model) == NULL) {
+        return -1;
+    }
+    return taut_construct_find(taut_certificate_construct(taut_model_certificate(model)));
+}
+
+taut_status taut_certify(const taut_model *model, const taut_problem *problem,
+                         const taut_certify_options *options, taut_certificate **certificate,
+                         taut_error *error)
+{
+    static const taut_certify_options none;
+    taut_certificate *made = NULL;
+    taut_status status = TAUT_OK;
+    int construct = 0;
+
+    if (model == NULL || certificate == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_certify needs a model and a place for the certificate");
+    }
+    construct = construct_of(model, problem);
+    if (construct < 0) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/certificate/construct", taut_none, taut_none,
+                         "the model does not say which construction it came from: give its "
+                         "problem too");
+    }
+    status = taut_certificate_new(taut_construct_name(construct), &made);
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = ops_table[construct]->certify(model, problem != NULL ? problem->data : NULL,
+                                           options != NULL ? options : &none, made, error);
+    if (status != TAUT_OK) {
+        taut_certificate_free(made);
+        return status;
+    }
+    *certificate = made;
+    return TAUT_OK;
+}

@@ -1,0 +1,21 @@
+/* certify_ops.h -- what the certificate of one construction must provide. */
+#ifndef TAUT_CERTIFY_OPS_H
+#define TAUT_CERTIFY_OPS_H
+
+#include "problem/construct_list.h"
+#include "taut/construct.h"
+
+typedef struct taut_certify_ops {
+    /* data: the problem's struct, or NULL when there is only the model. options is never NULL.
+     * `certificate` is new and carries the construction's name: add claims and figures. */
+    taut_status (*certify)(const taut_model *model, const void *data,
+                           const taut_certify_options *options, taut_certificate *certificate,
+                           taut_error *error);
+} taut_certify_ops;
+
+#define TAUT_CERTIFY_DECLARE(identifier, name)                                                     \
+    extern const taut_certify_ops taut_certify_##identifier;
+TAUT_CONSTRUCT_LIST(TAUT_CERTIFY_DECLARE)
+#undef TAUT_CERTIFY_DECLARE
+
+#endif /* TAUT_CERTIFY_OPS_H */

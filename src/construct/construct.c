@@ -1,0 +1,38 @@
+/* construct.c -- from a problem to its construction. */
+#include "construct/construct_ops.h"
+#include "core/fail.h"
+#include "problem/problem.h"
+
+#include <math.h>
+
+static const taut_construct_ops *const ops_table[] = {
+#define TAUT_CONSTRUCT_ROW(identifier, name) &taut_construct_##identifier,
+    TAUT_CONSTRUCT_LIST(TAUT_CONSTRUCT_ROW)
+#undef TAUT_CONSTRUCT_ROW
+};
+
+taut_status taut_make(const taut_problem *problem, const taut_make_options *options,
+                      taut_model **model, taut_error *error)
+{
+    static const taut_make_options none;
+    const taut_make_options *chosen = options != NULL ? options : &none;
+    taut_model *made = NULL;
+    taut_status status = TAUT_OK;
+
+    if (problem == NULL || model == NULL || !(chosen->tolerance >= 0) || isinf(chosen->tolerance) ||
+        chosen->threads < 0 || chosen->threads > TAUT_THREADS_MAX) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "an argument of taut_make is out of its range");
+    }
+    status = ops_table[problem->construct]->make(problem->data, chosen, &made, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_model_set_unit(made, problem->unit);
+    if (status != TAUT_OK) {
+        taut_model_free(made);
+        return taut_fail(error, TAUT_INTERNAL, NULL, taut_none, taut_none, "an unknown unit");
+    }
+    *model = made;
+    return TAUT_OK;
+}

@@ -1,0 +1,20 @@
+/* construct_ops.h -- what one construction must provide. */
+#ifndef TAUT_CONSTRUCT_OPS_H
+#define TAUT_CONSTRUCT_OPS_H
+
+#include "problem/construct_list.h"
+#include "taut/construct.h"
+
+typedef struct taut_construct_ops {
+    /* data: the construction's own struct. options is never NULL. The model gets its surfaces,
+     * curves and details. */
+    taut_status (*make)(const void *data, const taut_make_options *options, taut_model **model,
+                        taut_error *error);
+} taut_construct_ops;
+
+#define TAUT_CONSTRUCT_DECLARE(identifier, name)                                                   \
+    extern const taut_construct_ops taut_construct_##identifier;
+TAUT_CONSTRUCT_LIST(TAUT_CONSTRUCT_DECLARE)
+#undef TAUT_CONSTRUCT_DECLARE
+
+#endif /* TAUT_CONSTRUCT_OPS_H */

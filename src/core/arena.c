@@ -1,0 +1,77 @@
+#include "core/arena.h"
+
+#include "core/memory.h"
+
+#include <stdint.h>
+#include <string.h>
+
+/* A list of blocks, newest first; each block is either memory handed out (release NULL) or an
+ * object to be released. */
+typedef struct arena_block {
+    struct arena_block *next;
+    void *object;
+    void (*release)(void *);
+} arena_block;
+
+struct taut_arena {
+    arena_block *blocks;
+};
+
+taut_arena *taut_arena_new(void)
+{
+    return taut_alloc_zero(1, sizeof(taut_arena));
+}
+
+void taut_arena_free(taut_arena *arena)
+{
+    if (arena == NULL) {
+        return;
+    }
+    while (arena->blocks != NULL) {
+        arena_block *block = arena->blocks;
+        arena->blocks = block->next;
+        block->release(block->object);
+        taut_free(block);
+    }
+    taut_free(arena);
+}
+
+int taut_arena_keep(taut_arena *arena, void *object, void (*release)(void *))
+{
+    arena_block *block = NULL;
+    if (object == NULL) {
+        return 0;
+    }
+    block = taut_alloc(1, sizeof *block);
+    if (block == NULL) {
+        release(object);
+        return 0;
+    }
+    *block = (arena_block){arena->blocks, object, release};
+    arena->blocks = block;
+    return 1;
+}
+
+void *taut_arena_take(taut_arena *arena, size_t count, size_t size)
+{
+    void *memory = taut_alloc_aligned(count, size);
+    if (!taut_arena_keep(arena, memory, taut_free)) {
+        return NULL;
+    }
+    memset(memory, 0, count * size);
+    return memory;
+}
+
+void *taut_arena_copy(taut_arena *arena, const void *from, size_t count, size_t size)
+{
+    void *memory = from != NULL ? taut_arena_take(arena, count, size) : NULL;
+    if (memory != NULL) {
+        memcpy(memory, from, count * size);
+    }
+    return memory;
+}
+
+char *taut_arena_text(taut_arena *arena, const char *text)
+{
+    return text != NULL ? taut_arena_copy(arena, text, strlen(text) + 1, 1) : NULL;
+}

@@ -1,0 +1,155 @@
+/* curve.c -- curves: the object and its evaluation. */
+#include "taut/curve.h"
+
+#include "basis/basis_ops.h"
+#include "core/fail.h"
+#include "core/memory.h"
+#include "geometry/net.h"
+
+#include <string.h>
+
+struct taut_curve {
+    char name[TAUT_NAME_MAX + 1];
+    taut_basis *t;
+    double *points;
+    double *weights; /* or NULL */
+};
+
+static taut_status check(const char *name, const taut_basis *t, const double *points,
+                         const double *weights, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    if (t == NULL || points == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "a curve needs a basis and points");
+    }
+    if (name != NULL && strlen(name) > TAUT_NAME_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/name", (double)strlen(name), TAUT_NAME_MAX,
+                         "a name of %zu bytes, expected at most %d", strlen(name), TAUT_NAME_MAX);
+    }
+    status = taut_net_check_points((size_t)taut_basis_count(t), 0, points, error);
+    if (status == TAUT_OK && weights != NULL) {
+        if (!taut_basis_allows_weights(t)) {
+            return taut_fail(error, TAUT_BAD_INPUT, "/weights", taut_none, taut_none,
+                             "a basis of type \"%s\" carries no weights", taut_basis_type(t));
+        }
+        status = taut_net_check_weights((size_t)taut_basis_count(t), 0, weights, error);
+    }
+    return status;
+}
+
+taut_status taut_curve_new(const char *name, const taut_basis *t, const double *points,
+                           const double *weights, taut_curve **curve, taut_error *error)
+{
+    const taut_status status = check(name, t, points, weights, error);
+    taut_curve *made = NULL;
+    size_t count = 0;
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    count = (size_t)taut_basis_count(t);
+    made = taut_alloc_zero(1, sizeof *made);
+    if (made == NULL) {
+        return taut_fail_memory(error);
+    }
+    memcpy(made->name, name != NULL ? name : "", name != NULL ? strlen(name) : 0);
+    made->points = taut_alloc_aligned(3 * count, sizeof(double));
+    made->weights = weights != NULL ? taut_alloc_aligned(count, sizeof(double)) : NULL;
+    if (made->points == NULL || (weights != NULL && made->weights == NULL) ||
+        taut_basis_copy(t, &made->t) != TAUT_OK) {
+        taut_curve_free(made);
+        return taut_fail_memory(error);
+    }
+    memcpy(made->points, points, 3 * count * sizeof(double));
+    if (weights != NULL) {
+        memcpy(made->weights, weights, count * sizeof(double));
+    }
+    *curve = made;
+    return TAUT_OK;
+}
+
+taut_status taut_curve_copy(const taut_curve *curve, taut_curve **copy)
+{
+    return taut_curve_new(curve->name, curve->t, curve->points, curve->weights, copy, NULL);
+}
+
+void taut_curve_free(taut_curve *curve)
+{
+    if (curve != NULL) {
+        taut_basis_free(curve->t);
+        taut_free(curve->points);
+        taut_free(curve->weights);
+        taut_free(curve);
+    }
+}
+
+const char *taut_curve_name(const taut_curve *curve)
+{
+    return curve->name;
+}
+
+const taut_basis *taut_curve_t(const taut_curve *curve)
+{
+    return curve->t;
+}
+
+const double *taut_curve_points(const taut_curve *curve)
+{
+    return curve->points;
+}
+
+const double *taut_curve_weights(const taut_curve *curve)
+{
+    return curve->weights;
+}
+
+/* x^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) x^(k-i)) / w, A = w x ([PieglTiller1997] eq. 4.8). */
+static void project(int order, double h[TAUT_ORDER_MAX + 1][4], double *values)
+{
+    static const double binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
+    for (int k = 0; k <= order; k++) {
+        for (int c = 0; c < 3; c++) {
+            double sum = h[k][c];
+            for (int i = 1; i <= k; i++) {
+                sum -= binomial[k][i] * h[i][3] * values[3 * (k - i) + c];
+            }
+            values[3 * k + c] = sum / h[0][3];
+        }
+    }
+}
+
+taut_status taut_curve_eval(const taut_curve *curve, double t, int order, double *values)
+{
+    double n[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
+    double h[TAUT_ORDER_MAX + 1][4];
+
+    if (curve == NULL || values == NULL || order < 0 || order > TAUT_ORDER_MAX ||
+        !(t >= taut_basis_lo(curve->t) && t <= taut_basis_hi(curve->t))) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    const int span = taut_basis_span(curve->t, t);
+    const int local = curve->t->shape.local;
+    const int first = curve->t->first[span];
+
+    curve->t->ops->eval(curve->t, span, t, order, n);
+    memset(h, 0, sizeof h);
+    for (int k = 0; k <= order; k++) {
+        for (int a = 0; a < local; a++) {
+            const double w = curve->weights != NULL ? curve->weights[first + a] : 1;
+            const double nw = n[k * local + a] * w;
+            for (int c = 0; c < 3; c++) {
+                h[k][c] += nw * curve->points[3 * (first + a) + c];
+            }
+            h[k][3] += nw;
+        }
+    }
+    if (curve->weights != NULL) {
+        project(order, h, values);
+    } else {
+        for (int k = 0; k <= order; k++) {
+            memcpy(values + 3 * k, h[k], 3 * sizeof(double));
+        }
+    }
+    return TAUT_OK;
+}

@@ -1,0 +1,142 @@
+/* model.c -- the container of what came out. */
+#include "taut/model.h"
+
+#include "core/memory.h"
+
+#include <string.h>
+
+struct taut_model {
+    char unit[4];
+    taut_surface **surfaces;
+    taut_curve **curves;
+    int surface_count, curve_count;
+    taut_record *details;
+    taut_certificate *certificate;
+};
+
+taut_status taut_model_new(taut_model **model)
+{
+    taut_model *made = taut_alloc_zero(1, sizeof *made);
+    if (made == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    memcpy(made->unit, "mm", 3);
+    *model = made;
+    return TAUT_OK;
+}
+
+void taut_model_free(taut_model *model)
+{
+    if (model == NULL) {
+        return;
+    }
+    for (int i = 0; i < model->surface_count; i++) {
+        taut_surface_free(model->surfaces[i]);
+    }
+    for (int i = 0; i < model->curve_count; i++) {
+        taut_curve_free(model->curves[i]);
+    }
+    taut_free(model->surfaces);
+    taut_free(model->curves);
+    taut_record_free(model->details);
+    taut_certificate_free(model->certificate);
+    taut_free(model);
+}
+
+/* An array with room for count + 1, doubling at powers of two; NULL when memory runs out. */
+static void *with_room(void *array, int count, size_t size)
+{
+    if (count > 0 && (count & (count - 1)) != 0) {
+        return array;
+    }
+    return taut_realloc(array, count > 0 ? 2 * (size_t)count : 1, size);
+}
+
+taut_status taut_model_add_surface(taut_model *model, taut_surface *surface)
+{
+    taut_surface **surfaces = NULL;
+    if (model->surface_count >= TAUT_OBJECTS_MAX) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    surfaces = with_room(model->surfaces, model->surface_count, sizeof(taut_surface *));
+    if (surfaces == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    model->surfaces = surfaces;
+    model->surfaces[model->surface_count++] = surface;
+    return TAUT_OK;
+}
+
+taut_status taut_model_add_curve(taut_model *model, taut_curve *curve)
+{
+    taut_curve **curves = NULL;
+    if (model->curve_count >= TAUT_OBJECTS_MAX) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    curves = with_room(model->curves, model->curve_count, sizeof(taut_curve *));
+    if (curves == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    model->curves = curves;
+    model->curves[model->curve_count++] = curve;
+    return TAUT_OK;
+}
+
+void taut_model_set_details(taut_model *model, taut_record *details)
+{
+    taut_record_free(model->details);
+    model->details = details;
+}
+
+void taut_model_set_certificate(taut_model *model, taut_certificate *certificate)
+{
+    taut_certificate_free(model->certificate);
+    model->certificate = certificate;
+}
+
+taut_status taut_model_set_unit(taut_model *model, const char *unit)
+{
+    static const char *const units[] = {"mm", "m", "cm", "in", "ft"};
+    for (int i = 0; i < 5; i++) {
+        if (strcmp(unit, units[i]) == 0) {
+            memcpy(model->unit, units[i], strlen(units[i]) + 1);
+            return TAUT_OK;
+        }
+    }
+    return TAUT_BAD_INPUT;
+}
+
+int taut_model_surface_count(const taut_model *model)
+{
+    return model->surface_count;
+}
+
+const taut_surface *taut_model_surface(const taut_model *model, int i)
+{
+    return i >= 0 && i < model->surface_count ? model->surfaces[i] : NULL;
+}
+
+int taut_model_curve_count(const taut_model *model)
+{
+    return model->curve_count;
+}
+
+const taut_curve *taut_model_curve(const taut_model *model, int i)
+{
+    return i >= 0 && i < model->curve_count ? model->curves[i] : NULL;
+}
+
+const taut_record *taut_model_details(const taut_model *model)
+{
+    return model->details;
+}
+
+const taut_certificate *taut_model_certificate(const taut_model *model)
+{
+    return model->certificate;
+}
+
+const char *taut_model_unit(const taut_model *model)
+{
+    return model->unit;
+}

@@ -1,0 +1,87 @@
+#include "geometry/net.h"
+
+#include "core/fail.h"
+#include "taut/surface.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* "/points/3/5", or "/points/3" when columns is 0. */
+static void place(char *where, size_t size, const char *member, size_t index, int columns)
+{
+    if (columns > 0) {
+        snprintf(where, size, "/%s/%zu/%zu", member, index / (size_t)columns,
+                 index % (size_t)columns);
+    } else {
+        snprintf(where, size, "/%s/%zu", member, index);
+    }
+}
+
+taut_status taut_net_check_points(size_t count, int columns, const double *points,
+                                  taut_error *error)
+{
+    for (size_t i = 0; i < 3 * count; i++) {
+        if (!isfinite(points[i])) {
+            char where[64];
+            place(where, sizeof where, "points", i / 3, columns);
+            return taut_fail(error, TAUT_BAD_INPUT, where, points[i], taut_none,
+                             "a coordinate is not a finite number");
+        }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_net_check_weights(size_t count, int columns, const double *weights,
+                                   taut_error *error)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (!(weights[i] > 0) || !isfinite(weights[i])) {
+            char where[64];
+            place(where, sizeof where, "weights", i, columns);
+            return taut_fail(error, TAUT_BAD_INPUT, where, weights[i], 0,
+                             "weight is %.17g, expected a positive number", weights[i]);
+        }
+    }
+    return TAUT_OK;
+}
+
+void taut_net_homogeneous(size_t count, const double *points, const double *weights, double *net)
+{
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < 3; c++) {
+            net[4 * i + c] = weights[i] * points[3 * i + c];
+        }
+        net[4 * i + 3] = weights[i];
+    }
+}
+
+/* x = A/w, A = w x, so
+ *     x_u  = (A_u  - w_u x) / w                              likewise x_v
+ *     x_uu = (A_uu - 2 w_u x_u - w_uu x) / w                 likewise x_vv
+ *     x_uv = (A_uv - w_u x_v - w_v x_u - w_uv x) / w         ([PieglTiller1997] eq. 4.20) */
+void taut_net_project(int order, const double *h, double *values)
+{
+    const double w = h[3];
+    double *x = values, *xu = values + 3, *xv = values + 6;
+
+    for (int c = 0; c < 3; c++) {
+        x[c] = h[c] / w;
+    }
+    if (order < 1) {
+        return;
+    }
+    const double wu = h[4 * TAUT_XU + 3], wv = h[4 * TAUT_XV + 3];
+    for (int c = 0; c < 3; c++) {
+        xu[c] = (h[4 * TAUT_XU + c] - wu * x[c]) / w;
+        xv[c] = (h[4 * TAUT_XV + c] - wv * x[c]) / w;
+    }
+    if (order < 2) {
+        return;
+    }
+    const double wuu = h[4 * TAUT_XUU + 3], wuv = h[4 * TAUT_XUV + 3], wvv = h[4 * TAUT_XVV + 3];
+    for (int c = 0; c < 3; c++) {
+        values[3 * TAUT_XUU + c] = (h[4 * TAUT_XUU + c] - 2 * wu * xu[c] - wuu * x[c]) / w;
+        values[3 * TAUT_XUV + c] = (h[4 * TAUT_XUV + c] - wu * xv[c] - wv * xu[c] - wuv * x[c]) / w;
+        values[3 * TAUT_XVV + c] = (h[4 * TAUT_XVV + c] - 2 * wv * xv[c] - wvv * x[c]) / w;
+    }
+}

@@ -1,0 +1,124 @@
+/* surface.c -- the surface object. Evaluation is in surface_eval.c and surface_grid.c. */
+#include "taut/surface.h"
+
+#include "core/fail.h"
+#include "core/memory.h"
+#include "geometry/net.h"
+
+#include <string.h>
+
+struct taut_surface {
+    char name[TAUT_NAME_MAX + 1];
+    taut_basis *u, *v;
+    double *points;
+    double *weights; /* or NULL */
+};
+
+static size_t point_count(const taut_basis *u, const taut_basis *v)
+{
+    return (size_t)taut_basis_count(u) * (size_t)taut_basis_count(v);
+}
+
+/* What must hold before memory is taken. */
+static taut_status check(const char *name, const taut_basis *u, const taut_basis *v,
+                         const double *points, const double *weights, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    if (u == NULL || v == NULL || points == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "a surface needs two bases and points");
+    }
+    if (name != NULL && strlen(name) > TAUT_NAME_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/name", (double)strlen(name), TAUT_NAME_MAX,
+                         "a name of %zu bytes, expected at most %d", strlen(name), TAUT_NAME_MAX);
+    }
+    if (point_count(u, v) > TAUT_POINTS_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/points", (double)point_count(u, v),
+                         TAUT_POINTS_MAX, "%zu control points, expected at most %d",
+                         point_count(u, v), TAUT_POINTS_MAX);
+    }
+    status = taut_net_check_points(point_count(u, v), taut_basis_count(v), points, error);
+    if (status == TAUT_OK && weights != NULL) {
+        if (!taut_basis_allows_weights(u) || !taut_basis_allows_weights(v)) {
+            return taut_fail(error, TAUT_BAD_INPUT, "/weights", taut_none, taut_none,
+                             "a basis of type \"%s\" carries no weights",
+                             taut_basis_type(taut_basis_allows_weights(u) ? v : u));
+        }
+        status = taut_net_check_weights(point_count(u, v), taut_basis_count(v), weights, error);
+    }
+    return status;
+}
+
+taut_status taut_surface_new(const char *name, const taut_basis *u, const taut_basis *v,
+                             const double *points, const double *weights, taut_surface **surface,
+                             taut_error *error)
+{
+    const taut_status status = check(name, u, v, points, weights, error);
+    taut_surface *made = NULL;
+    size_t count = 0;
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    count = point_count(u, v);
+    made = taut_alloc_zero(1, sizeof *made);
+    if (made == NULL) {
+        return taut_fail_memory(error);
+    }
+    memcpy(made->name, name != NULL ? name : "", name != NULL ? strlen(name) : 0);
+    made->points = taut_alloc_aligned(3 * count, sizeof(double));
+    made->weights = weights != NULL ? taut_alloc_aligned(count, sizeof(double)) : NULL;
+    if (made->points == NULL || (weights != NULL && made->weights == NULL) ||
+        taut_basis_copy(u, &made->u) != TAUT_OK || taut_basis_copy(v, &made->v) != TAUT_OK) {
+        taut_surface_free(made);
+        return taut_fail_memory(error);
+    }
+    memcpy(made->points, points, 3 * count * sizeof(double));
+    if (weights != NULL) {
+        memcpy(made->weights, weights, count * sizeof(double));
+    }
+    *surface = made;
+    return TAUT_OK;
+}
+
+taut_status taut_surface_copy(const taut_surface *surface, taut_surface **copy)
+{
+    return taut_surface_new(surface->name, surface->u, surface->v, surface->points,
+                            surface->weights, copy, NULL);
+}
+
+void taut_surface_free(taut_surface *surface)
+{
+    if (surface != NULL) {
+        taut_basis_free(surface->u);
+        taut_basis_free(surface->v);
+        taut_free(surface->points);
+        taut_free(surface->weights);
+        taut_free(surface);
+    }
+}
+
+const char *taut_surface_name(const taut_surface *surface)
+{
+    return surface->name;
+}
+
+const taut_basis *taut_surface_u(const taut_surface *surface)
+{
+    return surface->u;
+}
+
+const taut_basis *taut_surface_v(const taut_surface *surface)
+{
+    return surface->v;
+}
+
+const double *taut_surface_points(const taut_surface *surface)
+{
+    return surface->points;
+}
+
+const double *taut_surface_weights(const taut_surface *surface)
+{
+    return surface->weights;
+}

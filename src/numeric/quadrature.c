@@ -1,0 +1,49 @@
+/* quadrature.c -- Gauss-Legendre nodes by Newton's method on the three-term recurrence.
+ *
+ *     (k+1) P_{k+1}(x) = (2k+1) x P_k(x) - k P_{k-1}(x),   (1-x^2) P_n' = n (P_{n-1} - x P_n)
+ * from Tricomi's starting values; weights 2 / ((1-x^2) P_n'(x)^2). [DLMF] 18.9, 18.16, 3.5(v).
+ */
+#include "numeric/quadrature.h"
+
+#include <assert.h>
+#include <math.h>
+
+/* P_n(x) and its derivative at |x| < 1. */
+static void legendre(int n, double x, double *value, double *slope)
+{
+    double before = 1, now = x;
+    for (int k = 1; k < n; k++) {
+        const double next = ((2 * k + 1) * x * now - k * before) / (k + 1);
+        before = now;
+        now = next;
+    }
+    *value = now;
+    *slope = n * (before - x * now) / ((1 - x) * (1 + x));
+}
+
+void taut_gauss_rule(int count, double *nodes, double *weights)
+{
+    const double pi = 3.14159265358979323846;
+
+    assert(count >= 1 && count <= TAUT_GAUSS_MAX);
+    for (int i = 0; i < (count + 1) / 2; i++) {
+        const double angle = pi * (4.0 * i + 3) / (4.0 * count + 2);
+        const double n = count;
+        double x = (1 - (n - 1) / (8 * n * n * n)) * cos(angle);
+        double value = 0, slope = 1;
+        for (int step = 0; step < 8; step++) {
+            legendre(count, x, &value, &slope);
+            x -= value / slope;
+            if (fabs(value / slope) < 1e-16) {
+                break;
+            }
+        }
+        if (2 * i + 1 == count) {
+            x = 0;
+        }
+        legendre(count, x, &value, &slope);
+        nodes[count - 1 - i] = x;
+        nodes[i] = -x;
+        weights[i] = weights[count - 1 - i] = 2 / ((1 - x) * (1 + x) * slope * slope);
+    }
+}

@@ -1,0 +1,15 @@
+/* construct_list.h -- every construction taut knows, sorted by name. One line adds one:
+ *
+ *     src/construct/<identifier>*.c   exports  const taut_construct_ops taut_construct_<identifier>
+ *     src/certify/<identifier>*.c     exports  const taut_certify_ops   taut_certify_<identifier>
+ *     src/io/document_<identifier>.c  exports  const taut_document_ops  taut_document_<identifier>
+ *
+ * docs/adding.md has the whole table.
+ */
+#ifndef TAUT_CONSTRUCT_LIST_H
+#define TAUT_CONSTRUCT_LIST_H
+
+/*    identifier, name in documents */
+#define TAUT_CONSTRUCT_LIST(X) X(dirichlet, "dirichlet")
+
+#endif /* TAUT_CONSTRUCT_LIST_H */
