@@ -1,5 +1,5 @@
 # taut_embed(<output.c> <symbol> <files...>): a C file with `const taut_embedded <symbol>[]`, one row per file
-# (name without folder, text, length), ended by a row of NULL. Declared in core/embedded.h.
+# (name without folder, text, length), ended by a row of NULL. Declared in src/cli/embedded_files.h.
 function(taut_embed output symbol)
   set(listed ${ARGN})
   list(SORT listed)

@@ -16,3 +16,12 @@ target_link_libraries(taut_static PUBLIC taut_flags PkgConfig::JANSSON Threads::
 add_library(taut_shared SHARED $<TARGET_OBJECTS:taut_objects>)
 set_target_properties(taut_shared PROPERTIES OUTPUT_NAME taut VERSION ${PROJECT_VERSION} SOVERSION 0)
 target_link_libraries(taut_shared PRIVATE taut_flags PkgConfig::JANSSON Threads::Threads m dl)
+
+# Kernels for one instruction set each, chosen at run time; fused multiply-add is theirs to use.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  file(GLOB_RECURSE avx2_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*_avx2.c)
+  file(GLOB_RECURSE avx512_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*_avx512.c)
+  set_source_files_properties(${avx2_sources} PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
+  set_source_files_properties(${avx512_sources} PROPERTIES COMPILE_OPTIONS
+    "-mavx512f;-mavx2;-mfma;-ffp-contract=fast")
+endif()
