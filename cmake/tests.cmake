@@ -45,6 +45,15 @@ foreach(file IN LISTS cli_tests)
     ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR}")
 endforeach()
 
+# The checks of tools/ are seen to catch what they are for.
+file(GLOB tool_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/tools/test_*.sh)
+foreach(file IN LISTS tool_tests)
+  get_filename_component(short ${file} NAME_WE)
+  string(REPLACE "test_" "" short ${short})
+  add_test(NAME tools/${short} COMMAND sh ${file})
+  set_tests_properties(tools/${short} PROPERTIES TIMEOUT 300 ENVIRONMENT "SOURCE=${CMAKE_SOURCE_DIR}")
+endforeach()
+
 # Each public header compiles alone, as C17 and as C++17.
 file(GLOB public_headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/include/taut/*.h)
 foreach(header IN LISTS public_headers)
