@@ -1,6 +1,6 @@
 /* fuzz_basis.c -- bases out of arbitrary specs, and every call on those that are made.
  *
- * The input is a spec in fixed places, then knots; see take_* below. What holds for every legal
+ * The input is a spec in fixed places, then its knots. What holds for every legal
  * basis is checked: values are finite and sum to 1.
  */
 #include "basis/basis_ops.h"
