@@ -39,6 +39,50 @@ static void test_circle(void)
     taut_basis_free(basis);
 }
 
+/* The product rule on A = w x, with A and w from curves without weights:
+ *     A^(k) = sum_i C(k,i) w^(i) x^(k-i)
+ * (On the circle above a tangential error would not show.) */
+static void test_product_rule(void)
+{
+    enum { COUNT = 7 };
+    static const double binomial[4][4] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
+    taut_basis *basis = basis_of((taut_basis_spec){.type = "bspline", .degree = 4, .count = COUNT});
+    for (int trial = 0; trial < 300; trial++) {
+        double points[3][COUNT][3], weights[COUNT];
+        double values[3][4][3]; /* of x, A, w */
+        const double t = random_in(0, 1);
+        for (int i = 0; i < COUNT; i++) {
+            weights[i] = random_log(0.25, 4);
+            for (int c = 0; c < 3; c++) {
+                points[0][i][c] = random_in(-1, 1);
+                points[1][i][c] = weights[i] * points[0][i][c];
+                points[2][i][c] = weights[i];
+            }
+        }
+        for (int k = 0; k < 3; k++) {
+            taut_curve *curve = NULL;
+            CHECK(taut_curve_new("", basis, &points[k][0][0], k == 0 ? weights : NULL, &curve,
+                                 NULL) == TAUT_OK,
+                  "k=%d", k);
+            CHECK(taut_curve_eval(curve, t, 3, &values[k][0][0]) == TAUT_OK, "k=%d", k);
+            taut_curve_free(curve);
+        }
+        for (int k = 0; k <= 3; k++) {
+            for (int c = 0; c < 3; c++) {
+                double sum = 0, size = 1;
+                for (int i = 0; i <= k; i++) {
+                    const double term = binomial[k][i] * values[2][i][c] * values[0][k - i][c];
+                    sum += term;
+                    size += fabs(term);
+                }
+                /* derivative k of the basis is a sum of terms up to 2^k times its own size */
+                CHECK_NEAR(values[1][k][c], sum, (40 << k) * 0x1p-53 * size, "k=%d t=%a", k, t);
+            }
+        }
+    }
+    taut_basis_free(basis);
+}
+
 /* Points on a line at the Greville abscissae reproduce the parameter itself. */
 static void test_linear_precision(void)
 {
@@ -133,6 +177,7 @@ int main(void)
 {
     random_seed(20260104);
     test_circle();
+    test_product_rule();
     test_linear_precision();
     test_side_of_knot();
     test_refusals();
