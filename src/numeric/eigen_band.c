@@ -178,6 +178,9 @@ static taut_status solve_banded(const taut_pencil *pencil, taut_eigenpairs *pair
     if (status == TAUT_OK) {
         status = taut_eigen_orthogonalise(pencil, pairs);
     }
+    if (status == TAUT_OK) {
+        status = sort(pairs);
+    }
     taut_free(bracket);
     return status;
 }
@@ -194,6 +197,9 @@ static taut_status solve_dense(const taut_pencil *pencil, taut_eigenpairs *pairs
     }
     if (status == TAUT_OK) {
         status = taut_eigen_orthogonalise(pencil, pairs);
+    }
+    if (status == TAUT_OK) {
+        status = sort(pairs);
     }
     return status;
 }
