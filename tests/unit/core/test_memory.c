@@ -50,6 +50,7 @@ static void note(void *object)
 
 static void test_arena(void)
 {
+    static char first[] = "a", second[] = "b";
     static const double numbers[] = {1, 2, 3};
     taut_arena *arena = taut_arena_new();
     const double *taken = taut_arena_take(arena, 50, sizeof(double));
@@ -63,8 +64,8 @@ static void test_arena(void)
     CHECK(taut_arena_copy(arena, NULL, 1, 1) == NULL && taut_arena_text(arena, NULL) == NULL,
           "nothing to copy");
     CHECK(taut_arena_keep(arena, NULL, note) == 0, "nothing to keep");
-    CHECK(taut_arena_keep(arena, (char[]){"a"}, note) == 1, "kept");
-    CHECK(taut_arena_keep(arena, (char[]){"b"}, note) == 1, "kept");
+    CHECK(taut_arena_keep(arena, first, note) == 1, "kept");
+    CHECK(taut_arena_keep(arena, second, note) == 1, "kept");
     CHECK(order[0] == '\0', "released too early");
     taut_arena_free(arena);
     CHECK(strcmp(order, "ba") == 0, "last kept first: %s", order);
