@@ -3,8 +3,9 @@
  * Degree p, n functions, full knots t_0 <= ... <= t_{n+p}, clamped: t_0 = .. = t_p < t_{p+1} and
  * t_{n-1} < t_n = .. = t_{n+p}; inner multiplicity at most p, so that the functions are continuous
  * ([WuWang2011] section 2.1; multiplicity p+1 may tear the surface). The form without the outermost
- * two knots is told by its length. Values and derivatives by the triangular table of
- * [PieglTiller1997] A2.2 and A2.3, which divides by knot differences of non-empty supports only.
+ * two knots is told by its length. Values by the recurrence of [PieglTiller1997] A2.2, which
+ * divides by knot differences of non-empty supports only; derivatives by raising saved rows of
+ * lower degree.
  */
 #include "basis/basis_ops.h"
 #include "core/fail.h"
@@ -12,6 +13,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Knot i of the full form out of the given knots, of which `dropped` (0 or 1) are left out at
  * each end. */
@@ -162,75 +164,64 @@ static void bspline_fill(taut_basis *basis)
     assert(span == basis->shape.span_count);
 }
 
-/* The triangle of [PieglTiller1997] A2.2: ndu[j][r], j <= p; column j holds the values of degree j
- * (upper part), the lower part the knot differences. */
-typedef double triangle[TAUT_DEGREE_MAX + 1][TAUT_DEGREE_MAX + 1];
+/* Reciprocal knot differences of the highest TAUT_ORDER_MAX degrees:
+ *     inverse[p - m][r] = 1 / (t_{i+r+1} - t_{i+r+1-m}),   r = 0..m-1,   never of an empty support
+ */
+typedef double reciprocals[TAUT_ORDER_MAX][TAUT_DEGREE_MAX];
 
-static void fill_triangle(const double *knots, int i, int p, double t, triangle ndu)
+/* Raises b[0..m-1], the functions of degree m-1 alive on knot interval i, to degree m
+ * ([PieglTiller1997] A2.2); left[j] = t - t_{i+1-j}, right[j] = t_{i+j} - t. */
+static void raise_degree(int m, const double *left, const double *right, double *inverse, double *b)
 {
-    double left[TAUT_DEGREE_MAX + 1];
-    double right[TAUT_DEGREE_MAX + 1];
-
-    ndu[0][0] = 1;
-    for (int j = 1; j <= p; j++) {
-        double saved = 0;
-        left[j] = t - knots[i + 1 - j];
-        right[j] = knots[i + j] - t;
-        for (int r = 0; r < j; r++) {
-            ndu[j][r] = right[r + 1] + left[j - r]; /* a knot difference, never 0 */
-            const double part = ndu[r][j - 1] / ndu[j][r];
-            ndu[r][j] = saved + right[r + 1] * part;
-            saved = left[j - r] * part;
-        }
-        ndu[j][j] = saved;
+    double saved = 0;
+    for (int r = 0; r < m; r++) {
+        inverse[r] = 1 / (right[r + 1] + left[m - r]);
+        const double part = b[r] * inverse[r];
+        b[r] = saved + right[r + 1] * part;
+        saved = left[m - r] * part;
     }
+    b[m] = saved;
 }
 
-/* Derivative k of function r out of the triangle: row a of coefficients, from the row before
- * ([PieglTiller1997] A2.3). */
-static double derivative_row(int p, int r, int k, triangle ndu, const double *before, double *now)
+/* b[0..m-1] holds functions of degree m-1 on entry, derivatives of those of degree m on return:
+ *     N'_{r,m} = m (N_{r-1,m-1} / (t_{i+r} - t_{i+r-m}) - N_{r,m-1} / (t_{i+r+1} - t_{i+r+1-m})) */
+static void differentiate(int m, const double *inverse, double *b)
 {
-    const int rk = r - k;
-    const int pk = p - k;
-    const int low = rk >= -1 ? 1 : -rk;
-    const int high = r - 1 <= pk ? k - 1 : p - r;
-    double sum = 0;
-
-    if (rk >= 0) {
-        now[0] = before[0] / ndu[pk + 1][rk];
-        sum = now[0] * ndu[rk][pk];
+    double below = m * b[m - 1] * inverse[m - 1];
+    b[m] = below;
+    for (int r = m - 1; r > 0; r--) {
+        const double above = below;
+        below = m * b[r - 1] * inverse[r - 1];
+        b[r] = below - above;
     }
-    for (int j = low; j <= high; j++) {
-        now[j] = (before[j] - before[j - 1]) / ndu[pk + 1][rk + j];
-        sum += now[j] * ndu[rk + j][pk];
-    }
-    if (r <= pk) {
-        now[k] = -before[k - 1] / ndu[pk + 1][r];
-        sum += now[k] * ndu[r][pk];
-    }
-    return sum;
+    b[0] = -below;
 }
 
 static void bspline_eval(const taut_basis *basis, int span, double t, int order, double *values)
 {
     const int p = basis->spec.degree;
-    triangle ndu;
-    double rows[2][TAUT_DEGREE_MAX + 1];
+    const double *knots = basis->knots + basis->knot_span[span];
+    double left[TAUT_DEGREE_MAX + 1], right[TAUT_DEGREE_MAX + 1], spare[TAUT_DEGREE_MAX];
+    reciprocals inverse;
 
-    fill_triangle(basis->knots, basis->knot_span[span], p, t, ndu);
-    for (int r = 0; r <= p; r++) {
-        double factor = 1;
-        int now = 0;
-        values[r] = ndu[r][p];
-        rows[0][0] = 1;
-        for (int k = 1; k <= order; k++) {
-            double derivative = 0;
-            if (k <= p) {
-                factor *= p - k + 1;
-                derivative = factor * derivative_row(p, r, k, ndu, rows[now], rows[1 - now]);
-                now = 1 - now;
-            }
-            values[k * (p + 1) + r] = derivative;
+    values[0] = 1;
+    for (int m = 1; m <= p; m++) {
+        const int k = p - m + 1; /* derivatives of order k start from degree m - 1 */
+        if (k <= order) {
+            memcpy(values + k * (p + 1), values, (size_t)m * sizeof(double));
+        }
+        left[m] = t - knots[1 - m];
+        right[m] = knots[m] - t;
+        raise_degree(m, left, right, k <= TAUT_ORDER_MAX ? inverse[k - 1] : spare, values);
+    }
+    for (int k = 1; k <= order; k++) {
+        double *row = values + k * (p + 1);
+        if (k > p) {
+            memset(row, 0, (size_t)(p + 1) * sizeof(double));
+            continue;
+        }
+        for (int m = p - k + 1; m <= p; m++) {
+            differentiate(m, inverse[p - m], row);
         }
     }
 }

@@ -15,21 +15,36 @@ static int inside(const taut_basis *basis, double t)
     return t >= taut_basis_lo(basis) && t <= taut_basis_hi(basis);
 }
 
-/* h[k][dim] += sum_ab Nu[a] Nv[b] P[a][b], one row a at a time. */
-static void add_row(int vectors, int dim, const double *weight_u, int a, int local_u,
-                    const double *weight_v, int local_v, const double *row, const double *w,
-                    double *h)
+/* The functions alive at one point, and where the net's part they meet begins. */
+typedef struct place {
+    int local_u, local_v;
+    long columns, first; /* of the net; index of its first point */
+    const double *n_u, *n_v;
+} place;
+
+/* h[k] = sum_ab d^kN (w x, w y, w z, w)_ab, along v first. `order` is a constant at each call, so
+ * that the short loops over derivatives unroll. */
+static inline void sum_net(const place *at, const double *points, const double *weights,
+                           const int order, double h[6][4])
 {
-    for (int k = 0; k < vectors; k++) {
-        const double nu = weight_u[order_u[k] * local_u + a];
-        const double *nv = weight_v + (long)order_v[k] * local_v;
-        for (int b = 0; b < local_v; b++) {
-            const double n = nu * nv[b] * (w != NULL ? w[b] : 1);
-            for (int c = 0; c < 3; c++) {
-                h[k * dim + c] += n * row[3 * b + c];
+    for (int a = 0; a < at->local_u; a++) {
+        const long index = at->first + a * at->columns;
+        double row[3][4] = {{0}};
+        for (int b = 0; b < at->local_v; b++) {
+            const double *point = points + 3 * (index + b);
+            const double weight = weights != NULL ? weights[index + b] : 1;
+            for (int l = 0; l <= order; l++) {
+                const double m = at->n_v[l * at->local_v + b] * weight;
+                row[l][0] += m * point[0];
+                row[l][1] += m * point[1];
+                row[l][2] += m * point[2];
+                row[l][3] += m;
             }
-            if (w != NULL) {
-                h[k * dim + 3] += n;
+        }
+        for (int k = 0; k < TAUT_SURFACE_VECTORS(order); k++) {
+            const double n = at->n_u[order_u[k] * at->local_u + a];
+            for (int c = 0; c < 4; c++) {
+                h[k][c] += n * row[order_v[k]][c];
             }
         }
     }
@@ -38,35 +53,40 @@ static void add_row(int vectors, int dim, const double *weight_u, int a, int loc
 taut_status taut_surface_eval(const taut_surface *surface, double u, double v, int order,
                               double *values)
 {
-    double weight_u[3 * (TAUT_DEGREE_MAX + 1)];
-    double weight_v[3 * (TAUT_DEGREE_MAX + 1)];
-    double h[6 * 4];
-    const int vectors = TAUT_SURFACE_VECTORS(order);
+    double n_u[3 * (TAUT_DEGREE_MAX + 1)], n_v[3 * (TAUT_DEGREE_MAX + 1)];
+    double h[6][4] = {{0}};
 
     if (surface == NULL || values == NULL || order < 0 || order > 2 ||
         !inside(taut_surface_u(surface), u) || !inside(taut_surface_v(surface), v)) {
         return TAUT_BAD_ARGUMENT;
     }
-    const taut_basis *bu = taut_surface_u(surface);
-    const taut_basis *bv = taut_surface_v(surface);
+    const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
     const double *points = taut_surface_points(surface);
     const double *weights = taut_surface_weights(surface);
-    const int dim = weights != NULL ? 4 : 3;
     const int su = taut_basis_span(bu, u), sv = taut_basis_span(bv, v);
     const long columns = taut_basis_count(bv);
+    const place at = {.local_u = bu->shape.local,
+                      .local_v = bv->shape.local,
+                      .columns = columns,
+                      .first = bu->first[su] * columns + bv->first[sv],
+                      .n_u = n_u,
+                      .n_v = n_v};
 
-    bu->ops->eval(bu, su, u, order, weight_u);
-    bv->ops->eval(bv, sv, v, order, weight_v);
-    memset(h, 0, sizeof h);
-    for (int a = 0; a < bu->shape.local; a++) {
-        const long index = (bu->first[su] + a) * columns + bv->first[sv];
-        add_row(vectors, dim, weight_u, a, bu->shape.local, weight_v, bv->shape.local,
-                points + 3 * index, weights != NULL ? weights + index : NULL, h);
+    bu->ops->eval(bu, su, u, order, n_u);
+    bv->ops->eval(bv, sv, v, order, n_v);
+    if (order == 0) {
+        sum_net(&at, points, weights, 0, h);
+    } else if (order == 1) {
+        sum_net(&at, points, weights, 1, h);
+    } else {
+        sum_net(&at, points, weights, 2, h);
     }
     if (weights != NULL) {
-        taut_net_project(order, h, values);
-    } else {
-        memcpy(values, h, (size_t)vectors * 3 * sizeof(double));
+        taut_net_project(order, &h[0][0], values);
+        return TAUT_OK;
+    }
+    for (int k = 0; k < TAUT_SURFACE_VECTORS(order); k++) {
+        memcpy(values + 3 * k, h[k], 3 * sizeof(double));
     }
     return TAUT_OK;
 }
