@@ -57,9 +57,11 @@ void gram_knots_make(gram_knots kind, int degree, int count, unsigned seed, doub
     }
 }
 
-/* Values and first derivatives of the degree + 1 functions on knot span `span`, by the recurrence
- * with x = (t - left) so that nothing cancels at far knots. */
-static void basis(int degree, const double *knots, int span, double t, double *value, double *slope)
+/* Values and first derivatives of the degree + 1 functions on knot span `span`, at the point
+ * `after` behind its start and `before` in front of its end: distances to the knots are sums of
+ * lengths, so nothing cancels and mirrored knots give mirrored values. */
+static void basis(int degree, const double *knots, int span, double after, double before,
+                  double *value, double *slope)
 {
     double lower[DEGREE_MAX + 1] = {1.0};
     value[0] = 1.0;
@@ -67,10 +69,11 @@ static void basis(int degree, const double *knots, int span, double t, double *v
         memcpy(lower, value, (size_t)p * sizeof *lower);
         double carried = 0.0;
         for (int r = 0; r < p; r++) {
-            const double right = knots[span + 1 + r], left = knots[span + 1 + r - p];
-            const double share = lower[r] / (right - left);
-            value[r] = carried + (right - t) * share;
-            carried = (t - left) * share;
+            const double to_right = (knots[span + 1 + r] - knots[span + 1]) + before;
+            const double from_left = (knots[span] - knots[span + 1 + r - p]) + after;
+            const double width = knots[span + 1 + r] - knots[span + 1 + r - p];
+            value[r] = carried + to_right * lower[r] / width;
+            carried = from_left * lower[r] / width;
         }
         value[p] = carried;
     }
@@ -83,9 +86,6 @@ static void basis(int degree, const double *knots, int span, double t, double *v
             slope[r] -= degree * lower[r] / (knots[span + 1 + r] - knots[span + 1 + r - degree]);
         }
     }
-    if (degree == 0) {
-        slope[0] = 0.0;
-    }
 }
 
 static void add_span(int degree, const double *knots, int span, int first, int last,
@@ -96,7 +96,7 @@ static void add_span(int degree, const double *knots, int span, int first, int l
     taut_gauss_rule(degree + 1, node, weight);
     const double half = (knots[span + 1] - knots[span]) / 2.0;
     for (int g = 0; g <= degree; g++) {
-        basis(degree, knots, span, knots[span] + half * (1.0 + node[g]), value, slope);
+        basis(degree, knots, span, half * (1.0 + node[g]), half * (1.0 - node[g]), value, slope);
         for (int r = 0; r <= degree; r++) {
             for (int s = 0; s <= r; s++) {
                 const int i = span - degree + r, j = span - degree + s;

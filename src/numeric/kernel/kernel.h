@@ -46,6 +46,17 @@ typedef struct taut_kernel {
 
     /* xy[l] = x . y,  xx[l] = x . x  over double[n][lanes]. */
     void (*dot)(int n, const double *x, const double *y, double *xy, double *xx);
+
+    /* Over `count` entries: y += factor x;  y += c x, entry by entry. Any alignment. */
+    void (*add_scaled)(size_t count, double factor, const double *x, double *y);
+    void (*add_products)(size_t count, const double *c, const double *x, double *y);
+
+    /* The same into sums kept as high + low, with an error of about 2^-104 of the terms. x_low may
+     * be NULL: zero. */
+    void (*add_scaled_exactly)(size_t count, double factor, const double *x, const double *x_low,
+                               double *high, double *low);
+    void (*add_products_exactly)(size_t count, const double *c, const double *x, double *high,
+                                 double *low);
 } taut_kernel;
 
 /* The best table for this processor, or the one that the environment variable TAUT_KERNEL names

@@ -29,6 +29,7 @@ INLINE v_double v_select(v_mask mask, v_double a, v_double b)
 
 #include "numeric/kernel/band_body.h"
 #include "numeric/kernel/tile_body.h"
+#include "numeric/kernel/vector_body.h"
 
 #define JOIN2(a, b) a##b
 #define JOIN(a, b) JOIN2(a, b)
@@ -46,4 +47,8 @@ const taut_kernel JOIN(taut_kernel_, SUFFIX) = {
     .band_substitute = band_substitute,
     .band_multiply = band_multiply,
     .dot = dot,
+    .add_scaled = add_scaled,
+    .add_products = add_products,
+    .add_scaled_exactly = add_scaled_exactly,
+    .add_products_exactly = add_products_exactly,
 };
