@@ -30,7 +30,7 @@ const taut_basis_ops *taut_basis_ops_find(const char *type)
     return NULL;
 }
 
-/* The members a spec gives, as bits. */
+/* The members a spec gives, as bits; one that is 0 cannot be told from one left out. */
 static unsigned members_given(const taut_basis_spec *spec)
 {
     return (spec->degree != 0 ? (unsigned)TAUT_MEMBER_DEGREE : 0U) |
@@ -103,7 +103,7 @@ taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basi
                            taut_error *error)
 {
     const taut_basis_ops *ops = NULL;
-    taut_basis_shape shape = {0, 0, 0, 0};
+    taut_basis_shape shape = {0, 0, 0, 0, -1};
     taut_basis *made = NULL;
     taut_status status = TAUT_OK;
 
@@ -228,7 +228,7 @@ double taut_basis_hi(const taut_basis *basis)
 
 int taut_basis_degree(const taut_basis *basis)
 {
-    return basis->ops->polynomial ? basis->shape.local - 1 : -1;
+    return basis->shape.degree;
 }
 
 int taut_basis_allows_weights(const taut_basis *basis)

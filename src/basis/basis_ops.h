@@ -23,13 +23,14 @@ typedef struct taut_basis_shape {
     int local;      /* alive on a span */
     int span_count; /* non-empty spans */
     int knot_count; /* full form; 0 where there are no knots */
+    int degree;     /* of the polynomials on each span; -1 where they are none */
 } taut_basis_shape;
 
 typedef struct taut_basis_ops {
     const char *type;
-    unsigned needs;  /* members that must be given */
+    unsigned needs;  /* members a document must give; a reader asks for them, because 0 is a
+                        value like any other for some (ce-bezier's shape numbers) */
     unsigned allows; /* members that may be given besides */
-    int polynomial;  /* the functions are polynomials of spec.degree on each span */
     int weights;     /* rational weights allowed */
     /* Is the spec legal? Fills the shape. `functions` as in taut_basis_new. Members present, degree
      * within its limit and all numbers finite have been checked already. */

@@ -7,7 +7,7 @@ static taut_status bezier_plan(const taut_basis_spec *spec, int functions, taut_
 {
     (void)functions;
     (void)error;
-    *shape = (taut_basis_shape){spec->degree + 1, spec->degree + 1, 1, 0};
+    *shape = (taut_basis_shape){spec->degree + 1, spec->degree + 1, 1, 0, spec->degree};
     return TAUT_OK;
 }
 
@@ -43,7 +43,6 @@ const taut_basis_ops taut_basis_bezier = {
     .type = "bezier",
     .needs = TAUT_MEMBER_DEGREE,
     .allows = TAUT_MEMBER_RANGE,
-    .polynomial = 1,
     .weights = 1,
     .plan = bezier_plan,
     .fill = bezier_fill,

@@ -129,7 +129,8 @@ static taut_status bspline_plan(const taut_basis_spec *spec, int functions, taut
     } else {
         spans = count - p;
     }
-    *shape = (taut_basis_shape){count, p + 1, spans, count <= TAUT_COUNT_MAX ? count + p + 1 : 0};
+    *shape =
+        (taut_basis_shape){count, p + 1, spans, count <= TAUT_COUNT_MAX ? count + p + 1 : 0, p};
     return status;
 }
 
@@ -230,7 +231,6 @@ const taut_basis_ops taut_basis_bspline = {
     .type = "bspline",
     .needs = TAUT_MEMBER_DEGREE,
     .allows = TAUT_MEMBER_KNOTS | TAUT_MEMBER_COUNT,
-    .polynomial = 1,
     .weights = 1,
     .plan = bspline_plan,
     .fill = bspline_fill,
