@@ -1,0 +1,30 @@
+/* dirichlet_rational.h -- the Dirichlet form of rational functions whose weights are no product.
+ *
+ *     A(ij,st) = iint fu R_ij,u R_st,u + fv R_ij,v R_st,v,    R_ij = w_ij N_i N_j / w
+ * ([WuWang2011] 7.5)
+ *
+ * over the unit square, applied to nets by Gauss quadrature without being stored.
+ */
+#ifndef TAUT_CONSTRUCT_DIRICHLET_RATIONAL_H
+#define TAUT_CONSTRUCT_DIRICHLET_RATIONAL_H
+
+#include "taut/basis.h"
+
+typedef struct taut_dirichlet_rational taut_dirichlet_rational;
+
+/* Starts with local+3 nodes a span and direction. The bases are borrowed, the weights (in (0, 1])
+ * copied. TAUT_NO_MEMORY. */
+taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v,
+                                        const double *weights, taut_dirichlet_rational **form,
+                                        taut_error *error);
+void taut_dirichlet_rational_free(taut_dirichlet_rational *form); /* NULL is fine */
+
+/* Half as many nodes again: TAUT_OK, TAUT_NO_MEMORY, or TAUT_NOT_CONVERGED when there are
+ * TAUT_GAUSS_MAX already; the form stays as it was then. */
+taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form);
+
+/* y = A x, nets double[nu][nv][3]. */
+void taut_dirichlet_rational_apply(taut_dirichlet_rational *form, double fu, double fv,
+                                   const double *x, double *y);
+
+#endif /* TAUT_CONSTRUCT_DIRICHLET_RATIONAL_H */
