@@ -17,8 +17,8 @@ certify:   core numeric/quadrature.h numeric/sum.h basis geometry measure proble
 mesh:      core basis geometry measure
 draw:      core numeric basis geometry problem measure mesh io
 io:        core numeric basis geometry problem measure construct certify mesh draw <jansson.h>
-cli:       core/embedded.h
-viewer:    core/embedded.h
+cli:
+viewer:
 modules/*: core draw io
 modules/cairo: core draw io <cairo.h> <cairo-svg.h> <cairo-pdf.h>
 include/taut:

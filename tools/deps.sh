@@ -30,7 +30,7 @@ check cmd:llvm-symbolizer-14         llvm-14                names in the sanitiz
 check cmd:nm                         binutils               lists the library's symbols
 bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of the Dirichlet solver
 bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
-bench header:opencascade/Geom_BSplineSurface.hxx libocct-modeling-data-dev OpenCASCADE, a peer in evaluation
+bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
 bench pc:openblas                    libopenblas-dev        what CHOLMOD runs on
 LIST
 }
