@@ -148,6 +148,7 @@ static taut_status solve(const taut_dirichlet_problem *problem, taut_dirichlet_f
                          const taut_pattern *pattern, const taut_make_options *options, double *net,
                          outcome *out, taut_error *error)
 {
+    double halves[2] = {0, 0};
     taut_dirichlet_system *system = NULL;
     taut_status status =
         taut_dirichlet_system_new(form, pattern, &options->monitor, &system, error);
@@ -161,8 +162,9 @@ static taut_status solve(const taut_dirichlet_problem *problem, taut_dirichlet_f
         }
     }
     if (status == TAUT_OK) {
-        double halves[2];
-        taut_dirichlet_system_energies(system, net, halves);
+        status = taut_dirichlet_system_energies(system, net, halves, error);
+    }
+    if (status == TAUT_OK) {
         out->energy = out->aspect * halves[0] + halves[1] / out->aspect;
         out->method = taut_dirichlet_system_method(system);
         out->iterations = taut_dirichlet_system_iterations(system);

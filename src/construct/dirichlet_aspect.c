@@ -31,11 +31,13 @@ static taut_status take(taut_dirichlet_system *system, double log_aspect, double
                         taut_error *error)
 {
     const double aspect = exp(log_aspect);
-    const taut_status status = taut_dirichlet_system_solve(system, aspect, net, error);
     double halves[2] = {0, 0};
+    taut_status status = taut_dirichlet_system_solve(system, aspect, net, error);
 
     if (status == TAUT_OK) {
-        taut_dirichlet_system_energies(system, net, halves);
+        status = taut_dirichlet_system_energies(system, net, halves, error);
+    }
+    if (status == TAUT_OK) {
         s->log_aspect = log_aspect;
         s->energy = aspect * halves[0] + halves[1] / aspect;
         s->slope = halves[0] > 0 && halves[1] > 0 ? 2 * log_aspect + log(halves[0]) - log(halves[1])
@@ -140,9 +142,10 @@ taut_status taut_dirichlet_system_aspect(taut_dirichlet_system *system, double *
     if (status == TAUT_OK) {
         status = scan(system, log(natural), net, best, error);
     }
-    if (status == TAUT_OK && best[1].slope < 0) {
+    log_aspect = status == TAUT_OK ? best[1].log_aspect : 0;
+    if (status == TAUT_OK && best[1].slope < -enough) {
         status = close_in(system, best[1], best[2], net, &log_aspect, error);
-    } else if (status == TAUT_OK) {
+    } else if (status == TAUT_OK && best[1].slope > enough) {
         status = close_in(system, best[0], best[1], net, &log_aspect, error);
     }
     if (status == TAUT_OK) {

@@ -4,6 +4,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "numeric/sum.h"
+#include "numeric/tensor_apply.h"
 
 #include <math.h>
 #include <string.h>
@@ -13,7 +14,6 @@ void taut_dirichlet_form_clear(taut_dirichlet_form *form)
     taut_gram_clear(&form->u);
     taut_gram_clear(&form->v);
     taut_dirichlet_rational_free(form->rational);
-    taut_free(form->scratch);
     taut_free(form->row_sums);
     memset(form, 0, sizeof *form);
 }
@@ -31,14 +31,6 @@ static void absolute_row_sums(const taut_band *band, double *sums)
     }
 }
 
-static taut_status alloc(taut_dirichlet_form *form)
-{
-    const size_t lines = (size_t)form->nu + (size_t)form->nv;
-    form->scratch = taut_alloc_aligned(6 * (size_t)form->nv, sizeof(double));
-    form->row_sums = taut_alloc_zero(2 * lines, sizeof(double));
-    return form->scratch != NULL && form->row_sums != NULL ? TAUT_OK : TAUT_NO_MEMORY;
-}
-
 taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, const double *weights,
                                     taut_dirichlet_form *form, taut_error *error)
 {
@@ -51,7 +43,8 @@ taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, co
     made.nv = taut_basis_count(v);
     status = taut_weights_split(made.nu, made.nv, weights, &split);
     if (status == TAUT_OK) {
-        status = alloc(&made);
+        made.row_sums = taut_alloc_zero(2 * ((size_t)made.nu + (size_t)made.nv), sizeof(double));
+        status = made.row_sums != NULL ? TAUT_OK : TAUT_NO_MEMORY;
     }
     if (status == TAUT_NO_MEMORY) {
         taut_fail_memory(error);
@@ -79,65 +72,37 @@ taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, co
     return TAUT_OK;
 }
 
-/* out = sum_s A(i,s) x[s], rows of `length` numbers. */
-static void combine_rows(const taut_band *band, int i, size_t length, const double *x, double *out)
+static taut_tensor tensor_of(const taut_dirichlet_form *form, double fu, double fv)
 {
-    const int n = band->n, width = band->width;
-    const int from = i - width > 0 ? i - width : 0, to = i + width < n - 1 ? i + width : n - 1;
-
-    memset(out, 0, length * sizeof(double));
-    for (int s = from; s <= to; s++) {
-        const double a = s <= i ? taut_band_row(band, i)[i - s] : taut_band_row(band, s)[s - i];
-        const double *row = x + (size_t)s * length;
-        for (size_t c = 0; c < length; c++) {
-            out[c] += a * row[c];
-        }
-    }
+    return (taut_tensor){
+        &form->u.stiffness, &form->u.mass, &form->v.stiffness, &form->v.mass, fu, fv};
 }
 
-/* y[j] += factor sum_t A(j,t) x[t], points of three numbers. */
-static void add_along_row(const taut_band *band, double factor, const double *x, double *y)
+taut_status taut_dirichlet_form_apply(const taut_dirichlet_form *form, double fu, double fv,
+                                      const double *x, double *y)
 {
-    for (int j = 0; j < band->n; j++) {
-        const double *row = taut_band_row(band, j);
-        const int reach = band->width < j ? band->width : j;
-        double *yj = y + 3 * (size_t)j;
-        for (int d = 0; d <= reach; d++) {
-            const double a = factor * row[d];
-            const double *xt = x + 3 * (size_t)(j - d);
-            yj[0] += a * xt[0];
-            yj[1] += a * xt[1];
-            yj[2] += a * xt[2];
-        }
-        for (int d = 1; d <= reach; d++) {
-            const double a = factor * row[d];
-            double *yt = y + 3 * (size_t)(j - d);
-            const double *xj = x + 3 * (size_t)j;
-            yt[0] += a * xj[0];
-            yt[1] += a * xj[1];
-            yt[2] += a * xj[2];
-        }
-    }
-}
-
-void taut_dirichlet_form_apply(const taut_dirichlet_form *form, double fu, double fv,
-                               const double *x, double *y)
-{
-    const size_t length = 3 * (size_t)form->nv;
-    double *sloped = form->scratch, *massed = form->scratch + length;
-
+    const taut_tensor tensor = tensor_of(form, fu, fv);
     if (form->rational != NULL) {
         taut_dirichlet_rational_apply(form->rational, fu, fv, x, y);
-        return;
+        return TAUT_OK;
     }
-    for (int i = 0; i < form->nu; i++) {
-        double *row = y + (size_t)i * length;
-        combine_rows(&form->u.stiffness, i, length, x, sloped);
-        combine_rows(&form->u.mass, i, length, x, massed);
-        memset(row, 0, length * sizeof(double));
-        add_along_row(&form->v.mass, fu, sloped, row);
-        add_along_row(&form->v.stiffness, fv, massed, row);
+    return taut_tensor_apply(&tensor, 3, x, y);
+}
+
+taut_status taut_dirichlet_form_residual(const taut_dirichlet_form *form, double fu, double fv,
+                                         const double *x, double *y)
+{
+    const size_t size = 3 * (size_t)form->nu * (size_t)form->nv;
+    const taut_tensor tensor = tensor_of(form, fu, fv);
+    if (form->rational == NULL) {
+        memset(y, 0, size * sizeof(double));
+        return taut_tensor_residual(&tensor, 3, y, x, y, NULL);
     }
+    taut_dirichlet_rational_apply(form->rational, fu, fv, x, y);
+    for (size_t i = 0; i < size; i++) {
+        y[i] = -y[i];
+    }
+    return TAUT_OK;
 }
 
 double taut_dirichlet_form_row_sum(const taut_dirichlet_form *form, double fu, double fv, int i,
@@ -148,17 +113,19 @@ double taut_dirichlet_form_row_sum(const taut_dirichlet_form *form, double fu, d
     return fu * (ku[i] * mv[j]) + fv * (mu[i] * kv[j]);
 }
 
-void taut_dirichlet_form_energies(const taut_dirichlet_form *form, const double *x, double *y,
-                                  double halves[2])
+taut_status taut_dirichlet_form_energies(const taut_dirichlet_form *form, const double *x,
+                                         double *y, double halves[2])
 {
     const size_t count = 3 * (size_t)form->nu * (size_t)form->nv;
-    for (int k = 0; k < 2; k++) {
+    taut_status status = TAUT_OK;
+    for (int k = 0; status == TAUT_OK && k < 2; k++) {
         taut_sum sum = {0, 0};
-        taut_dirichlet_form_apply(form, k == 0, k == 1, x, y);
-        for (size_t i = 0; i < count; i++) {
+        status = taut_dirichlet_form_apply(form, k == 0, k == 1, x, y);
+        for (size_t i = 0; status == TAUT_OK && i < count; i++) {
             taut_sum_add(&sum, x[i] * y[i]);
         }
         halves[k] = 0.5 * fmax(taut_sum_total(&sum), 0);
         halves[k] = k == 0 ? halves[k] * form->ratio : halves[k] / form->ratio;
     }
+    return status;
 }

@@ -18,7 +18,6 @@ typedef struct taut_dirichlet_form {
     double ratio; /* Lv / Lu */
     taut_gram u, v;
     taut_dirichlet_rational *rational; /* NULL where the tensor form is exact */
-    double *scratch;                   /* [2][nv][3] */
     double *row_sums;                  /* [2][nu + nv]: of |K|, then of |M|, u first */
 } taut_dirichlet_form;
 
@@ -27,17 +26,21 @@ taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, co
                                     taut_dirichlet_form *form, taut_error *error);
 void taut_dirichlet_form_clear(taut_dirichlet_form *form);
 
-/* y = A x, nets double[nu][nv][3], apart. Cost O(nu nv (local_u + local_v)) without quadrature. */
-void taut_dirichlet_form_apply(const taut_dirichlet_form *form, double fu, double fv,
-                               const double *x, double *y);
+/* y = A x, nets double[nu][nv][3], apart. Cost O(nu nv (local_u + local_v)) without quadrature.
+ * TAUT_OK or TAUT_NO_MEMORY. */
+taut_status taut_dirichlet_form_apply(const taut_dirichlet_form *form, double fu, double fv,
+                                      const double *x, double *y);
+/* y = -A x, summed in twice the precision where the tensor form is exact. */
+taut_status taut_dirichlet_form_residual(const taut_dirichlet_form *form, double fu, double fv,
+                                         const double *x, double *y);
 
 /* The sum of |A(ij,st)| over s, t, or an upper bound of it; with quadrature an estimate. */
 double taut_dirichlet_form_row_sum(const taut_dirichlet_form *form, double fu, double fv, int i,
                                    int j);
 
 /* The parts of the energy: halves[0] = 1/2 iint |x_u|^2, halves[1] = 1/2 iint |x_v|^2 over the
- * bases' own ranges; y double[nu][nv][3] is scratch. */
-void taut_dirichlet_form_energies(const taut_dirichlet_form *form, const double *x, double *y,
-                                  double halves[2]);
+ * bases' own ranges; y double[nu][nv][3] is scratch. TAUT_OK or TAUT_NO_MEMORY. */
+taut_status taut_dirichlet_form_energies(const taut_dirichlet_form *form, const double *x,
+                                         double *y, double halves[2]);
 
 #endif /* TAUT_CONSTRUCT_DIRICHLET_FORM_H */

@@ -168,16 +168,17 @@ static double relative(const taut_dirichlet_system *system, const double *r)
     return largest;
 }
 
-/* residual = -A net at the unknowns, 0 elsewhere; returns omega. */
-static double find_residual(taut_dirichlet_system *system, const double *net)
+/* residual = -A net at the unknowns, 0 elsewhere; *omega as dirichlet_system.h says. */
+static taut_status find_residual(taut_dirichlet_system *system, const double *net, double *omega,
+                                 taut_error *error)
 {
-    const size_t size = net_size(system);
-    taut_dirichlet_form_apply(system->form, system->fu, system->fv, net, system->residual);
-    for (size_t i = 0; i < size; i++) {
-        system->residual[i] = -system->residual[i];
+    if (taut_dirichlet_form_residual(system->form, system->fu, system->fv, net, system->residual) !=
+        TAUT_OK) {
+        return taut_fail_memory(error);
     }
     taut_pattern_clear_known(system->pattern, system->residual);
-    return relative(system, system->residual);
+    *omega = relative(system, system->residual);
+    return TAUT_OK;
 }
 
 /* hull = (hull part of A)^-1 r. */
@@ -242,8 +243,11 @@ static taut_status iterate(taut_dirichlet_system *system, double enough, int mos
     memcpy(system->step, system->smooth, size * sizeof(double));
     dots(size, system->residual, system->smooth, now);
     for (int k = 0; status == TAUT_OK && k < most; k++) {
-        taut_dirichlet_form_apply(system->form, system->fu, system->fv, system->step,
-                                  system->product);
+        status = taut_dirichlet_form_apply(system->form, system->fu, system->fv, system->step,
+                                           system->product);
+        if (status != TAUT_OK) {
+            break;
+        }
         taut_pattern_clear_known(system->pattern, system->product);
         system->iterations++;
         dots(size, system->step, system->product, curvature);
@@ -294,20 +298,45 @@ static taut_status improve(taut_dirichlet_system *system, double enough, double 
     return status;
 }
 
-/* Improves until omega is at the rounding of one product with A, or moves no more. */
+/* Improves until omega is at the rounding of the points themselves, or moves no more. */
 static taut_status settle(taut_dirichlet_system *system, double *net, double *omega,
                           taut_error *error)
 {
     const double enough = unit_roundoff;
     taut_status status = stopped(system, error);
 
-    *omega = find_residual(system, net);
+    if (status == TAUT_OK) {
+        status = find_residual(system, net, omega, error);
+    }
     for (int k = 0; status == TAUT_OK && k < 8 && !(*omega <= enough); k++) {
         const double before = *omega;
         status = improve(system, 0.5 * enough, net, error);
-        *omega = find_residual(system, net);
+        if (status == TAUT_OK) {
+            status = find_residual(system, net, omega, error);
+        }
         if (!(*omega < 0.5 * before)) {
             break;
+        }
+    }
+    return status;
+}
+
+/* Raises the nodes of a quadrature until the solution stays one, within `limit`. */
+static taut_status settle_quadrature(taut_dirichlet_system *system, double limit, double *net,
+                                     double *omega, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    while (status == TAUT_OK && *omega <= limit) {
+        status = taut_dirichlet_rational_raise(system->form->rational);
+        if (status != TAUT_OK) {
+            return solver_failed(status, error);
+        }
+        status = find_residual(system, net, omega, error);
+        if (status == TAUT_OK && *omega <= limit) {
+            break;
+        }
+        if (status == TAUT_OK) {
+            status = settle(system, net, omega, error);
         }
     }
     return status;
@@ -327,16 +356,8 @@ taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double as
         return solver_failed(status, error);
     }
     status = settle(system, net, &omega, error);
-    while (status == TAUT_OK && omega <= limit && system->form->rational != NULL) {
-        status = taut_dirichlet_rational_raise(system->form->rational);
-        if (status == TAUT_OK && find_residual(system, net) <= limit) {
-            break; /* more nodes say the same */
-        }
-        if (status == TAUT_OK) {
-            status = settle(system, net, &omega, error);
-        } else {
-            status = solver_failed(status, error);
-        }
+    if (status == TAUT_OK && system->form->rational != NULL) {
+        status = settle_quadrature(system, limit, net, &omega, error);
     }
     if (status == TAUT_OK && !(omega <= limit)) {
         status = taut_fail(error, TAUT_NOT_CONVERGED, NULL, omega, limit,
@@ -347,8 +368,10 @@ taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double as
     return status;
 }
 
-void taut_dirichlet_system_energies(taut_dirichlet_system *system, const double *net,
-                                    double halves[2])
+taut_status taut_dirichlet_system_energies(taut_dirichlet_system *system, const double *net,
+                                           double halves[2], taut_error *error)
 {
-    taut_dirichlet_form_energies(system->form, net, system->residual, halves);
+    const taut_status status =
+        taut_dirichlet_form_energies(system->form, net, system->residual, halves);
+    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }

@@ -40,9 +40,9 @@ taut_status taut_dirichlet_system_aspect(taut_dirichlet_system *system, double *
 /* The aspect with fu = fv, Lu / Lv: what 1 is to two ranges of equal length. */
 double taut_dirichlet_system_natural_aspect(const taut_dirichlet_system *system);
 
-/* halves as taut_dirichlet_form_energies. */
-void taut_dirichlet_system_energies(taut_dirichlet_system *system, const double *net,
-                                    double halves[2]);
+/* As taut_dirichlet_form_energies. */
+taut_status taut_dirichlet_system_energies(taut_dirichlet_system *system, const double *net,
+                                           double halves[2], taut_error *error);
 
 /* "fast-diagonalisation" or "conjugate-gradients", and how many products with A the iterations of
  * the latter took in all (0 for the former). */
