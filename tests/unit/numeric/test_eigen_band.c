@@ -46,7 +46,8 @@ static void problem_clear(problem *p)
 static void check_definition(const problem *p)
 {
     const size_t n = (size_t)p->n;
-    double *mx = calloc(n, sizeof *mx), *r = calloc(n, sizeof *r), *t = calloc(n, sizeof *t);
+    double *mx = calloc(n, sizeof *mx), *r = calloc(n, sizeof *r),
+           *abs_mx = calloc(n, sizeof *abs_mx);
     for (size_t j = 0; j < n; j++) {
         const double *x = p->vectors + j * n, lambda = p->values[j];
         memset(mx, 0, n * sizeof *mx);
@@ -56,11 +57,13 @@ static void check_definition(const problem *p)
         double residual = 0.0, noise = 0.0;
         for (int i = 0; i < p->n; i++) {
             double sum = 0.0;
+            abs_mx[i] = 0.0;
             const int reach = p->k.width;
             for (int c = i > reach ? i - reach : 0; c <= i + reach && c < p->n; c++) {
                 sum += (fabs(taut_band_at(&p->k, i, c)) +
                         fabs(lambda) * fabs(taut_band_at(&p->m, i, c))) *
                        fabs(x[c]);
+                abs_mx[i] += fabs(taut_band_at(&p->m, i, c)) * fabs(x[c]);
             }
             const double weight = taut_band_at(&p->m, i, i), ri = r[i] - lambda * mx[i];
             residual += ri * ri / weight;
@@ -70,19 +73,22 @@ static void check_definition(const problem *p)
               sqrt(residual / noise) * 0x1p53);
         CHECK(j == 0 || p->values[j] >= p->values[j - 1], "%s j=%zu ascending", p->label, j);
         for (size_t i = 0; i <= j; i++) {
-            double sum = 0.0;
+            double sum = 0.0, size = 0.0;
             for (size_t c = 0; c < n; c++) {
                 sum += p->vectors[i * n + c] * mx[c];
+                size += fabs(p->vectors[i * n + c]) * abs_mx[c];
             }
-            CHECK_NEAR(sum, i == j ? 1.0 : 0.0, 0x1p-44, "%s i=%zu j=%zu", p->label, i, j);
+            CHECK_NEAR(sum, i == j ? 1.0 : 0.0, 64 * 0x1p-53 * (1.0 + size), "%s i=%zu j=%zu",
+                       p->label, i, j);
         }
     }
     free(mx);
     free(r);
-    free(t);
+    free(abs_mx);
 }
 
-/* LAPACK's values carry an error of about u n lambda_max cond(M)^(1/2). */
+/* LAPACK's values carry an error of about u n lambda_max / lambda_min(M), M scaled to a unit
+ * diagonal; the largest |x|^2 of a scaled eigenvector stands for the last. */
 static void check_against_lapack(const problem *p)
 {
     const size_t n = (size_t)p->n;
@@ -96,8 +102,17 @@ static void check_against_lapack(const problem *p)
     }
     CHECK(LAPACKE_dsygv(LAPACK_COL_MAJOR, 1, 'N', 'L', p->n, k, p->n, m, p->n, w) == 0, "%s",
           p->label);
+    double longest = 1.0;
     for (size_t j = 0; j < n; j++) {
-        CHECK_NEAR(p->values[j], w[j], 40.0 * (double)(n + 10) * 0x1p-53 * w[n - 1], "%s j=%zu",
+        double square = 0.0;
+        for (size_t i = 0; i < n; i++) {
+            const double x = p->vectors[j * n + i];
+            square += x * x * taut_band_at(&p->m, (int)i, (int)i);
+        }
+        longest = fmax(longest, square);
+    }
+    for (size_t j = 0; j < n; j++) {
+        CHECK_NEAR(p->values[j], w[j], (double)(n + 10) * 0x1p-53 * w[n - 1] * longest, "%s j=%zu",
                    p->label, j);
     }
     free(k);
