@@ -48,8 +48,8 @@ taut_ink taut_colour_diverging(double t)
 taut_ink taut_colour_plain(int i)
 {
     static const taut_ink palette[] = {
-        {139, 176, 214}, {229, 190, 128}, {150, 199, 160}, {214, 150, 150},
-        {178, 162, 212}, {132, 198, 200}, {206, 196, 132}, {190, 170, 156},
+        {166, 198, 230}, {238, 206, 150}, {174, 216, 182}, {228, 174, 172},
+        {200, 186, 228}, {158, 214, 216}, {222, 214, 158}, {210, 194, 180},
     };
     return palette[(size_t)i % (sizeof palette / sizeof palette[0])];
 }
@@ -83,8 +83,8 @@ taut_ink taut_colour_shade(taut_ink ink, const double normal[3], double strength
         shine += between[c] * normal[c] / length;
     }
     const double wrap = (1 + lit) / 2;
-    const double dark = strength * 0.5 * (1 - wrap * wrap);
-    const double bright = strength * 0.28 * pow(fmax(shine, 0), 24);
+    const double dark = strength * 0.38 * (1 - wrap * wrap);
+    const double bright = strength * 0.2 * pow(fmax(shine, 0), 16);
     return taut_colour_mix(taut_colour_mix(ink, black, dark), white, bright);
 }
 

@@ -53,7 +53,7 @@ static int interrupted(const figure *f, double done)
 /* Cells for each of `sheets` surfaces: the more there are, the fewer each. */
 static int cells_each(const figure *f, int sheets)
 {
-    const int one = f->vector ? 2500 : 20000, all = f->vector ? 5000 : 60000;
+    const int one = f->vector ? 3600 : 20000, all = f->vector ? 7200 : 60000;
     const int share = all / (sheets > 0 ? sheets : 1);
     const int least = sheets <= 1000 ? 64 : 4;
     return share > one ? one : share < least ? least : share;
@@ -202,7 +202,21 @@ static taut_status choose_limit(figure *f)
     return TAUT_OK;
 }
 
-/* All cells, then the lines of every surface. */
+static taut_status add_net(figure *f, const taut_surface *s)
+{
+    return taut_parts_net(taut_basis_count(taut_surface_u(s)), taut_basis_count(taut_surface_v(s)),
+                          taut_surface_points(s), &f->camera, f->arena, &f->scene);
+}
+
+/* Knot lines say nothing beside a net so dense that it lies in the surface. */
+static int has_knot_lines(const figure *f, const taut_surface *s)
+{
+    return f->options.no_net || taut_parts_net_is_whole(taut_basis_count(taut_surface_u(s)),
+                                                        taut_basis_count(taut_surface_v(s)));
+}
+
+/* All cells, then the lines of every surface, the boundaries last: they must not be paler where a
+ * net runs along them. */
 static taut_status add_surfaces(figure *f)
 {
     double **pages = taut_arena_take(f->arena, (size_t)f->sheet_count, sizeof *pages);
@@ -212,33 +226,48 @@ static taut_status add_surfaces(figure *f)
                                   f->arena, &f->scene, &pages[i]);
     }
     for (int i = 0; i < f->sheet_count && status == TAUT_OK; i++) {
-        status =
-            taut_parts_outline(&f->sheets[i], pages[i], taut_colour_plain(i), f->arena, &f->scene);
+        const taut_sheet *sheet = &f->sheets[i];
+        status = taut_parts_silhouette(sheet, pages[i], f->arena, &f->scene);
+        if (status == TAUT_OK && has_knot_lines(f, sheet->surface)) {
+            status =
+                taut_parts_outline(sheet, pages[i], 0, taut_colour_plain(i), f->arena, &f->scene);
+        }
+        if (status == TAUT_OK && !f->options.no_net) {
+            status = add_net(f, sheet->surface);
+        }
+    }
+    for (int i = 0; i < f->sheet_count && status == TAUT_OK; i++) {
+        status = taut_parts_outline(&f->sheets[i], pages[i], 1, taut_colour_plain(i), f->arena,
+                                    &f->scene);
     }
     return status;
 }
 
-/* The curves, and then all nets: their points lie on top. */
-static taut_status add_curves_and_nets(figure *f)
+/* The curves with their polygons, and on top the points of all nets. */
+static taut_status add_curves(figure *f)
 {
-    const int net = !f->options.no_net;
     taut_status status = TAUT_OK;
     for (int i = 0; i < f->curve_count && status == TAUT_OK; i++) {
+        const taut_curve *c = f->curves[i].curve;
         status = taut_parts_curve(f->curves[i].count, f->curves[i].points, &f->camera,
                                   taut_colour_curve(i), f->arena, &f->scene);
+        if (status == TAUT_OK && !f->options.no_net) {
+            status = taut_parts_net(1, taut_basis_count(taut_curve_t(c)), taut_curve_points(c),
+                                    &f->camera, f->arena, &f->scene);
+        }
     }
-    for (int i = 0; i < f->sheet_count && net && status == TAUT_OK; i++) {
+    for (int i = 0; i < f->sheet_count && !f->options.no_net; i++) {
         const taut_surface *s = f->sheets[i].surface;
-        status =
-            taut_parts_net(taut_basis_count(taut_surface_u(s)), taut_basis_count(taut_surface_v(s)),
-                           taut_surface_points(s), &f->camera, f->arena, &f->scene);
+        taut_parts_net_points(taut_basis_count(taut_surface_u(s)),
+                              taut_basis_count(taut_surface_v(s)), taut_surface_points(s),
+                              &f->camera, &f->scene);
     }
-    for (int i = 0; i < f->curve_count && net && status == TAUT_OK; i++) {
+    for (int i = 0; i < f->curve_count && !f->options.no_net; i++) {
         const taut_curve *c = f->curves[i].curve;
-        status = taut_parts_net(1, taut_basis_count(taut_curve_t(c)), taut_curve_points(c),
-                                &f->camera, f->arena, &f->scene);
+        taut_parts_net_points(1, taut_basis_count(taut_curve_t(c)), taut_curve_points(c),
+                              &f->camera, &f->scene);
     }
-    return status;
+    return status == TAUT_OK ? f->scene.status : status;
 }
 
 static void draw_legend(const figure *f, const taut_legend *legend)
@@ -346,7 +375,7 @@ static taut_status draw(figure *f, const taut_canvas_ops *ops, const char *kind,
         status = add_surfaces(f);
     }
     if (status == TAUT_OK) {
-        status = add_curves_and_nets(f);
+        status = add_curves(f);
     }
     if (status == TAUT_OK && interrupted(f, 0.7)) {
         status = TAUT_INTERRUPTED;

@@ -15,7 +15,7 @@
 
 /* kind     "svg", "pdf" or "png"
  * options  or NULL: surface (then no curves), divide (cells a knot span; else about 20000 cells in
- *          a PNG and 2500 in vectors), threads, colour, no_net, view (elevation in [-90, 90]; else
+ *          a PNG and 3600 in vectors), threads, colour, no_net, view (elevation in [-90, 90]; else
  *          one that shows the surfaces' faces), title, monitor
  * out      flushed on success, left open
  * The same model and options give the same bytes on one machine; the date in a PDF is that of

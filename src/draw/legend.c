@@ -115,7 +115,7 @@ void taut_legend_scale(const taut_legend *legend, taut_colour colour, double lim
     if (has_grey) {
         const double y = bar_top + bar_height + 34;
         box(legend, x, y, bar_width, 16, taut_colour_diverging((double)NAN));
-        write_text(legend, x + bar_width + 12, y + 14, text_size, TAUT_ANCHOR_START, "none");
+        write_text(legend, x + bar_width + 12, y + 14, text_size, TAUT_ANCHOR_START, "undefined");
     }
 }
 

@@ -13,14 +13,20 @@
 taut_status taut_parts_cells(const taut_sheet *sheet, const taut_camera *camera, taut_ink ink,
                              double limit, taut_arena *arena, taut_scene *scene, double **page);
 
-/* Its knot lines, and then its boundary. */
-taut_status taut_parts_outline(const taut_sheet *sheet, const double *page, taut_ink ink,
-                               taut_arena *arena, taut_scene *scene);
+/* Its silhouette, and its knot lines (or, with boundary, the boundary). */
+taut_status taut_parts_silhouette(const taut_sheet *sheet, const double *page, taut_arena *arena,
+                                  taut_scene *scene);
+taut_status taut_parts_outline(const taut_sheet *sheet, const double *page, int boundary,
+                               taut_ink ink, taut_arena *arena, taut_scene *scene);
 
 /* The net double points[nu][nv][3], or a polygon when nu is 1. Of many lines every k-th is drawn,
  * and then no points. */
 taut_status taut_parts_net(int nu, int nv, const double *points, const taut_camera *camera,
                            taut_arena *arena, taut_scene *scene);
+void taut_parts_net_points(int nu, int nv, const double *points, const taut_camera *camera,
+                           taut_scene *scene);
+/* Is every line of the net drawn? */
+int taut_parts_net_is_whole(int nu, int nv);
 
 /* A curve through count points. */
 taut_status taut_parts_curve(size_t count, const double *points, const taut_camera *camera,

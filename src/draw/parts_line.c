@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-enum { LINES_SHOWN = 33, POINTS_ALONG = 132, DISCS_SHOWN = 1200 };
+enum { LINES_SHOWN = 33, POINTS_ALONG = 132 };
 
-static const taut_ink net_ink = {84, 90, 104};
+static const taut_ink net_ink = {68, 74, 90};
 static const taut_ink point_ink = {250, 250, 250}, point_rim = {60, 66, 82};
 
 /* Of `count` points in one direction every `line`-th has a line across, and a line along runs
@@ -45,12 +45,33 @@ static void add_net_lines(int along, size_t stride, int across, size_t stride_ac
     }
 }
 
+int taut_parts_net_is_whole(int nu, int nv)
+{
+    return thin(nu).line == 1 && thin(nv).line == 1;
+}
+
+/* How large the points are drawn: 0.03 of the mean distance between them, as if they were spread
+ * evenly over the diagonal of what the net takes of the page, from 1.4 to 4.2 page units. */
+static double point_radius(size_t count, const double *points, const taut_camera *camera)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (size_t i = 0; i < count; i++) {
+        double at[3];
+        taut_camera_project(camera, points + 3 * i, at);
+        for (int c = 0; c < 2; c++) {
+            low[c] = fmin(low[c], at[c]);
+            high[c] = fmax(high[c], at[c]);
+        }
+    }
+    const double size = hypot(high[0] - low[0], high[1] - low[1]);
+    return fmin(fmax(0.03 * size / (sqrt((double)count) - 0.5), 1.4), 4.2);
+}
+
 taut_status taut_parts_net(int nu, int nv, const double *points, const taut_camera *camera,
                            taut_arena *arena, taut_scene *scene)
 {
     const size_t row = 3 * (size_t)nv, count = (size_t)nu * (size_t)nv;
-    const double width = count <= 64 ? 1.3 : count <= 400 ? 1.0 : 0.6;
-    const double radius = count <= 64 ? 4.2 : count <= 400 ? 3 : 1.8;
+    const double width = fmax(0.3 * point_radius(count, points, camera), 0.6);
     double *page = taut_arena_take(arena, (size_t)(nu > nv ? nu : nv), 3 * sizeof(double));
 
     if (page == NULL) {
@@ -60,13 +81,19 @@ taut_status taut_parts_net(int nu, int nv, const double *points, const taut_came
     if (nu > 1) {
         add_net_lines(nu, row, nv, 3, points, camera, width, page, scene);
     }
-    if (thin(nu).line == 1 && thin(nv).line == 1 && count <= DISCS_SHOWN) {
-        for (size_t i = 0; i < count; i++) {
-            taut_camera_project(camera, points + 3 * i, page);
-            taut_scene_disc(scene, page, point_ink, point_rim, radius);
-        }
-    }
     return scene->status;
+}
+
+void taut_parts_net_points(int nu, int nv, const double *points, const taut_camera *camera,
+                           taut_scene *scene)
+{
+    const size_t count = (size_t)nu * (size_t)nv;
+    const double radius = point_radius(count, points, camera);
+    for (size_t i = 0; i < count && taut_parts_net_is_whole(nu, nv); i++) {
+        double at[3];
+        taut_camera_project(camera, points + 3 * i, at);
+        taut_scene_disc(scene, at, point_ink, point_rim, radius);
+    }
 }
 
 taut_status taut_parts_curve(size_t count, const double *points, const taut_camera *camera,

@@ -121,8 +121,8 @@ static void add_lines(const grid *g, const taut_lines *lines, int boundary, taut
     }
 }
 
-taut_status taut_parts_outline(const taut_sheet *sheet, const double *page, taut_ink ink,
-                               taut_arena *arena, taut_scene *scene)
+taut_status taut_parts_outline(const taut_sheet *sheet, const double *page, int boundary,
+                               taut_ink ink, taut_arena *arena, taut_scene *scene)
 {
     static const taut_ink dark = {40, 44, 56}, grey = {120, 120, 126};
     const size_t nu = (size_t)sheet->u.count, nv = (size_t)sheet->v.count;
@@ -133,9 +133,7 @@ taut_status taut_parts_outline(const taut_sheet *sheet, const double *page, taut
     if (row == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (int boundary = 0; boundary < 2; boundary++) {
-        add_lines(&along_v, &sheet->u, boundary, knot_ink, row, scene);
-        add_lines(&along_u, &sheet->v, boundary, knot_ink, row, scene);
-    }
+    add_lines(&along_v, &sheet->u, boundary, knot_ink, row, scene);
+    add_lines(&along_u, &sheet->v, boundary, knot_ink, row, scene);
     return scene->status;
 }
