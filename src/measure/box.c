@@ -6,6 +6,7 @@
  */
 #include "measure/box.h"
 
+#include "measure/scaling.h"
 #include "measure/spot.h"
 
 #include <float.h>
@@ -156,15 +157,6 @@ static double net_reach(const taut_surface *surface, int su, int sv, int axis, d
     return reach;
 }
 
-static int exponent_of(double x)
-{
-    int exponent = 0;
-    if (x > 0 && isfinite(x)) {
-        frexp(x, &exponent);
-    }
-    return exponent;
-}
-
 /* The box of the corners of all cells. */
 static void corner_box(const taut_surface *surface, double box[2][3])
 {
@@ -186,28 +178,16 @@ static void corner_box(const taut_surface *surface, double box[2][3])
     }
 }
 
-/* Largest coordinate of the net, and what a coordinate may be beyond the box unsearched. */
-static double net_size(const taut_surface *surface)
-{
-    const double *points = taut_surface_points(surface);
-    const size_t count = (size_t)taut_basis_count(taut_surface_u(surface)) *
-                         (size_t)taut_basis_count(taut_surface_v(surface));
-    double size = 0;
-    for (size_t k = 0; k < 3 * count; k++) {
-        size = fmax(size, fabs(points[k] / 2 - points[k % 3] / 2));
-    }
-    return size;
-}
-
 void taut_box_of(const taut_surface *surface, double box[2][3])
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const double *bu = taut_basis_breaks(u), *bv = taut_basis_breaks(v);
-    const double size = net_size(surface), slack = 1e-12 * size;
-    climb c = {.surface = surface, .scale = exponent_of(size) + 1};
+    const double size = taut_half_size(taut_point_count(surface), taut_surface_points(surface));
+    const double slack = 1e-12 * size;
+    climb c = {.surface = surface, .scale = taut_exponent(size) + 1};
 
-    c.shift[0] = exponent_of(taut_basis_hi(u) - taut_basis_lo(u));
-    c.shift[1] = exponent_of(taut_basis_hi(v) - taut_basis_lo(v));
+    c.shift[0] = taut_range_exponent(u);
+    c.shift[1] = taut_range_exponent(v);
     corner_box(surface, box);
     for (c.span[0] = 0; c.span[0] < taut_basis_span_count(u); c.span[0]++) {
         for (c.span[1] = 0; c.span[1] < taut_basis_span_count(v); c.span[1]++) {

@@ -1,6 +1,7 @@
 #include "measure/cell.h"
 
 #include "core/memory.h"
+#include "measure/scaling.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,30 +11,8 @@ static const int order_v[6] = {0, 0, 1, 0, 1, 2};
 
 enum { BATCH = 64 }; /* nodes handled at a time: all of a batch stays in the first cache */
 
-static int exponent_of(double x)
-{
-    int exponent = 0;
-    if (x > 0 && isfinite(x)) {
-        frexp(x, &exponent);
-    }
-    return exponent;
-}
-
-/* The largest distance of a coordinate from the first point's. Halved before it is taken, as it may
- * be twice what a double holds. */
-static int scale_of(const taut_surface *surface, size_t count)
-{
-    const double *points = taut_surface_points(surface);
-    double largest = 0;
-    for (size_t k = 3; k < 3 * count; k++) {
-        largest = fmax(largest, fabs(points[k] / 2 - points[k % 3] / 2));
-    }
-    return exponent_of(largest) + 1;
-}
-
 void taut_cells_init(const taut_surface *surface, taut_cells *cells)
 {
-    size_t count = 1;
     cells->basis[0] = taut_surface_u(surface);
     cells->basis[1] = taut_surface_v(surface);
     cells->points = taut_surface_points(surface);
@@ -42,10 +21,9 @@ void taut_cells_init(const taut_surface *surface, taut_cells *cells)
     for (int d = 0; d < 2; d++) {
         const taut_basis *basis = cells->basis[d];
         cells->local[d] = taut_basis_local(basis);
-        cells->shift[d] = exponent_of(taut_basis_hi(basis) - taut_basis_lo(basis));
-        count *= (size_t)taut_basis_count(basis);
+        cells->shift[d] = taut_range_exponent(basis);
     }
-    cells->scale = scale_of(surface, count);
+    cells->scale = taut_exponent(taut_half_size(taut_point_count(surface), cells->points)) + 1;
 }
 
 void taut_nodes_fill(const taut_cells *cells, int direction, int span, double lo, double hi,
@@ -95,15 +73,13 @@ void taut_cell_work_free(taut_cell_work *work)
     taut_free(work->out);
 }
 
-/* Differences are halved, then doubled with the scale: two coordinates of opposite signs may be
- * further apart than a double holds. */
 void taut_cell_load(const taut_cells *cells, int su, int sv, taut_cell_work *work)
 {
     const size_t columns = (size_t)taut_basis_count(cells->basis[1]);
     const size_t first = (size_t)taut_basis_first(cells->basis[0], su) * columns +
                          (size_t)taut_basis_first(cells->basis[1], sv);
     const double *origin = cells->points + 3 * first;
-    const double factor = ldexp(1, 1 - cells->scale > 1000 ? 1000 : 1 - cells->scale);
+    const double factor = taut_half_factor(cells->scale);
     const double unit = cells->dim == 4 ? cells->weights[first] : 1;
     double *out = work->net, least = 1, most = 1;
 
@@ -213,16 +189,42 @@ static void project(int order, int count, int stride, double *field)
     }
 }
 
-static void add_batch(const taut_cells *cells, const taut_nodes *u, int first, int rows,
-                      const taut_nodes *v, int order, taut_fields *fields, int field_count,
-                      const taut_bounds *bounds, taut_cell_work *work, double *sums)
+static taut_bounds bounds_of(const taut_nodes *u, const taut_nodes *v, int order,
+                             const taut_cell_work *work)
 {
-    const int count = rows * v->count;
-    const double ratio = ldexp(1, cells->shift[1] - cells->shift[0]);
-    if (cells->dim == 4) {
-        project(order, count, work->stride, work->field);
+    taut_bounds bounds = {{0}};
+    for (int k = 0; k < TAUT_SURFACE_VECTORS(order); k++) {
+        bounds.of[k] = work->size * u->largest[order_u[k]] * v->largest[order_v[k]];
     }
-    fields(count, work->stride, work->field, bounds, ratio, work->out);
+    return bounds;
+}
+
+/* The fields at the nodes of rows first .. first + rows - 1, one after the other. */
+static void evaluate(const taut_cells *cells, const taut_nodes *u, int first, int rows,
+                     const taut_nodes *v, int order, taut_fields *fields, taut_cell_work *work)
+{
+    const taut_bounds bounds = bounds_of(u, v, order, work);
+    const double ratio = ldexp(1, cells->shift[1] - cells->shift[0]);
+    for (int r = 0; r < rows; r++) {
+        contract_u(cells, u, first + r, order, work);
+        contract_v(cells, v, order, r * v->count, work);
+    }
+    if (cells->dim == 4) {
+        project(order, rows * v->count, work->stride, work->field);
+    }
+    fields(rows * v->count, work->stride, work->field, &bounds, ratio, work->out);
+}
+
+void taut_cell_row(const taut_cells *cells, const taut_nodes *u, int i, const taut_nodes *v,
+                   int order, taut_fields *fields, taut_cell_work *work)
+{
+    evaluate(cells, u, i, 1, v, order, fields, work);
+}
+
+/* Adds the fields of one batch, `rows` lines of nodes from `first`. */
+static void add_batch(const taut_nodes *u, int first, int rows, const taut_nodes *v,
+                      int field_count, const taut_cell_work *work, double *sums)
+{
     for (int f = 0; f < field_count; f++) {
         const double *out = work->out + (size_t)f * (size_t)work->stride;
         for (int i = 0; i < rows; i++) {
@@ -235,22 +237,33 @@ static void add_batch(const taut_cells *cells, const taut_nodes *u, int first, i
     }
 }
 
+static void watch_batch(const int watch[2], int count, const taut_cell_work *work,
+                        double range[2][2])
+{
+    for (int w = 0; w < 2 && watch[w] >= 0; w++) {
+        const double *out = work->out + (size_t)watch[w] * (size_t)work->stride;
+        for (int j = 0; j < count; j++) {
+            range[w][0] = out[j] < range[w][0] ? out[j] : range[w][0];
+            range[w][1] = out[j] > range[w][1] ? out[j] : range[w][1];
+        }
+    }
+}
+
 void taut_cell_sum(const taut_cells *cells, const taut_nodes *u, const taut_nodes *v, int order,
-                   taut_fields *fields, int field_count, taut_cell_work *work, taut_bounds *bounds,
-                   double *sums)
+                   taut_fields *fields, int field_count, const int watch[2], taut_cell_work *work,
+                   double *sums, double range[2][2])
 {
     const int batch = work->stride / v->count;
 
     memset(sums, 0, (size_t)field_count * sizeof(double));
-    for (int k = 0; k < TAUT_SURFACE_VECTORS(order); k++) {
-        bounds->of[k] = work->size * u->largest[order_u[k]] * v->largest[order_v[k]];
+    for (int w = 0; w < 2; w++) {
+        range[w][0] = INFINITY;
+        range[w][1] = -INFINITY;
     }
     for (int i = 0; i < u->count; i += batch) {
         const int rows = u->count - i < batch ? u->count - i : batch;
-        for (int r = 0; r < rows; r++) {
-            contract_u(cells, u, i + r, order, work);
-            contract_v(cells, v, order, r * v->count, work);
-        }
-        add_batch(cells, u, i, rows, v, order, fields, field_count, bounds, work, sums);
+        evaluate(cells, u, i, rows, v, order, fields, work);
+        add_batch(u, i, rows, v, field_count, work, sums);
+        watch_batch(watch, rows * v->count, work, range);
     }
 }

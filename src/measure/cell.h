@@ -12,7 +12,7 @@
 
 #include <stddef.h>
 
-enum { TAUT_FIELDS_MAX = 16 };
+enum { TAUT_FIELDS_MAX = 17 };
 
 /* What a cell's rounding is judged by: bounds of |x_u|, |x_v|, |x_uu|, |x_uv|, |x_vv| in the order
  * of the vectors, from the size of its net and the sums of |basis functions|; [TAUT_X] is the size
@@ -56,7 +56,7 @@ void taut_nodes_fill(const taut_cells *cells, int direction, int span, double lo
 typedef struct taut_cell_work {
     double *net;      /* [local u][local v][dim] of the cell at hand */
     double *polygons; /* [order+1][local v][dim] */
-    double *field;    /* [6][4][stride] */
+    double *field;    /* [6][3][stride] (with weights [6][4] until they are divided out) */
     double *out;      /* [TAUT_FIELDS_MAX][stride] */
     int stride;       /* nodes handled at a time */
     double size;      /* of the cell's net, largest distance of a coordinate */
@@ -69,9 +69,14 @@ void taut_cell_work_free(taut_cell_work *work);
 /* Takes the net of spans su, sv into the work. */
 void taut_cell_load(const taut_cells *cells, int su, int sv, taut_cell_work *work);
 
-/* sums[f] = sum over the nodes of weight times out[f]; *bounds as found. order is 1 or 2. */
+/* sums[f] = sum over the nodes of weight times out[f], f < field_count. range[w][0], [1]: the least
+ * and the largest value at a node of field watch[w] >= 0. order is 1 or 2. */
 void taut_cell_sum(const taut_cells *cells, const taut_nodes *u, const taut_nodes *v, int order,
-                   taut_fields *fields, int field_count, taut_cell_work *work, taut_bounds *bounds,
-                   double *sums);
+                   taut_fields *fields, int field_count, const int watch[2], taut_cell_work *work,
+                   double *sums, double range[2][2]);
+
+/* The same fields at the nodes of row i, kept in work: vectors in field, fields in out. */
+void taut_cell_row(const taut_cells *cells, const taut_nodes *u, int i, const taut_nodes *v,
+                   int order, taut_fields *fields, taut_cell_work *work);
 
 #endif /* TAUT_MEASURE_CELL_H */

@@ -65,7 +65,7 @@ static void curvatures(int a, int b, double e, double f, double g, double w, tau
     const int c = normalise(second, unit);
 
     forms->mean = ldexp((unit[0] * g - 2 * unit[1] * f + unit[2] * e) / (2 * w * w), c);
-    forms->gaussian = ldexp((unit[0] * unit[2] - unit[1] * unit[1]) / (w * w), 2 * c);
+    forms->gaussian = ldexp((unit[0] * unit[2] - unit[1] * unit[1]) / (w * w), 2 * c) + 0.0;
 }
 
 void taut_forms_of(const double values[6][3], taut_forms *forms)

@@ -25,8 +25,9 @@ static void fill_block(taut_job *job, taut_bench *bench, int direction, int from
     const int levels = job->integrand->exact ? 1 : 2;
     for (int level = 0; level < levels; level++) {
         for (int s = from; s < to; s++) {
-            taut_rule_fill(&job->rules, &job->cells, direction, level, s, breaks[s], breaks[s + 1],
-                           job->integrand->order, &bench->block[direction][level][s - from]);
+            taut_rule_fill(&job->rules.at[TAUT_WHOLE][direction][level], &job->cells, direction, s,
+                           breaks[s], breaks[s + 1], job->integrand->order,
+                           &bench->block[direction][level][s - from]);
         }
     }
 }
@@ -44,7 +45,7 @@ static void first_cell(taut_job *job, taut_bench *bench, int su, int sv, int a, 
     double value[TAUT_FIELDS_MAX], error[TAUT_FIELDS_MAX];
 
     taut_cell_load(&job->cells, su, sv, &bench->cell);
-    const int good = taut_cell_try(job, bench, &r, first, second, NULL, value, error);
+    const int good = taut_cell_try(job, bench, TAUT_WHOLE, &r, first, second, NULL, value, error);
     taut_share_take(share, good, 2 * job->integrand->count, value, error);
     job->hard[(size_t)su * (size_t)job->spans[1] + (size_t)sv] = !good;
 }
@@ -70,38 +71,50 @@ static void first_task(void *context, int worker, long task)
     }
 }
 
-/* Memory of one worker: level 0 and 1 nodes of a block, and those of one cell at any level. */
-static int bench_init(const taut_job *job, taut_bench *bench)
+/* Nodes for `count` points take their memory from *at, or only say how much (at NULL). */
+static size_t nodes_place(const taut_job *job, int direction, int count, taut_nodes *nodes,
+                          double **at)
 {
-    const size_t order = (size_t)job->integrand->order;
-    size_t total = 0;
-    double *at = NULL;
+    const size_t values =
+        (size_t)count * ((size_t)job->integrand->order + 1) * (size_t)job->cells.local[direction];
+    if (*at != NULL) {
+        nodes->values = *at;
+        nodes->weights = *at + values;
+        *at += values + (size_t)count;
+    }
+    return values + (size_t)count;
+}
 
-    for (int pass = 0; pass < 2; pass++) {
-        for (int d = 0; d < 2; d++) {
-            const size_t per_node = (order + 1) * (size_t)job->cells.local[d] + 1;
-            for (int i = 0; i <= 2 * job->side; i++) {
-                const int level = i < 2 * job->side ? i % 2 : job->rules.levels - 1;
-                const size_t count = (size_t)job->rules.count[d][level];
-                taut_nodes *nodes =
-                    i < 2 * job->side ? &bench->block[d][level][i / 2] : &bench->nodes[d];
-                if (pass == 1) {
-                    nodes->values = at;
-                    nodes->weights = at + count * (per_node - 1);
-                    at += count * per_node;
-                }
-                total += count * per_node;
-            }
-        }
-        if (pass == 0) {
-            at = bench->numbers = taut_alloc_aligned(total, sizeof(double));
-            if (at == NULL) {
-                return 0;
+/* All memory of one worker in one piece: counted first, then dealt out. */
+static size_t bench_place(const taut_job *job, taut_bench *bench, double *at)
+{
+    const taut_rule *samples = job->rules.samples[TAUT_WHOLE];
+    const size_t sample_count = (size_t)samples[0].count * (size_t)samples[1].count;
+    size_t total = 4 * sample_count;
+
+    for (int k = 0; k < 4 && at != NULL; k++, at += sample_count) {
+        bench->samples[k] = at;
+    }
+    for (int d = 0; d < 2; d++) {
+        total += nodes_place(job, d, job->rules.most[d], &bench->nodes[d], &at);
+        for (int level = 0; level < 2; level++) {
+            for (int s = 0; s < job->side; s++) {
+                total += nodes_place(job, d, job->rules.at[TAUT_WHOLE][d][level].count,
+                                     &bench->block[d][level][s], &at);
             }
         }
     }
-    return taut_cell_work_init(&job->cells, job->rules.count[1][job->rules.levels - 1],
-                               &bench->cell);
+    return total;
+}
+
+static int bench_init(const taut_job *job, taut_bench *bench)
+{
+    bench->numbers = taut_alloc_aligned(bench_place(job, bench, NULL), sizeof(double));
+    if (bench->numbers == NULL) {
+        return 0;
+    }
+    bench_place(job, bench, bench->numbers);
+    return taut_cell_work_init(&job->cells, job->rules.most[1], &bench->cell);
 }
 
 static taut_status job_init(const taut_surface *surface, int threads, taut_job *job)

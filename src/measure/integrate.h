@@ -24,6 +24,10 @@ typedef struct taut_integrand {
     int order; /* 1 or 2, of the derivatives that are wanted */
     int exact; /* nonzero: squares of derivatives of polynomials, which the first rule integrates */
     const taut_target *targets; /* [count] */
+    /* 0; or 1: the field of the first pair is W = |x_u x x_v|; or 2: besides, that of the last pair
+     * is |s| and out[2*count] is s. Absolute values have kinks where their argument is 0, which the
+     * nodes may miss: they are looked for. */
+    int kinks;
 } taut_integrand;
 
 typedef struct taut_integrals {

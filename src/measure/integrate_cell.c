@@ -47,16 +47,17 @@ static int judge(const taut_integrand *integrand, const double *value, const dou
     return verdict;
 }
 
-int taut_cell_try(const taut_job *job, taut_bench *bench, const taut_rectangle *r,
+int taut_cell_try(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
                   const taut_nodes *const first[2], const taut_nodes *const second[2],
                   const double *allowed, double *value, double *error)
 {
+    static const double nothing[TAUT_FIELDS_MAX];
     const taut_integrand *in = job->integrand;
-    double before[TAUT_FIELDS_MAX], low[TAUT_FIELDS_MAX] = {0};
-    taut_bounds bounds;
+    const int watch[2] = {in->kinks > 0 ? 0 : -1, in->kinks > 1 ? 2 * in->count : -1};
+    double before[TAUT_FIELDS_MAX], low[TAUT_FIELDS_MAX] = {0}, range[2][2];
 
-    taut_cell_sum(&job->cells, first[0], first[1], in->order, in->fields, 2 * in->count,
-                  &bench->cell, &bounds, low);
+    taut_cell_sum(&job->cells, first[0], first[1], in->order, in->fields, 2 * in->count, watch,
+                  &bench->cell, low, range);
     memset(error, 0, sizeof low);
     if (second[0] == NULL) {
         memcpy(value, low, sizeof low);
@@ -65,20 +66,24 @@ int taut_cell_try(const taut_job *job, taut_bench *bench, const taut_rectangle *
     for (int level = 1;; level++) {
         const taut_nodes *nodes[2] = {second[0], second[1]};
         for (int d = 0; d < 2 && level > 1; d++) {
-            taut_rule_fill(&job->rules, &job->cells, d, level, r->span[d], r->lo[d], r->hi[d],
-                           in->order, &bench->nodes[d]);
+            taut_rule_fill(&job->rules.at[ladder][d][level], &job->cells, d, r->span[d], r->lo[d],
+                           r->hi[d], in->order, &bench->nodes[d]);
             nodes[d] = &bench->nodes[d];
         }
-        taut_cell_sum(&job->cells, nodes[0], nodes[1], in->order, in->fields, 2 * in->count,
-                      &bench->cell, &bounds, value);
+        taut_cell_sum(&job->cells, nodes[0], nodes[1], in->order, in->fields, 2 * in->count, watch,
+                      &bench->cell, value, range);
         for (int f = 0; f < 2 * in->count; f++) {
             before[f] = error[f];
             error[f] = fabs(value[f] - low[f]);
             low[f] = value[f];
         }
         const int verdict = judge(in, value, error, before, allowed);
-        if (verdict != MORE || level + 1 >= job->rules.levels) {
-            return verdict == TAKE;
+        if (verdict == TAKE) {
+            taut_cell_kinks(job, bench, ladder, r, (const double(*)[2])range, error);
+            return judge(in, value, error, nothing, allowed) == TAKE;
+        }
+        if (verdict == GIVE_UP || level + 1 >= job->rules.levels[ladder]) {
+            return 0;
         }
     }
 }

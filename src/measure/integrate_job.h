@@ -25,6 +25,7 @@ typedef struct taut_share {
 typedef struct taut_bench {
     taut_cell_work cell;
     taut_nodes nodes[2];                /* made for one cell */
+    double *samples[4];                 /* [samples u][samples v] */
     taut_nodes block[2][2][TAUT_BLOCK]; /* [direction][level 0, 1][span of the block] */
     double *numbers;                    /* behind all of them */
 } taut_bench;
@@ -48,12 +49,18 @@ typedef struct taut_job {
     int last;                        /* nonzero: this round takes everything */
 } taut_job;
 
-/* Raises the number of nodes in a cell whose net is loaded until every field is good by its own
- * target or within `allowed` (NULL: by its own), and returns 1; or 0 if more nodes do not pay.
- * first, second: the nodes of levels 0 and 1; second[0] NULL takes the first rule's word. */
-int taut_cell_try(const taut_job *job, taut_bench *bench, const taut_rectangle *r,
+/* Raises the number of nodes in a cell whose net is loaded, along a ladder of rules, until every
+ * field is good by its own target or within `allowed` (NULL: by its own), and returns 1; or 0 if
+ * more nodes do not pay. first, second: the nodes of levels 0 and 1; second[0] NULL takes the first
+ * rule's word. */
+int taut_cell_try(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
                   const taut_nodes *const first[2], const taut_nodes *const second[2],
                   const double *allowed, double *value, double *error);
+
+/* Looks at closed samples of the cell for kinks that the nodes, which saw W and s in range[0] and
+ * range[1], may have missed, and raises the errors of their fields to what those may amount to. */
+void taut_cell_kinks(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
+                     const double range[2][2], double *error);
 
 /* Takes the cell's numbers into the share: for good, or as pending. */
 void taut_share_take(taut_share *share, int is_good, int count, const double *value,

@@ -15,7 +15,8 @@
 enum {
     SHARE = 8,           /* cells per task */
     ROUNDS_MAX = 40,     /* a corner's share is then below 2^-80 of its cell */
-    ACTIVE_MAX = 1 << 19 /* cells in one round: past it errors are taken as they are */
+    ACTIVE_MAX = 1 << 16 /* cells in one round, over four times those of the first: then errors are
+                            taken as they are */
 };
 
 static void round_task(void *context, int worker, long task)
@@ -33,15 +34,17 @@ static void round_task(void *context, int worker, long task)
         const taut_nodes *first[2], *second[2];
         for (int d = 0; d < 2; d++) {
             for (int level = 0; level < 2; level++) {
-                taut_rule_fill(&job->rules, &job->cells, d, level, r->span[d], r->lo[d], r->hi[d],
-                               job->integrand->order, &bench->block[d][level][0]);
+                taut_rule_fill(&job->rules.at[TAUT_PART][d][level], &job->cells, d, r->span[d],
+                               r->lo[d], r->hi[d], job->integrand->order,
+                               &bench->block[d][level][0]);
             }
             first[d] = &bench->block[d][0][0];
             second[d] = &bench->block[d][1][0];
         }
         taut_cell_load(&job->cells, r->span[0], r->span[1], &bench->cell);
         job->split[i] =
-            !taut_cell_try(job, bench, r, first, second, job->allowed, value, error) && !job->last;
+            !taut_cell_try(job, bench, TAUT_PART, r, first, second, job->allowed, value, error) &&
+            !job->last;
         taut_share_take(share, !job->split[i], 2 * job->integrand->count, value, error);
     }
 }
@@ -116,8 +119,10 @@ static void allow(taut_job *job, const taut_sum *value, const double *pending)
 taut_status taut_job_rounds(taut_job *job, taut_sum *value, taut_sum *error, double *pending)
 {
     taut_status status = collect(job);
+    const long most = ACTIVE_MAX + 4 * job->active_count;
+
     for (int round = 0; status == TAUT_OK && job->active_count > 0; round++) {
-        job->last = round + 1 >= ROUNDS_MAX || job->active_count > ACTIVE_MAX;
+        job->last = round + 1 >= ROUNDS_MAX || job->active_count > most;
         job->share_count = (job->active_count + SHARE - 1) / SHARE;
         taut_free(job->shares);
         taut_free(job->split);

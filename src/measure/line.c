@@ -1,6 +1,7 @@
 #include "measure/line.h"
 
 #include "core/memory.h"
+#include "measure/scaling.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
@@ -8,33 +9,20 @@
 #include <math.h>
 #include <string.h>
 
-static int exponent_of(double x)
-{
-    int exponent = 0;
-    if (x > 0 && isfinite(x)) {
-        frexp(x, &exponent);
-    }
-    return exponent;
-}
-
 /* points[k] Euclidean, weights or NULL: fills net, scale and shift. */
 static taut_status fill(const taut_basis *basis, const double *points, const double *weights,
                         taut_line *line)
 {
     const int count = taut_basis_count(basis);
-    double largest = 0;
 
     *line = (taut_line){.basis = basis, .dim = weights != NULL ? 4 : 3};
     line->net = taut_alloc((size_t)count * (size_t)line->dim, sizeof(double));
     if (line->net == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (long k = 0; k < 3L * count; k++) {
-        largest = fmax(largest, fabs(points[k] / 2 - points[k % 3] / 2));
-    }
-    line->scale = exponent_of(largest) + 1;
-    line->shift = exponent_of(taut_basis_hi(basis) - taut_basis_lo(basis));
-    const double factor = ldexp(1, 1 - line->scale > 1000 ? 1000 : 1 - line->scale);
+    line->scale = taut_exponent(taut_half_size((size_t)count, points)) + 1;
+    line->shift = taut_range_exponent(basis);
+    const double factor = taut_half_factor(line->scale);
     for (long k = 0; k < count; k++) {
         double *out = line->net + k * line->dim;
         const double w = weights != NULL ? weights[k] / weights[0] : 1;

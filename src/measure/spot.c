@@ -1,5 +1,7 @@
 #include "measure/spot.h"
 
+#include "measure/scaling.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -67,7 +69,7 @@ void taut_spot_at(const taut_surface *surface, int su, int sv, double u, double 
                .weights = weights != NULL ? weights + first : NULL,
                .columns = taut_basis_count(bv),
                .local = {taut_basis_local(bu), taut_basis_local(bv)},
-               .factor = ldexp(1, 1 - scale > 1000 ? 1000 : 1 - scale)};
+               .factor = taut_half_factor(scale)};
     double nu[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
     double nv[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
     double sum_u[TAUT_ORDER_MAX + 1], sum_v[TAUT_ORDER_MAX + 1];
