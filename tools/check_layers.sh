@@ -26,8 +26,8 @@ include/taut:
 
 # Standard C, POSIX, and what the compilers bring.
 standard='assert complex ctype dirent dlfcn errno fcntl fenv float immintrin inttypes limits locale math pthread setjmp
-signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string sys/mman sys/stat sys/time
-sys/types termios threads time unistd'
+signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string strings sys/mman sys/random
+sys/stat sys/time sys/types termios threads time unistd'
 
 list=$(find src include/taut -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' 2>/dev/null | sort)
 if [ -z "$list" ]; then
