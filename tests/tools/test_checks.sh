@@ -19,7 +19,7 @@ fresh() {
     printf '#include <stdio.h>\n#include "taut/status.h"\n#include "core/fail.h"\n' > "$tree/src/core/fail.c"
     printf '#include "numeric/sum.h"\n/* [Known2001] */\n' > "$tree/src/certify/a.c"
     printf '#include "geometry/b.h"\n#include "basis/b.h"\n' > "$tree/src/geometry/b.c"
-    printf '#include "taut/taut.h"\n#include "cli/c.h"\n' > "$tree/src/cli/c.c"
+    printf '#include "taut/taut.h"\n#include "cli/c.h"\n#include "c.h"\n' > "$tree/src/cli/c.c"
     printf '#include "taut/export.h"\n' > "$tree/include/taut/status.h"
     printf '@book{Known2001,\n  title = {Known}\n}\n' > "$tree/docs/references.bib"
 }
@@ -52,6 +52,9 @@ catches layers src/construct/x.c 'construct may not include' '#include "certify/
 catches layers src/certify/x.c 'certify may not include' '#include "construct/construct_ops.h"\n'
 catches layers src/certify/x.c 'certify may not include' '#include "numeric/banded.h"\n'
 catches layers src/construct/x.c 'construct may not include' '#include "io/format.h"\n'
+catches layers src/draw/x.c 'draw may not include' '#include "io/format.h"\n'
+catches layers src/modules/cairo/x.c 'modules/cairo may not include' '#include "geometry/net.h"\n'
+catches layers src/modules/other/x.c 'may not include' '#include <cairo.h>\n'
 catches layers src/cli/x.c 'cli may not include' '  # include "core/memory.h"\n'
 catches layers src/geometry/x.c 'geometry may not include' '#include <jansson.h>\n'
 catches layers src/geometry/x.c 'without its layer' '#include "net.h"\n'
