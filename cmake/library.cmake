@@ -1,4 +1,6 @@
 # libtaut: every source of every layer but the program's and the modules'.
+add_custom_target(product) # all that is installed, without tests and benchmarks
+
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson>=2.14)
@@ -16,6 +18,7 @@ target_link_libraries(taut_static PUBLIC taut_flags PkgConfig::JANSSON Threads::
 add_library(taut_shared SHARED $<TARGET_OBJECTS:taut_objects>)
 set_target_properties(taut_shared PROPERTIES OUTPUT_NAME taut VERSION ${PROJECT_VERSION} SOVERSION 0)
 target_link_libraries(taut_shared PRIVATE taut_flags PkgConfig::JANSSON Threads::Threads m dl)
+add_dependencies(product taut_shared)
 
 # Kernels for one instruction set each, chosen at run time; fused multiply-add is theirs to use.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

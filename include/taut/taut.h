@@ -9,6 +9,7 @@
 #include "taut/dirichlet.h"
 #include "taut/limits.h"
 #include "taut/measure.h"
+#include "taut/mesh.h"
 #include "taut/model.h"
 #include "taut/monitor.h"
 #include "taut/read.h"

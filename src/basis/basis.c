@@ -99,6 +99,28 @@ static taut_basis *basis_alloc(const taut_basis_ops *ops, const taut_basis_spec 
     return basis;
 }
 
+/* Are the breaks such that nothing built on them overflows? */
+static taut_status check_breaks(const taut_basis *basis, taut_error *error)
+{
+    const char *where = basis->shape.knot_count > 0 ? "/knots"
+                        : basis->spec.has_range     ? "/range"
+                                                    : "";
+    for (int i = 0; i <= basis->shape.span_count; i++) {
+        const double now = basis->breaks[i];
+        if (!(fabs(now) <= TAUT_PARAMETER_MAX)) {
+            return taut_fail(error, TAUT_BAD_INPUT, where, now, TAUT_PARAMETER_MAX,
+                             "parameter %.17g, expected at most %g in absolute value", now,
+                             TAUT_PARAMETER_MAX);
+        }
+        if (i > 0 && !(now - basis->breaks[i - 1] >= TAUT_SPAN_MIN)) {
+            return taut_fail(error, TAUT_BAD_INPUT, where, now - basis->breaks[i - 1],
+                             TAUT_SPAN_MIN, "the span from %.17g to %.17g is narrower than %g",
+                             basis->breaks[i - 1], now, TAUT_SPAN_MIN);
+        }
+    }
+    return TAUT_OK;
+}
+
 taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basis **basis,
                            taut_error *error)
 {
@@ -139,6 +161,11 @@ taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basi
     ops->fill(made);
     made->spec.knots = shape.knot_count > 0 ? made->knots : NULL;
     made->spec.knot_count = shape.knot_count;
+    status = check_breaks(made, error);
+    if (status != TAUT_OK) {
+        taut_basis_free(made);
+        return status;
+    }
     *basis = made;
     return TAUT_OK;
 }

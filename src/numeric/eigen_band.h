@@ -17,12 +17,14 @@
  * values   double[n], ascending
  * vectors  double[n][n], row j belongs to values[j]; its largest entry is positive
  *
- * Accuracy, u = 2^-53, with |A| for the matrix of absolute values, rows weighted by M(i,i)^(-1/2):
- *     ||(K - lambda M) x|| <= 64 u ||(|K| + |lambda| |M|) |x|||,     |x_i^T M x_j - delta_ij| <=
- * 2^-44 Returns TAUT_OK, TAUT_BAD_ARGUMENT (sizes, entries not finite), TAUT_NO_SOLUTION (M not
- * positive definite), TAUT_CHECK_FAILED (the bounds above not met by any method), TAUT_NO_MEMORY;
- * outputs are untouched on failure. Memory: O(n width) beside the outputs (n^2 in the dense
- * fallback). */
+ * Accuracy, u = 2^-53, with |A| for the matrix of absolute values; the first in the norm that
+ * weighs row i by M(i,i)^(-1/2):
+ *     ||(K - lambda M) x|| <= 64 u ||(|K| + |lambda| |M|) |x|||
+ *     |x_i^T M x_j - delta_ij| <= 64 u (1 + |x_i|^T |M| |x_j|)
+ *
+ * Returns TAUT_OK, TAUT_BAD_ARGUMENT (sizes, entries not finite), TAUT_NO_SOLUTION (M not positive
+ * definite), TAUT_CHECK_FAILED (the bounds above not met by any method), TAUT_NO_MEMORY; outputs
+ * are untouched on failure. Memory: n^2 numbers and O(n width) beside the outputs. */
 taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *values,
                             double *vectors);
 
