@@ -7,6 +7,7 @@
 #include "taut/construct.h"
 #include "taut/curve.h"
 #include "taut/dirichlet.h"
+#include "taut/join.h"
 #include "taut/limits.h"
 #include "taut/measure.h"
 #include "taut/mesh.h"

@@ -7,6 +7,7 @@
 #include "taut/limits.h"
 
 #include <locale.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -77,9 +78,6 @@ static taut_status fail_syntax(taut_error *error, const char *text, size_t lengt
     char message[320];
     const char *rule = "";
 
-    if (code == json_error_out_of_memory || broken->text[0] == '\0') {
-        return taut_fail_memory(error);
-    }
     if (ended || code == json_error_premature_end_of_input) {
         return fail_at(error, name, place_of(text, length),
                        "the text ends before the document does");
@@ -115,22 +113,47 @@ static int is_blank(const char *text, size_t length)
     return i == length;
 }
 
-/* jansson reads numbers by the decimal point of the locale: this thread is put into the "C" locale
+/* jansson says of some allocations that fail that the syntax is wrong, and of others nothing: a
+ * number would lose its last digits. So its allocations are ours, as all others are, and one that
+ * fails is remembered, each thread for itself, for the parse that is going on. */
+static _Thread_local int ran_out;
+
+static void *watched_alloc(size_t size)
+{
+    void *block = taut_alloc(size, 1);
+    ran_out |= block == NULL;
+    return block;
+}
+
+static void watch_memory(void)
+{
+    json_set_alloc_funcs(watched_alloc, taut_free);
+}
+
+/* NULL where the text is not JSON; or where memory ran out, and then *no_memory is set. jansson
+ * reads numbers by the decimal point of the locale: this thread is put into the "C" locale
  * meanwhile. */
 static json_t *parse(const char *text, size_t length, json_error_t *broken, int *no_memory)
 {
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
     const size_t flags = JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL | JSON_DECODE_ANY;
     const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     locale_t before = (locale_t)0;
     json_t *root = NULL;
 
-    *no_memory = plain == (locale_t)0;
-    if (!*no_memory) {
+    pthread_once(&once, watch_memory);
+    ran_out = plain == (locale_t)0;
+    if (!ran_out) {
         before = uselocale(plain);
         root = json_loadb(text, length, flags, broken);
         uselocale(before);
         freelocale(plain);
     }
+    if (ran_out) {
+        json_decref(root);
+        root = NULL;
+    }
+    *no_memory = ran_out;
     return root;
 }
 

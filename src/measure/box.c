@@ -178,6 +178,22 @@ static void corner_box(const taut_surface *surface, double box[2][3])
     }
 }
 
+/* What reaches out of the net's box by a rounding is put back on it. */
+static void clip(const taut_surface *surface, double slack, double box[2][3])
+{
+    const double *points = taut_surface_points(surface);
+    const size_t count = taut_point_count(surface);
+    for (size_t c = 0; c < 3; c++) {
+        double lo = points[c], hi = points[c];
+        for (size_t k = 1; k < count; k++) {
+            lo = fmin(lo, points[3 * k + c]);
+            hi = fmax(hi, points[3 * k + c]);
+        }
+        box[0][c] = box[0][c] < lo && box[0][c] >= lo - slack ? lo : box[0][c];
+        box[1][c] = box[1][c] > hi && box[1][c] <= hi + slack ? hi : box[1][c];
+    }
+}
+
 void taut_box_of(const taut_surface *surface, double box[2][3])
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
@@ -206,4 +222,5 @@ void taut_box_of(const taut_surface *surface, double box[2][3])
             }
         }
     }
+    clip(surface, slack, box);
 }

@@ -6,6 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Under LeakSanitizer: fontconfig keeps its configuration, once, to the end of the process. */
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_suppressions(void)
+{
+    return "leak:libfontconfig";
+}
+
 static const char *const kinds[] = {"svg", "pdf", "png"};
 
 static taut_surface *patch(const char *name, int degree, const double *points,
