@@ -36,6 +36,8 @@ taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, co
 {
     taut_dirichlet_form made;
     taut_weights split = {NULL, NULL, NULL};
+    taut_status (*gram_new)(const taut_basis *, const double *, taut_gram *, taut_error *) =
+        taut_gram_new;
     taut_status status = TAUT_OK;
 
     memset(&made, 0, sizeof made);
@@ -49,11 +51,12 @@ taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, co
     if (status == TAUT_NO_MEMORY) {
         taut_fail_memory(error);
     }
+    gram_new = split.rest != NULL ? taut_gram_new_rough : taut_gram_new;
     if (status == TAUT_OK) {
-        status = taut_gram_new(u, split.u, &made.u, error);
+        status = gram_new(u, split.u, &made.u, error);
     }
     if (status == TAUT_OK) {
-        status = taut_gram_new(v, split.v, &made.v, error);
+        status = gram_new(v, split.v, &made.v, error);
     }
     if (status == TAUT_OK && split.rest != NULL) {
         status = taut_dirichlet_rational_new(u, v, split.rest, &made.rational, error);
@@ -110,6 +113,9 @@ double taut_dirichlet_form_row_sum(const taut_dirichlet_form *form, double fu, d
 {
     const double *ku = form->row_sums, *kv = ku + form->nu;
     const double *mu = kv + form->nv, *mv = mu + form->nu;
+    if (form->rational != NULL) {
+        return taut_dirichlet_rational_row_sum(form->rational, fu, fv, i, j);
+    }
     return fu * (ku[i] * mv[j]) + fv * (mu[i] * kv[j]);
 }
 

@@ -34,7 +34,8 @@ taut_status taut_dirichlet_form_apply(const taut_dirichlet_form *form, double fu
 taut_status taut_dirichlet_form_residual(const taut_dirichlet_form *form, double fu, double fv,
                                          const double *x, double *y);
 
-/* The sum of |A(ij,st)| over s, t, or an upper bound of it; with quadrature an estimate. */
+/* The sum of |A(ij,st)| over s, t, or an upper bound of it; with quadrature it allows for rounding
+ * of its parameters too. */
 double taut_dirichlet_form_row_sum(const taut_dirichlet_form *form, double fu, double fv, int i,
                                    int j);
 

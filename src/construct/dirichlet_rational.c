@@ -13,6 +13,7 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
+#include "geometry/panels.h"
 #include "geometry/table.h"
 #include "numeric/quadrature.h"
 
@@ -22,46 +23,53 @@
 /* Quadrature in one direction: slopes are over the unit interval, weights sum to 1. */
 typedef struct rule {
     taut_table *table;
-    double *weights; /* [table->count] */
+    double *weights;   /* [table->count] */
+    double *roundings; /* [table->count]: |t| over the width of its span */
+    double reach;      /* max |t| / length */
 } rule;
 
 struct taut_dirichlet_rational {
     const taut_basis *u, *v;
+    taut_panels *panels_u, *panels_v;
     double *weights; /* [nu][nv] */
-    int nodes;       /* a span */
+    int nodes;       /* a panel */
     rule along_u, along_v;
     double *polygons; /* [2][nv][4]: of values and of slopes in u */
     double *spread;   /* [2][nv][3]: what goes back with N_i and with N_i' */
+    double *row_sums; /* [2][nu][nv]: for (fu, fv) = (1, 0), then (0, 1) */
 };
 
 static void rule_clear(rule *r)
 {
     taut_table_free(r->table);
     taut_free(r->weights);
+    taut_free(r->roundings);
     memset(r, 0, sizeof *r);
 }
 
-/* Parameters, spans and weights of `nodes` Gauss nodes on every span. */
-static void place_nodes(const taut_basis *basis, int nodes, double *t, int *spans, double *weights)
+/* Parameters, spans and weights of `nodes` Gauss nodes on every panel. */
+static void place_nodes(const taut_basis *basis, const taut_panels *panels, int nodes, double *t,
+                        int *spans, rule *r)
 {
     double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
     const double *breaks = taut_basis_breaks(basis);
     const double length = taut_basis_hi(basis) - taut_basis_lo(basis);
 
     taut_gauss_rule(nodes, node, weight);
-    for (int k = 0; k < taut_basis_span_count(basis); k++) {
-        const double width = breaks[k + 1] - breaks[k];
-        for (int g = 0; g < nodes; g++) {
-            *t++ = fmin(breaks[k] + width * (0.5 * (1 + node[g])), breaks[k + 1]);
-            *spans++ = k;
-            *weights++ = 0.5 * weight[g] * (width / length);
-        }
+    r->reach = fmax(fabs(taut_basis_lo(basis)), fabs(taut_basis_hi(basis))) / length;
+    for (int i = 0; i < panels->count * nodes; i++) {
+        const int k = i / nodes, g = i % nodes, span = panels->span[k];
+        t[i] = taut_panels_at(panels, k, node[g]);
+        spans[i] = span;
+        r->weights[i] = 0.5 * weight[g] * ((panels->hi[k] - panels->lo[k]) / length);
+        r->roundings[i] = fabs(t[i]) / (breaks[span + 1] - breaks[span]);
     }
 }
 
-static taut_status rule_new(const taut_basis *basis, int nodes, rule *made)
+static taut_status rule_new(const taut_basis *basis, const taut_panels *panels, int nodes,
+                            rule *made)
 {
-    const size_t count = (size_t)taut_basis_span_count(basis) * (size_t)nodes;
+    const size_t count = (size_t)panels->count * (size_t)nodes;
     const double length = taut_basis_hi(basis) - taut_basis_lo(basis);
     double *t = taut_alloc(count, sizeof(double));
     int *spans = taut_alloc(count, sizeof(int));
@@ -69,8 +77,9 @@ static taut_status rule_new(const taut_basis *basis, int nodes, rule *made)
 
     made->table = NULL;
     made->weights = taut_alloc(count, sizeof(double));
-    if (t != NULL && spans != NULL && made->weights != NULL) {
-        place_nodes(basis, nodes, t, spans, made->weights);
+    made->roundings = taut_alloc(count, sizeof(double));
+    if (t != NULL && spans != NULL && made->weights != NULL && made->roundings != NULL) {
+        place_nodes(basis, panels, nodes, t, spans, made);
         status = taut_table_new(basis, (int)count, t, spans, 1, &made->table);
     }
     taut_free(t);
@@ -90,10 +99,10 @@ static taut_status rule_new(const taut_basis *basis, int nodes, rule *made)
 
 static taut_status set_nodes(taut_dirichlet_rational *form, int nodes)
 {
-    rule u = {NULL, NULL}, v = {NULL, NULL};
-    taut_status status = rule_new(form->u, nodes, &u);
+    rule u = {NULL, NULL, NULL, 0}, v = {NULL, NULL, NULL, 0};
+    taut_status status = rule_new(form->u, form->panels_u, nodes, &u);
     if (status == TAUT_OK) {
-        status = rule_new(form->v, nodes, &v);
+        status = rule_new(form->v, form->panels_v, nodes, &v);
     }
     if (status != TAUT_OK) {
         rule_clear(&u);
@@ -105,6 +114,89 @@ static taut_status set_nodes(taut_dirichlet_rational *form, int nodes)
     form->along_v = v;
     form->nodes = nodes;
     return TAUT_OK;
+}
+
+/* The slopes of R_ab = w_ab N_a N_b / w alive at one point, |R_ab,u| in slopes[0], |R_ab,v| in
+ * slopes[1], double[local_u][local_v] each; sums[0..1] their sums, times what a rounding does. */
+static void absolute_slopes(const taut_dirichlet_rational *form, int i, int k, double *slopes[2],
+                            double sums[2])
+{
+    const taut_table *tu = form->along_u.table, *tv = form->along_v.table;
+    const double *nu = taut_table_row(tu, i, 0), *du = taut_table_row(tu, i, 1);
+    const double *nv = taut_table_row(tv, k, 0), *dv = taut_table_row(tv, k, 1);
+    const size_t columns = (size_t)taut_basis_count(form->v);
+    const double *weights = form->weights + (size_t)tu->first[i] * columns + (size_t)tv->first[k];
+    double w = 0, wu = 0, wv = 0, factor = 0;
+
+    for (int a = 0; a < tu->local; a++) {
+        for (int b = 0; b < tv->local; b++) {
+            const double wab = weights[(size_t)a * columns + (size_t)b];
+            w += wab * nu[a] * nv[b];
+            wu += wab * du[a] * nv[b];
+            wv += wab * nu[a] * dv[b];
+        }
+    }
+    factor = 1 + form->along_u.roundings[i] + form->along_v.roundings[k] +
+             form->along_u.reach * fabs(wu / w) + form->along_v.reach * fabs(wv / w);
+    sums[0] = sums[1] = 0;
+    for (int a = 0; a < tu->local; a++) {
+        for (int b = 0; b < tv->local; b++) {
+            const double share = weights[(size_t)a * columns + (size_t)b] / w;
+            const int at = a * tv->local + b;
+            slopes[0][at] = fabs(share * nv[b] * (du[a] - nu[a] * (wu / w)));
+            slopes[1][at] = fabs(share * nu[a] * (dv[b] - nv[b] * (wv / w)));
+            sums[0] += factor * slopes[0][at];
+            sums[1] += factor * slopes[1][at];
+        }
+    }
+}
+
+/* row_sums[ij] = iint |R_ij,u| sum |R_st,u|, and with v; slopes double[2][local_u][local_v]. */
+static void add_row_sums(taut_dirichlet_rational *form, double *slopes)
+{
+    const taut_table *tu = form->along_u.table, *tv = form->along_v.table;
+    const size_t columns = (size_t)taut_basis_count(form->v);
+    const size_t count = (size_t)taut_basis_count(form->u) * columns;
+    double *parts[2] = {slopes, slopes + (size_t)tu->local * (size_t)tv->local};
+
+    for (int i = 0; i < tu->count; i++) {
+        for (int k = 0; k < tv->count; k++) {
+            const double weight = form->along_u.weights[i] * form->along_v.weights[k];
+            double sums[2];
+            absolute_slopes(form, i, k, parts, sums);
+            for (int ab = 0; ab < tu->local * tv->local; ab++) {
+                const size_t row = (size_t)(tu->first[i] + ab / tv->local) * columns;
+                const size_t at = row + (size_t)(tv->first[k] + ab % tv->local);
+                form->row_sums[at] += weight * parts[0][ab] * sums[0];
+                form->row_sums[count + at] += weight * parts[1][ab] * sums[1];
+            }
+        }
+    }
+}
+
+static taut_status find_row_sums(taut_dirichlet_rational *form)
+{
+    const size_t count = (size_t)taut_basis_count(form->u) * (size_t)taut_basis_count(form->v);
+    const size_t alive = (size_t)form->along_u.table->local * (size_t)form->along_v.table->local;
+    double *slopes = taut_alloc(2 * alive, sizeof(double));
+
+    form->row_sums = taut_alloc_zero(2 * count, sizeof(double));
+    if (slopes == NULL || form->row_sums == NULL) {
+        taut_free(slopes);
+        return TAUT_NO_MEMORY;
+    }
+    add_row_sums(form, slopes);
+    taut_free(slopes);
+    return TAUT_OK;
+}
+
+double taut_dirichlet_rational_row_sum(const taut_dirichlet_rational *form, double fu, double fv,
+                                       int i, int j)
+{
+    const size_t columns = (size_t)taut_basis_count(form->v);
+    const size_t count = (size_t)taut_basis_count(form->u) * columns;
+    const size_t at = (size_t)i * columns + (size_t)j;
+    return fu * form->row_sums[at] + fv * form->row_sums[count + at];
 }
 
 taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v,
@@ -127,7 +219,16 @@ taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v
     made->spread = taut_alloc_aligned(6 * nv, sizeof(double));
     if (made->weights != NULL && made->polygons != NULL && made->spread != NULL) {
         memcpy(made->weights, weights, count * sizeof(double));
+        status = taut_panels_new(u, (int)nv, weights, nv, 1, &made->panels_u);
+    }
+    if (status == TAUT_OK) {
+        status = taut_panels_new(v, taut_basis_count(u), weights, 1, nv, &made->panels_v);
+    }
+    if (status == TAUT_OK) {
         status = set_nodes(made, wider + 3);
+    }
+    if (status == TAUT_OK) {
+        status = find_row_sums(made);
     }
     if (status != TAUT_OK) {
         taut_dirichlet_rational_free(made);
@@ -142,9 +243,12 @@ void taut_dirichlet_rational_free(taut_dirichlet_rational *form)
     if (form != NULL) {
         rule_clear(&form->along_u);
         rule_clear(&form->along_v);
+        taut_panels_free(form->panels_u);
+        taut_panels_free(form->panels_v);
         taut_free(form->weights);
         taut_free(form->polygons);
         taut_free(form->spread);
+        taut_free(form->row_sums);
         taut_free(form);
     }
 }

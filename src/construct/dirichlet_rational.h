@@ -12,8 +12,8 @@
 
 typedef struct taut_dirichlet_rational taut_dirichlet_rational;
 
-/* Starts with local+3 nodes a span and direction. The bases are borrowed, the weights (in (0, 1])
- * copied. TAUT_NO_MEMORY. */
+/* Starts with local+3 nodes a panel (geometry/panels.h) and direction. The bases are borrowed, the
+ * weights (in (0, 1]) copied. TAUT_NO_MEMORY. */
 taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v,
                                         const double *weights, taut_dirichlet_rational **form,
                                         taut_error *error);
@@ -26,5 +26,11 @@ taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form);
 /* y = A x, nets double[nu][nv][3]. */
 void taut_dirichlet_rational_apply(taut_dirichlet_rational *form, double fu, double fv,
                                    const double *x, double *y);
+
+/* sum over s, t of |A(ij,st)|, bounded from above, with each term of the integrals times what one
+ * rounding of its parameters does to it: 1 + |u| (1/du + |w_u|/w) + |v| (1/dv + |w_v|/w), du and dv
+ * the widths of its span. 2^-53 of it is what a product can be off by. */
+double taut_dirichlet_rational_row_sum(const taut_dirichlet_rational *form, double fu, double fv,
+                                       int i, int j);
 
 #endif /* TAUT_CONSTRUCT_DIRICHLET_RATIONAL_H */

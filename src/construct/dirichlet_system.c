@@ -321,20 +321,27 @@ static taut_status settle(taut_dirichlet_system *system, double *net, double *om
     return status;
 }
 
-/* Raises the nodes of a quadrature until the solution stays one, within `limit`. */
+/* Raises the nodes of a quadrature until the solution of one rule is one of the next: omega then is
+ * at rounding, or within `limit` and no longer falling. */
 static taut_status settle_quadrature(taut_dirichlet_system *system, double limit, double *net,
                                      double *omega, taut_error *error)
 {
+    const double enough = 4 * unit_roundoff;
+    double before = INFINITY;
     taut_status status = TAUT_OK;
+
     while (status == TAUT_OK && *omega <= limit) {
+        double raised = 0;
         status = taut_dirichlet_rational_raise(system->form->rational);
         if (status != TAUT_OK) {
             return solver_failed(status, error);
         }
-        status = find_residual(system, net, omega, error);
-        if (status == TAUT_OK && *omega <= limit) {
+        status = find_residual(system, net, &raised, error);
+        if (status == TAUT_OK && (raised <= enough || (raised <= limit && raised > 0.5 * before))) {
+            *omega = raised;
             break;
         }
+        before = raised;
         if (status == TAUT_OK) {
             status = settle(system, net, omega, error);
         }

@@ -8,10 +8,16 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
+#include "geometry/panels.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>
 #include <string.h>
+
+typedef struct gauss {
+    int nodes;
+    double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
+} gauss;
 
 void taut_gram_clear(taut_gram *gram)
 {
@@ -25,8 +31,14 @@ static taut_status gram_alloc(const taut_basis *basis, taut_gram *gram)
     const int n = taut_basis_count(basis), width = taut_basis_local(basis) - 1;
     taut_status status = TAUT_OK;
 
+    const double *breaks = taut_basis_breaks(basis);
+
     memset(gram, 0, sizeof *gram);
     gram->length = taut_basis_hi(basis) - taut_basis_lo(basis);
+    for (int k = 0; k < taut_basis_span_count(basis); k++) {
+        const double largest = fmax(fabs(breaks[k]), fabs(breaks[k + 1]));
+        gram->roundings = fmax(gram->roundings, 1 + largest / (breaks[k + 1] - breaks[k]));
+    }
     status = taut_band_init(n, width, &gram->mass);
     if (status == TAUT_OK) {
         status = taut_band_init(n, width, &gram->stiffness);
@@ -63,21 +75,19 @@ static void add_square(taut_band *band, int first, int local, const double *x)
     }
 }
 
-/* The terms of one span. The square roots of the weights go into the factors, so that very short
+/* The terms of one panel. The square roots of the weights go into the factors, so that very short
  * spans do not overflow before they are summed. */
-static void add_span(const taut_basis *basis, const double *weights, int span, int nodes,
-                     const double *node, const double *weight, taut_gram *gram)
+static void add_panel(const taut_basis *basis, const double *weights, const taut_panels *panels,
+                      int k, const gauss *rule, taut_gram *gram)
 {
-    const double *breaks = taut_basis_breaks(basis);
-    const double lo = breaks[span], width = breaks[span + 1] - lo;
-    const int local = taut_basis_local(basis), first = taut_basis_first(basis, span);
+    const double width = panels->hi[k] - panels->lo[k];
+    const int local = taut_basis_local(basis), first = taut_basis_first(basis, panels->span[k]);
     double n[2 * (TAUT_DEGREE_MAX + 1)];
 
-    for (int g = 0; g < nodes; g++) {
-        const double t = lo + width * (0.5 * (1 + node[g]));
-        const double root = sqrt(0.5 * weight[g] * (width / gram->length));
+    for (int g = 0; g < rule->nodes; g++) {
+        const double root = sqrt(0.5 * rule->weight[g] * (width / gram->length));
         const double slope_root = root * gram->length;
-        taut_basis_eval(basis, span, t < breaks[span + 1] ? t : breaks[span + 1], 1, n);
+        taut_basis_eval(basis, panels->span[k], taut_panels_at(panels, k, rule->node[g]), 1, n);
         if (weights != NULL) {
             make_rational(local, weights + first, n);
         }
@@ -93,15 +103,21 @@ static void add_span(const taut_basis *basis, const double *weights, int span, i
 static taut_status gram_with(const taut_basis *basis, const double *weights, int nodes,
                              taut_gram *gram)
 {
-    double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
-    const taut_status status = gram_alloc(basis, gram);
+    gauss rule;
+    taut_panels *panels = NULL;
+    taut_status status = taut_panels_new(basis, 1, weights, 1, 0, &panels);
 
     if (status == TAUT_OK) {
-        taut_gauss_rule(nodes, node, weight);
-        for (int span = 0; span < taut_basis_span_count(basis); span++) {
-            add_span(basis, weights, span, nodes, node, weight, gram);
+        status = gram_alloc(basis, gram);
+    }
+    if (status == TAUT_OK) {
+        rule.nodes = nodes;
+        taut_gauss_rule(nodes, rule.node, rule.weight);
+        for (int k = 0; k < panels->count; k++) {
+            add_panel(basis, weights, panels, k, &rule, gram);
         }
     }
+    taut_panels_free(panels);
     return status;
 }
 
@@ -132,39 +148,52 @@ static double change(const taut_band *a, const taut_band *b)
     return largest;
 }
 
-/* Raises the nodes by half until mass and stiffness agree with those before to `enough`: sums of
- * O(nodes) terms carry about that much rounding, and the step before last was already that good. */
+/* Raises the nodes by half until mass and stiffness agree with those before: to what sums of O(100)
+ * terms carry, each with the roundings of its parameter. */
 static taut_status raise(const taut_basis *basis, const double *weights, taut_gram *gram,
                          taut_error *error)
 {
-    const double enough = 0x1p-47;
-    double moved = INFINITY;
+    double moved = INFINITY, enough = 0;
     int nodes = taut_basis_local(basis) + 3;
     taut_gram next;
     taut_status status = gram_with(basis, weights, nodes, gram);
 
-    while (status == TAUT_OK && moved > enough && nodes < TAUT_GAUSS_MAX) {
+    while (status == TAUT_OK && !(moved <= enough) && nodes < TAUT_GAUSS_MAX) {
         nodes = nodes + nodes / 2 < TAUT_GAUSS_MAX ? nodes + nodes / 2 : TAUT_GAUSS_MAX;
+        enough = 64 * 0x1p-53 * gram->roundings;
         status = gram_with(basis, weights, nodes, &next);
         if (status == TAUT_OK) {
             moved =
                 fmax(change(&gram->mass, &next.mass), change(&gram->stiffness, &next.stiffness));
-            taut_gram_clear(gram);
-            *gram = next;
-        } else {
-            taut_gram_clear(gram);
         }
-    }
-    if (status == TAUT_NO_MEMORY) {
-        return taut_fail_memory(error);
+        taut_gram_clear(gram);
+        *gram = next;
     }
     if (status == TAUT_OK && all_finite(&gram->stiffness) && !(moved <= enough)) {
         taut_gram_clear(gram);
         return taut_fail(error, TAUT_NOT_CONVERGED, NULL, moved, enough,
-                         "%d Gauss nodes on each span leave a relative change of %.3g in the "
+                         "%d Gauss nodes on each panel leave a relative change of %.3g in the "
                          "integrals of the basis, expected at most %.3g: the weights or the shape "
                          "of the basis are too extreme",
                          TAUT_GAUSS_MAX, moved, enough);
+    }
+    return status;
+}
+
+/* Checks and hands over what was made with `status`. */
+static taut_status finish(taut_status status, taut_gram *made, taut_gram *gram, taut_error *error)
+{
+    if (status == TAUT_NO_MEMORY) {
+        return taut_fail_memory(error);
+    }
+    if (status == TAUT_OK && !(all_finite(&made->mass) && all_finite(&made->stiffness))) {
+        taut_gram_clear(made);
+        status = taut_fail(error, TAUT_BAD_INPUT, "", taut_none, taut_none,
+                           "a span of the basis is too short against its range: its slopes "
+                           "overflow");
+    }
+    if (status == TAUT_OK) {
+        *gram = *made;
     }
     return status;
 }
@@ -180,19 +209,15 @@ taut_status taut_gram_new(const taut_basis *basis, const double *weights, taut_g
     } else {
         status = raise(basis, weights, &made, error);
     }
-    if (status == TAUT_NO_MEMORY) {
-        return taut_fail_memory(error);
-    }
-    if (status == TAUT_OK && !(all_finite(&made.mass) && all_finite(&made.stiffness))) {
-        taut_gram_clear(&made);
-        status = taut_fail(error, TAUT_BAD_INPUT, "", taut_none, taut_none,
-                           "a span of the basis is too short against its range: its slopes "
-                           "overflow");
-    }
-    if (status == TAUT_OK) {
-        *gram = made;
-    }
-    return status;
+    return finish(status, &made, gram, error);
+}
+
+taut_status taut_gram_new_rough(const taut_basis *basis, const double *weights, taut_gram *gram,
+                                taut_error *error)
+{
+    taut_gram made;
+    const taut_status status = gram_with(basis, weights, taut_basis_local(basis) + 3, &made);
+    return finish(status, &made, gram, error);
 }
 
 static taut_status select(const taut_band *from, int count, const int *index, taut_band *part)
@@ -213,6 +238,7 @@ taut_status taut_gram_select(const taut_gram *gram, int count, const int *index,
 
     memset(&made, 0, sizeof made);
     made.length = gram->length;
+    made.roundings = gram->roundings;
     status = select(&gram->mass, count, index, &made.mass);
     if (status == TAUT_OK) {
         status = select(&gram->stiffness, count, index, &made.stiffness);

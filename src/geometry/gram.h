@@ -14,18 +14,23 @@
 #include "taut/basis.h"
 
 typedef struct taut_gram {
-    double length; /* L */
+    double length;    /* L */
+    double roundings; /* 1 + max |t| over the width of its span: what a rounding of t is there */
     taut_band mass;
     taut_band stiffness;
 } taut_gram;
 
 /* Exact to rounding on polynomial bases (Gauss rule of `local` nodes a span); on others, and with
- * weights, the nodes are raised until nothing moves any more.
+ * weights, the nodes are raised until nothing moves by more than the rounding of parameters does.
  * weights  double[count], positive, or NULL
  * TAUT_NO_MEMORY; TAUT_BAD_INPUT when a span is too short for finite slopes; TAUT_NOT_CONVERGED
  * when TAUT_GAUSS_MAX nodes a span do not settle it. *gram is untouched on failure. */
 taut_status taut_gram_new(const taut_basis *basis, const double *weights, taut_gram *gram,
                           taut_error *error);
+/* The same with local+3 nodes and no more: near the exact matrices, positive (semi)definite like
+ * them, good for a preconditioner. */
+taut_status taut_gram_new_rough(const taut_basis *basis, const double *weights, taut_gram *gram,
+                                taut_error *error);
 /* Frees what is in *gram and zeroes it. */
 void taut_gram_clear(taut_gram *gram);
 
