@@ -116,7 +116,7 @@ static int find(const taut_blossom *b, const double *x)
             return i;
         }
     }
-    assert(!"knots in a row");
+    assert(0 && "the knots asked for are not in a row");
     return 0;
 }
 
