@@ -13,6 +13,7 @@
 #include "taut/mesh.h"
 #include "taut/model.h"
 #include "taut/monitor.h"
+#include "taut/operate.h"
 #include "taut/read.h"
 #include "taut/record.h"
 #include "taut/status.h"
