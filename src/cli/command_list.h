@@ -7,7 +7,10 @@
     X(make)                                                                                        \
     X(certify)                                                                                     \
     X(measure)                                                                                     \
+    X(join)                                                                                        \
     X(eval)                                                                                        \
+    X(split)                                                                                       \
+    X(refine)                                                                                      \
     X(convert)                                                                                     \
     X(example)                                                                                     \
     X(schema)
