@@ -4,9 +4,6 @@
  * broke, or the JSON pointer of the member, what was found and what was expected:
  * TAUT_BAD_INPUT for a document that is wrong, TAUT_NO_SOLUTION for the contract's exceptions,
  * TAUT_IO for a file that cannot be read, TAUT_NO_MEMORY. All input is taken to be hostile.
- *
- * The first call makes jansson allocate by malloc (json_set_alloc_funcs), for the whole process: a
- * program that gives jansson other functions must not free by them what it made before.
  */
 #ifndef TAUT_READ_H
 #define TAUT_READ_H
