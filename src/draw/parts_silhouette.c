@@ -93,18 +93,19 @@ static void fold_side(const field *f, size_t i, size_t j, double side[2])
     if (r + 1 >= f->nu || s + 1 >= nv) {
         return;
     }
-    const double *p = f->page + 3 * (r * nv + s);
+    const double *here = f->page + 3 * (r * nv + s);
+    const double *before = here - 3 * nv, *after = here + 3 * nv; /* along u */
+    const double *left = here - 3, *right = here + 3;             /* along v */
     for (size_t c = 0; c < 2; c++) {
-        du[c] = (p[3 * nv + c] - p[c - 3 * nv]) / 2;
-        dv[c] = (p[3 + c] - p[c - 3]) / 2;
+        du[c] = (after[c] - before[c]) / 2;
+        dv[c] = (right[c] - left[c]) / 2;
     }
     const double a = hypot(dv[0], dv[1]);
     const double b = hypot(du[0], du[1]) * (du[0] * dv[0] + du[1] * dv[1] > 0 ? -1 : 1);
     for (size_t c = 0; c < 2; c++) {
-        const double uu = p[3 * nv + c] - 2 * p[c] + p[c - 3 * nv];
-        const double vv = p[3 + c] - 2 * p[c] + p[c - 3];
-        const double uv =
-            (p[3 * nv + 3 + c] - p[3 * nv + c - 3] - p[3 + c - 3 * nv] + p[c - 3 * nv - 3]) / 4;
+        const double uu = after[c] - 2 * here[c] + before[c];
+        const double vv = right[c] - 2 * here[c] + left[c];
+        const double uv = ((after + 3)[c] - (after - 3)[c] - (before + 3)[c] + (before - 3)[c]) / 4;
         side[c] = a * a * uu + 2 * a * b * uv + b * b * vv;
     }
 }
