@@ -26,7 +26,6 @@ includedir=\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
 Name: taut
 Description: ${PROJECT_DESCRIPTION}
 Version: ${PROJECT_VERSION}
-Requires.private: jansson >= 2.14
 Libs: -L\${libdir} -ltaut
 Libs.private: -lm
 Cflags: -I\${includedir}
