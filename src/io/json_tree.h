@@ -3,8 +3,7 @@
  * The parser is strict (RFC 8259): UTF-8 only, no comments, no member given twice, nothing after
  * the end; numbers are doubles, rounded correctly whatever the locale, and must fit. It takes 16
  * bytes for a number and allocates in blocks; all memory is core/memory's, so that a failure is
- * always seen. Why not a
- * library: docs/decisions/0008-json-parser.md.
+ * always seen. Why not a library: docs/decisions/0008-json-parser.md.
  */
 #ifndef TAUT_IO_JSON_TREE_H
 #define TAUT_IO_JSON_TREE_H
