@@ -288,16 +288,19 @@ static taut_status add_known(const request *r, taut_certificate *certificate)
     return taut_certificate_add(certificate, &claim);
 }
 
-/* lambda^2 iint |x_u|^2 = iint |x_v|^2. Each integral is a sum of squares, good to a few roundings,
- * but the points carry the rounding that `stationary` allows for. */
+/* lambda^2 iint |x_u|^2 = iint |x_v|^2. The points carry the rounding that `stationary` allows for;
+ * it weighs more in the lesser integral, by the root of their ratio over the unit square. */
 static taut_status add_aspect(const request *r, const taut_dirichlet_gradient *gradient,
                               const finding *found, taut_certificate *certificate)
 {
+    const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
+    const double ratio =
+        (taut_basis_hi(v) - taut_basis_lo(v)) / (taut_basis_hi(u) - taut_basis_lo(u)) * r->aspect;
     const double a = gradient->halves[0], b = gradient->halves[1];
     taut_claim claim = {"aspect", 0, 0, TAUT_FALSE, ""};
 
     claim.residual = a == 0 && b == 0 ? 0 : fabs(2 * log(r->aspect) + log(a) - log(b));
-    claim.limit = fmin(ROUNDINGS * unit_roundoff + found->noise, largest_limit);
+    claim.limit = fmin(found->noise * (1 + fmax(ratio, 1 / ratio)), largest_limit);
     claim.holds = claim.residual <= claim.limit ? TAUT_TRUE : TAUT_FALSE;
     return taut_certificate_add(certificate, &claim);
 }

@@ -162,9 +162,7 @@ static taut_status solve(const taut_dirichlet_problem *problem, taut_dirichlet_f
         }
     }
     if (status == TAUT_OK) {
-        status = taut_dirichlet_system_energies(system, net, halves, error);
-    }
-    if (status == TAUT_OK) {
+        taut_dirichlet_system_energies(system, net, halves);
         out->energy = out->aspect * halves[0] + halves[1] / out->aspect;
         out->method = taut_dirichlet_system_method(system);
         out->iterations = taut_dirichlet_system_iterations(system);

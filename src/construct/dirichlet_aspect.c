@@ -4,7 +4,7 @@
  *     f'(lambda) = a - b/lambda^2 at the minimising x, so  lambda^2 = b/a  where f is least
  *
  * f may have several minima. A scan in steps of 4 finds the lowest place, and the sign change of
- * log(lambda^2 a/b) next to it is then closed in on by false position ([DahlquistBjorck2008] 6.2.2,
+ * log(lambda^2 a/b) next to it is then closed in on by false position ([DahlquistBjorck2008] ch. 6,
  * the Illinois variant). Each f costs one solve; the eigenvectors of the box are kept.
  */
 #include "construct/dirichlet_system.h"
@@ -32,12 +32,10 @@ static taut_status take(taut_dirichlet_system *system, double log_aspect, double
 {
     const double aspect = exp(log_aspect);
     double halves[2] = {0, 0};
-    taut_status status = taut_dirichlet_system_solve(system, aspect, net, error);
+    const taut_status status = taut_dirichlet_system_solve(system, aspect, net, error);
 
     if (status == TAUT_OK) {
-        status = taut_dirichlet_system_energies(system, net, halves, error);
-    }
-    if (status == TAUT_OK) {
+        taut_dirichlet_system_energies(system, net, halves);
         s->log_aspect = log_aspect;
         s->energy = aspect * halves[0] + halves[1] / aspect;
         s->slope = halves[0] > 0 && halves[1] > 0 ? 2 * log_aspect + log(halves[0]) - log(halves[1])

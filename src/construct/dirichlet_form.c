@@ -119,19 +119,51 @@ double taut_dirichlet_form_row_sum(const taut_dirichlet_form *form, double fu, d
     return fu * (ku[i] * mv[j]) + fv * (mu[i] * kv[j]);
 }
 
-taut_status taut_dirichlet_form_energies(const taut_dirichlet_form *form, const double *x,
-                                         double *y, double halves[2])
+/* sum_is A(i,s) d_i . d_s over d[i] = x[i * stride] - y[i * stride], points of three numbers. */
+static double quadratic(const taut_band *band, const double *x, const double *y, size_t stride)
 {
-    const size_t count = 3 * (size_t)form->nu * (size_t)form->nv;
-    taut_status status = TAUT_OK;
-    for (int k = 0; status == TAUT_OK && k < 2; k++) {
-        taut_sum sum = {0, 0};
-        status = taut_dirichlet_form_apply(form, k == 0, k == 1, x, y);
-        for (size_t i = 0; status == TAUT_OK && i < count; i++) {
-            taut_sum_add(&sum, x[i] * y[i]);
+    double sum = 0;
+    for (int i = 0; i < band->n; i++) {
+        const double *row = taut_band_row(band, i);
+        for (int e = 0; e <= band->width && e <= i; e++) {
+            const size_t at = (size_t)i * stride, before = (size_t)(i - e) * stride;
+            double product = 0;
+            for (size_t c = 0; c < 3; c++) {
+                product += (x[at + c] - y[at + c]) * (x[before + c] - y[before + c]);
+            }
+            sum += (e > 0 ? 2 : 1) * row[e] * product;
         }
-        halves[k] = 0.5 * fmax(taut_sum_total(&sum), 0);
-        halves[k] = k == 0 ? halves[k] * form->ratio : halves[k] / form->ratio;
     }
-    return status;
+    return sum;
+}
+
+/* x^T (K (x) M) x, lines of the first direction `step` numbers apart, points of the second
+ * `stride`. The rows of K sum to 0, so x^T K x = - sum_{i>s} K(i,s) |x_i - x_s|^2: no cancellation
+ * where x hardly changes. */
+static double half_energy(const taut_band *k, size_t step, const taut_band *m, size_t stride,
+                          const double *x)
+{
+    taut_sum sum = {0, 0};
+    for (int i = 0; i < k->n; i++) {
+        for (int e = 1; e <= k->width && e <= i; e++) {
+            taut_sum_add(&sum,
+                         -taut_band_row(k, i)[e] * quadratic(m, x + (size_t)i * step,
+                                                             x + (size_t)(i - e) * step, stride));
+        }
+    }
+    return 0.5 * fmax(taut_sum_total(&sum), 0);
+}
+
+void taut_dirichlet_form_energies(const taut_dirichlet_form *form, const double *x,
+                                  double halves[2])
+{
+    const size_t row = 3 * (size_t)form->nv;
+    if (form->rational != NULL) {
+        taut_dirichlet_rational_energies(form->rational, x, halves);
+    } else {
+        halves[0] = half_energy(&form->u.stiffness, row, &form->v.mass, 3, x);
+        halves[1] = half_energy(&form->v.stiffness, 3, &form->u.mass, row, x);
+    }
+    halves[0] *= form->ratio;
+    halves[1] /= form->ratio;
 }

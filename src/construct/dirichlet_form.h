@@ -40,8 +40,8 @@ double taut_dirichlet_form_row_sum(const taut_dirichlet_form *form, double fu, d
                                    int j);
 
 /* The parts of the energy: halves[0] = 1/2 iint |x_u|^2, halves[1] = 1/2 iint |x_v|^2 over the
- * bases' own ranges; y double[nu][nv][3] is scratch. TAUT_OK or TAUT_NO_MEMORY. */
-taut_status taut_dirichlet_form_energies(const taut_dirichlet_form *form, const double *x,
-                                         double *y, double halves[2]);
+ * bases' own ranges, each good to rounding of its own size, however small beside the other. */
+void taut_dirichlet_form_energies(const taut_dirichlet_form *form, const double *x,
+                                  double halves[2]);
 
 #endif /* TAUT_CONSTRUCT_DIRICHLET_FORM_H */

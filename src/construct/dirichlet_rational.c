@@ -286,16 +286,45 @@ static void contract(const taut_dirichlet_rational *form, int i, const double *x
     }
 }
 
-/* U, V, Z times the quadrature weight, from (a, w) and its derivatives h[0], h[1], h[2]. */
+/* h = (a, w), its slopes in u and in v, at point k of the line. */
+static void evaluate(const taut_dirichlet_rational *form, int k, double h[3][4])
+{
+    const taut_table *table = form->along_v.table;
+    const size_t nv = (size_t)taut_basis_count(form->v), first = (size_t)table->first[k];
+    const double *n = taut_table_row(table, k, 0), *slope = taut_table_row(table, k, 1);
+
+    memset(h, 0, 12 * sizeof(double));
+    for (int b = 0; b < table->local; b++) {
+        const double *value = form->polygons + 4 * (first + (size_t)b), *along = value + 4 * nv;
+        for (int c = 0; c < 4; c++) {
+            h[0][c] += n[b] * value[c];
+            h[1][c] += n[b] * along[c];
+            h[2][c] += slope[b] * value[c];
+        }
+    }
+}
+
+/* slopes[0] = x_u, slopes[1] = x_v. */
+static void slopes_of(double h[3][4], double slopes[2][3])
+{
+    for (int c = 0; c < 3; c++) {
+        const double x = h[0][c] / h[0][3];
+        slopes[0][c] = (h[1][c] - h[1][3] * x) / h[0][3];
+        slopes[1][c] = (h[2][c] - h[2][3] * x) / h[0][3];
+    }
+}
+
+/* U, V, Z times the quadrature weight. */
 static void integrands(double weight, double fu, double fv, double h[3][4], double out[3][3])
 {
     const double w = h[0][3], wu = h[1][3] / w, wv = h[2][3] / w;
+    double slopes[2][3];
+
+    slopes_of(h, slopes);
     for (int c = 0; c < 3; c++) {
-        const double x = h[0][c] / w;
-        const double xu = (h[1][c] - h[1][3] * x) / w, xv = (h[2][c] - h[2][3] * x) / w;
-        out[0][c] = weight * (fu * xu / w);
-        out[1][c] = weight * (fv * xv / w);
-        out[2][c] = weight * ((fu * wu * xu + fv * wv * xv) / w);
+        out[0][c] = weight * (fu * slopes[0][c] / w);
+        out[1][c] = weight * (fv * slopes[1][c] / w);
+        out[2][c] = out[0][c] * wu + out[1][c] * wv;
     }
 }
 
@@ -306,16 +335,9 @@ static void spread_point(const taut_dirichlet_rational *form, int k, double weig
     const taut_table *table = form->along_v.table;
     const size_t nv = (size_t)taut_basis_count(form->v), first = (size_t)table->first[k];
     const double *n = taut_table_row(table, k, 0), *slope = taut_table_row(table, k, 1);
-    double h[3][4] = {{0}}, out[3][3];
+    double h[3][4], out[3][3];
 
-    for (int b = 0; b < table->local; b++) {
-        const double *value = form->polygons + 4 * (first + (size_t)b), *along = value + 4 * nv;
-        for (int c = 0; c < 4; c++) {
-            h[0][c] += n[b] * value[c];
-            h[1][c] += n[b] * along[c];
-            h[2][c] += slope[b] * value[c];
-        }
-    }
+    evaluate(form, k, h);
     integrands(weight, fu, fv, h, out);
     for (int b = 0; b < table->local; b++) {
         double *still = form->spread + 3 * (first + (size_t)b), *along = still + 3 * nv;
@@ -358,5 +380,26 @@ void taut_dirichlet_rational_apply(taut_dirichlet_rational *form, double fu, dou
             spread_point(form, k, ru->weights[i] * rv->weights[k], fu, fv);
         }
         add_line(form, i, y);
+    }
+}
+
+void taut_dirichlet_rational_energies(taut_dirichlet_rational *form, const double *x,
+                                      double halves[2])
+{
+    const rule *ru = &form->along_u, *rv = &form->along_v;
+
+    halves[0] = halves[1] = 0;
+    for (int i = 0; i < ru->table->count; i++) {
+        contract(form, i, x);
+        for (int k = 0; k < rv->table->count; k++) {
+            const double weight = 0.5 * ru->weights[i] * rv->weights[k];
+            double h[3][4], slopes[2][3];
+            evaluate(form, k, h);
+            slopes_of(h, slopes);
+            for (int c = 0; c < 3; c++) {
+                halves[0] += weight * slopes[0][c] * slopes[0][c];
+                halves[1] += weight * slopes[1][c] * slopes[1][c];
+            }
+        }
     }
 }

@@ -27,6 +27,10 @@ taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form);
 void taut_dirichlet_rational_apply(taut_dirichlet_rational *form, double fu, double fv,
                                    const double *x, double *y);
 
+/* halves[0] = 1/2 iint |x_u|^2, halves[1] = 1/2 iint |x_v|^2 over the unit square. */
+void taut_dirichlet_rational_energies(taut_dirichlet_rational *form, const double *x,
+                                      double halves[2]);
+
 /* sum over s, t of |A(ij,st)|, bounded from above, with each term of the integrals times what one
  * rounding of its parameters does to it: 1 + |u| (1/du + |w_u|/w) + |v| (1/dv + |w_v|/w), du and dv
  * the widths of its span. 2^-53 of it is what a product can be off by. */

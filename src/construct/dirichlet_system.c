@@ -230,7 +230,7 @@ static taut_status precondition(taut_dirichlet_system *system)
     return status;
 }
 
-/* Conjugate gradients for the three coordinates side by side ([GolubVanLoan2013] 11.5.2), from
+/* Conjugate gradients for the three coordinates side by side ([GolubVanLoan2013] 11.5), from
  * residual = -A net, until omega of the updated residual falls to `enough` or `most` steps are
  * done. A coordinate that has converged to nothing stands still. */
 static taut_status iterate(taut_dirichlet_system *system, double enough, int most, double *net,
@@ -375,10 +375,8 @@ taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double as
     return status;
 }
 
-taut_status taut_dirichlet_system_energies(taut_dirichlet_system *system, const double *net,
-                                           double halves[2], taut_error *error)
+void taut_dirichlet_system_energies(const taut_dirichlet_system *system, const double *net,
+                                    double halves[2])
 {
-    const taut_status status =
-        taut_dirichlet_form_energies(system->form, net, system->residual, halves);
-    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    taut_dirichlet_form_energies(system->form, net, halves);
 }

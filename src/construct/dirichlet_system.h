@@ -41,8 +41,8 @@ taut_status taut_dirichlet_system_aspect(taut_dirichlet_system *system, double *
 double taut_dirichlet_system_natural_aspect(const taut_dirichlet_system *system);
 
 /* As taut_dirichlet_form_energies. */
-taut_status taut_dirichlet_system_energies(taut_dirichlet_system *system, const double *net,
-                                           double halves[2], taut_error *error);
+void taut_dirichlet_system_energies(const taut_dirichlet_system *system, const double *net,
+                                    double halves[2]);
 
 /* "fast-diagonalisation" or "conjugate-gradients", and how many products with A the iterations of
  * the latter took in all (0 for the former). */
