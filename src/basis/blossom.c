@@ -120,6 +120,20 @@ static int find(const taut_blossom *b, const double *x)
     return 0;
 }
 
+/* The window over knots low - p .. high + p, nothing inserted. */
+static void open_window(taut_blossom *b, const double *knots, int low, int high)
+{
+    const int p = b->degree;
+    b->columns = b->row_count = high - low + p;
+    b->knot_count = b->row_count + p + 1;
+    assert(b->columns <= 2 * p + 1);
+    memcpy(b->knots, knots + low - p, (size_t)b->knot_count * sizeof(double));
+    memset(b->rows, 0, (size_t)b->columns * (size_t)b->columns * sizeof(double));
+    for (int i = 0; i < b->columns; i++) {
+        row_at(b, i)[i] = 1;
+    }
+}
+
 void taut_blossom_row(taut_blossom *b, const double *knots, int count, const double *x, int *first,
                       double *row)
 {
@@ -131,14 +145,7 @@ void taut_blossom_row(taut_blossom *b, const double *knots, int count, const dou
     while (knots[high] < x[p - 1]) {
         high++;
     }
-    b->columns = b->row_count = high - low + p;
-    b->knot_count = b->row_count + p + 1;
-    assert(b->columns <= 2 * p + 1);
-    memcpy(b->knots, knots + low - p, (size_t)b->knot_count * sizeof(double));
-    memset(b->rows, 0, (size_t)b->columns * (size_t)b->columns * sizeof(double));
-    for (int i = 0; i < b->columns; i++) {
-        row_at(b, i)[i] = 1;
-    }
+    open_window(b, knots, low, high);
     for (int i = 0, run = 0; i < p; i++) {
         run = i > 0 && x[i] == x[i - 1] ? run + 1 : 1;
         if (multiplicity(b, x[i]) < run) {
@@ -151,4 +158,22 @@ void taut_blossom_row(taut_blossom *b, const double *knots, int count, const dou
     }
     memcpy(row, found + start, (size_t)(p + 1) * sizeof(double));
     *first = low - p + start;
+}
+
+void taut_blossom_piece(taut_blossom *b, const double *knots, int low, double *rows)
+{
+    const int p = b->degree;
+    const double ends[2] = {knots[low], knots[low + 1]};
+    int first = 0;
+
+    open_window(b, knots, low, low + 1);
+    for (int e = 0; e < 2; e++) {
+        while (multiplicity(b, ends[e]) < p) {
+            insert(b, ends[e]);
+        }
+    }
+    while (b->knots[first + p] != ends[0] || b->knots[first + p + 1] == ends[0]) {
+        first++; /* until p times the lower end are the knots of row `first` */
+    }
+    memcpy(rows, row_at(b, first), (size_t)(p + 1) * (size_t)(p + 1) * sizeof(double));
 }

@@ -20,4 +20,8 @@ void taut_blossom_free(taut_blossom *blossom);
 void taut_blossom_row(taut_blossom *blossom, const double *knots, int count, const double *x,
                       int *first, double *row);
 
+/* rows[p+1][p+1]: the Bezier points of the piece on knot interval `low` (not empty), out of the
+ * coefficients low - p .. low. Cost: O(p^3). */
+void taut_blossom_piece(taut_blossom *blossom, const double *knots, int low, double *rows);
+
 #endif /* TAUT_BASIS_BLOSSOM_H */

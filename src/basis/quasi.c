@@ -54,10 +54,10 @@ static taut_status check_length(const taut_quasi_kind *kind, double length, int 
 {
     const char *name = kind->where + 1;
 
-    if (!(length >= TAUT_QUASI_SHORTEST)) {
-        return taut_fail(error, TAUT_BAD_INPUT, kind->where, length, TAUT_QUASI_SHORTEST,
+    if (!(length >= TAUT_SPAN_MIN)) {
+        return taut_fail(error, TAUT_BAD_INPUT, kind->where, length, TAUT_SPAN_MIN,
                          "%s is %.17g, expected a positive number, at least %g", name, length,
-                         TAUT_QUASI_SHORTEST);
+                         TAUT_SPAN_MIN);
     }
     if (bspline && !kind->longest_bspline && length >= kind->longest) {
         return taut_fail(error, TAUT_NO_SOLUTION, kind->where, length, kind->longest,

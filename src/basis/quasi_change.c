@@ -52,7 +52,7 @@ static void cut_segment(const taut_quasi_kind *kind, const taut_quasi_segment *s
 static taut_status check_cut(double lo, double hi, double t, taut_error *error)
 {
     const double shorter = fmin(t - lo, hi - t);
-    const double limit = fmax(TAUT_QUASI_APART * fmax(fabs(lo), fabs(hi)), TAUT_QUASI_SHORTEST);
+    const double limit = fmax(TAUT_QUASI_APART * fmax(fabs(lo), fabs(hi)), TAUT_SPAN_MIN);
     if (!(shorter >= limit)) {
         return taut_fail(error, TAUT_NO_SOLUTION, NULL, shorter, limit,
                          "a cut at %.17g leaves a piece of length %g, too short for its parameters "

@@ -7,8 +7,6 @@
 #include "geometry/operate_change.h"
 #include "geometry/operate_points.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /* The objects of a model, surfaces first. */
@@ -49,26 +47,6 @@ static int dashes_for(const taut_model *from, int i, int pieces, const taut_mode
     return dashes;
 }
 
-static taut_status begin(const taut_model *model, taut_model **made, taut_error *error)
-{
-    if (taut_model_new(made) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    taut_model_set_unit(*made, taut_model_unit(model));
-    return TAUT_OK;
-}
-
-/* Hands the model over, or frees it. */
-static taut_status end(taut_status status, taut_model *made, taut_model **result)
-{
-    if (status != TAUT_OK) {
-        taut_model_free(made);
-        return status;
-    }
-    *result = made;
-    return TAUT_OK;
-}
-
 static taut_status copy_surface(const taut_surface *surface, taut_model *to, taut_error *error)
 {
     taut_surface *copy = NULL;
@@ -85,17 +63,6 @@ static taut_status copy_curve(const taut_curve *curve, taut_model *to, taut_erro
         return taut_fail_memory(error);
     }
     return taut_operate_add_curve(to, copy, error);
-}
-
-/* Puts "/surfaces/i" or "/curves/i" before the place of a failure. */
-static taut_status placed(taut_status status, const char *array, int i, taut_error *error)
-{
-    if (status != TAUT_OK && status != TAUT_NO_MEMORY) {
-        char prefix[48];
-        snprintf(prefix, sizeof prefix, "/%s/%d", array, i);
-        taut_error_prefix(error, prefix);
-    }
-    return status;
 }
 
 static taut_status split_surface(const taut_model *model, int i, int direction, double t,
@@ -117,7 +84,7 @@ static taut_status split_surface(const taut_model *model, int i, int direction, 
         }
     }
     taut_change_list_free(&list);
-    return placed(status, "surfaces", i, error);
+    return taut_operate_placed(status, "surfaces", i, error);
 }
 
 static taut_status split_curve(const taut_model *model, int i, double t, taut_model *to,
@@ -138,7 +105,7 @@ static taut_status split_curve(const taut_model *model, int i, double t, taut_mo
         }
     }
     taut_change_list_free(&list);
-    return placed(status, "curves", i, error);
+    return taut_operate_placed(status, "curves", i, error);
 }
 
 /* Is there anything to work on? */
@@ -183,7 +150,7 @@ taut_status taut_model_split(const taut_model *model, const char *name, int dire
     }
     status = check_named(model, name, error);
     if (status == TAUT_OK) {
-        status = begin(model, &made, error);
+        status = taut_operate_begin(model, &made, error);
     }
     for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(model); i++) {
         const taut_surface *surface = taut_model_surface(model, i);
@@ -196,7 +163,7 @@ taut_status taut_model_split(const taut_model *model, const char *name, int dire
         const int cut = curve_is_cut(model, curve, name, direction, t);
         status = cut ? split_curve(model, i, t, made, error) : copy_curve(curve, made, error);
     }
-    return end(status, made, split);
+    return taut_operate_end(status, made, split);
 }
 
 static taut_status refine_surface(const taut_surface *surface, int along_u, int along_v,
@@ -241,110 +208,21 @@ taut_status taut_model_refine(const taut_model *model, const char *name, int alo
     }
     status = check_named(model, name, error);
     if (status == TAUT_OK) {
-        status = begin(model, &made, error);
+        status = taut_operate_begin(model, &made, error);
     }
     for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(model); i++) {
         const taut_surface *surface = taut_model_surface(model, i);
         const int asked = name == NULL || strcmp(taut_surface_name(surface), name) == 0;
         status = asked ? refine_surface(surface, along_u, along_v, made, error)
                        : copy_surface(surface, made, error);
-        status = placed(status, "surfaces", i, error);
+        status = taut_operate_placed(status, "surfaces", i, error);
     }
     for (int i = 0; status == TAUT_OK && i < taut_model_curve_count(model); i++) {
         const taut_curve *curve = taut_model_curve(model, i);
         const int asked = name != NULL ? strcmp(taut_curve_name(curve), name) == 0
                                        : taut_model_surface_count(model) == 0;
         status = asked ? refine_curve(curve, made, error) : copy_curve(curve, made, error);
-        status = placed(status, "curves", i, error);
+        status = taut_operate_placed(status, "curves", i, error);
     }
-    return end(status, made, refined);
-}
-
-/* Grows a box {low, high} by a point. */
-static void grow(double box[2][3], const double *x)
-{
-    for (int c = 0; c < 3; c++) {
-        box[0][c] = fmin(box[0][c], x[c]);
-        box[1][c] = fmax(box[1][c], x[c]);
-    }
-}
-
-static double diagonal(double box[2][3])
-{
-    return sqrt(pow(box[1][0] - box[0][0], 2) + pow(box[1][1] - box[0][1], 2) +
-                pow(box[1][2] - box[0][2], 2));
-}
-
-enum { SAMPLES = 17 };
-
-/* Sample i of a range, the ends exactly. */
-static double sample(const taut_basis *basis, int i)
-{
-    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-    return i == SAMPLES - 1 ? hi : lo + (hi - lo) * i / (SAMPLES - 1);
-}
-
-/* The diagonal of the box around sampled points; 1 for a single point, whose size says nothing. */
-static double surface_size(const taut_surface *surface)
-{
-    double box[2][3] = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    for (int i = 0; i < SAMPLES * SAMPLES; i++) {
-        double x[3] = {0, 0, 0};
-        taut_surface_eval(surface, sample(taut_surface_u(surface), i / SAMPLES),
-                          sample(taut_surface_v(surface), i % SAMPLES), 0, x);
-        grow(box, x);
-    }
-    return diagonal(box) > 0 ? diagonal(box) : 1;
-}
-
-static double curve_size(const taut_curve *curve)
-{
-    double box[2][3] = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    for (int i = 0; i < SAMPLES; i++) {
-        double x[3] = {0, 0, 0};
-        taut_curve_eval(curve, sample(taut_curve_t(curve), i), 0, x);
-        grow(box, x);
-    }
-    return diagonal(box) > 0 ? diagonal(box) : 1;
-}
-
-taut_status taut_model_to_nurbs(const taut_model *model, double tolerance, taut_model **nurbs,
-                                double *bound, taut_error *error)
-{
-    taut_model *made = NULL;
-    taut_status status = TAUT_OK;
-    double largest = 0;
-
-    if (model == NULL || nurbs == NULL) {
-        return taut_operate_null(error);
-    }
-    status = begin(model, &made, error);
-    for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(model); i++) {
-        const taut_surface *surface = taut_model_surface(model, i);
-        taut_surface *converted = NULL;
-        double one = 0;
-        status = taut_surface_to_nurbs(surface, tolerance * surface_size(surface), &converted, &one,
-                                       error);
-        if (status == TAUT_OK) {
-            status = taut_operate_add_surface(made, converted, error);
-        }
-        largest = fmax(largest, one);
-        status = placed(status, "surfaces", i, error);
-    }
-    for (int i = 0; status == TAUT_OK && i < taut_model_curve_count(model); i++) {
-        const taut_curve *curve = taut_model_curve(model, i);
-        taut_curve *converted = NULL;
-        double one = 0;
-        status = taut_curve_to_nurbs(curve, tolerance * curve_size(curve), &converted, &one, error);
-        if (status == TAUT_OK) {
-            status = taut_operate_add_curve(made, converted, error);
-        }
-        largest = fmax(largest, one);
-        status = placed(status, "curves", i, error);
-    }
-    status = end(status, made, nurbs);
-    if (status == TAUT_OK && bound != NULL) {
-        *bound = largest;
-    }
-    return status;
+    return taut_operate_end(status, made, refined);
 }

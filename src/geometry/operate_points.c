@@ -4,6 +4,7 @@
 #include "core/memory.h"
 
 #include <math.h>
+#include <stdio.h>
 
 taut_status taut_operate_points(const double *matrix, size_t count, const double *points,
                                 double **moved, taut_error *error)
@@ -56,4 +57,35 @@ taut_status taut_operate_add_curve(taut_model *model, taut_curve *curve, taut_er
         return too_many(status, error);
     }
     return TAUT_OK;
+}
+
+taut_status taut_operate_begin(const taut_model *model, taut_model **made, taut_error *error)
+{
+    if (taut_model_new(made) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    taut_model_set_unit(*made, taut_model_unit(model));
+    return TAUT_OK;
+}
+
+/* Hands the model over, or frees it. */
+taut_status taut_operate_end(taut_status status, taut_model *made, taut_model **result)
+{
+    if (status != TAUT_OK) {
+        taut_model_free(made);
+        return status;
+    }
+    *result = made;
+    return TAUT_OK;
+}
+
+/* Puts "/surfaces/i" or "/curves/i" before the place of a failure. */
+taut_status taut_operate_placed(taut_status status, const char *array, int i, taut_error *error)
+{
+    if (status != TAUT_OK && status != TAUT_NO_MEMORY) {
+        char prefix[48];
+        snprintf(prefix, sizeof prefix, "/%s/%d", array, i);
+        taut_error_prefix(error, prefix);
+    }
+    return status;
 }

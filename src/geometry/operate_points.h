@@ -1,4 +1,4 @@
-/* operate_points.h -- affine maps of points, and adding to models with a reason on failure. */
+/* operate_points.h -- affine maps of points, and making models with a reason on failure. */
 #ifndef TAUT_GEOMETRY_OPERATE_POINTS_H
 #define TAUT_GEOMETRY_OPERATE_POINTS_H
 
@@ -13,5 +13,12 @@ taut_status taut_operate_points(const double *matrix, size_t count, const double
 /* The model owns the object afterwards, or it is freed. */
 taut_status taut_operate_add_surface(taut_model *model, taut_surface *surface, taut_error *error);
 taut_status taut_operate_add_curve(taut_model *model, taut_curve *curve, taut_error *error);
+
+/* A new model with the unit of another. */
+taut_status taut_operate_begin(const taut_model *model, taut_model **made, taut_error *error);
+/* Hands the model over, or frees it. */
+taut_status taut_operate_end(taut_status status, taut_model *made, taut_model **result);
+/* Puts "/surfaces/i" or "/curves/i" before the place of a failure. */
+taut_status taut_operate_placed(taut_status status, const char *array, int i, taut_error *error);
 
 #endif /* TAUT_GEOMETRY_OPERATE_POINTS_H */
