@@ -91,8 +91,8 @@ TAUT_API taut_status taut_surface_transform(const taut_surface *surface, const d
                                             taut_surface **moved, taut_error *error);
 
 /* The same on bspline bases. Polynomial directions are exact. On c- and h- directions quintic C^2
- * Hermite interpolants stand in, on as few equal panels as keep the distance between points of
- * equal parameters proved below `tolerance` (> 0, a length). *bound, if not NULL, is the proved
+ * Hermite interpolants stand in, on so many equal panels that the distance between points of
+ * equal parameters is proved below `tolerance` (> 0, a length). *bound, if not NULL, is the proved
  * distance, rounding included; 0 where all is exact.
  * TAUT_BAD_ARGUMENT: the tolerance is below what rounding leaves (error->limit says what).
  * TAUT_NO_SOLUTION: it would take more than TAUT_COUNT_MAX functions or TAUT_POINTS_MAX points.
