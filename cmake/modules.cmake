@@ -16,6 +16,7 @@ function(taut_module name package)
   set_target_properties(taut_module_${name} PROPERTIES
     OUTPUT_NAME taut-${name} PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${TAUT_MODULE_DIR})
   target_link_libraries(taut_module_${name} PRIVATE taut_flags PkgConfig::${name}_dependency m)
+  add_dependencies(product taut_module_${name})
   install(TARGETS taut_module_${name} LIBRARY DESTINATION ${TAUT_MODULE_INSTALL_DIR})
 endfunction()
 

@@ -5,19 +5,22 @@ add_library(taut_test_support STATIC ${support_sources})
 target_include_directories(taut_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests/support)
 target_link_libraries(taut_test_support PUBLIC taut_static taut_embedded_files)
 
+# What the sanitizers are told: which leaks are not ours.
+set(sanitizer_options "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0")
+
 function(taut_test file)
   file(RELATIVE_PATH name ${CMAKE_SOURCE_DIR}/tests ${file})
   string(REGEX REPLACE "\\.c$" "" name ${name})
   string(REPLACE "/test_" "/" name ${name})
   string(REPLACE "/" "-" target ${name})
-  file(STRINGS ${file} links REGEX "^ \\* links: " LIMIT_COUNT 1)
-  string(REGEX REPLACE "^ \\* links: " "" links "${links}")
+  file(STRINGS ${file} links REGEX "(^| )links: [a-z]" LIMIT_COUNT 1)
+  string(REGEX REPLACE "^.*links: ([a-z0-9 -]*).*$" "\\1" links "${links}")
   separate_arguments(links)
   add_executable(test-${target} ${file})
   target_link_libraries(test-${target} PRIVATE taut_test_support ${links} m)
   set_target_properties(test-${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   add_test(NAME ${name} COMMAND test-${target} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 300 ENVIRONMENT "OPENBLAS_NUM_THREADS=1")
+  set_tests_properties(${name} PROPERTIES TIMEOUT 300 ENVIRONMENT "OPENBLAS_NUM_THREADS=1;${sanitizer_options}")
 endfunction()
 
 file(GLOB_RECURSE test_files CONFIGURE_DEPENDS
@@ -33,7 +36,8 @@ foreach(file IN LISTS fault_files)
   taut_test(${file})
   get_filename_component(short ${file} NAME_WE)
   string(REPLACE "test_" "" short ${short})
-  target_sources(test-fault-${short} PRIVATE ${CMAKE_SOURCE_DIR}/tests/fault/failing_memory.c)
+  target_sources(test-fault-${short} PRIVATE
+    ${CMAKE_SOURCE_DIR}/tests/fault/failing_memory.c ${CMAKE_SOURCE_DIR}/tests/fault/fault.c)
 endforeach()
 
 file(GLOB cli_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/cli/test_*.sh)
@@ -42,7 +46,16 @@ foreach(file IN LISTS cli_tests)
   string(REPLACE "test_" "" short ${short})
   add_test(NAME cli/${short} COMMAND sh ${file})
   set_tests_properties(cli/${short} PROPERTIES TIMEOUT 300
-    ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR}")
+    ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR};${sanitizer_options}")
+endforeach()
+
+# The checks of tools/ are seen to catch what they are for.
+file(GLOB tool_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/tools/test_*.sh)
+foreach(file IN LISTS tool_tests)
+  get_filename_component(short ${file} NAME_WE)
+  string(REPLACE "test_" "" short ${short})
+  add_test(NAME tools/${short} COMMAND sh ${file})
+  set_tests_properties(tools/${short} PROPERTIES TIMEOUT 300 ENVIRONMENT "SOURCE=${CMAKE_SOURCE_DIR}")
 endforeach()
 
 # Each public header compiles alone, as C17 and as C++17.

@@ -8,9 +8,22 @@
  *     type         functions                                     natural range
  *     "bezier"     Bernstein polynomials of one degree           [0, 1]
  *     "bspline"    clamped B-splines, any legal knots            the knots' own
+ *     "c-bezier"   4 over {1, t, sin t, cos t}, 0 < alpha <= pi   [0, alpha]
+ *     "c-bspline"  the same, C^2 and uniform, 0 < alpha < pi      [0, segments alpha]
+ *     "h-bezier"   4 over {1, t, sinh t, cosh t}, 0 < beta        [0, beta]
+ *     "h-bspline"  the same, C^2 and uniform, 0 < beta            [0, segments beta]
+ *     "ce-bezier"  4 quartic polynomials with three shape numbers [0, 1]
  *     (src/basis/basis_list.h names all; docs/format.md gives the members of each)
  *
- * Sources: [WuWang2011] sections 2.1-2.2 (knots, recursion), [PieglTiller1997] A2.2-A2.3.
+ * Lengths alpha and beta are at least TAUT_SPAN_MIN, beta at most 700 (cosh must not overflow); the
+ * shape numbers of a ce-bezier are at most 1000 in size, those outside its legal box included.
+ *
+ * Accuracy of the five of the second part, t in the closed range: each value and derivative within
+ * 1e-14 of the largest of its order there (c-bspline: on that span; ce-bezier: the largest shape
+ * number times that), t taken as exact to a rounding error of the ends of its range.
+ *
+ * Sources: [WuWang2011] sections 2.1-2.2 (knots, recursion), [PieglTiller1997] A2.2-A2.3;
+ * [XuWang2006] sections 3-4 (c-, h-), [WangBai2018] section 2 (ce-).
  */
 #ifndef TAUT_BASIS_H
 #define TAUT_BASIS_H

@@ -16,6 +16,10 @@ extern "C" {
 /* The version of the library that is linked, such as "0.1.0". */
 TAUT_API const char *taut_version(void);
 
+/* The instruction set that the inner loops use on this processor: "baseline", "avx2" or "avx512";
+ * the environment variable TAUT_KERNEL can name a lesser one. */
+TAUT_API const char *taut_kernel_in_use(void);
+
 #ifdef __cplusplus
 }
 #endif

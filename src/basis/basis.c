@@ -30,7 +30,7 @@ const taut_basis_ops *taut_basis_ops_find(const char *type)
     return NULL;
 }
 
-/* The members a spec gives, as bits. */
+/* The members a spec gives, as bits; one that is 0 cannot be told from one left out. */
 static unsigned members_given(const taut_basis_spec *spec)
 {
     return (spec->degree != 0 ? (unsigned)TAUT_MEMBER_DEGREE : 0U) |
@@ -99,11 +99,33 @@ static taut_basis *basis_alloc(const taut_basis_ops *ops, const taut_basis_spec 
     return basis;
 }
 
+/* Are the breaks such that nothing built on them overflows? */
+static taut_status check_breaks(const taut_basis *basis, taut_error *error)
+{
+    const char *where = basis->shape.knot_count > 0 ? "/knots"
+                        : basis->spec.has_range     ? "/range"
+                                                    : "";
+    for (int i = 0; i <= basis->shape.span_count; i++) {
+        const double now = basis->breaks[i];
+        if (!(fabs(now) <= TAUT_PARAMETER_MAX)) {
+            return taut_fail(error, TAUT_BAD_INPUT, where, now, TAUT_PARAMETER_MAX,
+                             "parameter %.17g, expected at most %g in absolute value", now,
+                             TAUT_PARAMETER_MAX);
+        }
+        if (i > 0 && !(now - basis->breaks[i - 1] >= TAUT_SPAN_MIN)) {
+            return taut_fail(error, TAUT_BAD_INPUT, where, now - basis->breaks[i - 1],
+                             TAUT_SPAN_MIN, "the span from %.17g to %.17g is narrower than %g",
+                             basis->breaks[i - 1], now, TAUT_SPAN_MIN);
+        }
+    }
+    return TAUT_OK;
+}
+
 taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basis **basis,
                            taut_error *error)
 {
     const taut_basis_ops *ops = NULL;
-    taut_basis_shape shape = {0, 0, 0, 0};
+    taut_basis_shape shape = {0, 0, 0, 0, -1};
     taut_basis *made = NULL;
     taut_status status = TAUT_OK;
 
@@ -139,6 +161,11 @@ taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basi
     ops->fill(made);
     made->spec.knots = shape.knot_count > 0 ? made->knots : NULL;
     made->spec.knot_count = shape.knot_count;
+    status = check_breaks(made, error);
+    if (status != TAUT_OK) {
+        taut_basis_free(made);
+        return status;
+    }
     *basis = made;
     return TAUT_OK;
 }
@@ -228,7 +255,7 @@ double taut_basis_hi(const taut_basis *basis)
 
 int taut_basis_degree(const taut_basis *basis)
 {
-    return basis->ops->polynomial ? basis->shape.local - 1 : -1;
+    return basis->shape.degree;
 }
 
 int taut_basis_allows_weights(const taut_basis *basis)

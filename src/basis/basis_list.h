@@ -6,6 +6,11 @@
 /*    identifier, name in documents */
 #define TAUT_BASIS_LIST(X)                                                                         \
     X(bezier, "bezier")                                                                            \
-    X(bspline, "bspline")
+    X(bspline, "bspline")                                                                          \
+    X(c_bezier, "c-bezier")                                                                        \
+    X(c_bspline, "c-bspline")                                                                      \
+    X(ce_bezier, "ce-bezier")                                                                      \
+    X(h_bezier, "h-bezier")                                                                        \
+    X(h_bspline, "h-bspline")
 
 #endif /* TAUT_BASIS_LIST_H */

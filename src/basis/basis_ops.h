@@ -23,13 +23,16 @@ typedef struct taut_basis_shape {
     int local;      /* alive on a span */
     int span_count; /* non-empty spans */
     int knot_count; /* full form; 0 where there are no knots */
+    int degree;     /* of the polynomials on each span; -1 where they are none */
 } taut_basis_shape;
+
+struct taut_change_ops; /* change.h */
 
 typedef struct taut_basis_ops {
     const char *type;
-    unsigned needs;  /* members that must be given */
+    unsigned needs;  /* members a document must give; a reader asks for them, because 0 is a
+                        value like any other for some (ce-bezier's shape numbers) */
     unsigned allows; /* members that may be given besides */
-    int polynomial;  /* the functions are polynomials of spec.degree on each span */
     int weights;     /* rational weights allowed */
     /* Is the spec legal? Fills the shape. `functions` as in taut_basis_new. Members present, degree
      * within its limit and all numbers finite have been checked already. */
@@ -39,6 +42,7 @@ typedef struct taut_basis_ops {
     void (*fill)(taut_basis *basis);
     /* values[k][a], k = 0..order, a = 0..local-1, at t of the closed span. */
     void (*eval)(const taut_basis *basis, int span, double t, int order, double *values);
+    const struct taut_change_ops *changes; /* splitting, refining and so on */
 } taut_basis_ops;
 
 enum { TAUT_BASIS_DATA = 24 };

@@ -1,13 +1,14 @@
 /* bezier.c -- Bernstein polynomials on a range: N_i(t) = B[n,i]((t-lo)/(hi-lo)). */
 #include "basis/basis_ops.h"
 #include "basis/bernstein.h"
+#include "basis/change.h"
 
 static taut_status bezier_plan(const taut_basis_spec *spec, int functions, taut_basis_shape *shape,
                                taut_error *error)
 {
     (void)functions;
     (void)error;
-    *shape = (taut_basis_shape){spec->degree + 1, spec->degree + 1, 1, 0};
+    *shape = (taut_basis_shape){spec->degree + 1, spec->degree + 1, 1, 0, spec->degree};
     return TAUT_OK;
 }
 
@@ -43,9 +44,9 @@ const taut_basis_ops taut_basis_bezier = {
     .type = "bezier",
     .needs = TAUT_MEMBER_DEGREE,
     .allows = TAUT_MEMBER_RANGE,
-    .polynomial = 1,
     .weights = 1,
     .plan = bezier_plan,
     .fill = bezier_fill,
     .eval = bezier_eval,
+    .changes = &taut_changes_bezier,
 };

@@ -8,6 +8,7 @@
  * lower degree.
  */
 #include "basis/basis_ops.h"
+#include "basis/change.h"
 #include "core/fail.h"
 
 #include <assert.h>
@@ -129,7 +130,8 @@ static taut_status bspline_plan(const taut_basis_spec *spec, int functions, taut
     } else {
         spans = count - p;
     }
-    *shape = (taut_basis_shape){count, p + 1, spans, count <= TAUT_COUNT_MAX ? count + p + 1 : 0};
+    *shape =
+        (taut_basis_shape){count, p + 1, spans, count <= TAUT_COUNT_MAX ? count + p + 1 : 0, p};
     return status;
 }
 
@@ -230,9 +232,9 @@ const taut_basis_ops taut_basis_bspline = {
     .type = "bspline",
     .needs = TAUT_MEMBER_DEGREE,
     .allows = TAUT_MEMBER_KNOTS | TAUT_MEMBER_COUNT,
-    .polynomial = 1,
     .weights = 1,
     .plan = bspline_plan,
     .fill = bspline_fill,
     .eval = bspline_eval,
+    .changes = &taut_changes_bspline,
 };

@@ -1,35 +1,23 @@
-/* grid_kernel.c -- which instruction set the grid kernels use. */
+/* grid_kernel.c -- the grid kernels follow the choice of instruction set that the solvers made. */
 #include "geometry/grid_kernel.h"
 
-#include <stdlib.h>
+#include "numeric/kernel/kernel.h"
+
 #include <string.h>
-
-#if defined(__x86_64__)
-static int has_avx2(void)
-{
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-}
-
-static int has_avx512(void)
-{
-    return __builtin_cpu_supports("avx512f") && has_avx2();
-}
-#endif
 
 const taut_grid_ops *taut_grid_ops_chosen(void)
 {
-    const taut_grid_ops *best = &taut_grid_baseline;
+    static const taut_grid_ops *const table[] = {
 #if defined(__x86_64__)
-    const char *forced = getenv("TAUT_KERNEL");
-    if (forced != NULL && strcmp(forced, "baseline") == 0) {
-        return &taut_grid_baseline;
-    }
-    if (has_avx2()) {
-        best = &taut_grid_avx2;
-    }
-    if (has_avx512() && !(forced != NULL && strcmp(forced, "avx2") == 0)) {
-        best = &taut_grid_avx512;
-    }
+        &taut_grid_avx512,
+        &taut_grid_avx2,
 #endif
-    return best;
+        &taut_grid_baseline
+    };
+    const char *name = taut_kernel_name();
+    size_t i = 0;
+    while (i + 1 < sizeof table / sizeof table[0] && strcmp(table[i]->name, name) != 0) {
+        i++;
+    }
+    return table[i];
 }

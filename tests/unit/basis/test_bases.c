@@ -141,6 +141,12 @@ static void test_refusals(void)
     const double back[] = {0, 0, 0, 1, 0.5, 2, 2, 2};
     const double loose[] = {0, 0, 1, 2, 3, 3, 3};
     const double nothing[] = {1, 1, 1, 1, 1, 1};
+    const double narrow[] = {0, 0, 0, 3e-323, 1, 1, 1};
+    const double far[] = {0, 0, 0, 1e300, 1e300, 1e300};
+    refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = narrow, .knot_count = 7}, 4,
+           "/knots");
+    refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = far, .knot_count = 6}, 3,
+           "/knots");
     refuse((taut_basis_spec){.type = "bezier"}, 0, "/degree");
     refuse((taut_basis_spec){.type = "bezier", .degree = TAUT_DEGREE_MAX + 1}, 0, "/degree");
     refuse((taut_basis_spec){.type = "nonsense"}, 0, "/type");

@@ -1,0 +1,57 @@
+# Two commands set everything up on a fresh Debian 12: `make demo` and `make test`.
+# No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
+TAUT = build/release/bin/taut
+
+.PHONY: demo test build deps bench bench-dirichlet bench-evaluate format check mutants install clean help
+
+demo: build
+	@mkdir -p out
+	$(TAUT) example dirichlet-tent > out/demo-problem.json
+	$(TAUT) make out/demo-problem.json -o out/demo.json -o out/demo.obj -o out/demo.png
+	@printf '%s\n' '' 'Written:' \
+	  '  out/demo-problem.json  the boundary that was given' \
+	  '  out/demo.json          the surface, with its certificate' \
+	  '  out/demo.obj           the same as a mesh' \
+	  '  out/demo.png           and as a picture'
+
+test:
+	@tools/deps.sh build test
+	@cmake --preset release
+	@cmake --build --preset release
+	@ctest --preset release -j "$$(nproc)"
+
+build:
+	@tools/deps.sh build
+	@cmake --preset release
+	@cmake --build --preset release --target product
+
+deps:
+	@tools/deps.sh build test check
+
+bench: bench-dirichlet bench-evaluate
+
+bench-dirichlet bench-evaluate:
+	@tools/deps.sh build bench
+	@cmake --preset bench
+	@cmake --build --preset bench --target $@
+	@OPENBLAS_NUM_THREADS=1 build/bench/bin/$@
+
+format:
+	@tools/check_format.sh --fix
+
+check:
+	@tools/deps.sh check
+	@tools/check_all.sh
+
+mutants:
+	@tools/deps.sh build test
+	@tools/mutants.sh
+
+install: build
+	@cmake --install build/release
+
+clean:
+	@cmake -E rm -rf build out
+
+help:
+	@grep -o '^[a-z-]*:' Makefile | tr -d ':'

@@ -1,0 +1,70 @@
+/* taut/mesh.h -- the surfaces of a model as quads and triangles.
+ *
+ * Every surface becomes a grid of vertices over its parameters, with lines at all knots, so that
+ * each cell lies in one span. How fine it is follows from a chord tolerance: with cells of hu by hv
+ * the mesh stays within
+ *
+ *     hu^2 |x_uu| / 8 + hu hv |x_uv| / 4 + hv^2 |x_vv| / 8        (to leading order)
+ *
+ * of the surface, where only the parts across x_u, across the tangent plane and across x_v count.
+ */
+#ifndef TAUT_MESH_H
+#define TAUT_MESH_H
+
+#include "taut/model.h"
+#include "taut/monitor.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct taut_mesh taut_mesh;
+
+/* Zero means default everywhere. */
+typedef struct taut_mesh_options {
+    double tolerance;    /* chord error over the size (the diagonal of the box); 0: 1e-3 */
+    int divide;          /* cells per knot span in each direction; 0: by tolerance */
+    int threads;         /* 0: 1 */
+    const char *surface; /* only surfaces of this name; NULL: all */
+    taut_monitor monitor;
+} taut_mesh_options;
+
+/* One surface: vertices first_vertex + i*nv + j at line i of u and line j of v, and the
+ * (nu-1)*(nv-1) quads and twice as many triangles from first_quad and 2*first_quad on. */
+typedef struct taut_mesh_group {
+    const char *name; /* the surface's, borrowed from the mesh */
+    int surface;      /* its index in the model */
+    int nu, nv;       /* vertices along u and along v, 2 or more */
+    size_t first_vertex, first_quad;
+} taut_mesh_group;
+
+/* Meshes the surfaces of a model. TAUT_BAD_ARGUMENT: an option out of its range, or more than
+ * TAUT_POINTS_MAX vertices asked for; TAUT_NO_SOLUTION: the model has no such surface;
+ * TAUT_NO_MEMORY; TAUT_INTERRUPTED. Cost: evaluation at some samples per span and at the vertices.
+ */
+TAUT_API taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *options,
+                                   taut_mesh **mesh, taut_error *error);
+TAUT_API void taut_mesh_free(taut_mesh *mesh); /* NULL is fine */
+
+TAUT_API size_t taut_mesh_vertex_count(const taut_mesh *mesh);
+TAUT_API const double *taut_mesh_positions(const taut_mesh *mesh); /* double[n][3], borrowed */
+/* double[n][3], unit: x_u x x_v, where it vanishes the mean of the faces around. */
+TAUT_API const double *taut_mesh_normals(const taut_mesh *mesh);
+TAUT_API const double *taut_mesh_parameters(const taut_mesh *mesh); /* double[n][2]: u, v */
+
+/* Corners from 0, counter-clockwise seen from where the normal points to. */
+TAUT_API size_t taut_mesh_quad_count(const taut_mesh *mesh);
+TAUT_API const uint32_t *taut_mesh_quads(const taut_mesh *mesh); /* uint32_t[n][4] */
+/* Each quad cut along its shorter diagonal: uint32_t[2 n][3]. */
+TAUT_API const uint32_t *taut_mesh_triangles(const taut_mesh *mesh);
+
+TAUT_API int taut_mesh_group_count(const taut_mesh *mesh);
+TAUT_API const taut_mesh_group *taut_mesh_group_at(const taut_mesh *mesh, int i); /* or NULL */
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_MESH_H */

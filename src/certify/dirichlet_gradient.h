@@ -1,0 +1,27 @@
+/* dirichlet_gradient.h -- the gradient of the Dirichlet energy of a finished surface, by
+ * quadrature.
+ *
+ *     g_ij = dD/dP_ij = iint lambda phi_u x_u + phi_v x_v / lambda du dv,   phi = dx/dP_ij
+ *     D    = 1/2 iint lambda |x_u|^2 + |x_v|^2 / lambda du dv               ([WuWang2011] 2.3, 2.4)
+ *
+ * from the derivatives that evaluation gives at Gauss nodes, not from Gram matrices. Lengths are in
+ * units of a power of two near the size of the surface, so that nothing overflows.
+ */
+#ifndef TAUT_CERTIFY_DIRICHLET_GRADIENT_H
+#define TAUT_CERTIFY_DIRICHLET_GRADIENT_H
+
+#include "taut/surface.h"
+
+typedef struct taut_dirichlet_gradient {
+    double *values;   /* [nu][nv][3]: g over max(lambda Lv/Lu, Lu/Lv/lambda) and the unit */
+    double *gross;    /* [nu][nv]: the same with absolute values of every factor, and points as
+                       * stored, not centred: 2^-53 of it is the rounding that storing them leaves */
+    double halves[2]; /* iint |x_u|^2, iint |x_v|^2, in squares of the unit */
+} taut_dirichlet_gradient;
+
+/* `nodes` Gauss nodes a panel (geometry/panels.h), 1..TAUT_GAUSS_MAX. TAUT_NO_MEMORY. */
+taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect, int nodes,
+                                        taut_dirichlet_gradient *gradient);
+void taut_dirichlet_gradient_clear(taut_dirichlet_gradient *gradient);
+
+#endif /* TAUT_CERTIFY_DIRICHLET_GRADIENT_H */

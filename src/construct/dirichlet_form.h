@@ -1,0 +1,47 @@
+/* dirichlet_form.h -- the Dirichlet energy of a net as a quadratic form.
+ *
+ *     D = 1/2 sum_c x_c^T A x_c,     A = fu Ku (x) Mv + fv Mu (x) Kv         ([WuWang2011] 2.4)
+ *
+ * with Gram matrices over the unit square (geometry/gram.h), fu = lambda Lv/Lu, fv = 1/fu for the
+ * aspect lambda. Weights that are products w_ij = a_i b_j only change the Gram matrices; with other
+ * weights A is applied by quadrature (dirichlet_rational.h), and the Gram matrices of the nearest
+ * product stand in for it as the preconditioner.
+ */
+#ifndef TAUT_CONSTRUCT_DIRICHLET_FORM_H
+#define TAUT_CONSTRUCT_DIRICHLET_FORM_H
+
+#include "construct/dirichlet_rational.h"
+#include "geometry/gram.h"
+
+typedef struct taut_dirichlet_form {
+    int nu, nv;
+    double ratio; /* Lv / Lu */
+    taut_gram u, v;
+    taut_dirichlet_rational *rational; /* NULL where the tensor form is exact */
+    double *row_sums;                  /* [2][nu + nv]: of |K|, then of |M|, u first */
+} taut_dirichlet_form;
+
+/* weights double[nu][nv], positive, or NULL. TAUT_NO_MEMORY; as taut_gram_new. */
+taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, const double *weights,
+                                    taut_dirichlet_form *form, taut_error *error);
+void taut_dirichlet_form_clear(taut_dirichlet_form *form);
+
+/* y = A x, nets double[nu][nv][3], apart. Cost O(nu nv (local_u + local_v)) without quadrature.
+ * TAUT_OK or TAUT_NO_MEMORY. */
+taut_status taut_dirichlet_form_apply(const taut_dirichlet_form *form, double fu, double fv,
+                                      const double *x, double *y);
+/* y = -A x, summed in twice the precision where the tensor form is exact. */
+taut_status taut_dirichlet_form_residual(const taut_dirichlet_form *form, double fu, double fv,
+                                         const double *x, double *y);
+
+/* The sum of |A(ij,st)| over s, t, or an upper bound of it; with quadrature it allows for rounding
+ * of its parameters too. */
+double taut_dirichlet_form_row_sum(const taut_dirichlet_form *form, double fu, double fv, int i,
+                                   int j);
+
+/* The parts of the energy: halves[0] = 1/2 iint |x_u|^2, halves[1] = 1/2 iint |x_v|^2 over the
+ * bases' own ranges, each good to rounding of its own size, however small beside the other. */
+void taut_dirichlet_form_energies(const taut_dirichlet_form *form, const double *x,
+                                  double halves[2]);
+
+#endif /* TAUT_CONSTRUCT_DIRICHLET_FORM_H */

@@ -1,0 +1,382 @@
+#include "construct/dirichlet_system.h"
+
+#include "core/fail.h"
+#include "core/memory.h"
+#include "numeric/tensor_solver.h"
+
+#include <math.h>
+#include <string.h>
+
+struct taut_dirichlet_system {
+    taut_dirichlet_form *form;
+    const taut_pattern *pattern;
+    const taut_monitor *monitor;
+    taut_gram u, v;                             /* of the hull */
+    taut_tensor_solver *solver;                 /* of the hull */
+    double fu, fv;                              /* the larger one is 1 */
+    double *residual, *step, *product, *smooth; /* nets; the last three for iterations only */
+    double *hull;
+    int iterations;
+};
+
+static const double unit_roundoff = 0x1p-53;
+
+static int is_direct(const taut_dirichlet_system *system)
+{
+    return system->pattern->is_box && system->form->rational == NULL;
+}
+
+const char *taut_dirichlet_system_method(const taut_dirichlet_system *system)
+{
+    return is_direct(system) ? "fast-diagonalisation" : "conjugate-gradients";
+}
+
+int taut_dirichlet_system_iterations(const taut_dirichlet_system *system)
+{
+    return system->iterations;
+}
+
+double taut_dirichlet_system_natural_aspect(const taut_dirichlet_system *system)
+{
+    return 1 / system->form->ratio;
+}
+
+static size_t net_size(const taut_dirichlet_system *system)
+{
+    return 3 * (size_t)system->form->nu * (size_t)system->form->nv;
+}
+
+void taut_dirichlet_system_free(taut_dirichlet_system *system)
+{
+    if (system != NULL) {
+        taut_gram_clear(&system->u);
+        taut_gram_clear(&system->v);
+        taut_tensor_solver_free(system->solver);
+        taut_free(system->residual);
+        taut_free(system->step);
+        taut_free(system->product);
+        taut_free(system->smooth);
+        taut_free(system->hull);
+        taut_free(system);
+    }
+}
+
+/* Where the hull is the whole net its operator has the constants as kernel. The mass on top makes
+ * it definite; only a preconditioner is ever treated so. */
+static void shift(taut_gram *gram)
+{
+    const size_t size = (size_t)gram->mass.n * ((size_t)gram->mass.width + 1);
+    for (size_t i = 0; i < size; i++) {
+        gram->stiffness.a[i] += gram->mass.a[i];
+    }
+}
+
+static taut_status alloc(taut_dirichlet_system *system)
+{
+    const taut_pattern *pattern = system->pattern;
+    const size_t hull = 3 * (size_t)pattern->rows * (size_t)pattern->columns;
+    taut_status status =
+        taut_gram_select(&system->form->u, pattern->rows, pattern->row, &system->u);
+
+    if (status == TAUT_OK) {
+        status = taut_gram_select(&system->form->v, pattern->columns, pattern->column, &system->v);
+    }
+    system->residual = taut_alloc_aligned(net_size(system), sizeof(double));
+    system->hull = taut_alloc_aligned(hull, sizeof(double));
+    if (status != TAUT_OK || system->residual == NULL || system->hull == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    if (!is_direct(system)) {
+        system->step = taut_alloc_aligned(net_size(system), sizeof(double));
+        system->product = taut_alloc_aligned(net_size(system), sizeof(double));
+        system->smooth = taut_alloc_aligned(net_size(system), sizeof(double));
+        if (system->step == NULL || system->product == NULL || system->smooth == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    return TAUT_OK;
+}
+
+/* The factors of both directions for an aspect, the larger one scaled to 1. */
+static void set_factors(taut_dirichlet_system *system, double aspect)
+{
+    const double f = aspect * system->form->ratio;
+    system->fu = f >= 1 ? 1 : f * f;
+    system->fv = f >= 1 ? 1 / f / f : 1;
+}
+
+static taut_status solver_failed(taut_status status, taut_error *error)
+{
+    if (status == TAUT_NO_MEMORY) {
+        return taut_fail_memory(error);
+    }
+    return taut_fail(error, TAUT_NOT_CONVERGED, NULL, taut_none, taut_none,
+                     "the system is too ill-conditioned for double precision: the knots, the "
+                     "degree or the weights are too extreme (%s)",
+                     taut_status_text(status));
+}
+
+taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_pattern *pattern,
+                                      const taut_monitor *monitor, taut_dirichlet_system **system,
+                                      taut_error *error)
+{
+    taut_dirichlet_system *made = taut_alloc_zero(1, sizeof *made);
+    taut_status status = TAUT_OK;
+
+    if (made == NULL) {
+        return taut_fail_memory(error);
+    }
+    made->form = form;
+    made->pattern = pattern;
+    made->monitor = monitor;
+    set_factors(made, 1);
+    status = alloc(made);
+    if (status == TAUT_OK) {
+        if (pattern->rows == pattern->nu && pattern->columns == pattern->nv) {
+            shift(&made->u);
+            shift(&made->v);
+        }
+        status = taut_tensor_solver_new(&made->u.stiffness, &made->u.mass, &made->v.stiffness,
+                                        &made->v.mass, made->fu, made->fv, &made->solver);
+    }
+    if (status != TAUT_OK) {
+        taut_dirichlet_system_free(made);
+        return solver_failed(status, error);
+    }
+    *system = made;
+    return TAUT_OK;
+}
+
+/* max |r_ij| / sum |A(ij,st)| over the unknowns. */
+static double relative(const taut_dirichlet_system *system, const double *r)
+{
+    const taut_pattern *pattern = system->pattern;
+    double largest = 0;
+    for (int a = 0; a < pattern->rows; a++) {
+        const int i = pattern->row[a];
+        for (int b = 0; b < pattern->columns; b++) {
+            const int j = pattern->column[b];
+            const double *p = r + 3 * ((size_t)i * (size_t)pattern->nv + (size_t)j);
+            const double size = fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
+            const double sum =
+                taut_dirichlet_form_row_sum(system->form, system->fu, system->fv, i, j);
+            if (!(size <= largest * sum)) {
+                largest = sum > 0 ? size / sum : INFINITY;
+            }
+        }
+    }
+    return largest;
+}
+
+/* residual = -A net at the unknowns, 0 elsewhere; *omega as dirichlet_system.h says. */
+static taut_status find_residual(taut_dirichlet_system *system, const double *net, double *omega,
+                                 taut_error *error)
+{
+    if (taut_dirichlet_form_residual(system->form, system->fu, system->fv, net, system->residual) !=
+        TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    taut_pattern_clear_known(system->pattern, system->residual);
+    *omega = relative(system, system->residual);
+    return TAUT_OK;
+}
+
+/* hull = (hull part of A)^-1 r. */
+static taut_status solve_hull(taut_dirichlet_system *system, const double *r)
+{
+    taut_pattern_gather(system->pattern, r, system->hull);
+    return taut_tensor_solver_solve(system->solver, 3, system->hull);
+}
+
+static taut_status stopped(const taut_dirichlet_system *system, taut_error *error)
+{
+    const taut_monitor *monitor = system->monitor;
+    if (monitor != NULL && monitor->progress != NULL &&
+        monitor->progress(monitor->context, taut_none, "solving") != 0) {
+        return taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none,
+                         "stopped while solving");
+    }
+    return TAUT_OK;
+}
+
+/* x_c . y_c for each coordinate c. */
+static void dots(size_t size, const double *x, const double *y, double dot[3])
+{
+    dot[0] = dot[1] = dot[2] = 0;
+    for (size_t i = 0; i < size; i += 3) {
+        dot[0] += x[i] * y[i];
+        dot[1] += x[i + 1] * y[i + 1];
+        dot[2] += x[i + 2] * y[i + 2];
+    }
+}
+
+/* y_c += factor_c x_c. */
+static void add_multiple(size_t size, const double factor[3], const double *x, double *y)
+{
+    for (size_t i = 0; i < size; i += 3) {
+        y[i] += factor[0] * x[i];
+        y[i + 1] += factor[1] * x[i + 1];
+        y[i + 2] += factor[2] * x[i + 2];
+    }
+}
+
+/* smooth = P residual, P the inverse of the hull's operator cut down to the unknowns: symmetric
+ * and positive definite like it. */
+static taut_status precondition(taut_dirichlet_system *system)
+{
+    const taut_status status = solve_hull(system, system->residual);
+    memset(system->smooth, 0, net_size(system) * sizeof(double));
+    taut_pattern_add(system->pattern, system->hull, system->smooth);
+    return status;
+}
+
+/* Conjugate gradients for the three coordinates side by side ([GolubVanLoan2013] 11.5), from
+ * residual = -A net, until omega of the updated residual falls to `enough` or `most` steps are
+ * done. A coordinate that has converged to nothing stands still. */
+static taut_status iterate(taut_dirichlet_system *system, double enough, int most, double *net,
+                           taut_error *error)
+{
+    const size_t size = net_size(system);
+    double before[3], now[3], curvature[3], factor[3], minus[3];
+    taut_status status = precondition(system);
+
+    memcpy(system->step, system->smooth, size * sizeof(double));
+    dots(size, system->residual, system->smooth, now);
+    for (int k = 0; status == TAUT_OK && k < most; k++) {
+        status = taut_dirichlet_form_apply(system->form, system->fu, system->fv, system->step,
+                                           system->product);
+        if (status != TAUT_OK) {
+            break;
+        }
+        taut_pattern_clear_known(system->pattern, system->product);
+        system->iterations++;
+        dots(size, system->step, system->product, curvature);
+        for (int c = 0; c < 3; c++) {
+            factor[c] = curvature[c] > 0 ? now[c] / curvature[c] : 0;
+            minus[c] = -factor[c];
+            before[c] = now[c];
+        }
+        add_multiple(size, factor, system->step, net);
+        add_multiple(size, minus, system->product, system->residual);
+        if (relative(system, system->residual) <= enough) {
+            break;
+        }
+        status = precondition(system);
+        if (status == TAUT_OK) {
+            status = stopped(system, error);
+        }
+        dots(size, system->residual, system->smooth, now);
+        for (int c = 0; c < 3; c++) {
+            factor[c] = before[c] > 0 ? now[c] / before[c] : 0;
+        }
+        for (size_t i = 0; i < size; i++) {
+            system->step[i] = system->smooth[i] + factor[i % 3] * system->step[i];
+        }
+    }
+    return status;
+}
+
+/* One improvement of net: a solve of the whole box, or a run of iterations. */
+static taut_status improve(taut_dirichlet_system *system, double enough, double *net,
+                           taut_error *error)
+{
+    const taut_pattern *pattern = system->pattern;
+    taut_status status = TAUT_OK;
+
+    if (is_direct(system)) {
+        status = solve_hull(system, system->residual);
+        if (status == TAUT_OK) {
+            taut_pattern_add(pattern, system->hull, net);
+        }
+    } else {
+        const int longer = pattern->rows > pattern->columns ? pattern->rows : pattern->columns;
+        status = iterate(system, enough, 1000 + 4 * longer, net, error);
+    }
+    if (status != TAUT_OK && status != TAUT_INTERRUPTED) {
+        return solver_failed(status, error);
+    }
+    return status;
+}
+
+/* Improves until omega is at the rounding of the points themselves, or moves no more. */
+static taut_status settle(taut_dirichlet_system *system, double *net, double *omega,
+                          taut_error *error)
+{
+    const double enough = unit_roundoff;
+    taut_status status = stopped(system, error);
+
+    if (status == TAUT_OK) {
+        status = find_residual(system, net, omega, error);
+    }
+    for (int k = 0; status == TAUT_OK && k < 8 && !(*omega <= enough); k++) {
+        const double before = *omega;
+        status = improve(system, 0.5 * enough, net, error);
+        if (status == TAUT_OK) {
+            status = find_residual(system, net, omega, error);
+        }
+        if (!(*omega < 0.5 * before)) {
+            break;
+        }
+    }
+    return status;
+}
+
+/* Raises the nodes of a quadrature until the solution of one rule is one of the next: omega then is
+ * at rounding, or within `limit` and no longer falling. */
+static taut_status settle_quadrature(taut_dirichlet_system *system, double limit, double *net,
+                                     double *omega, taut_error *error)
+{
+    const double enough = 4 * unit_roundoff;
+    double before = INFINITY;
+    taut_status status = TAUT_OK;
+
+    while (status == TAUT_OK && *omega <= limit) {
+        double raised = 0;
+        status = taut_dirichlet_rational_raise(system->form->rational);
+        if (status != TAUT_OK) {
+            return solver_failed(status, error);
+        }
+        status = find_residual(system, net, &raised, error);
+        if (status == TAUT_OK && (raised <= enough || (raised <= limit && raised > 0.5 * before))) {
+            *omega = raised;
+            break;
+        }
+        before = raised;
+        if (status == TAUT_OK) {
+            status = settle(system, net, omega, error);
+        }
+    }
+    return status;
+}
+
+taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double aspect, double *net,
+                                        taut_error *error)
+{
+    /* what rounding of O(100) terms, each in proportion to its row of |A|, may leave */
+    const double limit = 64 * unit_roundoff;
+    double omega = 0;
+    taut_status status = TAUT_OK;
+
+    set_factors(system, aspect);
+    status = taut_tensor_solver_rescale(system->solver, system->fu, system->fv);
+    if (status != TAUT_OK) {
+        return solver_failed(status, error);
+    }
+    status = settle(system, net, &omega, error);
+    if (status == TAUT_OK && system->form->rational != NULL) {
+        status = settle_quadrature(system, limit, net, &omega, error);
+    }
+    if (status == TAUT_OK && !(omega <= limit)) {
+        status = taut_fail(error, TAUT_NOT_CONVERGED, NULL, omega, limit,
+                           "the residual of the system stays at %.3g, expected at most %.3g after "
+                           "%d iterations",
+                           omega, limit, system->iterations);
+    }
+    return status;
+}
+
+void taut_dirichlet_system_energies(const taut_dirichlet_system *system, const double *net,
+                                    double halves[2])
+{
+    taut_dirichlet_form_energies(system->form, net, halves);
+}

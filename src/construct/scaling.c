@@ -1,0 +1,63 @@
+#include "construct/scaling.h"
+
+#include <math.h>
+
+/* The exponent e of max |x| = f 2^e, 1/2 <= f < 1; 0 for 0. */
+static int exponent(double largest)
+{
+    int e = 0;
+    (void)frexp(largest, &e);
+    return e;
+}
+
+static void include(double x, double *lo, double *hi)
+{
+    *lo = fmin(*lo, x);
+    *hi = fmax(*hi, x);
+}
+
+taut_scaling taut_scaling_of(size_t count, const double *points, const unsigned char *known)
+{
+    taut_scaling scaling = {{0, 0, 0}, 0, 0};
+    double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY};
+    double largest = 0, size = 0;
+
+    for (size_t i = 0; i < count; i++) {
+        for (int c = 0; known[i] && c < 3; c++) {
+            include(points[3 * i + (size_t)c], &lo[c], &hi[c]);
+        }
+    }
+    for (int c = 0; c < 3; c++) {
+        largest = fmax(largest, fmax(fabs(lo[c]), fabs(hi[c])));
+    }
+    scaling.outer = exponent(largest);
+    for (int c = 0; c < 3; c++) {
+        const double low = ldexp(lo[c], -scaling.outer), high = ldexp(hi[c], -scaling.outer);
+        scaling.centre[c] = low + 0.5 * (high - low);
+        size = fmax(size, fmax(high - scaling.centre[c], scaling.centre[c] - low));
+    }
+    scaling.inner = exponent(size);
+    return scaling;
+}
+
+void taut_scaling_apply(const taut_scaling *scaling, const double *point, double *scaled)
+{
+    for (int c = 0; c < 3; c++) {
+        const double near = ldexp(point[c], -scaling->outer) - scaling->centre[c];
+        scaled[c] = ldexp(near, -scaling->inner);
+    }
+}
+
+void taut_scaling_undo(const taut_scaling *scaling, const double *scaled, double *point)
+{
+    for (int c = 0; c < 3; c++) {
+        const double far = ldexp(scaled[c], scaling->inner) + scaling->centre[c];
+        point[c] = ldexp(far, scaling->outer);
+    }
+}
+
+double taut_scaling_undo_square(const taut_scaling *scaling, double value)
+{
+    const int e = scaling->outer + scaling->inner;
+    return ldexp(ldexp(value, e), e);
+}

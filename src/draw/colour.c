@@ -1,0 +1,119 @@
+#include "draw/colour.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static unsigned char to_byte(double x)
+{
+    return (unsigned char)lround(255 * fmin(fmax(x, 0), 1));
+}
+
+static double lab_inverse(double t)
+{
+    return t > 6.0 / 29 ? t * t * t : 108.0 / 841 * (t - 4.0 / 29);
+}
+
+static double srgb_gamma(double x)
+{
+    return x > 0.0031308 ? 1.055 * pow(x, 1 / 2.4) - 0.055 : 12.92 * x;
+}
+
+/* CIELAB (white D65) to sRGB, cut off at the gamut. */
+static taut_ink from_lab(double lightness, double a, double b)
+{
+    const double fy = (lightness + 16) / 116;
+    const double x = 0.95047 * lab_inverse(fy + a / 500);
+    const double y = lab_inverse(fy);
+    const double z = 1.08883 * lab_inverse(fy - b / 200);
+    const double red = 3.2404542 * x - 1.5371385 * y - 0.4985314 * z;
+    const double green = -0.9692660 * x + 1.8760108 * y + 0.0415560 * z;
+    const double blue = 0.0556434 * x - 0.2040259 * y + 1.0572252 * z;
+    return (taut_ink){to_byte(srgb_gamma(red)), to_byte(srgb_gamma(green)),
+                      to_byte(srgb_gamma(blue))};
+}
+
+/* L = 96 - 58 |t|, chroma c |t|^0.9 at hue 285 (blue, c = 54) and 38 degrees (red, c = 58): both
+ * arms stay inside the gamut of sRGB, so that nothing is cut off. */
+taut_ink taut_colour_diverging(double t)
+{
+    static const double blue[2] = {14.0, -52.2}, red[2] = {45.7, 35.7};
+    const double size = fmin(fabs(t), 1);
+    const double *arm = t < 0 ? blue : red;
+    if (isnan(t)) {
+        return (taut_ink){158, 158, 158};
+    }
+    return from_lab(96 - 58 * size, arm[0] * pow(size, 0.9), arm[1] * pow(size, 0.9));
+}
+
+taut_ink taut_colour_plain(int i)
+{
+    static const taut_ink palette[] = {
+        {166, 198, 230}, {238, 206, 150}, {174, 216, 182}, {228, 174, 172},
+        {200, 186, 228}, {158, 214, 216}, {222, 214, 158}, {210, 194, 180},
+    };
+    return palette[(size_t)i % (sizeof palette / sizeof palette[0])];
+}
+
+taut_ink taut_colour_curve(int i)
+{
+    static const taut_ink palette[] = {{176, 42, 48}, {22, 78, 140},  {30, 112, 64},
+                                       {150, 84, 12}, {104, 48, 136}, {20, 110, 118}};
+    return palette[(size_t)i % (sizeof palette / sizeof palette[0])];
+}
+
+taut_ink taut_colour_mix(taut_ink a, taut_ink b, double t)
+{
+    return (taut_ink){to_byte((a.r + t * (b.r - a.r)) / 255),
+                      to_byte((a.g + t * (b.g - a.g)) / 255),
+                      to_byte((a.b + t * (b.b - a.b)) / 255)};
+}
+
+/* Two-sided: the caller turns n to the viewer. Half Lambert, ((1 + n.l) / 2)^2 scaled, from the
+ * upper left, plus a faint highlight; the wrap keeps the dark side readable in print. */
+taut_ink taut_colour_shade(taut_ink ink, const double normal[3], double strength)
+{
+    static const double light[3] = {-0.4583, 0.6110, 0.6455};
+    static const double between[3] = {-0.2527, 0.3368, 0.9070}; /* of light and eye */
+    static const taut_ink black = {24, 28, 40}, white = {255, 255, 255};
+    const double length =
+        sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    double lit = 0, shine = 0;
+    for (int c = 0; c < 3; c++) {
+        lit += light[c] * normal[c] / length;
+        shine += between[c] * normal[c] / length;
+    }
+    const double wrap = (1 + lit) / 2;
+    const double dark = strength * 0.38 * (1 - wrap * wrap);
+    const double bright = strength * 0.2 * pow(fmax(shine, 0), 16);
+    return taut_colour_mix(taut_colour_mix(ink, black, dark), white, bright);
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The largest of all, or of 98 in 100 when it is more than three times that. Rounded up to two
+ * digits, so that the scale bar ends at a number that can be said. */
+double taut_colour_limit(size_t count, double *values, double noise, int *cut)
+{
+    size_t kept = 0;
+    double limit = noise, most = 0, step = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (isfinite(values[i])) {
+            values[kept++] = fabs(values[i]);
+        }
+    }
+    qsort(values, kept, sizeof(double), by_size);
+    *cut = 0;
+    if (kept > 0) {
+        most = values[kept - 1];
+        limit = values[(kept - 1) * 98 / 100];
+        *cut = most > 3 * limit && most > 3 * noise;
+        limit = fmax(*cut ? limit : most, noise);
+    }
+    step = pow(10, floor(log10(limit)) - 1);
+    return isfinite(ceil(limit / step - 1e-9) * step) && step > 0 ? ceil(limit / step - 1e-9) * step
+                                                                  : limit;
+}

@@ -1,0 +1,33 @@
+/* colour.h -- the colours of figures: a diverging map for curvature, a palette, shading. */
+#ifndef TAUT_DRAW_COLOUR_H
+#define TAUT_DRAW_COLOUR_H
+
+#include "draw/canvas.h"
+
+#include <stddef.h>
+
+/* The map, t in [-1, 1] (cut off outside; NaN gives grey): blue below 0, near white at 0, red
+ * above. Along each arm CIELAB lightness falls linearly and alike, so that equal steps look equal
+ * and the two signs weigh the same; blue and orange-red are told apart by every common colour
+ * vision. */
+taut_ink taut_colour_diverging(double t);
+
+/* The i-th plain surface colour; they repeat. */
+taut_ink taut_colour_plain(int i);
+
+/* The i-th curve colour; they repeat. */
+taut_ink taut_colour_curve(int i);
+
+/* The colour of a piece of surface under soft light, from any normal towards the viewer in the
+ * frame of the camera (right, up, eye), not 0. strength 0..1: how much light changes it. */
+taut_ink taut_colour_shade(taut_ink ink, const double normal[3], double strength);
+
+/* a + t (b - a), t in [0, 1] */
+taut_ink taut_colour_mix(taut_ink a, taut_ink b, double t);
+
+/* The range [-limit, limit] that the map is to show for these values (NaN: none). It holds all of
+ * them, unless a few stand far out: then `*cut` is 1. Never below `noise` (> 0), so that rounding
+ * does not show as colour. */
+double taut_colour_limit(size_t count, double *values, double noise, int *cut);
+
+#endif /* TAUT_DRAW_COLOUR_H */

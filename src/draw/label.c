@@ -1,0 +1,83 @@
+#include "draw/label.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void taut_label_fixed(double value, int decimals, char *text, size_t size)
+{
+    static const char minus[] = "\xe2\x88\x92"; /* U+2212 */
+    const double unit = pow(10, decimals);
+    const long long scaled = llround(fabs(value) * unit);
+    const long long whole = scaled / (long long)unit;
+    long long part = scaled % (long long)unit;
+    const char *sign = value < 0 && scaled > 0 ? minus : "";
+
+    char digits[12] = "";
+
+    assert(decimals >= 0 && decimals <= 9);
+    for (int i = decimals; i > 0; i--, part /= 10) {
+        digits[i] = (char)('0' + part % 10);
+        digits[0] = '.';
+    }
+    snprintf(text, size, "%s%lld%s", sign, whole, digits);
+}
+
+/* The bytes of the letter at `s`, 0 when they are not well-formed UTF-8 (no overlong forms, no
+ * surrogates, no code above U+10FFFF: Unicode 15, table 3-7). */
+static size_t letter(const unsigned char *s)
+{
+    const size_t length = s[0] < 0x80   ? 1
+                          : s[0] < 0xc2 ? 0
+                          : s[0] < 0xe0 ? 2
+                          : s[0] < 0xf0 ? 3
+                          : s[0] < 0xf5 ? 4
+                                        : 0;
+    for (size_t i = 1; i < length; i++) {
+        if (s[i] < 0x80 || s[i] > 0xbf) {
+            return 0;
+        }
+    }
+    if ((s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xed && s[1] > 0x9f) ||
+        (s[0] == 0xf0 && s[1] < 0x90) || (s[0] == 0xf4 && s[1] > 0x8f)) {
+        return 0;
+    }
+    return length;
+}
+
+/* Control codes, and the two codes no XML document may hold. */
+static int unprintable(const unsigned char *s, size_t length)
+{
+    return (length == 1 && (s[0] < 0x20 || s[0] == 0x7f)) ||
+           (length == 2 && s[0] == 0xc2 && s[1] < 0xa0) ||
+           (length == 3 && s[0] == 0xef && s[1] == 0xbf && s[2] >= 0xbe);
+}
+
+void taut_label_clean(const char *from, size_t most, char *text, size_t size)
+{
+    static const char ellipsis[] = "\xe2\x80\xa6"; /* U+2026 */
+    const unsigned char *s = (const unsigned char *)from;
+    size_t at = 0, letters = 0;
+
+    while (*s != 0) {
+        const size_t length = letter(s);
+        const int bad = length == 0 || unprintable(s, length);
+        const size_t step = length > 0 ? length : 1;
+        const int last = s[step] == 0;
+        if (at + step + sizeof ellipsis > size || (letters + 1 >= most && !last)) {
+            memcpy(text + at, ellipsis, sizeof ellipsis - 1);
+            at += sizeof ellipsis - 1;
+            break;
+        }
+        if (bad) {
+            text[at++] = '?';
+        } else {
+            memcpy(text + at, s, step);
+            at += step;
+        }
+        s += step;
+        letters++;
+    }
+    text[at] = '\0';
+}

@@ -1,0 +1,15 @@
+/* label.h -- words and numbers for figures. */
+#ifndef TAUT_DRAW_LABEL_H
+#define TAUT_DRAW_LABEL_H
+
+#include <stddef.h>
+
+/* value with `decimals` digits after the point (0..9), a true minus sign, no locale; |value| is
+ * below 1e9. */
+void taut_label_fixed(double value, int decimals, char *text, size_t size);
+
+/* A copy of at most `most` letters that every canvas can draw: what is not UTF-8 or not printable
+ * becomes "?", what is too long ends in an ellipsis. */
+void taut_label_clean(const char *from, size_t most, char *text, size_t size);
+
+#endif /* TAUT_DRAW_LABEL_H */

@@ -1,0 +1,39 @@
+/* parts.h -- surfaces, nets and curves as cells, lines and discs of a scene. */
+#ifndef TAUT_DRAW_PARTS_H
+#define TAUT_DRAW_PARTS_H
+
+#include "core/arena.h"
+#include "draw/camera.h"
+#include "draw/scene.h"
+#include "draw/sheet.h"
+#include "taut/curve.h"
+
+/* The shaded cells of a sheet. limit: the range of the colours when the sheet has values. *page,
+ * in the arena: the sheet's points on the page, for taut_parts_outline. */
+taut_status taut_parts_cells(const taut_sheet *sheet, const taut_camera *camera, taut_ink ink,
+                             double limit, taut_arena *arena, taut_scene *scene, double **page);
+
+/* Its silhouette, and its knot lines (or, with boundary, the boundary). */
+taut_status taut_parts_silhouette(const taut_sheet *sheet, const double *page, taut_arena *arena,
+                                  taut_scene *scene);
+taut_status taut_parts_outline(const taut_sheet *sheet, const double *page, int boundary,
+                               taut_ink ink, taut_arena *arena, taut_scene *scene);
+
+/* The net double points[nu][nv][3], or a polygon when nu is 1. Of many lines every k-th is drawn,
+ * and then no points. */
+taut_status taut_parts_net(int nu, int nv, const double *points, const taut_camera *camera,
+                           taut_arena *arena, taut_scene *scene);
+void taut_parts_net_points(int nu, int nv, const double *points, const taut_camera *camera,
+                           taut_scene *scene);
+/* Is every line of the net drawn? */
+int taut_parts_net_is_whole(int nu, int nv);
+
+/* A curve through count points. */
+taut_status taut_parts_curve(size_t count, const double *points, const taut_camera *camera,
+                             taut_ink ink, taut_arena *arena, taut_scene *scene);
+
+/* Points along a curve: double[*count][3], in the arena; not finite where it overflows. */
+taut_status taut_parts_sample_curve(const taut_curve *curve, int most, taut_arena *arena,
+                                    size_t *count, double **points);
+
+#endif /* TAUT_DRAW_PARTS_H */

@@ -1,0 +1,139 @@
+/* parts_sheet.c -- the shaded cells of a surface, its boundary and its knot lines. */
+#include "draw/colour.h"
+#include "draw/parts.h"
+
+#include <math.h>
+#include <string.h>
+
+static const taut_ink boundary_ink = {36, 42, 54};
+static const double boundary_width = 2.0, knot_width = 0.8;
+
+/* The normal of a cell by its diagonals, in the frame (right, up, eye), turned to the viewer and
+ * scaled to a largest component of 1; straight at the viewer where the cell has no area. 1 when it
+ * had to be turned: the cell shows its back. */
+static int cell_normal(const double *const corner[4], double normal[3])
+{
+    double d[2][3], size = 0;
+    int turned = 0;
+    for (int k = 0; k < 2; k++) {
+        d[k][0] = corner[k + 2][0] - corner[k][0];
+        d[k][1] = corner[k][1] - corner[k + 2][1]; /* the page's y runs down */
+        d[k][2] = corner[k + 2][2] - corner[k][2];
+    }
+    for (int c = 0; c < 3; c++) {
+        const int e = (c + 1) % 3, f = (c + 2) % 3;
+        normal[c] = d[0][e] * d[1][f] - d[0][f] * d[1][e];
+        size = fmax(size, fabs(normal[c]));
+    }
+    if (!(size > 0) || !isfinite(size)) {
+        normal[0] = normal[1] = 0;
+        normal[2] = size = 1;
+    }
+    turned = normal[2] < 0;
+    for (int c = 0; c < 3; c++) {
+        normal[c] /= turned ? -size : size;
+    }
+    return turned;
+}
+
+taut_status taut_parts_cells(const taut_sheet *sheet, const taut_camera *camera, taut_ink ink,
+                             double limit, taut_arena *arena, taut_scene *scene, double **page)
+{
+    static const taut_ink back = {150, 138, 140};
+    const size_t columns = (size_t)sheet->v.count, count = (size_t)sheet->u.count * columns;
+    double *p = taut_arena_take(arena, count, 3 * sizeof(double));
+
+    if (p == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t i = 0; i < count; i++) {
+        taut_camera_project(camera, sheet->points + 3 * i, p + 3 * i);
+    }
+    for (size_t i = 0; i + 1 < (size_t)sheet->u.count; i++) {
+        for (size_t j = 0; j + 1 < columns; j++) {
+            const double *first = p + 3 * (i * columns + j);
+            const double *const corner[4] = {first, first + 3 * columns, first + 3 * columns + 3,
+                                             first + 3};
+            double normal[3];
+            const int turned = cell_normal(corner, normal);
+            taut_ink shown = turned ? taut_colour_mix(ink, back, 0.35) : ink;
+            if (sheet->values != NULL) {
+                shown = taut_colour_diverging(sheet->values[i * (columns - 1) + j] / limit);
+            }
+            taut_scene_cell(scene, corner,
+                            taut_colour_shade(shown, normal, sheet->values != NULL ? 0.32 : 1));
+        }
+    }
+    *page = p;
+    return scene->status;
+}
+
+/* The grid as the outline takes it: `lines` lines of `along` points. */
+typedef struct grid {
+    const double *page;
+    size_t lines, along;
+    size_t line_stride, along_stride;
+} grid;
+
+static const double *at(const grid *g, size_t line, size_t k)
+{
+    return g->page + line * g->line_stride + k * g->along_stride;
+}
+
+/* Do the first and the last line fall together, as on a tube? */
+static int is_seam(const grid *g)
+{
+    for (size_t k = 0; k < g->along; k++) {
+        const double *a = at(g, 0, k), *b = at(g, g->lines - 1, k);
+        if (!(fabs(a[0] - b[0]) + fabs(a[1] - b[1]) + fabs(a[2] - b[2]) < 0.01)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void add_grid_line(const grid *g, size_t line, taut_ink ink, double width, double *row,
+                          taut_scene *scene)
+{
+    for (size_t k = 0; k < g->along; k++) {
+        memcpy(row + 3 * k, at(g, line, k), 3 * sizeof(double));
+    }
+    taut_scene_line(scene, g->along, row, ink, width);
+}
+
+/* One direction's knot lines, or its two boundary lines (one thin line where they are a seam). */
+static void add_lines(const grid *g, const taut_lines *lines, int boundary, taut_ink knot_ink,
+                      double *row, taut_scene *scene)
+{
+    const size_t last = g->lines - 1;
+    for (size_t i = 1; i < last && !boundary; i++) {
+        if (lines->is_knot[i]) {
+            add_grid_line(g, i, knot_ink, knot_width, row, scene);
+        }
+    }
+    if (is_seam(g)) {
+        if (!boundary) {
+            add_grid_line(g, 0, knot_ink, knot_width, row, scene);
+        }
+    } else if (boundary) {
+        add_grid_line(g, 0, boundary_ink, boundary_width, row, scene);
+        add_grid_line(g, last, boundary_ink, boundary_width, row, scene);
+    }
+}
+
+taut_status taut_parts_outline(const taut_sheet *sheet, const double *page, int boundary,
+                               taut_ink ink, taut_arena *arena, taut_scene *scene)
+{
+    static const taut_ink dark = {40, 44, 56}, grey = {120, 120, 126};
+    const size_t nu = (size_t)sheet->u.count, nv = (size_t)sheet->v.count;
+    const taut_ink knot_ink = sheet->values != NULL ? grey : taut_colour_mix(ink, dark, 0.45);
+    const grid along_v = {page, nu, nv, 3 * nv, 3}, along_u = {page, nv, nu, 3, 3 * nv};
+    double *row = taut_arena_take(arena, nu > nv ? nu : nv, 3 * sizeof(double));
+
+    if (row == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    add_lines(&along_v, &sheet->u, boundary, knot_ink, row, scene);
+    add_lines(&along_u, &sheet->v, boundary, knot_ink, row, scene);
+    return scene->status;
+}

@@ -1,0 +1,252 @@
+/* gram.c -- Gram matrices by Gauss quadrature, span by span ([WuWang2011] section 2.5).
+ *
+ * The products of polynomials of degree p have degree 2p: the rule of p+1 nodes is exact for them.
+ * Rational, trigonometric and hyperbolic functions are analytic on each span, so there the error
+ * falls faster than any power of the nodes; the rule is raised until two agree to rounding.
+ */
+#include "geometry/gram.h"
+
+#include "core/fail.h"
+#include "core/memory.h"
+#include "geometry/panels.h"
+#include "numeric/quadrature.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct gauss {
+    int nodes;
+    double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
+} gauss;
+
+void taut_gram_clear(taut_gram *gram)
+{
+    taut_band_clear(&gram->mass);
+    taut_band_clear(&gram->stiffness);
+    gram->length = 0;
+}
+
+static taut_status gram_alloc(const taut_basis *basis, taut_gram *gram)
+{
+    const int n = taut_basis_count(basis), width = taut_basis_local(basis) - 1;
+    taut_status status = TAUT_OK;
+
+    const double *breaks = taut_basis_breaks(basis);
+
+    memset(gram, 0, sizeof *gram);
+    gram->length = taut_basis_hi(basis) - taut_basis_lo(basis);
+    for (int k = 0; k < taut_basis_span_count(basis); k++) {
+        const double largest = fmax(fabs(breaks[k]), fabs(breaks[k + 1]));
+        gram->roundings = fmax(gram->roundings, 1 + largest / (breaks[k + 1] - breaks[k]));
+    }
+    status = taut_band_init(n, width, &gram->mass);
+    if (status == TAUT_OK) {
+        status = taut_band_init(n, width, &gram->stiffness);
+    }
+    if (status != TAUT_OK) {
+        taut_gram_clear(gram);
+    }
+    return status;
+}
+
+/* Values and slopes n[0][..], n[1][..] become those of R = a N / W, W = sum a N:
+ *     R' = a (N' - N W'/W) / W */
+static void make_rational(int local, const double *weights, double *n)
+{
+    double w = 0, slope = 0;
+    for (int a = 0; a < local; a++) {
+        w += weights[a] * n[a];
+        slope += weights[a] * n[local + a];
+    }
+    for (int a = 0; a < local; a++) {
+        n[local + a] = weights[a] * ((n[local + a] - n[a] * (slope / w)) / w);
+        n[a] = weights[a] * n[a] / w;
+    }
+}
+
+/* Adds factor x x^T to rows first.. of the band, x double[local]. */
+static void add_square(taut_band *band, int first, int local, const double *x)
+{
+    for (int a = 0; a < local; a++) {
+        double *row = taut_band_row(band, first + a);
+        for (int b = 0; b <= a; b++) {
+            row[a - b] += x[a] * x[b];
+        }
+    }
+}
+
+/* The terms of one panel. The square roots of the weights go into the factors, so that very short
+ * spans do not overflow before they are summed. */
+static void add_panel(const taut_basis *basis, const double *weights, const taut_panels *panels,
+                      int k, const gauss *rule, taut_gram *gram)
+{
+    const double width = panels->hi[k] - panels->lo[k];
+    const int local = taut_basis_local(basis), first = taut_basis_first(basis, panels->span[k]);
+    double n[2 * (TAUT_DEGREE_MAX + 1)];
+
+    for (int g = 0; g < rule->nodes; g++) {
+        const double root = sqrt(0.5 * rule->weight[g] * (width / gram->length));
+        const double slope_root = root * gram->length;
+        taut_basis_eval(basis, panels->span[k], taut_panels_at(panels, k, rule->node[g]), 1, n);
+        if (weights != NULL) {
+            make_rational(local, weights + first, n);
+        }
+        for (int a = 0; a < local; a++) {
+            n[a] *= root;
+            n[local + a] *= slope_root;
+        }
+        add_square(&gram->mass, first, local, n);
+        add_square(&gram->stiffness, first, local, n + local);
+    }
+}
+
+static taut_status gram_with(const taut_basis *basis, const double *weights, int nodes,
+                             taut_gram *gram)
+{
+    gauss rule;
+    taut_panels *panels = NULL;
+    taut_status status = taut_panels_new(basis, 1, weights, 1, 0, &panels);
+
+    if (status == TAUT_OK) {
+        status = gram_alloc(basis, gram);
+    }
+    if (status == TAUT_OK) {
+        rule.nodes = nodes;
+        taut_gauss_rule(nodes, rule.node, rule.weight);
+        for (int k = 0; k < panels->count; k++) {
+            add_panel(basis, weights, panels, k, &rule, gram);
+        }
+    }
+    taut_panels_free(panels);
+    return status;
+}
+
+static int all_finite(const taut_band *band)
+{
+    const size_t size = (size_t)band->n * ((size_t)band->width + 1);
+    for (size_t i = 0; i < size; i++) {
+        if (!isfinite(band->a[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* max |A - B|(i,s) / sqrt(B(i,i) B(s,s)); entries of a row without weight are left out. */
+static double change(const taut_band *a, const taut_band *b)
+{
+    double largest = 0;
+    for (int i = 0; i < b->n; i++) {
+        for (int d = 0; d <= b->width && d <= i; d++) {
+            const double scale = sqrt(taut_band_row(b, i)[0]) * sqrt(taut_band_row(b, i - d)[0]);
+            const double moved = fabs(taut_band_row(a, i)[d] - taut_band_row(b, i)[d]);
+            if (moved > largest * scale) {
+                largest = scale > 0 ? moved / scale : INFINITY;
+            }
+        }
+    }
+    return largest;
+}
+
+/* Raises the nodes by half until mass and stiffness agree with those before: to what sums of O(100)
+ * terms carry, each with the roundings of its parameter. */
+static taut_status raise(const taut_basis *basis, const double *weights, taut_gram *gram,
+                         taut_error *error)
+{
+    double moved = INFINITY, enough = 0;
+    int nodes = taut_basis_local(basis) + 3;
+    taut_gram next;
+    taut_status status = gram_with(basis, weights, nodes, gram);
+
+    while (status == TAUT_OK && !(moved <= enough) && nodes < TAUT_GAUSS_MAX) {
+        nodes = nodes + nodes / 2 < TAUT_GAUSS_MAX ? nodes + nodes / 2 : TAUT_GAUSS_MAX;
+        enough = 64 * 0x1p-53 * gram->roundings;
+        status = gram_with(basis, weights, nodes, &next);
+        if (status == TAUT_OK) {
+            moved =
+                fmax(change(&gram->mass, &next.mass), change(&gram->stiffness, &next.stiffness));
+        }
+        taut_gram_clear(gram);
+        *gram = next;
+    }
+    if (status == TAUT_OK && all_finite(&gram->stiffness) && !(moved <= enough)) {
+        taut_gram_clear(gram);
+        return taut_fail(error, TAUT_NOT_CONVERGED, NULL, moved, enough,
+                         "%d Gauss nodes on each panel leave a relative change of %.3g in the "
+                         "integrals of the basis, expected at most %.3g: the weights or the shape "
+                         "of the basis are too extreme",
+                         TAUT_GAUSS_MAX, moved, enough);
+    }
+    return status;
+}
+
+/* Checks and hands over what was made with `status`. */
+static taut_status finish(taut_status status, taut_gram *made, taut_gram *gram, taut_error *error)
+{
+    if (status == TAUT_NO_MEMORY) {
+        return taut_fail_memory(error);
+    }
+    if (status == TAUT_OK && !(all_finite(&made->mass) && all_finite(&made->stiffness))) {
+        taut_gram_clear(made);
+        status = taut_fail(error, TAUT_BAD_INPUT, "", taut_none, taut_none,
+                           "a span of the basis is too short against its range: its slopes "
+                           "overflow");
+    }
+    if (status == TAUT_OK) {
+        *gram = *made;
+    }
+    return status;
+}
+
+taut_status taut_gram_new(const taut_basis *basis, const double *weights, taut_gram *gram,
+                          taut_error *error)
+{
+    taut_gram made;
+    taut_status status = TAUT_OK;
+
+    if (weights == NULL && taut_basis_degree(basis) >= 0) {
+        status = gram_with(basis, NULL, taut_basis_local(basis), &made);
+    } else {
+        status = raise(basis, weights, &made, error);
+    }
+    return finish(status, &made, gram, error);
+}
+
+taut_status taut_gram_new_rough(const taut_basis *basis, const double *weights, taut_gram *gram,
+                                taut_error *error)
+{
+    taut_gram made;
+    const taut_status status = gram_with(basis, weights, taut_basis_local(basis) + 3, &made);
+    return finish(status, &made, gram, error);
+}
+
+static taut_status select(const taut_band *from, int count, const int *index, taut_band *part)
+{
+    const taut_status status = taut_band_init(count, from->width, part);
+    for (int i = 0; status == TAUT_OK && i < count; i++) {
+        for (int d = 0; d <= from->width && d <= i; d++) {
+            taut_band_row(part, i)[d] = taut_band_at(from, index[i], index[i - d]);
+        }
+    }
+    return status;
+}
+
+taut_status taut_gram_select(const taut_gram *gram, int count, const int *index, taut_gram *part)
+{
+    taut_gram made;
+    taut_status status = TAUT_OK;
+
+    memset(&made, 0, sizeof made);
+    made.length = gram->length;
+    made.roundings = gram->roundings;
+    status = select(&gram->mass, count, index, &made.mass);
+    if (status == TAUT_OK) {
+        status = select(&gram->stiffness, count, index, &made.stiffness);
+    }
+    if (status != TAUT_OK) {
+        taut_gram_clear(&made);
+        return status;
+    }
+    *part = made;
+    return TAUT_OK;
+}

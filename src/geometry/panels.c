@@ -1,0 +1,131 @@
+#include "geometry/panels.h"
+
+#include "core/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { DEPTH_MAX = 24 }; /* a pole nearer than 2^-24 of its span is no longer resolved */
+
+/* What is asked about, and the panels so far; `room` of them fit. */
+typedef struct cutting {
+    const taut_basis *basis;
+    int lines;
+    const double *weights;
+    size_t step, next;
+    taut_panels *panels;
+    int room;
+} cutting;
+
+void taut_panels_free(taut_panels *panels)
+{
+    if (panels != NULL) {
+        taut_free(panels->lo);
+        taut_free(panels->hi);
+        taut_free(panels->span);
+        taut_free(panels);
+    }
+}
+
+/* Does w on some line vary by more than 4 between lo, the middle and hi? */
+static int varies(const cutting *c, int span, double lo, double hi)
+{
+    const double at[3] = {lo, lo + 0.5 * (hi - lo), hi};
+    const int local = taut_basis_local(c->basis);
+    const double *first = c->weights + (size_t)taut_basis_first(c->basis, span) * c->step;
+    double n[3][TAUT_DEGREE_MAX + 1];
+
+    for (int k = 0; k < 3; k++) {
+        taut_basis_eval(c->basis, span, at[k], 0, n[k]);
+    }
+    for (size_t l = 0; l < (size_t)c->lines; l++) {
+        double least = INFINITY, largest = 0;
+        for (int k = 0; k < 3; k++) {
+            double w = 0;
+            for (int i = 0; i < local; i++) {
+                w += first[(size_t)i * c->step + l * c->next] * n[k][i];
+            }
+            least = fmin(least, w);
+            largest = fmax(largest, w);
+        }
+        if (largest > 4 * least) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static taut_status add(cutting *c, int span, double lo, double hi)
+{
+    taut_panels *p = c->panels;
+    if (p->count == c->room) {
+        const size_t room = 2 * (size_t)c->room;
+        double *low = taut_realloc(p->lo, room, sizeof *low);
+        p->lo = low != NULL ? low : p->lo;
+        double *high = taut_realloc(p->hi, room, sizeof *high);
+        p->hi = high != NULL ? high : p->hi;
+        int *spans = taut_realloc(p->span, room, sizeof *spans);
+        p->span = spans != NULL ? spans : p->span;
+        if (low == NULL || high == NULL || spans == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+        c->room *= 2;
+    }
+    p->lo[p->count] = lo;
+    p->hi[p->count] = hi;
+    p->span[p->count++] = span;
+    return TAUT_OK;
+}
+
+/* Cuts one span; the stack holds the right halves still to do. */
+static taut_status cut(cutting *c, int span)
+{
+    const double *breaks = taut_basis_breaks(c->basis);
+    double ends[DEPTH_MAX + 1];
+    double lo = breaks[span];
+    int depth = 0;
+    taut_status status = TAUT_OK;
+
+    ends[0] = breaks[span + 1];
+    while (status == TAUT_OK && depth >= 0) {
+        const double hi = ends[depth], middle = lo + 0.5 * (hi - lo);
+        if (c->weights != NULL && depth < DEPTH_MAX && middle > lo && middle < hi &&
+            hi - lo > ldexp(breaks[span + 1] - breaks[span], -DEPTH_MAX) &&
+            varies(c, span, lo, hi)) {
+            ends[++depth] = middle;
+        } else {
+            status = add(c, span, lo, hi);
+            lo = hi;
+            depth--;
+        }
+    }
+    return status;
+}
+
+taut_status taut_panels_new(const taut_basis *basis, int lines, const double *weights, size_t step,
+                            size_t next, taut_panels **panels)
+{
+    const int spans = taut_basis_span_count(basis);
+    taut_panels *made = taut_alloc_zero(1, sizeof *made);
+    cutting c = {basis, lines, weights, step, next, made, spans};
+    taut_status status = TAUT_OK;
+
+    if (made == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    made->lo = taut_alloc((size_t)spans, sizeof(double));
+    made->hi = taut_alloc((size_t)spans, sizeof(double));
+    made->span = taut_alloc((size_t)spans, sizeof(int));
+    if (made->lo == NULL || made->hi == NULL || made->span == NULL) {
+        status = TAUT_NO_MEMORY;
+    }
+    for (int k = 0; status == TAUT_OK && k < spans; k++) {
+        status = cut(&c, k);
+    }
+    if (status != TAUT_OK) {
+        taut_panels_free(made);
+        return status;
+    }
+    *panels = made;
+    return TAUT_OK;
+}

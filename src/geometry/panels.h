@@ -1,0 +1,36 @@
+/* panels.h -- where to place Gauss nodes: spans, cut further where rational weights vary fast.
+ *
+ * A rational function has poles where w = sum w_i N_i vanishes, beside the range; the rule of n
+ * nodes on an interval of width h converges like (1 + d/h + ..)^(-2n), d the distance of the
+ * nearest pole ([DLMF] 3.5(v)). Spans are halved until w varies by at most a factor of 4 on each
+ * panel, so that d > h/3 or so, and few nodes do.
+ */
+#ifndef TAUT_GEOMETRY_PANELS_H
+#define TAUT_GEOMETRY_PANELS_H
+
+#include "taut/basis.h"
+
+#include <stddef.h>
+
+typedef struct taut_panels {
+    int count;
+    double *lo, *hi; /* [count], increasing */
+    int *span;       /* [count]: the span each is part of */
+} taut_panels;
+
+/* For `lines` sets of weights: of function i on line l, weights[i * step + l * next]; what varies
+ * by a factor on every line varies by no more on any positive sum of them. weights NULL: the spans.
+ * TAUT_NO_MEMORY. */
+taut_status taut_panels_new(const taut_basis *basis, int lines, const double *weights, size_t step,
+                            size_t next, taut_panels **panels);
+void taut_panels_free(taut_panels *panels); /* NULL is fine */
+
+/* Node g of `count` Gauss nodes on panel k (node on [-1, 1]): t in the closed panel. */
+static inline double taut_panels_at(const taut_panels *panels, int k, double node)
+{
+    const double lo = panels->lo[k], hi = panels->hi[k];
+    const double t = lo + (hi - lo) * (0.5 + 0.5 * node);
+    return t < hi ? t : hi;
+}
+
+#endif /* TAUT_GEOMETRY_PANELS_H */

@@ -1,0 +1,38 @@
+/* format.h -- what one format must provide. */
+#ifndef TAUT_IO_FORMAT_H
+#define TAUT_IO_FORMAT_H
+
+#include "io/format_list.h"
+#include "taut/model.h"
+#include "taut/write.h"
+
+#include <stdio.h>
+
+typedef struct taut_format_ops {
+    /* Writes into an open file; errors of the file itself are seen by the caller as well. options
+     * is never NULL, and options->surface names a surface of the model or is NULL. One of this...
+     */
+    taut_status (*write)(const taut_model *model, const taut_write_options *options, FILE *out,
+                         taut_error *error);
+    /* ...or, for libraries that want a name: writes the file `path`, which is there and empty. */
+    taut_status (*write_path)(const taut_model *model, const taut_write_options *options,
+                              const char *path, taut_error *error);
+    /* Reads a model from a file in this format; NULL where taut does not. */
+    taut_status (*read)(const char *path, taut_model **model, taut_error *error);
+} taut_format_ops;
+
+#define TAUT_FORMAT_DECLARE(identifier, ending, text)                                              \
+    extern const taut_format_ops taut_format_##identifier;
+TAUT_FORMAT_LIST(TAUT_FORMAT_DECLARE)
+#undef TAUT_FORMAT_DECLARE
+
+/* The ops of format i, or NULL. */
+const taut_format_ops *taut_format_ops_at(int i);
+
+/* Nonzero when options ask for surface i of the model. */
+int taut_format_wants(const taut_model *model, const taut_write_options *options, int i);
+/* Is options->surface the name of one surface, and are the numbers in their ranges? */
+taut_status taut_format_check(const taut_model *model, const taut_write_options *options,
+                              taut_error *error);
+
+#endif /* TAUT_IO_FORMAT_H */

@@ -1,0 +1,125 @@
+/* problem_read.c -- problems from documents: what all share, then the construction's own reader. */
+#include "core/fail.h"
+#include "io/document_ops.h"
+#include "io/model_document.h"
+#include "taut/read.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const taut_document_ops *const ops_table[] = {
+#define TAUT_DOCUMENT_ROW(identifier, name) &taut_document_##identifier,
+    TAUT_CONSTRUCT_LIST(TAUT_DOCUMENT_ROW)
+#undef TAUT_DOCUMENT_ROW
+};
+
+/* The index of the construction that the document names. */
+static taut_status read_construct(const taut_json *document, int *construct, taut_error *error)
+{
+    const taut_json at = taut_json_member(document, "construct");
+    const char *names[TAUT_CONSTRUCT_COUNT + 1] = {NULL};
+    const char *name = NULL;
+
+    for (int i = 0; i < TAUT_CONSTRUCT_COUNT; i++) {
+        names[i] = taut_construct_name(i);
+    }
+    if (taut_json_kind_at(document) != TAUT_JSON_OBJECT) {
+        return taut_json_expected(document, error, "an object");
+    }
+    if (at.value == NULL && taut_json_find(document->value, "surfaces") != NULL) {
+        return taut_json_fail(&at, error, taut_none, taut_none,
+                              "found nothing, expected a construction: this is a model, not a "
+                              "problem");
+    }
+    name = taut_json_text_at(&at);
+    if (name == NULL) {
+        return taut_json_expected(&at, error, "the name of a construction, such as \"%s\"",
+                                  names[0]);
+    }
+    *construct = taut_construct_find(name);
+    if (*construct < 0) {
+        return taut_json_expected(&at, error, "a construction; the nearest one is \"%s\"",
+                                  taut_nearest(name, names));
+    }
+    return TAUT_OK;
+}
+
+/* Has it members of its construction only? */
+static taut_status check_members(const taut_json *document, const taut_document_ops *ops,
+                                 taut_error *error)
+{
+    const char *names[TAUT_DOCUMENT_MEMBERS + 4] = {"taut", "construct", "unit"};
+    int count = 3;
+    for (int i = 0; i < TAUT_DOCUMENT_MEMBERS && ops->members[i] != NULL; i++) {
+        names[count++] = ops->members[i];
+    }
+    names[count] = NULL;
+    return taut_json_object(document, names, error);
+}
+
+/* The problem of a document that has been parsed. */
+static taut_status problem_of(const taut_json_document *root, taut_problem **problem,
+                              taut_error *error)
+{
+    const taut_json document = taut_json_root(root);
+    const char *unit = "mm";
+    taut_problem *made = NULL;
+    int construct = 0;
+    taut_status status = read_construct(&document, &construct, error);
+
+    if (status == TAUT_OK) {
+        status = check_members(&document, ops_table[construct], error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_version_document_check(&document, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_unit_document_read(&document, &unit, error);
+    }
+    if (status == TAUT_OK && taut_problem_new(construct, &made) != TAUT_OK) {
+        status = taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        snprintf(made->unit, sizeof made->unit, "%s", unit);
+        status = ops_table[construct]->read(&document, made, error);
+    }
+    if (status != TAUT_OK) {
+        taut_problem_free(made);
+        return status;
+    }
+    *problem = made;
+    return TAUT_OK;
+}
+
+taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
+                                   taut_problem **problem, taut_error *error)
+{
+    taut_json_document *root = NULL;
+    taut_status status = TAUT_OK;
+    if ((text == NULL && length > 0) || problem == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_problem_read_text needs a text and a place for the problem");
+    }
+    status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
+    if (status == TAUT_OK) {
+        status = problem_of(root, problem, error);
+    }
+    taut_json_document_free(root);
+    return status;
+}
+
+taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error)
+{
+    taut_json_document *root = NULL;
+    taut_status status = TAUT_OK;
+    if (path == NULL || problem == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_problem_read needs a path and a place for the problem");
+    }
+    status = taut_json_load(path, &root, error);
+    if (status == TAUT_OK) {
+        status = problem_of(root, problem, error);
+    }
+    taut_json_document_free(root);
+    return status;
+}

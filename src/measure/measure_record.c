@@ -1,0 +1,62 @@
+/* measure_record.c -- the documents of `taut measure --json`. A NaN is written as null. */
+#include "taut/measure.h"
+
+static void add_box(const double box[2][3], taut_record *record)
+{
+    taut_record *list = taut_record_add_list(record, "bounding_box");
+    for (int side = 0; side < 2; side++) {
+        taut_record_add_numbers(list, NULL, 3, box[side]);
+    }
+}
+
+static void add_edges(const taut_edge_measure edges[4], taut_record *record)
+{
+    static const char *const names[4] = {"u0", "u1", "v0", "v1"};
+    taut_record *all = taut_record_add_object(record, "edges");
+    for (int i = 0; i < 4; i++) {
+        taut_record *edge = taut_record_add_object(all, names[i]);
+        taut_record_add_number(edge, "length", edges[i].length);
+        taut_record_add_number(edge, "max_abs_normal_curvature", edges[i].max_abs_normal_curvature);
+        taut_record_add_number(edge, "max_angle_normal_binormal",
+                               edges[i].max_angle_normal_binormal);
+    }
+}
+
+void taut_measure_surface_record(const taut_surface *surface, const taut_surface_measure *measure,
+                                 taut_record *record)
+{
+    taut_record *child = NULL;
+
+    taut_record_add_text(record, "name", taut_surface_name(surface));
+    taut_record_add_number(record, "area", measure->area);
+    if (measure->area_error > 0) {
+        taut_record_add_number(record, "area_error", measure->area_error);
+    }
+    taut_record_add_number(record, "dirichlet_energy", measure->dirichlet_energy);
+    taut_record_add_number(record, "bending_energy", measure->bending_energy);
+    add_box(measure->box, record);
+    child = taut_record_add_object(record, "mean_curvature");
+    taut_record_add_number(child, "max_abs", measure->max_abs_mean);
+    taut_record_add_numbers(child, "max_abs_at", 2, measure->max_abs_mean_at);
+    taut_record_add_number(child, "mean_abs", measure->mean_abs_mean);
+    child = taut_record_add_object(record, "gaussian_curvature");
+    taut_record_add_number(child, "min", measure->min_gaussian);
+    taut_record_add_number(child, "max", measure->max_gaussian);
+    child = taut_record_add_object(record, "isothermality");
+    taut_record_add_number(child, "max_e_minus_g", measure->max_e_minus_g);
+    taut_record_add_number(child, "max_f", measure->max_f);
+    taut_record_add_number(child, "integral", measure->isothermality);
+    child = taut_record_add_object(record, "harmonicity");
+    taut_record_add_number(child, "max_abs_laplacian", measure->max_laplacian);
+    add_edges(measure->edges, record);
+    taut_record_add_number(record, "singular_points", (double)measure->singular_points);
+}
+
+void taut_measure_curve_record(const taut_curve *curve, const taut_curve_measure *measure,
+                               taut_record *record)
+{
+    taut_record_add_text(record, "name", taut_curve_name(curve));
+    taut_record_add_number(record, "length", measure->length);
+    taut_record_add_number(record, "max_curvature", measure->max_curvature);
+    taut_record_add_number(record, "max_torsion", measure->max_torsion);
+}

@@ -1,0 +1,64 @@
+/* eigen_internal.h -- the parts of eigen_band.h. All work on a scaled pencil: M(i,i) = 1. */
+#ifndef TAUT_NUMERIC_EIGEN_INTERNAL_H
+#define TAUT_NUMERIC_EIGEN_INTERNAL_H
+
+#include "numeric/band.h"
+#include "numeric/kernel/kernel.h"
+
+/* K - lambda M with M(i,i) = 1, equal widths. */
+typedef struct taut_pencil {
+    taut_band k, m;         /* K, M */
+    taut_band abs_k, abs_m; /* |K|, |M|: what rounding errors are measured by */
+    double norm;            /* max |K(i,j)| + max |M(i,j)|, > 0 */
+    double tiny;            /* pivots nearer to zero are not divided by */
+    const taut_kernel *kernel;
+} taut_pencil;
+
+/* Eigenpairs on the way. */
+typedef struct taut_eigenpairs {
+    int n;
+    double *values;   /* double[n], ascending */
+    double *vectors;  /* double[n][n], row j belongs to values[j]; x.(M x) = 1 */
+    double *noise;    /* double[n]: ||(|K| + |lambda| |M|) |x|||, rounding moves K x - lambda M x by
+                         some u times it */
+    double *residual; /* double[n]: ||(K - lambda M) x|| */
+} taut_eigenpairs;
+
+/* Where one eigenvalue lies: between low and high, `below` of all eigenvalues are < low, and
+ * `inside` of them, counting itself, are in between. inside > 1 when they could not be told apart.
+ */
+typedef struct taut_bracket {
+    double low, high;
+    int below, inside;
+} taut_bracket;
+
+/* One bracket per eigenvalue in ascending order, into bracket[n]. TAUT_OK, TAUT_NO_MEMORY, or
+ * TAUT_NOT_CONVERGED when the counts contradict each other. */
+taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_bracket *bracket);
+
+/* Values and vectors by Rayleigh quotient iteration inside the brackets, not yet polished,
+ * orthogonalised or checked. TAUT_OK or TAUT_NO_MEMORY. */
+taut_status taut_eigen_iterate(const taut_pencil *pencil, const taut_bracket *bracket,
+                               taut_eigenpairs *pairs);
+
+/* Takes from each vector the error that factors without row interchanges leave in it, moves the
+ * values to the Rayleigh quotients and fills noise and residual. TAUT_OK or TAUT_NO_MEMORY. */
+taut_status taut_eigen_polish(const taut_pencil *pencil, taut_eigenpairs *pairs);
+
+/* Makes vectors with close values M-orthogonal. Those that turn out to be copies of others are
+ * computed again by inverse iteration with row interchanges. TAUT_OK or TAUT_NO_MEMORY. */
+taut_status taut_eigen_orthogonalise(const taut_pencil *pencil, taut_eigenpairs *pairs);
+
+/* Computes values[j] and vectors[j] again by inverse iteration with row interchanges near
+ * values[j], kept M-orthogonal to vectors first..j-1. TAUT_OK or TAUT_NO_MEMORY. */
+taut_status taut_eigen_mend(const taut_pencil *pencil, int first, int j, taut_eigenpairs *pairs);
+
+/* Values and vectors by Cholesky reduction, Householder tridiagonalisation and QL iteration
+ * ([GolubVanLoan2013] 8.7.2, 8.3.1, 8.3.3) in O(n^3). TAUT_OK, TAUT_NO_MEMORY, TAUT_NO_SOLUTION (M
+ * not positive definite) or TAUT_NOT_CONVERGED. */
+taut_status taut_eigen_dense(const taut_pencil *pencil, taut_eigenpairs *pairs);
+
+/* Numbers in [-1, 1) that depend on the seed only. */
+double taut_eigen_scatter(unsigned long long seed);
+
+#endif /* TAUT_NUMERIC_EIGEN_INTERNAL_H */

@@ -1,0 +1,7 @@
+#if defined(__x86_64__)
+#include "numeric/kernel/simd_avx512.h"
+
+#include "numeric/kernel/kernel_body.h"
+#else
+extern int taut_kernel_avx512_is_absent; /* a translation unit may not be empty */
+#endif

@@ -1,0 +1,3 @@
+#include "numeric/kernel/simd_baseline.h"
+
+#include "numeric/kernel/kernel_body.h"

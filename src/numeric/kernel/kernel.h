@@ -1,0 +1,70 @@
+/* kernel.h -- the innermost loops, once per instruction set, chosen when the program runs.
+ *
+ * Every set is compiled from the same sources (simd_*.h gives the vectors, *_body.h the loops) and
+ * fills one const table. The sets differ in the order of their sums and in fused multiply-adds
+ * only: results agree to rounding, not bit for bit. To add a kernel: one member here, one line in
+ * kernel_table.h.
+ */
+#ifndef TAUT_NUMERIC_KERNEL_H
+#define TAUT_NUMERIC_KERNEL_H
+
+#include <stddef.h>
+
+enum {
+    TAUT_LANES_MAX = 32, /* bounds of the members below, for arrays on the stack */
+    TAUT_TILE_ROWS_MAX = 8,
+    TAUT_TILE_COLUMNS_MAX = 32
+};
+
+/* "Lanes" are independent problems solved side by side: lane l of an array double[...][lanes]
+ * belongs to problem l. All arrays are aligned to 64 bytes where a row is double[lanes]. */
+typedef struct taut_kernel {
+    const char *name;
+    int lanes;
+    int tile_rows, tile_columns;
+
+    /* c[r][q] += sum_k a[k][r] b[k][q],  k < depth, r < tile_rows, q < tile_columns;
+     * a double[depth][tile_rows], b double[depth][tile_columns] aligned to 64, row r of c at c +
+     * r*c_stride. */
+    void (*tile)(size_t depth, const double *a, const double *b, double *c, size_t c_stride);
+
+    /* L D L^T of  scale K + shift[l] M  for rows first..end-1, lane by lane, no pivoting (see
+     * band.h). k, m      double[n][width+1] as in band.h factor    double[width + end -
+     * first][width+1][lanes]: row i at index width + i - first; the width rows before row `first`
+     * are input: its predecessors, zero where i < 0. Slot 0 is 1/D(i), slot d is L(i, i-d). tiny >
+     * 0: pivots nearer to zero are replaced by -tiny, so that nothing divides by zero negative
+     * double[lanes]: += the number of negative pivots */
+    void (*band_factor)(int first, int end, int width, const double *k, const double *m,
+                        double scale, const double *shift, double tiny, double *factor,
+                        double *negative);
+
+    /* Solves with `factor` (first = 0) in place: x double[n][count][lanes]. */
+    void (*band_substitute)(int n, int width, int count, const double *factor, double *x);
+
+    /* y = A x, both double[n][lanes], apart; a double[n][width+1] as in band.h. */
+    void (*band_multiply)(int n, int width, const double *a, const double *x, double *y);
+
+    /* xy[l] = x . y,  xx[l] = x . x  over double[n][lanes]. */
+    void (*dot)(int n, const double *x, const double *y, double *xy, double *xx);
+
+    /* Over `count` entries: y += factor x;  y += c x, entry by entry. Any alignment. */
+    void (*add_scaled)(size_t count, double factor, const double *x, double *y);
+    void (*add_products)(size_t count, const double *c, const double *x, double *y);
+
+    /* The same into sums kept as high + low, with an error of about 2^-104 of the terms. x_low may
+     * be NULL: zero. */
+    void (*add_scaled_exactly)(size_t count, double factor, const double *x, const double *x_low,
+                               double *high, double *low);
+    void (*add_products_exactly)(size_t count, const double *c, const double *x, double *high,
+                                 double *low);
+} taut_kernel;
+
+/* The best table for this processor, or the one that the environment variable TAUT_KERNEL names
+ * ("baseline", "avx2", "avx512") if the processor has it. Never NULL; cost: a few comparisons. */
+const taut_kernel *taut_kernel_best(void);
+/* The table called `name`, or NULL when there is none or the processor lacks it. */
+const taut_kernel *taut_kernel_find(const char *name);
+/* The name of taut_kernel_best(). */
+const char *taut_kernel_name(void);
+
+#endif /* TAUT_NUMERIC_KERNEL_H */

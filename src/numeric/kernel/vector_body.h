@@ -1,0 +1,74 @@
+/* vector_body.h -- loops over long vectors of any length and alignment. */
+
+/* The last count % V_SIZE entries, filled up with zeros. */
+INLINE v_double v_load_some(const double *from, size_t count)
+{
+    v_double v = v_all(0.0);
+    memcpy(&v, from, count * sizeof *from);
+    return v;
+}
+
+INLINE void v_store_some(double *to, v_double v, size_t count)
+{
+    memcpy(to, &v, count * sizeof *to);
+}
+
+TARGET static void add_scaled(size_t count, double factor, const double *x, double *y)
+{
+    const v_double f = v_all(factor);
+    size_t i = 0;
+    for (; i + V_SIZE <= count; i += V_SIZE) {
+        v_store(y + i, v_fma(f, v_load(x + i), v_load(y + i)));
+    }
+    const v_double last = v_fma(f, v_load_some(x + i, count - i), v_load_some(y + i, count - i));
+    v_store_some(y + i, last, count - i);
+}
+
+TARGET static void add_products(size_t count, const double *c, const double *x, double *y)
+{
+    size_t i = 0;
+    for (; i + V_SIZE <= count; i += V_SIZE) {
+        v_store(y + i, v_fma(v_load(c + i), v_load(x + i), v_load(y + i)));
+    }
+    const v_double last = v_fma(v_load_some(c + i, count - i), v_load_some(x + i, count - i),
+                                v_load_some(y + i, count - i));
+    v_store_some(y + i, last, count - i);
+}
+
+/* high + low += a b + extra: the product and the sum are taken with their rounding errors
+ * ([Dekker1971], [Knuth1998] 4.2.2), which go to low. */
+INLINE void add_exactly(v_double a, v_double b, v_double extra, v_double *high, v_double *low)
+{
+    const v_double product = a * b;
+    const v_double sum = *high + product;
+    const v_double moved = sum - *high;
+    const v_double error = (*high - (sum - moved)) + (product - moved);
+    *low += (error + v_product_error(a, b, product)) + extra;
+    *high = sum;
+}
+
+TARGET static void add_scaled_exactly(size_t count, double factor, const double *x,
+                                      const double *x_low, double *high, double *low)
+{
+    const v_double f = v_all(factor);
+    for (size_t i = 0; i < count; i += V_SIZE) {
+        const size_t some = count - i < V_SIZE ? count - i : V_SIZE;
+        v_double h = v_load_some(high + i, some), l = v_load_some(low + i, some);
+        const v_double tail = f * v_load_some(x_low + i, some);
+        add_exactly(f, v_load_some(x + i, some), tail, &h, &l);
+        v_store_some(high + i, h, some);
+        v_store_some(low + i, l, some);
+    }
+}
+
+TARGET static void add_products_exactly(size_t count, const double *c, const double *x,
+                                        double *high, double *low)
+{
+    for (size_t i = 0; i < count; i += V_SIZE) {
+        const size_t some = count - i < V_SIZE ? count - i : V_SIZE;
+        v_double h = v_load_some(high + i, some), l = v_load_some(low + i, some);
+        add_exactly(v_load_some(c + i, some), v_load_some(x + i, some), v_all(0.0), &h, &l);
+        v_store_some(high + i, h, some);
+        v_store_some(low + i, l, some);
+    }
+}

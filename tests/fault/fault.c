@@ -1,0 +1,56 @@
+#include "fault.h"
+
+#include "check.h"
+#include "core/memory.h"
+
+#include <string.h>
+
+enum { ALLOCATIONS_MAX = 200000 }; /* a call that takes more is taken to hang */
+
+/* One attempt with allocation k failing; the status it returned. */
+static taut_status attempt(const fault_call *call, long k, int and_later)
+{
+    static char nothing; /* what the output is before */
+    void *result = &nothing;
+    taut_error error = {.status = TAUT_OK, .message = ""};
+    const long before = fault_live();
+    taut_status status = TAUT_OK;
+    long refused = 0;
+
+    fault_arm(k, and_later);
+    status = call->call(call->context, &result, &error);
+    refused = fault_disarm();
+    if (status == TAUT_OK) {
+        CHECK(refused == 0, "%s: allocation %ld failed and nobody noticed", call->name, k);
+        if (call->release != NULL) {
+            call->release(result);
+        }
+    } else {
+        CHECK(status == TAUT_NO_MEMORY, "%s: allocation %ld gave status %d", call->name, k,
+              (int)status);
+        CHECK(refused > 0, "%s: fails without a failed allocation (%ld)", call->name, k);
+        CHECK(result == &nothing, "%s: allocation %ld: the output was touched", call->name, k);
+        CHECK(error.status == TAUT_OK || (error.status == TAUT_NO_MEMORY && error.message[0] != 0),
+              "%s: allocation %ld: error says status %d, \"%s\"", call->name, k, (int)error.status,
+              error.message);
+    }
+    CHECK(fault_live() == before, "%s: allocation %ld: %ld blocks leaked", call->name, k,
+          fault_live() - before);
+    return status;
+}
+
+long fault_loop(const fault_call *call)
+{
+    long allocations = 0;
+    for (int and_later = 0; and_later < 2; and_later++) {
+        const int failures_before = check_failures;
+        long k = 1;
+        while (k < ALLOCATIONS_MAX && check_failures == failures_before &&
+               attempt(call, k, and_later) != TAUT_OK) {
+            k++;
+        }
+        CHECK(k < ALLOCATIONS_MAX, "%s: never gets through", call->name);
+        allocations = k - 1;
+    }
+    return allocations;
+}

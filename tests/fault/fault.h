@@ -1,0 +1,33 @@
+/* fault.h -- calls that run out of memory at every allocation they make, one after the other.
+ *
+ * A test describes a call by two functions and hands them to fault_loop, which repeats the call
+ * with the 1st, 2nd, 3rd ... allocation failing, until it gets through. Each time it must return
+ * TAUT_NO_MEMORY, say so in *error if it takes one, leave its output as it was, and leak nothing.
+ */
+#ifndef TAUT_TEST_FAULT_H
+#define TAUT_TEST_FAULT_H
+
+#include "taut/status.h"
+
+#include <stddef.h>
+
+typedef struct fault_call {
+    const char *name;
+    /* Makes the call: output from *result to *result, through a variable of its own type. */
+    taut_status (*call)(const void *context, void **result, taut_error *error);
+    /* Frees a result that was made; may be NULL. */
+    void (*release)(void *result);
+    const void *context; /* what `call` works on */
+} fault_call;
+
+/* Returns the number of allocations of the call that got through, each of which was failed once
+ * alone and once with all that follow. Failures are CHECKs (check.h). */
+long fault_loop(const fault_call *call);
+
+/* For calls that do not fit. The k-th allocation from now fails, alone or with all later ones; 0
+ * stops that and gives how many were refused. */
+void fault_arm(long k, int and_later);
+long fault_disarm(void);
+long fault_live(void); /* blocks taken and not yet freed */
+
+#endif /* TAUT_TEST_FAULT_H */

@@ -1,0 +1,101 @@
+/* fuzz_documents.c -- any bytes as a problem and as a model.
+ *
+ * Beyond not crashing: a refusal is told whole (status, a sentence), a model that was read can be
+ * written, and what is written reads back to the same bytes. A small problem that was read is made
+ * and certified too.
+ */
+#include "io/format.h"
+#include "taut/construct.h"
+#include "taut/read.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum { SMALL = 4096 }; /* bytes of a problem that is quick to solve */
+
+static void require(int condition)
+{
+    if (!condition) {
+        abort();
+    }
+}
+
+static void check_error(taut_status status, const taut_error *error)
+{
+    require(status == error->status && error->message[0] != '\0');
+    require(memchr(error->message, '\0', sizeof error->message) != NULL);
+    require(memchr(error->where, '\0', sizeof error->where) != NULL);
+}
+
+/* The model as text; NULL when memory runs out. */
+static char *text_of(const taut_model *model, size_t *length)
+{
+    const taut_write_options options = {0};
+    char *text = NULL;
+    FILE *out = open_memstream(&text, length);
+    require(out != NULL);
+    require(taut_format_json.write(model, &options, out, NULL) == TAUT_OK);
+    require(fclose(out) == 0);
+    return text;
+}
+
+static void check_model(const taut_model *model)
+{
+    size_t length = 0, again_length = 0;
+    char *text = text_of(model, &length), *again = NULL;
+    taut_model *back = NULL;
+    require(taut_model_read_text(text, length, "text", &back, NULL) == TAUT_OK);
+    again = text_of(back, &again_length);
+    require(length == again_length && memcmp(text, again, length) == 0);
+    free(text);
+    free(again);
+    taut_model_free(back);
+}
+
+static void make_and_certify(const taut_problem *problem)
+{
+    taut_model *model = NULL;
+    taut_certificate *certificate = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_status status = taut_make(problem, NULL, &model, &error);
+    if (status != TAUT_OK) {
+        check_error(status, &error);
+        return;
+    }
+    check_model(model);
+    status = taut_certify(model, problem, NULL, &certificate, &error);
+    if (status != TAUT_OK) {
+        check_error(status, &error);
+    }
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    const char *text = (const char *)data;
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_status status = taut_problem_read_text(text, size, "problem", &problem, &error);
+
+    if (status != TAUT_OK) {
+        check_error(status, &error);
+    } else if (size <= SMALL) {
+        make_and_certify(problem);
+    }
+    taut_problem_free(problem);
+    error.status = TAUT_OK;
+    status = taut_model_read_text(text, size, "model", &model, &error);
+    if (status != TAUT_OK) {
+        check_error(status, &error);
+    } else {
+        check_model(model);
+    }
+    taut_model_free(model);
+    return 0;
+}

@@ -1,0 +1,94 @@
+#!/bin/sh
+# test_checks.sh -- each check of tools/ passes a clean tree and catches what it is for.
+set -u
+: "${SOURCE:?the source tree}"
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+failures=0
+
+fail() {
+    echo "FAIL: $*"
+    failures=$((failures + 1))
+}
+
+# A tree that every check passes.
+fresh() {
+    rm -rf "${tree:?}"/*
+    mkdir -p "$tree/include/taut" "$tree/src/core" "$tree/src/geometry" "$tree/src/certify" "$tree/src/cli" \
+        "$tree/src/construct" "$tree/docs"
+    printf '#include <stdio.h>\n#include "taut/status.h"\n#include "core/fail.h"\n' > "$tree/src/core/fail.c"
+    printf '#include "numeric/sum.h"\n/* [Known2001] */\n' > "$tree/src/certify/a.c"
+    printf '#include "geometry/b.h"\n#include "basis/b.h"\n' > "$tree/src/geometry/b.c"
+    printf '#include "taut/taut.h"\n#include "cli/c.h"\n#include "c.h"\n' > "$tree/src/cli/c.c"
+    printf '#include "taut/export.h"\n' > "$tree/include/taut/status.h"
+    printf '@book{Known2001,\n  title = {Known}\n}\n' > "$tree/docs/references.bib"
+}
+
+# passes CHECK: on the tree as it is
+passes() {
+    if ! said=$("$SOURCE/tools/check_$1.sh" "$tree" 2>&1); then
+        fail "check_$1 refuses a clean tree: $said"
+    fi
+}
+
+# catches CHECK FILE EXPECTED CONTENT: with this file added, the check fails and its output names EXPECTED
+catches() {
+    fresh
+    mkdir -p "$tree/$(dirname "$2")"
+    printf '%b' "$4" > "$tree/$2"
+    if said=$("$SOURCE/tools/check_$1.sh" "$tree" 2>&1); then
+        fail "check_$1 lets through: $4"
+    fi
+    case $said in *"$3"*) ;; *) fail "check_$1 on \"$4\" says \"$said\", expected \"$3\"" ;; esac
+}
+
+fresh
+for check in layers words sizes citations; do
+    passes $check
+done
+
+catches layers src/core/x.c 'core may not include' '#include "geometry/b.h"\n'
+catches layers src/construct/x.c 'construct may not include' '#include "certify/certify_ops.h"\n'
+catches layers src/certify/x.c 'certify may not include' '#include "construct/construct_ops.h"\n'
+catches layers src/certify/x.c 'certify may not include' '#include "numeric/banded.h"\n'
+catches layers src/construct/x.c 'construct may not include' '#include "io/format.h"\n'
+catches layers src/draw/x.c 'draw may not include' '#include "io/format.h"\n'
+catches layers src/modules/cairo/x.c 'modules/cairo may not include' '#include "geometry/net.h"\n'
+catches layers src/modules/other/x.c 'may not include' '#include <cairo.h>\n'
+catches layers src/cli/x.c 'cli may not include' '  # include "core/memory.h"\n'
+catches layers src/geometry/x.c 'geometry may not include' '#include <jansson.h>\n'
+catches layers src/geometry/x.c 'without its layer' '#include "net.h"\n'
+catches layers src/geometry/x.c 'name the layer' '#include "geometry/../cli/c.h"\n'
+catches layers src/strange/x.c 'no row' 'int x;\n'
+catches layers src/x.c 'in no layer' 'int x;\n'
+catches layers include/taut/x.h 'may not include' '#include "core/memory.h"\n'
+
+catches words src/core/x.c 'a // comment' 'int x; // why\n'
+catches words src/core/x.c 'a // comment' '/* one */ char *s = "a \\" /*"; // two\n'
+catches words src/core/x.c 'unfinished' '/* TO''DO: later */\n'
+catches words docs/x.md 'one machine' 'see /wo''rk/tree/docs\n'
+catches words docs/x.md 'nothing to a reader' 'as iss''ue #12 says\n'
+fresh
+printf '/* see https://example.org */\nchar *s = "//"; char c = %s;\n' "'\"'" > "$tree/src/core/x.c"
+passes words
+
+catches sizes src/core/x.c 'split it' "$(awk 'BEGIN { for (i = 0; i < 501; i++) printf "\\n" }')"
+fresh
+awk 'BEGIN { print "/* long because it is a table */"; for (i = 0; i < 600; i++) print "" }' > "$tree/src/core/x.c"
+passes sizes
+
+catches citations src/core/x.c 'Unknown1999' '/* [Unknown1999] section 3 */\n'
+catches citations docs/x.md 'Unknown1999a' 'as [Unknown1999a] has it\n'
+catches citations docs/references.bib 'more than once' '@a{Known2001,\n}\n@b{Known2001,\n}\n'
+
+# A library that exports what it should not, and lacks what it should have.
+if command -v cc > /dev/null && command -v nm > /dev/null; then
+    fresh
+    echo 'int stray(void); int stray(void) { return 0; }' | cc -shared -fPIC -x c - -o "$tree/libtaut.so"
+    said=$("$SOURCE/tools/check_symbols.sh" "$tree/libtaut.so" 2>&1) && fail "check_symbols passes a stray library"
+    case $said in *'stray: exported, but not named taut_'*) ;; *) fail "stray symbol not named: $said" ;; esac
+    case $said in *'taut_version: was exported before and is gone'*) ;; *) fail "lost symbol not named: $said" ;; esac
+fi
+
+echo "$failures failures"
+[ "$failures" -eq 0 ]

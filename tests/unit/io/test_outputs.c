@@ -1,0 +1,351 @@
+/* test_outputs.c -- outputs that appear together or not at all. */
+#include "models.h"
+
+#include "taut/read.h"
+#include "taut/write.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static char folder[] = "/tmp/taut-test-XXXXXX";
+
+/* A path in the folder; four may be in use at a time. */
+static const char *in_folder(const char *name)
+{
+    static char paths[4][96];
+    static int next = 0;
+    next = (next + 1) % 4;
+    snprintf(paths[next], sizeof paths[next], "%s/%s", folder, name);
+    return paths[next];
+}
+
+static int entries(void)
+{
+    DIR *directory = opendir(folder);
+    int count = -2; /* "." and ".." */
+    while (directory != NULL && readdir(directory) != NULL) {
+        count++;
+    }
+    closedir(directory);
+    return count;
+}
+
+static int file_is(const char *path, const char *expected)
+{
+    char found[256];
+    FILE *file = fopen(path, "r");
+    size_t length = 0;
+    if (file == NULL) {
+        return 0;
+    }
+    length = fread(found, 1, sizeof found - 1, file);
+    found[length] = '\0';
+    fclose(file);
+    return strcmp(found, expected) == 0;
+}
+
+static void put_file(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    fputs(text, file);
+    fclose(file);
+}
+
+static void empty_folder(void)
+{
+    char command[96];
+    snprintf(command, sizeof command, "rm -rf %s/* %s/.taut*", folder, folder);
+    CHECK(system(command) == 0, "rm");
+}
+
+static taut_outputs *new_outputs(void)
+{
+    taut_outputs *outputs = NULL;
+    CHECK(taut_outputs_new(&outputs) == TAUT_OK, "outputs");
+    return outputs;
+}
+
+static taut_status put(taut_outputs *outputs, const char *text, const char *path)
+{
+    return taut_outputs_text(outputs, text, strlen(text), path, NULL);
+}
+
+static void test_together(void)
+{
+    taut_outputs *outputs = new_outputs();
+    put_file(in_folder("b"), "old");
+    CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
+    CHECK(put(outputs, "two", in_folder("b")) == TAUT_OK, "b");
+    CHECK(access(in_folder("a"), F_OK) != 0 && file_is(in_folder("b"), "old"),
+          "nothing is visible before the commit");
+    CHECK(taut_outputs_commit(outputs, NULL) == TAUT_OK, "commit");
+    CHECK(file_is(in_folder("a"), "one") && file_is(in_folder("b"), "two"), "all is in place");
+    CHECK(taut_outputs_commit(outputs, NULL) == TAUT_OK, "a second commit has nothing to do");
+    taut_outputs_abandon(outputs);
+    taut_outputs_free(outputs);
+    CHECK(entries() == 2, "%d entries", entries());
+    empty_folder();
+}
+
+static void test_never_committed(void)
+{
+    taut_outputs *outputs = new_outputs();
+    put_file(in_folder("b"), "old");
+    CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
+    CHECK(put(outputs, "two", in_folder("b")) == TAUT_OK, "b");
+    taut_outputs_free(outputs);
+    CHECK(entries() == 1 && file_is(in_folder("b"), "old"), "all is as it was");
+    outputs = new_outputs();
+    CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
+    taut_outputs_abandon(outputs);
+    CHECK(entries() == 1, "abandoned: %d entries", entries());
+    taut_outputs_free(outputs);
+    taut_outputs_free(NULL);
+    taut_outputs_abandon(NULL);
+    empty_folder();
+}
+
+/* A device that is full is found before any file appears. */
+static void test_full_device(void)
+{
+    taut_outputs *outputs = new_outputs();
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
+    CHECK(put(outputs, "two", "/dev/full") == TAUT_OK, "full");
+    CHECK(taut_outputs_commit(outputs, &error) == TAUT_IO, "commit");
+    CHECK(strstr(error.message, "/dev/full") != NULL && strstr(error.message, "space") != NULL,
+          "\"%s\"", error.message);
+    CHECK(entries() == 0, "%d entries", entries());
+    taut_outputs_free(outputs);
+}
+
+/* 1 if writing a megabyte does anything but fail for want of space. */
+static int write_large(const char *path)
+{
+    taut_outputs *outputs = new_outputs();
+    char *text = calloc(1, 1 << 20);
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    const taut_status status = taut_outputs_text(outputs, text, 1 << 20, path, &error);
+    taut_outputs_free(outputs);
+    free(text);
+    return !(status == TAUT_IO && strstr(error.message, "too large") != NULL);
+}
+
+/* A file system that fills up while writing: here, a limit on the size of files. */
+static void test_no_space(void)
+{
+    int code = 0;
+    const pid_t child = fork();
+    if (child == 0) {
+        const struct rlimit limit = {65536, 65536};
+        signal(SIGXFSZ, SIG_IGN);
+        _exit(setrlimit(RLIMIT_FSIZE, &limit) == 0 ? write_large(in_folder("x.json")) : 99);
+    }
+    waitpid(child, &code, 0);
+    CHECK(WIFEXITED(code) && WEXITSTATUS(code) == 0, "code %d", code);
+    CHECK(entries() == 0, "%d entries", entries());
+}
+
+static void check_refused(const char *path, const char *reason)
+{
+    taut_outputs *outputs = new_outputs();
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_outputs_text(outputs, "x", 1, path, &error) == TAUT_IO, "%s", path);
+    CHECK(strstr(error.message, reason) != NULL, "%s: \"%s\"", path, error.message);
+    taut_outputs_free(outputs);
+}
+
+static void test_refused_paths(void)
+{
+    char path[5000];
+    check_refused(folder, "directory");
+    check_refused(in_folder("none/a.json"), "No such file");
+    put_file(in_folder("file"), "x");
+    check_refused(in_folder("file/a.json"), "ot a directory");
+    check_refused("", "No such file");
+    memset(path, 'x', sizeof path - 1);
+    path[sizeof path - 1] = '\0';
+    check_refused(path, "too long");
+    CHECK(symlink("loop", in_folder("loop")) == 0, "link");
+    check_refused(in_folder("loop"), "symbolic links");
+    if (geteuid() != 0) {
+        chmod(in_folder("file"), 0400);
+        check_refused(in_folder("file"), "denied");
+        chmod(folder, 0500);
+        check_refused(in_folder("new"), "denied");
+        chmod(folder, 0700);
+    }
+    empty_folder();
+}
+
+/* Links are followed, also one that leads nowhere yet; modes stay. */
+static void test_links_and_modes(void)
+{
+    taut_outputs *outputs = new_outputs();
+    struct stat about;
+    const mode_t mask = umask(027);
+
+    put_file(in_folder("real"), "old");
+    chmod(in_folder("real"), 0606);
+    CHECK(symlink("real", in_folder("link")) == 0, "link");
+    CHECK(symlink("later", in_folder("early")) == 0, "link");
+    CHECK(put(outputs, "one", in_folder("link")) == TAUT_OK, "link");
+    CHECK(put(outputs, "two", in_folder("early")) == TAUT_OK, "early");
+    CHECK(taut_outputs_commit(outputs, NULL) == TAUT_OK, "commit");
+    CHECK(file_is(in_folder("real"), "one") && file_is(in_folder("later"), "two"), "places");
+    CHECK(lstat(in_folder("link"), &about) == 0 && S_ISLNK(about.st_mode), "still a link");
+    CHECK(stat(in_folder("real"), &about) == 0 && (about.st_mode & 0777) == 0606, "mode %o",
+          about.st_mode);
+    CHECK(stat(in_folder("later"), &about) == 0 && (about.st_mode & 0777) == 0640, "mode %o",
+          about.st_mode);
+    umask(mask);
+    taut_outputs_free(outputs);
+    empty_folder();
+}
+
+static void test_same_place(void)
+{
+    taut_outputs *outputs = new_outputs();
+    char other[128];
+    snprintf(other, sizeof other, "%s/../%s/a", folder, strrchr(folder, '/') + 1);
+    CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
+    CHECK(put(outputs, "two", other) == TAUT_BAD_ARGUMENT, "the same file by another name");
+    CHECK(put(outputs, "one", "-") == TAUT_OK, "standard output");
+    CHECK(put(outputs, "two", "/dev/stdout") == TAUT_BAD_ARGUMENT, "standard output again");
+    taut_outputs_free(outputs);
+    CHECK(entries() == 0, "%d entries", entries());
+}
+
+/* Standard output is sent at the commit, not before. */
+static void test_standard_output(void)
+{
+    const int before = dup(1);
+    const int file = open(in_folder("stdout"), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    taut_outputs *outputs = new_outputs();
+
+    fflush(stdout);
+    dup2(file, 1);
+    CHECK(put(outputs, "lost", "-") == TAUT_OK, "put");
+    taut_outputs_free(outputs);
+    outputs = new_outputs();
+    CHECK(put(outputs, "sent", "-") == TAUT_OK, "put");
+    CHECK(taut_outputs_commit(outputs, NULL) == TAUT_OK, "commit");
+    taut_outputs_free(outputs);
+    dup2(before, 1);
+    close(before);
+    close(file);
+    CHECK(file_is(in_folder("stdout"), "sent"), "what was committed, once");
+    empty_folder();
+}
+
+static void test_fifo(void)
+{
+    char found[16] = "";
+    pid_t child = 0;
+    FILE *file = NULL;
+    CHECK(mkfifo(in_folder("fifo"), 0600) == 0, "fifo");
+    child = fork();
+    if (child == 0) {
+        taut_outputs *outputs = new_outputs();
+        const int good = put(outputs, "through", in_folder("fifo")) == TAUT_OK &&
+                         taut_outputs_commit(outputs, NULL) == TAUT_OK;
+        taut_outputs_free(outputs);
+        _exit(good ? 0 : 1);
+    }
+    file = fopen(in_folder("fifo"), "r");
+    CHECK(fgets(found, sizeof found, file) != NULL && strcmp(found, "through") == 0, "\"%s\"",
+          found);
+    fclose(file);
+    waitpid(child, NULL, 0);
+    empty_folder();
+}
+
+static void test_formats(void)
+{
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_format_count() >= 5, "formats");
+    for (int i = 0; i < taut_format_count(); i++) {
+        char path[32];
+        snprintf(path, sizeof path, "x.y/z.%s", taut_format_ending(i));
+        CHECK(taut_format_of(path, &error) == i && taut_format_text(i) != NULL, "%s", path);
+        CHECK(i == 0 || strcmp(taut_format_ending(i - 1), taut_format_ending(i)) < 0, "sorted %d",
+              i);
+    }
+    CHECK(taut_format_ending(-1) == NULL && taut_format_text(taut_format_count()) == NULL, "ends");
+    CHECK(strcmp(taut_format_ending(taut_format_of("-", NULL)), "json") == 0, "-");
+    CHECK(strcmp(taut_format_ending(taut_format_of("A.JSON", NULL)), "json") == 0, "capitals");
+    CHECK(strcmp(taut_format_ending(taut_format_of("/dev/full", NULL)), "json") == 0, "device");
+    CHECK(taut_format_of("json", &error) == -1 && error.status == TAUT_BAD_ARGUMENT &&
+              strstr(error.message, ".json, .obj") != NULL,
+          "\"%s\"", error.message);
+    CHECK(taut_format_of("a.json/b", NULL) == -1 && taut_format_of("", NULL) == -1, "no ending");
+    CHECK(taut_format_of(folder, &error) == -1 && error.status == TAUT_IO, "a folder");
+}
+
+static taut_status write_with(const taut_model *model, const taut_write_options *options,
+                              taut_error *error)
+{
+    return taut_model_write(model, in_folder("m.json"), options, error);
+}
+
+/* One surface by its name; options out of their range. */
+static void test_options(void)
+{
+    taut_model *model = NULL, *back = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_model_new(&model) == TAUT_OK, "model");
+    add_any_surface(model, "one");
+    add_any_surface(model, "two");
+    add_any_surface(model, "two");
+    add_any_curve(model, "one");
+    CHECK(write_with(model, &(taut_write_options){.surface = "one"}, &error) == TAUT_OK, "%s",
+          error.message);
+    CHECK(taut_model_read(in_folder("m.json"), &back, NULL) == TAUT_OK, "read");
+    CHECK(back != NULL && taut_model_surface_count(back) == 1 &&
+              taut_model_curve_count(back) == 0 &&
+              same_surface(taut_model_surface(model, 0), taut_model_surface(back, 0)),
+          "only one");
+    CHECK(write_with(model, &(taut_write_options){.surface = "two"}, &error) == TAUT_BAD_ARGUMENT &&
+              strstr(error.message, "2 surfaces") != NULL,
+          "\"%s\"", error.message);
+    CHECK(write_with(model, &(taut_write_options){.surface = "on"}, &error) == TAUT_BAD_ARGUMENT &&
+              strstr(error.message, "nearest name is \"one\"") != NULL,
+          "\"%s\"", error.message);
+    CHECK(write_with(model, &(taut_write_options){.tolerance = nan("")}, NULL) == TAUT_BAD_ARGUMENT,
+          "tolerance");
+    CHECK(write_with(model, &(taut_write_options){.divide = -1}, NULL) == TAUT_BAD_ARGUMENT,
+          "divide");
+    CHECK(write_with(model, &(taut_write_options){.threads = -1}, NULL) == TAUT_BAD_ARGUMENT,
+          "threads");
+    CHECK(taut_model_write(model, in_folder("m.xyz"), NULL, NULL) == TAUT_BAD_ARGUMENT, "ending");
+    CHECK(taut_model_write(NULL, "-", NULL, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    taut_model_free(model);
+    taut_model_free(back);
+    empty_folder();
+}
+
+int main(void)
+{
+    if (mkdtemp(folder) == NULL) {
+        return 1;
+    }
+    test_together();
+    test_never_committed();
+    test_full_device();
+    test_no_space();
+    test_refused_paths();
+    test_links_and_modes();
+    test_same_place();
+    test_standard_output();
+    test_fifo();
+    test_formats();
+    test_options();
+    CHECK(rmdir(folder) == 0, "something was left behind");
+    return check_failures != 0;
+}

@@ -1,0 +1,138 @@
+/* test_problems.c -- what is read of a good problem, number by number; files that cannot be read.
+ */
+#include "check.h"
+
+#include "problem/problem.h"
+#include "taut/dirichlet.h"
+#include "taut/read.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char text[] =
+    "{\"taut\": 1, \"construct\": \"dirichlet\", \"unit\": \"in\", \"name\": \"lid\",\n"
+    " \"u\": {\"type\": \"bezier\", \"degree\": 2, \"range\": [-1, 3]},\n"
+    " \"v\": {\"type\": \"bspline\", \"degree\": 2, \"knots\": [0, 0, 0.25, 1, 1]},\n"
+    " \"points\": [[[1, 2, 3], [4, 5, 6], [7, 8, 9], [10, 11, 12]],\n"
+    "              [[0.1, -0, 1e-310], null, null, [1, 1, 1]],\n"
+    "              [[1, 0, 0], null, [2, 0, 0], [3, 0, 0]]],\n"
+    " \"weights\": [[1, 2, 3, 4], [5, 6, 7, 8], [9, 10, 11, 12]], \"aspect\": 2.5}";
+
+static void test_members(void)
+{
+    static const unsigned char known[12] = {1, 1, 1, 1, 1, 0, 0, 1, 1, 0, 1, 1};
+    taut_problem *problem = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_problem_read_text(text, sizeof text - 1, "text", &problem, &error) == TAUT_OK,
+          "%s %s", error.where, error.message);
+    if (problem == NULL) {
+        return;
+    }
+    const taut_dirichlet_problem *data = problem->data;
+    CHECK(strcmp(taut_problem_construct(problem), "dirichlet") == 0, "construct");
+    CHECK(strcmp(problem->unit, "in") == 0 && strcmp(data->name, "lid") == 0, "unit and name");
+    CHECK(data->aspect == 2.5 && !data->aspect_auto, "aspect");
+    CHECK(taut_basis_lo(data->u) == -1 && taut_basis_hi(data->u) == 3, "range of u");
+    CHECK(taut_basis_count(data->v) == 4 && taut_basis_breaks(data->v)[1] == 0.25, "knots of v");
+    CHECK(memcmp(data->known, known, 12) == 0, "known");
+    for (int i = 0; i < 12; i++) {
+        CHECK(data->weights[i] == i + 1, "weight %d", i);
+        CHECK(data->points[i] == i + 1, "coordinate %d", i);
+    }
+    CHECK(data->points[12] == 0.1 && signbit(data->points[13]) && data->points[14] == 1e-310,
+          "point 1 0");
+    CHECK(data->points[3 * 5] == 0 && data->points[3 * 10] == 2, "points of row 1 and 2");
+    taut_problem_free(problem);
+}
+
+static void test_defaults(void)
+{
+    static const char least[] =
+        "{\"taut\": 1, \"construct\": \"dirichlet\", \"u\": {\"type\": \"bezier\", \"degree\": 1}, "
+        "\"v\": {\"type\": \"bezier\", \"degree\": 1}, "
+        "\"points\": [[null, null], [null, null]], \"aspect\": \"auto\"}";
+    taut_problem *problem = NULL;
+    CHECK(taut_problem_read_text(least, sizeof least - 1, "least", &problem, NULL) == TAUT_OK,
+          "least: a net without known points is well formed");
+    if (problem == NULL) {
+        return;
+    }
+    const taut_dirichlet_problem *data = problem->data;
+    CHECK(data->name == NULL && data->weights == NULL && data->aspect == 0 && data->aspect_auto,
+          "defaults");
+    CHECK(strcmp(problem->unit, "mm") == 0, "unit");
+    taut_problem_free(problem);
+}
+
+static void check_io(const char *path, const char *reason)
+{
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_problem_read(path, &problem, &error) == TAUT_IO, "problem %s", path);
+    CHECK(strstr(error.message, path) != NULL && strstr(error.message, reason) != NULL,
+          "\"%s\" does not say %s and %s", error.message, path, reason);
+    CHECK(taut_model_read(path, &model, &error) == TAUT_IO, "model %s", path);
+    CHECK(problem == NULL && model == NULL, "outputs are untouched");
+}
+
+static void test_files(void)
+{
+    char folder[] = "/tmp/taut-test-XXXXXX";
+    char path[64];
+    taut_problem *problem = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    FILE *file = NULL;
+
+    CHECK(mkdtemp(folder) != NULL, "folder");
+    check_io(folder, "directory");
+    snprintf(path, sizeof path, "%s/none.json", folder);
+    check_io(path, "No such file");
+    snprintf(path, sizeof path, "%s/problem.json", folder);
+    file = fopen(path, "w");
+    fputs(text, file);
+    fclose(file);
+    CHECK(taut_problem_read(path, &problem, &error) == TAUT_OK, "%s %s", error.where,
+          error.message);
+    taut_problem_free(problem);
+    if (geteuid() != 0) {
+        chmod(path, 0);
+        check_io(path, "denied");
+    }
+    file = fopen(path, "w");
+    fputs("{\n  oops", file);
+    fclose(file);
+    CHECK(taut_problem_read(path, &problem, &error) == TAUT_BAD_INPUT, "oops");
+    CHECK(strncmp(error.where, path, strlen(path)) == 0 && strstr(error.where, ":2:3") != NULL,
+          "where \"%s\"", error.where);
+    unlink(path);
+    rmdir(folder);
+}
+
+/* A pipe has no size to be known beforehand. */
+static void test_pipe(void)
+{
+    char command[64];
+    int ends[2];
+    taut_problem *problem = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(pipe(ends) == 0, "pipe");
+    CHECK(write(ends[1], text, sizeof text - 1) == (ssize_t)sizeof text - 1, "write");
+    close(ends[1]);
+    snprintf(command, sizeof command, "/dev/fd/%d", ends[0]);
+    CHECK(taut_problem_read(command, &problem, &error) == TAUT_OK, "%s %s", error.where,
+          error.message);
+    taut_problem_free(problem);
+    close(ends[0]);
+}
+
+int main(void)
+{
+    test_members();
+    test_defaults();
+    test_files();
+    test_pipe();
+    return check_failures != 0;
+}

@@ -1,0 +1,349 @@
+/* test_refusals.c -- every way a document can be wrong, and where the message says it is. */
+#include "check.h"
+
+#include "taut/read.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The pieces of good documents, so that a row shows only what is wrong. */
+#define QUAD "{\"type\": \"bezier\", \"degree\": 1}"
+#define NET "[[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]"
+#define HEAD "\"taut\": 1, \"construct\": \"dirichlet\", "
+#define BASES "\"u\": " QUAD ", \"v\": " QUAD ", "
+#define SURFACE "{\"u\": " QUAD ", \"v\": " QUAD ", \"points\": " NET "}"
+
+typedef struct refusal {
+    const char *document;
+    const char *where;   /* the whole of error->where */
+    const char *message; /* a part of the message */
+} refusal;
+
+/* Read as problems. */
+static const refusal problems[] = {
+    /* text that is not JSON: file:line:column */
+    {"", "doc:1:1", "the document is empty"},
+    {" \n\t ", "doc:1:1", "the document is empty"},
+    {"{", "doc:1:2", "ends before the document"},
+    {"{\"taut\": 1", "doc:1:11", "ends before the document"},
+    {"{\"taut\": \"abc", "doc:1:14", "ends before the document"},
+    {"{\"taut\": nul}", "doc:1:10", "found 'nul', expected a value"},
+    {"{\"taut\": 1,\n \"u\": [1,\n  2 3]}", "doc:3:5", "found '3', expected ',' or ']'"},
+    {"{\"taut\": NaN}", "doc:1:10", "found 'NaN'"},
+    {"{\"taut\": -Infinity}", "doc:1:10", "not JSON"},
+    {"{\"taut\": 1e400}", "doc:1:10", "does not fit double precision"},
+    {"{\"taut\": 01}", "doc:1:10", "not JSON"},
+    {"{\"taut\": 1} x", "doc:1:13", "after the end of the document comes 'x'"},
+    {"{\"taut\": 1}{}", "doc:1:12", "after the end of the document comes '{'"},
+    {"{\"taut\": 1, \"taut\": 1}", "doc:1:13", "given twice"},
+    {"{'taut': 1}", "doc:1:2", "not JSON"},
+    {"// no\n{}", "doc:1:1", "not JSON"},
+    {"{\"taut\": \"\xff\"}", "doc:1:11", "not UTF-8"},
+    {"{\"taut\": \"\xc0\x80\"}", "doc:1:11", "not UTF-8"},
+    {"{\"taut\": \"\\u0000\"}", "doc:1:11", "no character of a string"},
+    {"{\"taut\": \"\\ud800\"}", "doc:1:11", "no character of a string"},
+    {"{\"taut\": \"\\ud800\\u0041\"}", "doc:1:11", "no character of a string"},
+    {"{\"taut\": \"\\udc00\"}", "doc:1:11", "no character of a string"},
+    {"{\"taut\": \"\\u12g4\"}", "doc:1:11", "no character of a string"},
+    {"{\"taut\": \"ab\\x\"}", "doc:1:13", "no escape of a string"},
+    {"{\"taut\": \"ab\n\"}", "doc:1:13", "a control character in a string"},
+    {"{\"taut\": \"ab\\", "doc:1:14", "ends before the document"},
+    {"[1, 2,]", "doc:1:7", "found ']', expected a value"},
+    {"{\"a\": 1,}", "doc:1:9", "found '}', expected the name of a member"},
+    {"{\"a\" 1}", "doc:1:6", "found '1', expected ':'"},
+    {"[1.]", "doc:1:2", "found '1.'"},
+    {"[.5]", "doc:1:2", "found '.5'"},
+    {"[+1]", "doc:1:2", "found '+1'"},
+    {"[1e]", "doc:1:2", "found '1e'"},
+    {"[1x]", "doc:1:2", "found '1x'"},
+    {"[truefalse]", "doc:1:2", "found 'truefalse'"},
+    {"\xc3\xa9", "doc:1:1", "not JSON"},
+    /* the root */
+    {"3", "", "found 3, expected an object"},
+    {"[]", "", "found an array of 0, expected an object"},
+    {"null", "", "found null, expected an object"},
+    {"{}", "/construct", "found nothing, expected the name of a construction"},
+    {"{\"taut\": 1}", "/construct", "found nothing"},
+    {"{\"taut\": 1, \"construct\": 3}", "/construct", "found 3"},
+    {"{\"taut\": 1, \"construct\": \"dirichle\"}", "/construct",
+     "the nearest one is \"dirichlet\""},
+    {"{\"taut\": 1, \"surfaces\": []}", "/construct", "this is a model"},
+    {"{\"construct\": \"dirichlet\"}", "/taut", "found nothing, expected 1"},
+    {"{\"taut\": 2, \"construct\": \"dirichlet\"}", "/taut", "found 2, expected 1"},
+    {"{\"taut\": \"1\", \"construct\": \"dirichlet\"}", "/taut", "found \"1\", expected 1"},
+    {"{" HEAD "\"point\": 1}", "/point", "nearest one known is \"points\""},
+    {"{" HEAD "\"a/b~c\\n\": 1}", "/a~1b~0c\\u000a", "no such member"},
+    {"{" HEAD "\"unit\": \"yd\"}", "/unit", "expected \"mm\", \"m\", \"cm\", \"in\" or \"ft\""},
+    {"{" HEAD "\"unit\": 1}", "/unit", "found 1"},
+    {"{" HEAD "\"name\": 1, " BASES "\"points\": " NET "}", "/name", "expected a string"},
+    /* the net */
+    {"{" HEAD BASES "\"aspect\": 1}", "/points", "found nothing, expected an array"},
+    {"{" HEAD BASES "\"points\": {}}", "/points", "found an object"},
+    {"{" HEAD BASES "\"points\": []}", "/points", "found an array of 0"},
+    {"{" HEAD BASES "\"points\": [[]]}", "/points/0", "found an array of 0"},
+    {"{" HEAD BASES "\"points\": [3]}", "/points/0", "found 3"},
+    {"{" HEAD BASES "\"points\": [[null,null],[null]]}", "/points/1", "an array of 2 points"},
+    {"{" HEAD BASES "\"points\": [[null,null],7]}", "/points/1", "found 7"},
+    {"{" HEAD BASES "\"points\": [[null,1],[null,null]]}", "/points/0/1",
+     "found 1, expected a point"},
+    {"{" HEAD BASES "\"points\": [[null,[1,2]],[null,null]]}", "/points/0/1",
+     "found an array of 2, expected a point [x, y, z]"},
+    {"{" HEAD BASES "\"points\": [[null,[1,2,3,4]],[null,null]]}", "/points/0/1",
+     "found an array of 4"},
+    {"{" HEAD BASES "\"points\": [[null,[1,\"b\",3]],[null,null]]}", "/points/0/1/1",
+     "found \"b\", expected a number"},
+    {"{" HEAD BASES "\"points\": [[null,[1,null,3]],[null,null]]}", "/points/0/1/1", "found null"},
+    {"{" HEAD BASES "\"points\": [[null,null],[null,null],[null,null]]}", "/points",
+     "found 3 rows, expected 2"},
+    {"{" HEAD BASES "\"points\": [[null,null,null],[null,null,null]]}", "/points",
+     "found 3 points in each row, expected 2"},
+    /* weights and aspect */
+    {"{" HEAD BASES "\"points\": " NET ", \"weights\": 1}", "/weights", "found 1"},
+    {"{" HEAD BASES "\"points\": " NET ", \"weights\": [[1,1]]}", "/weights",
+     "expected an array of 2 rows"},
+    {"{" HEAD BASES "\"points\": " NET ", \"weights\": [[1,1],[1]]}", "/weights/1",
+     "expected an array of 2 numbers"},
+    {"{" HEAD BASES "\"points\": " NET ", \"weights\": [[1,1],[1,0]]}", "/weights/1/1",
+     "found 0, expected a positive weight"},
+    {"{" HEAD BASES "\"points\": " NET ", \"weights\": [[1,1],[1,-2]]}", "/weights/1/1",
+     "found -2"},
+    {"{" HEAD BASES "\"points\": " NET ", \"weights\": [[1,1],[1,null]]}", "/weights/1/1",
+     "found null"},
+    {"{" HEAD BASES "\"points\": " NET ", \"aspect\": 0}", "/aspect",
+     "found 0, expected a positive"},
+    {"{" HEAD BASES "\"points\": " NET ", \"aspect\": \"best\"}", "/aspect", "found \"best\""},
+    /* bases */
+    {"{" HEAD "\"v\": " QUAD ", \"points\": " NET "}", "/u", "found nothing, expected an object"},
+    {"{" HEAD "\"u\": \"bezier\", \"v\": " QUAD ", \"points\": " NET "}", "/u",
+     "expected an object"},
+    {"{" HEAD "\"u\": {}, \"v\": " QUAD ", \"points\": " NET "}", "/u/type", "found nothing"},
+    {"{" HEAD "\"u\": {\"type\": \"bezir\"}, \"v\": " QUAD ", \"points\": " NET "}", "/u/type",
+     "nearest one is \"bezier\""},
+    {"{" HEAD "\"u\": {\"type\": \"bezier\"}, \"v\": " QUAD ", \"points\": " NET "}", "/u/degree",
+     "found nothing, expected a whole number"},
+    {"{" HEAD "\"u\": {\"type\": \"bezier\", \"degree\": 0}, \"v\": " QUAD ", \"points\": " NET "}",
+     "/u/degree", "found 0, expected a whole number from 1 to 128"},
+    {"{" HEAD "\"u\": {\"type\": \"bezier\", \"degree\": 1.5}, \"v\": " QUAD ", \"points\": " NET
+     "}",
+     "/u/degree", "found 1.5"},
+    {"{" HEAD "\"u\": {\"type\": \"bezier\", \"degree\": 1e30}, \"v\": " QUAD ", \"points\": " NET
+     "}",
+     "/u/degree", "found 1e30"},
+    {"{" HEAD "\"u\": {\"type\": \"bezier\", \"degre\": 1}, \"v\": " QUAD ", \"points\": " NET "}",
+     "/u/degre", "nearest one known is \"degree\""},
+    {"{" HEAD "\"u\": {\"type\": \"bezier\", \"degree\": 1, \"knots\": [0]}, \"v\": " QUAD
+     ", \"points\": " NET "}",
+     "/u/knots", "no such member"},
+    {"{" HEAD "\"u\": {\"type\": \"bezier\", \"degree\": 1, \"range\": [1, 1]}, \"v\": " QUAD
+     ", \"points\": " NET "}",
+     "/u/range", "expected two increasing numbers"},
+    {"{" HEAD "\"u\": {\"type\": \"bezier\", \"degree\": 1, \"range\": [1]}, \"v\": " QUAD
+     ", \"points\": " NET "}",
+     "/u/range", "expected an array of 2 numbers"},
+    {"{" HEAD "\"u\": " QUAD ", \"v\": {\"type\": \"bspline\", \"degree\": 1}, \"points\": " NET
+     "}",
+     "/v", "either \"knots\" or \"count\""},
+    {"{" HEAD "\"u\": " QUAD ", \"v\": {\"type\": \"bspline\", \"degree\": 1, \"count\": 3}, "
+     "\"points\": " NET "}",
+     "/points", "found 2 points in each row, expected 3"},
+    {"{" HEAD "\"u\": " QUAD ", \"v\": {\"type\": \"bspline\", \"degree\": 1, \"count\": 1e9}, "
+     "\"points\": " NET "}",
+     "/v/count", "found 1000000000, expected a whole number"},
+    {"{" HEAD "\"u\": " QUAD ", \"v\": {\"type\": \"bspline\", \"degree\": 1, \"knots\": 3}, "
+     "\"points\": " NET "}",
+     "/v/knots", "found 3"},
+    {"{" HEAD "\"u\": " QUAD ", \"v\": {\"type\": \"bspline\", \"degree\": 1, "
+     "\"knots\": [0, 0, \"1\", 1]}, \"points\": " NET "}",
+     "/v/knots/2", "found \"1\", expected a number"},
+    {"{" HEAD "\"u\": " QUAD ", \"v\": {\"type\": \"bspline\", \"degree\": 1, "
+     "\"knots\": [0, 0, 1, 1, 1]}, \"points\": " NET "}",
+     "/v/knots", "5 knots, expected 4 (or 2"},
+    {"{" HEAD "\"u\": " QUAD ", \"v\": {\"type\": \"bspline\", \"degree\": 1, "
+     "\"knots\": [1, 0]}, \"points\": " NET "}",
+     "/v/knots", "expected a range that is not empty"},
+};
+
+/* Read as models. */
+static const refusal models[] = {
+    {"[]", "", "found an array of 0, expected an object"},
+    {"{}", "/taut", "found nothing, expected 1"},
+    {"{\"taut\": 1, \"surface\": []}", "/surface", "nearest one known is \"surfaces\""},
+    {"{\"taut\": 1, \"construct\": \"dirichlet\"}", "/construct", "this is a problem"},
+    {"{\"taut\": 1, \"surfaces\": {}}", "/surfaces", "expected an array of surfaces"},
+    {"{\"taut\": 1, \"surfaces\": [3]}", "/surfaces/0", "found 3, expected an object"},
+    {"{\"taut\": 1, \"surfaces\": [" SURFACE ", {\"pionts\": 1}]}", "/surfaces/1/pionts",
+     "nearest one known is \"points\""},
+    {"{\"taut\": 1, \"surfaces\": [{\"u\": " QUAD ", \"v\": " QUAD
+     ", \"points\": [[[0,0,0],null],[[1,0,0],[1,1,0]]]}]}",
+     "/surfaces/0/points/0/1", "found null, expected a point"},
+    {"{\"taut\": 1, \"surfaces\": [{\"u\": " QUAD ", \"v\": {\"type\": \"x\"}, \"points\": " NET
+     "}]}",
+     "/surfaces/0/v/type", "found \"x\""},
+    {"{\"taut\": 1, \"surfaces\": [{\"u\": " QUAD ", \"v\": " QUAD ", \"points\": " NET
+     ", \"weights\": [[1, 1], [0, 1]]}]}",
+     "/surfaces/0/weights/1/0", "found 0"},
+    {"{\"taut\": 1, \"curves\": [{\"points\": [[0,0,0]]}]}", "/curves/0/t", "found nothing"},
+    {"{\"taut\": 1, \"curves\": [{\"t\": " QUAD "}]}", "/curves/0/points", "found nothing"},
+    {"{\"taut\": 1, \"curves\": [{\"t\": " QUAD ", \"points\": [[0,0,0]]}]}", "/curves/0/points",
+     "found 1 points, expected 2"},
+    {"{\"taut\": 1, \"curves\": [{\"t\": " QUAD ", \"points\": [[0,0,0],[1]]}]}",
+     "/curves/0/points/1", "found an array of 1"},
+    {"{\"taut\": 1, \"curves\": [{\"t\": " QUAD
+     ", \"points\": [[0,0,0],[1,1,1]], \"weights\": [1]}]}",
+     "/curves/0/weights", "expected an array of 2 numbers"},
+    {"{\"taut\": 1, \"curves\": [{\"t\": " QUAD
+     ", \"points\": [[0,0,0],[1,1,1]], \"weights\": [1, -1]}]}",
+     "/curves/0/weights/1", "found -1"},
+    {"{\"taut\": 1, \"details\": []}", "/details", "expected an object"},
+    {"{\"taut\": 1, \"certificate\": 1}", "/certificate", "expected an object"},
+    {"{\"taut\": 1, \"certificate\": {}}", "/certificate/construct", "found nothing"},
+    {"{\"taut\": 1, \"certificate\": {\"construct\": \"a\", \"claims\": {}}}",
+     "/certificate/claims", "expected an array of claims"},
+    {"{\"taut\": 1, \"certificate\": {\"construct\": \"a\", \"holds\": 1}}", "/certificate/holds",
+     "expected true, false or null"},
+    {"{\"taut\": 1, \"certificate\": {\"construct\": \"a\", \"figures\": []}}",
+     "/certificate/figures", "expected an object"},
+    {"{\"taut\": 1, \"certificate\": {\"construct\": \"a\", \"claims\": [{\"claim\": 1}]}}",
+     "/certificate/claims/0/claim", "expected a string"},
+    {"{\"taut\": 1, \"certificate\": {\"construct\": \"a\", \"claims\": [{\"claim\": \"x\"}]}}",
+     "/certificate/claims/0/residual", "found nothing, expected a number"},
+    {"{\"taut\": 1, \"certificate\": {\"construct\": \"a\", \"claims\": [{\"claim\": \"x\", "
+     "\"residual\": 1, \"limit\": null}]}}",
+     "/certificate/claims/0/holds", "found nothing, expected true, false or null"},
+};
+
+static void check_refused(const refusal *row, taut_status status, const taut_error *error)
+{
+    CHECK(status == TAUT_BAD_INPUT && error->status == TAUT_BAD_INPUT, "status %d for %s", status,
+          row->document);
+    CHECK(strcmp(error->where, row->where) == 0, "where \"%s\", expected \"%s\", for %s",
+          error->where, row->where, row->document);
+    CHECK(strstr(error->message, row->message) != NULL, "\"%s\" does not say \"%s\", for %s",
+          error->message, row->message, row->document);
+}
+
+static void test_problems(void)
+{
+    for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
+        const refusal *row = &problems[i];
+        taut_problem *problem = NULL;
+        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        const taut_status status =
+            taut_problem_read_text(row->document, strlen(row->document), "doc", &problem, &error);
+        check_refused(row, status, &error);
+        CHECK(problem == NULL, "a problem was made of %s", row->document);
+        CHECK(taut_problem_read_text(row->document, strlen(row->document), "doc", &problem, NULL) ==
+                  TAUT_BAD_INPUT,
+              "without an error, %s", row->document);
+    }
+}
+
+static void test_models(void)
+{
+    for (size_t i = 0; i < sizeof models / sizeof models[0]; i++) {
+        const refusal *row = &models[i];
+        taut_model *model = NULL;
+        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        const taut_status status =
+            taut_model_read_text(row->document, strlen(row->document), "doc", &model, &error);
+        check_refused(row, status, &error);
+        CHECK(model == NULL, "a model was made of %s", row->document);
+    }
+}
+
+/* A 0 byte inside, found at its place although the text before it is whole. */
+static void test_zero_byte(void)
+{
+    static const char text[] = "{\"taut\":\n 1\0}";
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_model_read_text(text, sizeof text - 1, "doc", &model, &error) == TAUT_BAD_INPUT,
+          "a 0 byte");
+    CHECK(strcmp(error.where, "doc:2:3") == 0, "where \"%s\"", error.where);
+}
+
+/* Depth that would overflow a stack is refused, for lists, objects and records alike. */
+static void test_depth(void)
+{
+    enum { DEPTH = 200000 };
+    char *text = malloc(DEPTH * 5 + 64);
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+
+    memset(text, '[', DEPTH);
+    CHECK(taut_model_read_text(text, DEPTH, "doc", &model, &error) == TAUT_BAD_INPUT, "lists");
+    CHECK(strstr(error.message, "nested too deep") != NULL, "\"%s\"", error.message);
+    for (size_t i = 0; i < DEPTH; i++) {
+        memcpy(text + 5 * i, "{\"a\":", 5);
+    }
+    CHECK(taut_model_read_text(text, (size_t)DEPTH * 5, "doc", &model, &error) == TAUT_BAD_INPUT,
+          "objects");
+    CHECK(strstr(error.message, "nested too deep") != NULL, "\"%s\"", error.message);
+    free(text);
+}
+
+/* A long name of a file keeps its line and column; a long key leaves a pointer that is whole
+ * UTF-8. */
+static void test_long_names(void)
+{
+    char name[1000], text[2200];
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    size_t n = 0;
+
+    memset(name, 'x', sizeof name - 1);
+    name[sizeof name - 1] = '\0';
+    CHECK(taut_model_read_text("{\n x", 4, name, &model, &error) == TAUT_BAD_INPUT, "long name");
+    CHECK(strstr(error.where, "x:2:2") != NULL && strncmp(error.where, "...x", 4) == 0,
+          "where \"%s\"", error.where);
+    n = (size_t)sprintf(text, "{\"");
+    for (int i = 0; i < 1000; i++) {
+        memcpy(text + n, "\xc3\xa9", 2);
+        n += 2;
+    }
+    n += (size_t)sprintf(text + n, "\": 1}");
+    CHECK(taut_model_read_text(text, n, "doc", &model, &error) == TAUT_BAD_INPUT, "long key");
+    n = strlen(error.where);
+    CHECK(n > 60 && n % 2 == 0 && strcmp(error.where + n - 3, "...") == 0, "where \"%s\"",
+          error.where);
+}
+
+/* More members than a record looks up in reasonable time. */
+static void test_many_members(void)
+{
+    char *text = malloc(40000);
+    size_t n = (size_t)sprintf(text, "{\"taut\": 1, \"details\": {\"x\": {");
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    for (int i = 0; i <= TAUT_MEMBERS_MAX; i++) {
+        n += (size_t)sprintf(text + n, "%s\"%d\": 1", i > 0 ? "," : "", i);
+    }
+    n += (size_t)sprintf(text + n, "}}}");
+    CHECK(taut_model_read_text(text, n, "doc", &model, &error) == TAUT_BAD_INPUT, "members");
+    CHECK(strcmp(error.where, "/details/x") == 0 && error.found == TAUT_MEMBERS_MAX + 1,
+          "where \"%s\", %s", error.where, error.message);
+    free(text);
+}
+
+static void test_bad_arguments(void)
+{
+    taut_model *model = NULL;
+    taut_problem *problem = NULL;
+    CHECK(taut_model_read_text(NULL, 3, "doc", &model, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(taut_model_read_text("{}", 2, "doc", NULL, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(taut_problem_read_text("{}", 2, "doc", NULL, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(taut_problem_read(NULL, &problem, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(taut_model_read(NULL, &model, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+}
+
+int main(void)
+{
+    test_problems();
+    test_models();
+    test_zero_byte();
+    test_depth();
+    test_long_names();
+    test_many_members();
+    test_bad_arguments();
+    return check_failures != 0;
+}

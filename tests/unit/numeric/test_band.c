@@ -1,0 +1,118 @@
+/* Banded matrices against their dense meaning. */
+#include "check.h"
+
+#include "numeric/band.h"
+
+#include <stdlib.h>
+
+enum { N_MAX = 24, TRIALS = 400 };
+
+/* Diagonally dominant, so positive definite; random entries in [-1, 1]. */
+static taut_band random_band(int n, int width)
+{
+    taut_band band = {0, 0, NULL};
+    CHECK(taut_band_init(n, width, &band) == TAUT_OK, "n=%d", n);
+    for (int i = 0; i < n; i++) {
+        taut_band_row(&band, i)[0] = 2.0 * width + random_in(0.5, 2.0);
+        for (int d = 1; d <= width && d <= i; d++) {
+            taut_band_row(&band, i)[d] = random_in(-1.0, 1.0);
+        }
+    }
+    return band;
+}
+
+static double entry(const taut_band *a, int i, int j)
+{
+    const int low = i < j ? i : j, high = i < j ? j : i;
+    return high - low > a->width ? 0.0 : a->a[high * (a->width + 1) + high - low];
+}
+
+/* A x by the definition against multiply_add; then solving gives x back. */
+static void test_multiply_and_solve(void)
+{
+    for (int trial = 0; trial < TRIALS; trial++) {
+        const int n = random_int(1, N_MAX), width = random_int(0, 7);
+        double x[N_MAX], y[N_MAX] = {0}, sums[N_MAX][2];
+        taut_band a = random_band(n, width);
+        for (int i = 0; i < n; i++) {
+            x[i] = random_in(-1.0, 1.0);
+        }
+        taut_band_multiply_add(&a, -0.5, x, y);
+        for (int i = 0; i < n; i++) {
+            double sum = 0.0;
+            for (int j = 0; j < n; j++) {
+                sum += entry(&a, i, j) * x[j];
+                CHECK(taut_band_at(&a, i, j) == entry(&a, i, j), "i=%d j=%d", i, j);
+            }
+            /* 15 terms of size <= 17 */
+            CHECK_NEAR(y[i], -0.5 * sum, 16 * 17 * 0x1p-53, "n=%d width=%d i=%d", n, width, i);
+            sums[i][0] = sum;
+            sums[i][1] = -sum;
+        }
+        CHECK(taut_band_factor(&a) == TAUT_OK, "n=%d width=%d", n, width);
+        taut_band_solve(&a, 2, &sums[0][0]);
+        for (int i = 0; i < n; i++) {
+            /* cond(A) < 60 by Gershgorin, backward error <= 3 (width + 1) u */
+            CHECK_NEAR(sums[i][0], x[i], 60 * 24 * 0x1p-53, "n=%d width=%d i=%d", n, width, i);
+            CHECK(sums[i][1] == -sums[i][0], "columns are solved alike");
+        }
+        taut_band_clear(&a);
+    }
+}
+
+static void test_widen(void)
+{
+    taut_band a = random_band(6, 2), wide = {0, 0, NULL}, narrow = {1, 2, NULL};
+    CHECK(taut_band_widen(&a, 4, &wide) == TAUT_OK, "widen");
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++) {
+            CHECK(taut_band_at(&wide, i, j) == taut_band_at(&a, i, j), "i=%d j=%d", i, j);
+        }
+    }
+    CHECK(taut_band_widen(&a, 1, &narrow) == TAUT_BAD_ARGUMENT && narrow.width == 2, "narrower");
+    CHECK(!taut_band_equal(&a, &wide) && taut_band_equal(&a, &a), "equal");
+    taut_band_clear(&wide);
+    taut_band_clear(&a);
+}
+
+/* The second difference with free ends has constants in its kernel. */
+static void test_refuses_singular(void)
+{
+    for (int n = 2; n <= 1000; n += 1 + n / 4) {
+        taut_band a = {0, 0, NULL};
+        CHECK(taut_band_init(n, 1, &a) == TAUT_OK, "n=%d", n);
+        for (int i = 0; i < n; i++) {
+            taut_band_row(&a, i)[0] = i == 0 || i == n - 1 ? 1.0 : 2.0;
+            taut_band_row(&a, i)[1] = i == 0 ? 0.0 : -1.0;
+        }
+        CHECK(taut_band_factor(&a) == TAUT_NO_SOLUTION, "n=%d", n);
+        taut_band_clear(&a);
+    }
+}
+
+static void test_refuses_bad_arguments(void)
+{
+    taut_band a = {7, 7, NULL};
+    CHECK(taut_band_init(0, 1, &a) == TAUT_BAD_ARGUMENT, "n = 0");
+    CHECK(taut_band_init(3, -1, &a) == TAUT_BAD_ARGUMENT, "width < 0");
+    CHECK(taut_band_init(2147483647, 2147483646, &a) == TAUT_BAD_ARGUMENT, "too large");
+    CHECK(a.n == 7 && a.a == NULL, "outputs are untouched on failure");
+    taut_band b = random_band(4, 2);
+    CHECK(taut_band_is_legal(&b), "legal");
+    b.a[5] = nan("");
+    CHECK(!taut_band_is_legal(&b), "not a number");
+    b.a[5] = 0.0;
+    b.a[1] = 1.0;
+    CHECK(!taut_band_is_legal(&b), "an entry outside the matrix");
+    taut_band_clear(&b);
+}
+
+int main(void)
+{
+    random_seed(11);
+    test_multiply_and_solve();
+    test_widen();
+    test_refuses_singular();
+    test_refuses_bad_arguments();
+    return check_failures != 0;
+}

@@ -1,0 +1,214 @@
+/* Every instruction set this processor has, against plain loops. */
+#include "check.h"
+
+#include "core/memory.h"
+#include "numeric/kernel/kernel.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { N = 41, WIDTH_MAX = 8, RHS = 3, DEPTH_MAX = 70, LONG_MAX = 100 };
+
+static const char *const names[] = {"baseline", "avx2", "avx512"};
+
+static double *numbers(size_t count)
+{
+    double *x = taut_alloc_aligned(count, sizeof *x);
+    for (size_t i = 0; x != NULL && i < count; i++) {
+        x[i] = random_in(-1.0, 1.0);
+    }
+    return x;
+}
+
+static void test_tile(const taut_kernel *kernel)
+{
+    const size_t rows = (size_t)kernel->tile_rows, columns = (size_t)kernel->tile_columns;
+    CHECK(rows <= TAUT_TILE_ROWS_MAX && columns <= TAUT_TILE_COLUMNS_MAX, "%s", kernel->name);
+    for (size_t depth = 0; depth <= DEPTH_MAX; depth += 1 + depth / 3) {
+        const size_t stride = columns + 5;
+        double *a = numbers(depth * rows), *b = numbers(depth * columns),
+               *c = numbers(rows * stride);
+        double *before = numbers(rows * stride);
+        memcpy(before, c, rows * stride * sizeof *c);
+        kernel->tile(depth, a, b, c, stride);
+        for (size_t r = 0; r < rows; r++) {
+            for (size_t q = 0; q < stride; q++) {
+                double sum = before[r * stride + q];
+                for (size_t k = 0; k < depth && q < columns; k++) {
+                    sum += a[k * rows + r] * b[k * columns + q];
+                }
+                /* either order of at most 71 terms below 1 */
+                CHECK_NEAR(c[r * stride + q], sum, 71.0 * 71.0 * 0x1p-53,
+                           "%s depth=%zu r=%zu q=%zu", kernel->name, depth, r, q);
+            }
+        }
+        taut_free(a);
+        taut_free(b);
+        taut_free(c);
+        taut_free(before);
+    }
+}
+
+/* Diagonally dominant K, so that  scale K + shift M  is definite for the positive shifts and has
+ * `lane` negative pivots for the negative ones. */
+static void fill_bands(int width, double *k, double *m)
+{
+    for (int i = 0; i < N; i++) {
+        for (int d = 0; d <= width; d++) {
+            k[i * (width + 1) + d] = d == 0   ? 2.0 * width + 1.0 + i
+                                     : d <= i ? random_in(-1.0, 1.0)
+                                              : 0.0;
+            m[i * (width + 1) + d] = d == 0 ? 1.0 : 0.0;
+        }
+    }
+}
+
+/* Factors made in two pieces solve A x = b with A x multiplied by band_multiply; and for a diagonal
+ * pencil the pivots below zero are counted exactly. */
+static void test_band(const taut_kernel *kernel, int width)
+{
+    const int lanes = kernel->lanes;
+    const size_t row = ((size_t)width + 1) * (size_t)lanes, vector = (size_t)N * (size_t)lanes;
+    double k[N * (WIDTH_MAX + 1)], m[N * (WIDTH_MAX + 1)], a[N * (WIDTH_MAX + 1)];
+    double shift[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
+    double *factor = numbers(((size_t)N + (size_t)width) * row);
+    double *x = numbers(vector), *y = numbers(vector), *z = numbers(vector * RHS);
+
+    fill_bands(width, k, m);
+    memset(factor, 0, (size_t)width * row * sizeof *factor);
+    for (int l = 0; l < lanes; l++) {
+        shift[l] = random_in(0.0, 3.0);
+    }
+    kernel->band_factor(0, 17, width, k, m, 0.5, shift, 1e-300, factor, negative);
+    kernel->band_factor(17, N, width, k, m, 0.5, shift, 1e-300, factor + 17 * row, negative);
+    for (int l = 0; l < lanes; l++) {
+        CHECK(negative[l] == 0.0, "%s width=%d lane=%d", kernel->name, width, l);
+        for (int i = 0; i < N * (width + 1); i++) {
+            a[i] = 0.5 * k[i] + shift[l] * m[i];
+        }
+        kernel->band_multiply(N, width, a, x, y);
+        for (int i = 0; i < N; i++) {
+            for (int c = 0; c < RHS; c++) {
+                z[(i * RHS + c) * lanes + l] = (c + 1) * y[i * lanes + l];
+            }
+        }
+    }
+    kernel->band_substitute(N, width, RHS, factor, z);
+    for (int i = 0; i < N * RHS * lanes; i++) {
+        const int l = i % lanes, c = i / lanes % RHS, at = i / lanes / RHS;
+        /* cond(A) < 200 by Gershgorin; backward error below 3 (width + 1) u */
+        CHECK_NEAR(z[i], (c + 1) * x[at * lanes + l], 3 * 200 * 27 * 0x1p-53, "%s width=%d",
+                   kernel->name, width);
+    }
+    taut_free(factor);
+    taut_free(x);
+    taut_free(y);
+    taut_free(z);
+}
+
+/* K = diag(i), M = 1: exactly s eigenvalues lie below s - 1/2. */
+static void test_counts(const taut_kernel *kernel)
+{
+    double k[N], m[N], shift[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
+    double *factor = numbers((size_t)N * (size_t)kernel->lanes);
+    for (int i = 0; i < N; i++) {
+        k[i] = i;
+        m[i] = 1.0;
+    }
+    for (int l = 0; l < kernel->lanes; l++) {
+        shift[l] = 0.5 - l;
+    }
+    kernel->band_factor(0, N, 0, k, m, 1.0, shift, 1e-300, factor, negative);
+    for (int l = 0; l < kernel->lanes; l++) {
+        CHECK(negative[l] == l, "%s lane=%d found %g", kernel->name, l, negative[l]);
+    }
+    taut_free(factor);
+}
+
+/* Sums that cancel to about 2^-70 of their terms keep their leading digits when taken exactly. */
+static void test_vectors(const taut_kernel *kernel)
+{
+    for (size_t count = 0; count <= LONG_MAX; count++) {
+        double *x = numbers(count + 1), *c = numbers(count + 1), *y = numbers(count + 1),
+               *old = numbers(count + 1);
+        double *high = numbers(count + 1), *low = numbers(count + 1);
+        memcpy(old, y, (count + 1) * sizeof *y);
+        kernel->add_scaled(count, 0.3, x, y);
+        kernel->add_products(count, c, x, y);
+        memset(high, 0, (count + 1) * sizeof *high);
+        memset(low, 0, (count + 1) * sizeof *low);
+        kernel->add_products_exactly(count, c, x, high, low);
+        for (size_t i = 0; i <= count; i++) {
+            const double sum = i < count ? old[i] + 0.3 * x[i] + c[i] * x[i] : old[i];
+            CHECK_NEAR(y[i], sum, 8 * 0x1p-53, "%s count=%zu i=%zu", kernel->name, count, i);
+            CHECK(i == count || high[i] == c[i] * x[i], "%s count=%zu i=%zu", kernel->name, count,
+                  i);
+            CHECK(i == count || low[i] == fma(c[i], x[i], -high[i]), "%s count=%zu i=%zu",
+                  kernel->name, count, i);
+        }
+        /* - 2 (high + low) / 2 by a scaled addition leaves nothing */
+        double *negated = numbers(count + 1), *negated_low = numbers(count + 1);
+        memcpy(negated, high, (count + 1) * sizeof *high);
+        memcpy(negated_low, low, (count + 1) * sizeof *low);
+        kernel->add_scaled_exactly(count, -1.0, negated, negated_low, high, low);
+        for (size_t i = 0; i < count; i++) {
+            CHECK(high[i] + low[i] == 0.0, "%s count=%zu i=%zu", kernel->name, count, i);
+        }
+        double *const all[] = {x, c, y, old, high, low, negated, negated_low};
+        for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+            taut_free(all[i]);
+        }
+    }
+}
+
+static void test_dot(const taut_kernel *kernel)
+{
+    double xy[TAUT_LANES_MAX], xx[TAUT_LANES_MAX];
+    double *x = numbers((size_t)N * (size_t)kernel->lanes),
+           *y = numbers((size_t)N * (size_t)kernel->lanes);
+    kernel->dot(N, x, y, xy, xx);
+    for (int l = 0; l < kernel->lanes; l++) {
+        double by = 0.0, self = 0.0;
+        for (int i = 0; i < N; i++) {
+            by += x[i * kernel->lanes + l] * y[i * kernel->lanes + l];
+            self += x[i * kernel->lanes + l] * x[i * kernel->lanes + l];
+        }
+        CHECK_NEAR(xy[l], by, N * N * 0x1p-53, "%s lane=%d", kernel->name, l);
+        CHECK_NEAR(xx[l], self, N * N * 0x1p-53, "%s lane=%d", kernel->name, l);
+    }
+    taut_free(x);
+    taut_free(y);
+}
+
+static void test_choice(void)
+{
+    CHECK(taut_kernel_find("baseline") != NULL, "the baseline is always there");
+    CHECK(taut_kernel_find("sse9") == NULL, "no such kernel");
+    setenv("TAUT_KERNEL", "baseline", 1);
+    CHECK(strcmp(taut_kernel_name(), "baseline") == 0, "%s", taut_kernel_name());
+    setenv("TAUT_KERNEL", "sse9", 1);
+    const char *fallback = taut_kernel_name();
+    unsetenv("TAUT_KERNEL");
+    CHECK(strcmp(taut_kernel_name(), fallback) == 0, "an unknown name means the best");
+}
+
+int main(void)
+{
+    random_seed(12);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const taut_kernel *kernel = taut_kernel_find(names[i]);
+        if (kernel == NULL) {
+            continue;
+        }
+        CHECK(kernel->lanes <= TAUT_LANES_MAX, "%s", kernel->name);
+        test_tile(kernel);
+        test_counts(kernel);
+        for (int width = 0; width <= WIDTH_MAX; width++) {
+            test_band(kernel, width);
+        }
+        test_vectors(kernel);
+        test_dot(kernel);
+    }
+    test_choice();
+    return check_failures != 0;
+}

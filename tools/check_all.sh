@@ -1,0 +1,13 @@
+#!/bin/sh
+# check_all.sh -- every check that needs no build, one after the other; fails if any does.
+cd "$(dirname "$0")" || exit 1
+bad=0
+for check in layers words sizes citations format; do
+    if ./check_$check.sh; then
+        echo "$check: ok"
+    else
+        echo "$check: FAILED"
+        bad=1
+    fi
+done
+exit $bad

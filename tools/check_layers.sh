@@ -1,0 +1,104 @@
+#!/bin/sh
+# check_layers.sh [ROOT] -- who may include whom. Prints every include that breaks the table and fails.
+set -eu
+cd "${1:-$(dirname "$0")/..}"
+
+# layer: what it may include besides itself, <standard headers> and "taut/...". "layer" is all of a layer,
+# "layer/file.h" one file, <file.h> a library's header.
+table='
+core:
+numeric:   core
+basis:     core numeric
+geometry:  core numeric basis
+problem:   core
+measure:   core numeric basis geometry
+construct: core numeric basis geometry problem
+certify:   core numeric/quadrature.h numeric/sum.h basis geometry measure problem
+mesh:      core basis geometry measure
+draw:      core basis geometry measure mesh
+io:        core basis geometry problem measure mesh draw
+cli:
+viewer:
+modules/*: core draw
+modules/cairo: core draw <cairo.h> <cairo-svg.h> <cairo-pdf.h>
+include/taut:
+'
+
+# Standard C, POSIX, and what the compilers bring.
+standard='assert complex ctype dirent dlfcn errno fcntl fenv float immintrin inttypes limits locale math pthread setjmp
+signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string strings sys/mman sys/random
+sys/stat sys/time sys/types termios threads time unistd'
+
+list=$(find src include/taut -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' 2>/dev/null | sort)
+if [ -z "$list" ]; then
+    echo "check_layers: no sources under $(pwd)" >&2
+    exit 1
+fi
+# shellcheck disable=SC2086
+TABLE="$table" STANDARD="$standard" awk '
+    BEGIN {
+        rows = split(ENVIRON["TABLE"], row, "\n")
+        for (r = 1; r <= rows; r++) {
+            colon = index(row[r], ":")
+            if (colon == 0) {
+                continue
+            }
+            layer = substr(row[r], 1, colon - 1)
+            known[layer] = 1
+            n = split(substr(row[r], colon + 1), word, " ")
+            for (i = 1; i <= n; i++) {
+                allowed[layer, word[i]] = 1
+            }
+        }
+        n = split(ENVIRON["STANDARD"], word, /[ \n]+/)
+        for (i = 1; i <= n; i++) {
+            standard["<" word[i] ".h>"] = 1
+        }
+    }
+    FNR == 1 {
+        depth = split(FILENAME, part, "/")
+        layer = part[1] == "include" ? "include/taut" : part[2]
+        if (layer == "modules") {
+            layer = ("modules/" part[3]) in known ? "modules/" part[3] : "modules/*"
+            own = "modules/" part[3]
+        } else {
+            own = layer
+        }
+        if (part[1] == "src" && depth < 3) {
+            complain("stands in no layer")
+        } else if (!(layer in known)) {
+            complain("layer " layer " has no row in tools/check_layers.sh")
+        }
+    }
+    function complain(what) {
+        printf "%s:%d: %s\n", FILENAME, FNR, what
+        bad = 1
+    }
+    /^[ \t]*#[ \t]*include/ {
+        what = $0
+        sub(/^[ \t]*#[ \t]*include[ \t]*/, "", what)
+        if (match(what, /^<[^>]*>/)) {
+            header = substr(what, 1, RLENGTH)
+            if (!(header in standard) && !((layer, header) in allowed)) {
+                complain(layer " may not include " header)
+            }
+        } else if (match(what, /^"[^"]*"/)) {
+            header = substr(what, 2, RLENGTH - 2)
+            slash = index(header, "/")
+            from = slash > 0 ? substr(header, 1, slash - 1) : ""
+            if (header ~ /\.\./) {
+                complain("includes \"" header "\": name the layer instead")
+            } else if (from == "") { # only in programs and modules
+                if (own !~ /^(cli|viewer|modules)/) {
+                    complain("includes \"" header "\" without its layer")
+                }
+            } else if (from != "taut" && index(header, own "/") != 1 && !((layer, from) in allowed) \
+                       && !((layer, header) in allowed)) {
+                complain(layer " may not include \"" header "\"")
+            }
+        } else {
+            complain("includes what no one can read: " what)
+        }
+    }
+    END { exit bad }
+' $list

@@ -1,0 +1,48 @@
+#!/bin/sh
+# check_symbols.sh [--update] [LIBRARY] -- the shared library exports what include/taut declares, all of it named taut_, and
+# just what tools/symbols.txt lists: a symbol that disappears breaks programs, one that appears is a promise. --update
+# writes the list anew, for a change that means it.
+set -eu
+cd "$(dirname "$0")/.."
+update=
+if [ "${1:-}" = --update ]; then
+    update=1
+    shift
+fi
+library=${1:-build/ci/libtaut.so}
+if [ ! -e "$library" ]; then
+    echo "check_symbols: $library is not built" >&2
+    exit 1
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+LC_ALL=C
+export LC_ALL
+
+# Left out: what the toolchain itself adds to every library.
+nm -D --defined-only "$library" | awk '{ print $NF }' | sed 's/@.*//' | grep -vE '^(_init|_fini|__bss_start|_edata|_end)$' |
+    sort -u > "$work/exported"
+# The last name before the parenthesis of each TAUT_API declaration.
+cat include/taut/*.h | tr '\n' ' ' | sed 's/TAUT_API/\n&/g' | sed -n 's/^TAUT_API \([^(;]*\)[(;].*/\1/p' |
+    sed 's/.*[ *]\([a-z_0-9]*\) *$/\1/' | grep '^taut_' | sort -u > "$work/declared"
+if [ -n "$update" ]; then
+    cp "$work/exported" tools/symbols.txt
+fi
+bad=0
+report() { # report LIST SAYING
+    if [ -s "$1" ]; then
+        sed "s|\$|: $2|" "$1"
+        bad=1
+    fi
+}
+grep -v '^taut_' "$work/exported" > "$work/foreign" || true
+report "$work/foreign" 'exported, but not named taut_'
+comm -13 "$work/exported" "$work/declared" > "$work/undefined"
+report "$work/undefined" 'declared in include/taut, but not in the library'
+comm -23 "$work/exported" "$work/declared" > "$work/undeclared"
+report "$work/undeclared" 'exported, but declared in no public header'
+comm -13 "$work/exported" tools/symbols.txt > "$work/removed"
+report "$work/removed" 'was exported before and is gone'
+comm -23 "$work/exported" tools/symbols.txt > "$work/new"
+report "$work/new" 'new: if it is meant, tools/check_symbols.sh --update'
+exit $bad

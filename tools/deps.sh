@@ -1,0 +1,101 @@
+#!/bin/sh
+# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test check bench.
+#
+# A need is met when its command runs, its pkg-config file is found or its header compiles, however it came to the
+# machine; only unmet needs become packages. With nothing missing no network is touched.
+set -eu
+
+# group, how to tell that it is there, Debian 12 package, why
+needs() {
+    cat <<'LIST'
+build cmd:gcc                        gcc                    compiles the library
+build cmd:g++                        g++                    compiles the public headers as C++ too
+build header:stdlib.h                libc6-dev              the C library's headers
+build cmd:cmake                      cmake                  says what is built from what
+build cmd:ninja                      ninja-build            runs the build
+build cmd:pkg-config                 pkg-config             finds libraries
+build pc:cairo                       libcairo2-dev          draws figures (SVG, PDF, PNG)
+test  pc:jansson                     libjansson-dev         another JSON parser, which ours is compared with
+test  header:gmp.h                   libgmp-dev             exact numbers the results are checked against
+test  header:flint/fmpq_mat.h        libflint-dev           exact rational algebra, likewise
+test  header:arb.h                   libflint-arb-dev       intervals of any precision, likewise
+test  header:lapacke.h               liblapacke-dev         a second solver that shares no code with ours
+test  pc:openblas                    libopenblas-dev        what LAPACK runs on
+test  cmd:pdfinfo                    poppler-utils          reads the PDF figures back
+test  cmd:rsvg-convert               librsvg2-bin           reads the SVG figures back
+check cmd:clang                      clang                  a second compiler, the sanitizers, the fuzzer
+check cmd:clang-format               clang-format           the formatting
+check clang:fsanitize=fuzzer,address libclang-rt-14-dev     what sanitizers and fuzzer link with
+check cmd:llvm-symbolizer-14         llvm-14                names in the sanitizers' reports
+check cmd:nm                         binutils               lists the library's symbols
+bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of the Dirichlet solver
+bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
+bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
+bench pc:openblas                    libopenblas-dev        what CHOLMOD runs on
+LIST
+}
+
+compiles() { # compiles LANGUAGE HEADER
+    echo "#include <$2>" | gcc -x "$1" -fsyntax-only - 2>/dev/null
+}
+
+is_there() {
+    case $1 in
+    cmd:*) command -v "${1#cmd:}" >/dev/null 2>&1 ;;
+    pc:*) pkg-config --exists "${1#pc:}" 2>/dev/null ;;
+    header:*.hxx) test -e "/usr/include/${1#header:}" ;;
+    header:*) compiles c "${1#header:}" ;;
+    clang:*) echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return d == 0 && n > 0; }' |
+        clang "-${1#clang:}" -x c - -o /dev/null 2>/dev/null ;;
+    esac
+}
+
+packages=
+seen=' '
+for group in "$@"; do
+    case $group in build | test | check | bench) ;; *)
+        echo "deps.sh: no group \"$group\"; there are build, test, check and bench" >&2
+        exit 2
+        ;;
+    esac
+    list=$(needs | sed -n "s/^$group *//p")
+    while read -r test package why; do
+        case $seen in *" $package "*) continue ;; esac
+        if ! is_there "$test"; then
+            [ -n "$packages" ] || echo "Missing on this machine, to be installed with apt-get:"
+            printf '  %-28s %s\n' "$package" "$why"
+            packages="$packages $package"
+            seen="$seen$package "
+        fi
+    done <<END
+$list
+END
+done
+[ -n "$packages" ] || exit 0
+
+if ! command -v apt-get >/dev/null 2>&1; then
+    echo "deps.sh: there is no apt-get here: please install the above by hand" >&2
+    exit 1
+fi
+sudo=
+if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null 2>&1; then
+        echo "deps.sh: installing needs root or sudo; as root: apt-get install$packages" >&2
+        exit 1
+    fi
+    sudo=sudo
+fi
+install() { # install PACKAGE...
+    $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
+}
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+# The package lists may be absent or old: refresh them when installing from what is there fails.
+# shellcheck disable=SC2086
+if ! install $packages >"$log" 2>&1; then
+    if ! { $sudo apt-get update && install $packages; } >"$log" 2>&1; then
+        cat "$log" >&2
+        exit 1
+    fi
+fi
+echo "Installed:$packages"
