@@ -4,10 +4,10 @@
  * (4 equations, 3 unknowns, consistent by (C2)), and both edges must give the same
  *     S_uv = a' p + (a + b') p' + (b + c') p'' + c p'''
  * (consistent by (C3)). What is normal to the tangent plane in R_uv is forced; the tangential part
- *     R_uv = nu N + x_1 R_u + x_2 R_v,   W_uv = W_u W_v / W + x_3 W
- * is free at each corner: twelve numbers x, on which everything below depends linearly. They are
- * the smallest that keep weights and c above their margins, found by projections
- * ([Hildreth1957]).
+ *     R_uv = nu N + y_1 R_u + y_2 R_v,   W_uv = W_u W_v / W + y_3 W
+ * is free at each corner. In coordinates x with |x|^2 = |slopes of a, b, c on both edges|^2 less
+ * its minimum, which no affine or projective map changes, the twelve numbers are the smallest
+ * that keep weights and c above their margins, found by projections ([Hildreth1957]).
  */
 #include "construct/asymptotic/low.h"
 
@@ -168,6 +168,66 @@ static taut_status fill_corner(low *l, int c, taut_error *error)
     return status;
 }
 
+/* The slopes of a, b, c that S_uv = s asks of the curved edges at a corner: their number. */
+static int corner_slopes(const low *l, int c, const double s[4], int derivative, double out[6])
+{
+    int count = 0;
+    for (int k = 0; k < 2; k++) {
+        const taut_quad_meeting *const m = &taut_quad_corner[c][k];
+        double rest[4], fixed[4];
+        if (l->quad->edges[m->edge].straight) {
+            continue;
+        }
+        fixed_part(&l->ends[m->edge][m->end], fixed);
+        for (int i = 0; i < 4; i++) {
+            rest[i] = s[i] - (derivative ? 0.0 : fixed[i]);
+        }
+        in_plane(&l->ends[m->edge][m->end], rest, out + count);
+        count += 3;
+    }
+    return count;
+}
+
+/* Changes the corner's three coordinates so that the slopes' squares are a constant plus |x|^2:
+ * Gram-Schmidt on the slopes' derivatives, then a shift to their least. */
+static void normalise_corner(low *l, int c)
+{
+    double slopes[6], along[3][6];
+    const int count = corner_slopes(l, c, l->base[c], 0, slopes);
+    if (count == 0) {
+        return;
+    }
+    for (int j = 0; j < 3; j++) {
+        double length = 0.0, shift = 0.0;
+        (void)corner_slopes(l, c, l->move[c][j], 1, along[j]);
+        for (int pass = 0; pass < 2; pass++) { /* twice is enough for orthogonality */
+            for (int i = 0; i < j; i++) {
+                double part = 0.0;
+                for (int k = 0; k < count; k++) {
+                    part += along[i][k] * along[j][k];
+                }
+                for (int k = 0; k < count; k++) {
+                    along[j][k] -= part * along[i][k];
+                }
+                for (int k = 0; k < 4; k++) {
+                    l->move[c][j][k] -= part * l->move[c][i][k];
+                }
+            }
+        }
+        for (int k = 0; k < count; k++) {
+            length = hypot(length, along[j][k]);
+        }
+        for (int k = 0; k < count; k++) {
+            along[j][k] /= length;
+            shift += along[j][k] * slopes[k];
+        }
+        for (int k = 0; k < 4; k++) {
+            l->move[c][j][k] /= length;
+            l->base[c][k] -= shift * l->move[c][j][k];
+        }
+    }
+}
+
 static void corner_s(const low *l, int c, const double *x, double s[4])
 {
     memcpy(s, l->base[c], 4 * sizeof *s);
@@ -292,7 +352,7 @@ static int find_free(const low *l, const taut_patch *patch, double x[FREE])
             }
             pull[i] = next;
         }
-        if (worst <= 1e-9) {
+        if (worst <= 1e-12) {
             return 1;
         }
     }
@@ -365,6 +425,9 @@ static taut_status fill(low *l, taut_error *error)
     }
     for (int c = 0; c < 4 && status == TAUT_OK; c++) {
         status = fill_corner(l, c, error);
+        if (status == TAUT_OK) {
+            normalise_corner(l, c);
+        }
     }
     return status;
 }
