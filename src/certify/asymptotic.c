@@ -41,6 +41,30 @@ static int is_unit_bezier(const taut_basis *basis)
            taut_basis_hi(basis) == 1.0;
 }
 
+static void fill_sizes(taut_asymptotic_model *parts)
+{
+    const int nu = taut_basis_count(taut_surface_u(parts->patch));
+    const int nv = taut_basis_count(taut_surface_v(parts->patch));
+    const double *const points = taut_surface_points(parts->patch);
+    parts->curve_size = 0.0;
+    for (int e = 0; e < 4; e++) {
+        const int count = taut_basis_count(taut_curve_t(parts->curves[e]));
+        const int along = e % 2 == 0 ? nu : nv, across = e % 2 == 0 ? nv : nu;
+        parts->row_size[e] = 0.0;
+        for (int k = 0; k < 2 * along; k++) {
+            const int held = e >= 2 ? across - 1 - k % 2 : k % 2;
+            const long at = e % 2 == 0 ? (long)(k / 2) * nv + held : (long)held * nv + k / 2;
+            for (int d = 0; d < 3; d++) {
+                parts->row_size[e] = fmax(parts->row_size[e], fabs(points[3 * at + d]));
+            }
+        }
+        for (int k = 0; k < 3 * count; k++) {
+            parts->curve_size =
+                fmax(parts->curve_size, fabs(taut_curve_points(parts->curves[e])[k]));
+        }
+    }
+}
+
 /* The parts of the model, or TAUT_BAD_INPUT that says which is missing. */
 static taut_status take_model(const taut_model *model, taut_asymptotic_model *parts,
                               taut_error *error)
@@ -67,10 +91,7 @@ static taut_status take_model(const taut_model *model, taut_asymptotic_model *pa
                              taut_asymptotic_edge_name(e));
         }
     }
-    parts->size = 0.0;
-    for (long k = 0; k < 3L * nu * nv; k++) {
-        parts->size = fmax(parts->size, fabs(taut_surface_points(parts->patch)[k]));
-    }
+    fill_sizes(parts);
     return TAUT_OK;
 }
 
@@ -96,33 +117,24 @@ static taut_status add_boundary(const taut_asymptotic_model *parts,
 static taut_status add_edges(const taut_edge_proof proofs[4], taut_certificate *certificate)
 {
     char where[2][TAUT_PLACE_TEXT] = {"", ""};
-    double k_n = 0.0, bound = 0.0, noise = 0.0, sine = 0.0, noise_sine = 0.0;
+    double bound = 0.0, noise = 0.0, noise_sine = 0.0, sine = 0.0;
+    int worst = 0, worst_sine = 0;
     taut_status status = TAUT_OK;
     for (int e = 0; e < 4; e++) {
-        const taut_edge_proof *const p = &proofs[e];
-        bound = fmax(bound, p->bound);
-        noise = fmax(noise, p->noise);
-        noise_sine = fmax(noise_sine, p->noise_sine);
-        if (p->sampled >= k_n) {
-            k_n = p->sampled;
-            (void)snprintf(where[0], sizeof where[0], "%s, t = %.2f; nowhere above %.3g",
-                           taut_asymptotic_edge_name(e), p->at, 0.0);
-        }
-        if (p->osculating >= sine) {
-            sine = p->osculating;
-            (void)snprintf(where[1], sizeof where[1], "%s, t = %.2f", taut_asymptotic_edge_name(e),
-                           p->sine_at);
-        }
+        bound = fmax(bound, proofs[e].bound);
+        noise = fmax(noise, proofs[e].noise);
+        noise_sine = fmax(noise_sine, proofs[e].noise_sine);
+        worst = proofs[e].sampled > proofs[worst].sampled ? e : worst;
+        worst_sine = proofs[e].osculating > proofs[worst_sine].osculating ? e : worst_sine;
     }
-    for (int e = 0; e < 4; e++) {
-        if (proofs[e].sampled == k_n) {
-            (void)snprintf(where[0], sizeof where[0], "%s, t = %.2f; on no edge above %.3g",
-                           taut_asymptotic_edge_name(e), proofs[e].at, bound);
-        }
-    }
+    sine = fmax(proofs[worst_sine].osculating, 0.0);
     noise = fmin(factor * noise, limit_most);
     noise_sine = fmin(factor * noise_sine, limit_most);
-    status = add(certificate, "asymptotic", k_n, noise, bound <= noise, where[0]);
+    (void)snprintf(where[0], TAUT_PLACE_TEXT, "%s, t = %.2f; on no edge above %.3g",
+                   taut_asymptotic_edge_name(worst), proofs[worst].at, bound);
+    (void)snprintf(where[1], TAUT_PLACE_TEXT, "%s, t = %.2f", taut_asymptotic_edge_name(worst_sine),
+                   proofs[worst_sine].sine_at);
+    status = add(certificate, "asymptotic", proofs[worst].sampled, noise, bound <= noise, where[0]);
     return status == TAUT_OK
                ? add(certificate, "osculating", sine, noise_sine, sine <= noise_sine, where[1])
                : status;
@@ -175,6 +187,7 @@ static taut_status add_figures(const taut_asymptotic_model *parts, const taut_ed
         taut_record *const edge = taut_record_add_object(edges, taut_asymptotic_edge_name(e));
         taut_record_add_number(edge, "max_abs_normal_curvature", proofs[e].sampled);
         taut_record_add_number(edge, "bound", proofs[e].bound);
+        taut_record_add_number(edge, "bound_covers", proofs[e].covered);
         if (proofs[e].osculating >= 0) {
             taut_record_add_number(edge, "max_sine_normal_binormal", proofs[e].osculating);
         } else {

@@ -32,7 +32,7 @@ static void compare_edges(const taut_asymptotic_model *model, double size, tally
             taut_edge_parameters(e, s, &u, &v);
             (void)taut_surface_eval(model->patch, u, v, 0, x);
             (void)taut_curve_eval(model->curves[e], s, 0, c);
-            take(t, taut_distance(x, c) / size, 4 * DBL_EPSILON * model->size / size, "edge",
+            take(t, taut_distance(x, c) / size, 4 * DBL_EPSILON * model->curve_size / size, "edge",
                  taut_asymptotic_edge_name(e));
         }
     }
@@ -47,7 +47,7 @@ static void compare_curves(const taut_asymptotic_model *model,
             double x[3], c[3];
             (void)taut_curve_eval(problem->curves[e], k / (TAUT_EDGE_SAMPLES - 1.0), 0, x);
             (void)taut_curve_eval(model->curves[e], k / (TAUT_EDGE_SAMPLES - 1.0), 0, c);
-            take(t, taut_distance(x, c) / size, 4 * DBL_EPSILON * model->size / size, "curve",
+            take(t, taut_distance(x, c) / size, 4 * DBL_EPSILON * model->curve_size / size, "curve",
                  taut_asymptotic_edge_name(e));
         }
     }
@@ -61,7 +61,7 @@ static void compare_curvature(const taut_asymptotic_model *model,
                               const taut_asymptotic_problem *problem, int e, int end, tally *t)
 {
     const double n = problem->degree, given = problem->edges[e].curvature[end];
-    const double r = 0.5 * DBL_EPSILON * model->size;
+    const double r = 0.5 * DBL_EPSILON * model->curve_size;
     double c[3][3], b[3], speed = 0.0, noise = 0.0;
     (void)taut_curve_eval(model->curves[e], end, 2, &c[0][0]);
     taut_cross(c[1], c[2], b);
@@ -89,12 +89,12 @@ static void compare_corner_data(const taut_asymptotic_model *model,
             const int last = end == 0 ? 0 : n;
             double leg[3];
             take(t, taut_distance(p + 3 * last, problem->corners[corner_of_edge[e][end]]) / size,
-                 DBL_EPSILON * model->size / size, "corner", name);
+                 DBL_EPSILON * model->curve_size / size, "corner", name);
             if (end == 0 || n > 3) {
                 const int low = end == 0 ? 0 : n - 1;
                 taut_difference(p + 3 * (low + 1), p + 3 * low, leg);
                 take(t, taut_distance(leg, edge->legs[end]) / size,
-                     2 * DBL_EPSILON * model->size / size, "leg", name);
+                     2 * DBL_EPSILON * model->curve_size / size, "leg", name);
             }
             if (n > 3) {
                 take(t, fabs(w[last] - edge->weights[end]) / edge->weights[end], DBL_EPSILON,

@@ -11,9 +11,14 @@
 #include <float.h>
 #include <string.h>
 
-enum { LEVELS = 7 }; /* 128 pieces: the bound comes within some tens of per cent of the maximum */
+/* 128 pieces bring the bound within some per cent of the maximum; where |M| is small but not zero
+ * they are cut further. */
+enum { LEVELS = 7, MORE = 10 };
 static const double inflection_cut = 1e-4; /* of the largest curvature: nearer there is no b */
-static const double singular_cut = 1e-9;   /* sine of R_u, R_v below which there is no normal */
+/* Points count as beside a singular point, and |M| as small, below this: sine of R_u, R_v, and
+ * share of the largest |M|, on edges that have one. */
+static const double singular_cut = 0.02;
+static const double normal_cut = 1e-9; /* sine below which there is no normal */
 
 /* Points of one parameter: the patch's derivatives along and across, and the curve's. */
 typedef struct sample {
@@ -45,16 +50,17 @@ static double curvature(const sample *s, double binormal[3])
     return taut_norm(binormal) / (speed * speed * speed);
 }
 
-/* Moving a control point by a rounding error r = 2^-53 size moves R_tt by 4 m^2 r at most, R_c by
- * 2 m r, and with it the normal by 2 m r / (|R_c| sine):
- *     dk_n <= (4 m^2 + 2 m |R_tt| / (|R_c| sine)) r / |R_t|^2 */
+/* Moving a control point by a rounding error r = 2^-53 times its size moves R_tt by 4 m^2 r at
+ * most, R_c by 2 m r, and with it the normal by 2 m r / (|R_c| sine): dk_n <= (4 m^2 + 2 m |R_tt| /
+ * (|R_c| sine)) r / |R_t|^2 */
 static double noise_of(const taut_asymptotic_model *model, int edge, const sample *s)
 {
     const taut_basis *const basis =
         edge % 2 == 0 ? taut_surface_u(model->patch) : taut_surface_v(model->patch);
     const double m = taut_basis_count(basis) - 1;
     const double turn = 2 * m * taut_norm(s->second) / (taut_norm(s->across) * s->sine);
-    return (4 * m * m + turn) * 0.5 * DBL_EPSILON * model->size / taut_dot(s->along, s->along);
+    return (4 * m * m + turn) * 0.5 * DBL_EPSILON * model->row_size[edge] /
+           taut_dot(s->along, s->along);
 }
 
 static double largest_curvature(const taut_asymptotic_model *model, int edge)
@@ -84,7 +90,7 @@ static void add_sample(const taut_asymptotic_model *model, int edge, double t,
     sample s;
     double b[3], angle[3], k_n = 0.0, k = 0.0, sine = 0.0;
     take(model, edge, t, &s);
-    if (!(s.sine > singular_cut)) {
+    if (!(s.sine > (proof->covered < 1.0 ? singular_cut : normal_cut))) {
         proof->singular++;
         return;
     }
@@ -118,15 +124,16 @@ taut_status taut_edge_prove(const taut_asymptotic_model *model, int edge, taut_e
     memset(proof, 0, sizeof *proof);
     proof->osculating = is_straight(model, edge, most) ? -1.0 : 0.0;
     if (status == TAUT_OK) {
-        scratch = taut_arena_take(arena, (size_t)taut_identity_size(&identity) * (LEVELS + 1),
-                                  sizeof *scratch);
+        scratch = taut_arena_take(
+            arena, (size_t)taut_identity_size(&identity) * (LEVELS + MORE + 1), sizeof *scratch);
         status = scratch != NULL ? TAUT_OK : TAUT_NO_MEMORY;
     }
     if (status == TAUT_OK) {
+        proof->bound =
+            taut_identity_bound(&identity, LEVELS, MORE, singular_cut, scratch, &proof->covered);
         for (int k = 0; k < TAUT_EDGE_SAMPLES; k++) {
             add_sample(model, edge, k / (TAUT_EDGE_SAMPLES - 1.0), &identity, most, proof);
         }
-        proof->bound = taut_identity_bound(&identity, LEVELS, scratch);
     }
     taut_arena_free(arena);
     return status;

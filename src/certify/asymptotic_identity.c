@@ -315,33 +315,64 @@ static double piece_bound(const taut_identity *identity, double *const at[4])
 
 static const int dims[4] = {1, 3, 3, 1};
 
-/* stack holds one piece per level: the piece at hand first, its left halves behind it. */
-static double bound_below(const taut_identity *identity, int levels, double *stack)
+typedef struct bounding {
+    const taut_identity *identity;
+    long size;
+    int more;
+    double least_m; /* pieces on which |M| may be less are left out */
+    double bound, covered;
+} bounding;
+
+/* stack holds one piece per level: the piece at hand first, its left halves behind it; it is
+ * `share` of the edge. */
+static void bound_below(bounding *b, int levels, double share, double *stack)
 {
-    const long size = taut_identity_size(identity);
     double *here[4], *left[4];
-    double bound = 0.0;
-    places(identity, stack, here);
-    if (levels == 0) {
-        return piece_bound(identity, here);
+    places(b->identity, stack, here);
+    if (levels <= 0) {
+        const double bound = piece_bound(b->identity, here);
+        if (isfinite(bound) && least_length(b->identity->degree[1], here[1]) >= b->least_m) {
+            b->bound = fmax(b->bound, bound);
+            b->covered += share;
+            return;
+        }
+        if (levels <= -b->more) {
+            return;
+        }
     }
-    places(identity, stack + size, left);
+    places(b->identity, stack + b->size, left);
     for (int k = 0; k < 4; k++) {
-        halve(identity->degree[k], dims[k], here[k], left[k]);
+        halve(b->identity->degree[k], dims[k], here[k], left[k]);
     }
-    bound = bound_below(identity, levels - 1, stack + size);
-    memcpy(stack + size, stack, (size_t)size * sizeof *stack);
-    return fmax(bound, bound_below(identity, levels - 1, stack + size));
+    bound_below(b, levels - 1, 0.5 * share, stack + b->size);
+    memcpy(stack + b->size, stack, (size_t)b->size * sizeof *stack);
+    bound_below(b, levels - 1, 0.5 * share, stack + b->size);
 }
 
-double taut_identity_bound(const taut_identity *identity, int levels, double *scratch)
+static void bound_edge(bounding *b, int levels, double *scratch)
 {
+    const taut_identity *const identity = b->identity;
     const double *const from[4] = {identity->d, identity->m, identity->p, identity->w};
-    double *at[4], bound = 0.0;
+    double *at[4];
     places(identity, scratch, at);
     for (int k = 0; k < 4; k++) {
         memcpy(at[k], from[k], (size_t)((identity->degree[k] + 1) * dims[k]) * sizeof **from);
     }
-    bound = bound_below(identity, levels, scratch);
-    return isnan(bound) ? INFINITY : bound;
+    b->bound = b->covered = 0.0;
+    bound_below(b, levels, 1.0, scratch);
+}
+
+double taut_identity_bound(const taut_identity *identity, int levels, int more, double regular,
+                           double *scratch, double *covered)
+{
+    bounding b = {.identity = identity, .size = taut_identity_size(identity), .more = more};
+    bound_edge(&b, levels, scratch);
+    if (b.covered < 1.0) {
+        for (int j = 0; j <= identity->degree[1]; j++) {
+            b.least_m = fmax(b.least_m, regular * taut_norm(identity->m + 3 * j));
+        }
+        bound_edge(&b, levels, scratch);
+    }
+    *covered = b.covered;
+    return b.covered > 0 ? b.bound : INFINITY;
 }

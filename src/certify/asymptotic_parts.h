@@ -10,13 +10,16 @@ enum { TAUT_EDGE_SAMPLES = 101, TAUT_PLACE_TEXT = 96 };
 typedef struct taut_asymptotic_model {
     const taut_surface *patch;
     const taut_curve *curves[4];
-    double size; /* largest coordinate of a control point of the patch, absolute value */
+    /* Largest coordinates, absolute values, of the control points that rounding noise is judged by:
+     * of the two rows along each edge, and of the curves. */
+    double row_size[4], curve_size;
 } taut_asymptotic_model;
 
 /* What the edges show. */
 typedef struct taut_edge_proof {
     double sampled;    /* largest |k_n| at the samples, singular points left out */
-    double bound;      /* that |k_n| does not exceed anywhere on the edge; may be infinite */
+    double bound;      /* that |k_n| does not exceed on the share `covered` of the edge */
+    double covered;    /* 1 unless the edge is singular */
     double osculating; /* largest sine between N and b at the samples, inflections left out; -1 on
                         * a straight edge */
     double noise;      /* k_n that rounding of the control points explains */
