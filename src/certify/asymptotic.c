@@ -20,7 +20,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double factor = 4.0; /* over the noise of one rounding per control point */
+static const double factor = 2.0; /* over the noise of one rounding per control point */
 static const double limit_most = 1e-6;
 static const double regular_least = 1e-6; /* sine */
 static const double weight_least = 1e-6;

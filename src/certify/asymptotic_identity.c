@@ -315,28 +315,30 @@ static double piece_bound(const taut_identity *identity, double *const at[4])
 
 static const int dims[4] = {1, 3, 3, 1};
 
-typedef struct bounding {
+typedef struct run {
     const taut_identity *identity;
+    const taut_bounding *how;
     long size;
-    int more;
     double least_m; /* pieces on which |M| may be less are left out */
     double bound, covered;
-} bounding;
+} run;
 
 /* stack holds one piece per level: the piece at hand first, its left halves behind it; it is
  * `share` of the edge. */
-static void bound_below(bounding *b, int levels, double share, double *stack)
+static void bound_below(run *b, int levels, double share, double *stack)
 {
     double *here[4], *left[4];
     places(b->identity, stack, here);
     if (levels <= 0) {
         const double bound = piece_bound(b->identity, here);
-        if (isfinite(bound) && least_length(b->identity->degree[1], here[1]) >= b->least_m) {
+        const int counts =
+            isfinite(bound) && least_length(b->identity->degree[1], here[1]) >= b->least_m;
+        if (counts && (bound <= b->how->target || levels <= -b->how->more)) {
             b->bound = fmax(b->bound, bound);
             b->covered += share;
             return;
         }
-        if (levels <= -b->more) {
+        if (levels <= -b->how->more) {
             return;
         }
     }
@@ -349,7 +351,7 @@ static void bound_below(bounding *b, int levels, double share, double *stack)
     bound_below(b, levels - 1, 0.5 * share, stack + b->size);
 }
 
-static void bound_edge(bounding *b, int levels, double *scratch)
+static void bound_edge(run *b, double *scratch)
 {
     const taut_identity *const identity = b->identity;
     const double *const from[4] = {identity->d, identity->m, identity->p, identity->w};
@@ -359,19 +361,19 @@ static void bound_edge(bounding *b, int levels, double *scratch)
         memcpy(at[k], from[k], (size_t)((identity->degree[k] + 1) * dims[k]) * sizeof **from);
     }
     b->bound = b->covered = 0.0;
-    bound_below(b, levels, 1.0, scratch);
+    bound_below(b, b->how->levels, 1.0, scratch);
 }
 
-double taut_identity_bound(const taut_identity *identity, int levels, int more, double regular,
+double taut_identity_bound(const taut_identity *identity, const taut_bounding *bounding,
                            double *scratch, double *covered)
 {
-    bounding b = {.identity = identity, .size = taut_identity_size(identity), .more = more};
-    bound_edge(&b, levels, scratch);
+    run b = {.identity = identity, .how = bounding, .size = taut_identity_size(identity)};
+    bound_edge(&b, scratch);
     if (b.covered < 1.0) {
         for (int j = 0; j <= identity->degree[1]; j++) {
-            b.least_m = fmax(b.least_m, regular * taut_norm(identity->m + 3 * j));
+            b.least_m = fmax(b.least_m, bounding->regular * taut_norm(identity->m + 3 * j));
         }
-        bound_edge(&b, levels, scratch);
+        bound_edge(&b, scratch);
     }
     *covered = b.covered;
     return b.covered > 0 ? b.bound : INFINITY;

@@ -30,12 +30,19 @@ taut_status taut_identity_fill(const taut_surface *surface, int edge, taut_arena
 /* k_n at t; infinite where the surface is singular. */
 double taut_identity_at(const taut_identity *identity, double t);
 
-/* A number that |k_n| does not exceed anywhere on the edge, from the coefficients on 2^levels
- * pieces; one on which the denominator cannot be told from 0 is halved `more` times. An edge on
- * which that does not help is singular: the number then holds on the share *covered of it, where
- * |M| is at least `regular` of its largest; else *covered is 1.
- * scratch: double[levels + more + 1][taut_identity_size(identity)]. */
-double taut_identity_bound(const taut_identity *identity, int levels, int more, double regular,
+/* How the edge is cut up for a bound. */
+typedef struct taut_bounding {
+    int levels;     /* into 2^levels pieces */
+    int more;       /* and these up to so many times further, ... */
+    double target;  /* ... where the bound is above this or not finite */
+    double regular; /* share of the largest |M| below which an edge that is singular is left out */
+} taut_bounding;
+
+/* A number that |k_n| does not exceed anywhere on the edge, from the coefficients on its pieces. An
+ * edge with pieces on which the denominator cannot be told from 0 is singular: the number then
+ * holds on the share *covered of it, where |M| is at least `regular` of its largest; else *covered
+ * is 1. scratch: double[levels + more + 1][taut_identity_size(identity)]. */
+double taut_identity_bound(const taut_identity *identity, const taut_bounding *bounding,
                            double *scratch, double *covered);
 long taut_identity_size(const taut_identity *identity);
 

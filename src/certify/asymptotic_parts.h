@@ -4,7 +4,7 @@
 
 #include "taut/asymptotic.h"
 
-enum { TAUT_EDGE_SAMPLES = 101, TAUT_PLACE_TEXT = 96 };
+enum { TAUT_EDGE_SAMPLES = 201, TAUT_PLACE_TEXT = 96 };
 
 /* The model's patch and its four curves in the order v0, u0, v1, u1; borrowed. */
 typedef struct taut_asymptotic_model {

@@ -94,11 +94,14 @@ static int list_freedoms(work *w)
         const int low = e == TAUT_ASYMPTOTIC_V0 || e == TAUT_ASYMPTOTIC_U0;
         for (int j = 2; j <= degree - 2 && !w->ribbons[e].straight; j++) {
             taut_plate_freedom *const freedom = &w->freedoms[count++];
-            double unit[TAUT_RIBBON_ALPHA] = {0};
+            double unit[TAUT_RIBBON_ALPHA] = {0}, row[TAUT_QUAD_PATCH + 1][3];
             unit[j] = (low ? 1.0 : -1.0) / m;
-            freedom->edge = e;
-            taut_poly_scale(degree, unit, 2 * n - 2, 3, &w->ribbons[e].p[0][0],
-                            &freedom->row[0][0]);
+            freedom->parts = 1;
+            freedom->part[0].edge = e;
+            taut_poly_scale(degree, unit, 2 * n - 2, 3, &w->ribbons[e].p[0][0], &row[0][0]);
+            for (int k = 0; k <= m; k++) {
+                memcpy(freedom->part[0].row[k], row[k], sizeof row[k]);
+            }
         }
     }
     return count;
@@ -119,6 +122,7 @@ static void note_freedoms(work *w, int count)
 static taut_status fill_paper(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
                               work *w, taut_error *error)
 {
+    const taut_plate_options options = {0, monitor};
     taut_status status = TAUT_OK;
     int freedoms = 0;
     for (int e = 0; e < 4; e++) {
@@ -136,7 +140,7 @@ static taut_status fill_paper(const taut_asymptotic_problem *problem, const taut
     }
     if (status == TAUT_OK) {
         freedoms = problem->free_all ? list_freedoms(w) : 0;
-        status = taut_plate_solve(&w->patch, freedoms, w->freedoms, w->factors, monitor,
+        status = taut_plate_solve(&w->patch, freedoms, w->freedoms, w->factors, &options,
                                   &w->patch_energy, error);
     }
     if (status == TAUT_OK) {
@@ -148,16 +152,13 @@ static taut_status fill_paper(const taut_asymptotic_problem *problem, const taut
 static taut_status fill_low(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
                             work *w, taut_error *error)
 {
-    taut_status status = TAUT_OK;
     if (problem->free_all) {
         return taut_fail(error, TAUT_BAD_INPUT, "/free", taut_none, taut_none,
                          "the free alpha belong to surface \"5n-7\": leave out \"free\" or "
                          "\"surface\"");
     }
-    status = taut_low_fill(&w->quad, problem->report_singular, &w->patch, error);
-    return status == TAUT_OK
-               ? taut_plate_solve(&w->patch, 0, NULL, NULL, monitor, &w->patch_energy, error)
-               : status;
+    return taut_low_fill(&w->quad, problem->report_singular, monitor, &w->patch, &w->patch_energy,
+                         error);
 }
 
 /* ---- the model ---- */

@@ -4,6 +4,7 @@
 #include "core/vec3.h"
 #include "numeric/dense.h"
 
+#include <float.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -11,6 +12,17 @@ static const double least_sine = 1e-6;     /* of the angle between legs: the lim
 static const double off_plane = 1e-10;     /* sine of a second derivative with the tangent plane */
 static const double torsion_match = 1e-10; /* relative */
 static const double least_bend = 1e-12;    /* sine below which an end has no osculating plane */
+
+/* What rounding of the points, each by 2^-53 of the size, does to directions made from the three
+ * first points at an end: their triangle is `height` high. */
+static double rounding(const taut_quad *quad, int edge, int end)
+{
+    double leg[3], arm[3], bend[3];
+    taut_quad_leg(quad, edge, end, leg);
+    taut_difference(taut_quad_point(quad, edge, end, 2), taut_quad_point(quad, edge, end, 0), arm);
+    taut_cross(leg, arm, bend);
+    return 16 * DBL_EPSILON * taut_quad_reach(quad) * taut_norm(leg) / taut_norm(bend);
+}
 
 /* The leg of the partner at this end. */
 static void partner_leg(const taut_quad *quad, int edge, int end, double leg[3])
@@ -83,7 +95,7 @@ static taut_status check_plane(const taut_quad *quad, int c, taut_error *error)
                              taut_asymptotic_edge_name(m->edge), taut_asymptotic_corner_name(c));
         }
         off = fabs(taut_dot(bend, leg[1 - k])) / (taut_norm(bend) * taut_norm(leg[1 - k]));
-        if (!(off <= off_plane)) {
+        if (!(off <= off_plane + rounding(quad, m->edge, m->end))) {
             return taut_fail(error, TAUT_NO_SOLUTION, "", off, off_plane,
                              "the osculating plane of %s at corner %s does not hold the tangent "
                              "of %s: the sine of the angle between them is %.3g",
@@ -170,16 +182,18 @@ static taut_status check_torsion(const taut_quad *quad, int c, taut_error *error
     const double t1 = taut_quad_torsion(quad, m[1].edge, m[1].end);
     const double size = fmax(fabs(t0), fabs(t1));
     const double scale = taut_quad_size(quad);
+    const double match =
+        torsion_match + rounding(quad, m[0].edge, m[0].end) + rounding(quad, m[1].edge, m[1].end);
     double factors[4][TAUT_QUAD_POINTS];
     char text[200] = " none";
     /* torsions that are nothing but rounding next to the size are equal */
-    if (fabs(t0 + t1) <= torsion_match * size || size * scale <= 1e-12) {
+    if (fabs(t0 + t1) <= match * size || size * scale <= 1e-12) {
         return TAUT_OK;
     }
     if (nearest_weights(quad, factors)) {
         factors_text(quad, factors, text, sizeof text);
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "", t0 + t1, torsion_match * size,
+    return taut_fail(error, TAUT_NO_SOLUTION, "", t0 + t1, match * size,
                      "the torsions of %s and %s at corner %s are %.9g and %.9g: they must be "
                      "opposite; nearest factors on inner weights:%s",
                      taut_asymptotic_edge_name(m[0].edge), taut_asymptotic_edge_name(m[1].edge),

@@ -9,11 +9,13 @@
 #define TAUT_ASYMPTOTIC_LOW_H
 
 #include "construct/asymptotic/patch.h"
+#include "taut/monitor.h"
 
-/* Fills the boundary rows and the rows beside them, and the inner weights with 1; patch->m is
- * n + 3. The three free numbers of each corner's twist keep the weights positive and c away from
- * 0. TAUT_NO_SOLUTION where they cannot, or where an edge has an inflection. */
-taut_status taut_low_fill(const taut_quad *quad, int report_singular, taut_patch *patch,
-                          taut_error *error);
+/* Fills patch->net; patch->m is n + 3. Inner weights are 1; the three free numbers of each corner's
+ * twist and the inner points make A_2 = *energy least as far as Gauss-Newton steps go that keep
+ * the weights positive and c away from 0. TAUT_NO_SOLUTION where nothing does, or where an edge has
+ * an inflection. */
+taut_status taut_low_fill(const taut_quad *quad, int report_singular, const taut_monitor *monitor,
+                          taut_patch *patch, double *energy, taut_error *error);
 
 #endif /* TAUT_ASYMPTOTIC_LOW_H */

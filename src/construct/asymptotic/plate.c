@@ -70,38 +70,72 @@ static void net_jets(const plate *p, int a, int b, jet out[4])
     }
 }
 
-/* The jets of the three components of a freedom. */
+/* The jets of the four components of a freedom. */
 static void freedom_jets(const plate *p, const taut_plate_freedom *freedom, int a, int b,
-                         jet out[3])
+                         jet out[4])
 {
-    const int m = p->patch->m, e = freedom->edge;
-    const int with_u = e == TAUT_ASYMPTOTIC_V0 || e == TAUT_ASYMPTOTIC_V1;
-    const int across = e == TAUT_ASYMPTOTIC_V0 || e == TAUT_ASYMPTOTIC_U0 ? 1 : m - 1;
-    double along[3][3] = {{0}};
-    for (int d = 0; d < 3; d++) {
-        for (int k = 0; k <= m; k++) {
-            taut_add_scaled(p->bernstein[with_u ? a : b][d][k], freedom->row[k], along[d]);
+    const int m = p->patch->m;
+    memset(out, 0, 4 * sizeof *out);
+    for (int i = 0; i < freedom->parts; i++) {
+        const int e = freedom->part[i].edge;
+        const int with_u = e == TAUT_ASYMPTOTIC_V0 || e == TAUT_ASYMPTOTIC_V1;
+        const int across = e == TAUT_ASYMPTOTIC_V0 || e == TAUT_ASYMPTOTIC_U0 ? 1 : m - 1;
+        double along[3][4] = {{0}};
+        for (int d = 0; d < 3; d++) {
+            for (int k = 0; k <= m; k++) {
+                for (int c = 0; c < 4; c++) {
+                    along[d][c] += p->bernstein[with_u ? a : b][d][k] * freedom->part[i].row[k][c];
+                }
+            }
         }
-    }
-    for (int s = 0; s < 6; s++) {
-        const int order = with_u ? order_u[s] : order_v[s];
-        const double other = p->bernstein[with_u ? b : a][with_u ? order_v[s] : order_u[s]][across];
-        for (int k = 0; k < 3; k++) {
-            out[k][s] = other * along[order][k];
+        for (int s = 0; s < 6; s++) {
+            const int order = with_u ? order_u[s] : order_v[s];
+            const double other =
+                p->bernstein[with_u ? b : a][with_u ? order_v[s] : order_u[s]][across];
+            for (int c = 0; c < 4; c++) {
+                out[c][s] += other * along[order][c];
+            }
         }
     }
 }
 
+/* The jet of a product. */
+static void product(const double *f, const double *g, double *out)
+{
+    out[0] = f[0] * g[0];
+    out[1] = f[1] * g[0] + f[0] * g[1];
+    out[2] = f[2] * g[0] + f[0] * g[2];
+    out[3] = f[3] * g[0] + 2 * f[1] * g[1] + f[0] * g[3];
+    out[4] = f[4] * g[0] + f[1] * g[2] + f[2] * g[1] + f[0] * g[4];
+    out[5] = f[5] * g[0] + 2 * f[2] * g[2] + f[0] * g[5];
+}
+
 /* Entries of one column for the node in place `at` of the block: sqrt of the weight times second
  * derivatives, the mixed one counted twice. */
-static void put(const plate *p, int column, int at, double root, const double *w, const double *f)
+static void put(const plate *p, int column, int at, double root, const double *value)
 {
     double *const to = p->block + ((long)column * p->nodes + at) * 3;
-    jet value;
-    quotient(w, f, value);
     to[0] = root * value[3];
     to[1] = root * sqrt(2.0) * value[4];
     to[2] = root * value[5];
+}
+
+/* The columns of the freedoms: R = S / W moves by (dS - R dW) / W. */
+static void fill_freedoms(const plate *p, int a, int b, double root, const double *w, jet r[3])
+{
+    for (int j = 0; j < p->count; j++) {
+        jet part[4], weight, moved, pulled;
+        freedom_jets(p, &p->freedoms[j], a, b, part);
+        quotient(w, part[3], weight);
+        for (int k = 0; k < 3; k++) {
+            quotient(w, part[k], moved);
+            product(r[k], weight, pulled);
+            for (int s = 0; s < 6; s++) {
+                moved[s] -= pulled[s];
+            }
+            put(p, p->inner + 3 * j + k, b, root, moved);
+        }
+    }
 }
 
 /* All columns at one node. */
@@ -109,26 +143,23 @@ static void fill_node(const plate *p, int a, int b)
 {
     const int per = p->patch->m - 3;
     const double root = sqrt(p->weight[a] * p->weight[b]);
-    jet net[4], part[3];
+    jet net[4], r[3];
     net_jets(p, a, b, net);
     for (int k = 0; k < per; k++) {
         for (int l = 0; l < per; l++) {
-            jet f;
+            jet f, value;
             for (int s = 0; s < 6; s++) {
                 f[s] = p->bubble[a][order_u[s]][k] * p->bubble[b][order_v[s]][l];
             }
-            put(p, k * per + l, b, root, net[3], f);
-        }
-    }
-    for (int j = 0; j < p->count; j++) {
-        freedom_jets(p, &p->freedoms[j], a, b, part);
-        for (int k = 0; k < 3; k++) {
-            put(p, p->inner + 3 * j + k, b, root, net[3], part[k]);
+            quotient(net[3], f, value);
+            put(p, k * per + l, b, root, value);
         }
     }
     for (int k = 0; k < 3; k++) {
-        put(p, p->inner + 3 * p->count + k, b, root, net[3], net[k]);
+        quotient(net[3], net[k], r[k]);
+        put(p, p->inner + 3 * p->count + k, b, root, r[k]);
     }
+    fill_freedoms(p, a, b, root, net[3], r);
 }
 
 static void fill_tables(plate *p)
@@ -167,8 +198,9 @@ static taut_status triangularise(plate *p, const taut_monitor *monitor, taut_err
 }
 
 /* The freedoms' factors: with the inner unknowns eliminated, what is left of each column stands
- * below them in the triangle; x, y and z are three blocks of rows of one small problem. */
-static int find_factors(const plate *p, double *factors)
+ * below them in the triangle; x, y and z are three blocks of rows of one small problem. r: its
+ * triangle, or NULL. */
+static int find_factors(const plate *p, double *factors, double *r)
 {
     const int rows = 3 * p->count + 3, count = p->count;
     double small[(TAUT_PLATE_FREEDOMS + 1) * (TAUT_PLATE_FREEDOMS + 1)] = {0};
@@ -186,6 +218,9 @@ static int find_factors(const plate *p, double *factors)
     }
     for (int j = 0; j < count; j++) {
         factors[j] = -small[count * (count + 1) + j];
+        if (r != NULL) {
+            memcpy(r + (long)j * count, small + (long)j * (count + 1), (size_t)count * sizeof *r);
+        }
     }
     return taut_triangle_solve(count, count + 1, small, factors);
 }
@@ -202,9 +237,11 @@ static void apply_factors(const plate *p, const double *factors)
                 to[i] += factors[j] * from[i];
             }
         }
-        for (int k = 2; k <= p->patch->m - 2; k++) {
-            taut_add_scaled(factors[j], p->freedoms[j].row[k],
-                            taut_patch_at(p->patch, p->freedoms[j].edge, 1, k));
+        for (int i = 0; i < p->freedoms[j].parts; i++) {
+            for (int k = 2; k <= p->patch->m - 2; k++) {
+                taut_add_scaled(factors[j], p->freedoms[j].part[i].row[k],
+                                taut_patch_at(p->patch, p->freedoms[j].part[i].edge, 1, k));
+            }
         }
     }
 }
@@ -229,10 +266,16 @@ static void add_bubbles(const plate *p, const double *c, int component)
     }
 }
 
+static taut_status fail_singular(taut_error *error)
+{
+    return taut_fail(error, TAUT_NOT_CONVERGED, NULL, taut_none, taut_none,
+                     "the least-squares problem for the inner points is singular");
+}
+
 static taut_status solve(plate *p, double *factors, double *energy, taut_error *error)
 {
     double sum = 0.0;
-    int solved = p->count == 0 || find_factors(p, factors);
+    int solved = p->count == 0 || find_factors(p, factors, NULL);
     if (solved && p->count > 0) {
         apply_factors(p, factors);
     }
@@ -248,16 +291,25 @@ static taut_status solve(plate *p, double *factors, double *energy, taut_error *
         add_bubbles(p, right, k);
     }
     if (!solved || !isfinite(sum)) {
-        return taut_fail(error, TAUT_NOT_CONVERGED, NULL, taut_none, taut_none,
-                         "the least-squares problem for the inner points is singular");
+        return fail_singular(error);
     }
     *energy = sum;
     return TAUT_OK;
 }
 
-taut_status taut_plate_solve(taut_patch *patch, int count, const taut_plate_freedom *freedoms,
-                             double *factors, const taut_monitor *monitor, double *energy,
-                             taut_error *error)
+static void plate_free(plate *p)
+{
+    if (p != NULL) {
+        taut_free(p->bubble_coefficients);
+        taut_free(p->block);
+        taut_free(p->triangle);
+        taut_free(p);
+    }
+}
+
+/* The triangle of the whole least-squares problem. */
+static taut_status plate_new(taut_patch *patch, int count, const taut_plate_freedom *freedoms,
+                             const taut_plate_options *options, plate **made, taut_error *error)
 {
     const int m = patch->m, per = m - 3;
     taut_status status = TAUT_OK;
@@ -270,7 +322,7 @@ taut_status taut_plate_solve(taut_patch *patch, int count, const taut_plate_free
     p->freedoms = freedoms;
     p->inner = per * per;
     p->columns = p->inner + 3 * count + 3;
-    p->nodes = 2 * m + 14;
+    p->nodes = options->nodes > 0 ? options->nodes : 2 * m + 14;
     p->triangle = taut_alloc_zero((size_t)p->columns * (size_t)p->columns, sizeof(double));
     p->block = taut_alloc_aligned((size_t)p->columns * 3 * (size_t)p->nodes, sizeof(double));
     p->bubble_coefficients = taut_alloc((size_t)per * (size_t)(m + 1), sizeof(double));
@@ -278,14 +330,38 @@ taut_status taut_plate_solve(taut_patch *patch, int count, const taut_plate_free
         status = taut_fail_memory(error);
     } else {
         fill_tables(p);
-        status = triangularise(p, monitor, error);
+        status = triangularise(p, options->monitor, error);
     }
+    if (status == TAUT_OK) {
+        *made = p;
+        return TAUT_OK;
+    }
+    plate_free(p);
+    return status;
+}
+
+taut_status taut_plate_solve(taut_patch *patch, int count, const taut_plate_freedom *freedoms,
+                             double *factors, const taut_plate_options *options, double *energy,
+                             taut_error *error)
+{
+    plate *p = NULL;
+    taut_status status = plate_new(patch, count, freedoms, options, &p, error);
     if (status == TAUT_OK) {
         status = solve(p, factors, energy, error);
     }
-    taut_free(p->bubble_coefficients);
-    taut_free(p->block);
-    taut_free(p->triangle);
-    taut_free(p);
+    plate_free(p);
+    return status;
+}
+
+taut_status taut_plate_step(taut_patch *patch, int count, const taut_plate_freedom *freedoms,
+                            double *factors, double *r, const taut_plate_options *options,
+                            taut_error *error)
+{
+    plate *p = NULL;
+    taut_status status = plate_new(patch, count, freedoms, options, &p, error);
+    if (status == TAUT_OK && !find_factors(p, factors, r)) {
+        status = fail_singular(error);
+    }
+    plate_free(p);
     return status;
 }

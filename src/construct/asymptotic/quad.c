@@ -100,6 +100,17 @@ double taut_quad_size(const taut_quad *quad)
     return size;
 }
 
+double taut_quad_reach(const taut_quad *quad)
+{
+    double reach = 0.0;
+    for (int a = 0; a < 4; a++) {
+        for (int j = 0; j <= quad->degree; j++) {
+            reach = fmax(reach, taut_norm(quad->edges[a].points[j]));
+        }
+    }
+    return reach;
+}
+
 /* Is every control point on the chord, up to rounding of the coordinates? */
 static int is_straight(const taut_quad *quad, int edge)
 {

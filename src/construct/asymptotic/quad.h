@@ -48,6 +48,8 @@ double taut_quad_torsion(const taut_quad *quad, int edge, int end);
 
 /* Largest distance between two control points. */
 double taut_quad_size(const taut_quad *quad);
+/* Largest distance of a control point from the origin: what rounding of coordinates goes by. */
+double taut_quad_reach(const taut_quad *quad);
 
 /* The quadrilateral of given curves: closed, end weights equal, raised to a common degree of at
  * least 3. TAUT_NO_SOLUTION or TAUT_BAD_INPUT say why not. */
