@@ -1,4 +1,4 @@
-/* taut/harmonic.h -- harmonic Bezier surfaces: completed from their edges, extended, fitted.
+/* taut/harmonic.h -- harmonic Bezier surfaces: completed from their edges, and extended.
  *
  * A surface over the parameter rectangle of widths a, b is harmonic when x_uu + x_vv = 0 in its own
  * parameters. In normalised parameters (each in [0, 1]) that is P_uu / a^2 + P_vv / b^2 = 0, so
@@ -6,12 +6,13 @@
  * others, and a harmonic surface has just one harmonic neighbour that meets it with equal
  * derivatives.
  *
- * Source: [NiWang2015] sections 2.2 to 2.7, 3, 8.2, 8.3, 8.6.
+ * Source: [NiWang2015] sections 2.2 to 2.7, 3, 8.2, 8.6.
  */
 #ifndef TAUT_HARMONIC_H
 #define TAUT_HARMONIC_H
 
 #include "taut/construct.h"
+#include "taut/join.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -26,16 +27,14 @@ typedef enum taut_harmonic_even {
 } taut_harmonic_even;
 
 typedef struct taut_harmonic_problem {
-    const char *name;        /* of the surface; NULL: "harmonic" */
-    const taut_basis *u, *v; /* bezier, any range */
-    const double *points;    /* double[nu][nv][3]; unknown points are not read */
-    const unsigned char
-        *known;          /* [nu][nv]: two opposite boundary rows, or columns; with `fit` all four */
-    int from_derivative; /* nonzero: complete from edge u0 and the derivative across it */
-    const double *edge;  /* double[nv][3]: Bernstein coefficients of x along u0 */
+    const char *name;           /* of the surface; NULL: "harmonic" */
+    const taut_basis *u, *v;    /* bezier, any range */
+    const double *points;       /* double[nu][nv][3]; unknown points are not read */
+    const unsigned char *known; /* [nu][nv]: two opposite boundary rows, or columns */
+    int from_derivative;        /* nonzero: complete from edge u0 and the derivative across it */
+    const double *edge;         /* double[nv][3]: Bernstein coefficients of x along u0 */
     const double *cross_derivative; /* double[nv][3]: of dx/du along u0 */
     taut_harmonic_even even;
-    int fit;    /* nonzero: nearest harmonic surface to four boundary rows */
     int insist; /* nonzero: complete even where the amplification says that the result
                  * means nothing (degree above about 20) */
 } taut_harmonic_problem;
@@ -53,9 +52,6 @@ typedef enum taut_contact {
     TAUT_CONTACT_G1      /* equal tangent planes: Q_u = c P_u + (alpha + beta v) P_v on the edge */
 } taut_contact;
 
-/* Edges in the order of the documents. */
-typedef enum taut_edge { TAUT_EDGE_U0 = 0, TAUT_EDGE_U1, TAUT_EDGE_V0, TAUT_EDGE_V1 } taut_edge;
-
 typedef struct taut_harmonic_extension_problem {
     const taut_surface *surface; /* bezier bases, no weights, harmonic to 1e-10 of section 3 A */
     taut_edge edge;
@@ -69,23 +65,6 @@ typedef struct taut_harmonic_extension_problem {
 TAUT_API taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *problem,
                                                   const taut_make_options *options,
                                                   taut_model **model, taut_error *error);
-
-typedef struct taut_biharmonic_problem {
-    const char *name;           /* of the surface; NULL: "biharmonic" */
-    const taut_basis *u, *v;    /* bezier of one degree n >= 2, any range */
-    const double *points;       /* double[n+1][n+1][3] */
-    const unsigned char *known; /* [n+1][n+1]: the boundary */
-    /* or, for a neighbour: */
-    const taut_surface *surface; /* not NULL: the biharmonic neighbour of this one across `edge` */
-    taut_edge edge;
-    int order;    /* 1 or 2: C^1 or C^2; the freedom left goes to least bending */
-    double width; /* in parameter length; 0: that of the given surface */
-} taut_biharmonic_problem;
-
-/* Makes the biharmonic surface (x_uuuu + 2 x_uuvv + x_vvvv = 0 over its rectangle). */
-TAUT_API taut_status taut_biharmonic_make(const taut_biharmonic_problem *problem,
-                                          const taut_make_options *options, taut_model **model,
-                                          taut_error *error);
 
 #ifdef __cplusplus
 }

@@ -27,6 +27,10 @@ TAUT_API taut_status taut_problem_read_text(const char *text, size_t length, con
 TAUT_API taut_status taut_model_read_text(const char *text, size_t length, const char *name,
                                           taut_model **model, taut_error *error);
 
+/* Any JSON text as a record; its root must be an object or a list. */
+TAUT_API taut_status taut_record_read_text(const char *text, size_t length, const char *name,
+                                           taut_record **record, taut_error *error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -2,6 +2,7 @@
 #ifndef TAUT_TAUT_H
 #define TAUT_TAUT_H
 
+#include "taut/asymptotic.h"
 #include "taut/basis.h"
 #include "taut/certify.h"
 #include "taut/construct.h"

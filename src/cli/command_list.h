@@ -13,6 +13,7 @@
     X(refine)                                                                                      \
     X(convert)                                                                                     \
     X(example)                                                                                     \
+    X(reproduce)                                                                                   \
     X(schema)
 
 #endif /* TAUT_COMMAND_LIST_H */

@@ -21,7 +21,7 @@ static int print_help(void)
 {
     printf("taut draws surfaces tight across their boundaries, and proves what they are.\n\n");
     for (int i = 0; i < COMMAND_COUNT; i++) {
-        printf("  taut %-9s %s\n", commands[i]->name, commands[i]->summary);
+        printf("  taut %-10s %s\n", commands[i]->name, commands[i]->summary);
     }
     printf(
         "\n  taut COMMAND --help   what a command takes\n"

@@ -104,7 +104,8 @@ static int parse_array(parser *p, int depth, taut_json_value *value)
         }
     }
     const size_t count = p->item_count - base;
-    const taut_json_value *items = settle(p, p->items + base, count, sizeof *items);
+    const taut_json_value *items =
+        settle(p, count > 0 ? p->items + base : NULL, count, sizeof *items);
     p->item_count = base;
     *value = (taut_json_value){TAUT_JSON_ARRAY, (uint32_t)count, {.items = items}};
     return items != NULL;
@@ -190,7 +191,8 @@ static int parse_object(parser *p, int depth, taut_json_value *value)
         }
     }
     const size_t count = p->member_count - base;
-    const taut_json_entry *members = settle(p, p->members + base, count, sizeof *members);
+    const taut_json_entry *members =
+        settle(p, count > 0 ? p->members + base : NULL, count, sizeof *members);
     p->member_count = base;
     *value = (taut_json_value){TAUT_JSON_OBJECT, (uint32_t)count, {.members = members}};
     return members != NULL && check_twice(p, members, count);

@@ -2,6 +2,7 @@
 #include "core/fail.h"
 #include "io/json_in.h"
 #include "taut/limits.h"
+#include "taut/read.h"
 
 static taut_status add_value(taut_record *record, const char *key, const taut_json *at,
                              taut_error *error);
@@ -79,4 +80,17 @@ taut_status taut_json_record(const taut_json *at, taut_record **record, taut_err
     }
     *record = made;
     return TAUT_OK;
+}
+
+taut_status taut_record_read_text(const char *text, size_t length, const char *name,
+                                  taut_record **record, taut_error *error)
+{
+    taut_json_document *document = NULL;
+    taut_status status = taut_json_parse(text, length, name, &document, error);
+    if (status == TAUT_OK) {
+        const taut_json root = taut_json_root(document);
+        status = taut_json_record(&root, record, error);
+    }
+    taut_json_document_free(document);
+    return status;
 }

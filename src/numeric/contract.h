@@ -41,4 +41,34 @@ void taut_panel_analyse(const taut_panel *panel, const taut_lines *lines, size_t
 void taut_panel_synthesise(const taut_panel *panel, const taut_lines *lines, size_t first,
                            size_t count, double *x);
 
+/* How many columns the panel that starts at `first` takes. */
+static inline size_t taut_panel_count(const taut_panel *panel, const taut_lines *lines,
+                                      size_t first)
+{
+    return lines->columns - first < panel->width ? lines->columns - first : panel->width;
+}
+
+/* Rows of modes that are zero but at their ends: those of up to kernel->lanes modes of one part,
+ * the same ends for all of them. */
+typedef struct taut_tail_block {
+    int first, used;   /* modes */
+    size_t keep[2];    /* points at the start and at the end of each row */
+    double *values[2]; /* double[used][keep][rhs] */
+} taut_tail_block;
+
+typedef struct taut_tails {
+    size_t blocks[2];          /* of each part, in the order of its modes */
+    taut_tail_block *block[2]; /* the second points into the first */
+    size_t points, rhs;        /* a whole row is double[points][rhs] */
+} taut_tails;
+
+/* Blocks for all modes, with nothing kept. TAUT_OK or TAUT_NO_MEMORY; clear also after a failure.
+ */
+taut_status taut_tails_init(const taut_modes *modes, size_t points, size_t rhs, taut_tails *out);
+void taut_tails_clear(taut_tails *tails);
+
+/* Columns first..first+count-1 of x become, or gain if not is_new, those of V times the tails. */
+void taut_panel_add_tails(const taut_panel *panel, const taut_lines *lines, size_t first,
+                          size_t count, const taut_tails *tails, int is_new, double *x);
+
 #endif /* TAUT_NUMERIC_CONTRACT_H */

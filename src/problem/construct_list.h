@@ -11,7 +11,7 @@
 
 /*    identifier, name in documents */
 #define TAUT_CONSTRUCT_LIST(X)                                                                     \
-    X(biharmonic, "biharmonic")                                                                    \
+    X(asymptotic, "asymptotic")                                                                    \
     X(dirichlet, "dirichlet")                                                                      \
     X(harmonic, "harmonic")                                                                        \
     X(harmonic_extension, "harmonic-extension")

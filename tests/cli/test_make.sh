@@ -91,8 +91,12 @@ done
 # Every example makes, and its claims hold.
 for name in $("$TAUT" example); do
     "$TAUT" example "$name" > problem.json || complain "example $name"
-    run 0 make problem.json --quiet -o model.json
-    run 0 certify model.json problem.json
+    case $(cat problem.json) in
+    *'"singular": "report"'*) holds=1 ;; # asked for, to be looked at: its claim `regular` is false
+    *) holds=0 ;;
+    esac
+    run $holds make problem.json --quiet -o model.json
+    run $holds certify model.json problem.json
 done
 for name in $("$TAUT" schema); do
     run 0 schema "$name"

@@ -4,7 +4,6 @@
 
 #include "construct/construct_ops.h"
 #include "construct/harmonic/complete.h"
-#include "construct/harmonic/fit.h"
 #include "construct/harmonic/task.h"
 #include "core/fail.h"
 
@@ -207,9 +206,6 @@ taut_status taut_harmonic_make(const taut_harmonic_problem *problem,
     (void)options; /* exact to rounding, and quick */
     if (status != TAUT_OK) {
         return status;
-    }
-    if (problem->fit) {
-        return taut_harmonic_fit(problem, model, error);
     }
     task.arena = taut_arena_new();
     status = task.arena != NULL ? taut_harmonic_collect(&task, error) : taut_fail_memory(error);

@@ -281,7 +281,7 @@ TARGET static void band_multiply(int n, int width, const double *a, const double
     }
 }
 
-TARGET static void dot(int n, const double *x, const double *y, double *xy, double *xx)
+TARGET static void lane_dot(int n, const double *x, const double *y, double *xy, double *xx)
 {
     for (int g = 0; g < GROUPS; g++) {
         v_double s = v_all(0.0), t = v_all(0.0);
@@ -292,5 +292,27 @@ TARGET static void dot(int n, const double *x, const double *y, double *xy, doub
         }
         v_store(xy + g * V_SIZE, s);
         v_store(xx + g * V_SIZE, t);
+    }
+}
+
+TARGET static void lane_product(int n, size_t stride, const double *x, double *mantissa,
+                                long long *exponent)
+{
+    const v_mask bias = v_all_bits(1023), field = v_all_bits(0x7ff);
+    const v_mask fraction = ~(field << 52), one = bias << 52;
+    for (int g = 0; g < LANES; g += V_SIZE) {
+        v_double product = v_load(mantissa + g);
+        v_mask power;
+        memcpy(&power, exponent + g, sizeof power);
+        for (int i = 0; i < n; i++) {
+            product *= v_load(x + (size_t)i * stride + (size_t)g);
+            if (i % 4 == 3 || i == n - 1) {
+                const v_mask bits = (v_mask)product;
+                power += ((bits >> 52) & field) - bias;
+                product = (v_double)((bits & fraction) | one);
+            }
+        }
+        v_store(mantissa + g, product);
+        memcpy(exponent + g, &power, sizeof power);
     }
 }

@@ -32,6 +32,11 @@ INLINE void v_store(double *to, v_double v)
 /* Where `mask` is all ones a, where it is all zeros b. */
 typedef long long v_mask __attribute__((vector_size(V_SIZE * 8)));
 
+INLINE v_mask v_all_bits(long long bits)
+{
+    return (v_mask){0} + bits;
+}
+
 INLINE v_double v_select(v_mask mask, v_double a, v_double b)
 {
     return (v_double)((mask & (v_mask)a) | (~mask & (v_mask)b));
@@ -64,6 +69,8 @@ const taut_kernel JOIN(taut_kernel_, SUFFIX) = {
     .band_factor = band_factor,
     .band_substitute = band_substitute,
     .band_multiply = band_multiply,
+    .lane_dot = lane_dot,
+    .lane_product = lane_product,
     .dot = dot,
     .add_scaled = add_scaled,
     .add_products = add_products,
