@@ -251,6 +251,21 @@ static void test_models(void)
     }
 }
 
+/* What is well formed but does not exist has a status of its own, and its place all the same. */
+static void test_no_solution(void)
+{
+    static const char text[] =
+        "{\"taut\": 1, \"curves\": [{\"t\": {\"type\": \"c-bspline\", \"alpha\": "
+        "3.2, \"segments\": 1}, \"points\": "
+        "[[0,0,0],[1,1,1],[2,2,2],[3,3,3]]}]}";
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_model_read_text(text, sizeof text - 1, "doc", &model, &error) == TAUT_NO_SOLUTION,
+          "alpha above pi: %s", error.message);
+    CHECK(strcmp(error.where, "/curves/0/t/alpha") == 0 && error.found == 3.2, "where \"%s\"",
+          error.where);
+}
+
 /* A 0 byte inside, found at its place although the text before it is whole. */
 static void test_zero_byte(void)
 {
@@ -340,6 +355,7 @@ int main(void)
 {
     test_problems();
     test_models();
+    test_no_solution();
     test_zero_byte();
     test_depth();
     test_long_names();
