@@ -83,6 +83,8 @@ static const refusal problems[] = {
     {"{" HEAD BASES "\"points\": [[]]}", "/points/0", "found an array of 0"},
     {"{" HEAD BASES "\"points\": [3]}", "/points/0", "found 3"},
     {"{" HEAD BASES "\"points\": [[null,null],[null]]}", "/points/1", "an array of 2 points"},
+    {"{" HEAD BASES "\"points\": [[null,null],[null,null,null]]}", "/points/1",
+     "found an array of 3, expected an array of 2 points"},
     {"{" HEAD BASES "\"points\": [[null,null],7]}", "/points/1", "found 7"},
     {"{" HEAD BASES "\"points\": [[null,1],[null,null]]}", "/points/0/1",
      "found 1, expected a point"},
