@@ -26,7 +26,8 @@ taut_json taut_json_root(const taut_json_document *document)
 
 taut_json taut_json_item(const taut_json *array, size_t i)
 {
-    return (taut_json){array->value->as.items + i, array, NULL, i};
+    const int is_there = taut_json_kind_at(array) == TAUT_JSON_ARRAY && i < array->value->count;
+    return (taut_json){is_there ? array->value->as.items + i : NULL, array, NULL, i};
 }
 
 taut_json taut_json_member(const taut_json *object, const char *key)

@@ -25,7 +25,7 @@ taut_status taut_json_load(const char *path, taut_json_document **document, taut
 
 /* The place of the root. */
 taut_json taut_json_root(const taut_json_document *document);
-/* Item i of an array: it must be there. */
+/* Item i of an array; its value is NULL if it is missing. */
 taut_json taut_json_item(const taut_json *array, size_t i);
 /* A member of an object; its value is NULL if it is missing. */
 taut_json taut_json_member(const taut_json *object, const char *key);

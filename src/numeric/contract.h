@@ -1,9 +1,8 @@
 /* contract.h -- products of V or V^T with a net, a panel of columns at a time.
  *
- * A net double[..] seen along one direction is a matrix of `points` rows and any number of columns;
- * column c has its entries at  x[offset(c) + row * stride],  offset(c) = c / inner * outer + c %
- * inner. A panel holds some columns in slivers of kernel->tile_columns, as the tile kernel wants
- * them.
+ * A net double[..] seen along one direction is a matrix of n rows and any number of columns;
+ * column c has its entries at
+ *     x[offset(c) + row * stride],    offset(c) = c / inner * outer + c % inner
  */
 #ifndef TAUT_NUMERIC_CONTRACT_H
 #define TAUT_NUMERIC_CONTRACT_H
@@ -21,32 +20,21 @@ typedef struct taut_lines {
 taut_lines taut_lines_first(size_t nu, size_t nv, size_t nrhs);
 taut_lines taut_lines_second(size_t nu, size_t nv, size_t nrhs);
 
+/* Scratch: some columns in slivers of kernel->tile_columns, as the tile kernel wants them, and some
+ * rows of their product. */
 typedef struct taut_panel {
     const taut_modes *modes;
-    size_t width; /* columns it can hold, a multiple of tile_columns */
-    double *in;   /* packed, double[n + 1][width] in slivers, part by part */
-    double *out;  /* double[padded n][width] */
+    double *in, *out;
 } taut_panel;
 
-/* Scratch for products with `modes`. TAUT_OK or TAUT_NO_MEMORY. taut_panel_clear also after a
- * failure. */
-taut_status taut_panel_init(const taut_modes *modes, size_t columns, taut_panel *panel);
+/* TAUT_OK or TAUT_NO_MEMORY; clear also after a failure. Takes 1 MiB or so. */
+taut_status taut_panel_init(const taut_modes *modes, taut_panel *panel);
 void taut_panel_clear(taut_panel *panel);
 
-/* Columns first..first+count-1 of x, count <= panel->width, become V^T x in place; rows are then
- * modes. Rows of zeros in the middle of the panel cost nothing. */
-void taut_panel_analyse(const taut_panel *panel, const taut_lines *lines, size_t first,
-                        size_t count, double *x);
-/* The same columns become V x. */
-void taut_panel_synthesise(const taut_panel *panel, const taut_lines *lines, size_t first,
-                           size_t count, double *x);
-
-/* How many columns the panel that starts at `first` takes. */
-static inline size_t taut_panel_count(const taut_panel *panel, const taut_lines *lines,
-                                      size_t first)
-{
-    return lines->columns - first < panel->width ? lines->columns - first : panel->width;
-}
+/* x becomes V^T x in place; rows are then modes. Rows of zeros cost nothing in between. */
+void taut_analyse(const taut_panel *panel, const taut_lines *lines, double *x);
+/* x becomes V x. */
+void taut_synthesise(const taut_panel *panel, const taut_lines *lines, double *x);
 
 /* Rows of modes that are zero but at their ends: those of up to kernel->lanes modes of one part,
  * the same ends for all of them. */
@@ -67,8 +55,8 @@ typedef struct taut_tails {
 taut_status taut_tails_init(const taut_modes *modes, size_t points, size_t rhs, taut_tails *out);
 void taut_tails_clear(taut_tails *tails);
 
-/* Columns first..first+count-1 of x become, or gain if not is_new, those of V times the tails. */
-void taut_panel_add_tails(const taut_panel *panel, const taut_lines *lines, size_t first,
-                          size_t count, const taut_tails *tails, int is_new, double *x);
+/* x becomes, or gains if not is_new, V times the tails. */
+void taut_synthesise_tails(const taut_panel *panel, const taut_lines *lines,
+                           const taut_tails *tails, int is_new, double *x);
 
 #endif /* TAUT_NUMERIC_CONTRACT_H */

@@ -64,9 +64,7 @@ static double analyse_edges(const taut_panel *panel, size_t columns, double *edg
 {
     const size_t n = (size_t)panel->modes->n;
     const taut_lines lines = {columns, columns, columns, 0};
-    for (size_t c = 0; c < columns; c += panel->width) {
-        taut_panel_analyse(panel, &lines, c, taut_panel_count(panel, &lines, c), edges);
-    }
+    taut_analyse(panel, &lines, edges);
     double most = 0.0;
     for (size_t i = 0; i < n * columns; i++) {
         most = fmax(most, fabs(edges[i]));
@@ -239,14 +237,14 @@ taut_status taut_frame_solve(const taut_tensor_solver *solver, int nrhs, double 
     const size_t rhs = (size_t)nrhs;
     const taut_lines lines[2] = {taut_lines_first(n[0], n[1], rhs),
                                  taut_lines_second(n[0], n[1], rhs)};
-    taut_panel panel[2] = {{NULL, 0, NULL, NULL}, {NULL, 0, NULL, NULL}};
+    taut_panel panel[2] = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
     taut_tails tails[2] = {{{0, 0}, {NULL, NULL}, 0, 0}, {{0, 0}, {NULL, NULL}, 0, 0}};
     taut_status status = TAUT_OK;
 
     for (int d = 0; d < 2 && status == TAUT_OK; d++) {
         const size_t columns = 2 * depth_of(solver, 1 - d) * rhs;
         double *edges = taut_alloc(n[d] * columns, sizeof *edges);
-        status = taut_panel_init(solver->direction[d].modes, lines[d].columns, &panel[d]);
+        status = taut_panel_init(solver->direction[d].modes, &panel[d]);
         if (status == TAUT_OK) {
             status = taut_tails_init(solver->direction[d].modes, n[1 - d], rhs, &tails[d]);
         }
@@ -261,10 +259,7 @@ taut_status taut_frame_solve(const taut_tensor_solver *solver, int nrhs, double 
         taut_free(edges);
     }
     for (int d = 0; d < 2 && status == TAUT_OK; d++) {
-        for (size_t c = 0; c < lines[d].columns; c += panel[d].width) {
-            taut_panel_add_tails(&panel[d], &lines[d], c, taut_panel_count(&panel[d], &lines[d], c),
-                                 &tails[d], d == 0, x);
-        }
+        taut_synthesise_tails(&panel[d], &lines[d], &tails[d], d == 0, x);
     }
     for (int d = 0; d < 2; d++) {
         taut_tails_clear(&tails[d]);

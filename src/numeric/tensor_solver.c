@@ -9,7 +9,7 @@
 
 /* From this size on a second set of modes costs less than what it saves in one solve for boundary
  * values. */
-enum { FRAME_SIZE = 200 };
+enum { FRAME_SIZE = 500 };
 
 static int is_weight(double s)
 {
@@ -206,20 +206,16 @@ static taut_status solve_dense(const taut_tensor_solver *solver, int nrhs, doubl
     const size_t rhs = (size_t)nrhs;
     const taut_lines lines =
         d == 0 ? taut_lines_first(nu, nv, rhs) : taut_lines_second(nu, nv, rhs);
-    taut_panel panel = {NULL, 0, NULL, NULL};
+    taut_panel panel = {NULL, NULL, NULL};
     taut_systems systems;
     taut_status status = taut_systems_init(solver, d, nrhs, &systems);
     if (status == TAUT_OK) {
-        status = taut_panel_init(solver->direction[d].modes, lines.columns, &panel);
+        status = taut_panel_init(solver->direction[d].modes, &panel);
     }
     if (status == TAUT_OK) {
-        for (size_t c = 0; c < lines.columns; c += panel.width) {
-            taut_panel_analyse(&panel, &lines, c, taut_panel_count(&panel, &lines, c), x);
-        }
+        taut_analyse(&panel, &lines, x);
         solve_rows(&systems, &lines, d == 0 ? rhs : nv * rhs, nrhs, x);
-        for (size_t c = 0; c < lines.columns; c += panel.width) {
-            taut_panel_synthesise(&panel, &lines, c, taut_panel_count(&panel, &lines, c), x);
-        }
+        taut_synthesise(&panel, &lines, x);
     }
     taut_panel_clear(&panel);
     taut_systems_clear(&systems);

@@ -83,6 +83,8 @@ static const refusal problems[] = {
     {"{" HEAD BASES "\"points\": [[]]}", "/points/0", "found an array of 0"},
     {"{" HEAD BASES "\"points\": [3]}", "/points/0", "found 3"},
     {"{" HEAD BASES "\"points\": [[null,null],[null]]}", "/points/1", "an array of 2 points"},
+    {"{" HEAD BASES "\"points\": [[null,null],[null,null,null]]}", "/points/1",
+     "found an array of 3, expected an array of 2 points"},
     {"{" HEAD BASES "\"points\": [[null,null],7]}", "/points/1", "found 7"},
     {"{" HEAD BASES "\"points\": [[null,1],[null,null]]}", "/points/0/1",
      "found 1, expected a point"},
@@ -251,6 +253,21 @@ static void test_models(void)
     }
 }
 
+/* What is well formed but does not exist has a status of its own, and its place all the same. */
+static void test_no_solution(void)
+{
+    static const char text[] =
+        "{\"taut\": 1, \"curves\": [{\"t\": {\"type\": \"c-bspline\", \"alpha\": "
+        "3.2, \"segments\": 1}, \"points\": "
+        "[[0,0,0],[1,1,1],[2,2,2],[3,3,3]]}]}";
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_model_read_text(text, sizeof text - 1, "doc", &model, &error) == TAUT_NO_SOLUTION,
+          "alpha above pi: %s", error.message);
+    CHECK(strcmp(error.where, "/curves/0/t/alpha") == 0 && error.found == 3.2, "where \"%s\"",
+          error.where);
+}
+
 /* A 0 byte inside, found at its place although the text before it is whole. */
 static void test_zero_byte(void)
 {
@@ -340,6 +357,7 @@ int main(void)
 {
     test_problems();
     test_models();
+    test_no_solution();
     test_zero_byte();
     test_depth();
     test_long_names();
