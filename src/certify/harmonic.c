@@ -174,7 +174,7 @@ static taut_status add_boundary(const taut_model *model, const taut_harmonic_pro
         b.size = size_of(p->points, p->known, nu * nv);
         compare_lines(model, p, &b);
         limit = repair_of(model)[0] != '\0' && strcmp(repair_of(model), "project") == 0
-                    ? 64 * n * unit_roundoff
+                    ? 8 * n * unit_roundoff
                     : 0;
     }
     if (b.largest > 0) {

@@ -46,14 +46,29 @@ static double number(const taut_record *row, const char *key)
     return taut_record_number(taut_record_get(row, key));
 }
 
+/* "-0.2756", or a fraction such as "-5/12"; NaN if it is neither. */
+static double printed_number(const char *word)
+{
+    char above[32];
+    const size_t length = strcspn(word, "/");
+    double a = (double)NAN, b = 1;
+    if (length < sizeof above) {
+        memcpy(above, word, length);
+        above[length] = '\0';
+        if (!cli_number(above, &a) || (word[length] == '/' && !cli_number(word + length + 1, &b))) {
+            return (double)NAN;
+        }
+    }
+    return a / b;
+}
+
 /* One row judged: added to `list` as a record. Returns whether ours is what it should be. */
 static int judge(const taut_record *row, const cli_subject *subject, taut_record *list)
 {
     const char *erratum = text(row, "erratum");
     const double ours = cli_quantity(subject, text(row, "quantity"));
     const double tolerance = number(row, "tolerance");
-    double printed = (double)NAN;
-    (void)cli_number(text(row, "printed"), &printed);
+    const double printed = printed_number(text(row, "printed"));
     const double right = erratum[0] != '\0' || isnan(printed) ? number(row, "expected") : printed;
     const int agrees = fabs(ours - right) <= tolerance;
     taut_record *out = taut_record_add_object(list, NULL);

@@ -14,9 +14,20 @@ static const char *text(const taut_record *row, const char *key)
     return taut_record_text(taut_record_get(row, key));
 }
 
-/* Half a unit of the last digit of "-0.2756" or "1.2e-5". */
+/* "-0.2756" or "-5/12" */
+static double value_of(const char *printed)
+{
+    const char *slash = strchr(printed, '/');
+    return strtod(printed, NULL) / (slash != NULL ? strtod(slash + 1, NULL) : 1);
+}
+
+/* Half a unit of the last digit of "-0.2756" or "1.2e-5"; a fraction is exact, so a rounding of it.
+ */
 static double half_unit(const char *printed)
 {
+    if (strchr(printed, '/') != NULL) {
+        return 0x1p-48 * fmax(1, fabs(value_of(printed)));
+    }
     const char *point = strchr(printed, '.'), *e = strpbrk(printed, "eE");
     const size_t decimals = point != NULL ? strcspn(point + 1, "eE") : 0;
     return 0.5 * pow(10, (e != NULL ? strtod(e + 1, NULL) : 0) - (double)decimals);
@@ -39,7 +50,7 @@ static void check_row(const taut_record *row, const char *paper, size_t i)
         CHECK(!isnan(expected), "%s row %zu has no right number", paper, i);
     }
     if (erratum[0] != '\0') {
-        CHECK(fabs(strtod(printed, NULL) - expected) > half_unit(printed),
+        CHECK(fabs(value_of(printed) - expected) > half_unit(printed),
               "%s row %zu: the erratum is none", paper, i);
     }
 }

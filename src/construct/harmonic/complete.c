@@ -10,7 +10,7 @@
 
 enum { SIZE = TAUT_DEGREE_MAX + 2 };
 
-typedef double curve[SIZE * 3];
+typedef taut_wide curve[SIZE * 3];
 
 /* A curve that sheds two degrees a step, and the same raised back to degree m. */
 typedef struct chain {
@@ -21,12 +21,14 @@ typedef struct chain {
 static void chain_start(chain *c, int m, const double *points)
 {
     c->m = c->degree = m;
-    memcpy(c->now, points, (size_t)(m + 1) * 3 * sizeof(double));
+    for (int i = 0; i < 3 * (m + 1); i++) {
+        c->now[i] = points[i];
+    }
 }
 
 static void chain_raise(chain *c)
 {
-    memcpy(c->raised, c->now, (size_t)(c->degree + 1) * 3 * sizeof(double));
+    memcpy(c->raised, c->now, (size_t)(c->degree + 1) * 3 * sizeof(taut_wide));
     taut_raise_degree(c->degree, c->m, 3, c->raised);
 }
 
@@ -39,18 +41,19 @@ static void chain_step(chain *c)
 }
 
 /* net[i][j] += scale factor[i] curve[j] */
-static void add_product(int n, int m, double scale, const double *factor, const double *points,
-                        double *net)
+static void add_product(int n, int m, taut_wide scale, const taut_wide *factor,
+                        const taut_wide *points, double *net)
 {
     for (int i = 0; i <= n; i++) {
-        const double f = scale * factor[i];
+        const taut_wide f = scale * factor[i];
         for (int c = 0; c < 3 * (m + 1); c++) {
-            net[i * 3 * (m + 1) + c] += f * points[c];
+            double *p = net + i * 3 * (m + 1) + c;
+            *p = (double)(*p + f * points[c]);
         }
     }
 }
 
-static void reverse(int n, const double *from, double *to)
+static void reverse(int n, const taut_wide *from, taut_wide *to)
 {
     for (int i = 0; i <= n; i++) {
         to[i] = from[n - i];
@@ -58,27 +61,27 @@ static void reverse(int n, const double *from, double *to)
 }
 
 /* One more step of the u-factors: from degree d - 2 to d, kept low and raised to n. */
-static void next_factor(int d, int n, double *low, double *raised)
+static void next_factor(int d, int n, taut_wide *low, taut_wide *raised)
 {
-    double next[SIZE];
+    taut_wide next[SIZE];
     taut_lidstone_next(d, low, next);
-    memcpy(low, next, (size_t)(d + 1) * sizeof(double));
-    memcpy(raised, next, (size_t)(d + 1) * sizeof(double));
+    memcpy(low, next, (size_t)(d + 1) * sizeof(taut_wide));
+    memcpy(raised, next, (size_t)(d + 1) * sizeof(taut_wide));
     taut_raise_degree(d, n, 1, raised);
 }
 
 /* The last term of even m = n, where both top derivatives are one constant: S_k, S_k'' = S_{k-1},
  * S_0 = 1, has degree 2k and not 2k + 1. */
-static void add_even_term(int m, double scale, const chain *a, const chain *b, double *net)
+static void add_even_term(int m, taut_wide scale, const chain *a, const chain *b, double *net)
 {
-    double low[SIZE] = {1}, raised[SIZE] = {1};
+    taut_wide low[SIZE] = {1}, raised[SIZE] = {1};
     curve mean;
     taut_raise_degree(0, m, 1, raised);
     for (int k = 1; 2 * k <= m; k++) {
         next_factor(2 * k, m, low, raised);
     }
     for (int c = 0; c < 3 * (m + 1); c++) {
-        mean[c] = 0.5 * (a->raised[c] + b->raised[c]);
+        mean[c] = 0.5L * (a->raised[c] + b->raised[c]);
     }
     add_product(m, m, scale, raised, mean, net);
 }
@@ -86,9 +89,9 @@ static void add_even_term(int m, double scale, const chain *a, const chain *b, d
 void taut_harmonic_from_rows(int n, int m, double mu, const double *row0, const double *row1,
                              double *net)
 {
-    double low[SIZE] = {0, 1}, factor[SIZE] = {0, 1}, mirrored[SIZE];
+    taut_wide low[SIZE] = {0, 1}, factor[SIZE] = {0, 1}, mirrored[SIZE];
     chain a, b;
-    double scale = 1;
+    taut_wide scale = 1;
 
     memset(net, 0, (size_t)(n + 1) * (size_t)(m + 1) * 3 * sizeof(double));
     chain_start(&a, m, row0);
@@ -117,31 +120,31 @@ void taut_harmonic_from_rows(int n, int m, double mu, const double *row0, const 
  * constrained case's last term is taken as S_k; all coefficients of one Lambda_k have one sign. */
 double taut_harmonic_rows_amplification(int n, int m, double mu)
 {
-    double low[SIZE] = {0, 1}, factor[SIZE] = {0, 1}, sum[SIZE] = {0};
-    double scale = 1, most = 0;
+    taut_wide low[SIZE] = {0, 1}, factor[SIZE] = {0, 1}, sum[SIZE] = {0};
+    taut_wide scale = 1, most = 0;
 
     taut_raise_degree(1, n, 1, factor);
     for (int k = 0; 2 * k <= m && 2 * k + 1 <= n; k++) {
         if (k > 0) {
             next_factor(2 * k + 1, n, low, factor);
-            scale *= 4 * mu * (m - 2 * k + 2) * (m - 2 * k + 1);
+            scale *= 4 * (taut_wide)mu * (m - 2 * k + 2) * (m - 2 * k + 1);
         }
         for (int i = 0; i <= n; i++) {
-            sum[i] += scale * (fabs(factor[i]) + fabs(factor[n - i]));
+            sum[i] += scale * (fabsl(factor[i]) + fabsl(factor[n - i]));
         }
     }
     for (int i = 0; i <= n; i++) {
-        most = fmax(most, sum[i]);
+        most = fmaxl(most, sum[i]);
     }
-    return most;
+    return (double)most;
 }
 
 void taut_harmonic_from_derivative(int n, int m, double mu, const double *row, const double *cross,
                                    double *net)
 {
-    double factor[SIZE];
+    taut_wide factor[SIZE];
     chain f, g;
-    double even = 1, odd = 1; /* (-mu)^k / (2k)!, (-mu)^k / (2k+1)! */
+    taut_wide even = 1, odd = 1; /* (-mu)^k / (2k)!, (-mu)^k / (2k+1)! */
 
     memset(net, 0, (size_t)(n + 1) * (size_t)(m + 1) * 3 * sizeof(double));
     chain_start(&f, m, row);
@@ -155,8 +158,8 @@ void taut_harmonic_from_derivative(int n, int m, double mu, const double *row, c
             taut_power_coefficients(2 * k + 1, n, factor);
             add_product(n, m, odd, factor, g.raised, net);
         }
-        even *= -mu / ((2 * k + 1) * (2 * k + 2));
-        odd *= -mu / ((2 * k + 2) * (2 * k + 3));
+        even *= -(taut_wide)mu / ((2 * k + 1) * (2 * k + 2));
+        odd *= -(taut_wide)mu / ((2 * k + 2) * (2 * k + 3));
         chain_step(&f);
         chain_step(&g);
     }
@@ -184,7 +187,7 @@ double taut_harmonic_derivative_amplification(int n, int m, double mu, double *s
 
     memset(sum, 0, (size_t)(n + 1) * (size_t)(m + 1) * sizeof(double));
     for (int first = 0; first < 2 * (m + 1); first += 3) {
-        curve row = {0}, cross = {0};
+        double row[SIZE * 3] = {0}, cross[SIZE * 3] = {0};
         for (int c = 0; c < 3 && first + c < 2 * (m + 1); c++) {
             const int j = (first + c) % (m + 1);
             const int next = first + c > m;

@@ -2,21 +2,21 @@
 
 #include <assert.h>
 
-void taut_lidstone_next(int d, const double *b, double *c)
+void taut_lidstone_next(int d, const taut_wide *b, taut_wide *c)
 {
     assert(d >= 2);
     for (int i = 0; i <= d; i++) {
-        double sum = 0;
+        taut_wide sum = 0;
         for (int j = 1; j < d; j++) {
             const int low = i < j ? i : j, high = i < j ? j : i;
-            sum += (double)low * (d - high) / d * b[j - 1];
+            sum += (taut_wide)low * (d - high) / d * b[j - 1];
         }
-        c[i] = -sum / ((double)d * (d - 1));
+        c[i] = -sum / ((taut_wide)d * (d - 1));
     }
 }
 
 /* From degree m-1 to m: c_i = (i/m) c_{i-1} + (1 - i/m) c_i, from the top down. */
-void taut_raise_degree(int d, int n, int stride, double *c)
+void taut_raise_degree(int d, int n, int stride, taut_wide *c)
 {
     for (int m = d + 1; m <= n; m++) {
         for (int s = 0; s < stride; s++) {
@@ -28,9 +28,9 @@ void taut_raise_degree(int d, int n, int stride, double *c)
     }
 }
 
-void taut_second_derivative(int d, double *curve)
+void taut_second_derivative(int d, taut_wide *curve)
 {
-    const double factor = (double)d * (d - 1);
+    const taut_wide factor = (taut_wide)d * (d - 1);
     assert(d >= 2);
     for (int i = 0; i + 2 <= d; i++) {
         for (int c = 0; c < 3; c++) {
@@ -55,12 +55,12 @@ void taut_top_difference(int m, const double *curve, double top[3])
     }
 }
 
-void taut_power_coefficients(int e, int n, double *c)
+void taut_power_coefficients(int e, int n, taut_wide *c)
 {
     for (int i = 0; i <= n; i++) {
-        double ratio = i >= e ? 1 : 0; /* C(i,e) / C(n,e) = prod (i-k)/(n-k) */
+        taut_wide ratio = i >= e ? 1 : 0; /* C(i,e) / C(n,e) = prod (i-k)/(n-k) */
         for (int k = 0; k < e && ratio != 0; k++) {
-            ratio *= (double)(i - k) / (n - k);
+            ratio *= (taut_wide)(i - k) / (n - k);
         }
         c[i] = ratio;
     }
