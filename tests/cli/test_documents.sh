@@ -61,4 +61,25 @@ problem 3 '/u/knots' '{"type":"bspline","degree":1,"knots":[0,0,1,1,2,2]}' "$B" 
 
 # Well formed, but there is no such surface.
 problem 4 'known' "$B" "$B" '[null,null,null],[null,null,null],[null,null,null]'
+
+# Harmonic surfaces: what does not exist, each by its own name.
+Q='{"type":"bezier","degree":2}'
+harmonic() { # harmonic CODE PATTERN U V POINTS [MORE]
+    document "$1" "$2" "{\"taut\":1,\"construct\":\"harmonic\",\"u\":$3,\"v\":$4,\"points\":[$5]${6:-}}"
+}
+R='[[0,0,0],[0,1,1],[0,2,0]],[null,null,null],[[2,0,0],[2,1,0],[2,2,0]]'
+harmonic 4 'inconsistent boundary.*even' "$Q" "$Q" "$R"
+harmonic 3 'even' "$Q" "$Q" "$R" ',"even":"mend"'
+harmonic 3 '/points.*two opposite' "$Q" "$Q" "$P"
+harmonic 4 'degree' '{"type":"bezier","degree":1}' "$Q" '[[0,0,0],[0,1,1],[0,2,0]],[[2,0,0],[2,1,0],[2,2,0]]'
+harmonic 3 '/u.*bezier' "$B" "$Q" "$R"
+D='{"taut":1,"construct":"harmonic","from":"derivative","u":{"type":"bezier","degree":2},"v":{"type":"bezier","degree":2}'
+document 4 'inconsistent derivative' "$D,\"edge\":[[0,0,0],[0,1,1],[0,2,0]],\"cross_derivative\":[[1,0,0],[1,0,1],[1,0,0]]}"
+document 3 '/edge' "$D,\"edge\":[[0,0,0],[0,1,1]],\"cross_derivative\":[[1,0,0],[1,0,1],[1,0,0]]}"
+document 3 '/even' "$D,\"even\":\"corner\",\"edge\":[[0,0,0],[0,1,1],[0,2,0]],\"cross_derivative\":[[1,0,0],[1,0,0],[1,0,0]]}"
+X='{"taut":1,"construct":"harmonic-extension","surface":{"u":{"type":"bezier","degree":2},"v":{"type":"bezier","degree":2},"points":[[[0,0,0],[0,1,1],[0,2,0]],[[1,0,0],[1,1,0],[1,2,0]],[[2,0,0],[2,1,0],[2,2,0]]]}'
+document 4 'not harmonic' "$X,\"edge\":\"u1\"}"
+document 3 '/edge' "$X,\"edge\":\"top\"}"
+document 3 '/width' "$X,\"edge\":\"u1\",\"width\":0}"
+document 3 '/alpha' "$X,\"edge\":\"u1\",\"alpha\":1}"
 finish
