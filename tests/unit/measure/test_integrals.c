@@ -206,6 +206,65 @@ static void test_degenerate(void)
     taut_surface_free(s);
 }
 
+/* A cylinder over the cubic z = c (s - s0)^3, s = u + 2 v, x = s, y = v: H W = f'' / (2 (1 + f'^2))
+ * changes sign along the oblique line s = s0. int_0^s |H W| is g(s) = (atan f'(0) -+ atan f'(s)) /
+ * 2, and iint |H| W = int_0^1 g(1 + 2v) - g(2v) dv, smooth between the v where an end is s0. */
+static double total(double c, double s0, double s)
+{
+    const double turn = atan(3 * c * (s - s0) * (s - s0));
+    return (atan(3 * c * s0 * s0) + (s < s0 ? -turn : turn)) / 2;
+}
+
+static double simpson(double c, double s0, double lo, double hi)
+{
+    enum { N = 400 };
+    double sum = 0;
+    for (int i = 0; i <= N; i++) {
+        const double v = lo + (hi - lo) * i / N;
+        const double weight = i == 0 || i == N ? 1 : i % 2 == 1 ? 4 : 2;
+        sum += weight * (total(c, s0, 1 + 2 * v) - total(c, s0, 2 * v));
+    }
+    return sum * (hi - lo) / (3 * N);
+}
+
+static void test_zero_line(void)
+{
+    for (double s0 = 0.01; s0 < 3; s0 += 0.23) {
+        const double c = 0.4;
+        double points[4][4][3], area = 0;
+        for (int i = 0; i < 4; i++) {
+            for (int j = 0; j < 4; j++) {
+                /* the blossom of (u + 2 v - s0)^3 at i ones for u and j for v: the mean, over the
+                 * ways to pair them, of the product of three factors u_k + 2 v_k - s0 */
+                double sum = 0;
+                for (int pick = 0; pick < 8; pick++) {
+                    double product = 1;
+                    const int ones = (pick & 1) + (pick >> 1 & 1) + (pick >> 2 & 1);
+                    for (int k = 0; k < 3; k++) {
+                        product *= (k < i) + 2 * (pick >> k & 1) - s0;
+                    }
+                    sum += ones == j ? product : 0;
+                }
+                points[i][j][0] = i / 3.0 + 2 * j / 3.0;
+                points[i][j][1] = j / 3.0;
+                points[i][j][2] = c * sum / (j == 0 || j == 3 ? 1 : 3);
+            }
+        }
+        taut_surface *s =
+            shape_surface(shape_bezier(3, 0, 1), shape_bezier(3, 0, 1), points[0][0], NULL);
+        const double cuts[4] = {0, fmin(1, fmax(0, (s0 - 1) / 2)), fmin(1, s0 / 2), 1};
+        double expected = 0;
+        for (int k = 0; k < 3; k++) {
+            expected += simpson(c, s0, cuts[k], cuts[k + 1]);
+        }
+        const taut_surface_measure m = measured(s);
+        CHECK(taut_surface_area(s, &area, NULL) == TAUT_OK, "s0=%g", s0);
+        CHECK_NEAR(m.mean_abs_mean * area, expected, 1e-7 * expected, "s0=%g", s0);
+        CHECK_NEAR(m.max_gaussian, 0, 1e-13, "s0=%g", s0);
+        taut_surface_free(s);
+    }
+}
+
 static void test_refusals(void)
 {
     taut_surface *s = shape_saddle(1);
@@ -235,6 +294,7 @@ int main(void)
     test_cone();
     test_fold();
     test_corner();
+    test_zero_line();
     test_degenerate();
     test_refusals();
     return check_failures != 0;
