@@ -32,5 +32,11 @@ Cflags: -I\${includedir}
 ")
 install(FILES ${CMAKE_BINARY_DIR}/generated/taut.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-file(GLOB manual_pages CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/man/*.1)
-install(FILES ${manual_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+set(manual_page ${CMAKE_BINARY_DIR}/generated/taut.1)
+add_custom_command(OUTPUT ${manual_page}
+  COMMAND sh ${CMAKE_SOURCE_DIR}/tools/manual.sh $<TARGET_FILE:taut_program> > ${manual_page}.new
+  COMMAND ${CMAKE_COMMAND} -E rename ${manual_page}.new ${manual_page}
+  DEPENDS taut_program ${CMAKE_SOURCE_DIR}/tools/manual.sh VERBATIM)
+add_custom_target(manual ALL DEPENDS ${manual_page})
+add_dependencies(product manual)
+install(FILES ${manual_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

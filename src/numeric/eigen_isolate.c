@@ -114,7 +114,7 @@ taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_bracket *bracket)
     const int lanes = pencil->kernel->lanes;
     const size_t most = (size_t)pencil->k.n + (size_t)lanes; /* cuts in a round */
     taut_counter counter = {pencil, NULL};
-    taut_bracket *list = taut_alloc(2 * most, sizeof *list), *next = list + most;
+    taut_bracket *list = taut_alloc(2 * most, sizeof *list);
     double *places = taut_alloc(2 * most, sizeof *places);
     int *below = taut_alloc(most, sizeof *below);
     taut_status status = taut_counter_init(pencil, &counter);
@@ -124,6 +124,7 @@ taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_bracket *bracket)
     }
 
     status = TAUT_NOT_CONVERGED;
+    taut_bracket *next = list + most;
     const struct cuts cuts = {places, places + most, below};
     taut_bracket all;
     if (!enclose(&counter, &all)) {
