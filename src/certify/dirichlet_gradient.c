@@ -27,7 +27,7 @@ typedef struct axis {
     taut_table *table; /* order 1 */
     double *t;
     double *weights;   /* their sum is 1 */
-    double *roundings; /* |t| over the width of the span: what a rounding of t is to the basis */
+    double *roundings; /* degree |t| over the width of the span: what a rounding of t is there */
     double length;
     double reach; /* max |t| / length */
     int count;
@@ -85,7 +85,7 @@ static taut_status axis_new(const taut_basis *basis, int lines, const double *su
         const double width = panels->hi[panel] - panels->lo[panel];
         a->t[k] = t < breaks[span + 1] ? t : breaks[span]; /* the span of t must be this one */
         a->weights[k] = 0.5 * weight[k % nodes] * (width / a->length);
-        a->roundings[k] = fabs(t) / (breaks[span + 1] - breaks[span]);
+        a->roundings[k] = taut_basis_local(basis) * fabs(t) / (breaks[span + 1] - breaks[span]);
     }
     taut_panels_free(panels);
     if (status == TAUT_OK) {
@@ -228,8 +228,8 @@ static void point_sums(const work *w, int k, double sums[6])
 }
 
 /* What multiplies N_i' N_j (out[0]), N_i N_j' (out[1]) and -N_i N_j (out[2]) at one point, in each
- * channel; in the gross one every sign is positive, and what a rounding of (u, v) is to basis and w
- * multiplies all. */
+ * channel. In the gross one every sign is positive, and the slopes of the surface times what a
+ * rounding of (u, v) is to basis and w are added. */
 static void integrands(const work *w, double weight, double roundings, const double *x,
                        const double sums[6], double out[3][CHANNELS])
 {
@@ -238,16 +238,18 @@ static void integrands(const work *w, double weight, double roundings, const dou
     const double wv = w->weights != NULL ? sums[2] * inverse : 0;
     const double fu = weight * w->fu * inverse, fv = weight * w->fv * inverse;
     const double all = roundings + w->u.reach * fabs(wu) + w->v.reach * fabs(wv);
-    const double gross_u = (sums[4] + fabs(wu) * sums[3]) * inverse;
-    const double gross_v = (sums[5] + fabs(wv) * sums[3]) * inverse;
+    double gross_u = 0, gross_v = 0;
 
     for (int c = 0; c < 3; c++) {
-        out[0][c] = fu * (x[3 * TAUT_XU + c] * w->u.length);
-        out[1][c] = fv * (x[3 * TAUT_XV + c] * w->v.length);
+        const double xu = x[3 * TAUT_XU + c] * w->u.length, xv = x[3 * TAUT_XV + c] * w->v.length;
+        out[0][c] = fu * xu;
+        out[1][c] = fv * xv;
         out[2][c] = out[0][c] * wu + out[1][c] * wv;
+        gross_u = fmax(gross_u, fabs(xu));
+        gross_v = fmax(gross_v, fabs(xv));
     }
-    out[0][3] = all * fu * gross_u;
-    out[1][3] = all * fv * gross_v;
+    out[0][3] = fu * (all * gross_u + (sums[4] + fabs(wu) * sums[3]) * inverse);
+    out[1][3] = fv * (all * gross_v + (sums[5] + fabs(wv) * sums[3]) * inverse);
     out[2][3] = -(out[0][3] * fabs(wu) + out[1][3] * fabs(wv));
 }
 
@@ -309,7 +311,7 @@ static taut_status integrate_line(work *w, int line, taut_dirichlet_gradient *g)
         const double weight = w->u.weights[line] * w->v.weights[k];
         double sums[6], out[3][CHANNELS];
         point_sums(w, k, sums);
-        integrands(w, weight, 1 + w->u.roundings[line] + w->v.roundings[k], x, sums, out);
+        integrands(w, weight, w->u.roundings[line] + w->v.roundings[k], x, sums, out);
         gather_point(w, k, out);
         g->halves[0] += weight * square(x + 3 * TAUT_XU) * (w->u.length * w->v.length);
         g->halves[1] += weight * square(x + 3 * TAUT_XV) * (w->u.length * w->v.length);

@@ -13,9 +13,12 @@
 #include "taut/surface.h"
 
 typedef struct taut_dirichlet_gradient {
-    double *values;   /* [nu][nv][3]: g over max(lambda Lv/Lu, Lu/Lv/lambda) and the unit */
-    double *gross;    /* [nu][nv]: the same with absolute values of every factor, and points as
-                       * stored, not centred: 2^-53 of it is the rounding that storing them leaves */
+    double *values; /* [nu][nv][3]: g over max(lambda Lv/Lu, Lu/Lv/lambda) and the unit */
+    double *gross; /* [nu][nv]: the sum of what rounding acts on, 2^-53 of it is what storing points
+                    * and parameters in doubles leaves:
+                    *     iint |phi_u| (sum |phi_u,st| |P_st| + rho |x_u|) + the same in v,
+                    *     rho = |u| (k/du + |w_u|/w) + |v| (h/dv + |w_v|/w)
+                    * points as stored, not centred; k, h functions alive, du, dv widths of spans */
     double halves[2]; /* iint |x_u|^2, iint |x_v|^2, in squares of the unit */
 } taut_dirichlet_gradient;
 

@@ -66,6 +66,7 @@ taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, co
         taut_dirichlet_form_clear(&made);
         return status;
     }
+    made.fu = made.fv = 1;
     made.ratio = made.v.length / made.u.length;
     absolute_row_sums(&made.u.stiffness, made.row_sums);
     absolute_row_sums(&made.v.stiffness, made.row_sums + made.nu);
@@ -75,48 +76,60 @@ taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, co
     return TAUT_OK;
 }
 
-static taut_tensor tensor_of(const taut_dirichlet_form *form, double fu, double fv)
+void taut_dirichlet_form_scale(taut_dirichlet_form *form, double fu, double fv)
 {
-    return (taut_tensor){
-        &form->u.stiffness, &form->u.mass, &form->v.stiffness, &form->v.mass, fu, fv};
+    form->fu = fu;
+    form->fv = fv;
+    if (form->rational != NULL) {
+        taut_dirichlet_rational_scale(form->rational, fu, fv);
+    }
 }
 
-taut_status taut_dirichlet_form_apply(const taut_dirichlet_form *form, double fu, double fv,
-                                      const double *x, double *y)
+static taut_tensor tensor_of(const taut_dirichlet_form *form)
 {
-    const taut_tensor tensor = tensor_of(form, fu, fv);
+    return (taut_tensor){&form->u.stiffness, &form->u.mass, &form->v.stiffness,
+                         &form->v.mass,      form->fu,      form->fv};
+}
+
+taut_status taut_dirichlet_form_apply(const taut_dirichlet_form *form, const double *x, double *y)
+{
+    const taut_tensor tensor = tensor_of(form);
     if (form->rational != NULL) {
-        taut_dirichlet_rational_apply(form->rational, fu, fv, x, y);
+        taut_dirichlet_rational_apply(form->rational, x, y);
         return TAUT_OK;
     }
     return taut_tensor_apply(&tensor, 3, x, y);
 }
 
-taut_status taut_dirichlet_form_residual(const taut_dirichlet_form *form, double fu, double fv,
-                                         const double *x, double *y)
+taut_status taut_dirichlet_form_residual(const taut_dirichlet_form *form, const double *x,
+                                         double *y)
 {
     const size_t size = 3 * (size_t)form->nu * (size_t)form->nv;
-    const taut_tensor tensor = tensor_of(form, fu, fv);
+    const taut_tensor tensor = tensor_of(form);
     if (form->rational == NULL) {
         memset(y, 0, size * sizeof(double));
         return taut_tensor_residual(&tensor, 3, y, x, y, NULL);
     }
-    taut_dirichlet_rational_apply(form->rational, fu, fv, x, y);
+    taut_dirichlet_rational_apply(form->rational, x, y);
     for (size_t i = 0; i < size; i++) {
         y[i] = -y[i];
     }
     return TAUT_OK;
 }
 
-double taut_dirichlet_form_row_sum(const taut_dirichlet_form *form, double fu, double fv, int i,
-                                   int j)
+double taut_dirichlet_form_row_sum(const taut_dirichlet_form *form, int i, int j)
 {
     const double *ku = form->row_sums, *kv = ku + form->nu;
     const double *mu = kv + form->nv, *mv = mu + form->nu;
     if (form->rational != NULL) {
-        return taut_dirichlet_rational_row_sum(form->rational, fu, fv, i, j);
+        return taut_dirichlet_rational_row_sum(form->rational, i, j);
     }
-    return fu * (ku[i] * mv[j]) + fv * (mu[i] * kv[j]);
+    return form->fu * (ku[i] * mv[j]) + form->fv * (mu[i] * kv[j]);
+}
+
+double taut_dirichlet_form_roundings(const taut_dirichlet_form *form)
+{
+    return form->rational != NULL ? taut_dirichlet_rational_roundings(form->rational) : 1;
 }
 
 /* sum_is A(i,s) d_i . d_s over d[i] = x[i * stride] - y[i * stride], points of three numbers. */

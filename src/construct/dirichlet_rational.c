@@ -1,234 +1,267 @@
-/* dirichlet_rational.c -- sum factorisation: one line of quadrature points at a time.
+/* dirichlet_rational.c -- the matrix by quadrature, block row by block row.
  *
- * With (a, w) = sum w_st (x_st, 1) N_s N_t and x = a/w, so x_u = (a_u - w_u x)/w, the product A x
- * is
+ *     R_ij = w_ij N_i N_j / w,     w = sum_s c_s N_s,     c_s = sum_t w_st N_t
+ *     R_ij,u = w_ij N_j (N_i' w - N_i w_u) / w^2 = w_ij N_j sum_s c_s (N_i' N_s - N_i N_s') / w^2
  *
- *     (A x)_ij = w_ij iint  N_i' N_j U + N_i N_j' V - N_i N_j Z
- *     U = fu x_u / w,   V = fv x_v / w,   Z = (fu w_u x_u + fv w_v x_v) / w^2
- *
- * which is the definition with R_ij,u = w_ij (N_i' N_j / w - N_i N_j w_u / w^2) put in. On a line
- * u = const the net contracts to two polygons, and the three integrands spread back through two.
+ * likewise in v. Written so, the term s = i drops out: where one function is nearly all of w, its
+ * small slope is not the difference of two large numbers. At each node of the tensor rule the
+ * slopes of the k h functions alive there, then the products of all pairs.
  */
 #include "construct/dirichlet_rational.h"
 
+#include "construct/line_rule.h"
 #include "core/fail.h"
 #include "core/memory.h"
-#include "geometry/panels.h"
-#include "geometry/table.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Quadrature in one direction: slopes are over the unit interval, weights sum to 1. */
-typedef struct rule {
-    taut_table *table;
-    double *weights;   /* [table->count] */
-    double *roundings; /* [table->count]: |t| over the width of its span */
-    double reach;      /* max |t| / length */
-} rule;
-
 struct taut_dirichlet_rational {
     const taut_basis *u, *v;
+    int nu, nv, k, h; /* functions, and functions alive on a span */
     taut_panels *panels_u, *panels_v;
     double *weights; /* [nu][nv] */
     int nodes;       /* a panel */
-    rule along_u, along_v;
-    double *polygons; /* [2][nv][4]: of values and of slopes in u */
-    double *spread;   /* [2][nv][3]: what goes back with N_i and with N_i' */
-    double *row_sums; /* [2][nu][nv]: for (fu, fv) = (1, 0), then (0, 1) */
+    taut_line_rule along_u, along_v;
+    double fu, fv;
+    double *blocks;   /* [nu][k][nv][2h-1]: A(ij, (i+e)(j+d)) at [i][e][j][d + h-1] */
+    double *row_sums; /* [nu][nv] */
+    double *slopes;   /* [2][k][h]: R_u and R_v at one node */
+    double *sums;     /* [2][k h][k h]: of a pair of panels, and of one line of it */
+    double roundings;
 };
 
-static void rule_clear(rule *r)
+void taut_dirichlet_rational_free(taut_dirichlet_rational *form)
 {
-    taut_table_free(r->table);
-    taut_free(r->weights);
-    taut_free(r->roundings);
-    memset(r, 0, sizeof *r);
-}
-
-/* Parameters, spans and weights of `nodes` Gauss nodes on every panel. */
-static void place_nodes(const taut_basis *basis, const taut_panels *panels, int nodes, double *t,
-                        int *spans, rule *r)
-{
-    double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
-    const double *breaks = taut_basis_breaks(basis);
-    const double length = taut_basis_hi(basis) - taut_basis_lo(basis);
-
-    taut_gauss_rule(nodes, node, weight);
-    r->reach = fmax(fabs(taut_basis_lo(basis)), fabs(taut_basis_hi(basis))) / length;
-    for (int i = 0; i < panels->count * nodes; i++) {
-        const int k = i / nodes, g = i % nodes, span = panels->span[k];
-        t[i] = taut_panels_at(panels, k, node[g]);
-        spans[i] = span;
-        r->weights[i] = 0.5 * weight[g] * ((panels->hi[k] - panels->lo[k]) / length);
-        r->roundings[i] = fabs(t[i]) / (breaks[span + 1] - breaks[span]);
+    if (form != NULL) {
+        taut_line_rule_clear(&form->along_u);
+        taut_line_rule_clear(&form->along_v);
+        taut_panels_free(form->panels_u);
+        taut_panels_free(form->panels_v);
+        taut_free(form->weights);
+        taut_free(form->blocks);
+        taut_free(form->row_sums);
+        taut_free(form->slopes);
+        taut_free(form->sums);
+        taut_free(form);
     }
 }
 
-static taut_status rule_new(const taut_basis *basis, const taut_panels *panels, int nodes,
-                            rule *made)
+/* out[a] = sum_s c_s (N_a' N_s - N_a N_s'), over the `count` functions alive. */
+static void wronskians(int count, const double *c, const double *n, const double *dn, double *out)
 {
-    const size_t count = (size_t)panels->count * (size_t)nodes;
-    const double length = taut_basis_hi(basis) - taut_basis_lo(basis);
-    double *t = taut_alloc(count, sizeof(double));
-    int *spans = taut_alloc(count, sizeof(int));
-    taut_status status = TAUT_NO_MEMORY;
-
-    made->table = NULL;
-    made->weights = taut_alloc(count, sizeof(double));
-    made->roundings = taut_alloc(count, sizeof(double));
-    if (t != NULL && spans != NULL && made->weights != NULL && made->roundings != NULL) {
-        place_nodes(basis, panels, nodes, t, spans, made);
-        status = taut_table_new(basis, (int)count, t, spans, 1, &made->table);
-    }
-    taut_free(t);
-    taut_free(spans);
-    if (status != TAUT_OK) {
-        rule_clear(made);
-        return status;
-    }
-    for (int i = 0; i < made->table->count; i++) {
-        double *slopes = made->table->values + ((size_t)i * 2 + 1) * (size_t)made->table->local;
-        for (int a = 0; a < made->table->local; a++) {
-            slopes[a] *= length;
-        }
-    }
-    return TAUT_OK;
-}
-
-static taut_status set_nodes(taut_dirichlet_rational *form, int nodes)
-{
-    rule u = {NULL, NULL, NULL, 0}, v = {NULL, NULL, NULL, 0};
-    taut_status status = rule_new(form->u, form->panels_u, nodes, &u);
-    if (status == TAUT_OK) {
-        status = rule_new(form->v, form->panels_v, nodes, &v);
-    }
-    if (status != TAUT_OK) {
-        rule_clear(&u);
-        return status;
-    }
-    rule_clear(&form->along_u);
-    rule_clear(&form->along_v);
-    form->along_u = u;
-    form->along_v = v;
-    form->nodes = nodes;
-    return TAUT_OK;
-}
-
-/* The slopes of R_ab = w_ab N_a N_b / w alive at one point, |R_ab,u| in slopes[0], |R_ab,v| in
- * slopes[1], double[local_u][local_v] each; sums[0..1] their sums, times what a rounding does. */
-static void absolute_slopes(const taut_dirichlet_rational *form, int i, int k, double *slopes[2],
-                            double sums[2])
-{
-    const taut_table *tu = form->along_u.table, *tv = form->along_v.table;
-    const double *nu = taut_table_row(tu, i, 0), *du = taut_table_row(tu, i, 1);
-    const double *nv = taut_table_row(tv, k, 0), *dv = taut_table_row(tv, k, 1);
-    const size_t columns = (size_t)taut_basis_count(form->v);
-    const double *weights = form->weights + (size_t)tu->first[i] * columns + (size_t)tv->first[k];
-    double w = 0, wu = 0, wv = 0, factor = 0;
-
-    for (int a = 0; a < tu->local; a++) {
-        for (int b = 0; b < tv->local; b++) {
-            const double wab = weights[(size_t)a * columns + (size_t)b];
-            w += wab * nu[a] * nv[b];
-            wu += wab * du[a] * nv[b];
-            wv += wab * nu[a] * dv[b];
-        }
-    }
-    factor = 1 + form->along_u.roundings[i] + form->along_v.roundings[k] +
-             form->along_u.reach * fabs(wu / w) + form->along_v.reach * fabs(wv / w);
-    sums[0] = sums[1] = 0;
-    for (int a = 0; a < tu->local; a++) {
-        for (int b = 0; b < tv->local; b++) {
-            const double share = weights[(size_t)a * columns + (size_t)b] / w;
-            const int at = a * tv->local + b;
-            slopes[0][at] = fabs(share * nv[b] * (du[a] - nu[a] * (wu / w)));
-            slopes[1][at] = fabs(share * nu[a] * (dv[b] - nv[b] * (wv / w)));
-            sums[0] += factor * slopes[0][at];
-            sums[1] += factor * slopes[1][at];
+    for (int a = 0; a < count; a++) {
+        out[a] = 0;
+        for (int s = 0; s < count; s++) {
+            out[a] += c[s] * (dn[a] * n[s] - n[a] * dn[s]);
         }
     }
 }
 
-/* row_sums[ij] = iint |R_ij,u| sum |R_st,u|, and with v; slopes double[2][local_u][local_v]. */
-static void add_row_sums(taut_dirichlet_rational *form, double *slopes)
+static double dot(int count, const double *x, const double *y)
 {
-    const taut_table *tu = form->along_u.table, *tv = form->along_v.table;
-    const size_t columns = (size_t)taut_basis_count(form->v);
-    const size_t count = (size_t)taut_basis_count(form->u) * columns;
-    double *parts[2] = {slopes, slopes + (size_t)tu->local * (size_t)tv->local};
+    double sum = 0;
+    for (int i = 0; i < count; i++) {
+        sum += x[i] * y[i];
+    }
+    return sum;
+}
 
-    for (int i = 0; i < tu->count; i++) {
-        for (int k = 0; k < tv->count; k++) {
-            const double weight = form->along_u.weights[i] * form->along_v.weights[k];
-            double sums[2];
-            absolute_slopes(form, i, k, parts, sums);
-            for (int ab = 0; ab < tu->local * tv->local; ab++) {
-                const size_t row = (size_t)(tu->first[i] + ab / tv->local) * columns;
-                const size_t at = row + (size_t)(tv->first[k] + ab % tv->local);
-                form->row_sums[at] += weight * parts[0][ab] * sums[0];
-                form->row_sums[count + at] += weight * parts[1][ab] * sums[1];
+/* slopes = R_ij,u, then R_ij,v, of the functions alive at node (p, q). Returns what a rounding of
+ * the parameters does there. */
+static double find_slopes(const taut_dirichlet_rational *form, int p, int q, double *slopes)
+{
+    const int k = form->k, h = form->h;
+    const taut_line_rule *ru = &form->along_u, *rv = &form->along_v;
+    const double *n = taut_table_row(ru->table, p, 0), *dn = taut_table_row(ru->table, p, 1);
+    const double *m = taut_table_row(rv->table, q, 0), *dm = taut_table_row(rv->table, q, 1);
+    const double *weights = form->weights + (size_t)ru->table->first[p] * (size_t)form->nv +
+                            (size_t)rv->table->first[q];
+    double rows[TAUT_DEGREE_MAX + 1], columns[TAUT_DEGREE_MAX + 1];
+    double along_u[TAUT_DEGREE_MAX + 1], along_v[TAUT_DEGREE_MAX + 1];
+    double w = 0;
+
+    memset(columns, 0, (size_t)h * sizeof(double));
+    for (int a = 0; a < k; a++) {
+        rows[a] = dot(h, weights + (size_t)a * (size_t)form->nv, m);
+        for (int b = 0; b < h; b++) {
+            columns[b] += weights[(size_t)a * (size_t)form->nv + (size_t)b] * n[a];
+        }
+    }
+    w = dot(k, rows, n);
+    wronskians(k, rows, n, dn, along_u);
+    wronskians(h, columns, m, dm, along_v);
+    for (int a = 0; a < k; a++) {
+        for (int b = 0; b < h; b++) {
+            const double share = weights[(size_t)a * (size_t)form->nv + (size_t)b] / w;
+            slopes[a * h + b] = share * m[b] * (along_u[a] / w);
+            slopes[(k + a) * h + b] = share * n[a] * (along_v[b] / w);
+        }
+    }
+    return 1 + ru->roundings[p] + rv->roundings[q] + ru->reach * fabs(dot(k, rows, dn) / w) +
+           rv->reach * fabs(dot(h, columns, dm) / w);
+}
+
+static double *block_row(const taut_dirichlet_rational *form, int i, int e, int j)
+{
+    const size_t width = 2 * (size_t)form->h - 1;
+    return form->blocks +
+           (((size_t)i * (size_t)form->k + (size_t)e) * (size_t)form->nv + (size_t)j) * width;
+}
+
+/* line[ab][a'b'] += the products of all pairs with a <= a' at node (p, q). */
+static void add_node(taut_dirichlet_rational *form, int p, int q, double *line)
+{
+    const int k = form->k, h = form->h;
+    const double weight = form->along_u.weights[p] * form->along_v.weights[q];
+    const double *su = form->slopes, *sv = form->slopes + k * h;
+
+    form->roundings = fmax(form->roundings, find_slopes(form, p, q, form->slopes));
+    for (int ab = 0; ab < k * h; ab++) {
+        const double fu = weight * form->fu * su[ab], fv = weight * form->fv * sv[ab];
+        double *row = line + (size_t)ab * (size_t)(k * h);
+        for (int other = ab / h * h; other < k * h; other++) {
+            row[other] += fu * su[other] + fv * sv[other];
+        }
+    }
+}
+
+/* Moves the sums of one pair of panels, whose first functions are i and j, to the blocks. */
+static void scatter(taut_dirichlet_rational *form, int i, int j, const double *sums)
+{
+    const int k = form->k, h = form->h;
+    for (int ab = 0; ab < k * h; ab++) {
+        const int a = ab / h, b = ab % h;
+        for (int e = 0; a + e < k; e++) {
+            const double *from = sums + (size_t)ab * (size_t)(k * h) + (size_t)((a + e) * h);
+            double *row = block_row(form, i + a, e, j + b) + (h - 1 - b);
+            for (int d = 0; d < h; d++) {
+                row[d] += from[d];
             }
         }
     }
 }
 
-static taut_status find_row_sums(taut_dirichlet_rational *form)
+/* One pair of panels: nodes of a line first, then lines, then, in the blocks, panels. Sums of a few
+ * dozen terms each keep the rounding of hundreds of thousands small ([Higham2002] 4.2). */
+static void add_panels(taut_dirichlet_rational *form, int panel_u, int panel_v)
 {
-    const size_t count = (size_t)taut_basis_count(form->u) * (size_t)taut_basis_count(form->v);
-    const size_t alive = (size_t)form->along_u.table->local * (size_t)form->along_v.table->local;
-    double *slopes = taut_alloc(2 * alive, sizeof(double));
+    const size_t size = (size_t)(form->k * form->h) * (size_t)(form->k * form->h);
+    double *sums = form->sums, *line = form->sums + size;
+    const int p0 = panel_u * form->nodes, q0 = panel_v * form->nodes;
 
-    form->row_sums = taut_alloc_zero(2 * count, sizeof(double));
-    if (slopes == NULL || form->row_sums == NULL) {
-        taut_free(slopes);
-        return TAUT_NO_MEMORY;
+    memset(sums, 0, size * sizeof(double));
+    for (int p = p0; p < p0 + form->nodes; p++) {
+        memset(line, 0, size * sizeof(double));
+        for (int q = q0; q < q0 + form->nodes; q++) {
+            add_node(form, p, q, line);
+        }
+        for (size_t i = 0; i < size; i++) {
+            sums[i] += line[i];
+        }
     }
-    add_row_sums(form, slopes);
-    taut_free(slopes);
+    scatter(form, form->along_u.table->first[p0], form->along_v.table->first[q0], sums);
+}
+
+static void add_row_sums(taut_dirichlet_rational *form)
+{
+    memset(form->row_sums, 0, (size_t)form->nu * (size_t)form->nv * sizeof(double));
+    for (int i = 0; i < form->nu; i++) {
+        for (int e = 0; e < form->k && i + e < form->nu; e++) {
+            double *here = form->row_sums + (size_t)i * (size_t)form->nv;
+            double *there = form->row_sums + (size_t)(i + e) * (size_t)form->nv;
+            for (int j = 0; j < form->nv; j++) {
+                const double *row = block_row(form, i, e, j);
+                const int from = form->h - 1 < j ? 1 - form->h : -j;
+                const int to = form->h - 1 < form->nv - 1 - j ? form->h - 1 : form->nv - 1 - j;
+                for (int d = from; d <= to; d++) {
+                    here[j] += fabs(row[d + form->h - 1]);
+                    there[j + d] += e > 0 ? fabs(row[d + form->h - 1]) : 0;
+                }
+            }
+        }
+    }
+}
+
+static size_t blocks_size(const taut_dirichlet_rational *form)
+{
+    return (size_t)form->nu * (size_t)form->k * (size_t)form->nv * (2 * (size_t)form->h - 1);
+}
+
+static void assemble(taut_dirichlet_rational *form)
+{
+    memset(form->blocks, 0, blocks_size(form) * sizeof(double));
+    form->roundings = 0;
+    for (int a = 0; a < form->panels_u->count; a++) {
+        for (int b = 0; b < form->panels_v->count; b++) {
+            add_panels(form, a, b);
+        }
+    }
+    add_row_sums(form);
+}
+
+static taut_status set_nodes(taut_dirichlet_rational *form, int nodes)
+{
+    taut_line_rule u, v;
+    taut_status status = taut_line_rule_init(form->u, form->panels_u, nodes, &u);
+    if (status == TAUT_OK) {
+        status = taut_line_rule_init(form->v, form->panels_v, nodes, &v);
+    }
+    if (status != TAUT_OK) {
+        taut_line_rule_clear(&u);
+        return status;
+    }
+    taut_line_rule_clear(&form->along_u);
+    taut_line_rule_clear(&form->along_v);
+    form->along_u = u;
+    form->along_v = v;
+    form->nodes = nodes;
+    assemble(form);
     return TAUT_OK;
 }
 
-double taut_dirichlet_rational_row_sum(const taut_dirichlet_rational *form, double fu, double fv,
-                                       int i, int j)
+static taut_status alloc(taut_dirichlet_rational *form, const double *weights)
 {
-    const size_t columns = (size_t)taut_basis_count(form->v);
-    const size_t count = (size_t)taut_basis_count(form->u) * columns;
-    const size_t at = (size_t)i * columns + (size_t)j;
-    return fu * form->row_sums[at] + fv * form->row_sums[count + at];
+    const size_t nu = (size_t)form->nu, nv = (size_t)form->nv;
+    const size_t alive = (size_t)form->k * (size_t)form->h;
+    taut_status status = TAUT_OK;
+
+    form->weights = taut_alloc(nu * nv, sizeof(double));
+    form->row_sums = taut_alloc(nu * nv, sizeof(double));
+    form->slopes = taut_alloc(2 * alive, sizeof(double));
+    form->sums = taut_alloc(2 * alive * alive, sizeof(double));
+    form->blocks = taut_alloc_aligned(blocks_size(form), sizeof(double));
+    if (form->weights == NULL || form->row_sums == NULL || form->slopes == NULL ||
+        form->sums == NULL || form->blocks == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    memcpy(form->weights, weights, nu * nv * sizeof(double));
+    status = taut_panels_new(form->u, form->nv, weights, nv, 1, &form->panels_u);
+    return status == TAUT_OK ? taut_panels_new(form->v, form->nu, weights, 1, nv, &form->panels_v)
+                             : status;
 }
 
 taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v,
                                         const double *weights, taut_dirichlet_rational **form,
                                         taut_error *error)
 {
-    const size_t nv = (size_t)taut_basis_count(v), count = (size_t)taut_basis_count(u) * nv;
-    const int wider =
-        taut_basis_local(u) > taut_basis_local(v) ? taut_basis_local(u) : taut_basis_local(v);
     taut_dirichlet_rational *made = taut_alloc_zero(1, sizeof *made);
-    taut_status status = TAUT_NO_MEMORY;
+    taut_status status = TAUT_OK;
 
     if (made == NULL) {
         return taut_fail_memory(error);
     }
     made->u = u;
     made->v = v;
-    made->weights = taut_alloc(count, sizeof(double));
-    made->polygons = taut_alloc_aligned(8 * nv, sizeof(double));
-    made->spread = taut_alloc_aligned(6 * nv, sizeof(double));
-    if (made->weights != NULL && made->polygons != NULL && made->spread != NULL) {
-        memcpy(made->weights, weights, count * sizeof(double));
-        status = taut_panels_new(u, (int)nv, weights, nv, 1, &made->panels_u);
-    }
+    made->nu = taut_basis_count(u);
+    made->nv = taut_basis_count(v);
+    made->k = taut_basis_local(u);
+    made->h = taut_basis_local(v);
+    made->fu = made->fv = 1;
+    status = alloc(made, weights);
     if (status == TAUT_OK) {
-        status = taut_panels_new(v, taut_basis_count(u), weights, 1, nv, &made->panels_v);
-    }
-    if (status == TAUT_OK) {
-        status = set_nodes(made, wider + 3);
-    }
-    if (status == TAUT_OK) {
-        status = find_row_sums(made);
+        status = set_nodes(made, (made->k > made->h ? made->k : made->h) + 2);
     }
     if (status != TAUT_OK) {
         taut_dirichlet_rational_free(made);
@@ -236,21 +269,6 @@ taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v
     }
     *form = made;
     return TAUT_OK;
-}
-
-void taut_dirichlet_rational_free(taut_dirichlet_rational *form)
-{
-    if (form != NULL) {
-        rule_clear(&form->along_u);
-        rule_clear(&form->along_v);
-        taut_panels_free(form->panels_u);
-        taut_panels_free(form->panels_v);
-        taut_free(form->weights);
-        taut_free(form->polygons);
-        taut_free(form->spread);
-        taut_free(form->row_sums);
-        taut_free(form);
-    }
 }
 
 taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form)
@@ -262,143 +280,94 @@ taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form)
     return set_nodes(form, nodes < TAUT_GAUSS_MAX ? nodes : TAUT_GAUSS_MAX);
 }
 
-/* polygons[k][t] = sum_s N_s^(k)(u_i) w_st (x_st, 1),  k = 0, 1. */
-static void contract(const taut_dirichlet_rational *form, int i, const double *x)
+void taut_dirichlet_rational_scale(taut_dirichlet_rational *form, double fu, double fv)
 {
-    const taut_table *table = form->along_u.table;
-    const size_t nv = (size_t)taut_basis_count(form->v);
-
-    memset(form->polygons, 0, 8 * nv * sizeof(double));
-    for (int a = 0; a < table->local; a++) {
-        const size_t row = (size_t)(table->first[i] + a) * nv;
-        const double n = taut_table_row(table, i, 0)[a], slope = taut_table_row(table, i, 1)[a];
-        for (size_t t = 0; t < nv; t++) {
-            const double w = form->weights[row + t];
-            double *values = form->polygons + 4 * t, *slopes = values + 4 * nv;
-            for (size_t c = 0; c < 3; c++) {
-                const double wx = w * x[3 * (row + t) + c];
-                values[c] += n * wx;
-                slopes[c] += slope * wx;
-            }
-            values[3] += n * w;
-            slopes[3] += slope * w;
-        }
+    if (fu != form->fu || fv != form->fv) {
+        form->fu = fu;
+        form->fv = fv;
+        assemble(form);
     }
 }
 
-/* h = (a, w), its slopes in u and in v, at point k of the line. */
-static void evaluate(const taut_dirichlet_rational *form, int k, double h[3][4])
+double taut_dirichlet_rational_row_sum(const taut_dirichlet_rational *form, int i, int j)
 {
-    const taut_table *table = form->along_v.table;
-    const size_t nv = (size_t)taut_basis_count(form->v), first = (size_t)table->first[k];
-    const double *n = taut_table_row(table, k, 0), *slope = taut_table_row(table, k, 1);
-
-    memset(h, 0, 12 * sizeof(double));
-    for (int b = 0; b < table->local; b++) {
-        const double *value = form->polygons + 4 * (first + (size_t)b), *along = value + 4 * nv;
-        for (int c = 0; c < 4; c++) {
-            h[0][c] += n[b] * value[c];
-            h[1][c] += n[b] * along[c];
-            h[2][c] += slope[b] * value[c];
-        }
-    }
+    return form->row_sums[(size_t)i * (size_t)form->nv + (size_t)j];
 }
 
-/* slopes[0] = x_u, slopes[1] = x_v. */
-static void slopes_of(double h[3][4], double slopes[2][3])
+double taut_dirichlet_rational_roundings(const taut_dirichlet_rational *form)
 {
-    for (int c = 0; c < 3; c++) {
-        const double x = h[0][c] / h[0][3];
-        slopes[0][c] = (h[1][c] - h[1][3] * x) / h[0][3];
-        slopes[1][c] = (h[2][c] - h[2][3] * x) / h[0][3];
-    }
+    return form->roundings;
 }
 
-/* U, V, Z times the quadrature weight. */
-static void integrands(double weight, double fu, double fv, double h[3][4], double out[3][3])
+static void add_multiple(double factor, const double *x, double *y)
 {
-    const double w = h[0][3], wu = h[1][3] / w, wv = h[2][3] / w;
-    double slopes[2][3];
-
-    slopes_of(h, slopes);
-    for (int c = 0; c < 3; c++) {
-        out[0][c] = weight * (fu * slopes[0][c] / w);
-        out[1][c] = weight * (fv * slopes[1][c] / w);
-        out[2][c] = out[0][c] * wu + out[1][c] * wv;
-    }
+    y[0] += factor * x[0];
+    y[1] += factor * x[1];
+    y[2] += factor * x[2];
 }
 
-/* spread[0] += N_j' V - N_j Z,  spread[1] += N_j U  at point k of the line. */
-static void spread_point(const taut_dirichlet_rational *form, int k, double weight, double fu,
-                         double fv)
+/* y_i += B x_{i+e} and, off the diagonal, y_{i+e} += B^T x_i. */
+static void apply_block(const taut_dirichlet_rational *form, int i, int e, const double *x,
+                        double *y)
 {
-    const taut_table *table = form->along_v.table;
-    const size_t nv = (size_t)taut_basis_count(form->v), first = (size_t)table->first[k];
-    const double *n = taut_table_row(table, k, 0), *slope = taut_table_row(table, k, 1);
-    double h[3][4], out[3][3];
-
-    evaluate(form, k, h);
-    integrands(weight, fu, fv, h, out);
-    for (int b = 0; b < table->local; b++) {
-        double *still = form->spread + 3 * (first + (size_t)b), *along = still + 3 * nv;
-        for (int c = 0; c < 3; c++) {
-            still[c] += slope[b] * out[1][c] - n[b] * out[2][c];
-            along[c] += n[b] * out[0][c];
-        }
-    }
-}
-
-/* y_st += w_st (N_s spread[0][t] + N_s' spread[1][t]). */
-static void add_line(const taut_dirichlet_rational *form, int i, double *y)
-{
-    const taut_table *table = form->along_u.table;
-    const size_t nv = (size_t)taut_basis_count(form->v);
-    for (int a = 0; a < table->local; a++) {
-        const size_t row = (size_t)(table->first[i] + a) * nv;
-        const double n = taut_table_row(table, i, 0)[a], slope = taut_table_row(table, i, 1)[a];
-        for (size_t t = 0; t < nv; t++) {
-            const double w = form->weights[row + t];
-            const double *still = form->spread + 3 * t, *along = still + 3 * nv;
-            for (size_t c = 0; c < 3; c++) {
-                y[3 * (row + t) + c] += w * (n * still[c] + slope * along[c]);
+    const size_t here = 3 * (size_t)i * (size_t)form->nv;
+    const size_t there = 3 * (size_t)(i + e) * (size_t)form->nv;
+    for (int j = 0; j < form->nv; j++) {
+        const double *row = block_row(form, i, e, j) + (form->h - 1);
+        const int from = form->h - 1 < j ? 1 - form->h : -j;
+        const int to = form->h - 1 < form->nv - 1 - j ? form->h - 1 : form->nv - 1 - j;
+        const size_t point = here + 3 * (size_t)j;
+        for (int d = from; d <= to; d++) {
+            const size_t other = there + 3 * (size_t)(j + d);
+            add_multiple(row[d], x + other, y + point);
+            if (e > 0) {
+                add_multiple(row[d], x + point, y + other);
             }
         }
     }
 }
 
-void taut_dirichlet_rational_apply(taut_dirichlet_rational *form, double fu, double fv,
-                                   const double *x, double *y)
+void taut_dirichlet_rational_apply(const taut_dirichlet_rational *form, const double *x, double *y)
 {
-    const size_t nu = (size_t)taut_basis_count(form->u), nv = (size_t)taut_basis_count(form->v);
-    const rule *ru = &form->along_u, *rv = &form->along_v;
-
-    memset(y, 0, 3 * nu * nv * sizeof(double));
-    for (int i = 0; i < ru->table->count; i++) {
-        contract(form, i, x);
-        memset(form->spread, 0, 6 * nv * sizeof(double));
-        for (int k = 0; k < rv->table->count; k++) {
-            spread_point(form, k, ru->weights[i] * rv->weights[k], fu, fv);
+    memset(y, 0, 3 * (size_t)form->nu * (size_t)form->nv * sizeof(double));
+    for (int i = 0; i < form->nu; i++) {
+        for (int e = 0; e < form->k && i + e < form->nu; e++) {
+            apply_block(form, i, e, x, y);
         }
-        add_line(form, i, y);
     }
 }
 
-void taut_dirichlet_rational_energies(taut_dirichlet_rational *form, const double *x,
+/* x_u and x_v at node (p, q): sums over R_st of their slopes. */
+static void surface_slopes(const taut_dirichlet_rational *form, int p, int q, const double *x,
+                           double found[2][3])
+{
+    const int k = form->k, h = form->h;
+    const size_t first = (size_t)form->along_v.table->first[q];
+
+    (void)find_slopes(form, p, q, form->slopes);
+    memset(found, 0, 6 * sizeof(double));
+    for (int a = 0; a < k; a++) {
+        const size_t i = (size_t)(form->along_u.table->first[p] + a);
+        const double *row = x + 3 * (i * (size_t)form->nv + first);
+        for (int b = 0; b < h; b++) {
+            add_multiple(form->slopes[a * h + b], row + 3 * b, found[0]);
+            add_multiple(form->slopes[(k + a) * h + b], row + 3 * b, found[1]);
+        }
+    }
+}
+
+void taut_dirichlet_rational_energies(const taut_dirichlet_rational *form, const double *x,
                                       double halves[2])
 {
-    const rule *ru = &form->along_u, *rv = &form->along_v;
-
     halves[0] = halves[1] = 0;
-    for (int i = 0; i < ru->table->count; i++) {
-        contract(form, i, x);
-        for (int k = 0; k < rv->table->count; k++) {
-            const double weight = 0.5 * ru->weights[i] * rv->weights[k];
-            double h[3][4], slopes[2][3];
-            evaluate(form, k, h);
-            slopes_of(h, slopes);
+    for (int p = 0; p < form->along_u.count; p++) {
+        for (int q = 0; q < form->along_v.count; q++) {
+            const double weight = 0.5 * form->along_u.weights[p] * form->along_v.weights[q];
+            double found[2][3];
+            surface_slopes(form, p, q, x, found);
             for (int c = 0; c < 3; c++) {
-                halves[0] += weight * slopes[0][c] * slopes[0][c];
-                halves[1] += weight * slopes[1][c] * slopes[1][c];
+                halves[0] += weight * found[0][c] * found[0][c];
+                halves[1] += weight * found[1][c] * found[1][c];
             }
         }
     }

@@ -1,9 +1,9 @@
 /* dirichlet_rational.h -- the Dirichlet form of rational functions whose weights are no product.
  *
  *     A(ij,st) = iint fu R_ij,u R_st,u + fv R_ij,v R_st,v,    R_ij = w_ij N_i N_j / w
- * ([WuWang2011] 7.5)
  *
- * over the unit square, applied to nets by Gauss quadrature without being stored.
+ * over the unit square, by Gauss quadrature ([WuWang2011] section 7.5). A is symmetric and banded
+ * by blocks: it is stored, 8 nu nv k (2h-1) bytes for k and h functions alive in u and in v.
  */
 #ifndef TAUT_CONSTRUCT_DIRICHLET_RATIONAL_H
 #define TAUT_CONSTRUCT_DIRICHLET_RATIONAL_H
@@ -12,8 +12,8 @@
 
 typedef struct taut_dirichlet_rational taut_dirichlet_rational;
 
-/* Starts with local+3 nodes a panel (geometry/panels.h) and direction. The bases are borrowed, the
- * weights (in (0, 1]) copied. TAUT_NO_MEMORY. */
+/* Starts with two nodes more than functions alive, on every panel (geometry/panels.h), and (fu, fv)
+ * = (1, 1). The bases are borrowed, the weights, in (0, 1], copied. TAUT_NO_MEMORY. */
 taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v,
                                         const double *weights, taut_dirichlet_rational **form,
                                         taut_error *error);
@@ -23,18 +23,21 @@ void taut_dirichlet_rational_free(taut_dirichlet_rational *form); /* NULL is fin
  * TAUT_GAUSS_MAX already; the form stays as it was then. */
 taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form);
 
-/* y = A x, nets double[nu][nv][3]. */
-void taut_dirichlet_rational_apply(taut_dirichlet_rational *form, double fu, double fv,
-                                   const double *x, double *y);
+/* Other factors; nothing to do for those there are. */
+void taut_dirichlet_rational_scale(taut_dirichlet_rational *form, double fu, double fv);
+
+/* y = A x, nets double[nu][nv][3], apart. Cost O(nu nv k h). */
+void taut_dirichlet_rational_apply(const taut_dirichlet_rational *form, const double *x, double *y);
 
 /* halves[0] = 1/2 iint |x_u|^2, halves[1] = 1/2 iint |x_v|^2 over the unit square. */
-void taut_dirichlet_rational_energies(taut_dirichlet_rational *form, const double *x,
+void taut_dirichlet_rational_energies(const taut_dirichlet_rational *form, const double *x,
                                       double halves[2]);
 
-/* sum over s, t of |A(ij,st)|, bounded from above, with each term of the integrals times what one
- * rounding of its parameters does to it: 1 + |u| (1/du + |w_u|/w) + |v| (1/dv + |w_v|/w), du and dv
- * the widths of its span. 2^-53 of it is what a product can be off by. */
-double taut_dirichlet_rational_row_sum(const taut_dirichlet_rational *form, double fu, double fv,
-                                       int i, int j);
+/* The sum of |A(ij,st)| over s, t. */
+double taut_dirichlet_rational_row_sum(const taut_dirichlet_rational *form, int i, int j);
+
+/* The most that rounding one parameter does to the integrands, in units of 2^-53 of their size:
+ * max 1 + |u| (1/du + |w_u|/w) + |v| (1/dv + |w_v|/w), du and dv the widths of a span. */
+double taut_dirichlet_rational_roundings(const taut_dirichlet_rational *form);
 
 #endif /* TAUT_CONSTRUCT_DIRICHLET_RATIONAL_H */

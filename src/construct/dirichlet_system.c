@@ -98,11 +98,10 @@ static taut_status alloc(taut_dirichlet_system *system)
 }
 
 /* The factors of both directions for an aspect, the larger one scaled to 1. */
-static void set_factors(taut_dirichlet_system *system, double aspect)
+static void set_factors(taut_dirichlet_form *form, double aspect)
 {
-    const double f = aspect * system->form->ratio;
-    system->fu = f >= 1 ? 1 : f * f;
-    system->fv = f >= 1 ? 1 / f / f : 1;
+    const double f = aspect * form->ratio;
+    taut_dirichlet_form_scale(form, f >= 1 ? 1 : f * f, f >= 1 ? 1 / f / f : 1);
 }
 
 static taut_status solver_failed(taut_status status, taut_error *error)
@@ -129,7 +128,7 @@ taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_patt
     made->form = form;
     made->pattern = pattern;
     made->monitor = monitor;
-    set_factors(made, 1);
+    set_factors(form, 1);
     status = alloc(made);
     if (status == TAUT_OK) {
         if (pattern->rows == pattern->nu && pattern->columns == pattern->nv) {
@@ -137,7 +136,7 @@ taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_patt
             shift(&made->v);
         }
         status = taut_tensor_solver_new(&made->u.stiffness, &made->u.mass, &made->v.stiffness,
-                                        &made->v.mass, made->fu, made->fv, &made->solver);
+                                        &made->v.mass, form->fu, form->fv, &made->solver);
     }
     if (status != TAUT_OK) {
         taut_dirichlet_system_free(made);
@@ -158,8 +157,7 @@ static double relative(const taut_dirichlet_system *system, const double *r)
             const int j = pattern->column[b];
             const double *p = r + 3 * ((size_t)i * (size_t)pattern->nv + (size_t)j);
             const double size = fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
-            const double sum =
-                taut_dirichlet_form_row_sum(system->form, system->fu, system->fv, i, j);
+            const double sum = taut_dirichlet_form_row_sum(system->form, i, j);
             if (!(size <= largest * sum)) {
                 largest = sum > 0 ? size / sum : INFINITY;
             }
@@ -172,8 +170,7 @@ static double relative(const taut_dirichlet_system *system, const double *r)
 static taut_status find_residual(taut_dirichlet_system *system, const double *net, double *omega,
                                  taut_error *error)
 {
-    if (taut_dirichlet_form_residual(system->form, system->fu, system->fv, net, system->residual) !=
-        TAUT_OK) {
+    if (taut_dirichlet_form_residual(system->form, net, system->residual) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     taut_pattern_clear_known(system->pattern, system->residual);
@@ -243,8 +240,7 @@ static taut_status iterate(taut_dirichlet_system *system, double enough, int mos
     memcpy(system->step, system->smooth, size * sizeof(double));
     dots(size, system->residual, system->smooth, now);
     for (int k = 0; status == TAUT_OK && k < most; k++) {
-        status = taut_dirichlet_form_apply(system->form, system->fu, system->fv, system->step,
-                                           system->product);
+        status = taut_dirichlet_form_apply(system->form, system->step, system->product);
         if (status != TAUT_OK) {
             break;
         }
@@ -322,7 +318,7 @@ static taut_status settle(taut_dirichlet_system *system, double *net, double *om
 }
 
 /* Raises the nodes of a quadrature until the solution of one rule is one of the next: omega then is
- * at rounding, or within `limit` and no longer falling. */
+ * at rounding, or within `limit` and no longer falling from rule to rule. */
 static taut_status settle_quadrature(taut_dirichlet_system *system, double limit, double *net,
                                      double *omega, taut_error *error)
 {
@@ -352,13 +348,15 @@ static taut_status settle_quadrature(taut_dirichlet_system *system, double limit
 taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double aspect, double *net,
                                         taut_error *error)
 {
-    /* what rounding of O(100) terms, each in proportion to its row of |A|, may leave */
-    const double limit = 64 * unit_roundoff;
+    /* what rounding of O(100) terms, each in proportion to its row of |A|, may leave; quadrature
+     * takes its functions at rounded parameters besides */
+    const double roundings = taut_dirichlet_form_roundings(system->form);
+    const double limit = 64 * unit_roundoff * roundings;
     double omega = 0;
     taut_status status = TAUT_OK;
 
-    set_factors(system, aspect);
-    status = taut_tensor_solver_rescale(system->solver, system->fu, system->fv);
+    set_factors(system->form, aspect);
+    status = taut_tensor_solver_rescale(system->solver, system->form->fu, system->form->fv);
     if (status != TAUT_OK) {
         return solver_failed(status, error);
     }
