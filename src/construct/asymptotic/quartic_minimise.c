@@ -38,4 +38,4 @@ static int allows(const void *room, const int signs[4])
     return taut_quartic_allows(room, signs);
 }
 
-const taut_family taut_family_quartic = {4, 4, sizeof(taut_quartic), prepare, allows, minimise};
+const taut_family taut_family_quartic = {sizeof(taut_quartic), prepare, allows, minimise};
