@@ -100,6 +100,7 @@ static taut_status find_with(const taut_family *family, const taut_corner_data *
             allowed++;
             family->minimise(room, signs, branch);
             gap = fabs(branch->gap) < fabs(gap) ? branch->gap : gap;
+            branches->unknowns = branch->unknowns;
             if (branch->found) {
                 insert(branches, branch);
             }

@@ -302,6 +302,7 @@ static void minimise(const void *room, const int signs[4], taut_branch *branch)
     memcpy(branch->signs, signs, sizeof branch->signs);
     branch->gap = 0.0;
     branch->found = taut_starts_run(&work, x, &branch->energy);
+    branch->unknowns = s.count;
     branch->quad = s.quad;
 }
 
