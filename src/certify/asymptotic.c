@@ -174,14 +174,16 @@ static taut_status add_figures(const taut_asymptotic_model *parts, const taut_ed
 {
     taut_record *const figures = taut_record_new();
     taut_record *edges = NULL;
-    double energy = 0.0, bound = 0.0;
+    double energy = 0.0, bound = 0.0, sine = 1.0;
     taut_status status = taut_surface_bending_energy(parts->patch, &energy);
     for (int e = 0; e < 4; e++) {
         bound = fmax(bound, proofs[e].bound);
+        sine = fmin(sine, proofs[e].least_sine);
     }
     taut_record_add_number(figures, "bending_energy", energy);
     taut_record_add_number(figures, "smallest_weight", weight);
     taut_record_add_number(figures, "asymptotic_bound", bound);
+    taut_record_add_number(figures, "least_edge_sine", sine);
     edges = taut_record_add_object(figures, "edges");
     for (int e = 0; e < 4; e++) {
         taut_record *const edge = taut_record_add_object(edges, taut_asymptotic_edge_name(e));

@@ -121,6 +121,7 @@ static void add_sample(const taut_asymptotic_model *model, int edge, double t,
     sample s;
     double b[3], angle[3], k_n = 0.0, k = 0.0, sine = 0.0;
     take(model, edge, t, &s);
+    proof->least_sine = fmin(proof->least_sine, s.sine);
     if (!(s.sine > (proof->covered < 1.0 ? singular_cut : normal_cut))) {
         proof->singular++;
         return;
@@ -154,6 +155,7 @@ taut_status taut_edge_prove(const taut_asymptotic_model *model, int edge, taut_e
     taut_status status =
         arena != NULL ? taut_identity_fill(model->patch, edge, arena, &identity) : TAUT_NO_MEMORY;
     memset(proof, 0, sizeof *proof);
+    proof->least_sine = 1.0;
     proof->osculating = is_straight(model, edge, most) ? -1.0 : 0.0;
     if (status == TAUT_OK) {
         scratch = taut_arena_take(

@@ -22,6 +22,7 @@ typedef struct taut_edge_proof {
     double covered;    /* 1 unless the edge is singular */
     double osculating; /* largest sine between N and b at the samples, inflections left out; -1 on
                         * a straight edge */
+    double least_sine; /* between R_u and R_v at the samples */
     double noise;      /* k_n that rounding of the control points explains */
     double noise_sine; /* the same over the curvature there: of the sine */
     double at;         /* of the largest k_n */

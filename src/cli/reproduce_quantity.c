@@ -97,6 +97,114 @@ static double detail(const cli_subject *s, const words *w)
     return taut_record_number(at);
 }
 
+/* count NAME [NAME...]: the items of a list, or members, in the details */
+static double count_of(const cli_subject *s, const words *w)
+{
+    const taut_record *at = taut_model_details(s->model);
+    for (int i = 1; i < w->count; i++) {
+        at = taut_record_get(at, w->word[i]);
+    }
+    return at != NULL ? (double)taut_record_count(at) : (double)NAN;
+}
+
+static double real(const words *w, int i)
+{
+    return i < w->count ? strtod(w->word[i], NULL) : (double)NAN;
+}
+
+/* at U V C: coordinate of the first surface */
+static double at(const cli_subject *s, const words *w)
+{
+    double x[3];
+    return taut_surface_eval(surface_of(s, NULL), real(w, 1), real(w, 2), 0, x) == TAUT_OK
+               ? x[coordinate(w, 3)]
+               : (double)NAN;
+}
+
+/* weight I J: of the first surface */
+static double weight(const cli_subject *s, const words *w)
+{
+    const taut_surface *surface = surface_of(s, NULL);
+    const int i = integer(w, 1), j = integer(w, 2),
+              columns = taut_basis_count(taut_surface_v(surface));
+    if (taut_surface_weights(surface) == NULL || i < 0 || j < 0 || j >= columns ||
+        i >= taut_basis_count(taut_surface_u(surface))) {
+        return (double)NAN;
+    }
+    return taut_surface_weights(surface)[i * columns + j];
+}
+
+/* A curve by its name, or NULL. */
+static const taut_curve *curve_of(const cli_subject *s, const char *name)
+{
+    for (int i = 0; i < taut_model_curve_count(s->model); i++) {
+        if (strcmp(taut_curve_name(taut_model_curve(s->model, i)), name) == 0) {
+            return taut_model_curve(s->model, i);
+        }
+    }
+    return NULL;
+}
+
+/* curve_point NAME J C */
+static double curve_point(const cli_subject *s, const words *w)
+{
+    const taut_curve *curve = curve_of(s, w->word[1]);
+    const int j = integer(w, 2);
+    return curve != NULL && j >= 0 && j < taut_basis_count(taut_curve_t(curve))
+               ? taut_curve_points(curve)[3 * j + coordinate(w, 3)]
+               : (double)NAN;
+}
+
+/* curve_weight NAME J */
+static double curve_weight(const cli_subject *s, const words *w)
+{
+    const taut_curve *curve = curve_of(s, w->word[1]);
+    const int j = integer(w, 2);
+    return curve != NULL && taut_curve_weights(curve) != NULL && j >= 0 &&
+                   j < taut_basis_count(taut_curve_t(curve))
+               ? taut_curve_weights(curve)[j]
+               : (double)NAN;
+}
+
+/* curvature NAME T: |r' x r''| / |r'|^3 */
+static double curvature(const cli_subject *s, const words *w)
+{
+    const taut_curve *curve = curve_of(s, w->word[1]);
+    double x[3][3], b[3], speed = 0.0;
+    if (curve == NULL || taut_curve_eval(curve, real(w, 2), 2, &x[0][0]) != TAUT_OK) {
+        return (double)NAN;
+    }
+    for (int k = 0; k < 3; k++) {
+        b[k] = x[1][(k + 1) % 3] * x[2][(k + 2) % 3] - x[1][(k + 2) % 3] * x[2][(k + 1) % 3];
+    }
+    speed = sqrt(x[1][0] * x[1][0] + x[1][1] * x[1][1] + x[1][2] * x[1][2]);
+    return sqrt(b[0] * b[0] + b[1] * b[1] + b[2] * b[2]) / (speed * speed * speed);
+}
+
+static const taut_claim *claim_of(const cli_subject *s, const char *name)
+{
+    for (int i = 0; i < taut_certificate_claim_count(s->certificate); i++) {
+        if (strcmp(taut_certificate_claim(s->certificate, i)->claim, name) == 0) {
+            return taut_certificate_claim(s->certificate, i);
+        }
+    }
+    return NULL;
+}
+
+/* claim NAME: its residual */
+static double claim(const cli_subject *s, const words *w)
+{
+    const taut_claim *found = claim_of(s, w->word[1]);
+    return found != NULL ? found->residual : (double)NAN;
+}
+
+/* holds NAME: 1 or 0 */
+static double holds(const cli_subject *s, const words *w)
+{
+    const taut_claim *found = claim_of(s, w->word[1]);
+    return found != NULL ? found->holds == TAUT_TRUE : (double)NAN;
+}
+
 static double triangulated(const cli_subject *s, const words *w)
 {
     return cli_triangulated_area(surface_of(s, NULL), integer(w, 1));
@@ -126,6 +234,14 @@ static const struct {
     {"point", point},
     {"figure", figure},
     {"detail", detail},
+    {"count", count_of},
+    {"at", at},
+    {"weight", weight},
+    {"curve_point", curve_point},
+    {"curve_weight", curve_weight},
+    {"curvature", curvature},
+    {"claim", claim},
+    {"holds", holds},
     {"max_abs_mean", max_abs_mean},
     {"mean_abs_mean", mean_abs_mean},
     {"triangulated_area", triangulated},

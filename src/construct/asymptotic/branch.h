@@ -17,6 +17,7 @@ typedef struct taut_branch {
     double energy; /* sum of the curve energies */
     int found;     /* a minimum was found; else nothing but signs and failure is set */
     double gap;    /* where the closing condition cannot be met: its least violation, a logarithm */
+    int unknowns;  /* the energy was minimised over */
     taut_quad quad;
 } taut_branch;
 
@@ -31,6 +32,7 @@ typedef struct taut_branches {
     int count;
     taut_branch list[TAUT_BRANCHES_MAX + 1]; /* the last is scratch */
     taut_closing closing;
+    int unknowns; /* that the energy was minimised over */
 } taut_branches;
 
 /* All branches with a minimum, lowest energy first. TAUT_NO_SOLUTION if there is none: *error says

@@ -8,7 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const taut_family *const families[] = {&taut_family_quartic, &taut_family_higher};
+/* Degree 4, and 5 for all above. */
+static const taut_family *const families[] = {&taut_family_quartic, &taut_family_quintic};
 static const int text_order[4] = {TAUT_ASYMPTOTIC_V0, TAUT_ASYMPTOTIC_V1, TAUT_ASYMPTOTIC_U0,
                                   TAUT_ASYMPTOTIC_U1};
 
@@ -99,6 +100,7 @@ static taut_status find_with(const taut_family *family, const taut_corner_data *
             allowed++;
             family->minimise(room, signs, branch);
             gap = fabs(branch->gap) < fabs(gap) ? branch->gap : gap;
+            branches->unknowns = branch->unknowns;
             if (branch->found) {
                 insert(branches, branch);
             }
@@ -110,14 +112,19 @@ static taut_status find_with(const taut_family *family, const taut_corner_data *
     return status;
 }
 
-static const taut_family *family_of(int degree)
+/* From degree 6 on the energy has no minimum: the ends can bend in ever shorter intervals, P_2 near
+ * P_0, at ever less cost. What degree 5 gives is taken, raised. */
+static void raise_branches(const taut_corner_data *data, taut_branches *branches)
 {
-    for (size_t k = 0; k < sizeof families / sizeof *families; k++) {
-        if (degree >= families[k]->lowest && degree <= families[k]->highest) {
-            return families[k];
+    for (int k = 0; k < branches->count && data->raised > data->degree; k++) {
+        taut_quad *const quad = &branches->list[k].quad;
+        taut_quad_raise(quad, data->raised);
+        for (int e = 0; e < 4; e++) {
+            if (data->edges[e].straight) {
+                taut_corner_straight(data, e, data->raised, &quad->edges[e]);
+            }
         }
     }
-    return NULL;
 }
 
 taut_status taut_branches_find(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
@@ -137,7 +144,7 @@ taut_status taut_branches_find(const taut_asymptotic_problem *problem, const tau
     if (status != TAUT_OK) {
         return status;
     }
-    family = family_of(problem->degree);
+    family = families[problem->degree > 4];
     data = taut_alloc_zero(1, sizeof *data);
     room = taut_alloc_zero(1, family->size);
     if (data == NULL || room == NULL) {
@@ -147,6 +154,9 @@ taut_status taut_branches_find(const taut_asymptotic_problem *problem, const tau
     }
     if (status == TAUT_OK) {
         status = find_with(family, data, room, monitor, branches, error);
+    }
+    if (status == TAUT_OK) {
+        raise_branches(data, branches);
     }
     taut_free(room);
     taut_free(data);

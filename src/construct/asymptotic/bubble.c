@@ -37,7 +37,7 @@ void taut_bubble_eval(int m, double t, double *values)
 }
 
 /* P_k(2t - 1) has Bernstein coefficients (-1)^(k+i) C(k, i); raised to degree m - 2 and summed
- * twice. The last two coefficients come out as rounding and are zero. */
+ * twice from the left, where errors have not piled up; the right half by symmetry. */
 void taut_bubble_bernstein(int m, double *coefficients)
 {
     assert(m >= 4 && m < TAUT_POLY_MAX);
@@ -50,10 +50,14 @@ void taut_bubble_bernstein(int m, double *coefficients)
         }
         taut_poly_elevate(k, 1, low, m - 2 - k, a);
         memset(out, 0, (size_t)(m + 1) * sizeof *out);
-        for (int j = 2; j <= m - 2; j++) {
+        for (int j = 2; j <= m / 2; j++) {
             first += a[j - 2] / (m - 1);
             second += first / m;
             out[j] = sqrt(2.0 * k + 1.0) * second;
+            out[m - j] = k % 2 == 0 ? out[j] : -out[j];
+        }
+        if (m % 2 == 0 && k % 2 != 0) {
+            out[m / 2] = 0.0;
         }
     }
 }

@@ -140,7 +140,7 @@ static taut_status check_straight(const taut_corner_edge *edge, int e, taut_erro
 static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, taut_corner_edge *edge,
                              taut_error *error)
 {
-    const int n = problem->degree;
+    const int n = problem->degree < 5 ? problem->degree : 5;
     for (int k = 0; k < 2; k++) {
         const taut_quad_meeting *const f = &taut_quad_partner[e][k];
         const double *const leg = problem->edges[e].legs[k];
@@ -171,15 +171,16 @@ taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, taut_c
                                   taut_error *error)
 {
     taut_status status = taut_corner_check(problem, error);
-    data->degree = problem->degree;
+    data->degree = problem->degree < 5 ? problem->degree : 5;
+    data->raised = problem->degree;
     data->size = 0.0;
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
         status = fill_edge(problem, e, &data->edges[e], error);
         data->size = fmax(data->size, taut_distance(problem->corners[0], problem->corners[e]));
     }
     if (status == TAUT_OK) {
-        taut_curve_rule_fill(problem->degree, TAUT_CURVE_COARSE, &data->coarse);
-        taut_curve_rule_fill(problem->degree, TAUT_CURVE_FINE, &data->fine);
+        taut_curve_rule_fill(data->degree, TAUT_CURVE_COARSE, &data->coarse);
+        taut_curve_rule_fill(data->degree, TAUT_CURVE_FINE, &data->fine);
     }
     return status;
 }
@@ -187,10 +188,9 @@ taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, taut_c
 /* W = c of degree n-1 raised once, W r = A_0 W + L t c. With leg = f L at an end, c there begins
  *     c_0 = w,  c_1 = w (1/f - 1) / (n - 1);
  * between, c runs linearly in its index. Degree 4 leaves no choice. */
-void taut_corner_straight(const taut_corner_data *data, int edge, taut_quad_edge *made)
+void taut_corner_straight(const taut_corner_data *data, int edge, int n, taut_quad_edge *made)
 {
     const taut_corner_edge *const e = &data->edges[edge];
-    const int n = data->degree;
     double c[TAUT_QUAD_POINTS], chord[3], inner[2];
     taut_difference(e->point[1], e->point[0], chord);
     for (int k = 0; k < 2; k++) {

@@ -20,14 +20,16 @@ typedef struct taut_corner_edge {
 } taut_corner_edge;
 
 typedef struct taut_corner_data {
-    int degree;
+    int degree;  /* that is solved for: 4 or 5 */
+    int raised;  /* that it is to be raised to */
     double size; /* largest distance between corners */
     taut_corner_edge edges[4];
     taut_curve_rule coarse, fine; /* for the curve energies */
 } taut_corner_data;
 
-/* For degree 4 and more. TAUT_BAD_INPUT: a number out of its range; TAUT_NO_SOLUTION: legs parallel
- * at a corner, unequal end weights, a straight edge whose legs leave its chord. */
+/* For degree 4 and more; above 5 the degree solved for is 5. TAUT_BAD_INPUT: a number out of its
+ * range; TAUT_NO_SOLUTION: legs parallel at a corner, unequal end weights, a straight edge whose
+ * legs leave its chord. */
 taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, taut_corner_data *data,
                                   taut_error *error);
 
@@ -35,8 +37,8 @@ taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, taut_c
  * weights where edges meet. */
 taut_status taut_corner_check(const taut_asymptotic_problem *problem, taut_error *error);
 
-/* The straight edge of zero energy: r linear in t ([WangZhuLi2017], docs page 4.2). */
-void taut_corner_straight(const taut_corner_data *data, int edge, taut_quad_edge *made);
+/* The straight edge of zero energy at degree n: r linear in t ([WangZhuLi2017], docs page 4.2). */
+void taut_corner_straight(const taut_corner_data *data, int edge, int n, taut_quad_edge *made);
 
 /* Start and end corner of an edge: index 0 and 1. */
 extern const int taut_corner_of_edge[4][2];

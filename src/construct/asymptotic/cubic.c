@@ -279,6 +279,7 @@ static taut_status solve(const cubic *c, taut_branches *branches, taut_error *er
         branch->signs[e] = taut_quad_side(&branch->quad, e, 0);
     }
     branches->count = 1;
+    branches->unknowns = c->chains;
     return TAUT_OK;
 }
 

@@ -57,6 +57,7 @@ taut_record *taut_asymptotic_details(const taut_asymptotic_story *story)
     taut_record_add_number(details, "degree", story->patch->m);
     taut_record_add_text(details, "branch", text);
     if (story->branches != NULL) {
+        taut_record_add_number(details, "unknowns", story->branches->unknowns);
         taut_record_add_text(details, "closing", closing_names[story->branches->closing]);
     }
     add_branches(story, details);

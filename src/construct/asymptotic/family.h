@@ -7,7 +7,6 @@
 #include "construct/asymptotic/branch.h"
 
 typedef struct taut_family {
-    int lowest, highest; /* degrees it serves */
     /* Fills what does not depend on the branch; room is zeroed memory of `size` bytes. */
     size_t size;
     taut_status (*prepare)(const taut_corner_data *data, void *room, taut_closing *closing,
@@ -18,7 +17,7 @@ typedef struct taut_family {
 } taut_family;
 
 extern const taut_family taut_family_quartic; /* quartic_minimise.c */
-extern const taut_family taut_family_higher;  /* higher.c */
+extern const taut_family taut_family_quintic; /* quintic.c */
 
 /* Degree 3 differs: nothing but one length is free, and the signs come with it. */
 taut_status taut_cubic_find(const taut_asymptotic_problem *problem, taut_branches *branches,

@@ -127,26 +127,45 @@ static int is_straight(const taut_quad *quad, int edge)
     return off <= 1e-13 * taut_norm(chord) * fmax(reach, taut_norm(chord));
 }
 
-/* Homogeneous coefficients of a curve raised to degree n, as Euclidean points and weights. */
-static void raise_edge(const taut_curve *curve, int n, taut_quad_edge *edge)
+/* Raises a curve of degree p to n: degree elevation of the homogeneous coefficients. */
+static void raise_edge(int p, int n, taut_quad_edge *edge)
 {
-    const int p = taut_basis_count(taut_curve_t(curve)) - 1;
-    const double *const points = taut_curve_points(curve);
-    const double *const weights = taut_curve_weights(curve);
     double low[TAUT_QUAD_POINTS][4], high[TAUT_QUAD_POINTS][4];
+    if (p == n) {
+        return;
+    }
     for (int j = 0; j <= p; j++) {
-        low[j][3] = weights != NULL ? weights[j] : 1.0;
+        low[j][3] = edge->weights[j];
         for (int k = 0; k < 3; k++) {
-            low[j][k] = points[3 * j + k] * low[j][3];
+            low[j][k] = edge->points[j][k] * edge->weights[j];
         }
     }
     taut_poly_elevate(p, 4, &low[0][0], n - p, &high[0][0]);
     for (int j = 0; j <= n; j++) {
         edge->weights[j] = high[j][3];
         for (int k = 0; k < 3; k++) {
-            edge->points[j][k] = p == n ? points[3 * j + k] : high[j][k] / high[j][3];
+            edge->points[j][k] = high[j][k] / high[j][3];
         }
     }
+}
+
+void taut_quad_raise(taut_quad *quad, int n)
+{
+    for (int a = 0; a < 4; a++) {
+        raise_edge(quad->degree, n, &quad->edges[a]);
+    }
+    quad->degree = n;
+}
+
+static void take_curve(const taut_curve *curve, int n, taut_quad_edge *edge)
+{
+    const int p = taut_basis_count(taut_curve_t(curve)) - 1;
+    const double *const weights = taut_curve_weights(curve);
+    memcpy(edge->points, taut_curve_points(curve), (size_t)(p + 1) * sizeof *edge->points);
+    for (int j = 0; j <= p; j++) {
+        edge->weights[j] = weights != NULL ? weights[j] : 1.0;
+    }
+    raise_edge(p, n, edge);
 }
 
 /* One degree for all four; TAUT_BAD_INPUT names the curve that cannot be a boundary. */
@@ -210,7 +229,7 @@ taut_status taut_quad_of_curves(const taut_curve *const curves[4], taut_quad *qu
         return status;
     }
     for (int a = 0; a < 4; a++) {
-        raise_edge(curves[a], quad->degree, &quad->edges[a]);
+        take_curve(curves[a], quad->degree, &quad->edges[a]);
         quad->edges[a].straight = is_straight(quad, a);
     }
     return check_closed(quad, error);

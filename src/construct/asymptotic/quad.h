@@ -51,6 +51,9 @@ double taut_quad_size(const taut_quad *quad);
 /* Largest distance of a control point from the origin: what rounding of coordinates goes by. */
 double taut_quad_reach(const taut_quad *quad);
 
+/* Raises all four curves to degree n. */
+void taut_quad_raise(taut_quad *quad, int n);
+
 /* The quadrilateral of given curves: closed, end weights equal, raised to a common degree of at
  * least 3. TAUT_NO_SOLUTION or TAUT_BAD_INPUT say why not. */
 taut_status taut_quad_of_curves(const taut_curve *const curves[4], taut_quad *quad,

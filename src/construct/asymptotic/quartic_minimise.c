@@ -21,6 +21,7 @@ static void minimise(const void *room, const int signs[4], taut_branch *branch)
     memcpy(branch->signs, signs, sizeof branch->signs);
     branch->gap = taut_quartic_gap(&s);
     branch->found = branch->gap == 0.0 && taut_starts_run(&plan, x, &branch->energy);
+    branch->unknowns = s.count;
     branch->quad = s.quad;
 }
 
@@ -38,4 +39,4 @@ static int allows(const void *room, const int signs[4])
     return taut_quartic_allows(room, signs);
 }
 
-const taut_family taut_family_quartic = {4, 4, sizeof(taut_quartic), prepare, allows, minimise};
+const taut_family taut_family_quartic = {sizeof(taut_quartic), prepare, allows, minimise};

@@ -65,7 +65,7 @@ void taut_quartic_plan(const taut_quartic *quartic, const int signs[4], taut_qua
         const taut_quartic_line *const line = &quartic->lines[e];
         s->variable[e] = -1;
         if (quartic->data->edges[e].straight) {
-            taut_corner_straight(quartic->data, e, &s->quad.edges[e]);
+            taut_corner_straight(quartic->data, e, 4, &s->quad.edges[e]);
             continue;
         }
         (void)taut_quartic_interval(line, signs[e], s->range[e]);

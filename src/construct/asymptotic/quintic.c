@@ -1,13 +1,12 @@
-/* higher.c -- Algorithm 1 for degree 5 and more (docs page section 4.4).
+/* quintic.c -- Algorithm 1 for degree 5 (docs page section 4.4).
  *
  * Unknowns of a curved edge:
- *     P_2     = A_0 + lambda a_0 + mu c_0     in the corner planes, mu = +-e^m, nu = +-e^q
- *     P_(n-2) = A_1 + rho a_1 + nu c_1
- *     P_3 .. P_(n-3), and for n >= 6 the logarithms l_j of w_3 .. w_(n-3)
+ *     P_2 = A_0 + lambda a_0 + mu c_0     in the corner planes, mu = +-e^m, nu = +-e^q
+ *     P_3 = A_1 + rho a_1 + nu c_1
  *     theta_0, theta_1 = log |tau| at the ends, one number for the two edges of a corner
- * so that the corner torsions match by construction. Curvatures give w_1 and w_(n-1); the torsions
- *     theta_0 = l_3 - 3/2 l_2 + g_0,   theta_1 = l_(n-3) - 3/2 l_(n-2) + g_1
- * are linear in the logarithms and give w_2 and w_(n-2). No closing condition is left.
+ * so that the corner torsions match by construction. Curvatures give w_1 and w_4; with l_j = log
+ * w_j theta_0 = l_3 - 3/2 l_2 + g_0,   theta_1 = l_2 - 3/2 l_3 + g_1 give w_2 and w_3. No closing
+ * condition is left.
  */
 #include "construct/asymptotic/family.h"
 #include "construct/asymptotic/starts.h"
@@ -19,15 +18,11 @@ static const double longest_log = 40.0; /* weights outside e^+-40 are no solutio
 enum { DRAWS_MAX = 200 };
 
 /* Places of an edge's own unknowns, counted from its first. */
-enum { LAMBDA, LOG_MU, LOG_NU, RHO, INNER };
-
-typedef struct higher {
-    const taut_corner_data *data;
-    double chord[4]; /* unit of the inner points' unknowns */
-} higher;
+enum { LAMBDA, LOG_MU, LOG_NU, RHO, OWN };
+enum { N = 5 };
 
 typedef struct search {
-    const higher *room;
+    const taut_corner_data *data;
     const taut_curve_rule *rule;
     const int *signs;
     int first[4];           /* index of an edge's own unknowns, -1 if straight */
@@ -37,21 +32,20 @@ typedef struct search {
     taut_quad quad;
 } search;
 
-static void plan(const higher *room, const int signs[4], search *s)
+static void plan(const taut_corner_data *data, const int signs[4], search *s)
 {
-    const int n = room->data->degree;
     memset(s, 0, sizeof *s);
-    s->room = room;
+    s->data = data;
     s->signs = signs;
-    s->quad.degree = n;
+    s->quad.degree = N;
     for (int e = 0; e < 4; e++) {
         s->first[e] = -1;
-        if (room->data->edges[e].straight) {
-            taut_corner_straight(room->data, e, &s->quad.edges[e]);
+        if (data->edges[e].straight) {
+            taut_corner_straight(data, e, N, &s->quad.edges[e]);
             continue;
         }
         s->first[e] = s->count;
-        s->count += INNER + 4 * (n - 5);
+        s->count += OWN;
     }
     for (int c = 0; c < 4; c++) {
         const int shared = s->count;
@@ -65,121 +59,110 @@ static void plan(const higher *room, const int signs[4], search *s)
     }
 }
 
-/* The control points of edge e from its unknowns y. */
+/* The control points of edge e but P_1 and P_4 from its unknowns y. */
 static void place_points(const search *s, int e, const double *y, taut_quad_edge *made)
 {
-    const taut_corner_edge *const edge = &s->room->data->edges[e];
-    const int n = s->room->data->degree;
+    const taut_corner_edge *const edge = &s->data->edges[e];
     double(*const p)[3] = made->points;
     for (int k = 0; k < 3; k++) {
         p[0][k] = edge->point[0][k];
-        p[1][k] = edge->point[0][k] + edge->leg[0][k];
         p[2][k] = edge->point[0][k] + y[LAMBDA] * edge->leg[0][k] +
                   s->signs[e] * exp(y[LOG_MU]) * edge->partner[0][k];
-        p[n - 2][k] = edge->point[1][k] + y[RHO] * edge->leg[1][k] +
-                      s->signs[e] * exp(y[LOG_NU]) * edge->partner[1][k];
-        p[n - 1][k] = edge->point[1][k] - edge->leg[1][k];
-        p[n][k] = edge->point[1][k];
-        for (int j = 3; j <= n - 3; j++) {
-            p[j][k] = edge->point[0][k] + s->room->chord[e] * y[INNER + 3 * (j - 3) + k];
-        }
+        p[3][k] = edge->point[1][k] + y[RHO] * edge->leg[1][k] +
+                  s->signs[e] * exp(y[LOG_NU]) * edge->partner[1][k];
+        p[5][k] = edge->point[1][k];
     }
 }
 
-/* n.(P_3 - P_0) at end 0, n.(P_(n-3) - P_n) at end 1. */
+/* n.(P_3 - P_0) at end 0, n.(P_2 - P_5) at end 1. */
 static double torsion_numerator(const search *s, int e, int end, const taut_quad_edge *made)
 {
-    const int n = s->room->data->degree;
     double arm[3];
-    taut_difference(made->points[end == 0 ? 3 : n - 3], made->points[end == 0 ? 0 : n], arm);
-    return taut_dot(s->room->data->edges[e].normal[end], arm);
+    taut_difference(made->points[end == 0 ? 3 : 2], made->points[end == 0 ? 0 : N], arm);
+    return taut_dot(s->data->edges[e].normal[end], arm);
 }
 
 /* theta - (l_3 - 3/2 l_2) at an end: what the torsion has besides its weights. */
 static double torsion_rest(const search *s, int e, int end, const double *y, double numerator)
 {
-    const taut_corner_edge *const edge = &s->room->data->edges[e];
-    const int n = s->room->data->degree;
-    return log((n - 2.0) / n * edge->weight[end]) + log(fabs(numerator)) -
+    const taut_corner_edge *const edge = &s->data->edges[e];
+    return log((N - 2.0) / N * edge->weight[end]) + log(fabs(numerator)) -
            2 * log(taut_norm(edge->normal[end])) - 1.5 * y[end == 0 ? LOG_MU : LOG_NU] -
            0.5 * edge->bend[end];
 }
 
-/* Logarithms of all weights of edge e. */
-static int place_weights(const search *s, int e, const double *x, const double numerator[2],
-                         taut_quad_edge *made)
+/* h of an end. */
+static double raising(const search *s, int e, int end)
 {
-    const taut_corner_edge *const edge = &s->room->data->edges[e];
+    return (s->data->raised - N) * s->data->edges[e].weight[end] / N;
+}
+
+/* All weights of edge e, and P_1 and P_4; scale: s at the two ends. */
+static int place_weights(const search *s, int e, const double *x, const double numerator[2],
+                         taut_quad_edge *made, double scale[2])
+{
+    const taut_corner_edge *const edge = &s->data->edges[e];
     const double *const y = x + s->first[e];
-    const int n = s->room->data->degree;
-    double h[2], l[TAUT_QUAD_POINTS];
+    double h[2], l[N + 1];
     for (int k = 0; k < 2; k++) {
         h[k] = x[s->theta[e][k]] - torsion_rest(s, e, k, y, numerator[k]);
     }
-    for (int j = 3; j <= n - 3; j++) {
-        l[j] = y[INNER + 3 * (n - 5) + j - 3];
-    }
-    if (n == 5) {
-        l[2] = -(h[1] + 1.5 * h[0]) / 1.25;
-        l[3] = -(h[0] + 1.5 * h[1]) / 1.25;
-    } else {
-        l[2] = (l[3] - h[0]) / 1.5;
-        l[n - 2] = (l[n - 3] - h[1]) / 1.5;
-    }
-    l[0] = log(edge->weight[0]);
+    l[2] = -(h[1] + 1.5 * h[0]) / 1.25;
+    l[3] = -(h[0] + 1.5 * h[1]) / 1.25;
     l[1] = 0.5 * (edge->bend[0] + l[2] + y[LOG_MU]);
-    l[n - 1] = 0.5 * (edge->bend[1] + l[n - 2] + y[LOG_NU]);
-    l[n] = log(edge->weight[1]);
-    for (int j = 0; j <= n; j++) {
+    l[4] = 0.5 * (edge->bend[1] + l[3] + y[LOG_NU]);
+    for (int j = 1; j < N; j++) {
         if (!(fabs(l[j]) < longest_log)) {
             return 0;
         }
         made->weights[j] = exp(l[j]);
     }
     made->weights[0] = edge->weight[0];
-    made->weights[n] = edge->weight[1];
+    made->weights[N] = edge->weight[1];
+    for (int k = 0; k < 2; k++) {
+        const int j = k == 0 ? 1 : 4;
+        const double whole = made->weights[j];
+        made->weights[j] -= raising(s, e, k);
+        if (!(made->weights[j] > 0)) {
+            return 0;
+        }
+        scale[k] = whole / made->weights[j];
+        memcpy(made->points[j], edge->point[k], sizeof made->points[j]);
+        taut_add_scaled(k == 0 ? scale[k] : -scale[k], edge->leg[k], made->points[j]);
+    }
     return 1;
 }
 
 /* Back from the derivatives by points and log weights to those by the unknowns. */
 static void backwards(const search *s, int e, const double *x, const double numerator[2],
-                      double by_point[TAUT_QUAD_POINTS][3], double by_log[TAUT_QUAD_POINTS],
-                      double *gradient)
+                      const double scale[2], double by_point[TAUT_QUAD_POINTS][3],
+                      double by_log[TAUT_QUAD_POINTS], double *gradient)
 {
-    const taut_corner_edge *const edge = &s->room->data->edges[e];
+    const taut_corner_edge *const edge = &s->data->edges[e];
     const double *const y = x + s->first[e];
     double *const g = gradient + s->first[e];
-    const int n = s->room->data->degree;
     double h[2];
 
-    by_log[2] += 0.5 * by_log[1];
-    by_log[n - 2] += 0.5 * by_log[n - 1];
-    g[LOG_MU] = 0.5 * by_log[1];
-    g[LOG_NU] = 0.5 * by_log[n - 1];
-    if (n == 5) {
-        h[0] = -(1.5 * by_log[2] + by_log[3]) / 1.25;
-        h[1] = -(by_log[2] + 1.5 * by_log[3]) / 1.25;
-    } else {
-        h[0] = -by_log[2] / 1.5;
-        h[1] = -by_log[n - 2] / 1.5;
-        by_log[3] += by_log[2] / 1.5;
-        by_log[n - 3] += by_log[n - 2] / 1.5;
+    for (int k = 0; k < 2; k++) { /* d log w_1 / d log(w_1 + h) = s, ds = s (1 - s) */
+        const int j = k == 0 ? 1 : 4;
+        const double along = taut_dot(by_point[j], edge->leg[k]) * (k == 0 ? 1.0 : -1.0);
+        by_log[j] = scale[k] * (by_log[j] + (1.0 - scale[k]) * along);
     }
+    by_log[2] += 0.5 * by_log[1];
+    by_log[3] += 0.5 * by_log[4];
+    g[LOG_MU] = 0.5 * by_log[1];
+    g[LOG_NU] = 0.5 * by_log[4];
+    h[0] = -(1.5 * by_log[2] + by_log[3]) / 1.25;
+    h[1] = -(by_log[2] + 1.5 * by_log[3]) / 1.25;
     for (int k = 0; k < 2; k++) {
         gradient[s->theta[e][k]] += h[k];
         g[k == 0 ? LOG_MU : LOG_NU] += 1.5 * h[k];
-        taut_add_scaled(-h[k] / numerator[k], edge->normal[k], by_point[k == 0 ? 3 : n - 3]);
+        taut_add_scaled(-h[k] / numerator[k], edge->normal[k], by_point[k == 0 ? 3 : 2]);
     }
     g[LAMBDA] = taut_dot(by_point[2], edge->leg[0]);
-    g[RHO] = taut_dot(by_point[n - 2], edge->leg[1]);
+    g[RHO] = taut_dot(by_point[3], edge->leg[1]);
     g[LOG_MU] += s->signs[e] * exp(y[LOG_MU]) * taut_dot(by_point[2], edge->partner[0]);
-    g[LOG_NU] += s->signs[e] * exp(y[LOG_NU]) * taut_dot(by_point[n - 2], edge->partner[1]);
-    for (int j = 3; j <= n - 3; j++) {
-        for (int k = 0; k < 3; k++) {
-            g[INNER + 3 * (j - 3) + k] = s->room->chord[e] * by_point[j][k];
-        }
-        g[INNER + 3 * (n - 5) + j - 3] = by_log[j];
-    }
+    g[LOG_NU] += s->signs[e] * exp(y[LOG_NU]) * taut_dot(by_point[3], edge->partner[1]);
 }
 
 static int objective(void *context, const double *x, double *value, double *gradient)
@@ -189,7 +172,8 @@ static int objective(void *context, const double *x, double *value, double *grad
     memset(gradient, 0, (size_t)s->count * sizeof *gradient);
     for (int e = 0; e < 4; e++) {
         taut_quad_edge *const made = &s->quad.edges[e];
-        double by_point[TAUT_QUAD_POINTS][3], by_log[TAUT_QUAD_POINTS], numerator[2];
+        double by_point[TAUT_QUAD_POINTS][3], by_log[TAUT_QUAD_POINTS];
+        double numerator[2], scale[2];
         if (s->first[e] < 0) {
             continue;
         }
@@ -200,11 +184,11 @@ static int objective(void *context, const double *x, double *value, double *grad
                 return 0;
             }
         }
-        if (!place_weights(s, e, x, numerator, made)) {
+        if (!place_weights(s, e, x, numerator, made, scale)) {
             return 0;
         }
         *value += taut_curve_energy(s->rule, made, by_point, by_log);
-        backwards(s, e, x, numerator, by_point, by_log, gradient);
+        backwards(s, e, x, numerator, scale, by_point, by_log, gradient);
     }
     return 1;
 }
@@ -233,27 +217,16 @@ static int take_signs(search *s, const double *x)
     return 1;
 }
 
-/* The guess for an edge's own unknowns, disturbed by noise of the given size: points one third of
- * the way and on, side weights near the geometric means of their neighbours. */
+/* The guess for an edge's own unknowns, disturbed by noise of the given size: a guess as
+ * for evenly spaced points, side weights near the geometric means of their neighbours. */
 static void guess_edge(const search *s, int e, double size, uint64_t *noise, double *y)
 {
-    const taut_corner_edge *const edge = &s->room->data->edges[e];
-    const int n = s->room->data->degree;
-    taut_quad_edge made;
+    const taut_corner_edge *const edge = &s->data->edges[e];
+    const double raise = 2 * log((double)s->data->raised / N);
     y[LAMBDA] = 2.0 + size * taut_noise(noise);
     y[RHO] = -2.0 + size * taut_noise(noise);
-    y[LOG_MU] = log(edge->weight[0]) - edge->bend[0] + size * taut_noise(noise);
-    y[LOG_NU] = log(edge->weight[1]) - edge->bend[1] + size * taut_noise(noise);
-    memset(y + INNER, 0, (size_t)(4 * (n - 5)) * sizeof *y);
-    place_points(s, e, y, &made);
-    for (int j = 3; j <= n - 3; j++) {
-        const double t = (j - 2.0) / (n - 4.0);
-        for (int k = 0; k < 3; k++) {
-            const double at = (1.0 - t) * made.points[2][k] + t * made.points[n - 2][k];
-            y[INNER + 3 * (j - 3) + k] =
-                (at - edge->point[0][k]) / s->room->chord[e] + 0.1 * size * taut_noise(noise);
-        }
-    }
+    y[LOG_MU] = log(edge->weight[0]) - edge->bend[0] + raise + size * taut_noise(noise);
+    y[LOG_NU] = log(edge->weight[1]) - edge->bend[1] + raise + size * taut_noise(noise);
 }
 
 /* A start whose torsions can match; 0 if none is drawn. Torsions begin as the mean of what
@@ -299,13 +272,10 @@ static void begin(void *context, const double *x)
 static taut_status prepare(const taut_corner_data *data, void *room, taut_closing *closing,
                            taut_error *error)
 {
-    higher *const h = room;
+    const taut_corner_data **const kept = room;
     (void)error;
     *closing = TAUT_CLOSING_NONE;
-    h->data = data;
-    for (int e = 0; e < 4; e++) {
-        h->chord[e] = taut_distance(data->edges[e].point[0], data->edges[e].point[1]);
-    }
+    *kept = data;
     return TAUT_OK;
 }
 
@@ -319,21 +289,22 @@ static int allows(const void *room, const int signs[4])
 
 static void minimise(const void *room, const int signs[4], taut_branch *branch)
 {
-    const higher *const h = room;
+    const taut_corner_data *const data = *(const taut_corner_data *const *)room;
     search s;
     taut_start_plan work = {.starts = 6, .objective = objective, .start = start, .begin = begin};
     double x[TAUT_MINIMISE_MAX];
-    plan(h, signs, &s);
+    plan(data, signs, &s);
     work.count = s.count;
     work.context = &s;
     work.rule = &s.rule;
-    work.coarse = &h->data->coarse;
-    work.fine = &h->data->fine;
+    work.coarse = &data->coarse;
+    work.fine = &data->fine;
     memcpy(branch->signs, signs, sizeof branch->signs);
     branch->gap = 0.0;
     branch->found = taut_starts_run(&work, x, &branch->energy);
+    branch->unknowns = s.count;
     branch->quad = s.quad;
 }
 
-const taut_family taut_family_higher = {5,       TAUT_QUAD_DEGREE, sizeof(higher),
-                                        prepare, allows,           minimise};
+const taut_family taut_family_quintic = {sizeof(const taut_corner_data *), prepare, allows,
+                                         minimise};
