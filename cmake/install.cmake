@@ -26,12 +26,17 @@ includedir=\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
 Name: taut
 Description: ${PROJECT_DESCRIPTION}
 Version: ${PROJECT_VERSION}
-Requires.private: jansson >= 2.14
 Libs: -L\${libdir} -ltaut
 Libs.private: -lm
 Cflags: -I\${includedir}
 ")
 install(FILES ${CMAKE_BINARY_DIR}/generated/taut.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-file(GLOB manual_pages CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/man/*.1)
-install(FILES ${manual_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+set(manual_page ${CMAKE_BINARY_DIR}/generated/taut.1)
+add_custom_command(OUTPUT ${manual_page}
+  COMMAND sh ${CMAKE_SOURCE_DIR}/tools/manual.sh $<TARGET_FILE:taut_program> > ${manual_page}.new
+  COMMAND ${CMAKE_COMMAND} -E rename ${manual_page}.new ${manual_page}
+  DEPENDS taut_program ${CMAKE_SOURCE_DIR}/tools/manual.sh VERBATIM)
+add_custom_target(manual ALL DEPENDS ${manual_page})
+add_dependencies(product manual)
+install(FILES ${manual_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

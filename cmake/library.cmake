@@ -3,21 +3,20 @@ add_custom_target(product) # all that is installed, without tests and benchmarks
 
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
-pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson>=2.14)
 
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
 list(FILTER library_sources EXCLUDE REGEX "/src/(cli|modules)/")
 
 add_library(taut_objects OBJECT ${library_sources})
-target_link_libraries(taut_objects PUBLIC taut_flags PkgConfig::JANSSON Threads::Threads)
+target_link_libraries(taut_objects PUBLIC taut_flags Threads::Threads)
 
 add_library(taut_static STATIC $<TARGET_OBJECTS:taut_objects>)
 set_target_properties(taut_static PROPERTIES OUTPUT_NAME taut)
-target_link_libraries(taut_static PUBLIC taut_flags PkgConfig::JANSSON Threads::Threads m dl)
+target_link_libraries(taut_static PUBLIC taut_flags Threads::Threads m dl)
 
 add_library(taut_shared SHARED $<TARGET_OBJECTS:taut_objects>)
 set_target_properties(taut_shared PROPERTIES OUTPUT_NAME taut VERSION ${PROJECT_VERSION} SOVERSION 0)
-target_link_libraries(taut_shared PRIVATE taut_flags PkgConfig::JANSSON Threads::Threads m dl)
+target_link_libraries(taut_shared PRIVATE taut_flags Threads::Threads m dl)
 add_dependencies(product taut_shared)
 
 # Kernels for one instruction set each, chosen at run time; fused multiply-add is theirs to use.

@@ -5,6 +5,9 @@ add_library(taut_test_support STATIC ${support_sources})
 target_include_directories(taut_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests/support)
 target_link_libraries(taut_test_support PUBLIC taut_static taut_embedded_files)
 
+# What the sanitizers are told: which leaks are not ours.
+set(sanitizer_options "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0")
+
 function(taut_test file)
   file(RELATIVE_PATH name ${CMAKE_SOURCE_DIR}/tests ${file})
   string(REGEX REPLACE "\\.c$" "" name ${name})
@@ -17,7 +20,7 @@ function(taut_test file)
   target_link_libraries(test-${target} PRIVATE taut_test_support ${links} m)
   set_target_properties(test-${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   add_test(NAME ${name} COMMAND test-${target} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 300 ENVIRONMENT "OPENBLAS_NUM_THREADS=1")
+  set_tests_properties(${name} PROPERTIES TIMEOUT 300 ENVIRONMENT "OPENBLAS_NUM_THREADS=1;${sanitizer_options}")
 endfunction()
 
 file(GLOB_RECURSE test_files CONFIGURE_DEPENDS
@@ -43,7 +46,7 @@ foreach(file IN LISTS cli_tests)
   string(REPLACE "test_" "" short ${short})
   add_test(NAME cli/${short} COMMAND sh ${file})
   set_tests_properties(cli/${short} PROPERTIES TIMEOUT 300
-    ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR}")
+    ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR};${sanitizer_options}")
 endforeach()
 
 # The checks of tools/ are seen to catch what they are for.

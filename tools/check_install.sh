@@ -55,5 +55,5 @@ case $("$prefix/bin/taut" --version) in *"$version"*) ;; *) echo "check_install:
 "$prefix/bin/taut" example dirichlet-tent > problem.json
 "$prefix/bin/taut" make --quiet problem.json -o picture.png
 test -s picture.png
-ls "$prefix"/share/man/man1/taut.1 > /dev/null
+grep -q '^\.SS make$' "$prefix/share/man/man1/taut.1" || { echo "check_install: no manual page"; exit 1; }
 echo "version $version, installed and used"

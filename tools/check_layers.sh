@@ -16,7 +16,7 @@ construct: core numeric basis geometry problem
 certify:   core numeric/quadrature.h numeric/sum.h basis geometry measure problem
 mesh:      core basis geometry measure
 draw:      core basis geometry measure mesh
-io:        core basis geometry problem measure mesh draw <jansson.h>
+io:        core basis geometry problem measure mesh draw
 cli:
 viewer:
 modules/*: core draw

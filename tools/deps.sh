@@ -14,8 +14,8 @@ build header:stdlib.h                libc6-dev              the C library's head
 build cmd:cmake                      cmake                  says what is built from what
 build cmd:ninja                      ninja-build            runs the build
 build cmd:pkg-config                 pkg-config             finds libraries
-build pc:jansson                     libjansson-dev         reads and writes JSON
 build pc:cairo                       libcairo2-dev          draws figures (SVG, PDF, PNG)
+test  pc:jansson                     libjansson-dev         another JSON parser, which ours is compared with
 test  header:gmp.h                   libgmp-dev             exact numbers the results are checked against
 test  header:flint/fmpq_mat.h        libflint-dev           exact rational algebra, likewise
 test  header:arb.h                   libflint-arb-dev       intervals of any precision, likewise

@@ -15,8 +15,8 @@
  *     "ce-bezier"  4 quartic polynomials with three shape numbers [0, 1]
  *     (src/basis/basis_list.h names all; docs/format.md gives the members of each)
  *
- * Lengths alpha and beta are at least 1e-90, beta at most 700 (cosh must not overflow); the shape
- * numbers of a ce-bezier are at most 1000 in size, those outside its legal box included.
+ * Lengths alpha and beta are at least TAUT_SPAN_MIN, beta at most 700 (cosh must not overflow); the
+ * shape numbers of a ce-bezier are at most 1000 in size, those outside its legal box included.
  *
  * Accuracy of the five of the second part, t in the closed range: each value and derivative within
  * 1e-14 of the largest of its order there (c-bspline: on that span; ce-bezier: the largest shape

@@ -7,6 +7,10 @@
  *     hu^2 |x_uu| / 8 + hu hv |x_uv| / 4 + hv^2 |x_vv| / 8        (to leading order)
  *
  * of the surface, where only the parts across x_u, across the tangent plane and across x_v count.
+ *
+ * Surfaces that share an edge (the same points at the same share of the edge's range, from either
+ * end, within a hundredth of the tolerance and 1e-6 of the size) are cut alike along it, and the
+ * vertices there are in the same place bit for bit: the mesh is closed where the surfaces are.
  */
 #ifndef TAUT_MESH_H
 #define TAUT_MESH_H
@@ -38,6 +42,8 @@ typedef struct taut_mesh_group {
     const char *name; /* the surface's, borrowed from the mesh */
     int surface;      /* its index in the model */
     int nu, nv;       /* vertices along u and along v, 2 or more */
+    int turned;       /* nonzero: its normal points the other way than its neighbours', or inwards
+                       * where they close */
     size_t first_vertex, first_quad;
 } taut_mesh_group;
 
@@ -60,6 +66,9 @@ TAUT_API size_t taut_mesh_quad_count(const taut_mesh *mesh);
 TAUT_API const uint32_t *taut_mesh_quads(const taut_mesh *mesh); /* uint32_t[n][4] */
 /* Each quad cut along its shorter diagonal: uint32_t[2 n][3]. */
 TAUT_API const uint32_t *taut_mesh_triangles(const taut_mesh *mesh);
+/* uint32_t[n]: the first vertex in the same place, across seams and along collapsed edges; faces
+ * with a place twice have no area. */
+TAUT_API const uint32_t *taut_mesh_welded(const taut_mesh *mesh);
 
 TAUT_API int taut_mesh_group_count(const taut_mesh *mesh);
 TAUT_API const taut_mesh_group *taut_mesh_group_at(const taut_mesh *mesh, int i); /* or NULL */

@@ -4,9 +4,6 @@
  * broke, or the JSON pointer of the member, what was found and what was expected:
  * TAUT_BAD_INPUT for a document that is wrong, TAUT_NO_SOLUTION for the contract's exceptions,
  * TAUT_IO for a file that cannot be read, TAUT_NO_MEMORY. All input is taken to be hostile.
- *
- * The first call makes jansson allocate by malloc (json_set_alloc_funcs), for the whole process: a
- * program that gives jansson other functions must not free by them what it made before.
  */
 #ifndef TAUT_READ_H
 #define TAUT_READ_H
@@ -29,6 +26,10 @@ TAUT_API taut_status taut_problem_read_text(const char *text, size_t length, con
                                             taut_problem **problem, taut_error *error);
 TAUT_API taut_status taut_model_read_text(const char *text, size_t length, const char *name,
                                           taut_model **model, taut_error *error);
+
+/* Any JSON text as a record; its root must be an object or a list. */
+TAUT_API taut_status taut_record_read_text(const char *text, size_t length, const char *name,
+                                           taut_record **record, taut_error *error);
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,7 @@
 #ifndef TAUT_TAUT_H
 #define TAUT_TAUT_H
 
+#include "taut/asymptotic.h"
 #include "taut/basis.h"
 #include "taut/certify.h"
 #include "taut/construct.h"
@@ -13,6 +14,7 @@
 #include "taut/mesh.h"
 #include "taut/model.h"
 #include "taut/monitor.h"
+#include "taut/operate.h"
 #include "taut/read.h"
 #include "taut/record.h"
 #include "taut/status.h"

@@ -26,6 +26,8 @@ typedef struct taut_basis_shape {
     int degree;     /* of the polynomials on each span; -1 where they are none */
 } taut_basis_shape;
 
+struct taut_change_ops; /* change.h */
+
 typedef struct taut_basis_ops {
     const char *type;
     unsigned needs;  /* members a document must give; a reader asks for them, because 0 is a
@@ -40,6 +42,7 @@ typedef struct taut_basis_ops {
     void (*fill)(taut_basis *basis);
     /* values[k][a], k = 0..order, a = 0..local-1, at t of the closed span. */
     void (*eval)(const taut_basis *basis, int span, double t, int order, double *values);
+    const struct taut_change_ops *changes; /* splitting, refining and so on */
 } taut_basis_ops;
 
 enum { TAUT_BASIS_DATA = 24 };

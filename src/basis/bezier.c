@@ -1,6 +1,7 @@
 /* bezier.c -- Bernstein polynomials on a range: N_i(t) = B[n,i]((t-lo)/(hi-lo)). */
 #include "basis/basis_ops.h"
 #include "basis/bernstein.h"
+#include "basis/change.h"
 
 static taut_status bezier_plan(const taut_basis_spec *spec, int functions, taut_basis_shape *shape,
                                taut_error *error)
@@ -47,4 +48,5 @@ const taut_basis_ops taut_basis_bezier = {
     .plan = bezier_plan,
     .fill = bezier_fill,
     .eval = bezier_eval,
+    .changes = &taut_changes_bezier,
 };

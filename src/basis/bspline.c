@@ -8,6 +8,7 @@
  * lower degree.
  */
 #include "basis/basis_ops.h"
+#include "basis/change.h"
 #include "core/fail.h"
 
 #include <assert.h>
@@ -235,4 +236,5 @@ const taut_basis_ops taut_basis_bspline = {
     .plan = bspline_plan,
     .fill = bspline_fill,
     .eval = bspline_eval,
+    .changes = &taut_changes_bspline,
 };

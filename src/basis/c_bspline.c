@@ -1,6 +1,6 @@
 /* c_bspline.c -- uniform C^2 splines over {1, t, sin t, cos t}, 0 < alpha < pi, on any number of
  * segments; not clamped. Formulas in quasi.c; [XuWang2006] section 4. */
-#include "basis/quasi.h"
+#include "basis/quasi_change.h"
 
 static taut_status c_bspline_plan(const taut_basis_spec *spec, int functions,
                                   taut_basis_shape *shape, taut_error *error)
@@ -19,6 +19,35 @@ static void c_bspline_eval(const taut_basis *basis, int span, double t, int orde
     taut_quasi_bspline_eval(&taut_quasi_c, basis, span, t, order, values);
 }
 
+static taut_status c_bspline_split(const taut_basis *basis, double t, taut_change_list *list,
+                                   taut_error *error)
+{
+    return taut_quasi_bspline_split(&taut_quasi_c, basis, t, list, error);
+}
+
+static taut_status c_bspline_halve(const taut_basis *basis, taut_change **change, taut_error *error)
+{
+    return taut_quasi_bspline_halve(&taut_quasi_c, basis, change, error);
+}
+
+static taut_status c_bspline_pieces(const taut_basis *basis, taut_change_list *list,
+                                    taut_error *error)
+{
+    return taut_quasi_bspline_pieces(&taut_quasi_c, basis, list, error);
+}
+
+const taut_change_ops taut_changes_c_bspline = {
+    .split = c_bspline_split,
+    .pieces = c_bspline_pieces,
+    .halve = c_bspline_halve,
+    .insert = NULL,
+    .elevate = NULL,
+    .reverse = taut_quasi_reverse,
+    .rerange = taut_quasi_rerange,
+    .to_bspline = taut_quasi_to_bspline,
+    .growth = taut_quasi_c_growth,
+};
+
 const taut_basis_ops taut_basis_c_bspline = {
     .type = "c-bspline",
     .needs = TAUT_MEMBER_ALPHA | TAUT_MEMBER_SEGMENTS,
@@ -27,4 +56,5 @@ const taut_basis_ops taut_basis_c_bspline = {
     .plan = c_bspline_plan,
     .fill = c_bspline_fill,
     .eval = c_bspline_eval,
+    .changes = &taut_changes_c_bspline,
 };

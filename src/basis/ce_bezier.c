@@ -10,6 +10,7 @@
  */
 #include "basis/basis_ops.h"
 #include "basis/bernstein.h"
+#include "basis/change.h"
 #include "core/fail.h"
 
 #include <math.h>
@@ -77,4 +78,5 @@ const taut_basis_ops taut_basis_ce_bezier = {
     .plan = ce_bezier_plan,
     .fill = ce_bezier_fill,
     .eval = ce_bezier_eval,
+    .changes = &taut_changes_ce_bezier,
 };

@@ -54,10 +54,10 @@ static taut_status check_length(const taut_quasi_kind *kind, double length, int 
 {
     const char *name = kind->where + 1;
 
-    if (!(length >= TAUT_QUASI_SHORTEST)) {
-        return taut_fail(error, TAUT_BAD_INPUT, kind->where, length, TAUT_QUASI_SHORTEST,
+    if (!(length >= TAUT_SPAN_MIN)) {
+        return taut_fail(error, TAUT_BAD_INPUT, kind->where, length, TAUT_SPAN_MIN,
                          "%s is %.17g, expected a positive number, at least %g", name, length,
-                         TAUT_QUASI_SHORTEST);
+                         TAUT_SPAN_MIN);
     }
     if (bspline && !kind->longest_bspline && length >= kind->longest) {
         return taut_fail(error, TAUT_NO_SOLUTION, kind->where, length, kind->longest,
@@ -82,8 +82,8 @@ static taut_status check_range(const taut_basis_spec *spec, double length, int s
     const double expected = length * segments;
     const double far = fmax(fabs(spec->range[0]), fabs(spec->range[1]));
 
-    if (far * DBL_EPSILON > 1e-6 * length) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/range", far, 1e-6 * length / DBL_EPSILON,
+    if (length < TAUT_QUASI_APART * far) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/range", far, length / TAUT_QUASI_APART,
                          "range [%.17g, %.17g] is too far from 0 for segments of length %.17g",
                          spec->range[0], spec->range[1], length);
     }
@@ -186,11 +186,9 @@ static void half_at(const taut_quasi_kernel *kernel, const taut_quasi_segment *s
     }
 }
 
-/* u[d][i] = U_i^(d), t seen from both ends of the span, so that each end is met exactly. */
-static void four(const taut_quasi_kind *kind, const taut_quasi_segment *segment,
-                 const taut_basis *basis, int span, double t, int order, double (*u)[4])
+void taut_quasi_four(const taut_quasi_kind *kind, const taut_quasi_segment *segment, double lo,
+                     double hi, double t, int order, double (*u)[4])
 {
-    const double lo = basis->breaks[span], hi = basis->breaks[span + 1];
     double low[TAUT_QUASI_ROWS][2], high[TAUT_QUASI_ROWS][2];
     double rest = 0;
     double x = local_parameter(t, lo, hi - lo, segment->length, &rest);
@@ -213,7 +211,7 @@ void taut_quasi_bezier_eval(const taut_quasi_kind *kind, const taut_basis *basis
     const taut_quasi_segment segment = taut_quasi_segment_of(basis);
     double u[TAUT_QUASI_ROWS][4];
 
-    four(kind, &segment, basis, span, t, order, u);
+    taut_quasi_four(kind, &segment, basis->breaks[span], basis->breaks[span + 1], t, order, u);
     memcpy(values, u, 4 * sizeof(double) * ((size_t)order + 1));
 }
 
@@ -227,7 +225,7 @@ void taut_quasi_bspline_eval(const taut_quasi_kind *kind, const taut_basis *basi
     const double lo = basis->breaks[span], hi = basis->breaks[span + 1];
     double u[TAUT_QUASI_ROWS][4];
 
-    four(kind, &segment, basis, span, t, order, u);
+    taut_quasi_four(kind, &segment, lo, hi, t, order, u);
     for (int d = 0; d <= order; d++) {
         const double n0 = segment.rho * u[d][0];
         const double n3 = segment.rho * u[d][3];

@@ -32,6 +32,14 @@ void taut_quasi_fill(const taut_quasi_kind *kind, taut_basis *basis);
 /* The constants that fill put into basis->data. */
 taut_quasi_segment taut_quasi_segment_of(const taut_basis *basis);
 
+/* The shortest segment so far from zero, per distance: 8 numbers fit in. */
+#define TAUT_QUASI_APART 0x1p-49
+
+/* u[d][i] = U_i^(d)(t), d = 0..order <= 3, on a segment that runs from lo to hi, t in between, seen
+ * from both ends so that each is met exactly. */
+void taut_quasi_four(const taut_quasi_kind *kind, const taut_quasi_segment *segment, double lo,
+                     double hi, double t, int order, double (*u)[4]);
+
 /* As taut_basis_ops.eval. */
 void taut_quasi_bezier_eval(const taut_quasi_kind *kind, const taut_basis *basis, int span,
                             double t, int order, double *values);

@@ -34,7 +34,6 @@ typedef struct taut_quasi_kernel {
 extern const taut_quasi_kernel taut_quasi_circular;   /* lengths in (0, pi] */
 extern const taut_quasi_kernel taut_quasi_hyperbolic; /* lengths in (0, TAUT_QUASI_LONGEST] */
 
-#define TAUT_QUASI_LONGEST 700.0  /* cosh of a hyperbolic segment must not overflow */
-#define TAUT_QUASI_SHORTEST 1e-90 /* nor may third derivatives, 18 / length^3 */
+#define TAUT_QUASI_LONGEST 700.0 /* cosh of a hyperbolic segment must not overflow */
 
 #endif /* TAUT_BASIS_QUASI_KERNEL_H */

@@ -56,13 +56,16 @@ void taut_certificate_free(taut_certificate *certificate)
 taut_status taut_certificate_add(taut_certificate *certificate, const taut_claim *claim)
 {
     const size_t count = (size_t)certificate->claim_count;
-    taut_claim *claims = taut_realloc(certificate->claims, count + 1, sizeof *claims);
+    taut_claim *claims = certificate->claims;
     char *name = NULL, *where = NULL;
 
-    if (claims == NULL) {
-        return TAUT_NO_MEMORY;
+    if ((count & (count - 1)) == 0) { /* full: room doubles at powers of two */
+        claims = taut_realloc(claims, count > 0 ? 2 * count : 1, sizeof *claims);
+        if (claims == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+        certificate->claims = claims;
     }
-    certificate->claims = claims;
     name = text_copy(claim->claim);
     where = text_copy(claim->where);
     if (name == NULL || where == NULL) {

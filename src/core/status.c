@@ -1,7 +1,5 @@
 #include "taut/status.h"
 
-#include "taut/version.h"
-
 /* The list is in the order of the enum, so its rows are indexed by status. */
 static const struct {
     int exit_code;
@@ -25,9 +23,4 @@ const char *taut_status_text(taut_status status)
 int taut_status_exit_code(taut_status status)
 {
     return known(status) ? rows[status].exit_code : 6;
-}
-
-const char *taut_version(void)
-{
-    return TAUT_VERSION;
 }

@@ -52,6 +52,12 @@ void taut_depth_triangle(taut_depth *depth, const double a[3], const double b[3]
     }
 }
 
+double taut_depth_at(const taut_depth *depth, double x, double y)
+{
+    const int column = clamp(floor(x), depth->width), row = clamp(floor(y), depth->height);
+    return (double)depth->nearest[(size_t)row * (size_t)depth->width + (size_t)column];
+}
+
 int taut_depth_hides(const taut_depth *depth, const double at[3], double slack)
 {
     const int x = clamp(floor(at[0]), depth->width), y = clamp(floor(at[1]), depth->height);

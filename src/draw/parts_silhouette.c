@@ -57,25 +57,88 @@ static int crossings(const size_t corner[4], const double *page, const double *g
     return count;
 }
 
+/* Does the page fall away, by more than 2 units of depth or to nothing, beyond a piece of
+ * silhouette? The surface lies to its `side`; beyond is the other. On the branch that goes back
+ * from a cusp a nearer sheet covers that, so closely that the branch alone would count as lying on
+ * it. */
+static int falls_away(const taut_depth *depth, const double a[3], const double b[3],
+                      const double side[2])
+{
+    const double d[2] = {b[0] - a[0], b[1] - a[1]}, length = hypot(d[0], d[1]);
+    const double away = d[0] * side[1] - d[1] * side[0] > 0 ? -2.5 : 2.5;
+    if (!(length > 0)) {
+        return 0;
+    }
+    return taut_depth_at(depth, (a[0] + b[0]) / 2 - away * d[1] / length,
+                         (a[1] + b[1]) / 2 + away * d[0] / length) < (a[2] + b[2]) / 2 - 2;
+}
+
+/* The grid and g on it. */
+typedef struct field {
+    size_t nu, nv;
+    const double *page;
+    double *g;
+} field;
+
+/* Where the surface lies beside its fold in cell (i, j), as a direction on the page. At a fold x_u
+ * and x_v are parallel on the page, and w = (|x_v|, -+|x_u|) is the way in the parameters that
+ * stands still there; the surface turns to the side of x_ww. Differences at the grid point next to
+ * the cell. 0 where the grid is too small to tell. */
+static void fold_side(const field *f, size_t i, size_t j, double side[2])
+{
+    const size_t r = i > 0 ? i : 1, s = j > 0 ? j : 1, nv = f->nv;
+    double du[2], dv[2];
+
+    side[0] = side[1] = 0;
+    if (r + 1 >= f->nu || s + 1 >= nv) {
+        return;
+    }
+    const double *here = f->page + 3 * (r * nv + s);
+    const double *before = here - 3 * nv, *after = here + 3 * nv; /* along u */
+    const double *left = here - 3, *right = here + 3;             /* along v */
+    for (size_t c = 0; c < 2; c++) {
+        du[c] = (after[c] - before[c]) / 2;
+        dv[c] = (right[c] - left[c]) / 2;
+    }
+    const double a = hypot(dv[0], dv[1]);
+    const double b = hypot(du[0], du[1]) * (du[0] * dv[0] + du[1] * dv[1] > 0 ? -1 : 1);
+    for (size_t c = 0; c < 2; c++) {
+        const double uu = after[c] - 2 * here[c] + before[c];
+        const double vv = right[c] - 2 * here[c] + left[c];
+        const double uv = ((after + 3)[c] - (after - 3)[c] - (before + 3)[c] + (before - 3)[c]) / 4;
+        side[c] = a * a * uu + 2 * a * b * uv + b * b * vv;
+    }
+}
+
+/* The silhouette in cell (i, j). */
+static void add_cell(const field *f, size_t i, size_t j, taut_scene *scene)
+{
+    const size_t first = i * f->nv + j;
+    const size_t corner[4] = {first, first + f->nv, first + f->nv + 1, first + 1};
+    double at[4][3], side[2];
+    const int count = crossings(corner, f->page, f->g, at);
+
+    for (int k = 0; k + 1 < count; k += 2) {
+        fold_side(f, i, j, side);
+        if (falls_away(&scene->depth, at[k], at[k + 1], side)) {
+            taut_scene_line(scene, 2, at[k], silhouette_ink, silhouette_width);
+        }
+    }
+}
+
 taut_status taut_parts_silhouette(const taut_sheet *sheet, const double *page, taut_arena *arena,
                                   taut_scene *scene)
 {
     const size_t nu = (size_t)sheet->u.count, nv = (size_t)sheet->v.count;
-    double *g = taut_arena_take(arena, nu * nv, sizeof(double));
+    const field f = {nu, nv, page, taut_arena_take(arena, nu * nv, sizeof(double))};
 
-    if (g == NULL) {
+    if (f.g == NULL) {
         return TAUT_NO_MEMORY;
     }
-    fill_facing(nu, nv, page, g);
+    fill_facing(nu, nv, page, f.g);
     for (size_t i = 0; i + 1 < nu; i++) {
         for (size_t j = 0; j + 1 < nv; j++) {
-            const size_t first = i * nv + j;
-            const size_t corner[4] = {first, first + nv, first + nv + 1, first + 1};
-            double at[4][3];
-            const int count = crossings(corner, page, g, at);
-            for (int k = 0; k + 1 < count; k += 2) {
-                taut_scene_line(scene, 2, at[k], silhouette_ink, silhouette_width);
-            }
+            add_cell(&f, i, j, scene);
         }
     }
     return scene->status;

@@ -43,7 +43,7 @@ static taut_status read_type(const taut_json *at, const taut_basis_ops **ops, ta
     taut_status status = TAUT_OK;
     int count = 0;
 
-    if (!json_is_object(at->value)) {
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
         return taut_json_expected(at, error,
                                   "an object, such as {\"type\": \"bezier\", "
                                   "\"degree\": 3}");

@@ -12,7 +12,7 @@ static const char *const claim_members[] = {"claim", "residual", "limit", "holds
 /* A number, or null for one that is not finite. */
 static taut_status read_residual(const taut_json *at, double *value, taut_error *error)
 {
-    if (at->value != NULL && json_is_null(at->value)) {
+    if (taut_json_kind_at(at) == TAUT_JSON_NULL) {
         *value = taut_none;
         return TAUT_OK;
     }
@@ -21,12 +21,13 @@ static taut_status read_residual(const taut_json *at, double *value, taut_error 
 
 static taut_status read_verdict(const taut_json *at, taut_verdict *verdict, taut_error *error)
 {
-    if (!json_is_boolean(at->value) && !json_is_null(at->value)) {
+    const taut_json_kind kind = taut_json_kind_at(at);
+    if (kind != TAUT_JSON_TRUE && kind != TAUT_JSON_FALSE && kind != TAUT_JSON_NULL) {
         return taut_json_expected(at, error, "true, false or null");
     }
-    *verdict = json_is_true(at->value)    ? TAUT_TRUE
-               : json_is_false(at->value) ? TAUT_FALSE
-                                          : TAUT_UNDECIDED;
+    *verdict = kind == TAUT_JSON_TRUE    ? TAUT_TRUE
+               : kind == TAUT_JSON_FALSE ? TAUT_FALSE
+                                         : TAUT_UNDECIDED;
     return TAUT_OK;
 }
 
@@ -78,7 +79,7 @@ static taut_status read_figures(const taut_json *at, taut_certificate *certifica
 {
     taut_record *figures = NULL;
     taut_status status = TAUT_OK;
-    if (!json_is_object(at->value)) {
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
         return taut_json_expected(at, error, "an object");
     }
     status = taut_json_record(at, &figures, error);

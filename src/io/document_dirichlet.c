@@ -30,11 +30,11 @@ static taut_status read_aspect(const taut_json *document, taut_dirichlet_problem
     if (at.value == NULL) {
         return TAUT_OK;
     }
-    if (json_is_string(at.value) && strcmp(json_string_value(at.value), "auto") == 0) {
+    if (taut_json_kind_at(&at) == TAUT_JSON_STRING && strcmp(taut_json_text_at(&at), "auto") == 0) {
         data->aspect_auto = 1;
         return TAUT_OK;
     }
-    if (!json_is_number(at.value) || !(json_number_value(at.value) > 0)) {
+    if (taut_json_kind_at(&at) != TAUT_JSON_NUMBER || !(taut_json_number_at(&at) > 0)) {
         return taut_json_expected(&at, error, "a positive number or \"auto\"");
     }
     return taut_json_number(&at, &data->aspect, error);

@@ -3,6 +3,7 @@
 #include "io/json_in.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Refuses a member that the list does not have, and names the one it may have been meant for. */
@@ -26,15 +27,11 @@ static int is_listed(const char *key, const char *const *members)
 
 taut_status taut_json_object(const taut_json *at, const char *const *members, taut_error *error)
 {
-    json_t *object = (json_t *)(size_t)at->value; /* jansson iterates without const */
-    const char *key = NULL;
-    json_t *value = NULL;
-
-    if (!json_is_object(at->value)) {
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
         return taut_json_expected(at, error, "an object");
     }
-    json_object_foreach(object, key, value)
-    {
+    for (size_t i = 0; i < at->value->count; i++) {
+        const char *key = at->value->as.members[i].key;
         if (!is_listed(key, members)) {
             return unknown_member(at, key, members, error);
         }
@@ -45,15 +42,16 @@ taut_status taut_json_object(const taut_json *at, const char *const *members, ta
 taut_status taut_json_array(const taut_json *at, size_t least, size_t most, const char *items,
                             size_t *count, taut_error *error)
 {
-    const size_t size = json_array_size(at->value);
-    if (json_is_array(at->value) && size >= least && size <= most) {
+    const int is_array = taut_json_kind_at(at) == TAUT_JSON_ARRAY;
+    const size_t size = taut_json_count_at(at);
+    if (is_array && size >= least && size <= most) {
         *count = size;
         return TAUT_OK;
     }
     if (least == most) {
         return taut_json_expected(at, error, "an array of %zu %s", least, items);
     }
-    if (json_is_array(at->value) && size > most) {
+    if (is_array && size > most) {
         return taut_json_expected(at, error, "an array of at most %zu %s", most, items);
     }
     if (least > 0) {
@@ -64,22 +62,22 @@ taut_status taut_json_array(const taut_json *at, size_t least, size_t most, cons
 
 taut_status taut_json_number(const taut_json *at, double *value, taut_error *error)
 {
-    const double number = json_number_value(at->value);
-    if (!json_is_number(at->value) || !isfinite(number)) {
+    if (taut_json_kind_at(at) != TAUT_JSON_NUMBER) {
         return taut_json_expected(at, error, "a number");
     }
-    *value = number;
+    *value = at->value->as.number; /* finite: the parser sees to that */
     return TAUT_OK;
 }
 
 taut_status taut_json_integer(const taut_json *at, int least, int most, int *value,
                               taut_error *error)
 {
-    const double number = json_number_value(at->value);
-    if (!json_is_number(at->value) || number != floor(number) || number < least || number > most) {
+    const int is_number = taut_json_kind_at(at) == TAUT_JSON_NUMBER;
+    const double number = taut_json_number_at(at);
+    if (!is_number || number != floor(number) || number < least || number > most) {
         const taut_status status =
             taut_json_expected(at, error, "a whole number from %d to %d", least, most);
-        if (error != NULL && json_is_number(at->value)) {
+        if (error != NULL && is_number) {
             error->limit = number < least ? least : most;
         }
         return status;
@@ -93,23 +91,18 @@ taut_status taut_json_numbers(const taut_json *at, size_t count, double *values,
     size_t size = 0;
     taut_status status = taut_json_array(at, count, count, "numbers", &size, error);
     for (size_t i = 0; status == TAUT_OK && i < count; i++) {
-        const json_t *value = json_array_get(at->value, i);
-        if (json_is_real(value)) { /* every number is a real one: see the flags of the parser */
-            values[i] = json_real_value(value);
-        } else {
-            const taut_json item = taut_json_item(at, i);
-            status = taut_json_number(&item, &values[i], error);
-        }
+        const taut_json item = taut_json_item(at, i);
+        status = taut_json_number(&item, &values[i], error);
     }
     return status;
 }
 
 taut_status taut_json_text(const taut_json *at, const char **text, taut_error *error)
 {
-    if (!json_is_string(at->value)) {
+    if (taut_json_kind_at(at) != TAUT_JSON_STRING) {
         return taut_json_expected(at, error, "a string");
     }
-    *text = json_string_value(at->value);
+    *text = at->value->as.string;
     return TAUT_OK;
 }
 
@@ -132,7 +125,7 @@ taut_status taut_json_word(const taut_json *at, const char *const *words, int *w
                            taut_error *error)
 {
     char list[160];
-    const char *found = json_string_value(at->value); /* NULL if it is no string */
+    const char *found = taut_json_text_at(at);
     for (int i = 0; found != NULL && words[i] != NULL; i++) {
         if (strcmp(found, words[i]) == 0) {
             *word = i;

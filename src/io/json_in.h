@@ -3,37 +3,39 @@
  * A `taut_json` is a value together with the way to it, as a chain of places on the stack; the JSON
  * pointer (RFC 6901) is spelled only when something is wrong. Getters check everything: the kind,
  * finiteness, the range; they return TAUT_OK or TAUT_BAD_INPUT with found, expected and the pointer
- * in *error, their outputs untouched. jansson is used here and nowhere else.
+ * in *error, their outputs untouched.
  */
 #ifndef TAUT_IO_JSON_IN_H
 #define TAUT_IO_JSON_IN_H
 
+#include "io/json_tree.h"
 #include "taut/record.h"
-#include "taut/status.h"
 
-#include <jansson.h>
 #include <stddef.h>
 
 typedef struct taut_json {
-    const json_t *value;        /* borrowed; NULL: a member that is missing */
-    const struct taut_json *up; /* the object or array it is in; NULL at the root */
-    const char *key;            /* its name there, or NULL: item `index` */
+    const taut_json_value *value; /* borrowed; NULL: a member that is missing */
+    const struct taut_json *up;   /* the object or array it is in; NULL at the root */
+    const char *key;              /* its name there, or NULL: item `index` */
     size_t index;
 } taut_json;
 
-/* Parses text; `name` stands for the file in messages. The root is the caller's (json_decref).
- * TAUT_BAD_INPUT with file:line:column where JSON broke; TAUT_NO_MEMORY. */
-taut_status taut_json_load_text(const char *text, size_t length, const char *name, json_t **root,
-                                taut_error *error);
-/* The same from a file, "-" is standard input: also TAUT_IO. */
-taut_status taut_json_load(const char *path, json_t **root, taut_error *error);
+/* The document of a file, "-" is standard input: errors as taut_json_parse, and TAUT_IO. */
+taut_status taut_json_load(const char *path, taut_json_document **document, taut_error *error);
 
 /* The place of the root. */
-taut_json taut_json_root(const json_t *root);
-/* Item i of an array: it must be there. */
+taut_json taut_json_root(const taut_json_document *document);
+/* Item i of an array; its value is NULL if it is missing. */
 taut_json taut_json_item(const taut_json *array, size_t i);
 /* A member of an object; its value is NULL if it is missing. */
 taut_json taut_json_member(const taut_json *object, const char *key);
+
+/* What is there. */
+taut_json_kind taut_json_kind_at(const taut_json *at);
+/* Its number, items or text; 0, 0 or NULL where it is something else. */
+double taut_json_number_at(const taut_json *at);
+size_t taut_json_count_at(const taut_json *at);
+const char *taut_json_text_at(const taut_json *at);
 
 /* Is it an object, and does it have only members of this list (ended by NULL)? */
 taut_status taut_json_object(const taut_json *at, const char *const *members, taut_error *error);

@@ -1,5 +1,7 @@
 #include "io/json_out.h"
 
+#include "io/utf8.h"
+
 #include <string.h>
 
 taut_json_out taut_json_out_to(FILE *file)
@@ -61,35 +63,15 @@ void taut_json_close(taut_json_out *out, char c)
     taut_sink_bytes(&out->sink, &c, 1);
 }
 
-/* The length of the UTF-8 sequence at `text`; 0 where it is not one (RFC 3629: no overlong forms,
- * no surrogates, nothing above U+10FFFF). */
-static size_t utf8_length(const char *text)
-{
-    const unsigned char *b = (const unsigned char *)text;
-    const size_t length = b[0] < 0x80 ? 1 : b[0] < 0xc2 ? 0 : b[0] < 0xe0 ? 2 : b[0] < 0xf0 ? 3 : 4;
-    if (b[0] > 0xf4) {
-        return 0;
-    }
-    for (size_t i = 1; i < length; i++) {
-        if ((b[i] & 0xc0) != 0x80) {
-            return 0;
-        }
-    }
-    if ((b[0] == 0xe0 && b[1] < 0xa0) || (b[0] == 0xed && b[1] > 0x9f) ||
-        (b[0] == 0xf0 && b[1] < 0x90) || (b[0] == 0xf4 && b[1] > 0x8f)) {
-        return 0;
-    }
-    return length;
-}
-
 /* A string with its quotes. What is not UTF-8 becomes U+FFFD: the document stays one. */
 static void put_string(taut_sink *sink, const char *text)
 {
     static const char hex[] = "0123456789abcdef";
+    const char *end = text + strlen(text);
     taut_sink_bytes(sink, "\"", 1);
     while (*text != '\0') {
         const unsigned char byte = (unsigned char)*text;
-        const size_t length = utf8_length(text);
+        const size_t length = taut_utf8_length(text, end - text > 4 ? 4 : (size_t)(end - text));
         if (byte == '"' || byte == '\\') {
             const char escaped[2] = {'\\', *text};
             taut_sink_bytes(sink, escaped, 2);

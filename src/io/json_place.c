@@ -1,4 +1,4 @@
-/* json_place.c -- places in a document, their pointers, and what is found there. */
+/* json_place.c -- the pointer of a place, and what is found there. */
 #include "core/fail.h"
 #include "io/json_in.h"
 #include "io/number_text.h"
@@ -8,21 +8,6 @@
 #include <string.h>
 
 enum { DEPTH_MAX = 64, POINTER_ROOM = 192, SHOWN_KEY = 64 };
-
-taut_json taut_json_root(const json_t *root)
-{
-    return (taut_json){root, NULL, NULL, 0};
-}
-
-taut_json taut_json_item(const taut_json *array, size_t i)
-{
-    return (taut_json){json_array_get(array->value, i), array, NULL, i};
-}
-
-taut_json taut_json_member(const taut_json *object, const char *key)
-{
-    return (taut_json){json_object_get(object->value, key), object, key, 0};
-}
 
 /* The bytes of `from` that fit into `room`, whole UTF-8 sequences only. */
 static size_t whole_bytes(const char *from, size_t room)
@@ -91,32 +76,32 @@ static void spell_pointer(const taut_json *at, char pointer[POINTER_ROOM])
     }
 }
 
-/* What is there, for a message. */
-static void describe(const json_t *value, char *text, size_t size)
+/* A string in quotes, cut if it is long. */
+static void describe_string(const char *string, char *text, size_t size)
 {
+    const size_t length = whole_bytes(string, SHOWN_KEY / 2);
+    snprintf(text, size, "\"%.*s%s\"", (int)length, string, length < strlen(string) ? "..." : "");
+    for (char *c = text; *c != '\0'; c++) {
+        *c = (unsigned char)*c < 0x20 || *c == 0x7f ? '?' : *c;
+    }
+}
+
+/* What is there, for a message. */
+static void describe(const taut_json *at, char *text, size_t size)
+{
+    static const char *const kinds[] = {"nothing", "null", "false",    "true",
+                                        NULL,      NULL,   "an array", "an object"};
+    const taut_json_kind kind = taut_json_kind_at(at);
     char number[TAUT_NUMBER_ROOM];
-    if (value == NULL) {
-        snprintf(text, size, "nothing");
-    } else if (json_is_object(value)) {
-        snprintf(text, size, "an object");
-    } else if (json_is_array(value)) {
-        snprintf(text, size, "an array of %zu", json_array_size(value));
-    } else if (json_is_string(value)) {
-        const char *string = json_string_value(value);
-        const size_t length = whole_bytes(string, SHOWN_KEY / 2);
-        snprintf(text, size, "\"%.*s%s\"", (int)length, string,
-                 length < strlen(string) ? "..." : "");
-        for (char *c = text; *c != '\0'; c++) {
-            *c = (unsigned char)*c < 0x20 || *c == 0x7f ? '?' : *c;
-        }
-    } else if (json_is_number(value)) {
-        taut_number_text(json_number_value(value), number);
+    if (kind == TAUT_JSON_NUMBER) {
+        taut_number_text(taut_json_number_at(at), number);
         snprintf(text, size, "%s", number);
+    } else if (kind == TAUT_JSON_STRING) {
+        describe_string(taut_json_text_at(at), text, size);
+    } else if (kind == TAUT_JSON_ARRAY) {
+        snprintf(text, size, "an array of %zu", taut_json_count_at(at));
     } else {
-        snprintf(text, size, "%s",
-                 json_is_true(value)    ? "true"
-                 : json_is_false(value) ? "false"
-                                        : "null");
+        snprintf(text, size, "%s", kinds[kind]);
     }
 }
 
@@ -129,9 +114,10 @@ taut_status taut_json_expected(const taut_json *at, taut_error *error, const cha
     vsnprintf(wish, sizeof wish, expected, arguments);
     va_end(arguments);
     spell_pointer(at, pointer);
-    describe(at->value, found, sizeof found);
+    describe(at, found, sizeof found);
     return taut_fail(error, TAUT_BAD_INPUT, pointer,
-                     json_is_number(at->value) ? json_number_value(at->value) : taut_none,
+                     taut_json_kind_at(at) == TAUT_JSON_NUMBER ? taut_json_number_at(at)
+                                                               : taut_none,
                      taut_none, "found %s, expected %s", found, wish);
 }
 

@@ -2,6 +2,7 @@
 #include "core/fail.h"
 #include "io/json_in.h"
 #include "taut/limits.h"
+#include "taut/read.h"
 
 static taut_status add_value(taut_record *record, const char *key, const taut_json *at,
                              taut_error *error);
@@ -10,29 +11,25 @@ static taut_status add_value(taut_record *record, const char *key, const taut_js
  * costs no more than linear time. */
 static taut_status add_members(taut_record *record, const taut_json *at, taut_error *error)
 {
-    json_t *object = (json_t *)(size_t)at->value; /* jansson iterates without const */
+    const size_t count = taut_json_count_at(at);
     taut_status status = TAUT_OK;
-    const char *key = NULL;
-    json_t *value = NULL;
 
-    if (json_object_size(object) > TAUT_MEMBERS_MAX) {
-        return taut_json_fail(at, error, (double)json_object_size(object), TAUT_MEMBERS_MAX,
-                              "found an object of %zu members, expected at most %d",
-                              json_object_size(object), TAUT_MEMBERS_MAX);
+    if (count > TAUT_MEMBERS_MAX) {
+        return taut_json_fail(at, error, (double)count, TAUT_MEMBERS_MAX,
+                              "found an object of %zu members, expected at most %d", count,
+                              TAUT_MEMBERS_MAX);
     }
-    json_object_foreach(object, key, value)
-    {
-        if (status == TAUT_OK) {
-            const taut_json member = {value, at, key, 0};
-            status = add_value(record, key, &member, error);
-        }
+    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
+        const taut_json_entry *entry = &at->value->as.members[i];
+        const taut_json member = {&entry->value, at, entry->key, 0};
+        status = add_value(record, entry->key, &member, error);
     }
     return status;
 }
 
 static taut_status add_items(taut_record *record, const taut_json *at, taut_error *error)
 {
-    const size_t count = json_array_size(at->value);
+    const size_t count = taut_json_count_at(at);
     taut_status status = TAUT_OK;
     for (size_t i = 0; status == TAUT_OK && i < count; i++) {
         const taut_json item = taut_json_item(at, i);
@@ -45,33 +42,35 @@ static taut_status add_items(taut_record *record, const taut_json *at, taut_erro
 static taut_status add_value(taut_record *record, const char *key, const taut_json *at,
                              taut_error *error)
 {
+    const taut_json_kind kind = taut_json_kind_at(at);
     taut_status status = TAUT_OK;
-    if (json_is_object(at->value)) {
+    if (kind == TAUT_JSON_OBJECT) {
         status = add_members(taut_record_add_object(record, key), at, error);
-    } else if (json_is_array(at->value)) {
+    } else if (kind == TAUT_JSON_ARRAY) {
         status = add_items(taut_record_add_list(record, key), at, error);
-    } else if (json_is_string(at->value)) {
-        taut_record_add_text(record, key, json_string_value(at->value));
-    } else if (json_is_number(at->value)) {
-        taut_record_add_number(record, key, json_number_value(at->value));
-    } else if (json_is_boolean(at->value)) {
-        taut_record_add_bool(record, key, json_is_true(at->value));
-    } else {
+    } else if (kind == TAUT_JSON_STRING) {
+        taut_record_add_text(record, key, taut_json_text_at(at));
+    } else if (kind == TAUT_JSON_NUMBER) {
+        taut_record_add_number(record, key, taut_json_number_at(at));
+    } else if (kind == TAUT_JSON_NULL) {
         taut_record_add_null(record, key);
+    } else {
+        taut_record_add_bool(record, key, kind == TAUT_JSON_TRUE);
     }
     return status;
 }
 
 taut_status taut_json_record(const taut_json *at, taut_record **record, taut_error *error)
 {
+    const taut_json_kind kind = taut_json_kind_at(at);
     taut_record *made = NULL;
     taut_status status = TAUT_OK;
 
-    if (!json_is_object(at->value) && !json_is_array(at->value)) {
+    if (kind != TAUT_JSON_OBJECT && kind != TAUT_JSON_ARRAY) {
         return taut_json_expected(at, error, "an object");
     }
-    made = json_is_object(at->value) ? taut_record_new() : taut_record_new_list();
-    status = json_is_object(at->value) ? add_members(made, at, error) : add_items(made, at, error);
+    made = kind == TAUT_JSON_OBJECT ? taut_record_new() : taut_record_new_list();
+    status = kind == TAUT_JSON_OBJECT ? add_members(made, at, error) : add_items(made, at, error);
     if (status == TAUT_OK && taut_record_status(made) != TAUT_OK) {
         status = taut_fail_memory(error);
     }
@@ -81,4 +80,17 @@ taut_status taut_json_record(const taut_json *at, taut_record **record, taut_err
     }
     *record = made;
     return TAUT_OK;
+}
+
+taut_status taut_record_read_text(const char *text, size_t length, const char *name,
+                                  taut_record **record, taut_error *error)
+{
+    taut_json_document *document = NULL;
+    taut_status status = taut_json_parse(text, length, name, &document, error);
+    if (status == TAUT_OK) {
+        const taut_json root = taut_json_root(document);
+        status = taut_json_record(&root, record, error);
+    }
+    taut_json_document_free(document);
+    return status;
 }

@@ -14,7 +14,7 @@ static const char *const model_members[] = {"taut",    "unit",        "surfaces"
 taut_status taut_version_document_check(const taut_json *document, taut_error *error)
 {
     const taut_json at = taut_json_member(document, "taut");
-    if (!json_is_number(at.value) || json_number_value(at.value) != 1) {
+    if (taut_json_kind_at(&at) != TAUT_JSON_NUMBER || taut_json_number_at(&at) != 1) {
         return taut_json_expected(&at, error, "1, the version of the format");
     }
     return TAUT_OK;
@@ -84,7 +84,7 @@ static taut_status add_details(taut_model *model, const taut_json *document, tau
     if (at.value == NULL) {
         return TAUT_OK;
     }
-    if (!json_is_object(at.value)) {
+    if (taut_json_kind_at(&at) != TAUT_JSON_OBJECT) {
         return taut_json_expected(&at, error, "an object");
     }
     status = taut_json_record(&at, &details, error);
@@ -130,13 +130,14 @@ static taut_status read_members(taut_model *model, const taut_json *document, ta
 }
 
 /* The model of a document that has been parsed. */
-static taut_status model_of(const json_t *root, taut_model **model, taut_error *error)
+static taut_status model_of(const taut_json_document *root, taut_model **model, taut_error *error)
 {
     const taut_json document = taut_json_root(root);
     taut_model *made = NULL;
     taut_status status = TAUT_OK;
 
-    if (json_object_get(root, "construct") != NULL && json_object_get(root, "surfaces") == NULL) {
+    if (taut_json_find(document.value, "construct") != NULL &&
+        taut_json_find(document.value, "surfaces") == NULL) {
         const taut_json at = taut_json_member(&document, "construct");
         return taut_json_fail(&at, error, taut_none, taut_none,
                               "this is a problem, expected a model: `taut make` makes one from it");
@@ -162,23 +163,23 @@ static taut_status model_of(const json_t *root, taut_model **model, taut_error *
 taut_status taut_model_read_text(const char *text, size_t length, const char *name,
                                  taut_model **model, taut_error *error)
 {
-    json_t *root = NULL;
+    taut_json_document *root = NULL;
     taut_status status = TAUT_OK;
     if ((text == NULL && length > 0) || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "taut_model_read_text needs a text and a place for the model");
     }
-    status = taut_json_load_text(text, length, name != NULL ? name : "text", &root, error);
+    status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
     if (status == TAUT_OK) {
         status = model_of(root, model, error);
     }
-    json_decref(root);
+    taut_json_document_free(root);
     return status;
 }
 
 taut_status taut_model_read(const char *path, taut_model **model, taut_error *error)
 {
-    json_t *root = NULL;
+    taut_json_document *root = NULL;
     const taut_format_ops *ops = NULL;
     taut_status status = TAUT_OK;
     if (path == NULL || model == NULL) {
@@ -193,6 +194,6 @@ taut_status taut_model_read(const char *path, taut_model **model, taut_error *er
     if (status == TAUT_OK) {
         status = model_of(root, model, error);
     }
-    json_decref(root);
+    taut_json_document_free(root);
     return status;
 }

@@ -17,7 +17,8 @@ taut_status taut_net_document_shape(const taut_json *points, int *rows, int *col
         const taut_json row = taut_json_item(points, i);
         if (i == 0) {
             status = taut_json_array(&row, 1, TAUT_COUNT_MAX, "points", &length, error);
-        } else if (!json_is_array(row.value) || json_array_size(row.value) != length) {
+        } else if (taut_json_kind_at(&row) != TAUT_JSON_ARRAY ||
+                   taut_json_count_at(&row) != length) {
             status =
                 taut_json_expected(&row, error, "an array of %zu points, as row 0 has", length);
         }
@@ -75,7 +76,7 @@ taut_status taut_net_document_bases(const taut_json *object, int rows, int colum
 
 taut_status taut_net_document_point(const taut_json *at, double point[3], taut_error *error)
 {
-    if (!json_is_array(at->value) || json_array_size(at->value) != 3) {
+    if (taut_json_kind_at(at) != TAUT_JSON_ARRAY || taut_json_count_at(at) != 3) {
         return taut_json_expected(at, error, "a point [x, y, z]");
     }
     return taut_json_numbers(at, 3, point, error);
@@ -88,10 +89,10 @@ static taut_status read_row(const taut_json *row, int columns, double *points, u
     taut_status status = TAUT_OK;
     for (int j = 0; status == TAUT_OK && j < columns; j++) {
         const taut_json at = taut_json_item(row, (size_t)j);
-        if (known != NULL && json_is_null(at.value)) {
+        if (known != NULL && taut_json_kind_at(&at) == TAUT_JSON_NULL) {
             memset(points + 3 * j, 0, 3 * sizeof(double));
             known[j] = 0;
-        } else if (known != NULL && !json_is_array(at.value)) {
+        } else if (known != NULL && taut_json_kind_at(&at) != TAUT_JSON_ARRAY) {
             status = taut_json_expected(&at, error, "a point [x, y, z], or null: to be found");
         } else {
             status = taut_net_document_point(&at, points + 3 * j, error);

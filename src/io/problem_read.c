@@ -23,15 +23,15 @@ static taut_status read_construct(const taut_json *document, int *construct, tau
     for (int i = 0; i < TAUT_CONSTRUCT_COUNT; i++) {
         names[i] = taut_construct_name(i);
     }
-    if (!json_is_object(document->value)) {
+    if (taut_json_kind_at(document) != TAUT_JSON_OBJECT) {
         return taut_json_expected(document, error, "an object");
     }
-    if (at.value == NULL && json_object_get(document->value, "surfaces") != NULL) {
+    if (at.value == NULL && taut_json_find(document->value, "surfaces") != NULL) {
         return taut_json_fail(&at, error, taut_none, taut_none,
                               "found nothing, expected a construction: this is a model, not a "
                               "problem");
     }
-    name = json_string_value(at.value);
+    name = taut_json_text_at(&at);
     if (name == NULL) {
         return taut_json_expected(&at, error, "the name of a construction, such as \"%s\"",
                                   names[0]);
@@ -58,7 +58,8 @@ static taut_status check_members(const taut_json *document, const taut_document_
 }
 
 /* The problem of a document that has been parsed. */
-static taut_status problem_of(const json_t *root, taut_problem **problem, taut_error *error)
+static taut_status problem_of(const taut_json_document *root, taut_problem **problem,
+                              taut_error *error)
 {
     const taut_json document = taut_json_root(root);
     const char *unit = "mm";
@@ -93,23 +94,23 @@ static taut_status problem_of(const json_t *root, taut_problem **problem, taut_e
 taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
                                    taut_problem **problem, taut_error *error)
 {
-    json_t *root = NULL;
+    taut_json_document *root = NULL;
     taut_status status = TAUT_OK;
     if ((text == NULL && length > 0) || problem == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "taut_problem_read_text needs a text and a place for the problem");
     }
-    status = taut_json_load_text(text, length, name != NULL ? name : "text", &root, error);
+    status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
     if (status == TAUT_OK) {
         status = problem_of(root, problem, error);
     }
-    json_decref(root);
+    taut_json_document_free(root);
     return status;
 }
 
 taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error)
 {
-    json_t *root = NULL;
+    taut_json_document *root = NULL;
     taut_status status = TAUT_OK;
     if (path == NULL || problem == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
@@ -119,6 +120,6 @@ taut_status taut_problem_read(const char *path, taut_problem **problem, taut_err
     if (status == TAUT_OK) {
         status = problem_of(root, problem, error);
     }
-    json_decref(root);
+    taut_json_document_free(root);
     return status;
 }

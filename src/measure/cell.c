@@ -62,7 +62,12 @@ int taut_cell_work_init(const taut_cells *cells, int row, taut_cell_work *work)
     work->polygons = taut_alloc_aligned(3 * line, sizeof(double));
     work->field = taut_alloc_aligned(24 * (size_t)work->stride, sizeof(double));
     work->out = taut_alloc_aligned(TAUT_FIELDS_MAX * (size_t)work->stride, sizeof(double));
-    return work->net != NULL && work->polygons != NULL && work->field != NULL && work->out != NULL;
+    work->kept[0] = taut_alloc_aligned(TAUT_KEPT_MAX * TAUT_NODES_KEPT, sizeof(double));
+    for (int k = 1; k < TAUT_KEPT_MAX && work->kept[0] != NULL; k++) {
+        work->kept[k] = work->kept[0] + k * TAUT_NODES_KEPT;
+    }
+    return work->kept[0] != NULL && work->net != NULL && work->polygons != NULL &&
+           work->field != NULL && work->out != NULL;
 }
 
 void taut_cell_work_free(taut_cell_work *work)
@@ -71,6 +76,7 @@ void taut_cell_work_free(taut_cell_work *work)
     taut_free(work->polygons);
     taut_free(work->field);
     taut_free(work->out);
+    taut_free(work->kept[0]);
 }
 
 void taut_cell_load(const taut_cells *cells, int su, int sv, taut_cell_work *work)
@@ -237,33 +243,27 @@ static void add_batch(const taut_nodes *u, int first, int rows, const taut_nodes
     }
 }
 
-static void watch_batch(const int watch[2], int count, const taut_cell_work *work,
-                        double range[2][2])
+static void keep_batch(int first_field, int kept, int from, int count, const taut_cell_work *work)
 {
-    for (int w = 0; w < 2 && watch[w] >= 0; w++) {
-        const double *out = work->out + (size_t)watch[w] * (size_t)work->stride;
-        for (int j = 0; j < count; j++) {
-            range[w][0] = out[j] < range[w][0] ? out[j] : range[w][0];
-            range[w][1] = out[j] > range[w][1] ? out[j] : range[w][1];
-        }
+    for (int k = 0; k < kept; k++) {
+        memcpy(work->kept[k] + from, work->out + (size_t)(first_field + k) * (size_t)work->stride,
+               (size_t)count * sizeof(double));
     }
 }
 
 void taut_cell_sum(const taut_cells *cells, const taut_nodes *u, const taut_nodes *v, int order,
-                   taut_fields *fields, int field_count, const int watch[2], taut_cell_work *work,
-                   double *sums, double range[2][2])
+                   taut_fields *fields, int field_count, int kept, taut_cell_work *work,
+                   double *sums)
 {
     const int batch = work->stride / v->count;
 
     memset(sums, 0, (size_t)field_count * sizeof(double));
-    for (int w = 0; w < 2; w++) {
-        range[w][0] = INFINITY;
-        range[w][1] = -INFINITY;
-    }
     for (int i = 0; i < u->count; i += batch) {
         const int rows = u->count - i < batch ? u->count - i : batch;
         evaluate(cells, u, i, rows, v, order, fields, work);
         add_batch(u, i, rows, v, field_count, work, sums);
-        watch_batch(watch, rows * v->count, work, range);
+        if (u->count * v->count <= TAUT_NODES_KEPT) {
+            keep_batch(field_count, kept, i * v->count, rows * v->count, work);
+        }
     }
 }

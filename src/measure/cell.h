@@ -12,7 +12,7 @@
 
 #include <stddef.h>
 
-enum { TAUT_FIELDS_MAX = 17 };
+enum { TAUT_FIELDS_MAX = 20, TAUT_KEPT_MAX = 4, TAUT_NODES_KEPT = 1024 };
 
 /* What a cell's rounding is judged by: bounds of |x_u|, |x_v|, |x_uu|, |x_uv|, |x_vv| in the order
  * of the vectors, from the size of its net and the sums of |basis functions|; [TAUT_X] is the size
@@ -58,8 +58,9 @@ typedef struct taut_cell_work {
     double *polygons; /* [order+1][local v][dim] */
     double *field;    /* [6][3][stride] (with weights [6][4] until they are divided out) */
     double *out;      /* [TAUT_FIELDS_MAX][stride] */
-    int stride;       /* nodes handled at a time */
-    double size;      /* of the cell's net, largest distance of a coordinate */
+    double *kept[TAUT_KEPT_MAX]; /* [TAUT_NODES_KEPT] each */
+    int stride;                  /* nodes handled at a time */
+    double size;                 /* of the cell's net, largest distance of a coordinate */
 } taut_cell_work;
 
 /* `row` is the largest number of nodes in v. 0 when memory runs out; free in any case. */
@@ -69,11 +70,12 @@ void taut_cell_work_free(taut_cell_work *work);
 /* Takes the net of spans su, sv into the work. */
 void taut_cell_load(const taut_cells *cells, int su, int sv, taut_cell_work *work);
 
-/* sums[f] = sum over the nodes of weight times out[f], f < field_count. range[w][0], [1]: the least
- * and the largest value at a node of field watch[w] >= 0. order is 1 or 2. */
+/* sums[f] = sum over the nodes of weight times out[f], f < field_count. The `kept` fields that
+ * follow them go to work->kept[k], row by row, if there are no more than TAUT_NODES_KEPT nodes.
+ * order is 1 or 2. */
 void taut_cell_sum(const taut_cells *cells, const taut_nodes *u, const taut_nodes *v, int order,
-                   taut_fields *fields, int field_count, const int watch[2], taut_cell_work *work,
-                   double *sums, double range[2][2]);
+                   taut_fields *fields, int field_count, int kept, taut_cell_work *work,
+                   double *sums);
 
 /* The same fields at the nodes of row i, kept in work: vectors in field, fields in out. */
 void taut_cell_row(const taut_cells *cells, const taut_nodes *u, int i, const taut_nodes *v,

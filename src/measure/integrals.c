@@ -22,24 +22,34 @@ static const taut_target area_target[] = {{1e-11, 1e-15}};
 static const taut_target square_targets[] = {{1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18}};
 static const taut_target all_targets[] = {{1e-11, 1e-15}, {1e-11, 1e-18}, {1e-11, 1e-18},
                                           {1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18},
-                                          {1e-11, 1e-18}, {4e-7, 1e-12}};
+                                          {1e-11, 1e-18}, {2e-7, 1e-12}};
 
 /* The vectors at node j of a batch. */
 #define AT(k, c) (x[(3 * (k) + (c)) * stride + j])
 #define DOT(k, l) (AT(k, 0) * AT(l, 0) + AT(k, 1) * AT(l, 1) + AT(k, 2) * AT(l, 2))
 
-/* out[0] = W, out[1] its reference. */
-static void area_fields(int count, int stride, const double *x, const taut_bounds *bounds,
-                        double ratio, double *out)
+/* n[0..2] = x_u x x_v, w its size, reference[0] what w's rounding is proportional to. */
+static void normal_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                          double *w, double *reference, double *n)
 {
-    (void)ratio;
     for (int j = 0; j < count; j++) {
         const double n0 = AT(TAUT_XU, 1) * AT(TAUT_XV, 2) - AT(TAUT_XU, 2) * AT(TAUT_XV, 1);
         const double n1 = AT(TAUT_XU, 2) * AT(TAUT_XV, 0) - AT(TAUT_XU, 0) * AT(TAUT_XV, 2);
         const double n2 = AT(TAUT_XU, 0) * AT(TAUT_XV, 1) - AT(TAUT_XU, 1) * AT(TAUT_XV, 0);
-        out[j] = sqrt(n0 * n0 + n1 * n1 + n2 * n2);
-        out[stride + j] = bounds->of[TAUT_XU] * bounds->of[TAUT_XV];
+        n[j] = n0;
+        n[stride + j] = n1;
+        n[2 * stride + j] = n2;
+        w[j] = sqrt(n0 * n0 + n1 * n1 + n2 * n2);
+        reference[j] = bounds->of[TAUT_XU] * bounds->of[TAUT_XV];
     }
+}
+
+/* Pair: W; then x_u x x_v. */
+static void area_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                        double ratio, double *out)
+{
+    (void)ratio;
+    normal_fields(count, stride, x, bounds, out, out + stride, out + 2 * stride);
 }
 
 /* out[0], out[2] = E, G. */
@@ -84,15 +94,13 @@ static void isothermality_fields(int count, int stride, const double *x, const t
     }
 }
 
-/* out[0] = |H| W = |l G - 2 m F + n E| / (2 W^2), l = x_uu . (x_u x x_v) and so on; 0 where there
- * is no normal. The reference has the bounds in place of the second derivatives. */
+/* s = H W = (l G - 2 m F + n E) / (2 W^2), l = x_uu . (x_u x x_v) and so on, 0 where there is no
+ * normal; pair[0] = |s|. The reference has the bounds in place of the second derivatives. */
 static void mean_fields(int count, int stride, const double *x, const taut_bounds *bounds,
-                        double *out)
+                        const double *normal, double *pair, double *s)
 {
     for (int j = 0; j < count; j++) {
-        const double n0 = AT(TAUT_XU, 1) * AT(TAUT_XV, 2) - AT(TAUT_XU, 2) * AT(TAUT_XV, 1);
-        const double n1 = AT(TAUT_XU, 2) * AT(TAUT_XV, 0) - AT(TAUT_XU, 0) * AT(TAUT_XV, 2);
-        const double n2 = AT(TAUT_XU, 0) * AT(TAUT_XV, 1) - AT(TAUT_XU, 1) * AT(TAUT_XV, 0);
+        const double n0 = normal[j], n1 = normal[stride + j], n2 = normal[2 * stride + j];
         const double e = DOT(TAUT_XU, TAUT_XU), f = DOT(TAUT_XU, TAUT_XV);
         const double g = DOT(TAUT_XV, TAUT_XV), w2 = n0 * n0 + n1 * n1 + n2 * n2;
         const double l = AT(TAUT_XUU, 0) * n0 + AT(TAUT_XUU, 1) * n1 + AT(TAUT_XUU, 2) * n2;
@@ -101,20 +109,20 @@ static void mean_fields(int count, int stride, const double *x, const taut_bound
         const double bound = bounds->of[TAUT_XUU] * g + 2 * bounds->of[TAUT_XUV] * fabs(f) +
                              bounds->of[TAUT_XVV] * e;
         const int regular = w2 > 0x1p-80 * e * g;
-        out[2 * stride + j] = regular ? (l * g - 2 * m * f + n * e) / (2 * w2) : 0;
-        out[j] = fabs(out[2 * stride + j]);
-        out[stride + j] = regular ? bound / (2 * sqrt(w2)) : 0;
+        s[j] = regular ? (l * g - 2 * m * f + n * e) / (2 * w2) : 0;
+        pair[j] = fabs(s[j]);
+        pair[stride + j] = regular ? bound / (2 * sqrt(w2)) : 0;
     }
 }
 
-/* Pairs: W; (r E - G/r)^2 + 4 F^2, E, G; |x_uu|^2, |x_uv|^2, |x_vv|^2; |H| W; then H W. */
+/* Pairs: W; (r E - G/r)^2 + 4 F^2, E, G; |x_uu|^2, |x_uv|^2, |x_vv|^2; |s|. Then x_u x x_v, s. */
 static void all_fields(int count, int stride, const double *x, const taut_bounds *bounds,
                        double ratio, double *out)
 {
-    area_fields(count, stride, x, bounds, ratio, out);
+    normal_fields(count, stride, x, bounds, out, out + stride, out + 16 * stride);
     isothermality_fields(count, stride, x, bounds, ratio, out + 2 * stride);
     bending_fields(count, stride, x, bounds, ratio, out + 8 * stride);
-    mean_fields(count, stride, x, bounds, out + 14 * stride);
+    mean_fields(count, stride, x, bounds, out + 16 * stride, out + 14 * stride, out + 19 * stride);
 }
 
 /* Figures from the integrals; the pointers are at the fields of each. */

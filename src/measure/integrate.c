@@ -90,9 +90,9 @@ static size_t bench_place(const taut_job *job, taut_bench *bench, double *at)
 {
     const taut_rule *samples = job->rules.samples[TAUT_WHOLE];
     const size_t sample_count = (size_t)samples[0].count * (size_t)samples[1].count;
-    size_t total = 4 * sample_count;
+    size_t total = 3 * sample_count;
 
-    for (int k = 0; k < 4 && at != NULL; k++, at += sample_count) {
+    for (int k = 0; k < 3 && at != NULL; k++, at += sample_count) {
         bench->samples[k] = at;
     }
     for (int d = 0; d < 2; d++) {

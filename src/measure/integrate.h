@@ -24,9 +24,9 @@ typedef struct taut_integrand {
     int order; /* 1 or 2, of the derivatives that are wanted */
     int exact; /* nonzero: squares of derivatives of polynomials, which the first rule integrates */
     const taut_target *targets; /* [count] */
-    /* 0; or 1: the field of the first pair is W = |x_u x x_v|; or 2: besides, that of the last pair
-     * is |s| and out[2*count] is s. Absolute values have kinks where their argument is 0, which the
-     * nodes may miss: they are looked for. */
+    /* 0; or 1: the field of the first pair is W = |x_u x x_v|, and that vector's components follow
+     * the pairs; or 2: besides, the field of the last pair is |s|, and s follows. Absolute values
+     * have kinks where their argument is 0, which nodes resolve badly or miss. */
     int kinks;
 } taut_integrand;
 

@@ -53,37 +53,50 @@ int taut_cell_try(const taut_job *job, taut_bench *bench, int ladder, const taut
 {
     static const double nothing[TAUT_FIELDS_MAX];
     const taut_integrand *in = job->integrand;
-    const int watch[2] = {in->kinks > 0 ? 0 : -1, in->kinks > 1 ? 2 * in->count : -1};
-    double before[TAUT_FIELDS_MAX], low[TAUT_FIELDS_MAX] = {0}, range[2][2];
+    const int kept = in->kinks == 0 ? 0 : 2 + in->kinks;
+    double before[TAUT_FIELDS_MAX], low[TAUT_FIELDS_MAX] = {0};
+    taut_arguments arguments;
 
-    taut_cell_sum(&job->cells, first[0], first[1], in->order, in->fields, 2 * in->count, watch,
-                  &bench->cell, low, range);
+    arguments.near[0] = arguments.near[1] = arguments.doubt = 0;
+    taut_cell_sum(&job->cells, first[0], first[1], in->order, in->fields, 2 * in->count, kept,
+                  &bench->cell, low);
     memset(error, 0, sizeof low);
     if (second[0] == NULL) {
         memcpy(value, low, sizeof low);
         return 1;
     }
+    if (kept > 0) {
+        taut_arguments_take(job, bench, ladder, 0, r, &arguments, low, error);
+        memset(error, 0, sizeof low);
+    }
     for (int level = 1;; level++) {
         const taut_nodes *nodes[2] = {second[0], second[1]};
+        int verdict = MORE;
         for (int d = 0; d < 2 && level > 1; d++) {
             taut_rule_fill(&job->rules.at[ladder][d][level], &job->cells, d, r->span[d], r->lo[d],
                            r->hi[d], in->order, &bench->nodes[d]);
             nodes[d] = &bench->nodes[d];
         }
-        taut_cell_sum(&job->cells, nodes[0], nodes[1], in->order, in->fields, 2 * in->count, watch,
-                      &bench->cell, value, range);
+        taut_cell_sum(&job->cells, nodes[0], nodes[1], in->order, in->fields, 2 * in->count, kept,
+                      &bench->cell, value);
         for (int f = 0; f < 2 * in->count; f++) {
             before[f] = error[f];
             error[f] = fabs(value[f] - low[f]);
             low[f] = value[f];
         }
-        const int verdict = judge(in, value, error, before, allowed);
-        if (verdict == TAKE) {
-            taut_cell_kinks(job, bench, ladder, r, (const double(*)[2])range, error);
-            return judge(in, value, error, nothing, allowed) == TAKE;
+        if (kept > 0) {
+            taut_arguments_take(job, bench, ladder, level, r, &arguments, value, error);
         }
-        if (verdict == GIVE_UP || level + 1 >= job->rules.levels[ladder]) {
-            return 0;
+        verdict = judge(in, value, error, before, allowed);
+        if (verdict == TAKE && arguments.doubt) {
+            taut_cell_turns(job, bench, ladder, r, error);
+            verdict = judge(in, value, error, nothing, allowed) == TAKE ? TAKE : GIVE_UP;
+        }
+        if (verdict != MORE || level + 1 >= job->rules.levels[ladder]) {
+            if (verdict == TAKE || job->last) {
+                taut_arguments_settle(job, r, &arguments, value);
+            }
+            return verdict == TAKE;
         }
     }
 }

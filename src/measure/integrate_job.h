@@ -2,6 +2,7 @@
 #ifndef TAUT_MEASURE_INTEGRATE_JOB_H
 #define TAUT_MEASURE_INTEGRATE_JOB_H
 
+#include "measure/absolute.h"
 #include "measure/integrate.h"
 #include "measure/rules.h"
 #include "numeric/sum.h"
@@ -25,7 +26,7 @@ typedef struct taut_share {
 typedef struct taut_bench {
     taut_cell_work cell;
     taut_nodes nodes[2];                /* made for one cell */
-    double *samples[4];                 /* [samples u][samples v] */
+    double *samples[3];                 /* [samples u][samples v] */
     taut_nodes block[2][2][TAUT_BLOCK]; /* [direction][level 0, 1][span of the block] */
     double *numbers;                    /* behind all of them */
 } taut_bench;
@@ -57,10 +58,29 @@ int taut_cell_try(const taut_job *job, taut_bench *bench, int ladder, const taut
                   const taut_nodes *const first[2], const taut_nodes *const second[2],
                   const double *allowed, double *value, double *error);
 
-/* Looks at closed samples of the cell for kinks that the nodes, which saw W and s in range[0] and
- * range[1], may have missed, and raises the errors of their fields to what those may amount to. */
-void taut_cell_kinks(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
-                     const double range[2][2], double *error);
+/* The arguments of W and |s| in one cell, as polynomials through two rules' nodes. */
+typedef struct taut_arguments {
+    taut_fit fit[2][2];  /* [W, s][level % 2] */
+    int near[2], had[2]; /* [W, s]: comes near 0, and is known, at this rule; at the one before */
+    int now;             /* level % 2 of this rule */
+    int doubt; /* W comes near 0, but x_u x x_v keeps to no line: no polynomial is known */
+} taut_arguments;
+
+/* After a rule's sums: takes its values into `a`, and where an argument comes near 0 makes the
+ * error of its field what the last two polynomials differ by. */
+void taut_arguments_take(const taut_job *job, const taut_bench *bench, int ladder, int level,
+                         const taut_rectangle *r, taut_arguments *a, const double *value,
+                         double *error);
+
+/* Replaces the integrals of W and |s|, where their arguments come near 0, by those of the absolute
+ * values of the polynomials. */
+void taut_arguments_settle(const taut_job *job, const taut_rectangle *r, const taut_arguments *a,
+                           double *value);
+
+/* Looks at closed samples of the cell for places where x_u x x_v turns over between the nodes, and
+ * raises error[0] to what those may amount to. */
+void taut_cell_turns(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
+                     double *error);
 
 /* Takes the cell's numbers into the share: for good, or as pending. */
 void taut_share_take(taut_share *share, int is_good, int count, const double *value,

@@ -15,7 +15,7 @@
 enum {
     SHARE = 8,           /* cells per task */
     ROUNDS_MAX = 40,     /* a corner's share is then below 2^-80 of its cell */
-    ACTIVE_MAX = 1 << 16 /* cells in one round, over four times those of the first: then errors are
+    ACTIVE_MAX = 1 << 18 /* cells in one round, over four times those of the first: then errors are
                             taken as they are */
 };
 
@@ -103,8 +103,8 @@ static taut_status cut(taut_job *job)
     return TAUT_OK;
 }
 
-/* What a cell of this round may keep: an equal part of a fourth of the goal, as later rounds take
- * theirs too. */
+/* What a cell of this round may keep: an equal part of a sixteenth of the goal, as other rounds
+ * take theirs too. */
 static void allow(taut_job *job, const taut_sum *value, const double *pending)
 {
     for (int f = 0; f < 2 * job->integrand->count; f += 2) {
@@ -112,7 +112,7 @@ static void allow(taut_job *job, const taut_sum *value, const double *pending)
         const double size = fabs(taut_sum_total(&value[f]) + pending[f]);
         const double noise = fabs(taut_sum_total(&value[f + 1]) + pending[f + 1]);
         job->allowed[f] =
-            (target->relative * size + target->floor * noise) / (4 * (double)job->active_count);
+            (target->relative * size + target->floor * noise) / (16 * (double)job->active_count);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "measure/rules.h"
 
 #include "core/memory.h"
+#include "measure/absolute.h"
 #include "numeric/quadrature.h"
 
 #include <string.h>
@@ -38,11 +39,23 @@ static void plan(const taut_cells *cells, taut_rules *rules)
     }
 }
 
+static int is_fitted(const taut_rule *rule)
+{
+    return rule->count <= TAUT_FIT_MAX;
+}
+
+static size_t numbers_of(const taut_rule *rule)
+{
+    const size_t count = (size_t)rule->count;
+    return 2 * count + (is_fitted(rule) ? count * count : 0);
+}
+
 static double *place(taut_rule *rule, double *at)
 {
     rule->nodes = at;
     rule->weights = at + rule->count;
-    return at + 2 * rule->count;
+    rule->to_legendre = is_fitted(rule) ? at + 2 * rule->count : NULL;
+    return at + numbers_of(rule);
 }
 
 static void fill_samples(taut_rule *rule)
@@ -55,14 +68,18 @@ static void fill_samples(taut_rule *rule)
 
 int taut_rules_init(taut_rules *rules, const taut_cells *cells)
 {
+    size_t total = 0;
     double *at = NULL;
 
     memset(rules, 0, sizeof *rules);
     plan(cells, rules);
-    at = rules->numbers =
-        taut_alloc(2 * TAUT_LADDERS * (TAUT_LEVELS_MAX + 1) *
-                       (size_t)(rules->most[0] > rules->most[1] ? rules->most[0] : rules->most[1]),
-                   2 * sizeof(double));
+    for (int k = 0; k < 2 * TAUT_LADDERS; k++) {
+        total += numbers_of(&rules->samples[k / 2][k % 2]);
+        for (int level = 0; level < TAUT_LEVELS_MAX; level++) {
+            total += numbers_of(&rules->at[k / 2][k % 2][level]);
+        }
+    }
+    at = rules->numbers = taut_alloc(total, sizeof(double));
     if (at == NULL) {
         return 0;
     }
@@ -74,6 +91,9 @@ int taut_rules_init(taut_rules *rules, const taut_cells *cells)
             taut_rule *rule = &rules->at[ladder][d][level];
             at = place(rule, at);
             taut_gauss_rule(rule->count, rule->nodes, rule->weights);
+            if (is_fitted(rule)) {
+                taut_fit_table(rule->count, rule->nodes, rule->weights, rule->to_legendre);
+            }
         }
     }
     return 1;

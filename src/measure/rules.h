@@ -15,6 +15,7 @@ enum { TAUT_WHOLE, TAUT_PART, TAUT_LADDERS };
 typedef struct taut_rule {
     int count;
     double *nodes, *weights;
+    double *to_legendre; /* [count][count], see absolute.h; NULL above TAUT_FIT_MAX nodes */
 } taut_rule;
 
 typedef struct taut_rules {

@@ -161,17 +161,3 @@ double taut_cells(double width, double bending, double tolerance)
     const double cells = width * sqrt(bending / (4 * tolerance)); /* width / hu */
     return cells > 1 ? ceil(cells) : cells >= 0 ? 1 : bending > 0 ? INFINITY : 1;
 }
-
-void taut_lines_fill(const taut_basis *basis, const int *cells, double *lines)
-{
-    const double *breaks = taut_basis_breaks(basis);
-    const int spans = taut_basis_span_count(basis);
-    int n = 0;
-    for (int s = 0; s < spans; s++) {
-        const double width = breaks[s + 1] - breaks[s];
-        for (int i = 0; i < cells[s]; i++) {
-            lines[n++] = breaks[s] + width * i / cells[s];
-        }
-    }
-    lines[n] = breaks[spans];
-}

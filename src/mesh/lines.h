@@ -22,7 +22,4 @@ taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_a
  * least 1; not whole and not finite where it is too large to be had. */
 double taut_cells(double width, double bending, double tolerance);
 
-/* Lines at every break and cells[s] - 1 between two of them: double[1 + sum of cells]. */
-void taut_lines_fill(const taut_basis *basis, const int *cells, double *lines);
-
 #endif /* TAUT_MESH_LINES_H */

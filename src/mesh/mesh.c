@@ -6,45 +6,55 @@
 #include "core/memory.h"
 #include "mesh/faces.h"
 #include "mesh/lines.h"
+#include "mesh/share.h"
+#include "mesh/weld.h"
 
 #include <math.h>
 #include <string.h>
 
 static const double default_tolerance = 1e-3;
+static const double weld_of_tolerance = 0.01, weld_of_size = 1e-6;
 
 struct taut_mesh {
     taut_arena *arena; /* owns all arrays */
     size_t vertex_count, quad_count;
     double *positions, *normals, *parameters;
-    uint32_t *quads, *triangles;
+    uint32_t *quads, *triangles, *welded;
     taut_mesh_group *groups;
     int group_count;
 };
 
 /* What is decided about one surface before memory is taken for its vertices. */
 typedef struct mesh_plan {
-    const taut_surface *surface;
-    taut_bending bending;
-    double *u, *v; /* the lines */
+    const taut_surface **surfaces;
+    taut_bending *bendings;
+    taut_direction *directions; /* 2 i and 2 i + 1: u and v of surface i */
+    taut_seam *seams;
+    int seam_count;
+    unsigned char *collapsed;
+    double weld; /* vertices as near as this are welded along seams */
 } mesh_plan;
 
 /* The surfaces that are wanted, as groups. */
 static taut_status choose_surfaces(taut_mesh *mesh, const taut_model *model, const char *name,
-                                   mesh_plan **plans, taut_arena *scratch, taut_error *error)
+                                   mesh_plan *plan, taut_arena *scratch, taut_error *error)
 {
-    const int count = taut_model_surface_count(model);
-    mesh->groups = taut_arena_take(mesh->arena, (size_t)count, sizeof *mesh->groups);
-    *plans = taut_arena_take(scratch, (size_t)count, sizeof **plans);
-    if (mesh->groups == NULL || *plans == NULL) {
+    const size_t count = (size_t)taut_model_surface_count(model);
+    mesh->groups = taut_arena_take(mesh->arena, count, sizeof *mesh->groups);
+    plan->surfaces = taut_arena_take(scratch, count, sizeof *plan->surfaces);
+    plan->bendings = taut_arena_take(scratch, count, sizeof *plan->bendings);
+    plan->directions = taut_arena_take(scratch, count, 2 * sizeof *plan->directions);
+    if (mesh->groups == NULL || plan->surfaces == NULL || plan->bendings == NULL ||
+        plan->directions == NULL) {
         return taut_fail_memory(error);
     }
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < (int)count; i++) {
         const taut_surface *surface = taut_model_surface(model, i);
         if (name == NULL || strcmp(name, taut_surface_name(surface)) == 0) {
             taut_mesh_group *group = &mesh->groups[mesh->group_count];
             group->name = taut_arena_text(mesh->arena, taut_surface_name(surface));
             group->surface = i;
-            (*plans)[mesh->group_count++].surface = surface;
+            plan->surfaces[mesh->group_count++] = surface;
             if (group->name == NULL) {
                 return taut_fail_memory(error);
             }
@@ -58,101 +68,98 @@ static taut_status choose_surfaces(taut_mesh *mesh, const taut_model *model, con
 }
 
 /* The diagonal of the box around all. */
-static double size_of(const mesh_plan *plans, int count)
+static double size_of(const taut_bending *bendings, int count)
 {
-    double lo[3], hi[3];
     double sum = 0;
     for (int c = 0; c < 3; c++) {
-        lo[c] = plans[0].bending.lo[c];
-        hi[c] = plans[0].bending.hi[c];
+        double lo = bendings[0].lo[c], hi = bendings[0].hi[c];
         for (int i = 1; i < count; i++) {
-            lo[c] = fmin(lo[c], plans[i].bending.lo[c]);
-            hi[c] = fmax(hi[c], plans[i].bending.hi[c]);
+            lo = fmin(lo, bendings[i].lo[c]);
+            hi = fmax(hi, bendings[i].hi[c]);
         }
-        sum += (hi[c] - lo[c]) * (hi[c] - lo[c]);
+        sum += (hi - lo) * (hi - lo);
     }
     return sqrt(sum);
 }
 
-/* Cells of each span of one basis; their sum, which may be too large for any use. */
-static double count_cells(const taut_basis *basis, const double *bending, double tolerance,
-                          int divide, int *cells)
+/* The vertices that the wishes come to, refused where they are too many. */
+static taut_status count_vertices(taut_mesh *mesh, const mesh_plan *plan, taut_error *error)
 {
-    const double *breaks = taut_basis_breaks(basis);
-    double sum = 0;
-    for (int s = 0; s < taut_basis_span_count(basis); s++) {
-        const double wish =
-            divide > 0 ? divide : taut_cells(breaks[s + 1] - breaks[s], bending[s], tolerance);
-        cells[s] = wish < TAUT_POINTS_MAX ? (int)wish : TAUT_POINTS_MAX;
-        sum += wish;
+    for (int i = 0; i < mesh->group_count; i++) {
+        taut_mesh_group *group = &mesh->groups[i];
+        const double nu = plan->directions[2 * i].wish + 1;
+        const double nv = plan->directions[2 * i + 1].wish + 1;
+        if (!(nu * nv <= TAUT_POINTS_MAX)) {
+            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, nu * nv, TAUT_POINTS_MAX,
+                             "a mesh of %.0f x %.0f vertices, expected at most %d in all: ask for "
+                             "a coarser one",
+                             nu, nv, TAUT_POINTS_MAX);
+        }
+        group->nu = (int)nu;
+        group->nv = (int)nv;
+        group->first_vertex = mesh->vertex_count;
+        group->first_quad = mesh->quad_count;
+        mesh->vertex_count += (size_t)group->nu * (size_t)group->nv;
+        mesh->quad_count += (size_t)(group->nu - 1) * (size_t)(group->nv - 1);
+        if (mesh->vertex_count > TAUT_POINTS_MAX) {
+            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, (double)mesh->vertex_count,
+                             TAUT_POINTS_MAX,
+                             "a mesh of %zu vertices and more, expected at most %d: ask for a "
+                             "coarser one",
+                             mesh->vertex_count, TAUT_POINTS_MAX);
+        }
     }
-    return sum;
-}
-
-/* The lines of one surface, in the plan; the counts in the group. */
-static taut_status choose_lines(mesh_plan *plan, taut_mesh_group *group, double tolerance,
-                                int divide, taut_arena *scratch, taut_error *error)
-{
-    const taut_basis *u = taut_surface_u(plan->surface), *v = taut_surface_v(plan->surface);
-    int *cells_u = taut_arena_take(scratch, (size_t)taut_basis_span_count(u), sizeof(int));
-    int *cells_v = taut_arena_take(scratch, (size_t)taut_basis_span_count(v), sizeof(int));
-    double sum_u = 0, sum_v = 0;
-
-    if (cells_u == NULL || cells_v == NULL) {
-        return taut_fail_memory(error);
-    }
-    sum_u = count_cells(u, plan->bending.u, tolerance, divide, cells_u);
-    sum_v = count_cells(v, plan->bending.v, tolerance, divide, cells_v);
-    if (!((sum_u + 1) * (sum_v + 1) <= TAUT_POINTS_MAX)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, (sum_u + 1) * (sum_v + 1), TAUT_POINTS_MAX,
-                         "a mesh of %.0f x %.0f vertices, expected at most %d in all: ask for a "
-                         "coarser one",
-                         sum_u + 1, sum_v + 1, TAUT_POINTS_MAX);
-    }
-    group->nu = (int)sum_u + 1;
-    group->nv = (int)sum_v + 1;
-    plan->u = taut_arena_take(scratch, (size_t)group->nu, sizeof(double));
-    plan->v = taut_arena_take(scratch, (size_t)group->nv, sizeof(double));
-    if (plan->u == NULL || plan->v == NULL) {
-        return taut_fail_memory(error);
-    }
-    taut_lines_fill(u, cells_u, plan->u);
-    taut_lines_fill(v, cells_v, plan->v);
     return TAUT_OK;
 }
 
-/* All lines, and the memory for what they carry. */
-static taut_status plan_mesh(taut_mesh *mesh, mesh_plan *plans, const taut_mesh_options *options,
+/* How each surface bends, and along which edges they meet. */
+static taut_status look_at_surfaces(const taut_mesh *mesh, mesh_plan *plan,
+                                    const taut_mesh_options *options, double relative,
+                                    taut_arena *scratch)
+{
+    const double weld =
+        options->divide > 0 ? weld_of_size : fmin(weld_of_size, weld_of_tolerance * relative);
+    for (int i = 0; i < mesh->group_count; i++) {
+        const taut_surface *surface = plan->surfaces[i];
+        taut_bending *bending = &plan->bendings[i];
+        if (taut_bending_sample(surface, options->threads, scratch, bending) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+        plan->directions[2 * i] = (taut_direction){taut_surface_u(surface), bending->u, 0, NULL};
+        plan->directions[2 * i + 1] =
+            (taut_direction){taut_surface_v(surface), bending->v, 0, NULL};
+    }
+    plan->weld = weld * size_of(plan->bendings, mesh->group_count);
+    return taut_seams_find(plan->surfaces, mesh->group_count, plan->weld, scratch, &plan->seams,
+                           &plan->seam_count, &plan->collapsed);
+}
+
+/* All lines, and how many vertices they make. */
+static taut_status plan_mesh(taut_mesh *mesh, mesh_plan *plan, const taut_mesh_options *options,
                              taut_arena *scratch, taut_error *error)
 {
     const double relative = options->tolerance > 0 ? options->tolerance : default_tolerance;
-    taut_status status = TAUT_OK;
-    double tolerance = 0;
+    const int count = 2 * mesh->group_count;
+    taut_chains chains;
+    taut_status status = look_at_surfaces(mesh, plan, options, relative, scratch);
 
-    for (int i = 0; i < mesh->group_count; i++) {
-        status =
-            taut_bending_sample(plans[i].surface, options->threads, scratch, &plans[i].bending);
-        if (status != TAUT_OK) {
-            return taut_fail_memory(error);
-        }
+    if (status == TAUT_OK) {
+        status = taut_chains_new(plan->directions, count, plan->seams, plan->seam_count,
+                                 relative * size_of(plan->bendings, mesh->group_count),
+                                 options->divide, scratch, &chains);
     }
-    tolerance = relative * size_of(plans, mesh->group_count);
-    for (int i = 0; i < mesh->group_count && status == TAUT_OK; i++) {
-        taut_mesh_group *group = &mesh->groups[i];
-        status = choose_lines(&plans[i], group, tolerance, options->divide, scratch, error);
-        group->first_vertex = mesh->vertex_count;
-        group->first_quad = mesh->quad_count;
-        if (status == TAUT_OK) {
-            mesh->vertex_count += (size_t)group->nu * (size_t)group->nv;
-            mesh->quad_count += (size_t)(group->nu - 1) * (size_t)(group->nv - 1);
-        }
-        if (status == TAUT_OK && mesh->vertex_count > TAUT_POINTS_MAX) {
-            status = taut_fail(error, TAUT_BAD_ARGUMENT, NULL, (double)mesh->vertex_count,
-                               TAUT_POINTS_MAX,
-                               "a mesh of %zu vertices and more, expected at most %d: ask for a "
-                               "coarser one",
-                               mesh->vertex_count, TAUT_POINTS_MAX);
-        }
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    taut_chains_cut(&chains, 0);
+    status = count_vertices(mesh, plan, error);
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        taut_direction *direction = &plan->directions[i];
+        direction->lines = taut_arena_take(scratch, (size_t)direction->wish + 1, sizeof(double));
+        status = direction->lines != NULL ? TAUT_OK : taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        taut_chains_cut(&chains, 1);
     }
     return status;
 }
@@ -164,34 +171,45 @@ static taut_status take_arrays(taut_mesh *mesh, taut_error *error)
     mesh->parameters = taut_arena_take(mesh->arena, mesh->vertex_count, 2 * sizeof(double));
     mesh->quads = taut_arena_take(mesh->arena, mesh->quad_count, 4 * sizeof(uint32_t));
     mesh->triangles = taut_arena_take(mesh->arena, mesh->quad_count, 6 * sizeof(uint32_t));
+    mesh->welded = taut_arena_take(mesh->arena, mesh->vertex_count, sizeof(uint32_t));
     if (mesh->positions == NULL || mesh->normals == NULL || mesh->parameters == NULL ||
-        mesh->quads == NULL || mesh->triangles == NULL) {
+        mesh->quads == NULL || mesh->triangles == NULL || mesh->welded == NULL) {
         return taut_fail_memory(error);
     }
     return TAUT_OK;
 }
 
-/* Vertices and faces of one surface. */
-static taut_status fill_group(taut_mesh *mesh, const mesh_plan *plan, const taut_mesh_group *group,
-                              int threads, taut_error *error)
+/* The vertices of one surface. */
+static taut_status fill_vertices(taut_mesh *mesh, const mesh_plan *plan, int i, int threads,
+                                 taut_error *error)
 {
-    double *positions = mesh->positions + 3 * group->first_vertex;
-    double *normals = mesh->normals + 3 * group->first_vertex;
-    double *parameters = mesh->parameters + 2 * group->first_vertex;
-    const double speeds = plan->bending.longest_u * plan->bending.longest_v;
-    const taut_status status =
-        taut_vertices_fill(plan->surface, group->nu, plan->u, group->nv, plan->v, speeds, threads,
-                           positions, normals, parameters);
-    if (status != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
+    const taut_mesh_group *group = &mesh->groups[i];
+    const taut_bending *bending = &plan->bendings[i];
+    const taut_status status = taut_vertices_fill(
+        plan->surfaces[i], group->nu, plan->directions[2 * i].lines, group->nv,
+        plan->directions[2 * i + 1].lines, bending->longest_u * bending->longest_v, threads,
+        mesh->positions + 3 * group->first_vertex, mesh->normals + 3 * group->first_vertex,
+        mesh->parameters + 2 * group->first_vertex);
+    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+static void fill_faces(taut_mesh *mesh, const taut_mesh_group *group)
+{
     taut_faces_fill(group->nu, group->nv, (uint32_t)group->first_vertex, mesh->positions,
                     mesh->quads + 4 * group->first_quad, mesh->triangles + 6 * group->first_quad);
-    taut_normals_mend(group->nu, group->nv, positions, normals);
-    return TAUT_OK;
+    taut_normals_mend(group->nu, group->nv, mesh->positions + 3 * group->first_vertex,
+                      mesh->normals + 3 * group->first_vertex);
 }
 
-static taut_status fill_mesh(taut_mesh *mesh, const mesh_plan *plans,
+static taut_status weld_mesh(taut_mesh *mesh, const mesh_plan *plan, taut_error *error)
+{
+    const taut_weld weld = {plan->seams,     plan->seam_count, plan->collapsed,
+                            plan->weld,      mesh->groups,     mesh->group_count,
+                            mesh->positions, mesh->welded,     mesh->vertex_count};
+    return taut_weld_vertices(&weld) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+static taut_status fill_mesh(taut_mesh *mesh, const mesh_plan *plan,
                              const taut_mesh_options *options, taut_error *error)
 {
     const taut_monitor *monitor = &options->monitor;
@@ -202,8 +220,14 @@ static taut_status fill_mesh(taut_mesh *mesh, const mesh_plan *plans,
             status = taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none,
                                "stopped on request");
         } else {
-            status = fill_group(mesh, &plans[i], &mesh->groups[i], options->threads, error);
+            status = fill_vertices(mesh, plan, i, options->threads, error);
         }
+    }
+    if (status == TAUT_OK) {
+        status = weld_mesh(mesh, plan, error);
+    }
+    for (int i = 0; status == TAUT_OK && i < mesh->group_count; i++) {
+        fill_faces(mesh, &mesh->groups[i]);
     }
     return status;
 }
@@ -215,7 +239,7 @@ taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *opti
     const taut_mesh_options *chosen = options != NULL ? options : &none;
     taut_arena *scratch = NULL;
     taut_mesh *made = NULL;
-    mesh_plan *plans = NULL;
+    mesh_plan plan = {NULL, NULL, NULL, NULL, 0, NULL, 0};
     taut_status status = TAUT_OK;
 
     if (model == NULL || mesh == NULL || !(chosen->tolerance >= 0) || isinf(chosen->tolerance) ||
@@ -231,13 +255,13 @@ taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *opti
     status =
         scratch != NULL && made != NULL && made->arena != NULL ? TAUT_OK : taut_fail_memory(error);
     if (status == TAUT_OK) {
-        status = choose_surfaces(made, model, chosen->surface, &plans, scratch, error);
+        status = choose_surfaces(made, model, chosen->surface, &plan, scratch, error);
     }
     if (status == TAUT_OK) {
-        status = plan_mesh(made, plans, chosen, scratch, error);
+        status = plan_mesh(made, &plan, chosen, scratch, error);
     }
     if (status == TAUT_OK) {
-        status = fill_mesh(made, plans, chosen, error);
+        status = fill_mesh(made, &plan, chosen, error);
     }
     taut_arena_free(scratch);
     if (status != TAUT_OK) {
@@ -289,6 +313,11 @@ const uint32_t *taut_mesh_quads(const taut_mesh *mesh)
 const uint32_t *taut_mesh_triangles(const taut_mesh *mesh)
 {
     return mesh->triangles;
+}
+
+const uint32_t *taut_mesh_welded(const taut_mesh *mesh)
+{
+    return mesh->welded;
 }
 
 int taut_mesh_group_count(const taut_mesh *mesh)

@@ -125,32 +125,23 @@ static taut_status sort(taut_eigenpairs *pairs)
  * v tells, for a missing or doubled vector leaves a part of v behind. `scratch` is double[3][n]. */
 static int is_complete(const taut_pencil *pencil, const taut_eigenpairs *pairs, double *scratch)
 {
+    const taut_kernel *kernel = pencil->kernel;
     const size_t n = (size_t)pairs->n;
-    double *v = scratch, *mv = scratch + n, *sum = scratch + 2 * n;
-    double difference = 0.0, size = 0.0, longest = 1.0;
+    double *v = scratch, *mv = scratch + n, *rest = scratch + 2 * n;
+    double longest = 1.0;
 
-    memset(mv, 0, 2 * n * sizeof *mv);
+    memset(mv, 0, n * sizeof *mv);
     for (size_t i = 0; i < n; i++) {
-        v[i] = taut_eigen_scatter(i + 1);
+        v[i] = rest[i] = taut_eigen_scatter(i + 1);
     }
     taut_band_multiply_add(&pencil->m, 1.0, v, mv);
     for (size_t j = 0; j < n; j++) {
         const double *x = pairs->vectors + j * n;
-        double part = 0.0, square = 0.0;
-        for (size_t i = 0; i < n; i++) {
-            part += x[i] * mv[i];
-            square += x[i] * x[i];
-        }
-        longest = fmax(longest, square);
-        for (size_t i = 0; i < n; i++) {
-            sum[i] += part * x[i];
-        }
+        longest = fmax(longest, kernel->dot(n, x, x));
+        kernel->add_scaled(n, -kernel->dot(n, x, mv), x, rest);
     }
-    for (size_t i = 0; i < n; i++) {
-        difference += (sum[i] - v[i]) * (sum[i] - v[i]);
-        size += v[i] * v[i];
-    }
-    return sqrt(difference) <= completeness_limit * longest * sqrt((double)n) * sqrt(size);
+    return sqrt(kernel->dot(n, rest, rest)) <=
+           completeness_limit * longest * sqrt((double)n * kernel->dot(n, v, v));
 }
 
 static int is_right(const taut_pencil *pencil, const taut_eigenpairs *pairs, double *scratch)
@@ -168,6 +159,9 @@ static taut_status solve_banded(const taut_pencil *pencil, taut_eigenpairs *pair
 {
     taut_bracket *bracket = taut_alloc((size_t)pairs->n, sizeof *bracket);
     taut_status status = bracket == NULL ? TAUT_NO_MEMORY : taut_eigen_isolate(pencil, bracket);
+    if (status == TAUT_OK) {
+        status = taut_eigen_sharpen(pencil, bracket);
+    }
     if (status == TAUT_OK) {
         status = taut_eigen_iterate(pencil, bracket, pairs);
     }

@@ -1,62 +1,24 @@
-/* Bisection. By Sylvester's law the number of eigenvalues of (K, M) below s is the number of
- * negative pivots of K - s M ([Parlett1998] 3.3.1). Intervals that hold more than one eigenvalue
- * are cut until they hold one, or are too short to cut; the cuts of one round are counted side by
- * side. */
+/* Bisection: intervals that hold more than one eigenvalue are cut until they hold one, or are too
+ * short to cut; the cuts of one round are counted side by side. */
 #include "numeric/eigen_internal.h"
 
 #include "core/memory.h"
 
-#include <assert.h>
 #include <math.h>
 #include <string.h>
 
-enum { ROUNDS_MAX = 4096, CHUNK = 64 };
+enum { ROUNDS_MAX = 4096 };
 
 /* An interval this much shorter than its ends is not cut further. */
 static const double shortest = 0x1p-44;
 
-struct interval {
-    double low, high;
-    int below, inside;
+/* Where the cuts of a round are, and what they tell. */
+struct cuts {
+    double *at, *log;
+    int *below;
 };
 
-struct counter {
-    const taut_pencil *pencil;
-    double *factor; /* double[CHUNK + width][width + 1][lanes] */
-};
-
-/* count[i] = eigenvalues below shift[i], for any number of shifts. The factors are not kept: rows
- * are made CHUNK at a time, and the last `width` of them carried over. */
-static void count_below(const struct counter *counter, int shifts, const double *shift, int *count)
-{
-    const taut_pencil *p = counter->pencil;
-    const int n = p->k.n, w = p->k.width, lanes = p->kernel->lanes;
-    const size_t row = ((size_t)w + 1) * (size_t)lanes;
-
-    for (int start = 0; start < shifts; start += lanes) {
-        double minus[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
-        for (int l = 0; l < lanes; l++) {
-            minus[l] = -shift[start + l < shifts ? start + l : shifts - 1];
-        }
-        memset(counter->factor, 0, (size_t)w * row * sizeof(double));
-        for (int first = 0; first < n; first += CHUNK) {
-            const int end = first + CHUNK < n ? first + CHUNK : n;
-            if (first > 0) {
-                memmove(counter->factor, counter->factor + CHUNK * row,
-                        (size_t)w * row * sizeof(double));
-            }
-            p->kernel->band_factor(first, end, w, p->k.a, p->m.a, 1.0, minus, p->tiny,
-                                   counter->factor, negative);
-        }
-        for (int l = 0; l < lanes && start + l < shifts; l++) {
-            count[start + l] = (int)negative[l];
-        }
-    }
-}
-
-/* The j-th of `parts` - 1 cuts of an interval: even steps of sqrt(s), in which the eigenvalues of
- * second order operators lie evenly, or of log(s) where the ends differ much. */
-static double cut(const struct interval *interval, int j, int parts)
+double taut_eigen_place(const taut_bracket *interval, int j, int parts)
 {
     const double a = interval->low, b = interval->high, t = (double)j / parts;
     if (a > 0.0) {
@@ -74,67 +36,68 @@ static double cut(const struct interval *interval, int j, int parts)
 
 /* All eigenvalues in one interval: low and high are moved out by factors of 4 until none is
  * outside. Returns 0 when they would overflow first. */
-static int enclose(const struct counter *counter, struct interval *all)
+static int enclose(const taut_counter *counter, taut_bracket *all)
 {
-    const taut_pencil *p = counter->pencil;
-    const int n = p->k.n;
-    double high = p->norm, low = -0x1p-40 * p->norm;
-    int found = 0;
+    const int n = counter->pencil->k.n, steps = counter->pencil->kernel->lanes / 2;
+    double high = counter->pencil->norm, low = -0x1p-40 * high;
 
-    for (int i = 0; i < 400 && !found; i++) {
-        double shift[TAUT_LANES_MAX];
-        int count[TAUT_LANES_MAX];
-        const int lanes = p->kernel->lanes;
-        for (int l = 0; l < lanes / 2; l++) {
-            shift[2 * l] = high * ldexp(1.0, 2 * l);
-            shift[2 * l + 1] = low * ldexp(1.0, 2 * l);
+    for (int i = 0; i < 100; i++) {
+        double shift[TAUT_LANES_MAX], log[TAUT_LANES_MAX];
+        int below[TAUT_LANES_MAX], up = 0, down = 0;
+        for (int l = 0; l < steps; l++) {
+            shift[l] = ldexp(high, 2 * l);
+            shift[steps + l] = ldexp(low, 2 * l);
         }
-        count_below(counter, lanes / 2 * 2, shift, count);
-        int up = 0, down = 0;
-        while (up < lanes / 2 - 1 && count[2 * up] < n) {
+        taut_counter_run(counter, 2 * steps, shift, below, log);
+        while (up < steps - 1 && below[up] < n) {
             up++;
         }
-        while (down < lanes / 2 - 1 && count[2 * down + 1] > 0) {
+        while (down < steps - 1 && below[steps + down] > 0) {
             down++;
         }
-        high = shift[2 * up];
-        low = shift[2 * down + 1];
-        found = count[2 * up] == n && count[2 * down + 1] == 0;
-        if (!isfinite(high * 4.0) || !isfinite(low * 4.0)) {
-            break;
+        high = shift[up];
+        low = shift[steps + down];
+        if (below[up] == n && below[steps + down] == 0) {
+            *all = (taut_bracket){low, high, log[steps + down], log[up], 0.0, 0, n};
+            return 1;
         }
     }
-    *all = (struct interval){low, high, 0, n};
-    return found;
+    return 0;
 }
 
-static int is_short(const struct interval *interval)
+static int is_short(const taut_bracket *interval)
 {
     return interval->high - interval->low <=
            shortest * (fabs(interval->low) + fabs(interval->high)) + 0x1p-1000;
 }
 
 /* Hands a finished interval to its eigenvalues. */
-static void settle(const struct interval *done, taut_bracket *bracket)
+static void settle(const taut_bracket *done, taut_bracket *bracket)
 {
     for (int j = 0; j < done->inside; j++) {
-        bracket[done->below + j] = (taut_bracket){done->low, done->high, done->below, done->inside};
+        bracket[done->below + j] = *done;
+        bracket[done->below + j].guess = done->low + 0.5 * (done->high - done->low);
     }
 }
 
-/* Cuts `old` at the given places, ascending, and appends the non-empty pieces that need more
- * cutting to list; others are settled. Counts are forced to be monotone. Returns the new length of
- * the list. */
-static int divide(const struct interval *old, int cuts, const double *at, const int *count,
-                  struct interval *list, int length, taut_bracket *bracket)
+/* Divides `old` by `count` cuts, ascending, from cut `from` on, and appends the non-empty pieces
+ * that need more cutting to list; others are settled. What cuts tell is forced to be monotone.
+ * Returns the new length of the list. */
+static int divide(const taut_bracket *old, const struct cuts *cuts, int from, int count,
+                  taut_bracket *list, int length, taut_bracket *bracket)
 {
-    struct interval piece = {old->low, old->low, old->below, 0};
     const int total = old->below + old->inside;
-    for (int c = 0; c <= cuts; c++) {
-        int upto = c < cuts ? count[c] : total;
+    taut_bracket piece = *old;
+    piece.high = old->low;
+    piece.high_log = old->low_log;
+    for (int c = from; c <= from + count; c++) {
+        const int is_cut = c < from + count;
+        int upto = is_cut ? cuts->below[c] : total;
         upto = upto < piece.below ? piece.below : upto > total ? total : upto;
         piece.low = piece.high;
-        piece.high = c < cuts ? at[c] : old->high;
+        piece.low_log = piece.high_log;
+        piece.high = is_cut ? cuts->at[c] : old->high;
+        piece.high_log = is_cut ? cuts->log[c] : old->high_log;
         piece.inside = upto - piece.below;
         if (piece.inside == 1 || (piece.inside > 1 && is_short(&piece))) {
             settle(&piece, bracket);
@@ -148,37 +111,37 @@ static int divide(const struct interval *old, int cuts, const double *at, const 
 
 taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_bracket *bracket)
 {
-    const int n = pencil->k.n, w = pencil->k.width, lanes = pencil->kernel->lanes;
-    const size_t most = (size_t)n + (size_t)lanes; /* cuts in a round */
-    taut_status status = TAUT_NO_MEMORY;
-    struct interval *list = taut_alloc(2 * most, sizeof *list);
-    double *at = taut_alloc(most, sizeof *at);
-    int *count = taut_alloc(most, sizeof *count);
-    struct counter counter = {pencil,
-                              taut_alloc_aligned(((size_t)CHUNK + (size_t)w) * ((size_t)w + 1),
-                                                 (size_t)lanes * sizeof(double))};
-    if (list == NULL || at == NULL || count == NULL || counter.factor == NULL) {
+    const int lanes = pencil->kernel->lanes;
+    const size_t most = (size_t)pencil->k.n + (size_t)lanes; /* cuts in a round */
+    taut_counter counter = {pencil, NULL};
+    taut_bracket *list = taut_alloc(2 * most, sizeof *list);
+    double *places = taut_alloc(2 * most, sizeof *places);
+    int *below = taut_alloc(most, sizeof *below);
+    taut_status status = taut_counter_init(pencil, &counter);
+    if (status != TAUT_OK || list == NULL || places == NULL || below == NULL) {
+        status = TAUT_NO_MEMORY;
         goto done;
     }
 
     status = TAUT_NOT_CONVERGED;
-    struct interval all;
+    taut_bracket *next = list + most;
+    const struct cuts cuts = {places, places + most, below};
+    taut_bracket all;
     if (!enclose(&counter, &all)) {
         goto done;
     }
-    int length = divide(&all, 0, NULL, NULL, list, 0, bracket);
+    int length = divide(&all, &cuts, 0, 0, list, 0, bracket);
     for (int round = 0; length > 0 && round < ROUNDS_MAX; round++) {
-        const int cuts = length >= lanes ? 1 : lanes / length;
+        const int count = length >= lanes ? 1 : lanes / length;
         for (int i = 0; i < length; i++) {
-            for (int c = 0; c < cuts; c++) {
-                at[i * cuts + c] = cut(&list[i], c + 1, cuts + 1);
+            for (int c = 0; c < count; c++) {
+                cuts.at[i * count + c] = taut_eigen_place(&list[i], c + 1, count + 1);
             }
         }
-        count_below(&counter, length * cuts, at, count);
-        struct interval *next = list + most;
+        taut_counter_run(&counter, length * count, cuts.at, cuts.below, cuts.log);
         int more = 0;
         for (int i = 0; i < length; i++) {
-            more = divide(&list[i], cuts, at + i * cuts, count + i * cuts, next, more, bracket);
+            more = divide(&list[i], &cuts, i * count, count, next, more, bracket);
         }
         memcpy(list, next, (size_t)more * sizeof *list);
         length = more;
@@ -186,9 +149,9 @@ taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_bracket *bracket)
     status = length == 0 ? TAUT_OK : TAUT_NOT_CONVERGED;
 
 done:
-    taut_free(counter.factor);
-    taut_free(count);
-    taut_free(at);
+    taut_counter_clear(&counter);
+    taut_free(below);
+    taut_free(places);
     taut_free(list);
     return status;
 }

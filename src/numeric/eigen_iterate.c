@@ -15,12 +15,12 @@ enum { STEPS_MAX = 24 };
 
 /* A step shorter than this share of the bracket is the last: it leaves an error in the vector of
  * about its power 3/2, for taut_eigen_polish to remove. */
-static const double last_step = 0x1p-20;
+static const double last_step = 0x1p-12;
 
 /* The state of one eigenvalue on the way. */
 struct lane {
     double shift, low, high;
-    double width; /* of the bracket at the start: the scale of the gaps */
+    double width; /* the scale of the gaps to its neighbours */
     int index;
     int is_done;
 };
@@ -67,8 +67,9 @@ static void advance(struct lane *lane, int below, double step)
         lane->high = fmin(lane->high, lane->shift);
     }
     const double next = lane->shift + step;
-    if (fabs(step) <= last_step * lane->width || fabs(step) <= 0x1p-50 * fabs(lane->shift)) {
-        lane->is_done = next > lane->low - lane->width && next < lane->high + lane->width;
+    const double slack = last_step * lane->width;
+    if (fabs(step) <= fmax(slack, 0x1p-50 * fabs(lane->shift))) {
+        lane->is_done = next > lane->low - slack && next < lane->high + slack;
     }
     if (lane->is_done || (next > lane->low && next < lane->high)) {
         lane->shift = next;
@@ -93,9 +94,9 @@ static int step(const struct block *block, struct lane *lane)
     kernel->band_factor(0, n, w, p->k.a, p->m.a, 1.0, minus, p->tiny, block->factor, negative);
     memcpy(block->y, block->z, entries * sizeof(double));
     kernel->band_substitute(n, w, 1, block->factor, block->y);
-    kernel->dot(n, block->y, block->z, yg, unused);
+    kernel->lane_dot(n, block->y, block->z, yg, unused);
     kernel->band_multiply(n, w, p->m.a, block->y, block->z);
-    kernel->dot(n, block->y, block->z, yy, unused);
+    kernel->lane_dot(n, block->y, block->z, yy, unused);
 
     int done = 1;
     double scale[TAUT_LANES_MAX];
@@ -127,8 +128,8 @@ static void iterate_block(const struct block *block, int first, const taut_brack
         lane[l].index = j;
         lane[l].low = b->low;
         lane[l].high = b->high;
-        lane[l].width = b->high - b->low;
-        lane[l].shift = middle(b->low, b->high);
+        lane[l].width = taut_eigen_gap(n, bracket, j);
+        lane[l].shift = b->guess;
         lane[l].is_done = 0;
     }
     start(block, lane);

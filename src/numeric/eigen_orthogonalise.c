@@ -15,56 +15,51 @@ static const double tolerated = 0x1p-46;
 
 static const double unit_roundoff = 0x1p-53;
 
-enum { MEND_STEPS = 6 };
-
-static double dot(int n, const double *x, const double *y)
+taut_status taut_diagonals_init(const taut_pencil *pencil, taut_diagonals *out)
 {
-    double sum[4] = {0};
-    int i = 0;
-    for (; i + 4 <= n; i += 4) {
-        for (int l = 0; l < 4; l++) {
-            sum[l] += x[i + l] * y[i + l];
-        }
+    const size_t n = (size_t)pencil->m.n, slots = (size_t)pencil->m.width + 1;
+    double *a = taut_alloc(n * slots, sizeof *a);
+    *out = (taut_diagonals){pencil->kernel, n, slots - 1, a};
+    for (size_t i = 0; a != NULL && i < n * slots; i++) {
+        a[i % slots * n + i / slots] = pencil->m.a[i];
     }
-    for (; i < n; i++) {
-        sum[0] += x[i] * y[i];
-    }
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    return a == NULL ? TAUT_NO_MEMORY : TAUT_OK;
 }
 
-static double *vector(const taut_eigenpairs *pairs, int j)
+/* y = M x */
+static void multiply(const taut_diagonals *m, const double *x, double *y)
 {
-    return pairs->vectors + (size_t)j * (size_t)pairs->n;
+    memset(y, 0, m->n * sizeof *y);
+    m->kernel->add_products(m->n, m->a, x, y);
+    for (size_t d = 1; d <= m->width && d < m->n; d++) {
+        const double *diagonal = m->a + d * m->n + d;
+        m->kernel->add_products(m->n - d, diagonal, x, y + d);
+        m->kernel->add_products(m->n - d, diagonal, x + d, y);
+    }
 }
 
-/* Takes the parts along vectors first..j-1 out of x, then M-normalises x; mx is scratch. Returns
- * the share of x, by M-norm, that was left. */
-static double purge(const taut_pencil *pencil, const taut_eigenpairs *pairs, int first, int j,
-                    double *x, double *mx)
+double taut_eigen_purge(const taut_diagonals *m, const taut_eigenpairs *pairs, int first, int j,
+                        double *x, double *mx)
 {
-    const int n = pairs->n;
-    memset(mx, 0, (size_t)n * sizeof *mx);
-    taut_band_multiply_add(&pencil->m, 1.0, x, mx);
-    const double before = sqrt(dot(n, x, mx));
+    const taut_kernel *kernel = m->kernel;
+    multiply(m, x, mx);
+    const double before = sqrt(kernel->dot(m->n, x, mx));
     int changed = 0;
     for (int i = first; i < j; i++) {
-        const double *xi = vector(pairs, i);
-        const double part = dot(n, xi, mx);
+        const double *xi = taut_eigen_vector(pairs, i);
+        const double part = kernel->dot(m->n, xi, mx);
         if (fabs(part) > 4.0 * unit_roundoff * before) {
             changed = 1;
-            for (int r = 0; r < n; r++) {
-                x[r] -= part * xi[r];
-            }
+            kernel->add_scaled(m->n, -part, xi, x);
         }
     }
     double after = before;
     if (changed) {
-        memset(mx, 0, (size_t)n * sizeof *mx);
-        taut_band_multiply_add(&pencil->m, 1.0, x, mx);
-        after = sqrt(dot(n, x, mx));
+        multiply(m, x, mx);
+        after = sqrt(kernel->dot(m->n, x, mx));
     }
-    for (int r = 0; r < n; r++) {
-        x[r] /= after;
+    for (size_t i = 0; i < m->n; i++) {
+        x[i] /= after;
     }
     return after / before;
 }
@@ -83,150 +78,25 @@ static int neighbourhood(const taut_eigenpairs *pairs, int j)
 
 taut_status taut_eigen_orthogonalise(const taut_pencil *pencil, taut_eigenpairs *pairs)
 {
+    taut_diagonals m = {NULL, 0, 0, NULL};
     double *mx = taut_alloc((size_t)pairs->n, sizeof *mx);
-    taut_status status = mx == NULL ? TAUT_NO_MEMORY : TAUT_OK;
+    taut_status status = taut_diagonals_init(pencil, &m);
+    if (mx == NULL) {
+        status = TAUT_NO_MEMORY;
+    }
     for (int j = 1; j < pairs->n && status == TAUT_OK; j++) {
         const int first = neighbourhood(pairs, j);
         if (first == j) {
             continue;
         }
-        double left = purge(pencil, pairs, first, j, vector(pairs, j), mx);
+        double left = taut_eigen_purge(&m, pairs, first, j, taut_eigen_vector(pairs, j), mx);
         if (!(left > 0.5)) {
-            status = taut_eigen_mend(pencil, first, j, pairs);
+            status = taut_eigen_mend(pencil, &m, first, j, pairs);
         } else if (left < 1.0 - 0x1p-20) {
-            purge(pencil, pairs, first, j, vector(pairs, j), mx);
+            taut_eigen_purge(&m, pairs, first, j, taut_eigen_vector(pairs, j), mx);
         }
     }
+    taut_free(m.a);
     taut_free(mx);
-    return status;
-}
-
-/* Banded L U with row interchanges ([GolubVanLoan2013] 4.3.4): row i of `u` starts at column i -
- * width before and at column i after elimination. */
-typedef struct pivoted {
-    int n, width;
-    double *u;     /* double[n][3*width + 1] */
-    double *l;     /* double[n][width]: multipliers of column i */
-    int *exchange; /* int[n]: the row that came to place i */
-} pivoted;
-
-static void pivoted_factor(const taut_pencil *pencil, double shift, pivoted *f)
-{
-    const int n = f->n, w = f->width, length = 3 * w + 1;
-    for (int i = 0; i < n; i++) {
-        double *row = f->u + (size_t)i * (size_t)length;
-        /* rows below w start at column 0, later ones at column i - w */
-        const int start = i < w ? 0 : i - w;
-        for (int c = 0; c < length; c++) {
-            const int j = start + c;
-            row[c] = j < n ? taut_band_at(&pencil->k, i, j) - shift * taut_band_at(&pencil->m, i, j)
-                           : 0.0;
-        }
-    }
-    for (int i = 0; i < n; i++) {
-        const int last = i + w < n ? i + w : n - 1;
-        double *row = f->u + (size_t)i * (size_t)length;
-        int best = i;
-        for (int r = i + 1; r <= last; r++) {
-            best =
-                fabs(f->u[(size_t)r * (size_t)length]) > fabs(f->u[(size_t)best * (size_t)length])
-                    ? r
-                    : best;
-        }
-        f->exchange[i] = best;
-        double *other = f->u + (size_t)best * (size_t)length;
-        for (int c = 0; c < length && best != i; c++) {
-            const double swap = row[c];
-            row[c] = other[c];
-            other[c] = swap;
-        }
-        if (fabs(row[0]) < unit_roundoff * unit_roundoff * pencil->norm) {
-            row[0] = unit_roundoff * unit_roundoff * pencil->norm;
-        }
-        /* every row i+1..last starts at column i by now; eliminate and move it one column on */
-        for (int r = i + 1; r <= last; r++) {
-            double *below = f->u + (size_t)r * (size_t)length;
-            const double m = below[0] / row[0];
-            f->l[(size_t)i * (size_t)w + (size_t)(r - i - 1)] = m;
-            for (int c = 1; c < length; c++) {
-                below[c - 1] = below[c] - m * row[c];
-            }
-            below[length - 1] = 0.0;
-        }
-    }
-}
-
-static void pivoted_solve(const pivoted *f, double *x)
-{
-    const int n = f->n, w = f->width, length = 3 * w + 1;
-    for (int i = 0; i < n; i++) {
-        const double swap = x[f->exchange[i]];
-        x[f->exchange[i]] = x[i];
-        x[i] = swap;
-        for (int r = i + 1; r <= i + w && r < n; r++) {
-            x[r] -= f->l[(size_t)i * (size_t)w + (size_t)(r - i - 1)] * swap;
-        }
-    }
-    for (int i = n - 1; i >= 0; i--) {
-        const double *row = f->u + (size_t)i * (size_t)length;
-        for (int c = 1; c < length && i + c < n; c++) {
-            x[i] -= row[c] * x[i + c];
-        }
-        x[i] /= row[0];
-    }
-}
-
-/* values[j], noise[j] and residual[j] from vectors[j]; r and t are scratch. */
-static void measure(const taut_pencil *pencil, int j, taut_eigenpairs *pairs, double *r, double *t)
-{
-    const int n = pairs->n;
-    const double *x = vector(pairs, j);
-    memset(r, 0, (size_t)n * sizeof *r);
-    taut_band_multiply_add(&pencil->k, 1.0, x, r);
-    const double lambda = dot(n, x, r);
-    taut_band_multiply_add(&pencil->m, -lambda, x, r);
-    pairs->values[j] = lambda;
-    pairs->residual[j] = sqrt(dot(n, r, r));
-    for (int i = 0; i < n; i++) {
-        r[i] = fabs(x[i]);
-        t[i] = 0.0;
-    }
-    taut_band_multiply_add(&pencil->abs_k, 1.0, r, t);
-    taut_band_multiply_add(&pencil->abs_m, fabs(lambda), r, t);
-    pairs->noise[j] = sqrt(dot(n, t, t));
-}
-
-taut_status taut_eigen_mend(const taut_pencil *pencil, int first, int j, taut_eigenpairs *pairs)
-{
-    const size_t n = (size_t)pairs->n, w = (size_t)pencil->k.width;
-    taut_status status = TAUT_NO_MEMORY;
-    double *scratch = taut_alloc(2 * n, sizeof *scratch);
-    pivoted factor = {pairs->n, pencil->k.width, taut_alloc(n * (3 * w + 1), sizeof(double)),
-                      taut_alloc(n * w, sizeof(double)), taut_alloc(n, sizeof(int))};
-    if (scratch == NULL || factor.u == NULL || factor.l == NULL || factor.exchange == NULL) {
-        goto done;
-    }
-    double *x = vector(pairs, j);
-    for (size_t i = 0; i < n; i++) {
-        x[i] = taut_eigen_scatter((unsigned long long)j * n + i);
-    }
-    pivoted_factor(pencil, pairs->values[j], &factor);
-    for (int step = 0; step < MEND_STEPS; step++) {
-        purge(pencil, pairs, first, j, x, scratch);
-        memset(scratch, 0, n * sizeof *scratch);
-        taut_band_multiply_add(&pencil->m, 1.0, x, scratch);
-        pivoted_solve(&factor, scratch);
-        memcpy(x, scratch, n * sizeof *x);
-    }
-    purge(pencil, pairs, first, j, x, scratch);
-    purge(pencil, pairs, first, j, x, scratch);
-    measure(pencil, j, pairs, scratch, scratch + n);
-    status = TAUT_OK;
-
-done:
-    taut_free(factor.exchange);
-    taut_free(factor.l);
-    taut_free(factor.u);
-    taut_free(scratch);
     return status;
 }

@@ -10,14 +10,14 @@
 #include <math.h>
 #include <string.h>
 
-enum { CORRECTIONS_MAX = 3 };
+enum { CORRECTIONS = 4, ROUNDS_MAX = 4 };
 
 /* s - lambda as a share of the gap to the next eigenvalue, and as a share of lambda at least. What
  * is left of an error is about the first of them. */
 static const double offset = 0x1p-22, least_offset = 0x1p-46;
 
-/* A correction this small leaves less than 2^-53 behind. */
-static const double small_correction = 0x1p-30;
+/* An error in a vector that is not worth another correction. */
+static const double small_error = 0x1p-54;
 
 struct block {
     const taut_pencil *pencil;
@@ -36,7 +36,7 @@ static void take_residual(struct block *block)
 
     p->kernel->band_multiply(n, w, p->m.a, block->x, block->m);
     p->kernel->band_multiply(n, w, p->k.a, block->x, block->r);
-    p->kernel->dot(n, block->x, block->m, scale, unused);
+    p->kernel->lane_dot(n, block->x, block->m, scale, unused);
     for (size_t l = 0; l < lanes; l++) {
         scale[l] = 1.0 / sqrt(scale[l]);
     }
@@ -47,7 +47,7 @@ static void take_residual(struct block *block)
             block->r[i + l] = block->r[i + l] * scale[l] - block->lambda[l] * block->m[i + l];
         }
     }
-    p->kernel->dot(n, block->x, block->r, rx, unused);
+    p->kernel->lane_dot(n, block->x, block->r, rx, unused);
     for (size_t i = 0; i < entries; i += lanes) {
         for (size_t l = 0; l < lanes; l++) {
             block->r[i + l] -= rx[l] * block->m[i + l];
@@ -58,29 +58,66 @@ static void take_residual(struct block *block)
     }
 }
 
-/* x -= z with z of the formula above, its part along x taken out; spoils r. Returns the largest
- * norm of z. */
-static double correct(struct block *block)
+/* x -= z with z of the formula above; spoils r. size[l] = ||z|| without its part along x. */
+static void correct(struct block *block, double *size)
 {
     const taut_pencil *p = block->pencil;
     const size_t lanes = (size_t)p->kernel->lanes, entries = (size_t)p->k.n * lanes;
-    double along[TAUT_LANES_MAX], zz[TAUT_LANES_MAX];
+    double along[TAUT_LANES_MAX], zz[TAUT_LANES_MAX], xx[TAUT_LANES_MAX], unused[TAUT_LANES_MAX];
     double *z = block->r;
 
     p->kernel->band_substitute(p->k.n, p->k.width, 1, block->factor, z);
-    p->kernel->dot(p->k.n, z, block->m, along, zz);
-    for (size_t i = 0; i < entries; i += lanes) {
-        for (size_t l = 0; l < lanes; l++) {
-            z[i + l] -= along[l] * block->x[i + l];
-            block->x[i + l] -= z[i + l];
-        }
+    p->kernel->lane_dot(p->k.n, z, block->x, along, zz);
+    p->kernel->lane_dot(p->k.n, block->x, block->x, xx, unused);
+    for (size_t i = 0; i < entries; i++) {
+        block->x[i] -= z[i];
     }
-    p->kernel->dot(p->k.n, z, z, along, zz);
-    double most = 0.0;
     for (size_t l = 0; l < lanes; l++) {
-        most = fmax(most, zz[l]);
+        size[l] = sqrt(fmax(zz[l] - along[l] * along[l] / xx[l], 0.0));
     }
-    return sqrt(most);
+}
+
+/* Factors K - s M. The quotient of a vector with residual r is off by about ||r||^2 / gap, which s
+ * must not come near. */
+static void factor(struct block *block, const double *gap, double *share)
+{
+    const taut_pencil *p = block->pencil;
+    double minus[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0}, rr[TAUT_LANES_MAX],
+                                  unused[TAUT_LANES_MAX];
+    p->kernel->lane_dot(p->k.n, block->r, block->r, rr, unused);
+    for (int l = 0; l < p->kernel->lanes; l++) {
+        const double lambda = block->lambda[l];
+        const double away = fmax(offset * gap[l], least_offset * fabs(lambda));
+        const double distance = fmax(away, fmin(64.0 * rr[l] / gap[l], 0x1p-4 * gap[l]));
+        minus[l] = -(lambda + distance);
+        share[l] = distance / gap[l];
+    }
+    p->kernel->band_factor(0, p->k.n, p->k.width, p->k.a, p->m.a, 1.0, minus, p->tiny,
+                           block->factor, negative);
+}
+
+/* One factorisation and a few corrections by it. Returns 1 when no lane would gain from another:
+ * its correction left little, or no longer shrank, being rounding. */
+static int correct_few(struct block *block, const double *gap)
+{
+    const size_t lanes = (size_t)block->pencil->kernel->lanes;
+    double before[TAUT_LANES_MAX], size[TAUT_LANES_MAX], share[TAUT_LANES_MAX];
+    int done = 0;
+    for (size_t l = 0; l < lanes; l++) {
+        before[l] = INFINITY;
+    }
+    factor(block, gap, share);
+    for (int c = 0; c < CORRECTIONS && !done; c++) {
+        correct(block, size);
+        done = 1;
+        for (size_t l = 0; l < lanes; l++) {
+            const int is_rounding = share[l] < 0x1p-8 && size[l] > 0.25 * before[l];
+            done = done && (size[l] * share[l] <= small_error || is_rounding);
+            before[l] = size[l];
+        }
+        take_residual(block);
+    }
+    return done;
 }
 
 /* noise and residual of kernel->lanes pairs, into arrays of that length; spoils r and m. */
@@ -92,7 +129,7 @@ static void measure(struct block *block, double *noise, double *residual)
     double *absolute = block->factor; /* free by now: |x| and (|K| + |lambda| |M|) |x| */
     double *sum = block->factor + entries;
 
-    p->kernel->dot(n, block->r, block->r, residual, noise);
+    p->kernel->lane_dot(n, block->r, block->r, residual, noise);
     for (size_t i = 0; i < entries; i++) {
         absolute[i] = fabs(block->x[i]);
     }
@@ -104,7 +141,7 @@ static void measure(struct block *block, double *noise, double *residual)
         }
     }
     double unused[TAUT_LANES_MAX];
-    p->kernel->dot(n, sum, sum, noise, unused);
+    p->kernel->lane_dot(n, sum, sum, noise, unused);
     for (size_t l = 0; l < lanes; l++) {
         noise[l] = sqrt(noise[l]);
         residual[l] = sqrt(residual[l]);
@@ -126,26 +163,21 @@ static void polish_block(struct block *block, const taut_eigenpairs *old, int fi
 {
     const taut_pencil *p = block->pencil;
     const int n = p->k.n, w = p->k.width, lanes = p->kernel->lanes;
-    double minus[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
+    double gap[TAUT_LANES_MAX];
     double noise[TAUT_LANES_MAX], residual[TAUT_LANES_MAX];
 
     memset(block->factor, 0, (size_t)w * ((size_t)w + 1) * (size_t)lanes * sizeof(double));
     for (int l = 0; l < lanes; l++) {
         const int j = first + l < n ? first + l : n - 1;
-        const double lambda = old->values[j];
-        block->lambda[l] = lambda;
-        minus[l] = -(lambda + fmax(offset * gap_of(old, j), least_offset * fabs(lambda)));
+        block->lambda[l] = old->values[j];
+        gap[l] = gap_of(old, j);
         for (int i = 0; i < n; i++) {
             block->x[i * lanes + l] = pairs->vectors[(size_t)j * (size_t)n + (size_t)i];
         }
     }
-    p->kernel->band_factor(0, n, w, p->k.a, p->m.a, 1.0, minus, p->tiny, block->factor, negative);
-    double correction = INFINITY;
-    for (int c = 0; c < CORRECTIONS_MAX && correction > small_correction; c++) {
-        take_residual(block);
-        correction = correct(block);
-    }
     take_residual(block);
+    for (int round = 0; round < ROUNDS_MAX && !correct_few(block, gap); round++) {
+    }
     measure(block, noise, residual);
     for (int l = 0; l < lanes && first + l < n; l++) {
         pairs->values[first + l] = block->lambda[l];

@@ -10,6 +10,10 @@
 #define TAUT_CONSTRUCT_LIST_H
 
 /*    identifier, name in documents */
-#define TAUT_CONSTRUCT_LIST(X) X(dirichlet, "dirichlet")
+#define TAUT_CONSTRUCT_LIST(X)                                                                     \
+    X(asymptotic, "asymptotic")                                                                    \
+    X(dirichlet, "dirichlet")                                                                      \
+    X(harmonic, "harmonic")                                                                        \
+    X(harmonic_extension, "harmonic-extension")
 
 #endif /* TAUT_CONSTRUCT_LIST_H */

@@ -3,7 +3,6 @@
 #include "check.h"
 #include "core/memory.h"
 
-#include <jansson.h>
 #include <string.h>
 
 enum { ALLOCATIONS_MAX = 200000 }; /* a call that takes more is taken to hang */
@@ -54,14 +53,4 @@ long fault_loop(const fault_call *call)
         allocations = k - 1;
     }
     return allocations;
-}
-
-static void *jansson_alloc(size_t size)
-{
-    return taut_alloc(size, 1);
-}
-
-void fault_jansson(void)
-{
-    json_set_alloc_funcs(jansson_alloc, taut_free);
 }

@@ -30,7 +30,4 @@ void fault_arm(long k, int and_later);
 long fault_disarm(void);
 long fault_live(void); /* blocks taken and not yet freed */
 
-/* Makes jansson's allocations ours, so that they fail too. */
-void fault_jansson(void);
-
 #endif /* TAUT_TEST_FAULT_H */

@@ -1,4 +1,5 @@
-/* test_dirichlet.c -- two routes to one surface over random legal problems.
+/* test_dirichlet.c -- two routes to one surface over random legal problems. Long because all
+ * identities of one construction stand together.
  * links: lapacke openblas
  */
 #include "check.h"

@@ -169,7 +169,7 @@ taut_surface *shape_random(int degree_u, int degree_v, int rational)
         points[3 * k] = (double)(k / nv) / (nu - 1) + random_in(-0.1, 0.1);
         points[3 * k + 1] = (double)(k % nv) / (nv - 1) + random_in(-0.1, 0.1);
         points[3 * k + 2] = random_in(-0.3, 0.3);
-        weights[k] = random_log(0.25, 4);
+        weights[k] = random_log(0.5, 2);
     }
     surface = shape_surface(shape_bspline(degree_u, nu), shape_bspline(degree_v, nv), points,
                             rational ? weights : NULL);

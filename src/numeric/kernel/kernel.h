@@ -45,9 +45,17 @@ typedef struct taut_kernel {
     void (*band_multiply)(int n, int width, const double *a, const double *x, double *y);
 
     /* xy[l] = x . y,  xx[l] = x . x  over double[n][lanes]. */
-    void (*dot)(int n, const double *x, const double *y, double *xy, double *xx);
+    void (*lane_dot)(int n, const double *x, const double *y, double *xy, double *xx);
 
-    /* Over `count` entries: y += factor x;  y += c x, entry by entry. Any alignment. */
+    /* Multiplies mantissa[l] 2^exponent[l] by x[i * stride + l], i < n; 1 <= |mantissa| < 2 after
+     * that. |x| must lie between 2^-250 and 2^250. */
+    void (*lane_product)(int n, size_t stride, const double *x, double *mantissa,
+                         long long *exponent);
+
+    /* x . y over `count` entries. Any alignment, here and below. */
+    double (*dot)(size_t count, const double *x, const double *y);
+
+    /* Over `count` entries: y += factor x;  y += c x, entry by entry. */
     void (*add_scaled)(size_t count, double factor, const double *x, double *y);
     void (*add_products)(size_t count, const double *c, const double *x, double *y);
 

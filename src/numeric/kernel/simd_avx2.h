@@ -8,6 +8,7 @@ typedef double v_double __attribute__((vector_size(32)));
 
 #define v_fma(a, b, c) _mm256_fmadd_pd((a), (b), (c))
 #define v_fnma(a, b, c) _mm256_fnmadd_pd((a), (b), (c))
+#define v_max(a, b) _mm256_max_pd((a), (b))
 #define v_all(x) _mm256_set1_pd(x)
 #define v_product_error(a, b, p)                                                                   \
     _mm256_fmsub_pd((a), (b), (p)) /* the rounding error of p = a b                                \

@@ -8,6 +8,7 @@ typedef double v_double __attribute__((vector_size(64)));
 
 #define v_fma(a, b, c) _mm512_fmadd_pd((a), (b), (c))
 #define v_fnma(a, b, c) _mm512_fnmadd_pd((a), (b), (c))
+#define v_max(a, b) _mm512_max_pd((a), (b))
 #define v_all(x) _mm512_set1_pd(x)
 #define v_product_error(a, b, p)                                                                   \
     _mm512_fmsub_pd((a), (b), (p)) /* the rounding error of p = a b                                \

@@ -9,6 +9,11 @@ typedef double v_double __attribute__((vector_size(16)));
 #define v_fnma(a, b, c) ((c) - (a) * (b))
 #define v_all(x) ((v_double){(x), (x)})
 
+static inline v_double v_max(v_double a, v_double b)
+{
+    return (v_double){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+}
+
 /* The rounding error of p = a b, by splitting both factors in halves ([Dekker1971]). */
 static inline v_double v_product_error(v_double a, v_double b, v_double p)
 {

@@ -13,6 +13,27 @@ INLINE void v_store_some(double *to, v_double v, size_t count)
     memcpy(to, &v, count * sizeof *to);
 }
 
+TARGET static double dot(size_t count, const double *x, const double *y)
+{
+    v_double sum[4] = {v_all(0.0), v_all(0.0), v_all(0.0), v_all(0.0)};
+    size_t i = 0;
+    for (; i + 4 * V_SIZE <= count; i += 4 * V_SIZE) {
+        for (int g = 0; g < 4; g++) {
+            sum[g] = v_fma(v_load(x + i + g * V_SIZE), v_load(y + i + g * V_SIZE), sum[g]);
+        }
+    }
+    for (; i < count; i += V_SIZE) {
+        const size_t some = count - i < V_SIZE ? count - i : V_SIZE;
+        sum[0] = v_fma(v_load_some(x + i, some), v_load_some(y + i, some), sum[0]);
+    }
+    double part[V_SIZE], total = 0.0;
+    v_store(part, (sum[0] + sum[1]) + (sum[2] + sum[3]));
+    for (int l = 0; l < V_SIZE; l++) {
+        total += part[l];
+    }
+    return total;
+}
+
 TARGET static void add_scaled(size_t count, double factor, const double *x, double *y)
 {
     const v_double f = v_all(factor);

@@ -27,20 +27,36 @@ static const refusal problems[] = {
     {"{", "doc:1:2", "ends before the document"},
     {"{\"taut\": 1", "doc:1:11", "ends before the document"},
     {"{\"taut\": \"abc", "doc:1:14", "ends before the document"},
-    {"{\"taut\": nul}", "doc:1:10", "near 'nul'"},
-    {"{\"taut\": 1,\n \"u\": [1,\n  2 3]}", "doc:3:5", "']' expected near '3'"},
-    {"{\"taut\": NaN}", "doc:1:10", "near 'NaN'"},
+    {"{\"taut\": nul}", "doc:1:10", "found 'nul', expected a value"},
+    {"{\"taut\": 1,\n \"u\": [1,\n  2 3]}", "doc:3:5", "found '3', expected ',' or ']'"},
+    {"{\"taut\": NaN}", "doc:1:10", "found 'NaN'"},
     {"{\"taut\": -Infinity}", "doc:1:10", "not JSON"},
     {"{\"taut\": 1e400}", "doc:1:10", "does not fit double precision"},
     {"{\"taut\": 01}", "doc:1:10", "not JSON"},
-    {"{\"taut\": 1} x", "doc:1:13", "goes on after the end"},
-    {"{\"taut\": 1}{}", "doc:1:12", "goes on after the end"},
+    {"{\"taut\": 1} x", "doc:1:13", "after the end of the document comes 'x'"},
+    {"{\"taut\": 1}{}", "doc:1:12", "after the end of the document comes '{'"},
     {"{\"taut\": 1, \"taut\": 1}", "doc:1:13", "given twice"},
     {"{'taut': 1}", "doc:1:2", "not JSON"},
     {"// no\n{}", "doc:1:1", "not JSON"},
-    {"{\"taut\": \"\xff\"}", "doc:1:10", "not UTF-8"},
-    {"{\"taut\": \"\xc0\x80\"}", "doc:1:10", "not UTF-8"},
-    {"{\"taut\": \"\\u0000\"}", "doc:1:10", "\\u0000"},
+    {"{\"taut\": \"\xff\"}", "doc:1:11", "not UTF-8"},
+    {"{\"taut\": \"\xc0\x80\"}", "doc:1:11", "not UTF-8"},
+    {"{\"taut\": \"\\u0000\"}", "doc:1:11", "no character of a string"},
+    {"{\"taut\": \"\\ud800\"}", "doc:1:11", "no character of a string"},
+    {"{\"taut\": \"\\ud800\\u0041\"}", "doc:1:11", "no character of a string"},
+    {"{\"taut\": \"\\udc00\"}", "doc:1:11", "no character of a string"},
+    {"{\"taut\": \"\\u12g4\"}", "doc:1:11", "no character of a string"},
+    {"{\"taut\": \"ab\\x\"}", "doc:1:13", "no escape of a string"},
+    {"{\"taut\": \"ab\n\"}", "doc:1:13", "a control character in a string"},
+    {"{\"taut\": \"ab\\", "doc:1:14", "ends before the document"},
+    {"[1, 2,]", "doc:1:7", "found ']', expected a value"},
+    {"{\"a\": 1,}", "doc:1:9", "found '}', expected the name of a member"},
+    {"{\"a\" 1}", "doc:1:6", "found '1', expected ':'"},
+    {"[1.]", "doc:1:2", "found '1.'"},
+    {"[.5]", "doc:1:2", "found '.5'"},
+    {"[+1]", "doc:1:2", "found '+1'"},
+    {"[1e]", "doc:1:2", "found '1e'"},
+    {"[1x]", "doc:1:2", "found '1x'"},
+    {"[truefalse]", "doc:1:2", "found 'truefalse'"},
     {"\xc3\xa9", "doc:1:1", "not JSON"},
     /* the root */
     {"3", "", "found 3, expected an object"},
@@ -67,6 +83,8 @@ static const refusal problems[] = {
     {"{" HEAD BASES "\"points\": [[]]}", "/points/0", "found an array of 0"},
     {"{" HEAD BASES "\"points\": [3]}", "/points/0", "found 3"},
     {"{" HEAD BASES "\"points\": [[null,null],[null]]}", "/points/1", "an array of 2 points"},
+    {"{" HEAD BASES "\"points\": [[null,null],[null,null,null]]}", "/points/1",
+     "found an array of 3, expected an array of 2 points"},
     {"{" HEAD BASES "\"points\": [[null,null],7]}", "/points/1", "found 7"},
     {"{" HEAD BASES "\"points\": [[null,1],[null,null]]}", "/points/0/1",
      "found 1, expected a point"},
@@ -235,6 +253,21 @@ static void test_models(void)
     }
 }
 
+/* What is well formed but does not exist has a status of its own, and its place all the same. */
+static void test_no_solution(void)
+{
+    static const char text[] =
+        "{\"taut\": 1, \"curves\": [{\"t\": {\"type\": \"c-bspline\", \"alpha\": "
+        "3.2, \"segments\": 1}, \"points\": "
+        "[[0,0,0],[1,1,1],[2,2,2],[3,3,3]]}]}";
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_model_read_text(text, sizeof text - 1, "doc", &model, &error) == TAUT_NO_SOLUTION,
+          "alpha above pi: %s", error.message);
+    CHECK(strcmp(error.where, "/curves/0/t/alpha") == 0 && error.found == 3.2, "where \"%s\"",
+          error.where);
+}
+
 /* A 0 byte inside, found at its place although the text before it is whole. */
 static void test_zero_byte(void)
 {
@@ -324,6 +357,7 @@ int main(void)
 {
     test_problems();
     test_models();
+    test_no_solution();
     test_zero_byte();
     test_depth();
     test_long_names();

@@ -166,7 +166,7 @@ static void test_dot(const taut_kernel *kernel)
     double xy[TAUT_LANES_MAX], xx[TAUT_LANES_MAX];
     double *x = numbers((size_t)N * (size_t)kernel->lanes),
            *y = numbers((size_t)N * (size_t)kernel->lanes);
-    kernel->dot(N, x, y, xy, xx);
+    kernel->lane_dot(N, x, y, xy, xx);
     for (int l = 0; l < kernel->lanes; l++) {
         double by = 0.0, self = 0.0;
         for (int i = 0; i < N; i++) {
@@ -178,6 +178,50 @@ static void test_dot(const taut_kernel *kernel)
     }
     taut_free(x);
     taut_free(y);
+}
+
+/* Products of powers of two are exact, whatever their size; others are good to a few units. */
+static void test_product(const taut_kernel *kernel)
+{
+    double mantissa[TAUT_LANES_MAX], *x = numbers((size_t)N * (size_t)kernel->lanes * 2);
+    long long exponent[TAUT_LANES_MAX];
+    double expected[TAUT_LANES_MAX];
+    int power[TAUT_LANES_MAX];
+    for (int l = 0; l < kernel->lanes; l++) {
+        mantissa[l] = expected[l] = 1.0;
+        exponent[l] = power[l] = 0;
+        for (int i = 0; i < N; i++) {
+            int shift = 0;
+            const double value = random_in(1.0, 2.0) * (random_int(0, 1) == 0 ? -1.0 : 1.0);
+            const int scale = random_int(-240, 240);
+            x[(i * 2) * kernel->lanes + l] = ldexp(value, scale);
+            expected[l] = frexp(expected[l] * value, &shift);
+            power[l] += shift + scale;
+        }
+    }
+    kernel->lane_product(13, 2 * (size_t)kernel->lanes, x, mantissa, exponent);
+    kernel->lane_product(N - 13, 2 * (size_t)kernel->lanes, x + (size_t)26 * (size_t)kernel->lanes,
+                         mantissa, exponent);
+    for (int l = 0; l < kernel->lanes; l++) {
+        const double ratio = ldexp(mantissa[l] / expected[l], (int)exponent[l] - power[l]);
+        CHECK_NEAR(ratio, 1.0, 2 * N * 0x1p-53, "%s lane=%d", kernel->name, l);
+        CHECK(fabs(mantissa[l]) >= 1.0 && fabs(mantissa[l]) < 2.0, "%s lane=%d", kernel->name, l);
+    }
+    taut_free(x);
+}
+
+static void test_long_dot(const taut_kernel *kernel)
+{
+    for (size_t count = 0; count <= LONG_MAX; count++) {
+        double *x = numbers(count + 1), *y = numbers(count + 1), sum = 0.0;
+        for (size_t i = 0; i < count; i++) {
+            sum += x[i] * y[i];
+        }
+        CHECK_NEAR(kernel->dot(count, x, y), sum, (double)(count * count) * 0x1p-53, "%s count=%zu",
+                   kernel->name, count);
+        taut_free(x);
+        taut_free(y);
+    }
 }
 
 static void test_choice(void)
@@ -208,6 +252,8 @@ int main(void)
         }
         test_vectors(kernel);
         test_dot(kernel);
+        test_product(kernel);
+        test_long_dot(kernel);
     }
     test_choice();
     return check_failures != 0;

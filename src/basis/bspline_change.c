@@ -1,0 +1,273 @@
+/* bspline_change.c -- knot insertion, and what follows from it: splitting, halving, Bezier pieces,
+ * degree elevation. Every new coefficient is a blossom value of the old spline (blossom.h). */
+#include "basis/bspline_change.h"
+
+#include "basis/blossom.h"
+#include "core/fail.h"
+#include "core/memory.h"
+
+#include <string.h>
+
+static int knot_count(const taut_basis *basis)
+{
+    return basis->shape.knot_count;
+}
+
+/* Rows of a change to `knots` (those of change->to in full, count + p + 1 of them). */
+static taut_status fill_rows(const taut_basis *from, const double *knots, taut_change *change,
+                             taut_error *error)
+{
+    taut_blossom *blossom = taut_blossom_new(from->spec.degree);
+    if (blossom == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int i = 0; i < taut_basis_count(change->to); i++) {
+        taut_blossom_row(blossom, from->knots, from->shape.count, knots + i + 1, &change->first[i],
+                         taut_change_row(change, i));
+    }
+    taut_blossom_free(blossom);
+    return TAUT_OK;
+}
+
+/* The change from a spline to finer knots of the same degree. */
+static taut_status to_knots(const taut_basis *from, const double *knots, int count,
+                            taut_change **change, taut_error *error)
+{
+    const int p = from->spec.degree;
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = p, .knots = knots, .knot_count = count};
+    taut_change *made = NULL;
+    taut_status status = taut_change_new(&spec, 0, p + 1, &made, error);
+
+    if (status == TAUT_OK) {
+        status = fill_rows(from, knots, made, error);
+    }
+    if (status != TAUT_OK) {
+        taut_change_free(made);
+        return status;
+    }
+    *change = made;
+    return TAUT_OK;
+}
+
+/* Writes x `times` times and returns where to go on. */
+static double *repeat(double *out, double x, int times)
+{
+    for (int i = 0; i < times; i++) {
+        *out++ = x;
+    }
+    return out;
+}
+
+static taut_status bspline_split(const taut_basis *basis, double t, taut_change_list *list,
+                                 taut_error *error)
+{
+    const int p = basis->spec.degree;
+    const int total = knot_count(basis);
+    double *knots = taut_alloc((size_t)total + (size_t)p + 1, sizeof(double));
+    taut_change_list made = {0, NULL};
+    taut_status status = TAUT_OK;
+    int below = 0, upto = 0;
+
+    if (knots == NULL) {
+        return taut_fail_memory(error);
+    }
+    while (basis->knots[below] < t) {
+        below++;
+    }
+    upto = below;
+    while (basis->knots[upto] == t) {
+        upto++;
+    }
+    status = taut_change_list_new(2, &made, error);
+    if (status == TAUT_OK) {
+        memcpy(knots, basis->knots, (size_t)below * sizeof(double));
+        repeat(knots + below, t, p + 1);
+        status = to_knots(basis, knots, below + p + 1, &made.items[0], error);
+    }
+    if (status == TAUT_OK) {
+        memcpy(repeat(knots, t, p + 1), basis->knots + upto,
+               (size_t)(total - upto) * sizeof(double));
+        status = to_knots(basis, knots, total - upto + p + 1, &made.items[1], error);
+    }
+    taut_free(knots);
+    if (status != TAUT_OK) {
+        taut_change_list_free(&made);
+        return status;
+    }
+    *list = made;
+    return TAUT_OK;
+}
+
+static taut_status bezier_piece(taut_blossom *blossom, const taut_basis *basis, int span,
+                                taut_change **change, taut_error *error)
+{
+    const int p = basis->spec.degree;
+    const taut_basis_spec spec = {.type = "bezier",
+                                  .degree = p,
+                                  .has_range = 1,
+                                  .range = {basis->breaks[span], basis->breaks[span + 1]}};
+    const taut_status status = taut_change_new(&spec, 0, p + 1, change, error);
+
+    if (status == TAUT_OK) {
+        taut_blossom_piece(blossom, basis->knots, basis->knot_span[span], (*change)->rows);
+        for (int i = 0; i <= p; i++) {
+            (*change)->first[i] = basis->first[span];
+        }
+    }
+    return status;
+}
+
+static taut_status bspline_pieces(const taut_basis *basis, taut_change_list *list,
+                                  taut_error *error)
+{
+    taut_blossom *blossom = taut_blossom_new(basis->spec.degree);
+    taut_change_list made = {0, NULL};
+    taut_status status = blossom != NULL ? TAUT_OK : taut_fail_memory(error);
+
+    if (status == TAUT_OK) {
+        status = taut_change_list_new(basis->shape.span_count, &made, error);
+    }
+    for (int i = 0; status == TAUT_OK && i < made.count; i++) {
+        status = bezier_piece(blossom, basis, i, &made.items[i], error);
+    }
+    taut_blossom_free(blossom);
+    if (status != TAUT_OK) {
+        taut_change_list_free(&made);
+        return status;
+    }
+    *list = made;
+    return TAUT_OK;
+}
+
+static taut_status bspline_halve(const taut_basis *basis, taut_change **change, taut_error *error)
+{
+    const int total = knot_count(basis);
+    const int spans = basis->shape.span_count;
+    double *knots = taut_alloc((size_t)total + (size_t)spans, sizeof(double));
+    taut_status status = TAUT_OK;
+    int n = 0;
+
+    if (knots == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int i = 0; i < total && status == TAUT_OK; i++) {
+        knots[n++] = basis->knots[i];
+        if (i + 1 < total && basis->knots[i + 1] > basis->knots[i]) {
+            const double a = basis->knots[i], b = basis->knots[i + 1];
+            const double middle = a + (b - a) / 2;
+            if (!(middle > a && middle < b)) {
+                status = taut_fail(error, TAUT_NO_SOLUTION, "/knots", b - a, taut_none,
+                                   "the span from %.17g to %.17g is too short to be halved", a, b);
+            }
+            knots[n++] = middle;
+        }
+    }
+    if (status == TAUT_OK) {
+        status = to_knots(basis, knots, n, change, error);
+    }
+    taut_free(knots);
+    return status;
+}
+
+static taut_status bspline_insert(const taut_basis *basis, double t, int times,
+                                  taut_change **change, taut_error *error)
+{
+    const int p = basis->spec.degree;
+    const int total = knot_count(basis);
+    double *knots = NULL;
+    int below = 0, upto = 0;
+    taut_status status = TAUT_OK;
+
+    while (basis->knots[below] < t) {
+        below++;
+    }
+    upto = below;
+    while (basis->knots[upto] == t) {
+        upto++;
+    }
+    if (times < 0 || times > p - (upto - below)) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, times, p - (upto - below),
+                         "knot %.17g is there %d times; with %d more it would pass the degree, %d",
+                         t, upto - below, times, p);
+    }
+    knots = taut_alloc((size_t)total + (size_t)times, sizeof(double));
+    if (knots == NULL) {
+        return taut_fail_memory(error);
+    }
+    memcpy(knots, basis->knots, (size_t)upto * sizeof(double));
+    repeat(knots + upto, t, times);
+    memcpy(knots + upto + times, basis->knots + upto, (size_t)(total - upto) * sizeof(double));
+    status = to_knots(basis, knots, total + times, change, error);
+    taut_free(knots);
+    return status;
+}
+
+/* A change of the knots alone: knot i becomes map(i); coefficients stay, or turn round. */
+static taut_status moved(const taut_basis *basis, double lo, double hi, int reversed,
+                         taut_change **change, taut_error *error)
+{
+    const int total = knot_count(basis);
+    const double from = taut_basis_lo(basis), to = taut_basis_hi(basis);
+    double *knots = taut_alloc((size_t)total, sizeof(double));
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = basis->spec.degree, .knots = knots, .knot_count = total};
+    taut_status status = TAUT_OK;
+
+    if (knots == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int i = 0; i < total; i++) {
+        const double old = basis->knots[reversed ? total - 1 - i : i];
+        const double part = reversed ? to - old : old - from;
+        const double scale = (hi - lo) / (to - from); /* exactly 1 for the same range */
+        const double x = lo + part * scale;
+        /* the ends exactly: the last one would be rounded */
+        knots[i] = old == (reversed ? from : to) || x > hi ? hi : x;
+    }
+    status = taut_change_select(&spec, 0, 0, reversed, change, error);
+    taut_free(knots);
+    return status;
+}
+
+static taut_status bspline_reverse(const taut_basis *basis, taut_change **change, taut_error *error)
+{
+    return moved(basis, taut_basis_lo(basis), taut_basis_hi(basis), 1, change, error);
+}
+
+static taut_status bspline_rerange(const taut_basis *basis, double lo, double hi,
+                                   taut_change **change, taut_error *error)
+{
+    return moved(basis, lo, hi, 0, change, error);
+}
+
+static taut_status bspline_to_bspline(const taut_basis *basis, int panels, taut_change **change,
+                                      taut_error *error)
+{
+    (void)panels;
+    return taut_change_select(&basis->spec, basis->shape.count, 0, 0, change, error);
+}
+
+taut_status taut_bspline_of_bezier(const taut_basis *bezier, taut_basis **bspline,
+                                   taut_error *error)
+{
+    const int p = bezier->spec.degree;
+    double knots[2 * (TAUT_DEGREE_MAX + 1)];
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = p, .knots = knots, .knot_count = 2 * p + 2};
+
+    repeat(repeat(knots, taut_basis_lo(bezier), p + 1), taut_basis_hi(bezier), p + 1);
+    return taut_basis_new(&spec, p + 1, bspline, error);
+}
+
+const taut_change_ops taut_changes_bspline = {
+    .split = bspline_split,
+    .pieces = bspline_pieces,
+    .halve = bspline_halve,
+    .insert = bspline_insert,
+    .elevate = taut_bspline_elevate,
+    .reverse = bspline_reverse,
+    .rerange = bspline_rerange,
+    .to_bspline = bspline_to_bspline,
+    .growth = NULL,
+};

@@ -1,0 +1,87 @@
+#include "certify/harmonic_claims.h"
+
+#include "certify/harmonic_residual.h"
+#include "core/fail.h"
+#include "core/memory.h"
+#include "taut/measure.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double unit_roundoff = 0x1p-53;
+
+taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_error *error)
+{
+    if (taut_model_surface_count(model) < least) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", taut_model_surface_count(model), least,
+                         "the model has %d surfaces, expected at least %d",
+                         taut_model_surface_count(model), least);
+    }
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        const taut_surface *surface = taut_model_surface(model, i);
+        if (strcmp(taut_basis_type(taut_surface_u(surface)), "bezier") != 0 ||
+            strcmp(taut_basis_type(taut_surface_v(surface)), "bezier") != 0 ||
+            taut_surface_weights(surface) != NULL) {
+            char where[32];
+            snprintf(where, sizeof where, "/surfaces/%d", i);
+            return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+                             "expected a polynomial surface on \"bezier\" bases");
+        }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_harmonic_add_claim(const char *name, double residual, double limit,
+                                    const char *where, taut_certificate *certificate)
+{
+    const taut_claim claim = {name, residual, limit, residual <= limit ? TAUT_TRUE : TAUT_FALSE,
+                              where};
+    return taut_certificate_add(certificate, &claim);
+}
+
+taut_status taut_harmonic_add_harmonic(const taut_model *model, taut_certificate *certificate)
+{
+    char where[96] = "";
+    double worst = -1, residual = 0, limit = 0;
+
+    for (int k = 0; k < taut_model_surface_count(model); k++) {
+        const taut_surface *surface = taut_model_surface(model, k);
+        const taut_harmonic_residual found = taut_harmonic_residual_of(surface, 0);
+        const int degrees =
+            taut_basis_degree(taut_surface_u(surface)) + taut_basis_degree(taut_surface_v(surface));
+        const double allowed = 2 * degrees * unit_roundoff;
+        if (!(found.scaled / allowed <= worst)) {
+            worst = found.scaled / allowed;
+            residual = found.scaled;
+            limit = allowed;
+            snprintf(where, sizeof where, "surface %.40s, its own rectangle, point %d %d",
+                     taut_surface_name(surface), found.i, found.j);
+        }
+    }
+    return taut_harmonic_add_claim("harmonic", residual, limit, where, certificate);
+}
+
+taut_status taut_harmonic_add_figures(const taut_model *model, taut_record *figures)
+{
+    const int count = taut_model_surface_count(model);
+    double *energy = taut_alloc(2 * (size_t)count, sizeof *energy);
+    double *isothermality = energy != NULL ? energy + count : NULL;
+    taut_status status = energy != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        status = taut_surface_dirichlet_energy(taut_model_surface(model, i), &energy[i]);
+        if (status == TAUT_OK) {
+            status = taut_surface_isothermality(taut_model_surface(model, i), &isothermality[i]);
+        }
+    }
+    if (status == TAUT_OK && count == 1) {
+        taut_record_add_number(figures, "dirichlet_energy", energy[0]);
+        taut_record_add_number(figures, "isothermality", isothermality[0]);
+    } else if (status == TAUT_OK) {
+        taut_record_add_numbers(figures, "dirichlet_energy", count, energy);
+        taut_record_add_numbers(figures, "isothermality", count, isothermality);
+    }
+    taut_free(energy);
+    return status;
+}

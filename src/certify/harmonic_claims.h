@@ -1,0 +1,24 @@
+/* harmonic_claims.h -- what the certificates of `harmonic` and `harmonic-extension` share. */
+#ifndef TAUT_CERTIFY_HARMONIC_CLAIMS_H
+#define TAUT_CERTIFY_HARMONIC_CLAIMS_H
+
+#include "taut/certify.h"
+#include "taut/model.h"
+
+/* Are the surfaces of the model polynomial on bezier bases? TAUT_BAD_INPUT if one is not, or if
+ * there are fewer than `least`. */
+taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_error *error);
+
+/* Claim `harmonic`: the largest rho over the surfaces, each over its own rectangle; its limit is
+ * 2 (n + m) 2^-53, the rounding of the points through relation (2), whose factors sum to at most 4
+ * n^2 and 4 m^2. */
+taut_status taut_harmonic_add_harmonic(const taut_model *model, taut_certificate *certificate);
+
+/* Figures dirichlet_energy and isothermality: numbers for one surface, lists for several. */
+taut_status taut_harmonic_add_figures(const taut_model *model, taut_record *figures);
+
+/* A claim that holds when residual <= limit. */
+taut_status taut_harmonic_add_claim(const char *name, double residual, double limit,
+                                    const char *where, taut_certificate *certificate);
+
+#endif /* TAUT_CERTIFY_HARMONIC_CLAIMS_H */

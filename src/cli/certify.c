@@ -1,0 +1,61 @@
+/* certify.c -- taut certify: proves a saved model again. */
+#include "cli.h"
+#include "report.h"
+
+#include <stdio.h>
+
+static int tell(const cli_options *options, const taut_certificate *certificate)
+{
+    int code = 0;
+    if (options->json) {
+        taut_record *record = taut_record_new();
+        cli_certificate_record(record, NULL, certificate);
+        code = cli_print_record(record);
+    } else {
+        fprintf(stderr, "%s\n", taut_certificate_construct(certificate));
+        cli_certificate_print(certificate);
+    }
+    return code == 0 && taut_certificate_holds(certificate) == TAUT_FALSE ? 1 : code;
+}
+
+static int run(const cli_options *options)
+{
+    const taut_certify_options chosen = {.threads = options->threads,
+                                         .tolerance = options->tolerance};
+    taut_model *model = NULL;
+    taut_problem *problem = NULL;
+    taut_certificate *certificate = NULL;
+    taut_error error;
+    taut_status status = taut_model_read(options->files[0], &model, &error);
+    int at = 0; /* the file that an error is about */
+    int code = 0;
+
+    if (status == TAUT_OK && options->file_count > 1) {
+        at = 1;
+        status = taut_problem_read(options->files[1], &problem, &error);
+    }
+    if (status == TAUT_OK) {
+        at = 0;
+        status = taut_certify(model, problem, &chosen, &certificate, &error);
+    }
+    code = status == TAUT_OK ? tell(options, certificate) : cli_fail_in(options->files[at], &error);
+    taut_certificate_free(certificate);
+    taut_problem_free(problem);
+    taut_model_free(model);
+    return code;
+}
+
+static const cli_option options_of_certify[] = {CLI_JSON, CLI_TOLERANCE, CLI_THREADS, CLI_LAST};
+
+const cli_command cli_command_certify = {
+    .name = "certify",
+    .usage = "MODEL.json [PROBLEM.json] [--json]",
+    .summary = "prove a saved model again, from its numbers alone",
+    .text =
+        "With the problem every claim is judged; without it those that the model alone decides.\n"
+        "Exit 1 when a claim does not hold.\n",
+    .files_min = 1,
+    .files_max = 2,
+    .options = options_of_certify,
+    .run = run,
+};

@@ -1,0 +1,161 @@
+/* cli.h -- what the commands share: options, messages, outputs. Commands use the public API only.
+ */
+#ifndef TAUT_CLI_H
+#define TAUT_CLI_H
+
+#include "taut/taut.h"
+
+#include <stddef.h>
+
+enum { CLI_LIST_MAX = 4096 }; /* how often an option may be repeated */
+
+/* All that any command can be told; each command's table says which of it. Zero: not given. */
+typedef struct cli_options {
+    const char *files[4]; /* operands */
+    int file_count;
+    const char **outputs; /* -o, repeated */
+    int output_count;
+    const char **at; /* --at, repeated */
+    int at_count;
+    const char *report;
+    const char *surface;
+    const char *curve;
+    const char *colour;
+    const char *view;
+    const char *title;
+    const char *text_u; /* split --u T */
+    const char *text_v;
+    double tolerance;
+    int threads;
+    int grid;
+    int divide;
+    int quiet;
+    int json;
+    int flag_u; /* refine --u */
+    int flag_v;
+    int no_net;
+    int help;
+} cli_options;
+
+typedef enum cli_kind {
+    CLI_FLAG,    /* int, set to 1 */
+    CLI_TEXT,    /* const char * */
+    CLI_LIST,    /* const char ** and the int after it */
+    CLI_NUMBER,  /* double in [lo, hi] */
+    CLI_INTEGER, /* int in [lo, hi] */
+    CLI_END
+} cli_kind;
+
+typedef struct cli_option {
+    const char *name; /* "--tolerance" or "-o" */
+    cli_kind kind;
+    size_t offset;       /* into cli_options */
+    size_t offset_count; /* CLI_LIST: of its count */
+    double lo, hi;
+    const char *value; /* what the help calls its value */
+    const char *help;
+} cli_option;
+
+typedef struct cli_command {
+    const char *name;
+    const char *usage;   /* after "taut NAME" */
+    const char *summary; /* one line */
+    const char *text;    /* the rest of the help */
+    int files_min, files_max;
+    const cli_option *options; /* ended by CLI_END */
+    int (*run)(const cli_options *options);
+} cli_command;
+
+/* Option rows that several commands use. */
+#define CLI_OUTPUT                                                                                 \
+    {                                                                                              \
+        "-o", CLI_LIST, offsetof(cli_options, outputs), offsetof(cli_options, output_count), 0, 0, \
+            "FILE", "write FILE in the format of its ending; may be repeated"                      \
+    }
+#define CLI_JSON                                                                                   \
+    {                                                                                              \
+        "--json", CLI_FLAG, offsetof(cli_options, json), 0, 0, 0, NULL, "print JSON"               \
+    }
+#define CLI_THREADS                                                                                \
+    {                                                                                              \
+        "--threads", CLI_INTEGER, offsetof(cli_options, threads), 0, 1, TAUT_THREADS_MAX, "N",     \
+            "use N threads (the result is the same for any number)"                                \
+    }
+#define CLI_TOLERANCE                                                                              \
+    {                                                                                              \
+        "--tolerance", CLI_NUMBER, offsetof(cli_options, tolerance), 0, 1e-14, 1, "T",             \
+            "largest distance from the exact surface over its size (default 1e-6; 1e-3 for "       \
+            "meshes)"                                                                              \
+    }
+#define CLI_DIVIDE                                                                                 \
+    {                                                                                              \
+        "--divide", CLI_INTEGER, offsetof(cli_options, divide), 0, 1, 1000, "N",                   \
+            "meshes and figures: N cells per knot span in each direction"                          \
+    }
+#define CLI_SURFACE                                                                                \
+    {                                                                                              \
+        "--surface", CLI_TEXT, offsetof(cli_options, surface), 0, 0, 0, "NAME",                    \
+            "only the surface of this name"                                                        \
+    }
+#define CLI_FIGURE                                                                                 \
+    {"--colour",                                                                                   \
+     CLI_TEXT,                                                                                     \
+     offsetof(cli_options, colour),                                                                \
+     0,                                                                                            \
+     0,                                                                                            \
+     0,                                                                                            \
+     "H|K",                                                                                        \
+     "figures: colour by mean or Gaussian curvature, with scale"},                                 \
+        {"--view", CLI_TEXT, offsetof(cli_options, view), 0, 0,                                    \
+         0,        "AZ,EL",  "figures: camera in degrees"},                                        \
+        {"--title", CLI_TEXT, offsetof(cli_options, title), 0, 0,                                  \
+         0,         "TEXT",   "figures: a line above"},                                            \
+    {                                                                                              \
+        "--no-net", CLI_FLAG, offsetof(cli_options, no_net), 0, 0, 0, NULL,                        \
+            "figures: leave the control net out"                                                   \
+    }
+#define CLI_LAST                                                                                   \
+    {                                                                                              \
+        NULL, CLI_END, 0, 0, 0, 0, NULL, NULL                                                      \
+    }
+
+/* Parses the words after the command into *options; 0, or the exit code after one message. */
+int cli_parse(const cli_command *command, int count, char **words, cli_options *options);
+void cli_parse_free(cli_options *options);
+/* A whole word as a finite number; 0 if it is none. Independent of the locale. */
+int cli_number(const char *word, double *value);
+/* "U,V" as two numbers; 0 if it is none. */
+int cli_pair(const char *word, double *a, double *b);
+
+/* Prints "taut: WHERE: message" and returns the status's exit code. */
+int cli_fail(const taut_error *error);
+/* The same about a document: where the place is a JSON pointer the file's name comes first. */
+int cli_fail_in(const char *file, const taut_error *error);
+/* Prints "taut: message" and returns 2: the command line is wrong. */
+int cli_misuse(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* The known word nearest to a wrong one, or NULL if none is near; words ended by NULL. */
+const char *cli_nearest(const char *word, const char *const *words);
+
+/* The write options that the command line asked for; 0, or the exit code after one message. */
+int cli_write_options(const cli_options *options, taut_write_options *chosen);
+/* Checks that each output has a format before any work is done; 0 or the exit code. */
+int cli_check_outputs(const cli_options *options);
+/* Outputs with the signal handlers that remove what is half done; free by cli_outputs_free. */
+int cli_outputs_new(taut_outputs **outputs);
+void cli_outputs_free(taut_outputs *outputs);
+/* Puts the outputs in place; 0, or the exit code after one message. */
+int cli_commit(taut_outputs *outputs);
+/* Writes the model to every -o, or as JSON to standard output without one. 0 or the exit code. */
+int cli_write_model(const taut_model *model, const cli_options *options);
+/* Prints a record as JSON on standard output; 0 or the exit code after one message. Frees the
+ * record. */
+int cli_print_record(taut_record *record);
+/* Prints text on standard output, checking that it arrived. */
+int cli_print_text(const char *text, size_t length);
+
+/* A monitor that shows a progress line on a terminal once work has taken a second. */
+taut_monitor cli_monitor(int quiet);
+void cli_monitor_done(void); /* wipes the line */
+double cli_seconds(void);    /* a clock */
+
+#endif /* TAUT_CLI_H */

@@ -1,0 +1,88 @@
+/* main.c -- finds the command and runs it. */
+#include "cli.h"
+#include "command_list.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+#define CLI_DECLARE(identifier) extern const cli_command cli_command_##identifier;
+CLI_COMMAND_LIST(CLI_DECLARE)
+#undef CLI_DECLARE
+
+static const cli_command *const commands[] = {
+#define CLI_ROW(identifier) &cli_command_##identifier,
+    CLI_COMMAND_LIST(CLI_ROW)
+#undef CLI_ROW
+};
+enum { COMMAND_COUNT = (int)(sizeof commands / sizeof commands[0]) };
+
+static int print_help(void)
+{
+    printf("taut draws surfaces tight across their boundaries, and proves what they are.\n\n");
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        printf("  taut %-10s %s\n", commands[i]->name, commands[i]->summary);
+    }
+    printf(
+        "\n  taut COMMAND --help   what a command takes\n"
+        "  taut --version        which taut this is\n\n"
+        "A first surface:  taut example dirichlet-tent | taut make - -o tent.json -o tent.png\n"
+        "Exit codes: 0 done, 1 the numbers say no, 2 command line, 3 document, 4 does not exist,\n"
+        "            5 file, 6 memory or a fault of taut's own, 130 interrupted.\n");
+    return cli_print_text("", 0);
+}
+
+static int print_command_help(const cli_command *command)
+{
+    printf("taut %s %s\n\n%s\n", command->name, command->usage, command->text);
+    for (const cli_option *o = command->options; o->kind != CLI_END; o++) {
+        char left[48];
+        snprintf(left, sizeof left, "%s%s%s", o->name, o->value != NULL ? " " : "",
+                 o->value != NULL ? o->value : "");
+        printf("  %-18s %s\n", left, o->help);
+    }
+    return cli_print_text("", 0);
+}
+
+static int print_version(void)
+{
+    printf("taut %s, %s kernels\n", taut_version(), taut_kernel_in_use());
+    return cli_print_text("", 0);
+}
+
+static int run(const cli_command *command, int count, char **words)
+{
+    cli_options options = {.file_count = 0};
+    int code = cli_parse(command, count, words, &options);
+    if (code == 0) {
+        code = options.help ? print_command_help(command) : command->run(&options);
+    }
+    cli_parse_free(&options);
+    return code;
+}
+
+int main(int argc, char **argv)
+{
+    const char *names[COMMAND_COUNT + 3] = {"--help", "--version"};
+
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once */
+    if (argc < 2) {
+        return cli_misuse("no command; `taut --help` lists them");
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
+        return print_help();
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        return print_version();
+    }
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        if (strcmp(argv[1], commands[i]->name) == 0) {
+            return run(commands[i], argc - 2, argv + 2);
+        }
+        names[i + 2] = commands[i]->name;
+    }
+    const char *near = cli_nearest(argv[1], names);
+    return cli_misuse("there is no command \"%.40s\"%s%s%s; `taut --help` lists them", argv[1],
+                      near != NULL ? " (did you mean \"" : "", near != NULL ? near : "",
+                      near != NULL ? "\"?)" : "");
+}

@@ -1,0 +1,160 @@
+/* make.c -- taut make: document -> problem -> model -> certificate -> files and a report. */
+#include "cli.h"
+#include "report.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* The JSON outputs alone when a claim does not hold: the model can be looked at, but nobody
+ * builds from a picture of a surface that is not what it should be. */
+static int is_json(const char *path)
+{
+    taut_error error;
+    const int format = taut_format_of(path, &error);
+    return format >= 0 && strcmp(taut_format_ending(format), "json") == 0;
+}
+
+/* Stages the model in every output, and the report; 0 or the exit code. */
+static int stage(taut_outputs *outputs, const cli_options *options, cli_report *report,
+                 const char **written)
+{
+    const int holds = taut_certificate_holds(report->certificate) != TAUT_FALSE;
+    taut_write_options chosen;
+    taut_error error;
+    int code = cli_write_options(options, &chosen);
+
+    report->outputs = written;
+    if (code == 0 && options->output_count == 0 &&
+        taut_outputs_model(outputs, report->model, "-", &chosen, &error) != TAUT_OK) {
+        code = cli_fail(&error);
+    }
+    for (int i = 0; i < options->output_count && code == 0; i++) {
+        if (!holds && !is_json(options->outputs[i])) {
+            continue;
+        }
+        if (taut_outputs_model(outputs, report->model, options->outputs[i], &chosen, &error) !=
+            TAUT_OK) {
+            code = cli_fail(&error);
+        }
+        written[report->output_count++] = options->outputs[i];
+    }
+    return code;
+}
+
+static int stage_report(taut_outputs *outputs, const char *path, const cli_report *report)
+{
+    taut_record *record = cli_report_record(report);
+    taut_error error = {TAUT_NO_MEMORY, 0, 0, "", "memory ran out"};
+    taut_status status = taut_record_status(record);
+    if (status == TAUT_OK) {
+        status = taut_outputs_record(outputs, record, path, &error);
+    }
+    taut_record_free(record);
+    return status == TAUT_OK ? 0 : cli_fail(&error);
+}
+
+/* Writes everything and tells what happened. */
+static int deliver(const cli_options *options, cli_report *report)
+{
+    const char *written[CLI_LIST_MAX];
+    taut_outputs *outputs = NULL;
+    const double start = cli_seconds();
+    int code = cli_outputs_new(&outputs);
+
+    if (code == 0) {
+        code = stage(outputs, options, report, written);
+    }
+    report->seconds_written = cli_seconds() - start;
+    if (code == 0 && options->report != NULL) {
+        code = stage_report(outputs, options->report, report);
+    }
+    if (code == 0) {
+        code = cli_commit(outputs);
+    }
+    cli_outputs_free(outputs);
+    cli_monitor_done();
+    if (code == 0 && !options->quiet) {
+        cli_report_print(report);
+    }
+    if (code == 0 && taut_certificate_holds(report->certificate) == TAUT_FALSE) {
+        code = 1;
+    }
+    return code;
+}
+
+/* From the problem on. */
+static int make(const taut_problem *problem, const cli_options *options)
+{
+    const taut_make_options chosen = {.tolerance = options->tolerance,
+                                      .threads = options->threads,
+                                      .monitor = cli_monitor(options->quiet)};
+    const taut_certify_options proof = {.threads = options->threads,
+                                        .tolerance = options->tolerance};
+    cli_report report = {.construct = taut_problem_construct(problem)};
+    taut_model *model = NULL;
+    taut_certificate *certificate = NULL;
+    taut_error error;
+    const double start = cli_seconds();
+    taut_status status = taut_make(problem, &chosen, &model, &error);
+    int code = 0;
+
+    report.seconds_made = cli_seconds() - start;
+    if (status == TAUT_OK) {
+        status = taut_certify(model, problem, &proof, &certificate, &error);
+        report.seconds_proved = cli_seconds() - start - report.seconds_made;
+    }
+    if (status == TAUT_OK) {
+        taut_model_set_certificate(model, certificate);
+        report.model = model;
+        report.certificate = certificate;
+        code = deliver(options, &report);
+    } else {
+        code = cli_fail_in(options->files[0], &error);
+    }
+    taut_model_free(model);
+    return code;
+}
+
+static int run(const cli_options *options)
+{
+    taut_problem *problem = NULL;
+    taut_error error;
+    int code = cli_check_outputs(options);
+
+    if (code != 0) {
+        return code;
+    }
+    if (taut_problem_read(options->files[0], &problem, &error) != TAUT_OK) {
+        return cli_fail_in(options->files[0], &error);
+    }
+    code = make(problem, options);
+    taut_problem_free(problem);
+    return code;
+}
+
+static const cli_option options_of_make[] = {
+    CLI_OUTPUT,
+    {"--report", CLI_TEXT, offsetof(cli_options, report), 0, 0, 0, "FILE",
+     "write the report as JSON"},
+    CLI_TOLERANCE,
+    CLI_DIVIDE,
+    CLI_THREADS,
+    CLI_FIGURE,
+    {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},
+    CLI_LAST};
+
+const cli_command cli_command_make = {
+    .name = "make",
+    .usage = "PROBLEM.json [-o FILE]... [--report FILE] [--tolerance T] [--quiet]",
+    .summary = "build the surface a problem asks for, and prove it",
+    .text = "Reads a problem (- is standard input), builds its model, proves it, and writes it to "
+            "every\n"
+            "FILE in the format of its ending; without -o as JSON to standard output. The report "
+            "goes to\n"
+            "standard error. A claim that does not hold is exit 1, and only JSON outputs are "
+            "written.\n",
+    .files_min = 1,
+    .files_max = 1,
+    .options = options_of_make,
+    .run = run,
+};

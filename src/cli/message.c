@@ -1,0 +1,75 @@
+/* message.c -- what a person is told when something went wrong: one message, one line. */
+#include "cli.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+int cli_fail(const taut_error *error)
+{
+    cli_monitor_done();
+    fprintf(stderr, "taut: %s%s%s\n", error->where, error->where[0] != '\0' ? ": " : "",
+            error->message[0] != '\0' ? error->message : taut_status_text(error->status));
+    return taut_status_exit_code(error->status);
+}
+
+int cli_fail_in(const char *file, const taut_error *error)
+{
+    taut_error placed = *error;
+    if (error->where[0] == '\0' || error->where[0] == '/') {
+        const char *name = strcmp(file, "-") == 0 ? "standard input" : file;
+        snprintf(placed.where, sizeof placed.where, "%.100s%s%.80s", name,
+                 error->where[0] != '\0' ? ": " : "", error->where);
+    }
+    return cli_fail(&placed);
+}
+
+int cli_misuse(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fputs("taut: ", stderr);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+    va_end(arguments);
+    return 2;
+}
+
+/* Edit distance of two short words (insertions, deletions, changes). */
+static int distance(const char *a, const char *b)
+{
+    enum { LONGEST = 40 };
+    int row[LONGEST + 1];
+    const int n = (int)strlen(b);
+    if (n > LONGEST || strlen(a) > LONGEST) {
+        return LONGEST;
+    }
+    for (int j = 0; j <= n; j++) {
+        row[j] = j;
+    }
+    for (int i = 1; a[i - 1] != '\0'; i++) {
+        int corner = row[0];
+        row[0] = i;
+        for (int j = 1; j <= n; j++) {
+            const int change = corner + (a[i - 1] != b[j - 1]);
+            const int gap = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
+            corner = row[j];
+            row[j] = change < gap ? change : gap;
+        }
+    }
+    return row[n];
+}
+
+const char *cli_nearest(const char *word, const char *const *words)
+{
+    const char *best = NULL;
+    int least = (int)strlen(word) / 3 + 1;
+    for (; *words != NULL; words++) {
+        const int d = distance(word, *words);
+        if (d <= least) {
+            least = d - 1;
+            best = *words;
+        }
+    }
+    return best;
+}

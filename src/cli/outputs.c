@@ -1,0 +1,153 @@
+/* outputs.c -- writing what a command made, whole or not at all, also when interrupted. */
+#include "cli.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static const taut_outputs *volatile at_risk; /* what a signal must remove */
+
+static void interrupted(int number)
+{
+    if (at_risk != NULL) {
+        taut_outputs_abandon(at_risk);
+    }
+    _exit(128 + number); /* 130 for an interrupt */
+}
+
+int cli_outputs_new(taut_outputs **outputs)
+{
+    const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    if (taut_outputs_new(outputs) != TAUT_OK) {
+        taut_error error = {TAUT_NO_MEMORY, 0, 0, "", "memory ran out"};
+        return cli_fail(&error);
+    }
+    at_risk = *outputs;
+    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
+        struct sigaction action;
+        memset(&action, 0, sizeof action);
+        action.sa_handler = interrupted;
+        sigaction(signals[i], &action, NULL);
+    }
+    return 0;
+}
+
+void cli_outputs_free(taut_outputs *outputs)
+{
+    at_risk = NULL;
+    taut_outputs_free(outputs);
+}
+
+int cli_commit(taut_outputs *outputs)
+{
+    taut_error error;
+    return taut_outputs_commit(outputs, &error) == TAUT_OK ? 0 : cli_fail(&error);
+}
+
+int cli_write_options(const cli_options *options, taut_write_options *chosen)
+{
+    static const struct {
+        const char *word;
+        taut_colour colour;
+    } colours[] = {{"H", TAUT_COLOUR_MEAN}, {"K", TAUT_COLOUR_GAUSSIAN}};
+
+    *chosen = (taut_write_options){.tolerance = options->tolerance,
+                                   .divide = options->divide,
+                                   .threads = options->threads,
+                                   .surface = options->surface,
+                                   .no_net = options->no_net,
+                                   .title = options->title,
+                                   .monitor = cli_monitor(options->quiet)};
+    if (options->colour != NULL) {
+        for (size_t i = 0; i < sizeof colours / sizeof colours[0]; i++) {
+            if (strcmp(options->colour, colours[i].word) == 0) {
+                chosen->colour = colours[i].colour;
+            }
+        }
+        if (chosen->colour == TAUT_COLOUR_PLAIN) {
+            return cli_misuse("--colour %.40s: expected H or K", options->colour);
+        }
+    }
+    if (options->view != NULL) {
+        chosen->has_view = 1;
+        if (!cli_pair(options->view, &chosen->view[0], &chosen->view[1])) {
+            return cli_misuse(
+                "--view %.40s: expected two numbers, azimuth and elevation in degrees",
+                options->view);
+        }
+    }
+    return 0;
+}
+
+int cli_check_outputs(const cli_options *options)
+{
+    for (int i = 0; i < options->output_count; i++) {
+        taut_error error;
+        if (taut_format_of(options->outputs[i], &error) < 0) {
+            return cli_misuse("-o %s: %s", options->outputs[i], error.message);
+        }
+        for (int j = 0; j < i; j++) {
+            if (strcmp(options->outputs[i], options->outputs[j]) == 0) {
+                return cli_misuse("-o %s is given twice", options->outputs[i]);
+            }
+        }
+    }
+    return 0;
+}
+
+int cli_write_model(const taut_model *model, const cli_options *options)
+{
+    static const char *const standard[] = {"-"};
+    const char *const *paths = options->output_count > 0 ? options->outputs : standard;
+    const int count = options->output_count > 0 ? options->output_count : 1;
+    taut_write_options chosen;
+    taut_outputs *outputs = NULL;
+    taut_error error;
+    int code = cli_write_options(options, &chosen);
+
+    if (code == 0) {
+        code = cli_outputs_new(&outputs);
+    }
+    for (int i = 0; i < count && code == 0; i++) {
+        if (taut_outputs_model(outputs, model, paths[i], &chosen, &error) != TAUT_OK) {
+            code = cli_fail(&error);
+        }
+    }
+    if (code == 0) {
+        code = cli_commit(outputs);
+    }
+    cli_monitor_done();
+    cli_outputs_free(outputs);
+    return code;
+}
+
+int cli_print_text(const char *text, size_t length)
+{
+    if (fwrite(text, 1, length, stdout) != length || fflush(stdout) != 0 || ferror(stdout)) {
+        taut_error error = {TAUT_IO, 0, 0, "standard output", "it could not be written"};
+        return cli_fail(&error);
+    }
+    return 0;
+}
+
+int cli_print_record(taut_record *record)
+{
+    char *text = NULL;
+    size_t length = 0;
+    taut_status status = taut_record_status(record);
+    int code = 0;
+
+    if (status == TAUT_OK) {
+        status = taut_record_write(record, &text, &length);
+    }
+    if (status != TAUT_OK) {
+        taut_error error = {status, 0, 0, "", ""};
+        code = cli_fail(&error);
+    } else {
+        code = cli_print_text(text, length);
+    }
+    taut_text_free(text);
+    taut_record_free(record);
+    return code;
+}

@@ -1,0 +1,168 @@
+#include "report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { COLUMN = 22 };
+
+/* "dirichlet_energy" as "dirichlet energy". */
+static const char *words(const char *key, char *buffer, size_t size)
+{
+    snprintf(buffer, size, "%s", key);
+    for (char *p = buffer; *p != '\0'; p++) {
+        if (*p == '_') {
+            *p = ' ';
+        }
+    }
+    return buffer;
+}
+
+static void print_duration(const char *what, double seconds, const char *end)
+{
+    if (seconds < 1) {
+        fprintf(stderr, "%s %.2g ms%s", what, 1e3 * seconds, end);
+    } else {
+        fprintf(stderr, "%s %.2f s%s", what, seconds, end);
+    }
+}
+
+static void print_value(const taut_record *value)
+{
+    switch (taut_record_kind_of(value)) {
+    case TAUT_RECORD_NUMBER:
+        fprintf(stderr, "%.12g", taut_record_number(value));
+        break;
+    case TAUT_RECORD_TEXT:
+        fprintf(stderr, "%s", taut_record_text(value));
+        break;
+    case TAUT_RECORD_BOOL:
+        fprintf(stderr, "%s", taut_record_bool(value) ? "yes" : "no");
+        break;
+    case TAUT_RECORD_LIST:
+        for (size_t i = 0; i < taut_record_count(value) && i < 6; i++) {
+            fprintf(stderr, "%s", i > 0 ? ", " : "");
+            print_value(taut_record_at(value, i));
+        }
+        fprintf(stderr, "%s", taut_record_count(value) > 6 ? ", ..." : "");
+        break;
+    case TAUT_RECORD_OBJECT:
+        fprintf(stderr, "(%zu members, in the report)", taut_record_count(value));
+        break;
+    case TAUT_RECORD_NULL:
+    default:
+        fprintf(stderr, "-");
+        break;
+    }
+}
+
+static void print_members(const taut_record *record)
+{
+    char name[64];
+    for (size_t i = 0; i < taut_record_count(record); i++) {
+        const taut_record *value = taut_record_at(record, i);
+        if (taut_record_kind_of(value) == TAUT_RECORD_OBJECT) {
+            continue;
+        }
+        fprintf(stderr, "  %-*s", COLUMN, words(taut_record_key(record, i), name, sizeof name));
+        print_value(value);
+        fputc('\n', stderr);
+    }
+}
+
+void cli_certificate_print(const taut_certificate *certificate)
+{
+    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+        const taut_claim *claim = taut_certificate_claim(certificate, i);
+        const char *verdict = claim->holds == TAUT_TRUE    ? "holds"
+                              : claim->holds == TAUT_FALSE ? "DOES NOT HOLD"
+                                                           : "undecided";
+        fprintf(stderr, "  %-*s%s: %.3g, limit %.3g%s%s\n", COLUMN, claim->claim, verdict,
+                claim->residual, claim->limit, claim->where[0] != '\0' ? ", at " : "",
+                claim->where);
+    }
+    print_members(taut_certificate_figures(certificate));
+}
+
+static void print_objects(const taut_model *model)
+{
+    for (int i = 0; i < taut_model_surface_count(model) && i < 8; i++) {
+        const taut_surface *surface = taut_model_surface(model, i);
+        const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+        fprintf(stderr, "  %-*s%s: %d x %d points, %s x %s%s\n", COLUMN, i == 0 ? "surface" : "",
+                taut_surface_name(surface), taut_basis_count(u), taut_basis_count(v),
+                taut_basis_type(u), taut_basis_type(v),
+                taut_surface_weights(surface) != NULL ? ", rational" : "");
+    }
+    for (int i = 0; i < taut_model_curve_count(model) && i < 8; i++) {
+        const taut_curve *curve = taut_model_curve(model, i);
+        fprintf(stderr, "  %-*s%s: %d points, %s\n", COLUMN, i == 0 ? "curve" : "",
+                taut_curve_name(curve), taut_basis_count(taut_curve_t(curve)),
+                taut_basis_type(taut_curve_t(curve)));
+    }
+}
+
+void cli_report_print(const cli_report *report)
+{
+    fprintf(stderr, "%s\n", report->construct);
+    print_objects(report->model);
+    print_members(taut_model_details(report->model));
+    cli_certificate_print(report->certificate);
+    fprintf(stderr, "  %-*s", COLUMN, "time");
+    print_duration("made", report->seconds_made, ", ");
+    print_duration("proved", report->seconds_proved, ", ");
+    print_duration("written", report->seconds_written, "\n");
+    for (int i = 0; i < report->output_count; i++) {
+        fprintf(stderr, "  %-*s%s\n", COLUMN, i == 0 ? "written" : "", report->outputs[i]);
+    }
+}
+
+static void add_verdict(taut_record *record, taut_verdict verdict)
+{
+    if (verdict == TAUT_UNDECIDED) {
+        taut_record_add_null(record, "holds");
+    } else {
+        taut_record_add_bool(record, "holds", verdict == TAUT_TRUE);
+    }
+}
+
+void cli_certificate_record(taut_record *record, const char *key,
+                            const taut_certificate *certificate)
+{
+    taut_record *object = key != NULL ? taut_record_add_object(record, key) : record;
+    taut_record *claims = NULL;
+    taut_record_add_text(object, "construct", taut_certificate_construct(certificate));
+    add_verdict(object, taut_certificate_holds(certificate));
+    claims = taut_record_add_list(object, "claims");
+    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+        const taut_claim *claim = taut_certificate_claim(certificate, i);
+        taut_record *row = taut_record_add_object(claims, NULL);
+        taut_record_add_text(row, "claim", claim->claim);
+        taut_record_add_number(row, "residual", claim->residual);
+        taut_record_add_number(row, "limit", claim->limit);
+        add_verdict(row, claim->holds);
+        taut_record_add_text(row, "where", claim->where);
+    }
+    taut_record_add_record(object, "figures", taut_certificate_figures(certificate));
+}
+
+taut_record *cli_report_record(const cli_report *report)
+{
+    taut_record *record = taut_record_new();
+    taut_record *list = NULL;
+    taut_record_add_number(record, "taut", 1);
+    taut_record_add_text(record, "construct", report->construct);
+    if (taut_model_details(report->model) != NULL) {
+        taut_record_add_record(record, "details", taut_model_details(report->model));
+    }
+    cli_certificate_record(record, "certificate", report->certificate);
+    list = taut_record_add_object(record, "seconds");
+    taut_record_add_number(list, "made", report->seconds_made);
+    taut_record_add_number(list, "proved", report->seconds_proved);
+    taut_record_add_number(list, "written", report->seconds_written);
+    list = taut_record_add_list(record, "outputs");
+    for (int i = 0; i < report->output_count; i++) {
+        taut_record_add_text(list, NULL, report->outputs[i]);
+    }
+    return record;
+}

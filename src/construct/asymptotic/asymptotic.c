@@ -1,0 +1,307 @@
+/* asymptotic.c -- from the problem to the model: the quadrilateral (Algorithm 1, or as given), the
+ * rows along its edges and the inner points (Algorithm 2).
+ */
+#include "construct/asymptotic/branch.h"
+#include "construct/asymptotic/conditions.h"
+#include "construct/asymptotic/details.h"
+#include "construct/asymptotic/low.h"
+#include "construct/asymptotic/plate.h"
+#include "construct/asymptotic/poly.h"
+#include "construct/asymptotic/rows.h"
+#include "construct/construct_ops.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <string.h>
+
+/* All that one call holds; lives in its arena. */
+typedef struct work {
+    taut_quad quad;
+    taut_branches branches;
+    taut_ribbon ribbons[4];
+    taut_patch patch;
+    taut_plate_freedom freedoms[TAUT_PLATE_FREEDOMS];
+    double factors[TAUT_PLATE_FREEDOMS];
+    double center[3];
+    double curve_energy, patch_energy;
+} work;
+
+static taut_status find_quad(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
+                             work *w, taut_error *error)
+{
+    taut_curve_rule rule;
+    taut_status status = TAUT_OK;
+    int chosen = 0;
+    if (problem->curves[0] != NULL || problem->curves[1] != NULL || problem->curves[2] != NULL ||
+        problem->curves[3] != NULL) {
+        status = taut_quad_of_curves(problem->curves, &w->quad, error);
+        if (status == TAUT_OK) {
+            taut_curve_rule_fill(w->quad.degree, TAUT_CURVE_FINE, &rule);
+            w->curve_energy = taut_quad_energy(&rule, &w->quad);
+        }
+        return status;
+    }
+    status = taut_branches_find(problem, monitor, &w->branches, error);
+    if (status == TAUT_OK) {
+        status = taut_branch_choose(problem, &w->branches, &chosen, error);
+    }
+    if (status == TAUT_OK) {
+        w->quad = w->branches.list[chosen].quad;
+        w->curve_energy = w->branches.list[chosen].energy;
+    }
+    return status;
+}
+
+/* Moves the quadrilateral so that the mean of its corners is the origin: products of coordinates
+ * then lose nothing to a far origin. */
+static void center_quad(work *w)
+{
+    memset(w->center, 0, sizeof w->center);
+    for (int c = 0; c < 4; c++) {
+        const taut_quad_meeting *const m = taut_quad_corner[c];
+        taut_add_scaled(0.25, taut_quad_point(&w->quad, m->edge, m->end, 0), w->center);
+    }
+    for (int e = 0; e < 4; e++) {
+        for (int j = 0; j <= w->quad.degree; j++) {
+            taut_add_scaled(-1.0, w->center, w->quad.edges[e].points[j]);
+        }
+    }
+}
+
+/* (C4): an edge whose beta changes sign is singular where it vanishes. */
+static taut_status check_regular(const work *w, taut_error *error)
+{
+    for (int e = 0; e < 4; e++) {
+        const double at = taut_ribbon_singular(&w->ribbons[e]);
+        if (isfinite(at)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "", at, taut_none,
+                             "edge %s is singular at parameter %.6f: its normal would have to "
+                             "turn over (sigma %+d and %+d at its ends, no inflection between); "
+                             "other legs, or \"singular\": \"report\", build it",
+                             taut_asymptotic_edge_name(e), at, taut_quad_sigma(&w->quad, e, 0),
+                             taut_quad_sigma(&w->quad, e, 1));
+        }
+    }
+    return TAUT_OK;
+}
+
+/* The free alpha_j, 2 <= j <= 3n-7: each adds B_j P / m to its row. */
+static int list_freedoms(work *w)
+{
+    const int n = w->quad.degree, m = w->patch.m, degree = 3 * n - 5;
+    int count = 0;
+    for (int e = 0; e < 4; e++) {
+        const int low = e == TAUT_ASYMPTOTIC_V0 || e == TAUT_ASYMPTOTIC_U0;
+        for (int j = 2; j <= degree - 2 && !w->ribbons[e].straight; j++) {
+            taut_plate_freedom *const freedom = &w->freedoms[count++];
+            double unit[TAUT_RIBBON_ALPHA] = {0}, row[TAUT_QUAD_PATCH + 1][3];
+            unit[j] = (low ? 1.0 : -1.0) / m;
+            freedom->parts = 1;
+            freedom->part[0].edge = e;
+            taut_poly_scale(degree, unit, 2 * n - 2, 3, &w->ribbons[e].p[0][0], &row[0][0]);
+            for (int k = 0; k <= m; k++) {
+                memcpy(freedom->part[0].row[k], row[k], sizeof row[k]);
+            }
+        }
+    }
+    return count;
+}
+
+static void note_freedoms(work *w, int count)
+{
+    const int per = 3 * w->quad.degree - 8;
+    int k = 0;
+    for (int e = 0; e < 4 && k < count; e++) {
+        for (int j = 0; j < per && !w->ribbons[e].straight; j++) {
+            w->ribbons[e].alpha[2 + j] = w->factors[k++];
+        }
+    }
+}
+
+/* Algorithm 2 at degree 5n - 7. */
+static taut_status fill_paper(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
+                              work *w, taut_error *error)
+{
+    const taut_plate_options options = {0, monitor};
+    taut_status status = TAUT_OK;
+    int freedoms = 0;
+    for (int e = 0; e < 4; e++) {
+        taut_ribbon_fill(&w->quad, e, &w->ribbons[e]);
+    }
+    for (int e = 0; e < 4; e++) {
+        taut_ribbon_ends(&w->quad, e, w->ribbons);
+    }
+    status = problem->report_singular ? TAUT_OK : check_regular(w, error);
+    if (status == TAUT_OK) {
+        status = taut_ribbon_twists(&w->quad, w->ribbons, w->patch.twist, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_rows_fill(&w->quad, w->ribbons, &w->patch, error);
+    }
+    if (status == TAUT_OK) {
+        freedoms = problem->free_all ? list_freedoms(w) : 0;
+        status = taut_plate_solve(&w->patch, freedoms, w->freedoms, w->factors, &options,
+                                  &w->patch_energy, error);
+    }
+    if (status == TAUT_OK) {
+        note_freedoms(w, freedoms);
+    }
+    return status;
+}
+
+static taut_status fill_low(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
+                            work *w, taut_error *error)
+{
+    if (problem->free_all) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/free", taut_none, taut_none,
+                         "the free alpha belong to surface \"5n-7\": leave out \"free\" or "
+                         "\"surface\"");
+    }
+    return taut_low_fill(&w->quad, problem->report_singular, monitor, &w->patch, &w->patch_energy,
+                         error);
+}
+
+/* ---- the model ---- */
+
+static taut_status add_curve(const work *w, int e, taut_model *model, taut_error *error)
+{
+    const taut_basis_spec spec = {.type = "bezier", .degree = w->quad.degree};
+    const taut_quad_edge *const edge = &w->quad.edges[e];
+    double points[TAUT_QUAD_POINTS][3];
+    taut_basis *basis = NULL;
+    taut_curve *curve = NULL;
+    taut_status status = taut_basis_new(&spec, 0, &basis, error);
+    if (status == TAUT_OK) {
+        memcpy(points, edge->points, sizeof points);
+        for (int j = 0; j <= w->quad.degree; j++) {
+            taut_add_scaled(1.0, w->center, points[j]);
+        }
+        status = taut_curve_new(taut_asymptotic_edge_name(e), basis, &points[0][0], edge->weights,
+                                &curve, error);
+    }
+    if (status == TAUT_OK && taut_model_add_curve(model, curve) != TAUT_OK) {
+        taut_curve_free(curve);
+        status = taut_fail_memory(error);
+    }
+    taut_basis_free(basis);
+    return status;
+}
+
+static taut_status add_patch(const work *w, taut_arena *arena, taut_model *model, taut_error *error)
+{
+    const int m = w->patch.m;
+    const size_t count = (size_t)(m + 1) * (size_t)(m + 1);
+    const taut_basis_spec spec = {.type = "bezier", .degree = m};
+    double *const points = taut_arena_take(arena, 3 * count, sizeof *points);
+    double *const weights = taut_arena_take(arena, count, sizeof *weights);
+    taut_basis *basis = NULL;
+    taut_surface *surface = NULL;
+    taut_status status = points != NULL && weights != NULL ? TAUT_OK : taut_fail_memory(error);
+    if (status == TAUT_OK) {
+        for (size_t k = 0; k < count; k++) {
+            const double *const entry = w->patch.net[k];
+            for (int d = 0; d < 3; d++) {
+                points[3 * k + (size_t)d] = entry[d] / entry[3] + w->center[d];
+            }
+            weights[k] = entry[3];
+        }
+        status = taut_basis_new(&spec, 0, &basis, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_surface_new("patch", basis, basis, points, weights, &surface, error);
+    }
+    if (status == TAUT_OK && taut_model_add_surface(model, surface) != TAUT_OK) {
+        taut_surface_free(surface);
+        status = taut_fail_memory(error);
+    }
+    taut_basis_free(basis);
+    return status;
+}
+
+static taut_status fill_model(const taut_asymptotic_problem *problem, const work *w,
+                              taut_arena *arena, taut_model *model, taut_error *error)
+{
+    static const int order[4] = {TAUT_ASYMPTOTIC_V0, TAUT_ASYMPTOTIC_V1, TAUT_ASYMPTOTIC_U0,
+                                 TAUT_ASYMPTOTIC_U1};
+    const taut_asymptotic_story story = {
+        .quad = &w->quad,
+        .patch = &w->patch,
+        .ribbons = problem->surface == TAUT_ASYMPTOTIC_5N_7 ? w->ribbons : NULL,
+        .branches = w->branches.count > 0 ? &w->branches : NULL,
+        .curve_energy = w->curve_energy,
+        .patch_energy = w->patch_energy,
+    };
+    taut_record *details = NULL;
+    taut_status status = add_patch(w, arena, model, error);
+    for (int k = 0; k < 4 && status == TAUT_OK; k++) {
+        status = add_curve(w, order[k], model, error);
+    }
+    if (status == TAUT_OK) {
+        details = taut_asymptotic_details(&story);
+        status = taut_record_status(details);
+        if (status == TAUT_OK) {
+            taut_model_set_details(model, details);
+        } else {
+            taut_record_free(details);
+            status = taut_fail_memory(error);
+        }
+    }
+    return status;
+}
+
+static taut_status build(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
+                         taut_arena *arena, work *w, taut_model *model, taut_error *error)
+{
+    const int low = problem->surface == TAUT_ASYMPTOTIC_N_3;
+    taut_status status = find_quad(problem, monitor, w, error);
+    if (status == TAUT_OK) {
+        status = taut_quad_check(&w->quad, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    center_quad(w);
+    status = taut_patch_new(arena, low ? w->quad.degree + 3 : 5 * w->quad.degree - 7, &w->patch);
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = low ? fill_low(problem, monitor, w, error) : fill_paper(problem, monitor, w, error);
+    return status == TAUT_OK ? fill_model(problem, w, arena, model, error) : status;
+}
+
+taut_status taut_asymptotic_make(const taut_asymptotic_problem *problem,
+                                 const taut_make_options *options, taut_model **model,
+                                 taut_error *error)
+{
+    taut_arena *arena = NULL;
+    taut_model *made = NULL;
+    work *w = NULL;
+    taut_status status = TAUT_OK;
+
+    if (problem == NULL || model == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_asymptotic_make needs a problem and a place for the model");
+    }
+    arena = taut_arena_new();
+    w = arena != NULL ? taut_arena_take(arena, 1, sizeof *w) : NULL;
+    if (w == NULL || taut_model_new(&made) != TAUT_OK) {
+        status = taut_fail_memory(error);
+    } else {
+        status = build(problem, options != NULL ? &options->monitor : NULL, arena, w, made, error);
+    }
+    taut_arena_free(arena);
+    if (status != TAUT_OK) {
+        taut_model_free(made);
+        return status;
+    }
+    *model = made;
+    return TAUT_OK;
+}
+
+static taut_status make(const void *data, const taut_make_options *options, taut_model **model,
+                        taut_error *error)
+{
+    return taut_asymptotic_make(data, options, model, error);
+}
+
+const taut_construct_ops taut_construct_asymptotic = {make};

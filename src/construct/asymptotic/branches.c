@@ -1,0 +1,185 @@
+#include "construct/asymptotic/branch.h"
+
+#include "construct/asymptotic/family.h"
+#include "core/fail.h"
+#include "core/memory.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Degree 4, and 5 for all above. */
+static const taut_family *const families[] = {&taut_family_quartic, &taut_family_quintic};
+static const int text_order[4] = {TAUT_ASYMPTOTIC_V0, TAUT_ASYMPTOTIC_V1, TAUT_ASYMPTOTIC_U0,
+                                  TAUT_ASYMPTOTIC_U1};
+
+void taut_branch_text(const int signs[4], char text[5])
+{
+    for (int k = 0; k < 4; k++) {
+        const int sign = signs[text_order[k]];
+        text[k] = sign > 0 ? '+' : sign < 0 ? '-' : '0';
+    }
+    text[4] = '\0';
+}
+
+double taut_quad_energy(const taut_curve_rule *rule, const taut_quad *quad)
+{
+    double energy = 0.0;
+    for (int e = 0; e < 4; e++) {
+        if (!quad->edges[e].straight) {
+            energy += taut_curve_energy(rule, &quad->edges[e], NULL, NULL);
+        }
+    }
+    return energy;
+}
+
+/* The signs that number `code` in 0..15 stands for, 0 on straight edges; 0 if a straight edge
+ * would repeat a branch. */
+static int signs_of(const taut_corner_data *data, int code, int signs[4])
+{
+    for (int e = 0; e < 4; e++) {
+        const int positive = (code >> e & 1) == 0;
+        signs[e] = data->edges[e].straight ? 0 : positive ? 1 : -1;
+        if (data->edges[e].straight && !positive) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int stopped(const taut_monitor *monitor, int code)
+{
+    return monitor != NULL && monitor->progress != NULL &&
+           monitor->progress(monitor->context, code / 32.0, "branches") != 0;
+}
+
+/* Keeps the list in order of energy. */
+static void insert(taut_branches *branches, const taut_branch *branch)
+{
+    int at = branches->count++;
+    for (; at > 0 && branches->list[at - 1].energy > branch->energy; at--) {
+        branches->list[at] = branches->list[at - 1];
+    }
+    branches->list[at] = *branch;
+}
+
+/* The message when no branch has a minimum. */
+static taut_status fail_none(int allowed, double gap, taut_error *error)
+{
+    if (allowed == 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/edges", 0.0, taut_none,
+                         "no choice of sides to bend to gives opposite torsions at all corners "
+                         "and one side per edge: change the direction of a leg");
+    }
+    if (gap != 0.0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, 0.0,
+                         "the torsions cannot close around the four corners: the curvatures miss "
+                         "it by a factor of %.9g; nearest: multiply curvature of v0[1], u0[0], "
+                         "v1[0], u1[1] by %.9g and divide v0[0], u0[1], v1[1], u1[0] by it",
+                         exp(gap), exp(gap / 8));
+    }
+    return taut_fail(error, TAUT_NOT_CONVERGED, "/edges", taut_none, taut_none,
+                     "the curve energy has no minimum in any of the %d sign branches that the "
+                     "corner data allows, from %d starts each",
+                     allowed, 8);
+}
+
+static taut_status find_with(const taut_family *family, const taut_corner_data *data, void *room,
+                             const taut_monitor *monitor, taut_branches *branches,
+                             taut_error *error)
+{
+    taut_branch *const branch = &branches->list[TAUT_BRANCHES_MAX];
+    int allowed = 0;
+    double gap = INFINITY;
+    taut_status status = family->prepare(data, room, &branches->closing, error);
+    for (int code = 0; code < TAUT_BRANCHES_MAX && status == TAUT_OK; code++) {
+        int signs[4];
+        if (stopped(monitor, code)) {
+            status = taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped");
+        } else if (signs_of(data, code, signs) && family->allows(room, signs)) {
+            allowed++;
+            family->minimise(room, signs, branch);
+            gap = fabs(branch->gap) < fabs(gap) ? branch->gap : gap;
+            branches->unknowns = branch->unknowns;
+            if (branch->found) {
+                insert(branches, branch);
+            }
+        }
+    }
+    if (status == TAUT_OK && branches->count == 0) {
+        status = fail_none(allowed, isfinite(gap) ? gap : 0.0, error);
+    }
+    return status;
+}
+
+/* From degree 6 on the energy has no minimum: the ends can bend in ever shorter intervals, P_2 near
+ * P_0, at ever less cost. What degree 5 gives is taken, raised. */
+static void raise_branches(const taut_corner_data *data, taut_branches *branches)
+{
+    for (int k = 0; k < branches->count && data->raised > data->degree; k++) {
+        taut_quad *const quad = &branches->list[k].quad;
+        taut_quad_raise(quad, data->raised);
+        for (int e = 0; e < 4; e++) {
+            if (data->edges[e].straight) {
+                taut_corner_straight(data, e, data->raised, &quad->edges[e]);
+            }
+        }
+    }
+}
+
+taut_status taut_branches_find(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
+                               taut_branches *branches, taut_error *error)
+{
+    const taut_family *family = NULL;
+    taut_corner_data *data = NULL;
+    void *room = NULL;
+    taut_status status = TAUT_OK;
+
+    branches->count = 0;
+    branches->closing = TAUT_CLOSING_NONE;
+    if (problem->degree == 3) {
+        return taut_cubic_find(problem, branches, error);
+    }
+    status = taut_corner_check(problem, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    family = families[problem->degree > 4];
+    data = taut_alloc_zero(1, sizeof *data);
+    room = taut_alloc_zero(1, family->size);
+    if (data == NULL || room == NULL) {
+        status = taut_fail_memory(error);
+    } else {
+        status = taut_corner_data_fill(problem, data, error);
+    }
+    if (status == TAUT_OK) {
+        status = find_with(family, data, room, monitor, branches, error);
+    }
+    if (status == TAUT_OK) {
+        raise_branches(data, branches);
+    }
+    taut_free(room);
+    taut_free(data);
+    return status;
+}
+
+taut_status taut_branch_choose(const taut_asymptotic_problem *problem,
+                               const taut_branches *branches, int *index, taut_error *error)
+{
+    char asked[5], found[5], list[6 * TAUT_BRANCHES_MAX + 1] = "";
+    if (!problem->has_branch) {
+        *index = 0;
+        return TAUT_OK;
+    }
+    taut_branch_text(problem->branch, asked);
+    for (int k = 0; k < branches->count; k++) {
+        taut_branch_text(branches->list[k].signs, found);
+        if (strcmp(asked, found) == 0) {
+            *index = k;
+            return TAUT_OK;
+        }
+        (void)snprintf(list + strlen(list), sizeof list - strlen(list), " %s", found);
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "/branch", taut_none, taut_none,
+                     "there is no branch %s; those that exist:%s", asked, list);
+}

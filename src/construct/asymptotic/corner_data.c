@@ -1,0 +1,215 @@
+#include "construct/asymptotic/corner_data.h"
+
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const int taut_corner_of_edge[4][2] = {{0, 1}, {0, 2}, {2, 3}, {1, 3}};
+
+/* Below this sine two directions count as parallel: the least that the claim `regular` accepts. */
+static const double least_sine = 1e-6;
+/* Straight data is given in decimals: a leg may leave the chord by its rounding. */
+static const double off_chord = 1e-12;
+
+static int finite_all(int count, const double *x)
+{
+    for (int i = 0; i < count; i++) {
+        if (!isfinite(x[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static taut_status bad(taut_error *error, const char *where, double found, const char *what)
+{
+    return taut_fail(error, TAUT_BAD_INPUT, where, found, taut_none, "%s", what);
+}
+
+static taut_status check_edge(const taut_asymptotic_problem *problem, int e, taut_error *error)
+{
+    const taut_asymptotic_edge *const edge = &problem->edges[e];
+    const int weights = problem->degree == 3 ? 4 : 2;
+    const int legs = problem->degree == 3 ? 1 : 2;
+    char where[48];
+    (void)snprintf(where, sizeof where, "/edges/%s/weights", taut_asymptotic_edge_name(e));
+    for (int k = 0; k < weights; k++) {
+        if (!(edge->weights[k] > 0) || !isfinite(edge->weights[k])) {
+            return bad(error, where, edge->weights[k], "weights must be positive numbers");
+        }
+    }
+    (void)snprintf(where, sizeof where, "/edges/%s/legs", taut_asymptotic_edge_name(e));
+    if (!finite_all(3 * legs, &edge->legs[0][0])) {
+        return bad(error, where, taut_none, "legs must be finite");
+    }
+    for (int k = 0; k < legs; k++) {
+        if (!(taut_norm(edge->legs[k]) > 0)) {
+            return bad(error, where, 0.0, "a leg must not have length zero");
+        }
+    }
+    (void)snprintf(where, sizeof where, "/edges/%s/curvature", taut_asymptotic_edge_name(e));
+    for (int k = 0; k < 2 && problem->degree > 3; k++) {
+        const double curvature = edge->curvature[k];
+        if (!(curvature >= 0) || !isfinite(curvature)) {
+            return bad(error, where, curvature, "end curvatures must not be negative");
+        }
+        if ((curvature > 0) != (edge->curvature[1 - k] > 0)) {
+            return bad(error, where, 0.0,
+                       "one end curvature is 0 and the other is not: both are 0 on a straight "
+                       "edge and none is on a curved one");
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_corners(const taut_asymptotic_problem *problem, taut_error *error)
+{
+    if (!finite_all(12, &problem->corners[0][0])) {
+        return bad(error, "/corners", taut_none, "corner points must be finite");
+    }
+    for (int e = 0; e < 4; e++) {
+        const int *const c = taut_corner_of_edge[e];
+        const double length = taut_distance(problem->corners[c[0]], problem->corners[c[1]]);
+        if (!(length > 0) || !isfinite(length)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "/corners", length, 0.0,
+                             "edge %s begins and ends at the same corner point",
+                             taut_asymptotic_edge_name(e));
+        }
+    }
+    return TAUT_OK;
+}
+
+/* End weight of an edge: the first or the last it gives. */
+static double end_weight(const taut_asymptotic_problem *problem, int edge, int end)
+{
+    return problem->edges[edge].weights[end == 0 ? 0 : problem->degree == 3 ? 3 : 1];
+}
+
+taut_status taut_corner_check(const taut_asymptotic_problem *problem, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    if (problem->degree < 3 || problem->degree > TAUT_QUAD_DEGREE) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/degree", problem->degree, TAUT_QUAD_DEGREE,
+                         "the degree of the boundary must be 3 to %d", TAUT_QUAD_DEGREE);
+    }
+    for (int e = 0; e < 4 && status == TAUT_OK; e++) {
+        status = check_edge(problem, e, error);
+    }
+    if (status == TAUT_OK) {
+        status = check_corners(problem, error);
+    }
+    for (int c = 0; c < 4 && status == TAUT_OK; c++) {
+        const taut_quad_meeting *const m = taut_quad_corner[c];
+        const double w0 = end_weight(problem, m[0].edge, m[0].end);
+        const double w1 = end_weight(problem, m[1].edge, m[1].end);
+        if (!(fabs(w0 - w1) <= 1e-12 * fmax(w0, w1))) {
+            status = taut_fail(error, TAUT_NO_SOLUTION, "/edges", w0 / w1, 1.0,
+                               "the end weights of %s and %s differ at corner %s (%.6g and %.6g): "
+                               "make them equal",
+                               taut_asymptotic_edge_name(m[0].edge),
+                               taut_asymptotic_edge_name(m[1].edge), taut_asymptotic_corner_name(c),
+                               w0, w1);
+        }
+    }
+    return status;
+}
+
+/* A straight edge's legs must point along its chord and be shorter than it. */
+static taut_status check_straight(const taut_corner_edge *edge, int e, taut_error *error)
+{
+    double chord[3];
+    taut_difference(edge->point[1], edge->point[0], chord);
+    for (int k = 0; k < 2; k++) {
+        const double length = taut_norm(chord), along = taut_dot(edge->leg[k], chord) / length;
+        double normal[3];
+        taut_cross(edge->leg[k], chord, normal);
+        if (taut_norm(normal) > off_chord * length * taut_norm(edge->leg[k]) || !(along > 0) ||
+            !(along < length)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "/edges",
+                             taut_norm(normal) / (length * taut_norm(edge->leg[k])), off_chord,
+                             "edge %s has curvature 0 at its ends, but leg %d does not lie along "
+                             "the chord and within it: a straight edge's legs must",
+                             taut_asymptotic_edge_name(e), k);
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, taut_corner_edge *edge,
+                             taut_error *error)
+{
+    const int n = problem->degree < 5 ? problem->degree : 5;
+    for (int k = 0; k < 2; k++) {
+        const taut_quad_meeting *const f = &taut_quad_partner[e][k];
+        const double *const leg = problem->edges[e].legs[k];
+        const double *const other = problem->edges[f->edge].legs[f->end];
+        double sine = 0.0;
+        memcpy(edge->point[k], problem->corners[taut_corner_of_edge[e][k]], sizeof edge->point[k]);
+        memcpy(edge->leg[k], leg, sizeof edge->leg[k]);
+        memcpy(edge->partner[k], other, sizeof edge->partner[k]);
+        taut_cross(leg, other, edge->normal[k]);
+        edge->weight[k] = end_weight(problem, e, k);
+        edge->curvature[k] = problem->edges[e].curvature[k];
+        sine = taut_norm(edge->normal[k]) / (taut_norm(leg) * taut_norm(other));
+        if (!(sine >= least_sine)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "/edges", sine, least_sine,
+                             "the legs of %s and %s are parallel at corner %s: they must span the "
+                             "tangent plane",
+                             taut_asymptotic_edge_name(e), taut_asymptotic_edge_name(f->edge),
+                             taut_asymptotic_corner_name(f->corner));
+        }
+        edge->bend[k] = log((n - 1.0) / n * edge->weight[k]) + log(taut_norm(edge->normal[k])) -
+                        log(edge->curvature[k]) - 3 * log(taut_norm(leg));
+    }
+    edge->straight = edge->curvature[0] == 0.0;
+    return edge->straight ? check_straight(edge, e, error) : TAUT_OK;
+}
+
+taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, taut_corner_data *data,
+                                  taut_error *error)
+{
+    taut_status status = taut_corner_check(problem, error);
+    data->degree = problem->degree < 5 ? problem->degree : 5;
+    data->raised = problem->degree;
+    data->size = 0.0;
+    for (int e = 0; e < 4 && status == TAUT_OK; e++) {
+        status = fill_edge(problem, e, &data->edges[e], error);
+        data->size = fmax(data->size, taut_distance(problem->corners[0], problem->corners[e]));
+    }
+    if (status == TAUT_OK) {
+        taut_curve_rule_fill(data->degree, TAUT_CURVE_COARSE, &data->coarse);
+        taut_curve_rule_fill(data->degree, TAUT_CURVE_FINE, &data->fine);
+    }
+    return status;
+}
+
+/* W = c of degree n-1 raised once, W r = A_0 W + L t c. With leg = f L at an end, c there begins
+ *     c_0 = w,  c_1 = w (1/f - 1) / (n - 1);
+ * between, c runs linearly in its index. Degree 4 leaves no choice. */
+void taut_corner_straight(const taut_corner_data *data, int edge, int n, taut_quad_edge *made)
+{
+    const taut_corner_edge *const e = &data->edges[edge];
+    double c[TAUT_QUAD_POINTS], chord[3], inner[2];
+    taut_difference(e->point[1], e->point[0], chord);
+    for (int k = 0; k < 2; k++) {
+        const double f = taut_dot(e->leg[k], chord) / taut_dot(chord, chord);
+        inner[k] = e->weight[k] * (1.0 / f - 1.0) / (n - 1);
+    }
+    c[0] = e->weight[0];
+    c[n - 1] = e->weight[1];
+    for (int j = 1; j <= n - 2; j++) {
+        const double t = (double)(j - 1) / (n - 3);
+        c[j] = (1.0 - t) * inner[0] + t * inner[1];
+    }
+    for (int j = 0; j <= n; j++) {
+        const double before = j > 0 ? j * c[j - 1] : 0.0;
+        const double here = j < n ? (n - j) * c[j] : 0.0;
+        made->weights[j] = (before + here) / n;
+        memcpy(made->points[j], e->point[0], sizeof made->points[j]);
+        taut_add_scaled(before / (n * made->weights[j]), chord, made->points[j]);
+    }
+    memcpy(made->points[n], e->point[1], sizeof made->points[n]);
+    made->straight = 1;
+}

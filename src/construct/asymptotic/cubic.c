@@ -1,0 +1,308 @@
+/* cubic.c -- Algorithm 1 for degree 3 (docs page section 4.3).
+ *
+ * Corners, start legs and all weights are given. Each corner's tangent plane is known then, and
+ * both inner points of an edge lie in the planes of its two ends:
+ *     P_2 = P_1 + s d,   d the unit direction of the line common to the two planes.
+ * All torsions are constants over s, so opposite torsions at the corners fix the ratios of the four
+ * s; around a ring of curved edges the last corner closes or it does not, whatever s is. The energy
+ * is a quadratic in the common scale: its minimum is the one stationary point.
+ */
+#include "construct/asymptotic/conditions.h"
+#include "construct/asymptotic/family.h"
+#include "core/fail.h"
+#include "core/memory.h"
+#include "core/vec3.h"
+
+#include <string.h>
+
+static const double plane_cut = 1e-9;     /* sine below which two corner planes count as one */
+static const double closing_cut = 1e-9;   /* of a logarithm, as for degree 4 */
+static const double straight_cut = 1e-12; /* sine between leg and chord: decimals' rounding */
+static const double planar_cut = 1e-12;   /* relative: a torsion's numerator that is rounding */
+
+typedef struct cubic_edge {
+    double first[3], chord_end[3]; /* P_1 and P_3 */
+    double direction[3];           /* d */
+    double torsion[2];             /* s tau at the ends */
+    double scale;                  /* s of this edge over the chain's */
+    int chain, straight;
+} cubic_edge;
+
+typedef struct cubic {
+    const double (*corners)[3];
+    double legs[4][3];
+    const taut_asymptotic_problem *problem;
+    cubic_edge edges[4];
+    int linked[4], chains;
+    double closing; /* logarithm by which the ring misses closing */
+    int wrong_sign; /* the ring closes but for a sign */
+} cubic;
+
+static void plane_normals(const cubic *c, double normals[4][3])
+{
+    /* the points before and beside each corner: first points of the edges that meet there */
+    for (int k = 0; k < 4; k++) {
+        double arms[2][3];
+        for (int j = 0; j < 2; j++) {
+            const taut_quad_meeting *const m = &taut_quad_corner[k][j];
+            taut_difference(c->edges[m->edge].first, c->corners[k], arms[j]);
+        }
+        taut_cross(arms[0], arms[1], normals[k]);
+    }
+}
+
+static taut_status fill_edge(cubic *c, int e, double normals[4][3], taut_error *error)
+{
+    cubic_edge *const edge = &c->edges[e];
+    const double *const w = c->problem->edges[e].weights;
+    const double *const n0 = normals[taut_corner_of_edge[e][0]];
+    const double *const n1 = normals[taut_corner_of_edge[e][1]];
+    double rest[3], chord[3], cross[3], det = 0.0, sine = 0.0, reach = 0.0;
+    taut_cross(n0, n1, edge->direction);
+    sine = taut_norm(edge->direction) / (taut_norm(n0) * taut_norm(n1));
+    if (!(sine > plane_cut)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/edges", sine, plane_cut,
+                         "the tangent planes at the two ends of edge %s are one plane (or "
+                         "undefined): turn its leg or those it meets",
+                         taut_asymptotic_edge_name(e));
+    }
+    reach = taut_norm(edge->direction);
+    for (int k = 0; k < 3; k++) {
+        edge->direction[k] /= reach;
+    }
+    taut_difference(edge->chord_end, edge->first, rest);
+    taut_difference(edge->chord_end, c->corners[taut_corner_of_edge[e][0]], chord);
+    taut_cross(c->legs[e], chord, cross);
+    edge->straight = taut_norm(cross) <= straight_cut * taut_norm(c->legs[e]) * taut_norm(chord);
+    det = taut_det(c->legs[e], edge->direction, rest);
+    if (fabs(det) <= planar_cut * taut_norm(c->legs[e]) * taut_norm(rest)) {
+        det = 0.0;
+    }
+    det *= w[0] * w[3] / (3 * w[1] * w[2]);
+    taut_cross(c->legs[e], edge->direction, cross);
+    edge->torsion[0] = det / taut_dot(cross, cross);
+    taut_cross(edge->direction, rest, cross);
+    edge->torsion[1] = det / taut_dot(cross, cross);
+    return TAUT_OK;
+}
+
+static taut_status fill_links(cubic *c, taut_error *error)
+{
+    for (int k = 0; k < 4; k++) {
+        const taut_quad_meeting *const m = taut_quad_corner[k];
+        const double t0 = c->edges[m[0].edge].torsion[m[0].end];
+        const double t1 = c->edges[m[1].edge].torsion[m[1].end];
+        const int curved = !c->edges[m[0].edge].straight && !c->edges[m[1].edge].straight;
+        if (curved && (t0 == 0.0) != (t1 == 0.0)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "/edges", t0 != 0.0 ? t0 : t1, 0.0,
+                             "at corner %s one edge is planar and the other is not: their "
+                             "torsions must be opposite",
+                             taut_asymptotic_corner_name(k));
+        }
+        c->linked[k] = curved && t0 != 0.0;
+    }
+    return TAUT_OK;
+}
+
+/* s_f = -s_e (torsion_f / torsion_e) along a tree of corners; what is left over is the closing
+ * condition. */
+static void propagate(cubic *c)
+{
+    int seen[4] = {0}, used[4] = {0};
+    c->chains = 0;
+    c->closing = 0.0;
+    c->wrong_sign = 0;
+    for (int root = 0; root < 4; root++) {
+        int grew = !seen[root];
+        if (seen[root]) {
+            continue;
+        }
+        seen[root] = 1;
+        c->edges[root].scale = 1.0;
+        c->edges[root].chain = c->chains++;
+        while (grew) {
+            grew = 0;
+            for (int k = 0; k < 4; k++) {
+                const taut_quad_meeting *const m = taut_quad_corner[k];
+                const int from = seen[m[0].edge] ? 0 : 1;
+                cubic_edge *const e = &c->edges[m[from].edge];
+                cubic_edge *const f = &c->edges[m[1 - from].edge];
+                if (!c->linked[k] || seen[m[0].edge] == seen[m[1].edge]) {
+                    continue;
+                }
+                f->scale = -e->scale * f->torsion[m[1 - from].end] / e->torsion[m[from].end];
+                f->chain = e->chain;
+                seen[m[1 - from].edge] = used[k] = grew = 1;
+            }
+        }
+    }
+    for (int k = 0; k < 4; k++) {
+        const taut_quad_meeting *const m = taut_quad_corner[k];
+        const cubic_edge *const e = &c->edges[m[0].edge], *const f = &c->edges[m[1].edge];
+        if (c->linked[k] && !used[k]) {
+            const double ratio =
+                -(e->torsion[m[0].end] / e->scale) / (f->torsion[m[1].end] / f->scale);
+            c->closing = log(fabs(ratio));
+            c->wrong_sign = !(ratio > 0);
+        }
+    }
+}
+
+/* Everything that follows from the legs. */
+static taut_status fill(cubic *c, taut_error *error)
+{
+    double normals[4][3];
+    taut_status status = TAUT_OK;
+    for (int e = 0; e < 4; e++) {
+        const int *const ends = taut_corner_of_edge[e];
+        memcpy(c->edges[e].first, c->corners[ends[0]], sizeof c->edges[e].first);
+        taut_add_scaled(1.0, c->legs[e], c->edges[e].first);
+        memcpy(c->edges[e].chord_end, c->corners[ends[1]], sizeof c->edges[e].chord_end);
+    }
+    plane_normals(c, normals);
+    for (int e = 0; e < 4 && status == TAUT_OK; e++) {
+        status = fill_edge(c, e, normals, error);
+    }
+    if (status == TAUT_OK) {
+        status = fill_links(c, error);
+    }
+    if (status == TAUT_OK) {
+        propagate(c);
+    }
+    return status;
+}
+
+/* Legs of least relative change that close the ring: Newton steps of least norm. 0 if they fail. */
+static int nearest_legs(cubic *c)
+{
+    for (int iteration = 0; iteration < 30; iteration++) {
+        double gradient[4][3], squares = 0.0;
+        const double miss = c->closing;
+        if (fabs(miss) <= 1e-12) {
+            return !c->wrong_sign;
+        }
+        for (int e = 0; e < 4; e++) {
+            for (int k = 0; k < 3; k++) {
+                const double keep = c->legs[e][k], step = 1e-6 * taut_norm(c->legs[e]);
+                c->legs[e][k] = keep + step;
+                gradient[e][k] = fill(c, NULL) == TAUT_OK ? (c->closing - miss) / step : 0.0;
+                c->legs[e][k] = keep;
+                squares += gradient[e][k] * gradient[e][k] * taut_dot(c->legs[e], c->legs[e]);
+            }
+        }
+        for (int e = 0; e < 4; e++) {
+            const double part = -miss / squares * taut_dot(c->legs[e], c->legs[e]);
+            taut_add_scaled(part, gradient[e], c->legs[e]);
+        }
+        if (!(squares > 0) || fill(c, NULL) != TAUT_OK) {
+            return 0;
+        }
+    }
+    return 0;
+}
+
+static taut_status fail_closing(cubic *c, taut_error *error)
+{
+    const double gap = c->closing;
+    if (c->wrong_sign || !nearest_legs(c)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
+                         "the torsions cannot close around the four corners: they miss it by a "
+                         "factor of %s%.9g, which no weights and no free length mend; change the "
+                         "legs",
+                         c->wrong_sign ? "-" : "", exp(gap));
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
+                     "the torsions miss closing around the corners by a factor of %.6g; nearest "
+                     "legs: v0 [%.7g,%.7g,%.7g] v1 [%.7g,%.7g,%.7g] u0 [%.7g,%.7g,%.7g] u1 "
+                     "[%.7g,%.7g,%.7g]",
+                     exp(gap), c->legs[0][0], c->legs[0][1], c->legs[0][2], c->legs[2][0],
+                     c->legs[2][1], c->legs[2][2], c->legs[1][0], c->legs[1][1], c->legs[1][2],
+                     c->legs[3][0], c->legs[3][1], c->legs[3][2]);
+}
+
+static void place(const cubic *c, int e, double s, taut_quad_edge *made)
+{
+    const cubic_edge *const edge = &c->edges[e];
+    memcpy(made->points[0], c->corners[taut_corner_of_edge[e][0]], sizeof made->points[0]);
+    memcpy(made->points[1], edge->first, sizeof made->points[1]);
+    memcpy(made->points[2], edge->first, sizeof made->points[2]);
+    taut_add_scaled(s, edge->direction, made->points[2]);
+    memcpy(made->points[3], edge->chord_end, sizeof made->points[3]);
+    memcpy(made->weights, c->problem->edges[e].weights, 4 * sizeof *made->weights);
+    made->straight = edge->straight;
+}
+
+/* The scale of a chain at which its energy e_1 S + e_2 S^2 is least; 0 if it is degenerate. */
+static double best_scale(const cubic *c, const taut_curve_rule *rule, int chain)
+{
+    double linear = 0.0, square = 0.0;
+    for (int e = 0; e < 4; e++) {
+        taut_quad_edge made;
+        double slope[2], by_point[TAUT_QUAD_POINTS][3], by_log[TAUT_QUAD_POINTS];
+        if (c->edges[e].chain != chain) {
+            continue;
+        }
+        for (int s = 0; s < 2; s++) {
+            place(c, e, s, &made);
+            (void)taut_curve_energy(rule, &made, by_point, by_log);
+            slope[s] = taut_dot(by_point[2], c->edges[e].direction);
+        }
+        linear += c->edges[e].scale * slope[0];
+        square += c->edges[e].scale * c->edges[e].scale * (slope[1] - slope[0]);
+    }
+    return -linear / square;
+}
+
+static taut_status solve(const cubic *c, taut_branches *branches, taut_error *error)
+{
+    taut_curve_rule rule;
+    taut_branch *const branch = &branches->list[0];
+    double energy[4] = {0};
+    taut_curve_rule_fill(3, TAUT_CURVE_FINE, &rule);
+    memset(branch, 0, sizeof *branch);
+    branch->quad.degree = 3;
+    for (int e = 0; e < 4; e++) {
+        const double scale = best_scale(c, &rule, c->edges[e].chain);
+        const double s = c->edges[e].scale * scale;
+        if (!isfinite(s) || !(fabs(s) > 0)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "/edges", s, taut_none,
+                             "the curve energy of edge %s has no minimum with a free length "
+                             "that is not zero",
+                             taut_asymptotic_edge_name(e));
+        }
+        place(c, e, s, &branch->quad.edges[e]);
+        energy[e] = taut_curve_energy(&rule, &branch->quad.edges[e], NULL, NULL);
+    }
+    branch->energy = energy[0] + energy[1] + energy[2] + energy[3];
+    branch->found = 1;
+    for (int e = 0; e < 4; e++) {
+        branch->signs[e] = taut_quad_side(&branch->quad, e, 0);
+    }
+    branches->count = 1;
+    branches->unknowns = c->chains;
+    return TAUT_OK;
+}
+
+taut_status taut_cubic_find(const taut_asymptotic_problem *problem, taut_branches *branches,
+                            taut_error *error)
+{
+    cubic c;
+    taut_status status = taut_corner_check(problem, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    memset(&c, 0, sizeof c);
+    c.problem = problem;
+    c.corners = problem->corners;
+    for (int e = 0; e < 4; e++) {
+        memcpy(c.legs[e], problem->edges[e].legs[0], sizeof c.legs[e]);
+    }
+    status = fill(&c, error);
+    if (status == TAUT_OK && (!(fabs(c.closing) <= closing_cut) || c.wrong_sign)) {
+        status = fail_closing(&c, error);
+    }
+    branches->closing = c.linked[0] && c.linked[1] && c.linked[2] && c.linked[3]
+                            ? TAUT_CLOSING_IDENTITY
+                            : TAUT_CLOSING_NONE;
+    return status == TAUT_OK ? solve(&c, branches, error) : status;
+}

@@ -1,0 +1,223 @@
+/* quartic.c -- what degree 4 leaves free, and whether it can close. The minimisation is in
+ * quartic_minimise.c. Docs page section 4.1. */
+#include "construct/asymptotic/quartic.h"
+
+#include "core/fail.h"
+#include "core/vec3.h"
+#include "numeric/dense.h"
+
+#include <string.h>
+
+static const double rank_cut = 1e-9;    /* relative: planes nearer to parallel count as parallel */
+static const double ratio_cut = 1e-11;  /* relative: rounding of the line's coefficients */
+static const double closing_cut = 1e-9; /* of a logarithm: data given to nine digits may close */
+static const double planar_cut = 1e-12; /* relative: a torsion's numerator that is rounding */
+static const int epsilon[4] = {1, -1, -1, 1};
+
+/* (4.1): A_0 + lambda a_0 + mu c_0 = A_1 + nu c_1 + rho a_1, its least-norm solution and its null
+ * vector, with each column scaled to length 1 so that the units of the legs do not matter. */
+static taut_status fill_line(const taut_corner_edge *edge, int e, taut_quartic_line *line,
+                             taut_error *error)
+{
+    const double *const columns[4] = {edge->leg[0], edge->partner[0], edge->partner[1],
+                                      edge->leg[1]};
+    double a[12], b[3], x[4], null[16], length[4], pivot = 0.0;
+    for (int k = 0; k < 4; k++) {
+        length[k] = taut_norm(columns[k]);
+        for (int i = 0; i < 3; i++) {
+            a[3 * k + i] = (k < 2 ? 1.0 : -1.0) * columns[k][i] / length[k];
+        }
+    }
+    taut_difference(edge->point[1], edge->point[0], b);
+    if (taut_least_norm(3, 4, a, b, rank_cut, x, null) < 3) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/edges", taut_none, taut_none,
+                         "the tangent planes at the two ends of edge %s are parallel: turn one "
+                         "of its legs or of the legs it meets",
+                         taut_asymptotic_edge_name(e));
+    }
+    for (int k = 0; k < 4; k++) {
+        line->at[k] = x[k] / length[k];
+        line->along[k] = fabs(null[k]) > ratio_cut ? null[k] / length[k] : 0.0;
+    }
+    pivot = fabs(line->at[1] * line->along[2] - line->at[2] * line->along[1]);
+    line->same_ratio = pivot <= ratio_cut * taut_norm(b) / (length[1] * length[2]) ||
+                       (line->along[1] == 0.0 && line->along[2] == 0.0);
+    return TAUT_OK;
+}
+
+/* The constants n_0.(P_3 - P_0), n_1.(P_1 - P_4) of (4.3). */
+static void fill_torsions(const taut_corner_edge *edge, taut_quartic_line *line)
+{
+    for (int k = 0; k < 2; k++) {
+        double arm[3];
+        taut_difference(edge->point[1 - k], edge->point[k], arm);
+        taut_add_scaled(k == 0 ? -1.0 : 1.0, edge->leg[1 - k], arm);
+        line->torsion[k] = taut_dot(edge->normal[k], arm);
+        if (fabs(line->torsion[k]) <= planar_cut * taut_norm(edge->normal[k]) * taut_norm(arm)) {
+            line->torsion[k] = 0.0;
+        }
+    }
+}
+
+/* A corner is linked where both edges are curved and have a torsion; where only one has, no weights
+ * can balance it. */
+static taut_status fill_links(taut_quartic *quartic, taut_error *error)
+{
+    quartic->ring = 1;
+    for (int c = 0; c < 4; c++) {
+        const taut_quad_meeting *const m = taut_quad_corner[c];
+        const double t0 = quartic->lines[m[0].edge].torsion[m[0].end];
+        const double t1 = quartic->lines[m[1].edge].torsion[m[1].end];
+        const int curved =
+            !quartic->data->edges[m[0].edge].straight && !quartic->data->edges[m[1].edge].straight;
+        if (curved && (t0 == 0.0) != (t1 == 0.0)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "/edges", t0 != 0.0 ? t0 : t1, 0.0,
+                             "at corner %s the torsion of %s is zero whatever its weights are and "
+                             "that of %s is not: they must be opposite",
+                             taut_asymptotic_corner_name(c),
+                             taut_asymptotic_edge_name(m[t0 == 0.0 ? 0 : 1].edge),
+                             taut_asymptotic_edge_name(m[t0 == 0.0 ? 1 : 0].edge));
+        }
+        quartic->linked[c] = curved && t0 != 0.0;
+        quartic->ring = quartic->ring && quartic->linked[c];
+    }
+    return TAUT_OK;
+}
+
+/* log |tau(0) / tau(1)| of an edge less 2 log(nu / mu), from (4.5) with the weights of (4.2). */
+static double torsion_ratio(const taut_corner_edge *edge, const taut_quartic_line *line)
+{
+    const double h0 =
+        log(edge->weight[0]) + log(fabs(line->torsion[0])) - 2 * log(taut_norm(edge->normal[0]));
+    const double h1 =
+        log(edge->weight[1]) + log(fabs(line->torsion[1])) - 2 * log(taut_norm(edge->normal[1]));
+    return edge->bend[1] - edge->bend[0] + h0 - h1;
+}
+
+/* The message for a ring that cannot close: what it misses by, and the least change in logarithms
+ * that mends it, the same for all eight curvatures. */
+static taut_status fail_closing(double gap, taut_error *error)
+{
+    const double factor = exp(gap / 8);
+    return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
+                     "the torsions cannot close around the four corners: the curvatures miss it "
+                     "by a factor of %.9g; nearest: multiply curvature of v0[1], u0[0], v1[0], "
+                     "u1[1] by %.9g and divide v0[0], u0[1], v1[1], u1[0] by it",
+                     exp(gap), factor);
+}
+
+static taut_status fill_closing(taut_quartic *quartic, taut_error *error)
+{
+    int varies = 0;
+    double constant = 0.0, total = 0.0;
+    if (!quartic->ring) {
+        quartic->closing = TAUT_CLOSING_NONE;
+        return TAUT_OK;
+    }
+    for (int e = 0; e < 4; e++) {
+        const taut_quartic_line *const line = &quartic->lines[e];
+        const double ratio = torsion_ratio(&quartic->data->edges[e], line);
+        const int k = fabs(line->along[1]) > 0 || fabs(line->along[2]) > 0;
+        const double mu = k ? line->along[1] : line->at[1], nu = k ? line->along[2] : line->at[2];
+        constant += epsilon[e] * ratio;
+        varies = varies || !line->same_ratio;
+        total += line->same_ratio ? epsilon[e] * 2 * log(fabs(nu / mu)) : 0.0;
+    }
+    quartic->closing_constant = constant;
+    quartic->closing = varies ? TAUT_CLOSING_CONSTRAINT : TAUT_CLOSING_IDENTITY;
+    if (!varies && !(fabs(constant + total) <= closing_cut)) {
+        return fail_closing(constant + total, error);
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_quartic_fill(const taut_corner_data *data, taut_quartic *quartic,
+                              taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    memset(quartic, 0, sizeof *quartic);
+    quartic->data = data;
+    memcpy(quartic->closing_signs, epsilon, sizeof epsilon);
+    for (int e = 0; e < 4 && status == TAUT_OK; e++) {
+        if (!data->edges[e].straight) {
+            status = fill_line(&data->edges[e], e, &quartic->lines[e], error);
+            fill_torsions(&data->edges[e], &quartic->lines[e]);
+        }
+    }
+    if (status == TAUT_OK) {
+        status = fill_links(quartic, error);
+    }
+    return status == TAUT_OK ? fill_closing(quartic, error) : status;
+}
+
+int taut_quartic_interval(const taut_quartic_line *line, int sign, double range[2])
+{
+    range[0] = -INFINITY;
+    range[1] = INFINITY;
+    for (int k = 1; k <= 2; k++) {
+        const double at = sign * line->at[k], along = sign * line->along[k];
+        if (along > 0) {
+            range[0] = fmax(range[0], -at / along);
+        } else if (along < 0) {
+            range[1] = fmin(range[1], -at / along);
+        } else if (!(at > 0)) {
+            return 0;
+        }
+    }
+    return range[0] < range[1];
+}
+
+/* nu / mu at p, as a logarithm; its limit where p is infinite or an end of the interval. */
+static double log_ratio(const taut_quartic_line *line, double p)
+{
+    const double mu = isinf(p) ? line->along[1] : line->at[1] + p * line->along[1];
+    const double nu = isinf(p) ? line->along[2] : line->at[2] + p * line->along[2];
+    const double small = 1e-12;
+    if (isinf(p) && mu == 0.0 && nu == 0.0) {
+        return log(fabs(line->at[2] / line->at[1]));
+    }
+    if (fabs(mu) <= small * (fabs(line->at[1]) + fabs(isinf(p) ? 0.0 : p * line->along[1]))) {
+        return INFINITY;
+    }
+    if (fabs(nu) <= small * (fabs(line->at[2]) + fabs(isinf(p) ? 0.0 : p * line->along[2]))) {
+        return -INFINITY;
+    }
+    return log(fabs(nu / mu));
+}
+
+void taut_quartic_ratios(const taut_quartic_line *line, const double range[2], double ratios[2])
+{
+    const double a = log_ratio(line, range[0]), b = log_ratio(line, range[1]);
+    if (line->same_ratio) {
+        const int k = line->along[1] != 0.0 || line->along[2] != 0.0;
+        const double *const from = k ? line->along : line->at;
+        ratios[0] = ratios[1] = log(fabs(from[2] / from[1]));
+        return;
+    }
+    ratios[0] = fmin(a, b); /* nu / mu is a Moebius function of p: monotone */
+    ratios[1] = fmax(a, b);
+}
+
+int taut_quartic_allows(const taut_quartic *quartic, const int signs[4])
+{
+    for (int e = 0; e < 4; e++) {
+        double range[2];
+        if (!quartic->data->edges[e].straight &&
+            (signs[e] == 0 || !taut_quartic_interval(&quartic->lines[e], signs[e], range))) {
+            return 0;
+        }
+    }
+    for (int c = 0; c < 4; c++) {
+        double product = 1.0;
+        for (int k = 0; k < 2 && quartic->linked[c]; k++) {
+            const taut_quad_meeting *const m = &taut_quad_corner[c][k];
+            const double sign = m->end == 0 ? 1.0 : -1.0; /* (4.3) */
+            product *=
+                sign * signs[m->edge] * (quartic->lines[m->edge].torsion[m->end] > 0 ? 1.0 : -1.0);
+        }
+        if (quartic->linked[c] && product > 0) {
+            return 0;
+        }
+    }
+    return 1;
+}

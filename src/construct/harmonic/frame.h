@@ -1,0 +1,18 @@
+/* frame.h -- data brought to unit size about its middle, and back. */
+#ifndef TAUT_HARMONIC_FRAME_H
+#define TAUT_HARMONIC_FRAME_H
+
+#include <stddef.h>
+
+typedef struct taut_frame {
+    double centre[3];
+    double size; /* largest distance of a coordinate from the centre; 1 where all points coincide */
+} taut_frame;
+
+/* The frame of points[count][3], of which only those with known[i] != 0 count (NULL: all). */
+taut_frame taut_frame_of(size_t count, const double *points, const unsigned char *known);
+/* Into the frame and out of it, in place; `vectors`: only the size applies. */
+void taut_frame_enter(const taut_frame *frame, size_t count, double *points);
+void taut_frame_leave(const taut_frame *frame, size_t count, double *points);
+
+#endif /* TAUT_HARMONIC_FRAME_H */

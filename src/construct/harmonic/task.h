@@ -1,0 +1,31 @@
+/* task.h -- one completion at work: the data turned so that the known rows run along v. */
+#ifndef TAUT_HARMONIC_TASK_H
+#define TAUT_HARMONIC_TASK_H
+
+#include "construct/harmonic/frame.h"
+#include "core/arena.h"
+#include "taut/harmonic.h"
+
+typedef struct taut_harmonic_task {
+    const taut_harmonic_problem *problem;
+    taut_arena *arena;
+    int turned; /* nonzero: the known lines are columns, so u and v change places in here */
+    int n;      /* degree across the known rows; may grow by one when raised */
+    int m;      /* degree along them */
+    double mu;  /* (width across / width along)^2 */
+    taut_frame frame;
+    double *row[2]; /* double[m+1][3], in the frame: two rows, or a row and the derivative across */
+    int corner_missing;
+    const char *repair;   /* "corner", "project", "raise" or NULL */
+    double repair_change; /* the largest move of a given point, in the user's unit */
+    double amplification;
+    double *net; /* double[n+1][m+1][3], turned as the rows are */
+} taut_harmonic_task;
+
+/* Reads the pattern of known points into task->row; TAUT_BAD_INPUT when it is none of those that
+ * the construction knows. */
+taut_status taut_harmonic_collect(taut_harmonic_task *task, taut_error *error);
+/* Makes rows of even degree agree in the way the problem asks for, or refuses. */
+taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error);
+
+#endif /* TAUT_HARMONIC_TASK_H */

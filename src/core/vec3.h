@@ -1,0 +1,58 @@
+/* vec3.h -- vectors of three numbers. Results may be the same array as an input where the
+ * computation is per component. */
+#ifndef TAUT_CORE_VEC3_H
+#define TAUT_CORE_VEC3_H
+
+#include <math.h>
+
+static inline double taut_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline void taut_cross(const double a[3], const double b[3], double out[3])
+{
+    const double x = a[1] * b[2] - a[2] * b[1];
+    const double y = a[2] * b[0] - a[0] * b[2];
+    const double z = a[0] * b[1] - a[1] * b[0];
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+}
+
+static inline double taut_norm(const double a[3])
+{
+    return hypot(hypot(a[0], a[1]), a[2]);
+}
+
+static inline double taut_det(const double a[3], const double b[3], const double c[3])
+{
+    double normal[3];
+    taut_cross(a, b, normal);
+    return taut_dot(normal, c);
+}
+
+/* out = a - b */
+static inline void taut_difference(const double a[3], const double b[3], double out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        out[k] = a[k] - b[k];
+    }
+}
+
+/* y += s x */
+static inline void taut_add_scaled(double s, const double x[3], double y[3])
+{
+    for (int k = 0; k < 3; k++) {
+        y[k] += s * x[k];
+    }
+}
+
+static inline double taut_distance(const double a[3], const double b[3])
+{
+    double d[3];
+    taut_difference(a, b, d);
+    return taut_norm(d);
+}
+
+#endif /* TAUT_CORE_VEC3_H */

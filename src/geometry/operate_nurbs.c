@@ -1,0 +1,256 @@
+/* operate_nurbs.c -- NURBS within a proved tolerance: as many panels as the proof wants. */
+#include "taut/operate.h"
+
+#include "core/fail.h"
+#include "geometry/lattice.h"
+#include "geometry/nurbs_proof.h"
+#include "geometry/operate_change.h"
+
+#include <math.h>
+
+/* Rounding of a spline's coefficients over the size of net and rows: the basis functions are good
+ * to 1e-14 (taut/basis.h), four of them to a row, and as much again for the sums. */
+#define TAUT_ROUNDING 1e-13
+
+static int spline_count(const taut_side *s, double panels)
+{
+    const double count = s->basis == NULL ? 1
+                         : s->exact       ? taut_basis_count(s->basis)
+                                          : 3 * panels * s->pieces.count + 3;
+    return count <= TAUT_COUNT_MAX ? (int)count : -1;
+}
+
+/* Would the result be of a size that is allowed? */
+static taut_status check_size(const taut_side *u, double nu, const taut_side *v, double nv,
+                              double tolerance, taut_error *error)
+{
+    const int rows = spline_count(u, nu), columns = spline_count(v, nv);
+    if (rows < 0 || columns < 0 || (double)rows * columns > TAUT_POINTS_MAX) {
+        return taut_fail(error, TAUT_NO_SOLUTION, NULL, fmax(nu, nv), TAUT_COUNT_MAX,
+                         "a NURBS within %g needs %.3g by %.3g panels per span, more than fit: ask "
+                         "for a larger tolerance",
+                         tolerance, nu, nv);
+    }
+    return TAUT_OK;
+}
+
+/* How many panels a side should have, its distance being e now and `share` wanted. */
+static double more_panels(const taut_side *s, double e, double share)
+{
+    if (s->exact || e <= share) {
+        return s->panels;
+    }
+    return fmax(s->panels + 1.0, ceil(s->panels * pow(e / share, 1.0 / 6)));
+}
+
+/* Raises the panels until the proof holds; the distance goes as their sixth power. */
+static taut_status divide_until(const taut_lattice *whole, taut_side *u, taut_side *v,
+                                double tolerance, double *bound, taut_error *error)
+{
+    const double share = u->exact || v->exact ? tolerance : 0.49 * tolerance;
+    taut_distances d = {{0, 0}, 0};
+    taut_status status = check_size(u, u->panels, v, v->panels, tolerance, error);
+
+    while (status == TAUT_OK) {
+        status = taut_nurbs_prove(whole, u, v, &d, error);
+        if (status != TAUT_OK || d.total <= tolerance) {
+            break;
+        }
+        double nu = more_panels(u, d.along[0], share), nv = more_panels(v, d.along[1], share);
+        if (nu <= u->panels && nv <= v->panels) { /* the mixed term alone */
+            nu += !u->exact;
+            nv += !v->exact;
+        }
+        status = isfinite(d.total) ? check_size(u, nu, v, nv, tolerance, error)
+                                   : taut_fail(error, TAUT_NO_SOLUTION, "/points", d.total,
+                                               taut_none, "the points are too large to bound");
+        if (status == TAUT_OK) {
+            u->panels = (int)nu;
+            v->panels = (int)nv;
+        }
+    }
+    *bound = d.total;
+    return status;
+}
+
+/* The largest sum of |entries| over the rows of a change. */
+static double row_norm(const taut_change *change)
+{
+    double largest = 0;
+    for (int i = 0; i < taut_basis_count(change->to); i++) {
+        double sum = 0;
+        for (int a = 0; a < change->width; a++) {
+            sum += fabs(taut_change_row(change, i)[a]);
+        }
+        largest = fmax(largest, sum);
+    }
+    return largest;
+}
+
+static double net_size(const taut_lattice *lattice)
+{
+    const size_t numbers = (size_t)lattice->count[0] * (size_t)lattice->count[1] * 3;
+    double largest = 0;
+    for (size_t i = 0; i < numbers; i++) {
+        largest = fmax(largest, fabs(lattice->net[i]));
+    }
+    return largest;
+}
+
+static taut_status to_spline(const taut_side *s, taut_change **change, taut_error *error)
+{
+    return s->basis == NULL
+               ? TAUT_OK
+               : s->basis->ops->changes->to_bspline(s->basis, s->panels, change, error);
+}
+
+/* The splines of both sides, fine enough that distance and rounding stay below the tolerance. */
+static taut_status find_changes(const taut_lattice *whole, taut_side *u, taut_side *v,
+                                double tolerance, taut_change *changes[2], double *bound,
+                                taut_error *error)
+{
+    const int exact = u->exact && v->exact;
+    double left = tolerance, rounding = 0;
+    taut_status status = TAUT_OK;
+
+    *bound = 0;
+    for (int attempt = 0; status == TAUT_OK; attempt++) {
+        if (!exact) {
+            status = divide_until(whole, u, v, left, bound, error);
+        }
+        if (status == TAUT_OK) {
+            status = to_spline(u, &changes[0], error);
+        }
+        if (status == TAUT_OK) {
+            status = to_spline(v, &changes[1], error);
+        }
+        if (status != TAUT_OK || exact) {
+            break;
+        }
+        rounding = TAUT_ROUNDING * row_norm(changes[0]) *
+                   (changes[1] != NULL ? row_norm(changes[1]) : 1) * net_size(whole);
+        if (*bound + rounding <= tolerance) {
+            break;
+        }
+        if (!(rounding <= tolerance / 2) || attempt > 20) {
+            status = taut_fail(error, TAUT_BAD_ARGUMENT, NULL, tolerance, 2 * rounding,
+                               "tolerance %g is below what rounding leaves; ask for %g at least",
+                               tolerance, 2 * rounding);
+            break;
+        }
+        left = tolerance - rounding; /* below *bound, so that there is progress */
+        taut_change_free(changes[0]);
+        taut_change_free(changes[1]);
+        changes[0] = changes[1] = NULL;
+    }
+    *bound += rounding;
+    return status;
+}
+
+static taut_status check_tolerance(double tolerance, taut_error *error)
+{
+    if (!(tolerance > 0) || !isfinite(tolerance)) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, tolerance, 0,
+                         "tolerance is %g, expected a positive number", tolerance);
+    }
+    return TAUT_OK;
+}
+
+/* Both sides begun, changes found; the caller frees sides and changes. */
+static taut_status begin_and_find(const taut_lattice *whole, const taut_basis *u,
+                                  const taut_basis *v, double tolerance, taut_change *changes[2],
+                                  double *bound, taut_error *error)
+{
+    taut_side sides[2] = {{.basis = NULL}, {.basis = NULL}};
+    taut_status status = taut_side_begin(u, &sides[0], error);
+
+    if (status == TAUT_OK) {
+        status = taut_side_begin(v, &sides[1], error);
+    }
+    if (status == TAUT_OK) {
+        status = find_changes(whole, &sides[0], &sides[1], tolerance, changes, bound, error);
+    }
+    taut_side_free(&sides[0]);
+    taut_side_free(&sides[1]);
+    return status;
+}
+
+taut_status taut_curve_to_nurbs(const taut_curve *curve, double tolerance, taut_curve **nurbs,
+                                double *bound, taut_error *error)
+{
+    taut_lattice whole = {{0, 0}, 0, NULL};
+    taut_change *changes[2] = {NULL, NULL};
+    double proved = 0;
+    taut_status status = TAUT_OK;
+
+    if (curve == NULL || nurbs == NULL) {
+        return taut_operate_null(error);
+    }
+    status = check_tolerance(tolerance, error);
+    if (status == TAUT_OK) {
+        status = taut_lattice_of_curve(curve, &whole, error);
+    }
+    if (status == TAUT_OK) {
+        status =
+            begin_and_find(&whole, taut_curve_t(curve), NULL, tolerance, changes, &proved, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_curve_changed(curve, changes[0], taut_curve_name(curve), nurbs, error);
+    }
+    if (status == TAUT_OK && bound != NULL) {
+        *bound = proved;
+    }
+    taut_change_free(changes[0]);
+    taut_lattice_free(&whole);
+    return status;
+}
+
+/* whole -> along u -> along v -> surface. */
+static taut_status apply_both(const taut_surface *surface, const taut_lattice *whole,
+                              taut_change *changes[2], taut_surface **nurbs, taut_error *error)
+{
+    taut_lattice half = {{0, 0}, 0, NULL}, full = {{0, 0}, 0, NULL};
+    taut_status status = taut_lattice_change(whole, TAUT_ALONG_U, changes[0], &half, error);
+
+    if (status == TAUT_OK) {
+        status = taut_lattice_change(&half, TAUT_ALONG_V, changes[1], &full, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_lattice_to_surface(&full, taut_surface_name(surface), changes[0]->to,
+                                         changes[1]->to, nurbs, error);
+    }
+    taut_lattice_free(&half);
+    taut_lattice_free(&full);
+    return status;
+}
+
+taut_status taut_surface_to_nurbs(const taut_surface *surface, double tolerance,
+                                  taut_surface **nurbs, double *bound, taut_error *error)
+{
+    taut_lattice whole = {{0, 0}, 0, NULL};
+    taut_change *changes[2] = {NULL, NULL};
+    double proved = 0;
+    taut_status status = TAUT_OK;
+
+    if (surface == NULL || nurbs == NULL) {
+        return taut_operate_null(error);
+    }
+    status = check_tolerance(tolerance, error);
+    if (status == TAUT_OK) {
+        status = taut_lattice_of_surface(surface, &whole, error);
+    }
+    if (status == TAUT_OK) {
+        status = begin_and_find(&whole, taut_surface_u(surface), taut_surface_v(surface), tolerance,
+                                changes, &proved, error);
+    }
+    if (status == TAUT_OK) {
+        status = apply_both(surface, &whole, changes, nurbs, error);
+    }
+    if (status == TAUT_OK && bound != NULL) {
+        *bound = proved;
+    }
+    taut_change_free(changes[0]);
+    taut_change_free(changes[1]);
+    taut_lattice_free(&whole);
+    return status;
+}

@@ -1,0 +1,200 @@
+/* document_harmonic.c -- the problem `harmonic`: two opposite rows, or a row and the derivative
+ * across it (docs/format.md). */
+#include "basis/basis_ops.h"
+#include "core/fail.h"
+#include "io/basis_document.h"
+#include "io/document_ops.h"
+#include "io/net_document.h"
+#include "io/surface_document.h"
+#include "taut/harmonic.h"
+
+#include <string.h>
+
+static const char *const members[] = {
+    "name", "u", "v", "points", "from", "edge", "cross_derivative", "even", "insist", NULL};
+
+static void release_basis(void *basis)
+{
+    taut_basis_free(basis);
+}
+
+static taut_status check_basis(const taut_json *document, const char *key, const taut_basis *basis,
+                               taut_error *error)
+{
+    const taut_json at = taut_json_member(document, key);
+    if (strcmp(taut_basis_type(basis), "bezier") != 0) {
+        return taut_json_fail(&at, error, taut_none, taut_none,
+                              "found a basis of type \"%s\", expected \"bezier\"",
+                              taut_basis_type(basis));
+    }
+    return TAUT_OK;
+}
+
+/* A bezier basis says itself how many functions it has. */
+static taut_status read_basis(const taut_json *document, const char *key, taut_arena *arena,
+                              const taut_basis **basis, taut_error *error)
+{
+    static const char *const any[] = {"type", "degree", "range", NULL};
+    const taut_json at = taut_json_member(document, key);
+    const taut_json degree = taut_json_member(&at, "degree");
+    taut_basis *made = NULL;
+    int n = 0;
+    taut_status status = taut_json_object(&at, any, error);
+
+    if (status == TAUT_OK) {
+        status = taut_json_integer(&degree, 1, TAUT_DEGREE_MAX, &n, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_basis_document_read(&at, n + 1, &made, error);
+    }
+    if (status == TAUT_OK && !taut_arena_keep(arena, made, release_basis)) {
+        status = taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        *basis = made;
+    }
+    return status;
+}
+
+/* A list of `count` points. */
+static taut_status read_row(const taut_json *document, const char *key, int count,
+                            taut_arena *arena, const double **row, taut_error *error)
+{
+    const taut_json at = taut_json_member(document, key);
+    double *points = taut_arena_take(arena, 3 * (size_t)count, sizeof(double));
+    size_t found = 0;
+    taut_status status = points != NULL ? TAUT_OK : taut_fail_memory(error);
+
+    if (status == TAUT_OK) {
+        status = taut_json_array(&at, (size_t)count, (size_t)count, "points", &found, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_net_document_points(&at, 0, count, points, NULL, error);
+    }
+    *row = points;
+    return status;
+}
+
+static taut_status read_derivative(const taut_json *document, taut_arena *arena,
+                                   taut_harmonic_problem *data, taut_error *error)
+{
+    const taut_json points = taut_json_member(document, "points");
+    taut_status status = TAUT_OK;
+
+    if (points.value != NULL) {
+        return taut_json_fail(
+            &points, error, taut_none, taut_none,
+            "found \"points\" beside \"from\": the edge and the derivative across "
+            "it say all");
+    }
+    data->from_derivative = 1;
+    status = read_basis(document, "u", arena, &data->u, error);
+    if (status == TAUT_OK) {
+        status = read_basis(document, "v", arena, &data->v, error);
+    }
+    if (status == TAUT_OK) {
+        status = read_row(document, "edge", taut_basis_count(data->v), arena, &data->edge, error);
+    }
+    if (status == TAUT_OK) {
+        status = read_row(document, "cross_derivative", taut_basis_count(data->v), arena,
+                          &data->cross_derivative, error);
+    }
+    return status;
+}
+
+static taut_status read_net(const taut_json *document, taut_arena *arena,
+                            taut_harmonic_problem *data, taut_error *error)
+{
+    static const char *const strangers[] = {"edge", "cross_derivative"};
+    taut_net_document net = {NULL, NULL, NULL, NULL, NULL};
+    taut_status status = taut_net_document_read(document, arena, &net, error);
+
+    for (int i = 0; i < 2 && status == TAUT_OK; i++) {
+        const taut_json at = taut_json_member(document, strangers[i]);
+        if (at.value != NULL) {
+            status = taut_json_fail(&at, error, taut_none, taut_none,
+                                    "found \"%s\" without \"from\": \"derivative\"", strangers[i]);
+        }
+    }
+    if (status == TAUT_OK) {
+        status = check_basis(document, "u", net.u, error);
+    }
+    if (status == TAUT_OK) {
+        status = check_basis(document, "v", net.v, error);
+    }
+    data->u = net.u;
+    data->v = net.v;
+    data->points = net.points;
+    data->known = net.known;
+    return status;
+}
+
+/* A member that is true or false. */
+static taut_status read_flag(const taut_json *document, const char *key, int *value,
+                             taut_error *error)
+{
+    const taut_json at = taut_json_member(document, key);
+    const taut_json_kind kind = taut_json_kind_at(&at);
+    if (at.value != NULL && kind != TAUT_JSON_TRUE && kind != TAUT_JSON_FALSE) {
+        return taut_json_expected(&at, error, "true or false");
+    }
+    *value = kind == TAUT_JSON_TRUE;
+    return TAUT_OK;
+}
+
+static taut_status read_choices(const taut_json *document, taut_arena *arena,
+                                taut_harmonic_problem *data, taut_error *error)
+{
+    static const char *const repairs[] = {"refuse", "corner", "project", "raise", NULL};
+    const taut_json at = taut_json_member(document, "even");
+    const char *name = "";
+    int word = TAUT_EVEN_REFUSE;
+    taut_status status = taut_name_document_read(document, &name, error);
+
+    if (status == TAUT_OK && at.value != NULL) {
+        status = taut_json_word(&at, repairs, &word, error);
+    }
+    if (status == TAUT_OK && data->from_derivative &&
+        (word == TAUT_EVEN_CORNER || word == TAUT_EVEN_PROJECT)) {
+        status = taut_json_expected(&at, error, "\"refuse\" or \"raise\", with a derivative");
+    }
+    if (status == TAUT_OK) {
+        data->even = (taut_harmonic_even)word;
+        status = read_flag(document, "insist", &data->insist, error);
+    }
+    if (status == TAUT_OK && name[0] != '\0') {
+        data->name = taut_arena_text(arena, name);
+        status = data->name != NULL ? TAUT_OK : taut_fail_memory(error);
+    }
+    return status;
+}
+
+static taut_status harmonic_read(const taut_json *document, taut_problem *problem,
+                                 taut_error *error)
+{
+    static const char *const sources[] = {"derivative", NULL};
+    taut_harmonic_problem *data = taut_arena_take(problem->arena, 1, sizeof *data);
+    const taut_json from = taut_json_member(document, "from");
+    int word = 0;
+    taut_status status = data != NULL ? TAUT_OK : taut_fail_memory(error);
+
+    if (status == TAUT_OK && from.value != NULL) {
+        status = taut_json_word(&from, sources, &word, error);
+    }
+    if (status == TAUT_OK) {
+        status = from.value != NULL ? read_derivative(document, problem->arena, data, error)
+                                    : read_net(document, problem->arena, data, error);
+    }
+    if (status == TAUT_OK) {
+        status = read_choices(document, problem->arena, data, error);
+    }
+    if (status == TAUT_OK) {
+        problem->data = data;
+    }
+    return status;
+}
+
+const taut_document_ops taut_document_harmonic = {
+    .members = members,
+    .read = harmonic_read,
+};

@@ -1,0 +1,189 @@
+#include "mesh/weld.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The vertices of one edge: first, first + stride, ... */
+typedef struct edge_run {
+    size_t first, stride;
+    int count;
+} edge_run;
+
+static edge_run run_of(const taut_weld *weld, int edge)
+{
+    const taut_mesh_group *group = &weld->groups[edge / 4];
+    const size_t nu = (size_t)group->nu, nv = (size_t)group->nv;
+    const edge_run runs[4] = {{0, 1, group->nv},
+                              {(nu - 1) * nv, 1, group->nv},
+                              {0, nv, group->nu},
+                              {nv - 1, nv, group->nu}};
+    edge_run run = runs[edge % 4];
+    run.first += group->first_vertex;
+    return run;
+}
+
+static size_t vertex_at(const edge_run *run, int k)
+{
+    return run->first + run->stride * (size_t)k;
+}
+
+static uint32_t root_of(uint32_t *welded, uint32_t vertex)
+{
+    while (welded[vertex] != vertex) {
+        welded[vertex] = welded[welded[vertex]];
+        vertex = welded[vertex];
+    }
+    return vertex;
+}
+
+static void unite(uint32_t *welded, size_t a, size_t b)
+{
+    const uint32_t root_a = root_of(welded, (uint32_t)a), root_b = root_of(welded, (uint32_t)b);
+    if (root_a < root_b) {
+        welded[root_b] = root_a;
+    } else {
+        welded[root_a] = root_b;
+    }
+}
+
+static int are_near(const taut_weld *weld, size_t a, size_t b)
+{
+    double sum = 0;
+    for (size_t c = 0; c < 3; c++) {
+        const double d = weld->positions[3 * a + c] - weld->positions[3 * b + c];
+        sum += d * d;
+    }
+    return sqrt(sum) <= weld->tolerance;
+}
+
+/* Are the edges of a seam cut alike, vertex by vertex? */
+static int is_closed(const taut_weld *weld, const taut_seam *seam)
+{
+    const edge_run a = run_of(weld, seam->a), b = run_of(weld, seam->b);
+    int k = 0;
+    while (k < a.count && a.count == b.count &&
+           are_near(weld, vertex_at(&a, k), vertex_at(&b, seam->reversed ? b.count - 1 - k : k))) {
+        k++;
+    }
+    return k == a.count;
+}
+
+/* Two neighbours are turned alike if they run along their seam in opposite senses. Around a
+ * surface, seen from its normal, the edges v0 and u1 are run along their parameter, v1 and u0
+ * against it. */
+static int are_opposed(const taut_seam *seam)
+{
+    static const int along[4] = {0, 1, 1, 0};
+    return along[seam->a % 4] ^ along[seam->b % 4] ^ seam->reversed;
+}
+
+/* Twelve times the signed volume between a group and the origin `at`. */
+static double volume_below(const taut_weld *weld, const taut_mesh_group *group, const double *at)
+{
+    double sum = 0;
+    for (int i = 0; i + 1 < group->nu; i++) {
+        for (int j = 0; j + 1 < group->nv; j++) {
+            const double *a = weld->positions +
+                              3 * (group->first_vertex + (size_t)i * (size_t)group->nv + (size_t)j);
+            const double *d = a + 3, *b = a + 3 * (size_t)group->nv, *c = b + 3;
+            double p[3], q[3], r[3];
+            for (int k = 0; k < 3; k++) {
+                p[k] = c[k] - a[k];
+                q[k] = d[k] - b[k];
+                r[k] = a[k] + b[k] + c[k] + d[k] - 4 * at[k];
+            }
+            sum += r[0] * (p[1] * q[2] - p[2] * q[1]) + r[1] * (p[2] * q[0] - p[0] * q[2]) +
+                   r[2] * (p[0] * q[1] - p[1] * q[0]);
+        }
+    }
+    return sum;
+}
+
+/* What becomes of one body: surfaces that hang together. */
+typedef struct body {
+    double volume;
+    const double *at; /* a point of it */
+    int is_open;
+} body;
+
+/* Which groups to turn so that neighbours agree, and closed bodies show their outside. */
+static void turn_groups(const taut_weld *weld, taut_mirror_sets *sets, const unsigned char *shut,
+                        body *bodies)
+{
+    for (int g = 0; g < weld->group_count; g++) {
+        taut_mesh_group *group = &weld->groups[g];
+        const int root = taut_mirror_root(sets, g, &group->turned);
+        body *whole = &bodies[root];
+        if (whole->at == NULL) {
+            whole->at = weld->positions + 3 * group->first_vertex;
+        }
+        whole->volume += (group->turned ? -1 : 1) * volume_below(weld, group, whole->at);
+        for (int e = 0; e < 4; e++) {
+            whole->is_open |= !shut[4 * g + e];
+        }
+    }
+    for (int g = 0; g < weld->group_count; g++) {
+        int flip = 0;
+        const body *whole = &bodies[taut_mirror_root(sets, g, &flip)];
+        if (!whole->is_open && whole->volume < 0) {
+            weld->groups[g].turned ^= 1;
+        }
+    }
+}
+
+static void weld_collapsed(const taut_weld *weld, unsigned char *shut)
+{
+    for (int e = 0; e < 4 * weld->group_count; e++) {
+        if (weld->collapsed[e]) {
+            const edge_run run = run_of(weld, e);
+            for (int k = 1; k < run.count; k++) {
+                if (are_near(weld, run.first, vertex_at(&run, k))) {
+                    unite(weld->welded, run.first, vertex_at(&run, k));
+                }
+            }
+            shut[e] = 1;
+        }
+    }
+}
+
+static void weld_seam(const taut_weld *weld, const taut_seam *seam)
+{
+    const edge_run a = run_of(weld, seam->a), b = run_of(weld, seam->b);
+    for (int k = 0; k < a.count; k++) {
+        unite(weld->welded, vertex_at(&a, k), vertex_at(&b, seam->reversed ? b.count - 1 - k : k));
+    }
+}
+
+taut_status taut_weld_vertices(const taut_weld *weld)
+{
+    taut_arena *scratch = taut_arena_new();
+    const size_t groups = (size_t)weld->group_count;
+    unsigned char *shut = scratch != NULL ? taut_arena_take(scratch, 4 * groups, 1) : NULL;
+    body *bodies = shut != NULL ? taut_arena_take(scratch, groups, sizeof *bodies) : NULL;
+    taut_mirror_sets sets;
+
+    if (bodies == NULL || !taut_mirror_sets_new(weld->group_count, scratch, &sets)) {
+        taut_arena_free(scratch);
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t i = 0; i < weld->vertex_count; i++) {
+        weld->welded[i] = (uint32_t)i;
+    }
+    weld_collapsed(weld, shut);
+    for (int s = 0; s < weld->seam_count; s++) {
+        const taut_seam *seam = &weld->seams[s];
+        if (is_closed(weld, seam)) {
+            weld_seam(weld, seam);
+            shut[seam->a] = shut[seam->b] = 1;
+            taut_mirror_unite(&sets, seam->a / 4, seam->b / 4, !are_opposed(seam));
+        }
+    }
+    for (size_t i = 0; i < weld->vertex_count; i++) {
+        weld->welded[i] = root_of(weld->welded, (uint32_t)i);
+        memmove(weld->positions + 3 * i, weld->positions + 3 * (size_t)weld->welded[i],
+                3 * sizeof(double));
+    }
+    turn_groups(weld, &sets, shut, bodies);
+    taut_arena_free(scratch);
+    return TAUT_OK;
+}

@@ -1,0 +1,49 @@
+# cli.sh -- what the command line tests share. TAUT is the program, SOURCE the source tree.
+set -u
+failures=0
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+
+complain() {
+    printf '%s\n' "FAILED: $*" >&2
+    failures=$((failures + 1))
+}
+
+# run CODE WORDS...: runs taut, keeps out.txt and err.txt, checks the exit code.
+run() {
+    expected=$1
+    shift
+    "$TAUT" "$@" > out.txt 2> err.txt
+    code=$?
+    [ "$code" = "$expected" ] || complain "taut $*: exit $code, expected $expected: $(cat err.txt)"
+}
+
+# refused CODE PATTERN WORDS...: exit code, one line on standard error that matches, nothing on standard output.
+refused() {
+    expected=$1
+    pattern=$2
+    shift 2
+    run "$expected" "$@"
+    [ "$(wc -l < err.txt)" = 1 ] || complain "taut $*: not one line on standard error: $(cat err.txt)"
+    grep -qE -- "$pattern" err.txt || complain "taut $*: said '$(cat err.txt)', expected $pattern"
+    [ ! -s out.txt ] || complain "taut $*: wrote to standard output"
+}
+
+# absent FILE...: no such files, nor anything half written beside them.
+absent() {
+    for file in "$@"; do
+        [ ! -e "$file" ] || complain "$file is there"
+    done
+    left=$(find . -name '.*' -type f | head -n 1)
+    [ -z "$left" ] || complain "left behind: $left"
+}
+
+contains() {
+    grep -qE -- "$2" "$1" || complain "$1 has no line like $2"
+}
+
+finish() {
+    [ "$failures" = 0 ] || exit 1
+    exit 0
+}

@@ -1,0 +1,46 @@
+# test_operate.sh -- split, refine, join: the pieces are the whole, in the right order, and refusals.
+. "$SOURCE/tests/cli/cli.sh"
+
+cat > patch.json <<'JSON'
+{ "taut": 1, "surfaces": [ { "name": "p", "u": { "type": "bspline", "degree": 2, "count": 4 },
+    "v": { "type": "h-bezier", "beta": 1.5 },
+    "points": [[[0,0,0],[0,1,1],[0,2,0],[0,3,1]], [[1,0,0],[1,1,2],[1,2,0],[1,3,1]],
+               [[2,0,1],[2,1,1],[2,2,0],[2,3,0]], [[3,0,0],[3,1,1],[3,2,0],[3,3,1]]] } ],
+  "curves": [ { "name": "c", "t": { "type": "ce-bezier", "alpha": 0, "beta": 1, "gamma": 0.5 },
+    "points": [[0,0,0],[1,0,0],[1,1,0],[1,1,1]] } ] }
+JSON
+at() { # at MODEL NAME U,V: the point
+    "$TAUT" eval "$1" --surface "$2" --at "$3" --json | tr -d ' \n' | sed 's/.*"point":\[\([^]]*\)\].*/\1/'
+}
+near() { # near A B: two lists of numbers agree to 1e-14
+    printf '%s\n%s\n' "$1" "$2" | awk -F, 'NR == 1 { split($0, a) } NR == 2 { for (i = 1; i <= NF; i++) {
+        d = a[i] - $i; if (d < 0) d = -d; if (!(d <= 1e-14) || NF != 3) exit 1 } }' ||
+        complain "$1 is not $2"
+}
+
+run 0 split patch.json --u 0.3 -o halves.json
+near "$(at halves.json p-0 0.2,0.7)" "$(at patch.json p 0.2,0.7)"
+near "$(at halves.json p-1 0.9,0.7)" "$(at patch.json p 0.9,0.7)"
+run 0 join halves.json p-0.u1 halves.json p-1.u0 --json
+contains out.txt '"c_order": 3'
+contains out.txt '"g_order": 3'
+run 0 split patch.json --v 1 --surface p -o other.json
+near "$(at other.json p-1 0.4,1.2)" "$(at patch.json p 0.4,1.2)"
+run 0 refine patch.json -o fine.json
+near "$(at fine.json p 0.4,1.2)" "$(at patch.json p 0.4,1.2)"
+contains fine.json 'h-bspline'
+run 0 refine patch.json --u -o fine.json
+contains fine.json 'h-bezier'
+run 0 join patch.json p.u0 patch.json u1 --json
+contains out.txt '"c_order": -1'
+
+refused 4 'p|u' split patch.json --u 1.5
+refused 4 'p|u' split patch.json --u 0
+refused 2 'one of --u' split patch.json
+refused 2 'one of --u' split patch.json --u 0.1 --v 0.1
+refused 2 'expected a number' split patch.json --u half
+refused 2 'is no edge' join patch.json top patch.json u0
+refused 2 'no such surface' join patch.json q.u1 patch.json u0
+refused 2 'expected NAME' join halves.json u1 patch.json u0
+refused 2 '.' split patch.json --u 0.5 --surface q
+finish

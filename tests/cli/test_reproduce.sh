@@ -1,0 +1,10 @@
+# test_reproduce.sh -- every row comes out; the JSON is whole; an unknown paper is named.
+. "$SOURCE/tests/cli/cli.sh"
+run 0 reproduce
+contains out.txt 'rows, 0 that should agree and do not'
+grep -q 'differs' out.txt && complain "$(grep differs out.txt)"
+run 0 reproduce dirichlet --json
+contains out.txt '"verdict": "agrees"'
+contains out.txt '"verdict": "erratum"'
+refused 2 'there are: .*dirichlet' reproduce nonsense
+finish

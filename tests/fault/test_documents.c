@@ -1,0 +1,172 @@
+/* test_documents.c -- reading, writing and meshing when memory runs out. */
+#include "check.h"
+#include "fault.h"
+
+#include "taut/mesh.h"
+#include "taut/read.h"
+#include "taut/write.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char model_text[] =
+    "{\"taut\": 1, \"unit\": \"m\", \"surfaces\": [{\"name\": \"a\",\n"
+    "  \"u\": {\"type\": \"bezier\", \"degree\": 1},\n"
+    "  \"v\": {\"type\": \"bspline\", \"degree\": 1, \"knots\": [0, 0, 0.30000000000000004, 1, "
+    "1]},\n"
+    "  \"points\": [[[0, 0, 0], [0, 1, 0.12345678901234567], [0, 2, 0]],\n"
+    "               [[1, 0, 0], [1, 1, 2], [1, 2, 0]]],\n"
+    "  \"weights\": [[1, 2, 1], [1, 1, 1]]}],\n"
+    " \"curves\": [{\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": [[0, 0, 0], [1, 1, "
+    "1]]}],\n"
+    " \"details\": {\"list\": [1, [2, true], null], \"a name that is long enough\": \"and a "
+    "text\"},\n"
+    " \"certificate\": {\"construct\": \"dirichlet\", \"claims\": [{\"claim\": \"stationary\",\n"
+    "  \"residual\": 1e-17, \"limit\": 1e-12, \"holds\": true}], \"figures\": {\"area\": 2}}}";
+
+static const char problem_text[] =
+    "{\"taut\": 1, \"construct\": \"dirichlet\", \"name\": \"lid\",\n"
+    " \"u\": {\"type\": \"bezier\", \"degree\": 2}, \"v\": {\"type\": \"c-bspline\", \"alpha\": "
+    "0.5, "
+    "\"segments\": 1},\n"
+    " \"points\": [[[0, 0, 0.12345678901234567], null, null, null], [null, null, null, null],\n"
+    "              [null, null, null, null]]}";
+
+static char path[64]; /* a file with the model in it */
+static char out[64];  /* where outputs go */
+
+static taut_status read_model_text(const void *context, void **result, taut_error *error)
+{
+    taut_model *model = *result;
+    const taut_status status =
+        taut_model_read_text(model_text, sizeof model_text - 1, "text", &model, error);
+    (void)context;
+    *result = model;
+    return status;
+}
+
+static taut_status read_model(const void *context, void **result, taut_error *error)
+{
+    taut_model *model = *result;
+    const taut_status status = taut_model_read(context, &model, error);
+    *result = model;
+    return status;
+}
+
+static void release_model(void *model)
+{
+    taut_model_free(model);
+}
+
+static taut_status read_problem(const void *context, void **result, taut_error *error)
+{
+    taut_problem *problem = *result;
+    const taut_status status =
+        taut_problem_read_text(problem_text, sizeof problem_text - 1, "text", &problem, error);
+    (void)context;
+    *result = problem;
+    return status;
+}
+
+static void release_problem(void *problem)
+{
+    taut_problem_free(problem);
+}
+
+static taut_status new_mesh(const void *context, void **result, taut_error *error)
+{
+    const taut_mesh_options options = {.divide = 2};
+    taut_mesh *mesh = *result;
+    const taut_status status = taut_mesh_new(context, &options, &mesh, error);
+    *result = mesh;
+    return status;
+}
+
+static void release_mesh(void *mesh)
+{
+    taut_mesh_free(mesh);
+}
+
+/* Writes the model as JSON, as a mesh, and a record, and puts them in place. */
+static taut_status write_all(const void *context, void **result, taut_error *error)
+{
+    const taut_write_options options = {.divide = 1};
+    taut_outputs *outputs = NULL;
+    taut_status status = taut_outputs_new(&outputs);
+    char name[80];
+
+    (void)result;
+    for (int i = 0; status == TAUT_OK && i < 2; i++) {
+        snprintf(name, sizeof name, "%s/%s", out, i == 0 ? "m.json" : "m.obj");
+        status = taut_outputs_model(outputs, context, name, &options, error);
+    }
+    if (status == TAUT_OK) {
+        snprintf(name, sizeof name, "%s/r.json", out);
+        status = taut_outputs_record(outputs, taut_model_details(context), name, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_outputs_commit(outputs, error);
+    }
+    taut_outputs_free(outputs);
+    for (int i = 0; status == TAUT_OK && i < 3; i++) {
+        static const char *const names[] = {"m.json", "m.obj", "r.json"};
+        snprintf(name, sizeof name, "%s/%s", out, names[i]);
+        CHECK(unlink(name) == 0, "%s is not in place", name);
+    }
+    /* nothing else is there; after a failure, nothing at all */
+    CHECK(rmdir(out) == 0 && mkdir(out, 0700) == 0, "something was left in %s", out);
+    return status;
+}
+
+static taut_status write_record(const void *context, void **result, taut_error *error)
+{
+    char *text = *result;
+    size_t length = 0;
+    const taut_status status = taut_record_write(context, &text, &length);
+    (void)error;
+    *result = text;
+    return status;
+}
+
+static void release_text(void *text)
+{
+    taut_text_free(text);
+}
+
+/* Each call is made of so many allocations at least. */
+static void check_call(const char *name, taut_status (*call)(const void *, void **, taut_error *),
+                       void (*release)(void *), const void *context, long least)
+{
+    const fault_call described = {name, call, release, context};
+    const long allocations = fault_loop(&described);
+    CHECK(allocations >= least, "%s: only %ld allocations", name, allocations);
+}
+
+int main(void)
+{
+    char folder[] = "/tmp/taut-test-XXXXXX";
+    char command[96];
+    taut_model *model = NULL;
+
+    if (mkdtemp(folder) == NULL) {
+        return 1;
+    }
+    snprintf(path, sizeof path, "%s/m.json", folder);
+    snprintf(out, sizeof out, "%s/out", folder);
+    CHECK(mkdir(out, 0700) == 0, "%s", out);
+    CHECK(taut_model_read_text(model_text, sizeof model_text - 1, "text", &model, NULL) == TAUT_OK,
+          "model");
+    CHECK(taut_model_write(model, path, NULL, NULL) == TAUT_OK, "written");
+    check_call("taut_model_read_text", read_model_text, release_model, NULL, 50);
+    check_call("taut_model_read", read_model, release_model, path, 50);
+    check_call("taut_problem_read_text", read_problem, release_problem, NULL, 20);
+    check_call("taut_mesh_new", new_mesh, release_mesh, model, 20);
+    check_call("taut_record_write", write_record, release_text, taut_model_details(model), 1);
+    check_call("taut_outputs", write_all, NULL, model, 20);
+    taut_model_free(model);
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    return system(command) != 0 || check_failures != 0;
+}

@@ -1,0 +1,42 @@
+/* test_figure.c -- drawing when memory runs out. */
+#include "check.h"
+#include "fault.h"
+#include "shapes.h"
+
+#include "draw/figure.h"
+
+#include <stdlib.h>
+
+static taut_status draw(const void *context, void **result, taut_error *error)
+{
+    static const taut_write_options options = {
+        .divide = 2, .colour = TAUT_COLOUR_GAUSSIAN, .title = "title"};
+    char *text = NULL;
+    size_t length = 0;
+    FILE *out = open_memstream(&text, &length); /* not from our allocator */
+    const taut_status status = taut_draw_figure(context, &options, "svg", out, error);
+    (void)result;
+    fclose(out);
+    CHECK(status != TAUT_OK || length > 1000, "a figure of %zu bytes", length);
+    free(text);
+    return status;
+}
+
+int main(void)
+{
+    static const double points[4][3] = {{0, 0, 0}, {1, 1, 0}, {2, 0, 1}, {3, 1, 1}};
+    taut_model *model = NULL;
+    taut_surface *surface = NULL;
+    taut_curve *curve = NULL;
+
+    random_seed(20260114);
+    surface = shape_random(2, 3, 1);
+    curve = shape_curve(shape_bezier(3, 0, 1), &points[0][0], NULL);
+    CHECK(taut_model_new(&model) == TAUT_OK, "model");
+    CHECK(taut_model_add_surface(model, surface) == TAUT_OK, "surface");
+    CHECK(taut_model_add_curve(model, curve) == TAUT_OK, "curve");
+    fault_loop(&(fault_call){"taut_draw_figure", draw, NULL, model});
+    taut_model_free(model);
+    CHECK(fault_live() == 0, "%ld blocks left", fault_live());
+    return check_failures != 0;
+}

@@ -1,0 +1,267 @@
+/* test_nurbs.c -- the proved distance between c- and h- nets and their NURBS: never passed, never
+ * far from what is seen, below what was asked. */
+#include "check.h"
+
+#include "taut/operate.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979311600;
+
+enum { C_BEZIER, C_BSPLINE, H_BEZIER, H_BSPLINE, BEZIER, TYPES };
+static const char *const type_names[TYPES] = {"c-bezier", "c-bspline", "h-bezier", "h-bspline",
+                                              "bezier"};
+
+static taut_basis *random_basis(int type)
+{
+    const double longest[TYPES] = {pi, 3, 12, 4, 1};
+    const double length = random_in(0.1, 1) * longest[type];
+    taut_basis_spec spec = {.type = type_names[type]};
+    taut_basis *basis = NULL;
+    taut_error error = {.message = ""};
+    if (type == C_BEZIER || type == C_BSPLINE) {
+        spec.alpha = length;
+    } else if (type == H_BEZIER || type == H_BSPLINE) {
+        spec.beta = length;
+    } else {
+        spec.degree = random_int(1, 5);
+    }
+    spec.segments = type == C_BSPLINE || type == H_BSPLINE ? random_int(1, 4) : 0;
+    CHECK(taut_basis_new(&spec, 0, &basis, &error) == TAUT_OK, "%s", error.message);
+    return basis;
+}
+
+static void random_points(size_t count, double *points)
+{
+    for (size_t i = 0; i < 3 * count; i++) {
+        points[i] = random_in(-1, 1);
+    }
+}
+
+static double distance(const double *a, const double *b)
+{
+    return sqrt(pow(a[0] - b[0], 2) + pow(a[1] - b[1], 2) + pow(a[2] - b[2], 2));
+}
+
+static double most_pessimistic = 0;
+
+/* seen <= bound <= tolerance; and bound <= 50 seen, where neither is rounding. */
+static void judge(double seen, double bound, double tolerance, double size, const char *what)
+{
+    CHECK(seen <= bound, "%s: %g off, proved %g", what, seen, bound);
+    CHECK(bound <= tolerance, "%s: proved %g, asked for %g", what, bound, tolerance);
+    if (bound > 1e-11 * size) { /* 100 times what is allowed for rounding */
+        most_pessimistic = fmax(most_pessimistic, bound / seen);
+        CHECK(bound <= 50 * seen, "%s: proved %g, seen %g", what, bound, seen);
+    }
+}
+
+/* Parameter i of n, none of them a panel end for all. */
+static double sample(const taut_basis *basis, int i, int n)
+{
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    return i == n - 1 ? hi : lo + (hi - lo) * i / (n - 1);
+}
+
+static void test_curve(int type)
+{
+    enum { SAMPLES = 1009 };
+    taut_basis *basis = random_basis(type);
+    const double tolerance = random_log(1e-10, 1e-2);
+    double points[3 * 16], bound = -1, seen = 0;
+    taut_curve *curve = NULL, *nurbs = NULL;
+    taut_error error = {.message = ""};
+    random_points((size_t)taut_basis_count(basis), points);
+    CHECK(taut_curve_new("", basis, points, NULL, &curve, NULL) == TAUT_OK, "curve");
+    CHECK(taut_curve_to_nurbs(curve, tolerance, &nurbs, &bound, &error) == TAUT_OK, "%s",
+          error.message);
+    CHECK(strcmp(taut_basis_type(taut_curve_t(nurbs)), "bspline") == 0, "type");
+    for (int i = 0; i < SAMPLES; i++) {
+        const double t = sample(basis, i, SAMPLES);
+        double p[3], q[3];
+        taut_curve_eval(curve, t, 0, p);
+        taut_curve_eval(nurbs, t, 0, q);
+        seen = fmax(seen, distance(p, q));
+    }
+    if (type == BEZIER) {
+        CHECK(bound == 0 && seen < 1e-15 * 64, "exact, seen %g", seen);
+    } else {
+        judge(seen, bound, tolerance, 1, type_names[type]);
+    }
+    taut_basis_free(basis);
+    taut_curve_free(curve);
+    taut_curve_free(nurbs);
+}
+
+static double largest_distance(const taut_surface *a, const taut_surface *b, int samples)
+{
+    double seen = 0;
+    for (int i = 0; i < samples; i++) {
+        const double u = sample(taut_surface_u(a), i, samples);
+        for (int j = 0; j < samples; j++) {
+            const double v = sample(taut_surface_v(a), j, samples);
+            double p[3], q[3];
+            taut_surface_eval(a, u, v, 0, p);
+            taut_surface_eval(b, u, v, 0, q);
+            seen = fmax(seen, distance(p, q));
+        }
+    }
+    return seen;
+}
+
+static void test_surface(int type_u, int type_v)
+{
+    taut_basis *u = random_basis(type_u), *v = random_basis(type_v);
+    const double tolerance = random_log(1e-8, 1e-2);
+    double points[3 * 64], bound = -1;
+    taut_surface *surface = NULL, *nurbs = NULL;
+    taut_error error = {.message = ""};
+    random_points((size_t)taut_basis_count(u) * (size_t)taut_basis_count(v), points);
+    CHECK(taut_surface_new("", u, v, points, NULL, &surface, NULL) == TAUT_OK, "surface");
+    CHECK(taut_surface_to_nurbs(surface, tolerance, &nurbs, &bound, &error) == TAUT_OK, "%s",
+          error.message);
+    if (type_u != BEZIER || type_v != BEZIER) {
+        judge(largest_distance(surface, nurbs, 89), bound, tolerance, 1, type_names[type_u]);
+    }
+    taut_basis_free(u);
+    taut_basis_free(v);
+    taut_surface_free(surface);
+    taut_surface_free(nurbs);
+}
+
+/* The surface of [XuWang2006] figure 2a (alpha = pi, beta = 1, lambda = 1/2, +), its net from the
+ * coefficients of sections 3 and 5. */
+static taut_surface *figure_2a(void)
+{
+    const double k = pi / 2, w = sqrt(0.75), kh = (1 - sinh(1)) / (1 - cosh(1));
+    const double u[4] = {0, k, pi - k, pi}, s[4] = {0, k, pi - k, 0}, c[4] = {1, 1, -1, -1};
+    const double v[4] = {0, kh, 1 - kh, 1}, sh[4] = {0, kh, 1 - kh, sinh(1)};
+    const double ch[4] = {1, 1, 1 / tanh(0.5) - 1, cosh(1)};
+    const taut_basis_spec su = {.type = "c-bezier", .alpha = pi};
+    const taut_basis_spec sv = {.type = "h-bezier", .beta = 1};
+    taut_basis *bu = NULL, *bv = NULL;
+    taut_surface *surface = NULL;
+    double points[16][3];
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            points[4 * i + j][0] = (0.5 * u[i] + s[i] * ch[j]) / w;
+            points[4 * i + j][1] = (v[j] + 0.5 * c[i] * sh[j]) / w;
+            points[4 * i + j][2] = c[i] * ch[j];
+        }
+    }
+    CHECK(taut_basis_new(&su, 4, &bu, NULL) == TAUT_OK, "u");
+    CHECK(taut_basis_new(&sv, 4, &bv, NULL) == TAUT_OK, "v");
+    CHECK(taut_surface_new("2a", bu, bv, &points[0][0], NULL, &surface, NULL) == TAUT_OK, "2a");
+    taut_basis_free(bu);
+    taut_basis_free(bv);
+    return surface;
+}
+
+/* The panels this needs beside those of the bound made for that surface alone (minimal-mesh page,
+ * section 11.6): 2 x 1, 9 x 2, 22 x 7 for 1e-3, 1e-6, 1e-9. A net's bound knows less, so up to
+ * twice as many; and the spline is C^2: its second derivatives agree across each knot. */
+static void test_figure_2a(void)
+{
+    const double tolerances[3] = {1e-3, 1e-6, 1e-9};
+    const int panels[3][2] = {{2, 1}, {9, 2}, {22, 7}};
+    taut_surface *surface = figure_2a();
+    for (int n = 0; n < 3; n++) {
+        taut_surface *nurbs = NULL;
+        double bound = 0;
+        CHECK(taut_surface_to_nurbs(surface, tolerances[n], &nurbs, &bound, NULL) == TAUT_OK, "%g",
+              tolerances[n]);
+        judge(largest_distance(surface, nurbs, 201), bound, tolerances[n], 1, "figure 2a");
+        const int found[2] = {taut_basis_span_count(taut_surface_u(nurbs)),
+                              taut_basis_span_count(taut_surface_v(nurbs))};
+        CHECK(found[0] <= 2 * panels[n][0] && found[1] <= 2 * panels[n][1], "%g: %d x %d",
+              tolerances[n], found[0], found[1]);
+        const taut_basis *u = taut_surface_u(nurbs);
+        for (int i = 1; i < found[0]; i++) {
+            const double x = taut_basis_breaks(u)[i];
+            double left[18], right[18];
+            taut_basis_eval(u, i - 1, x, 2, left);
+            taut_basis_eval(u, i, x, 2, right);
+            for (int d = 0; d < 3; d++) {
+                for (int a = 3; a < 6; a++) {
+                    CHECK_NEAR(left[6 * d + a], right[6 * d + a - 3], 1e-11 * pow(found[0], d),
+                               "knot %d d=%d a=%d", i, d, a);
+                }
+            }
+        }
+        taut_surface_free(nurbs);
+    }
+    taut_surface_free(surface);
+}
+
+static void test_refusals(void)
+{
+    taut_surface *surface = figure_2a(), *nurbs = NULL;
+    taut_error error = {.message = ""};
+    double bound = 7;
+    CHECK(taut_surface_to_nurbs(surface, 0, &nurbs, &bound, &error) == TAUT_BAD_ARGUMENT, "zero");
+    CHECK(taut_surface_to_nurbs(surface, nan(""), &nurbs, &bound, &error) == TAUT_BAD_ARGUMENT,
+          "nan");
+    CHECK(taut_surface_to_nurbs(surface, 1e-15, &nurbs, &bound, &error) == TAUT_BAD_ARGUMENT,
+          "below rounding");
+    CHECK(error.limit > 1e-15 && error.limit < 1e-11, "says %g", error.limit);
+    CHECK(taut_surface_to_nurbs(surface, error.limit * 1.1, &nurbs, NULL, &error) == TAUT_OK,
+          "what it says is enough: %s", error.message);
+    taut_surface_free(nurbs);
+    nurbs = NULL;
+    CHECK(taut_surface_to_nurbs(NULL, 1, &nurbs, &bound, &error) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(nurbs == NULL && bound == 7, "outputs are untouched on failure");
+    taut_surface_free(surface);
+}
+
+/* Long hyperbolic segments and near pi: it ends, and the bound holds. */
+static void test_hard_lengths(void)
+{
+    const struct {
+        const char *type;
+        double length;
+    } cases[] = {{"c-bspline", 3.14}, {"h-bezier", 300}, {"h-bspline", 100}, {"c-bezier", 1e-8}};
+    for (int n = 0; n < 4; n++) {
+        taut_basis_spec spec = {.type = cases[n].type, .segments = n % 2 == 0 && n < 3 ? 2 : 0};
+        double points[3 * 8], bound = -1, seen = 0;
+        taut_basis *basis = NULL;
+        taut_curve *curve = NULL, *nurbs = NULL;
+        taut_error error = {.message = ""};
+        spec.segments = strstr(spec.type, "bspline") != NULL ? 2 : 0;
+        *(spec.type[0] == 'c' ? &spec.alpha : &spec.beta) = cases[n].length;
+        random_points(8, points);
+        CHECK(taut_basis_new(&spec, 0, &basis, &error) == TAUT_OK, "%s", error.message);
+        CHECK(taut_curve_new("", basis, points, NULL, &curve, NULL) == TAUT_OK, "curve");
+        CHECK(taut_curve_to_nurbs(curve, 1e-6, &nurbs, &bound, &error) == TAUT_OK, "%s",
+              error.message);
+        for (int i = 0; i < 20011; i++) {
+            const double t = sample(basis, i, 20011);
+            double p[3], q[3];
+            taut_curve_eval(curve, t, 0, p);
+            taut_curve_eval(nurbs, t, 0, q);
+            seen = fmax(seen, distance(p, q));
+        }
+        CHECK(seen <= bound && bound <= 1e-6, "%s: seen %g, proved %g", spec.type, seen, bound);
+        taut_basis_free(basis);
+        taut_curve_free(curve);
+        taut_curve_free(nurbs);
+    }
+}
+
+int main(void)
+{
+    random_seed(20260105);
+    for (int trial = 0; trial < 300; trial++) {
+        test_curve(trial % TYPES);
+    }
+    for (int trial = 0; trial < 3 * TYPES * TYPES; trial++) {
+        test_surface(trial % TYPES, trial / TYPES % TYPES);
+    }
+    test_figure_2a();
+    test_refusals();
+    test_hard_lengths();
+    if (getenv("TAUT_TEST_SAY") != NULL) {
+        printf("most pessimistic bound: %g times what was seen\n", most_pessimistic);
+    }
+    return check_failures != 0;
+}

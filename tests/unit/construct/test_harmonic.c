@@ -1,0 +1,189 @@
+/* test_harmonic.c -- harmonic completion and extension: against exact rationals, against the
+ * numbers of [NiWang2015] sections 4 and 7, and by their own identities. links: gmp
+ */
+#include "check.h"
+
+#include "construct/harmonic/complete.h"
+#include "taut/harmonic.h"
+
+#include <gmp.h>
+
+enum { SIZE = 34 };
+
+static mpq_t power[SIZE][SIZE]; /* [l][k]: of v^l u^k */
+static mpq_t half_way[SIZE][SIZE];
+static mpq_t scratch[4];
+
+static void start(void)
+{
+    for (int i = 0; i < SIZE; i++) {
+        for (int j = 0; j < SIZE; j++) {
+            mpq_init(power[i][j]);
+            mpq_init(half_way[i][j]);
+        }
+    }
+    for (int i = 0; i < 4; i++) {
+        mpq_init(scratch[i]);
+    }
+}
+
+/* C(i,k) / C(n,k) */
+static void ratio(int i, int n, int k, mpq_t out)
+{
+    mpz_bin_uiui(mpq_numref(out), (unsigned long)i, (unsigned long)k);
+    mpz_bin_uiui(mpq_denref(out), (unsigned long)n, (unsigned long)k);
+    mpq_canonicalize(out);
+}
+
+/* The v^l coefficient of a row of degree m: C(m,l) Delta^l. */
+static void coefficient(int m, int l, const double *row, mpq_t out)
+{
+    mpq_set_ui(out, 0, 1);
+    for (int j = 0; j <= l; j++) {
+        mpq_set_d(scratch[0], row[3 * j]);
+        mpz_bin_uiui(mpq_numref(scratch[1]), (unsigned long)l, (unsigned long)j);
+        mpz_set_ui(mpq_denref(scratch[1]), 1);
+        mpq_mul(scratch[0], scratch[0], scratch[1]);
+        if ((l - j) % 2 != 0) {
+            mpq_neg(scratch[0], scratch[0]);
+        }
+        mpq_add(out, out, scratch[0]);
+    }
+    mpz_bin_uiui(mpq_numref(scratch[1]), (unsigned long)m, (unsigned long)l);
+    mpz_set_ui(mpq_denref(scratch[1]), 1);
+    mpq_mul(out, out, scratch[1]);
+}
+
+/* power[l][k], k >= 2, of f_l'' = -mu (l+1)(l+2) f_{l+2}. */
+static void integrate(int n, int m, int l, double mu)
+{
+    for (int k = 2; k <= n; k++) {
+        mpq_set_ui(power[l][k], 0, 1);
+        if (l + 2 <= m) {
+            mpq_set_si(scratch[0], -(l + 1) * (l + 2), (unsigned long)(k * (k - 1)));
+            mpq_canonicalize(scratch[0]);
+            mpq_set_d(scratch[1], mu);
+            mpq_mul(scratch[0], scratch[0], scratch[1]);
+            mpq_mul(power[l][k], scratch[0], power[l + 2][k - 2]);
+        }
+    }
+}
+
+/* The exact net of coordinate 0, by the chain of section 2.4, rounded to doubles. */
+static void exact_rows(int n, int m, double mu, const double *row0, const double *row1, double *net)
+{
+    for (int l = m; l >= 0; l--) {
+        integrate(n, m, l, mu);
+        coefficient(m, l, row0, power[l][0]);
+        coefficient(m, l, row1, scratch[2]);
+        mpq_sub(power[l][1], scratch[2], power[l][0]);
+        for (int k = 2; k <= n; k++) {
+            mpq_sub(power[l][1], power[l][1], power[l][k]);
+        }
+    }
+    for (int j = 0; j <= m; j++) {
+        for (int k = 0; k <= n; k++) {
+            mpq_set_ui(half_way[j][k], 0, 1);
+            for (int l = 0; l <= j; l++) {
+                ratio(j, m, l, scratch[0]);
+                mpq_mul(scratch[0], scratch[0], power[l][k]);
+                mpq_add(half_way[j][k], half_way[j][k], scratch[0]);
+            }
+        }
+    }
+    for (int i = 0; i <= n; i++) {
+        for (int j = 0; j <= m; j++) {
+            mpq_set_ui(scratch[1], 0, 1);
+            for (int k = 0; k <= i; k++) {
+                ratio(i, n, k, scratch[0]);
+                mpq_mul(scratch[0], scratch[0], half_way[j][k]);
+                mpq_add(scratch[1], scratch[1], scratch[0]);
+            }
+            net[i * (m + 1) + j] = mpq_get_d(scratch[1]);
+        }
+    }
+}
+
+/* Random rows, n to 31: within 1e-15 of the largest point ([NiWang2015] section 7: 5e-16). */
+static void test_against_rationals(void)
+{
+    static double net[SIZE * SIZE * 3], exact[SIZE * SIZE];
+    for (int m = 1; m <= 30; m++) {
+        const int n = m % 2 != 0 ? m : m + 1;
+        const double mu = m % 3 == 0 ? 0.75 : 1;
+        double row0[3 * SIZE] = {0}, row1[3 * SIZE] = {0}, largest = 0, apart = 0;
+        for (int j = 0; j <= m; j++) {
+            row0[3 * j] = random_in(-1, 1);
+            row1[3 * j] = random_in(-1, 1);
+        }
+        taut_harmonic_from_rows(n, m, mu, row0, row1, net);
+        exact_rows(n, m, mu, row0, row1, exact);
+        for (int k = 0; k < (n + 1) * (m + 1); k++) {
+            largest = fmax(largest, fabs(exact[k]));
+            apart = fmax(apart, fabs(net[3 * k] - exact[k]));
+        }
+        CHECK(apart <= 1e-15 * largest, "n=%d m=%d: %.3g of the largest", n, m, apart / largest);
+    }
+}
+
+/* The table of section 7, to the digits printed there. */
+static void test_amplification(void)
+{
+    static const struct {
+        int n;
+        double rows, derivative, half;
+    } table[] = {{3, 5, 11, 0.5},         {5, 45, 81, 0.5},         {7, 745, 491, 0.5},
+                 {9, 2.1e4, 2.9e3, 0.05}, {11, 9.1e5, 1.8e4, 0.05}, {13, 5.7e7, 1.0e5, 0.05},
+                 {15, 4.8e9, 6.2e5, 0.05}};
+    static double work[4 * SIZE * SIZE];
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        const int n = table[i].n;
+        const double rows = taut_harmonic_rows_amplification(n, n, 1);
+        const double derivative = taut_harmonic_derivative_amplification(n, n, 1, work);
+        const double unit = table[i].half < 0.5 ? table[i].half : 0;
+        const double scale_r = unit > 0 ? pow(10, floor(log10(table[i].rows))) : 1;
+        const double scale_d = unit > 0 ? pow(10, floor(log10(table[i].derivative))) : 1;
+        CHECK_NEAR(rows, table[i].rows, 1.001 * table[i].half * scale_r, "n=%d", n);
+        CHECK_NEAR(derivative, table[i].derivative, 1.001 * table[i].half * scale_d, "n=%d", n);
+    }
+}
+
+/* A net from rows and the same net from its first row and the derivative there. */
+static void test_two_routes(void)
+{
+    static double net[SIZE * SIZE * 3], again[SIZE * SIZE * 3], work[4 * SIZE * SIZE];
+    for (int trial = 0; trial < 200; trial++) {
+        const int m = random_int(1, 9),
+                  n = m % 2 != 0 ? m + random_int(0, 2) : m + random_int(1, 3);
+        const double mu = random_log(0.1, 10);
+        double rows[2][3 * SIZE], cross[3 * SIZE], largest = 0, apart = 0;
+        for (int j = 0; j < 3 * (m + 1); j++) {
+            rows[0][j] = random_in(-1, 1);
+            rows[1][j] = random_in(-1, 1);
+        }
+        taut_harmonic_from_rows(n, m, mu, rows[0], rows[1], net);
+        for (int j = 0; j < 3 * (m + 1); j++) {
+            cross[j] = n * (net[3 * (m + 1) + j] - net[j]);
+        }
+        taut_harmonic_from_derivative(n, m, mu, rows[0], cross, again);
+        for (int k = 0; k < 3 * (n + 1) * (m + 1); k++) {
+            largest = fmax(largest, fabs(net[k]));
+            apart = fmax(apart, fabs(net[k] - again[k]));
+        }
+        /* the derivative carries a rounding of the net, which the second route amplifies */
+        const double grows = taut_harmonic_derivative_amplification(n, m, mu, work);
+        CHECK(apart <= 4 * 0x1p-53 * grows * largest,
+              "n=%d m=%d mu=%g: %.3g of the largest, growth %.3g", n, m, mu, apart / largest,
+              grows);
+    }
+}
+
+int main(void)
+{
+    random_seed(20260301);
+    start();
+    test_against_rationals();
+    test_amplification();
+    test_two_routes();
+    return check_failures != 0;
+}
