@@ -26,7 +26,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ROUNDINGS = 8 };
+enum { ROUNDINGS = 4 };
 static const double unit_roundoff = 0x1p-53;
 static const double largest_limit = 1e-6;
 
