@@ -18,9 +18,10 @@
 #include <string.h>
 
 enum {
-    LINE_VALUES = 9,
-    CHANNELS = 4
-}; /* x, x_u, x_v of a point; three coordinates and the gross */
+    VALUES = 9,   /* x, x_u, x_v of a point */
+    CHANNELS = 4, /* three coordinates, and the gross */
+    LINES = 16    /* evaluated at once */
+};
 
 /* Gauss nodes on every span of a direction; slopes in the table are over the unit interval. */
 typedef struct axis {
@@ -40,7 +41,7 @@ typedef struct work {
     const double *weights; /* of the surface, or NULL */
     double *sizes;         /* [nu][nv]: largest coordinate of each point as stored, in the unit */
     double fu, fv;         /* the larger one is 1 */
-    double *line;          /* [v.count][3][3] */
+    double *lines;         /* [LINES][v.count][3][3] */
     double *polygons;      /* [4][nv]: w and w_u; gross of values and of slopes in u */
     double *spread;        /* [2][nv][CHANNELS]: what goes back with N_i, and with N_i' */
 } work;
@@ -150,7 +151,7 @@ static void work_clear(work *w)
     axis_clear(&w->v);
     taut_surface_free(w->centred);
     taut_free(w->sizes);
-    taut_free(w->line);
+    taut_free(w->lines);
     taut_free(w->polygons);
     taut_free(w->spread);
 }
@@ -173,13 +174,13 @@ static taut_status work_new(const taut_surface *surface, double aspect, int node
         status = centre(surface, w);
     }
     if (status == TAUT_OK) {
-        w->line = taut_alloc_aligned(LINE_VALUES * (size_t)w->v.count, sizeof(double));
+        w->lines = taut_alloc_aligned(LINES * VALUES * (size_t)w->v.count, sizeof(double));
         w->polygons = taut_alloc_aligned(4 * (size_t)w->nv, sizeof(double));
         w->spread = taut_alloc_aligned(2 * CHANNELS * (size_t)w->nv, sizeof(double));
         f = aspect * (w->v.length / w->u.length);
         w->fu = f >= 1 ? 1 : f * f;
         w->fv = f >= 1 ? 1 / f / f : 1;
-        if (w->line == NULL || w->polygons == NULL || w->spread == NULL) {
+        if (w->lines == NULL || w->polygons == NULL || w->spread == NULL) {
             status = TAUT_NO_MEMORY;
         }
     }
@@ -227,6 +228,11 @@ static void point_sums(const work *w, int k, double sums[6])
     }
 }
 
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 /* What multiplies N_i' N_j (out[0]), N_i N_j' (out[1]) and -N_i N_j (out[2]) at one point, in each
  * channel. In the gross one every sign is positive, and the slopes of the surface times what a
  * rounding of (u, v) is to basis and w are added. */
@@ -245,8 +251,8 @@ static void integrands(const work *w, double weight, double roundings, const dou
         out[0][c] = fu * xu;
         out[1][c] = fv * xv;
         out[2][c] = out[0][c] * wu + out[1][c] * wv;
-        gross_u = fmax(gross_u, fabs(xu));
-        gross_v = fmax(gross_v, fabs(xv));
+        gross_u = larger(gross_u, fabs(xu));
+        gross_v = larger(gross_v, fabs(xv));
     }
     out[0][3] = fu * (all * gross_u + (sums[4] + fabs(wu) * sums[3]) * inverse);
     out[1][3] = fv * (all * gross_v + (sums[5] + fabs(wv) * sums[3]) * inverse);
@@ -296,28 +302,38 @@ static double square(const double *x)
     return x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
 }
 
-/* The whole line. */
-static taut_status integrate_line(work *w, int line, taut_dirichlet_gradient *g)
+/* One line, from the values of its points. */
+static void integrate_line(work *w, int line, const double *values, taut_dirichlet_gradient *g)
 {
-    const taut_status status =
-        taut_surface_eval_grid(w->centred, 1, w->u.t + line, w->v.count, w->v.t, 1, 1, w->line);
-    if (status != TAUT_OK) {
-        return status;
-    }
+    const double area = w->u.length * w->v.length;
+
     contract(w, line);
     memset(w->spread, 0, 2 * CHANNELS * (size_t)w->nv * sizeof(double));
     for (int k = 0; k < w->v.count; k++) {
-        const double *x = w->line + LINE_VALUES * (size_t)k;
+        const double *x = values + VALUES * (size_t)k;
         const double weight = w->u.weights[line] * w->v.weights[k];
         double sums[6], out[3][CHANNELS];
         point_sums(w, k, sums);
         integrands(w, weight, w->u.roundings[line] + w->v.roundings[k], x, sums, out);
         gather_point(w, k, out);
-        g->halves[0] += weight * square(x + 3 * TAUT_XU) * (w->u.length * w->v.length);
-        g->halves[1] += weight * square(x + 3 * TAUT_XV) * (w->u.length * w->v.length);
+        g->halves[0] += weight * square(x + 3 * TAUT_XU) * area;
+        g->halves[1] += weight * square(x + 3 * TAUT_XV) * area;
     }
     add_line(w, line, g);
-    return TAUT_OK;
+}
+
+static taut_status integrate(work *w, taut_dirichlet_gradient *g)
+{
+    taut_status status = TAUT_OK;
+    for (int from = 0; status == TAUT_OK && from < w->u.count; from += LINES) {
+        const int count = w->u.count - from < LINES ? w->u.count - from : LINES;
+        status = taut_surface_eval_grid(w->centred, count, w->u.t + from, w->v.count, w->v.t, 1, 1,
+                                        w->lines);
+        for (int i = 0; status == TAUT_OK && i < count; i++) {
+            integrate_line(w, from + i, w->lines + VALUES * (size_t)w->v.count * (size_t)i, g);
+        }
+    }
+    return status;
 }
 
 taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect, int nodes,
@@ -333,8 +349,8 @@ taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspe
         made.gross = taut_alloc_zero(count, sizeof(double));
         status = made.values != NULL && made.gross != NULL ? TAUT_OK : TAUT_NO_MEMORY;
     }
-    for (int line = 0; status == TAUT_OK && line < w.u.count; line++) {
-        status = integrate_line(&w, line, &made);
+    if (status == TAUT_OK) {
+        status = integrate(&w, &made);
     }
     work_clear(&w);
     if (status != TAUT_OK) {

@@ -1,23 +1,10 @@
-#include "construct/dirichlet_system.h"
+#include "construct/dirichlet_system_parts.h"
 
 #include "core/fail.h"
 #include "core/memory.h"
-#include "numeric/tensor_solver.h"
 
 #include <math.h>
 #include <string.h>
-
-struct taut_dirichlet_system {
-    taut_dirichlet_form *form;
-    const taut_pattern *pattern;
-    const taut_monitor *monitor;
-    taut_gram u, v;                             /* of the hull */
-    taut_tensor_solver *solver;                 /* of the hull */
-    double fu, fv;                              /* the larger one is 1 */
-    double *residual, *step, *product, *smooth; /* nets; the last three for iterations only */
-    double *hull;
-    int iterations;
-};
 
 static const double unit_roundoff = 0x1p-53;
 
@@ -39,11 +26,6 @@ int taut_dirichlet_system_iterations(const taut_dirichlet_system *system)
 double taut_dirichlet_system_natural_aspect(const taut_dirichlet_system *system)
 {
     return 1 / system->form->ratio;
-}
-
-static size_t net_size(const taut_dirichlet_system *system)
-{
-    return 3 * (size_t)system->form->nu * (size_t)system->form->nv;
 }
 
 void taut_dirichlet_system_free(taut_dirichlet_system *system)
@@ -81,15 +63,15 @@ static taut_status alloc(taut_dirichlet_system *system)
     if (status == TAUT_OK) {
         status = taut_gram_select(&system->form->v, pattern->columns, pattern->column, &system->v);
     }
-    system->residual = taut_alloc_aligned(net_size(system), sizeof(double));
+    system->residual = taut_alloc_aligned(taut_dirichlet_net_size(system), sizeof(double));
     system->hull = taut_alloc_aligned(hull, sizeof(double));
     if (status != TAUT_OK || system->residual == NULL || system->hull == NULL) {
         return TAUT_NO_MEMORY;
     }
     if (!is_direct(system)) {
-        system->step = taut_alloc_aligned(net_size(system), sizeof(double));
-        system->product = taut_alloc_aligned(net_size(system), sizeof(double));
-        system->smooth = taut_alloc_aligned(net_size(system), sizeof(double));
+        system->step = taut_alloc_aligned(taut_dirichlet_net_size(system), sizeof(double));
+        system->product = taut_alloc_aligned(taut_dirichlet_net_size(system), sizeof(double));
+        system->smooth = taut_alloc_aligned(taut_dirichlet_net_size(system), sizeof(double));
         if (system->step == NULL || system->product == NULL || system->smooth == NULL) {
             return TAUT_NO_MEMORY;
         }
@@ -146,8 +128,7 @@ taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_patt
     return TAUT_OK;
 }
 
-/* max |r_ij| / sum |A(ij,st)| over the unknowns. */
-static double relative(const taut_dirichlet_system *system, const double *r)
+double taut_dirichlet_omega(const taut_dirichlet_system *system, const double *r)
 {
     const taut_pattern *pattern = system->pattern;
     double largest = 0;
@@ -166,26 +147,34 @@ static double relative(const taut_dirichlet_system *system, const double *r)
     return largest;
 }
 
-/* residual = -A net at the unknowns, 0 elsewhere; *omega as dirichlet_system.h says. */
-static taut_status find_residual(taut_dirichlet_system *system, const double *net, double *omega,
-                                 taut_error *error)
+typedef enum precision { PLAIN, TWICE } precision;
+
+/* residual = -A net at the unknowns, 0 elsewhere; *omega as dirichlet_system.h says. TWICE sums in
+ * twice the precision, at several times the cost: for refinement. */
+static taut_status find_residual(taut_dirichlet_system *system, precision how, const double *net,
+                                 double *omega, taut_error *error)
 {
-    if (taut_dirichlet_form_residual(system->form, net, system->residual) != TAUT_OK) {
+    const taut_status status =
+        how == TWICE ? taut_dirichlet_form_residual(system->form, net, system->residual)
+                     : taut_dirichlet_form_apply(system->form, net, system->residual);
+    if (status != TAUT_OK) {
         return taut_fail_memory(error);
     }
+    for (size_t i = 0; how == PLAIN && i < taut_dirichlet_net_size(system); i++) {
+        system->residual[i] = -system->residual[i];
+    }
     taut_pattern_clear_known(system->pattern, system->residual);
-    *omega = relative(system, system->residual);
+    *omega = taut_dirichlet_omega(system, system->residual);
     return TAUT_OK;
 }
 
-/* hull = (hull part of A)^-1 r. */
-static taut_status solve_hull(taut_dirichlet_system *system, const double *r)
+taut_status taut_dirichlet_solve_hull(taut_dirichlet_system *system, const double *r)
 {
     taut_pattern_gather(system->pattern, r, system->hull);
     return taut_tensor_solver_solve(system->solver, 3, system->hull);
 }
 
-static taut_status stopped(const taut_dirichlet_system *system, taut_error *error)
+taut_status taut_dirichlet_stopped(const taut_dirichlet_system *system, taut_error *error)
 {
     const taut_monitor *monitor = system->monitor;
     if (monitor != NULL && monitor->progress != NULL &&
@@ -196,82 +185,6 @@ static taut_status stopped(const taut_dirichlet_system *system, taut_error *erro
     return TAUT_OK;
 }
 
-/* x_c . y_c for each coordinate c. */
-static void dots(size_t size, const double *x, const double *y, double dot[3])
-{
-    dot[0] = dot[1] = dot[2] = 0;
-    for (size_t i = 0; i < size; i += 3) {
-        dot[0] += x[i] * y[i];
-        dot[1] += x[i + 1] * y[i + 1];
-        dot[2] += x[i + 2] * y[i + 2];
-    }
-}
-
-/* y_c += factor_c x_c. */
-static void add_multiple(size_t size, const double factor[3], const double *x, double *y)
-{
-    for (size_t i = 0; i < size; i += 3) {
-        y[i] += factor[0] * x[i];
-        y[i + 1] += factor[1] * x[i + 1];
-        y[i + 2] += factor[2] * x[i + 2];
-    }
-}
-
-/* smooth = P residual, P the inverse of the hull's operator cut down to the unknowns: symmetric
- * and positive definite like it. */
-static taut_status precondition(taut_dirichlet_system *system)
-{
-    const taut_status status = solve_hull(system, system->residual);
-    memset(system->smooth, 0, net_size(system) * sizeof(double));
-    taut_pattern_add(system->pattern, system->hull, system->smooth);
-    return status;
-}
-
-/* Conjugate gradients for the three coordinates side by side ([GolubVanLoan2013] 11.5), from
- * residual = -A net, until omega of the updated residual falls to `enough` or `most` steps are
- * done. A coordinate that has converged to nothing stands still. */
-static taut_status iterate(taut_dirichlet_system *system, double enough, int most, double *net,
-                           taut_error *error)
-{
-    const size_t size = net_size(system);
-    double before[3], now[3], curvature[3], factor[3], minus[3];
-    taut_status status = precondition(system);
-
-    memcpy(system->step, system->smooth, size * sizeof(double));
-    dots(size, system->residual, system->smooth, now);
-    for (int k = 0; status == TAUT_OK && k < most; k++) {
-        status = taut_dirichlet_form_apply(system->form, system->step, system->product);
-        if (status != TAUT_OK) {
-            break;
-        }
-        taut_pattern_clear_known(system->pattern, system->product);
-        system->iterations++;
-        dots(size, system->step, system->product, curvature);
-        for (int c = 0; c < 3; c++) {
-            factor[c] = curvature[c] > 0 ? now[c] / curvature[c] : 0;
-            minus[c] = -factor[c];
-            before[c] = now[c];
-        }
-        add_multiple(size, factor, system->step, net);
-        add_multiple(size, minus, system->product, system->residual);
-        if (relative(system, system->residual) <= enough) {
-            break;
-        }
-        status = precondition(system);
-        if (status == TAUT_OK) {
-            status = stopped(system, error);
-        }
-        dots(size, system->residual, system->smooth, now);
-        for (int c = 0; c < 3; c++) {
-            factor[c] = before[c] > 0 ? now[c] / before[c] : 0;
-        }
-        for (size_t i = 0; i < size; i++) {
-            system->step[i] = system->smooth[i] + factor[i % 3] * system->step[i];
-        }
-    }
-    return status;
-}
-
 /* One improvement of net: a solve of the whole box, or a run of iterations. */
 static taut_status improve(taut_dirichlet_system *system, double enough, double *net,
                            taut_error *error)
@@ -280,13 +193,13 @@ static taut_status improve(taut_dirichlet_system *system, double enough, double 
     taut_status status = TAUT_OK;
 
     if (is_direct(system)) {
-        status = solve_hull(system, system->residual);
+        status = taut_dirichlet_solve_hull(system, system->residual);
         if (status == TAUT_OK) {
             taut_pattern_add(pattern, system->hull, net);
         }
     } else {
         const int longer = pattern->rows > pattern->columns ? pattern->rows : pattern->columns;
-        status = iterate(system, enough, 1000 + 4 * longer, net, error);
+        status = taut_dirichlet_iterate(system, enough, 1000 + 4 * longer, net, error);
     }
     if (status != TAUT_OK && status != TAUT_INTERRUPTED) {
         return solver_failed(status, error);
@@ -294,27 +207,48 @@ static taut_status improve(taut_dirichlet_system *system, double enough, double 
     return status;
 }
 
-/* Improves until omega is at the rounding of the points themselves, or moves no more. */
-static taut_status settle(taut_dirichlet_system *system, double *net, double *omega,
-                          taut_error *error)
+/* One solve, one step of refinement, and a look at what came out ([Higham2002] 12.1). */
+static taut_status settle_direct(taut_dirichlet_system *system, double *net, double *omega,
+                                 taut_error *error)
+{
+    taut_status status = find_residual(system, PLAIN, net, omega, error);
+    for (int k = 0; status == TAUT_OK && k < 2 && *omega > 0; k++) {
+        status = improve(system, 0, net, error);
+        if (status == TAUT_OK) {
+            status = find_residual(system, k == 0 ? TWICE : PLAIN, net, omega, error);
+        }
+    }
+    return status;
+}
+
+/* Runs of iterations until omega is at the rounding of the points themselves, or moves no more. */
+static taut_status settle_iterated(taut_dirichlet_system *system, double *net, double *omega,
+                                   taut_error *error)
 {
     const double enough = unit_roundoff;
-    taut_status status = stopped(system, error);
-
-    if (status == TAUT_OK) {
-        status = find_residual(system, net, omega, error);
-    }
+    taut_status status = find_residual(system, TWICE, net, omega, error);
     for (int k = 0; status == TAUT_OK && k < 8 && !(*omega <= enough); k++) {
         const double before = *omega;
         status = improve(system, 0.5 * enough, net, error);
         if (status == TAUT_OK) {
-            status = find_residual(system, net, omega, error);
+            status = find_residual(system, TWICE, net, omega, error);
         }
         if (!(*omega < 0.5 * before)) {
             break;
         }
     }
     return status;
+}
+
+static taut_status settle(taut_dirichlet_system *system, double *net, double *omega,
+                          taut_error *error)
+{
+    const taut_status status = taut_dirichlet_stopped(system, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return is_direct(system) ? settle_direct(system, net, omega, error)
+                             : settle_iterated(system, net, omega, error);
 }
 
 /* Raises the nodes of a quadrature until the solution of one rule is one of the next: omega then is
@@ -332,7 +266,7 @@ static taut_status settle_quadrature(taut_dirichlet_system *system, double limit
         if (status != TAUT_OK) {
             return solver_failed(status, error);
         }
-        status = find_residual(system, net, &raised, error);
+        status = find_residual(system, PLAIN, net, &raised, error);
         if (status == TAUT_OK && (raised <= enough || (raised <= limit && raised > 0.5 * before))) {
             *omega = raised;
             break;
