@@ -15,9 +15,9 @@
 enum { LEVELS = 6, MORE = 11 };
 static const double close_enough = 1.25;   /* bound over sampled maximum */
 static const double inflection_cut = 1e-4; /* of the largest curvature: nearer there is no b */
-/* Points count as beside a singular point, and |M| as small, below this: sine of R_u, R_v, and
- * share of the largest |M|, on edges that have one. */
-static const double singular_cut = 0.05;
+/* On an edge with a singular point, what is beside it is left out: sines of R_u, R_v below the
+ * first at the samples, |M| below the second of its largest in the bound. */
+static const double singular_cut = 0.08, normal_share = 0.02;
 static const double normal_cut = 1e-9; /* sine below which there is no normal */
 
 /* Points of one parameter: the patch's derivatives along and across, and the curve's. */
@@ -148,7 +148,7 @@ static void add_sample(const taut_asymptotic_model *model, int edge, double t,
 taut_status taut_edge_prove(const taut_asymptotic_model *model, int edge, taut_edge_proof *proof)
 {
     taut_arena *const arena = taut_arena_new();
-    taut_bounding bounding = {LEVELS, MORE, INFINITY, singular_cut};
+    taut_bounding bounding = {LEVELS, MORE, INFINITY, normal_share};
     taut_identity identity;
     double *scratch = NULL;
     const double most = largest_curvature(model, edge);

@@ -3,6 +3,7 @@
 #include "certify/asymptotic_double.h"
 #include "core/vec3.h"
 
+#include <assert.h>
 #include <string.h>
 
 /* A polynomial in twice the precision, scaled Bernstein form: coefficient j times C(degree, j), in
@@ -19,9 +20,21 @@ typedef struct rows {
     double sign;              /* of next - edge as a derivative across */
 } rows;
 
-static wide wide_new(taut_arena *arena, int degree)
+/* One block for all of them, handed out from the front. */
+typedef struct pool {
+    taut_double *next, *end;
+} pool;
+
+/* Coefficients per coefficient of the edge: two rows and S_c (12), the parts of the edge (12 + 8),
+ * 12 + 12 minors of at most 2 m + 1, 4 + 3 of at most 3 m, and D. */
+enum { POOL_PER_COEFFICIENT = 128 };
+
+static wide wide_new(pool *from, int degree)
 {
-    return (wide){degree, taut_arena_take(arena, (size_t)degree + 1, sizeof(taut_double))};
+    const wide made = {degree, from->next};
+    from->next += degree + 1;
+    assert(from->next <= from->end);
+    return made;
 }
 
 /* sum += s a b, degrees adding up. */
@@ -57,19 +70,17 @@ static void scale(const wide *a, int divide)
 }
 
 /* Component k of the coefficients from `from` on, as a polynomial of `degree`. */
-static wide part(taut_arena *arena, const taut_double *row, int from, int degree, int k)
+static wide part(pool *from, const taut_double *row, int first, int degree, int k)
 {
-    const wide made = wide_new(arena, degree);
-    if (made.c != NULL) {
-        for (int j = 0; j <= degree; j++) {
-            made.c[j] = row[4 * (from + j) + k];
-        }
-        scale(&made, 0);
+    const wide made = wide_new(from, degree);
+    for (int j = 0; j <= degree; j++) {
+        made.c[j] = row[4 * (first + j) + k];
     }
+    scale(&made, 0);
     return made;
 }
 
-static int take_rows(const taut_surface *surface, int edge, taut_arena *arena, rows *r)
+static void take_rows(const taut_surface *surface, int edge, pool *from, rows *r)
 {
     const int with_u = edge % 2 == 0, high = edge >= 2;
     const int nu = taut_basis_count(taut_surface_u(surface));
@@ -80,11 +91,8 @@ static int take_rows(const taut_surface *surface, int edge, taut_arena *arena, r
     r->along = count - 1;
     r->across = last;
     r->sign = high ? -1.0 : 1.0;
-    r->edge = taut_arena_take(arena, (size_t)count * 4, sizeof *r->edge);
-    r->next = taut_arena_take(arena, (size_t)count * 4, sizeof *r->next);
-    if (r->edge == NULL || r->next == NULL) {
-        return 0;
-    }
+    r->edge = wide_new(from, 4 * count - 1).c;
+    r->next = wide_new(from, 4 * count - 1).c;
     for (int depth = 0; depth < 2; depth++) {
         taut_double *const row = depth == 0 ? r->edge : r->next;
         for (int k = 0; k < count; k++) {
@@ -98,17 +106,13 @@ static int take_rows(const taut_surface *surface, int edge, taut_arena *arena, r
             row[4 * k + 3] = taut_double_of(w);
         }
     }
-    return 1;
 }
 
 /* S_c as four polynomials of degree `along`. */
-static int take_cross(taut_arena *arena, const rows *r, wide cross[4])
+static void take_cross(pool *from, const rows *r, wide cross[4])
 {
     for (int k = 0; k < 4; k++) {
-        cross[k] = wide_new(arena, r->along);
-        if (cross[k].c == NULL) {
-            return 0;
-        }
+        cross[k] = wide_new(from, r->along);
         for (int j = 0; j <= r->along; j++) {
             const taut_double step =
                 taut_double_add(r->next[4 * j + k], taut_double_negative(r->edge[4 * j + k]));
@@ -116,29 +120,22 @@ static int take_cross(taut_arena *arena, const rows *r, wide cross[4])
         }
         scale(&cross[k], 0);
     }
-    return 1;
 }
 
 /* x_k y_l - x_l y_k of vectors of polynomials of one degree. */
-static wide minor(taut_arena *arena, const wide *x, const wide *y, int k, int l)
+static wide minor(pool *from, const wide *x, const wide *y, int k, int l)
 {
-    const wide made = wide_new(arena, x[0].degree + y[0].degree);
-    if (made.c != NULL) {
-        add_product(1.0, &x[k], &y[l], &made);
-        add_product(-1.0, &x[l], &y[k], &made);
-    }
+    const wide made = wide_new(from, x[0].degree + y[0].degree);
+    add_product(1.0, &x[k], &y[l], &made);
+    add_product(-1.0, &x[l], &y[k], &made);
     return made;
 }
 
-static int take_parts(taut_arena *arena, const taut_double *row, int from, int degree, wide out[4])
+static void take_parts(pool *from, const taut_double *row, int first, int degree, wide out[4])
 {
     for (int k = 0; k < 4; k++) {
-        out[k] = part(arena, row, from, degree, k);
-        if (out[k].c == NULL) {
-            return 0;
-        }
+        out[k] = part(from, row, first, degree, k);
     }
-    return 1;
 }
 
 /* Rounds to plain coefficients with a factor; stride 3 writes one component of a vector. */
@@ -152,57 +149,38 @@ static void round_into(const wide *a, double factor, double *out, int stride)
 
 /* D = m^2 (m-1) det(a, b, c, S_c) with a, b, c the edge's coefficients from 0, 1, 2 on, of degree
  * m - 2 (the derivatives of S are combinations of them with determinant 1). */
-static int fill_d(taut_arena *arena, const rows *r, const wide cross[4], taut_identity *id)
+static void fill_d(pool *from, const rows *r, const wide cross[4], taut_identity *id)
 {
     const int m = r->along;
-    wide a[4], b[4], c[4], sum;
-    id->degree[0] = 4 * m - 6;
-    id->d = taut_arena_take(arena, (size_t)(4 * m - 5), sizeof *id->d);
-    sum = wide_new(arena, 4 * m - 6);
-    if (id->d == NULL || sum.c == NULL || !take_parts(arena, r->edge, 0, m - 2, a) ||
-        !take_parts(arena, r->edge, 1, m - 2, b) || !take_parts(arena, r->edge, 2, m - 2, c)) {
-        return 0;
-    }
+    const wide sum = wide_new(from, 4 * m - 6);
+    wide a[4], b[4], c[4];
+    take_parts(from, r->edge, 0, m - 2, a);
+    take_parts(from, r->edge, 1, m - 2, b);
+    take_parts(from, r->edge, 2, m - 2, c);
     for (int k = 0; k < 4; k++) { /* expand by the last row: cofactor of S_c's component k */
         const int i = k == 0 ? 1 : 0, j = k <= 1 ? 2 : 1, l = k <= 2 ? 3 : 2;
-        const wide ij = minor(arena, a, b, i, j), jl = minor(arena, a, b, j, l);
-        const wide li = minor(arena, a, b, l, i), three = wide_new(arena, 3 * m - 6);
-        if (ij.c == NULL || jl.c == NULL || li.c == NULL || three.c == NULL) {
-            return 0;
-        }
+        const wide ij = minor(from, a, b, i, j), jl = minor(from, a, b, j, l);
+        const wide li = minor(from, a, b, l, i), three = wide_new(from, 3 * m - 6);
         add_product(1.0, &ij, &c[l], &three);
         add_product(1.0, &jl, &c[i], &three);
         add_product(1.0, &li, &c[j], &three);
         add_product(k % 2 == 0 ? -1.0 : 1.0, &three, &cross[k], &sum);
     }
     round_into(&sum, (double)m * m * (m - 1), id->d, 1);
-    return 1;
 }
 
 /* P = m (lo_w up - lo up_w) and M = m sum over the wedge of lo, up and S_c. */
-static int fill_denominator(taut_arena *arena, const rows *r, const wide cross[4],
-                            taut_identity *id)
+static void fill_denominator(pool *from, const rows *r, const wide cross[4], taut_identity *id)
 {
     const int m = r->along;
     wide lo[4], up[4];
-    id->degree[1] = 3 * m - 2;
-    id->degree[2] = 2 * m - 2;
-    id->degree[3] = m;
-    id->m = taut_arena_take(arena, (size_t)(3 * m - 1) * 3, sizeof *id->m);
-    id->p = taut_arena_take(arena, (size_t)(2 * m - 1) * 3, sizeof *id->p);
-    id->w = taut_arena_take(arena, (size_t)(m + 1), sizeof *id->w);
-    if (id->m == NULL || id->p == NULL || id->w == NULL ||
-        !take_parts(arena, r->edge, 0, m - 1, lo) || !take_parts(arena, r->edge, 1, m - 1, up)) {
-        return 0;
-    }
+    take_parts(from, r->edge, 0, m - 1, lo);
+    take_parts(from, r->edge, 1, m - 1, up);
     for (int k = 0; k < 3; k++) { /* component k of M: i, j the other two, 3 the weight */
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const wide tangent = minor(arena, lo, up, 3, k), ij = minor(arena, lo, up, i, j);
-        const wide jw = minor(arena, lo, up, j, 3), wi = minor(arena, lo, up, 3, i);
-        const wide three = wide_new(arena, 3 * m - 2);
-        if (tangent.c == NULL || ij.c == NULL || jw.c == NULL || wi.c == NULL || three.c == NULL) {
-            return 0;
-        }
+        const wide tangent = minor(from, lo, up, 3, k), ij = minor(from, lo, up, i, j);
+        const wide jw = minor(from, lo, up, j, 3), wi = minor(from, lo, up, 3, i);
+        const wide three = wide_new(from, 3 * m - 2);
         add_product(1.0, &ij, &cross[3], &three);
         add_product(1.0, &jw, &cross[i], &three);
         add_product(1.0, &wi, &cross[j], &three);
@@ -212,18 +190,39 @@ static int fill_denominator(taut_arena *arena, const rows *r, const wide cross[4
     for (int j = 0; j <= m; j++) {
         id->w[j] = r->edge[4 * j + 3].hi;
     }
-    return 1;
 }
 
 taut_status taut_identity_fill(const taut_surface *surface, int edge, taut_arena *arena,
                                taut_identity *identity)
 {
+    const taut_basis *const along =
+        edge % 2 == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
+    const int m = taut_basis_count(along) - 1;
+    const size_t room = (size_t)POOL_PER_COEFFICIENT * (size_t)(m + 1);
+    taut_double *const block = taut_arena_take(arena, room, sizeof *block);
+    double *numbers = NULL;
     rows r;
     wide cross[4];
-    const int good = take_rows(surface, edge, arena, &r) && take_cross(arena, &r, cross) &&
-                     fill_d(arena, &r, cross, identity) &&
-                     fill_denominator(arena, &r, cross, identity);
-    return good ? TAUT_OK : TAUT_NO_MEMORY;
+    identity->degree[0] = 4 * m - 6;
+    identity->degree[1] = 3 * m - 2;
+    identity->degree[2] = 2 * m - 2;
+    identity->degree[3] = m;
+    numbers = taut_arena_take(arena, (size_t)taut_identity_size(identity), sizeof *numbers);
+    if (block == NULL || numbers == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    identity->d = numbers;
+    identity->m = identity->d + (4 * m - 5);
+    identity->p = identity->m + 3 * (3 * m - 1);
+    identity->w = identity->p + 3 * (2 * m - 1);
+    {
+        pool from = {block, block + room};
+        take_rows(surface, edge, &from, &r);
+        take_cross(&from, &r, cross);
+        fill_d(&from, &r, cross, identity);
+        fill_denominator(&from, &r, cross, identity);
+    }
+    return TAUT_OK;
 }
 
 /* ---- values and bounds ---- */

@@ -1,0 +1,62 @@
+# test_asymptotic.sh -- asymptotic problems from documents: what is made, what is refused and how.
+. "$SOURCE/tests/cli/cli.sh"
+
+example=$SOURCE/examples
+
+# Corner data, every branch told, a model that can be proved again.
+run 0 make "$example/asymptotic-1.json" -o a.json --report r.json
+contains err.txt 'curve energy +4\.563279376'
+contains err.txt 'asymptotic +holds'
+contains r.json '"branch": "\+-\+-"'
+contains a.json '"name": "patch"'
+run 0 certify a.json "$example/asymptotic-1.json"
+run 0 certify a.json --json
+contains out.txt '"construct": "asymptotic"'
+run 0 make "$example/asymptotic-1-in.json" -o in.json
+contains err.txt 'curve energy +5\.8807219272'
+run 0 make "$example/asymptotic-low.json" -o low.json
+contains err.txt 'degree +7'
+run 1 certify low.json "$example/asymptotic-2.json"
+contains err.txt 'boundary +DOES NOT HOLD'
+
+# The curves of a model, given, make the same patch.
+{
+    printf '{ "taut": 1, "construct": "asymptotic", "curves": {'
+    sed -n '/"curves": \[/,/^  \]/p' a.json | tr -d '\n' | sed 's/^ *"curves": \[//; s/ *\] *,* *$//' |
+        sed 's/{ *"name": "\([uv][01]\)"/"\1": { "name": "\1"/g'
+    printf '} }\n'
+} > curves.json
+run 0 make curves.json -o b.json
+contains err.txt 'branch +-\+-\+'
+
+# Example 3 is singular: refused with the place, or built and said.
+sed 's/, *"singular": "report"//; s/"singular": "report"/"branch": "lowest"/' "$example/asymptotic-3.json" > three.json
+refused 4 'edge v0 is singular at parameter 0\.811599' make three.json -o c.json
+absent c.json
+run 1 make "$example/asymptotic-3.json" -o c.json
+contains err.txt 'regular +DOES NOT HOLD'
+[ -s c.json ] || complain "the singular model was not written"
+
+# What does not exist: 4, with the condition and what is nearest.
+sed 's/"curvature": \[1, 1\]/"curvature": [1, 1.3]/; t' "$example/asymptotic-1.json" |
+    awk '/curvature/ && !done { done = 1; print; next } { gsub(/\[1, 1\.3\]/, "[1, 1]"); print }' > open.json
+refused 4 'cannot close around the four corners.*nearest: multiply curvature' make open.json
+sed 's/"degree": 4/"degree": 4, "branch": "++++"/' "$example/asymptotic-1.json" > branch.json
+refused 4 'no branch \+\+\+\+; those that exist: -\+-\+ \+-\+-' make branch.json
+sed 's/"weights": \[1, 1\]/"weights": [1, 2]/' "$example/asymptotic-1.json" > unequal.json
+refused 4 'end weights of v0 and u1 differ|differ at corner' make unequal.json
+
+# The document is wrong: 3, with the pointer.
+sed 's/"degree": 4/"degree": 9/' "$example/asymptotic-1.json" > degree.json
+refused 3 '/degree' make degree.json
+sed 's/"degree": 4/"degree": 4, "branch": "+-"/' "$example/asymptotic-1.json" > short.json
+refused 3 '/branch.*lowest' make short.json
+sed 's/"degree": 4/"degree": 4, "surface": "n+2"/' "$example/asymptotic-1.json" > surface.json
+refused 3 '/surface' make surface.json
+sed 's/"curvature"/"curvatures"/' "$example/asymptotic-1.json" > member.json
+refused 3 'curvature' make member.json
+sed 's/"degree": 4/"degree": 3/' "$example/asymptotic-1.json" > three-legs.json
+refused 3 '/edges/v0' make three-legs.json
+sed 's/"curves": {/"degree": 4, "curves": {/' curves.json > both.json
+refused 3 '/degree.*beside' make both.json
+finish
