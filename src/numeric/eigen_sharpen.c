@@ -76,13 +76,15 @@ taut_status taut_eigen_sharpen(const taut_pencil *pencil, taut_bracket *bracket)
     const int n = pencil->k.n;
     const size_t size = (size_t)n;
     taut_counter counter = {pencil, NULL};
-    double *shift = taut_alloc(3 * size, sizeof *shift), *log = shift + n, *length = log + n;
-    int *below = taut_alloc(3 * size, sizeof *below), *side = below + n, *who = below + 2 * size;
+    double *shift = taut_alloc(3 * size, sizeof *shift);
+    int *below = taut_alloc(3 * size, sizeof *below);
     taut_status status = taut_counter_init(pencil, &counter);
     if (status != TAUT_OK || shift == NULL || below == NULL) {
         status = TAUT_NO_MEMORY;
         goto done;
     }
+    double *log = shift + n, *length = log + n;
+    int *side = below + n, *who = side + n;
     int count = 0;
     for (int j = 0; j < n; j++) {
         if (bracket[j].inside == 1) {

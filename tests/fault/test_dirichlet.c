@@ -17,6 +17,26 @@ static taut_status make(const void *context, void **result, taut_error *error)
     return status;
 }
 
+typedef struct proof {
+    const test_problem *problem;
+    const taut_model *model;
+} proof;
+
+static void release_certificate(void *certificate)
+{
+    taut_certificate_free(certificate);
+}
+
+static taut_status certify(const void *context, void **result, taut_error *error)
+{
+    const proof *p = context;
+    taut_certificate *certificate = *result;
+    const taut_status status =
+        taut_dirichlet_certify(p->model, &p->problem->data, NULL, &certificate, error);
+    *result = certificate;
+    return status;
+}
+
 /* Four problems: a full boundary; holes anywhere; weights; the best aspect. */
 static test_problem problem_of(int kind)
 {
@@ -41,7 +61,13 @@ int main(void)
     for (int kind = 0; kind < 4; kind++) {
         test_problem problem = problem_of(kind);
         const fault_call call = {names[kind], make, release_model, &problem};
+        taut_model *model = NULL;
         CHECK(fault_loop(&call) > 10, "%s takes memory", names[kind]);
+        CHECK(taut_dirichlet_make(&problem.data, NULL, &model, NULL) == TAUT_OK, "%s", names[kind]);
+        const proof p = {&problem, model};
+        CHECK(fault_loop(&(fault_call){"certify", certify, release_certificate, &p}) > 10,
+              "proving %s takes memory", names[kind]);
+        taut_model_free(model);
         problem_free(&problem);
     }
     CHECK(fault_live() == 0, "%ld blocks left", fault_live());
