@@ -6,6 +6,7 @@
  */
 #include "geometry/gram.h"
 
+#include "basis/basis_ops.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "geometry/panels.h"
@@ -75,19 +76,84 @@ static void add_square(taut_band *band, int first, int local, const double *x)
     }
 }
 
+/* Distances between neighbouring knots of a polynomial spline, new; NULL for other bases. What is
+ * near a knot is taken from these and not from parameters, which far from 0 are rounded to more
+ * than the lengths are. Lengths that mirror to within the rounding of the knots, as those of i/n
+ * do, are made to mirror exactly. TAUT_OK or TAUT_NO_MEMORY. */
+static taut_status knot_lengths(const taut_basis *basis, double **lengths)
+{
+    *lengths = NULL;
+    if (basis->shape.knot_count == 0 || basis->shape.degree < 0) {
+        return TAUT_OK;
+    }
+    const int count = basis->shape.knot_count - 1;
+    const double *t = basis->knots;
+    const double rounding = 0x1p-52 * fmax(fabs(t[0]), fabs(t[count]));
+    double *length = taut_alloc((size_t)count, sizeof *length);
+    int mirrors = 1;
+    if (length == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < count; i++) {
+        length[i] = t[i + 1] - t[i];
+        mirrors = mirrors && fabs(length[i] - (t[count - i] - t[count - 1 - i])) <= rounding;
+    }
+    for (int i = 0; i < count / 2 && mirrors; i++) {
+        length[i] = length[count - 1 - i] = 0.5 * (length[i] + length[count - 1 - i]);
+    }
+    *lengths = length;
+    return TAUT_OK;
+}
+
+/* n[0..p] = the functions on knot interval i, n[p+1..2p+1] their slopes, a share 0 < x < 1 of it
+ * behind its start, y = 1 - x in front of its end: the recurrence of [PieglTiller1997] A2.2 with
+ * distances to knots that are sums of lengths. */
+static void eval_by_lengths(int p, const double *length, int i, double x, double y, double *n)
+{
+    double left[TAUT_DEGREE_MAX + 1], right[TAUT_DEGREE_MAX + 1], *slope = n + p + 1;
+    double between_left = 0, between_right = 0;
+
+    n[0] = 1;
+    slope[0] = 0;
+    for (int m = 1; m <= p; m++) {
+        left[m] = between_left + x * length[i];
+        right[m] = between_right + y * length[i];
+        between_left += length[i - m]; /* i >= p: knots are clamped */
+        between_right += length[i + m];
+        double saved = 0, below = 0;
+        for (int r = 0; r < m; r++) {
+            const double part = n[r] / (right[r + 1] + left[m - r]);
+            n[r] = saved + right[r + 1] * part;
+            saved = left[m - r] * part;
+            if (m == p) {
+                slope[r] = p * (below - part);
+                below = part;
+            }
+        }
+        n[m] = saved;
+        slope[m] = m == p ? p * below : 0;
+    }
+}
+
 /* The terms of one panel. The square roots of the weights go into the factors, so that very short
  * spans do not overflow before they are summed. */
 static void add_panel(const taut_basis *basis, const double *weights, const taut_panels *panels,
-                      int k, const gauss *rule, taut_gram *gram)
+                      int k, const gauss *rule, const double *lengths, taut_gram *gram)
 {
-    const double width = panels->hi[k] - panels->lo[k];
+    const int interval = lengths == NULL ? 0 : basis->knot_span[panels->span[k]];
+    const double width = lengths == NULL ? panels->hi[k] - panels->lo[k] : lengths[interval];
     const int local = taut_basis_local(basis), first = taut_basis_first(basis, panels->span[k]);
     double n[2 * (TAUT_DEGREE_MAX + 1)];
 
     for (int g = 0; g < rule->nodes; g++) {
         const double root = sqrt(0.5 * rule->weight[g] * (width / gram->length));
         const double slope_root = root * gram->length;
-        taut_basis_eval(basis, panels->span[k], taut_panels_at(panels, k, rule->node[g]), 1, n);
+        if (lengths != NULL) {
+            eval_by_lengths(local - 1, lengths, interval, 0.5 + 0.5 * rule->node[g],
+                            0.5 - 0.5 * rule->node[g], n);
+        } else {
+            taut_basis_eval(basis, panels->span[k], taut_panels_at(panels, k, rule->node[g]), 1, n);
+        }
         if (weights != NULL) {
             make_rational(local, weights + first, n);
         }
@@ -106,7 +172,11 @@ static taut_status gram_with(const taut_basis *basis, const double *weights, int
     gauss rule;
     taut_panels *panels = NULL;
     taut_status status = taut_panels_new(basis, 1, weights, 1, 0, &panels);
+    double *lengths = NULL;
 
+    if (status == TAUT_OK && weights == NULL) {
+        status = knot_lengths(basis, &lengths);
+    }
     if (status == TAUT_OK) {
         status = gram_alloc(basis, gram);
     }
@@ -114,9 +184,10 @@ static taut_status gram_with(const taut_basis *basis, const double *weights, int
         rule.nodes = nodes;
         taut_gauss_rule(nodes, rule.node, rule.weight);
         for (int k = 0; k < panels->count; k++) {
-            add_panel(basis, weights, panels, k, &rule, gram);
+            add_panel(basis, weights, panels, k, &rule, lengths, gram);
         }
     }
+    taut_free(lengths);
     taut_panels_free(panels);
     return status;
 }

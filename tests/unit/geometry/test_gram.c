@@ -185,6 +185,42 @@ static void test_select(void)
     taut_basis_free(basis);
 }
 
+/* Cubic, N uniform spans, far from the ends: the diagonals are 151/315 / N and 2/3 N, and the
+ * matrices mirror, however many spans there are and wherever they lie: parameters far from 0 are
+ * rounded to N u of a span, lengths are not. */
+static void test_many_uniform_spans(void)
+{
+    enum { SPANS = 1000, COUNT = SPANS + 3 };
+    for (int shift = 0; shift <= 1; shift++) {
+        double knots[COUNT + 4];
+        for (int i = 0; i < COUNT + 4; i++) {
+            const int inner = i < 3 ? 0 : i > COUNT ? SPANS : i - 3;
+            knots[i] = shift == 0 ? inner / (double)SPANS : 4096.0 + inner;
+        }
+        const taut_basis_spec spec = {
+            .type = "bspline", .degree = 3, .knots = knots, .knot_count = COUNT + 4};
+        taut_basis *basis = NULL;
+        taut_gram gram;
+        CHECK(taut_basis_new(&spec, COUNT, &basis, NULL) == TAUT_OK, "shift=%d", shift);
+        CHECK(taut_gram_new(basis, NULL, &gram, NULL) == TAUT_OK, "shift=%d", shift);
+        for (int i = 0; i < COUNT; i++) {
+            const double mass = taut_band_at(&gram.mass, i, i);
+            const double stiff = taut_band_at(&gram.stiffness, i, i);
+            /* 16 terms, each from a recurrence of three steps */
+            CHECK_NEAR(taut_band_at(&gram.mass, COUNT - 1 - i, COUNT - 1 - i), mass,
+                       64 * unit_roundoff * mass, "shift=%d i=%d", shift, i);
+            CHECK_NEAR(taut_band_at(&gram.stiffness, COUNT - 1 - i, COUNT - 1 - i), stiff,
+                       64 * unit_roundoff * stiff, "shift=%d i=%d", shift, i);
+            if (shift == 1 && i >= 6 && i < COUNT - 6) {
+                CHECK_NEAR(mass * SPANS, 151.0 / 315, 64 * unit_roundoff, "i=%d", i);
+                CHECK_NEAR(stiff / SPANS, 2.0 / 3, 64 * unit_roundoff, "i=%d", i);
+            }
+        }
+        taut_gram_clear(&gram);
+        taut_basis_free(basis);
+    }
+}
+
 int main(void)
 {
     random_seed(20260301);
@@ -194,5 +230,6 @@ int main(void)
     test_rational_linear();
     test_panels();
     test_select();
+    test_many_uniform_spans();
     return check_failures != 0;
 }

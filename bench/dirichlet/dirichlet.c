@@ -1,0 +1,386 @@
+/* dirichlet.c -- the Dirichlet problem on a bicubic surface of n x n unknown points, three
+ * coordinates, uniform knots, beside CHOLMOD and dense fast diagonalisation by LAPACK, in one run.
+ *
+ * Everything counts, from the banded Gram matrices to the points; one thread each; CPU time; rounds
+ * are interleaved and the best of each is kept. Residuals ||R - A X|| / ||R|| are taken in twice
+ * the working precision. OpenBLAS is told the processor's best kernels, which it does not always
+ * find by itself.
+ *
+ *     bench-dirichlet [--json] [--large] [--huge] [--rounds N]
+ *
+ * --large adds n = 800 and 1600 without CHOLMOD, --huge adds CHOLMOD to them (13 GiB, minutes).
+ */
+#include "machine.h"
+#include "peer.h"
+
+#include "geometry/gram.h"
+#include "numeric/kernel/kernel.h"
+#include "numeric/tensor_apply.h"
+#include "numeric/tensor_solver.h"
+#include "taut/taut.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { DEGREE = 3, TAUT = 0, CHOLMOD = 1, LAPACK = 2, METHODS = 3 };
+
+typedef struct options {
+    int json, large, huge, rounds;
+} options;
+
+typedef struct result {
+    int n;
+    double seconds[METHODS], residual[METHODS]; /* negative: not run */
+    double modes, dense; /* taut: new alone; solve for a right-hand side without zeros */
+    double refined;      /* residual after one refinement */
+    double memory;       /* peak beyond input and output, in units of the data */
+} result;
+
+static void fail(const char *what)
+{
+    fprintf(stderr, "bench-dirichlet: %s\n", what);
+    exit(6);
+}
+
+/* ---- the task ---- */
+
+static void *memory(size_t count)
+{
+    double *x = malloc(count * sizeof *x);
+    if (x == NULL) {
+        fail("no memory");
+    }
+    return memset(x, 0, count * sizeof *x);
+}
+
+static size_t entries(int n)
+{
+    return 3 * (size_t)n * (size_t)n;
+}
+
+/* R = - A B, B the boundary points alone, a wavy frame over the unit square. */
+static double *make_right(const taut_gram *gram, int n)
+{
+    const int m = n + 2;
+    const taut_tensor tensor = {&gram->stiffness, &gram->mass, &gram->stiffness,
+                                &gram->mass,      1.0,         1.0};
+    double *boundary = memory(entries(m)), *image = memory(entries(m)), *right = memory(entries(n));
+    for (int i = 0; i < m; i++) {
+        for (int j = 0; j < m; j++) {
+            const double u = i / (m - 1.0), v = j / (m - 1.0);
+            double *point = boundary + 3 * ((size_t)i * (size_t)m + (size_t)j);
+            if (i == 0 || j == 0 || i == m - 1 || j == m - 1) {
+                point[0] = u;
+                point[1] = v;
+                point[2] = 0.3 * sin(9.0 * u + 1.0) * cos(7.0 * v) + u * v;
+            }
+        }
+    }
+    if (taut_tensor_apply(&tensor, 3, boundary, image) != TAUT_OK) {
+        fail("no memory");
+    }
+    for (size_t i = 0; i < (size_t)n; i++) {
+        for (size_t j = 0; j < 3 * (size_t)n; j++) {
+            right[i * 3 * (size_t)n + j] = -image[(i + 1) * 3 * (size_t)m + 3 + j];
+        }
+    }
+    free(boundary);
+    free(image);
+    return right;
+}
+
+static peer_task make_task(int n)
+{
+    const int count = n + 2, last = count - DEGREE;
+    double *knots = memory((size_t)count + DEGREE + 1);
+    int *index = malloc((size_t)n * sizeof *index);
+    for (int i = 0; i <= count + DEGREE; i++) {
+        knots[i] = i <= DEGREE ? 0.0 : i >= count ? 1.0 : (i - DEGREE) / (double)last;
+    }
+    for (int i = 0; i < n && index != NULL; i++) {
+        index[i] = i + 1;
+    }
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = DEGREE, .knots = knots, .knot_count = count + DEGREE + 1};
+    taut_basis *basis = NULL;
+    taut_gram gram, inner;
+    if (index == NULL || taut_basis_new(&spec, count, &basis, NULL) != TAUT_OK ||
+        taut_gram_new(basis, NULL, &gram, NULL) != TAUT_OK ||
+        taut_gram_select(&gram, n, index, &inner) != TAUT_OK) {
+        fail("no Gram matrices");
+    }
+    const peer_task task = {n, inner.stiffness, inner.mass, make_right(&gram, n)};
+    taut_gram_clear(&gram);
+    taut_basis_free(basis);
+    free(index);
+    free(knots);
+    return task;
+}
+
+static void free_task(peer_task *task)
+{
+    taut_band_clear(&task->k);
+    taut_band_clear(&task->m);
+    free((void *)(size_t)task->right);
+}
+
+/* ---- taut ---- */
+
+static taut_tensor_solver *make_solver(const peer_task *task)
+{
+    taut_tensor_solver *solver = NULL;
+    if (taut_tensor_solver_new(&task->k, &task->m, &task->k, &task->m, 1.0, 1.0, &solver) !=
+        TAUT_OK) {
+        fail("no solver");
+    }
+    return solver;
+}
+
+static double run_taut(const peer_task *task, double *x, double *modes)
+{
+    memcpy(x, task->right, entries(task->n) * sizeof *x);
+    const double begun = bench_cpu_seconds();
+    taut_tensor_solver *solver = make_solver(task);
+    *modes = bench_cpu_seconds() - begun;
+    if (taut_tensor_solver_solve(solver, 3, x) != TAUT_OK) {
+        fail("no memory");
+    }
+    taut_tensor_solver_free(solver);
+    return bench_cpu_seconds() - begun;
+}
+
+/* A solve alone, for a right-hand side without zeros. */
+static double run_dense(const peer_task *task, double *x)
+{
+    taut_tensor_solver *solver = make_solver(task);
+    for (size_t i = 0; i < entries(task->n); i++) {
+        x[i] = 1.0 + (double)(i % 11);
+    }
+    const double begun = bench_cpu_seconds();
+    if (taut_tensor_solver_solve(solver, 3, x) != TAUT_OK) {
+        fail("no memory");
+    }
+    const double took = bench_cpu_seconds() - begun;
+    taut_tensor_solver_free(solver);
+    return took;
+}
+
+static double residual(const peer_task *task, const double *x)
+{
+    const taut_tensor tensor = {&task->k, &task->m, &task->k, &task->m, 1.0, 1.0};
+    double *r = memory(entries(task->n)), norm = 0.0;
+    if (taut_tensor_residual(&tensor, 3, task->right, x, r, &norm) != TAUT_OK) {
+        fail("no memory");
+    }
+    free(r);
+    return norm;
+}
+
+static double refined(const peer_task *task, double *x)
+{
+    taut_tensor_solver *solver = make_solver(task);
+    if (taut_tensor_solver_refine(solver, 3, task->right, x, NULL) != TAUT_OK) {
+        fail("no memory");
+    }
+    taut_tensor_solver_free(solver);
+    return residual(task, x);
+}
+
+/* A line "name:  number kB" of /proc/self/status, in bytes. */
+static double status_bytes(const char *name)
+{
+    char line[256];
+    double kilobytes = 0.0;
+    FILE *file = fopen("/proc/self/status", "r");
+    while (file != NULL && fgets(line, sizeof line, file) != NULL) {
+        if (strncmp(line, name, strlen(name)) == 0) {
+            kilobytes = atof(line + strlen(name) + 1);
+        }
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+    return 1024.0 * kilobytes;
+}
+
+/* In a process of its own: what resident memory gains at its peak while taut solves in place. */
+static double run_memory(const peer_task *task)
+{
+    int ends[2];
+    double gained = -1.0, modes = 0.0;
+    if (pipe(ends) != 0) {
+        return gained;
+    }
+    const pid_t child = fork();
+    if (child == 0) {
+        double *x = memory(entries(task->n));
+        memcpy(x, task->right, entries(task->n) * sizeof *x);
+        const double before = status_bytes("VmRSS");
+        FILE *reset = fopen("/proc/self/clear_refs", "w"); /* 5: start the peak over */
+        if (reset != NULL) {
+            fputs("5", reset);
+            fclose(reset);
+        }
+        run_taut(task, x, &modes);
+        gained = (status_bytes("VmHWM") - before) / ((double)entries(task->n) * sizeof *x);
+        _exit(write(ends[1], &gained, sizeof gained) == sizeof gained ? 0 : 1);
+    }
+    close(ends[1]);
+    if (child < 0 || read(ends[0], &gained, sizeof gained) != sizeof gained) {
+        gained = -1.0;
+    }
+    close(ends[0]);
+    waitpid(child, NULL, 0);
+    return gained;
+}
+
+/* ---- the run ---- */
+
+static void keep(double *best, double seconds)
+{
+    *best = *best < 0.0 || seconds < *best ? seconds : *best;
+}
+
+static result run(int n, const options *asked)
+{
+    result r = {.n = n, .modes = -1.0, .dense = -1.0};
+    peer_task task = make_task(n);
+    double *x = memory(entries(n));
+    double modes = 0.0;
+    r.memory = run_memory(&task);
+    for (int m = 0; m < METHODS; m++) {
+        r.seconds[m] = r.residual[m] = -1.0;
+    }
+    /* the small ones often: they vary most and cost nothing */
+    const int rounds = n >= 800 ? 1 : asked->rounds, times = n <= 100   ? 20
+                                                             : n <= 200 ? 5
+                                                             : n <= 800 ? 3
+                                                                        : 2;
+    for (int round = 0; round < rounds; round++) {
+        if (n < 800 || asked->huge) {
+            keep(&r.seconds[CHOLMOD], peer_cholmod(&task, x));
+            r.residual[CHOLMOD] = residual(&task, x);
+        }
+        for (int t = 0; t < (times + 1) / 2; t++) {
+            keep(&r.seconds[LAPACK], peer_lapack(&task, x));
+        }
+        r.residual[LAPACK] = residual(&task, x);
+        for (int t = 0; t < times; t++) {
+            keep(&r.dense, run_dense(&task, x));
+            keep(&r.seconds[TAUT], run_taut(&task, x, &modes));
+            keep(&r.modes, modes);
+        }
+        r.residual[TAUT] = residual(&task, x);
+    }
+    r.refined = refined(&task, x);
+    free(x);
+    free_task(&task);
+    return r;
+}
+
+/* Operations of the dense solve: two products of n x n by n x 3n, halved by the symmetry of uniform
+ * knots. */
+static double dense_rate(const result *r)
+{
+    return 6.0 * r->n * r->n * r->n / r->dense;
+}
+
+static double ratio(const result *r, int method)
+{
+    return r->seconds[method] < 0.0 ? -1.0 : r->seconds[method] / r->seconds[TAUT];
+}
+
+static void print_json(const result *r, double peak, int is_last)
+{
+    printf("    { \"n\": %d, \"taut_ms\": %.4g, \"taut_modes_ms\": %.4g, \"cholmod_ms\": %.4g, "
+           "\"lapack_ms\": %.4g,\n"
+           "      \"over_cholmod\": %.4g, \"over_lapack\": %.4g, \"residual\": %.3g, "
+           "\"residual_refined\": %.3g,\n"
+           "      \"residual_cholmod\": %.3g, \"residual_lapack\": %.3g, \"memory\": %.3g, "
+           "\"dense_ms\": %.4g,\n"
+           "      \"dense_share_of_peak\": %.3g }%s\n",
+           r->n, 1e3 * r->seconds[TAUT], 1e3 * r->modes, 1e3 * r->seconds[CHOLMOD],
+           1e3 * r->seconds[LAPACK], ratio(r, CHOLMOD), ratio(r, LAPACK), r->residual[TAUT],
+           r->refined, r->residual[CHOLMOD], r->residual[LAPACK], r->memory, 1e3 * r->dense,
+           dense_rate(r) / peak, is_last ? "" : ",");
+}
+
+static void print_row(const result *r, double peak)
+{
+    char cholmod[2][32] = {"-", "-"};
+    if (r->seconds[CHOLMOD] >= 0.0) {
+        snprintf(cholmod[0], sizeof cholmod[0], "%.1f", 1e3 * r->seconds[CHOLMOD]);
+        snprintf(cholmod[1], sizeof cholmod[1], "%.0fx", ratio(r, CHOLMOD));
+    }
+    printf("%5d %9.3f %9.3f %10s %9.2f %8s %7.1fx  %8.1e %8.1e %8.1e %8.1e %7.2f %9.2f %5.0f%%\n",
+           r->n, 1e3 * r->seconds[TAUT], 1e3 * r->modes, cholmod[0], 1e3 * r->seconds[LAPACK],
+           cholmod[1], ratio(r, LAPACK), r->residual[TAUT], r->refined, r->residual[CHOLMOD],
+           r->residual[LAPACK], r->memory, 1e3 * r->dense, 100.0 * dense_rate(r) / peak);
+    fflush(stdout);
+}
+
+/* Starts over with OpenBLAS told what to use, unless someone already did. */
+static void choose_blas(char **argv)
+{
+    if (getenv("OPENBLAS_CORETYPE") != NULL && getenv("OPENBLAS_NUM_THREADS") != NULL) {
+        return;
+    }
+#if defined(__x86_64__)
+    const char *core = __builtin_cpu_supports("avx512f") ? "SkylakeX"
+                       : __builtin_cpu_is("amd")         ? "Zen"
+                                                         : "Haswell";
+    setenv("OPENBLAS_CORETYPE", core, __builtin_cpu_supports("avx2") ? 0 : 1);
+#else
+    setenv("OPENBLAS_CORETYPE", "", 0);
+#endif
+    setenv("OPENBLAS_NUM_THREADS", "1", 1);
+    execv("/proc/self/exe", argv);
+}
+
+int main(int argc, char **argv)
+{
+    static const int sizes[] = {50, 100, 200, 400, 800, 1600};
+    options asked = {.rounds = 3};
+    choose_blas(argv);
+    for (int i = 1; i < argc; i++) {
+        asked.json |= strcmp(argv[i], "--json") == 0;
+        asked.huge |= strcmp(argv[i], "--huge") == 0;
+        asked.large |= strcmp(argv[i], "--large") == 0 || strcmp(argv[i], "--huge") == 0;
+        if (strcmp(argv[i], "--rounds") == 0 && i + 1 < argc) {
+            asked.rounds = atoi(argv[++i]);
+        }
+    }
+    const double peak = bench_fma_rate(), gemm = peer_gemm_rate(1000);
+    if (asked.json) {
+        printf("{ \"processor\": \"%s\", \"kernel\": \"%s\", \"blas\": \"%s\", \"threads\": 1,\n"
+               "  \"fma_rate\": %.4g, \"dgemm_rate\": %.4g,\n  \"rows\": [\n",
+               bench_processor(), taut_kernel_name(), peer_blas_core(), peak, gemm);
+    } else {
+        printf("%s, one thread, CPU time, best of %d rounds; taut's kernels: %s; OpenBLAS's: %s\n"
+               "fused multiply-add peak %.1f Gflop/s, dgemm 1000^3 %.1f Gflop/s\n\n"
+               "%5s %9s %9s %10s %9s %8s %8s  %8s %8s %8s %8s %7s %9s %6s\n",
+               bench_processor(), asked.rounds, taut_kernel_name(), peer_blas_core(), 1e-9 * peak,
+               1e-9 * gemm, "n", "taut ms", "(modes)", "CHOLMOD ms", "LAPACK ms", "/CHOLMOD",
+               "/LAPACK", "residual", "refined", "CHOLMOD", "LAPACK", "memory", "dense ms", "peak");
+    }
+    const int count = asked.large ? 6 : 4;
+    for (int i = 0; i < count; i++) {
+        const result r = run(sizes[i], &asked);
+        if (asked.json) {
+            print_json(&r, peak, i == count - 1);
+        } else {
+            print_row(&r, peak);
+        }
+    }
+    printf("%s", asked.json ? "  ] }\n"
+                            : "\nmemory: peak beyond the right-hand side, which the solution "
+                              "replaces, in units of its "
+                              "size.\ndense: a solve alone for a right-hand side without zeros, "
+                              "and its share of the "
+                              "multiply-add peak.\n");
+    return 0;
+}
