@@ -16,7 +16,7 @@ static int run(const cli_options *options)
     return cli_print_text(file->text, file->length);
 }
 
-static const cli_option options_of_example[] = {CLI_LAST};
+static const cli_option options_of_example[] = {CLI_THREADS, CLI_LAST};
 
 const cli_command cli_command_example = {
     .name = "example",

@@ -187,7 +187,7 @@ static int run(const cli_options *options)
     return tell(options, list, wrong);
 }
 
-static const cli_option options_of_reproduce[] = {CLI_JSON, CLI_LAST};
+static const cli_option options_of_reproduce[] = {CLI_JSON, CLI_THREADS, CLI_LAST};
 
 const cli_command cli_command_reproduce = {
     .name = "reproduce",
