@@ -28,13 +28,20 @@ typedef struct taut_dirichlet_problem {
     int aspect_auto;            /* nonzero: minimise over lambda as well (section 7.3) */
 } taut_dirichlet_problem;
 
-/* Makes the model with its one surface; details: unknowns, method, iterations, aspect,
- * refinement_change. Errors as taut_make; a net with no known point is TAUT_NO_SOLUTION. */
+/* Makes the model with its one surface. details: unknowns; known ("boundary", "all" or "pattern");
+ * method ("none", "fast-diagonalisation" or "conjugate-gradients"); iterations; and, if an aspect
+ * was given or searched for, aspect and aspect_energy, the D_lambda that was minimised. Errors as
+ * taut_make; a net with no known point is TAUT_NO_SOLUTION, and so is the search for an aspect when
+ * the surface is a curve. Known points come out bit for bit. Cost and accuracy: docs/dirichlet.md.
+ */
 TAUT_API taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
                                          const taut_make_options *options, taut_model **model,
                                          taut_error *error);
 
-/* The certificate: claim `stationary`; figures dirichlet_energy, area, isothermality. */
+/* The certificate. Claims: `stationary`, with a problem `known`, after a search `aspect`; figures
+ * dirichlet_energy (aspect 1), area, isothermality and, with an aspect, aspect_energy. problem
+ * NULL: judged from the model's details where they say that the boundary or all points were known,
+ * else TAUT_BAD_INPUT. The limits are formulas of docs/dirichlet.md. */
 TAUT_API taut_status taut_dirichlet_certify(const taut_model *model,
                                             const taut_dirichlet_problem *problem,
                                             const taut_certify_options *options,

@@ -1,75 +1,68 @@
-/* test_dirichlet.c -- the construction `dirichlet` when memory runs out, by each of its methods. */
+/* test_dirichlet.c -- making and certifying Dirichlet surfaces when memory runs out. */
 #include "check.h"
 #include "fault.h"
 #include "problems.h"
+
+typedef struct fixture {
+    test_problem problem;
+    taut_model *model;
+} fixture;
 
 static void release_model(void *model)
 {
     taut_model_free(model);
 }
 
-static taut_status make(const void *context, void **result, taut_error *error)
-{
-    const test_problem *problem = context;
-    taut_model *model = *result;
-    const taut_status status = taut_dirichlet_make(&problem->data, NULL, &model, error);
-    *result = model;
-    return status;
-}
-
-typedef struct proof {
-    const test_problem *problem;
-    const taut_model *model;
-} proof;
-
 static void release_certificate(void *certificate)
 {
     taut_certificate_free(certificate);
 }
 
+static taut_status make(const void *context, void **result, taut_error *error)
+{
+    const fixture *f = context;
+    taut_model *model = *result;
+    const taut_status status = taut_dirichlet_make(&f->problem.data, NULL, &model, error);
+    *result = model;
+    return status;
+}
+
 static taut_status certify(const void *context, void **result, taut_error *error)
 {
-    const proof *p = context;
+    const fixture *f = context;
     taut_certificate *certificate = *result;
     const taut_status status =
-        taut_dirichlet_certify(p->model, &p->problem->data, NULL, &certificate, error);
+        taut_dirichlet_certify(f->model, &f->problem.data, NULL, &certificate, error);
     *result = certificate;
     return status;
 }
 
-/* Four problems: a full boundary; holes anywhere; weights; the best aspect. */
-static test_problem problem_of(int kind)
+static void run(const char *what, fixture *f)
 {
-    test_problem problem = problem_new(basis_uniform(2, 4), basis_uniform(1, 4));
-    problem_random_boundary(&problem);
-    if (kind == 1) {
-        for (int i = 0; i < 16; i++) {
-            problem.known[i] = (unsigned char)(i % 5 == 0);
-        }
-    } else if (kind == 2) {
-        problem_random_weights(&problem, 2);
-    } else if (kind == 3) {
-        problem.data.aspect_auto = 1;
-    }
-    return problem;
+    const fault_call making = {what, make, release_model, f};
+    const fault_call certifying = {what, certify, release_certificate, f};
+    CHECK(fault_loop(&making) > 10, "%s: making takes memory", what);
+    f->model = problem_make(&f->problem, NULL);
+    CHECK(fault_loop(&certifying) > 10, "%s: certifying takes memory", what);
+    taut_model_free(f->model);
+    problem_free(&f->problem);
 }
 
 int main(void)
 {
-    static const char *const names[] = {"boundary", "holes", "weights", "aspect"};
-    random_seed(20260113);
-    for (int kind = 0; kind < 4; kind++) {
-        test_problem problem = problem_of(kind);
-        const fault_call call = {names[kind], make, release_model, &problem};
-        taut_model *model = NULL;
-        CHECK(fault_loop(&call) > 10, "%s takes memory", names[kind]);
-        CHECK(taut_dirichlet_make(&problem.data, NULL, &model, NULL) == TAUT_OK, "%s", names[kind]);
-        const proof p = {&problem, model};
-        CHECK(fault_loop(&(fault_call){"certify", certify, release_certificate, &p}) > 10,
-              "proving %s takes memory", names[kind]);
-        taut_model_free(model);
-        problem_free(&problem);
-    }
-    CHECK(fault_live() == 0, "%ld blocks left", fault_live());
+    fixture box = {problem_example(4), NULL};
+    fixture pattern = {problem_example(3), NULL};
+    fixture rational = {problem_example(1), NULL};
+    fixture searched = {problem_example(1), NULL};
+
+    random_seed(20260305);
+    run("box", &box);
+    pattern.problem.known[5] = 1;
+    pattern.problem.known[10] = 1;
+    run("pattern", &pattern);
+    problem_random_weights(&rational.problem, 1.5);
+    run("rational", &rational);
+    searched.problem.data.aspect_auto = 1;
+    run("aspect", &searched);
     return check_failures != 0;
 }
