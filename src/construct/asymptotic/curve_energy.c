@@ -27,16 +27,20 @@ void taut_curve_rule_fill(int degree, int nodes, taut_curve_rule *rule)
 static void quotient_basis(int n, const double basis[3][TAUT_QUAD_POINTS], const double *weights,
                            double phi[3][TAUT_QUAD_POINTS])
 {
-    double w[3] = {0};
+    double w[3] = {0}, inverse = 0.0, slope = 0.0, bend = 0.0;
     for (int j = 0; j <= n; j++) {
         for (int d = 0; d < 3; d++) {
             w[d] += weights[j] * basis[d][j];
         }
     }
+    inverse = 1.0 / w[0];
+    slope = w[1] * inverse;
+    bend = w[2] * inverse;
     for (int j = 0; j <= n; j++) {
-        phi[0][j] = weights[j] * basis[0][j] / w[0];
-        phi[1][j] = (weights[j] * basis[1][j] - w[1] * phi[0][j]) / w[0];
-        phi[2][j] = (weights[j] * basis[2][j] - 2 * w[1] * phi[1][j] - w[2] * phi[0][j]) / w[0];
+        const double factor = weights[j] * inverse;
+        phi[0][j] = factor * basis[0][j];
+        phi[1][j] = factor * basis[1][j] - slope * phi[0][j];
+        phi[2][j] = factor * basis[2][j] - 2 * slope * phi[1][j] - bend * phi[0][j];
     }
 }
 
