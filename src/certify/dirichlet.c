@@ -16,6 +16,7 @@
 
 #include "certify/certify_ops.h"
 #include "certify/dirichlet_gradient.h"
+#include "certify/known.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "numeric/quadrature.h"
@@ -201,93 +202,6 @@ static taut_status add_stationary(const finding *found, int settled, taut_certif
     return taut_certificate_add(certificate, &claim);
 }
 
-/* |a - b| over size, at least 2^-52 where they differ at all. */
-static double difference(double a, double b, double size)
-{
-    const double apart = fabs(0.5 * a - 0.5 * b) / (0.5 * size);
-    return a == b ? 0 : fmax(apart, 2 * unit_roundoff);
-}
-
-/* How far apart two bases of the same count are, over their range. */
-static double basis_difference(const taut_basis *a, const taut_basis *b)
-{
-    const int spans = taut_basis_span_count(a);
-    const double range = taut_basis_hi(b) - taut_basis_lo(b);
-    double largest = 0;
-
-    if (taut_basis_equal(a, b)) {
-        return 0;
-    }
-    if (strcmp(taut_basis_type(a), taut_basis_type(b)) != 0 ||
-        taut_basis_local(a) != taut_basis_local(b) || taut_basis_span_count(b) != spans) {
-        return 1;
-    }
-    for (int k = 0; k <= spans; k++) {
-        largest =
-            fmax(largest, difference(taut_basis_breaks(a)[k], taut_basis_breaks(b)[k], range));
-    }
-    return largest > 0 ? largest : 1;
-}
-
-static double weights_difference(const request *r, size_t at)
-{
-    const double *found = taut_surface_weights(r->surface), *given = r->problem->weights;
-    if (found == NULL && given == NULL) {
-        return 0;
-    }
-    return difference(found != NULL ? found[at] : 1, given != NULL ? given[at] : 1,
-                      given != NULL ? given[at] : 1);
-}
-
-/* The size of the known points of the problem: their largest distance from their middle. */
-static double known_size(const request *r)
-{
-    const size_t count = (size_t)r->nu * (size_t)r->nv;
-    double size = 0;
-    for (int c = 0; c < 3; c++) {
-        double lo = INFINITY, hi = -INFINITY;
-        for (size_t i = 0; i < count; i++) {
-            if (r->problem->known[i]) {
-                lo = fmin(lo, r->problem->points[3 * i + (size_t)c]);
-                hi = fmax(hi, r->problem->points[3 * i + (size_t)c]);
-            }
-        }
-        size = fmax(size, 0.5 * hi - 0.5 * lo);
-    }
-    return size > 0 ? size : 1;
-}
-
-/* Bit for bit: what was given is there. */
-static taut_status add_known(const request *r, taut_certificate *certificate)
-{
-    const double *points = taut_surface_points(r->surface);
-    const double size = known_size(r);
-    char where[64] = "";
-    taut_claim claim = {"known", 0, 0, TAUT_TRUE, where};
-
-    claim.residual = fmax(basis_difference(taut_surface_u(r->surface), r->problem->u),
-                          basis_difference(taut_surface_v(r->surface), r->problem->v));
-    if (claim.residual > 0) {
-        snprintf(where, sizeof where, "/surfaces/0/u or /surfaces/0/v");
-    }
-    for (int i = 0; i < r->nu; i++) {
-        for (int j = 0; j < r->nv; j++) {
-            const size_t at = (size_t)i * (size_t)r->nv + (size_t)j;
-            double apart = weights_difference(r, at);
-            for (size_t c = 0; r->problem->known[at] && c < 3; c++) {
-                apart = fmax(apart,
-                             difference(points[3 * at + c], r->problem->points[3 * at + c], size));
-            }
-            if (apart > claim.residual) {
-                claim.residual = apart;
-                snprintf(where, sizeof where, "/surfaces/0/points/%d/%d", i, j);
-            }
-        }
-    }
-    claim.holds = claim.residual == 0 ? TAUT_TRUE : TAUT_FALSE;
-    return taut_certificate_add(certificate, &claim);
-}
-
 /* lambda^2 iint |x_u|^2 = iint |x_v|^2. The points carry the rounding that `stationary` allows for;
  * it weighs more in the lesser integral, by the root of their ratio over the unit square. */
 static taut_status add_aspect(const request *r, const taut_dirichlet_gradient *gradient,
@@ -339,7 +253,7 @@ static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
 {
-    taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}};
+    taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}, 0};
     finding found;
     request r;
     int settled = 0;
@@ -354,7 +268,7 @@ static taut_status certify(const taut_model *model, const void *data,
         status = add_stationary(&found, settled, certificate);
     }
     if (status == TAUT_OK && r.problem != NULL) {
-        status = add_known(&r, certificate);
+        status = taut_certify_add_known(r.surface, r.problem, certificate);
     }
     if (status == TAUT_OK && r.is_searched) {
         status = add_aspect(&r, &gradient, &found, certificate);

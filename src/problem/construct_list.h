@@ -12,6 +12,7 @@
 /*    identifier, name in documents */
 #define TAUT_CONSTRUCT_LIST(X)                                                                     \
     X(asymptotic, "asymptotic")                                                                    \
-    X(dirichlet, "dirichlet")
+    X(dirichlet, "dirichlet")                                                                      \
+    X(plateau, "plateau")
 
 #endif /* TAUT_CONSTRUCT_LIST_H */
