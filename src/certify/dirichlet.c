@@ -16,7 +16,7 @@
 
 #include "certify/certify_ops.h"
 #include "certify/dirichlet_gradient.h"
-#include "certify/dirichlet_known.h"
+#include "certify/known.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "numeric/quadrature.h"
@@ -253,7 +253,7 @@ static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
 {
-    taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}};
+    taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}, 0};
     finding found;
     request r;
     int settled = 0;
@@ -268,7 +268,7 @@ static taut_status certify(const taut_model *model, const void *data,
         status = add_stationary(&found, settled, certificate);
     }
     if (status == TAUT_OK && r.problem != NULL) {
-        status = taut_dirichlet_add_known(r.surface, r.problem, certificate);
+        status = taut_certify_add_known(r.surface, r.problem, certificate);
     }
     if (status == TAUT_OK && r.is_searched) {
         status = add_aspect(&r, &gradient, &found, certificate);

@@ -10,6 +10,7 @@
 #include "certify/dirichlet_gradient.h"
 
 #include "core/memory.h"
+#include "core/vec3.h"
 #include "geometry/panels.h"
 #include "geometry/table.h"
 #include "numeric/quadrature.h"
@@ -41,9 +42,10 @@ typedef struct work {
     const double *weights; /* of the surface, or NULL */
     double *sizes;         /* [nu][nv]: largest coordinate of each point as stored, in the unit */
     double fu, fv;         /* the larger one is 1 */
-    double *lines;         /* [LINES][v.count][3][3] */
-    double *polygons;      /* [4][nv]: w and w_u; gross of values and of slopes in u */
-    double *spread;        /* [2][nv][CHANNELS]: what goes back with N_i, and with N_i' */
+    int is_area;
+    double *lines;    /* [LINES][v.count][3][3] */
+    double *polygons; /* [4][nv]: w and w_u; gross of values and of slopes in u */
+    double *spread;   /* [2][nv][CHANNELS]: what goes back with N_i, and with N_i' */
 } work;
 
 static void axis_clear(axis *a)
@@ -233,29 +235,55 @@ static double larger(double a, double b)
     return a > b ? a : b;
 }
 
+/* The quadratic form in x_u, x_v that the gradient is of, over the unit square: the constant one of
+ * the Dirichlet energy, or for the area (G, -F, E) / W of the surface itself, 0 where W is. Returns
+ * W in the latter case. */
+static double coefficients(const work *w, const double *x, double form[3])
+{
+    const double *xu = x + 3 * TAUT_XU, *xv = x + 3 * TAUT_XV;
+    const double u = w->u.length, v = w->v.length;
+    double normal[3], element = 0;
+
+    form[0] = w->fu;
+    form[1] = 0;
+    form[2] = w->fv;
+    if (w->is_area) {
+        taut_cross(xu, xv, normal);
+        element = taut_norm(normal) * u * v;
+        const double inverse = element > 0x1p-500 ? 1 / element : 0;
+        form[0] = taut_dot(xv, xv) * v * v * inverse;
+        form[1] = -taut_dot(xu, xv) * u * v * inverse;
+        form[2] = taut_dot(xu, xu) * u * u * inverse;
+    }
+    return element;
+}
+
 /* What multiplies N_i' N_j (out[0]), N_i N_j' (out[1]) and -N_i N_j (out[2]) at one point, in each
  * channel. In the gross one every sign is positive, and the slopes of the surface times what a
  * rounding of (u, v) is to basis and w are added. */
 static void integrands(const work *w, double weight, double roundings, const double *x,
-                       const double sums[6], double out[3][CHANNELS])
+                       const double sums[6], const double form[3], double out[3][CHANNELS])
 {
     const double inverse = 1 / sums[0];
     const double wu = w->weights != NULL ? sums[1] * inverse : 0;
     const double wv = w->weights != NULL ? sums[2] * inverse : 0;
-    const double fu = weight * w->fu * inverse, fv = weight * w->fv * inverse;
+    const double scale = weight * inverse;
+    const double fu = scale * form[0], mixed = scale * form[1], fv = scale * form[2];
     const double all = roundings + w->u.reach * fabs(wu) + w->v.reach * fabs(wv);
     double gross_u = 0, gross_v = 0;
 
     for (int c = 0; c < 3; c++) {
         const double xu = x[3 * TAUT_XU + c] * w->u.length, xv = x[3 * TAUT_XV + c] * w->v.length;
-        out[0][c] = fu * xu;
-        out[1][c] = fv * xv;
+        out[0][c] = fu * xu + mixed * xv;
+        out[1][c] = mixed * xu + fv * xv;
         out[2][c] = out[0][c] * wu + out[1][c] * wv;
         gross_u = larger(gross_u, fabs(xu));
         gross_v = larger(gross_v, fabs(xv));
     }
-    out[0][3] = fu * (all * gross_u + (sums[4] + fabs(wu) * sums[3]) * inverse);
-    out[1][3] = fv * (all * gross_v + (sums[5] + fabs(wv) * sums[3]) * inverse);
+    gross_u = all * gross_u + (sums[4] + fabs(wu) * sums[3]) * inverse;
+    gross_v = all * gross_v + (sums[5] + fabs(wv) * sums[3]) * inverse;
+    out[0][3] = fu * gross_u + fabs(mixed) * gross_v;
+    out[1][3] = fabs(mixed) * gross_u + fv * gross_v;
     out[2][3] = -(out[0][3] * fabs(wu) + out[1][3] * fabs(wv));
 }
 
@@ -312,9 +340,10 @@ static void integrate_line(work *w, int line, const double *values, taut_dirichl
     for (int k = 0; k < w->v.count; k++) {
         const double *x = values + VALUES * (size_t)k;
         const double weight = w->u.weights[line] * w->v.weights[k];
-        double sums[6], out[3][CHANNELS];
+        double sums[6], form[3], out[3][CHANNELS];
         point_sums(w, k, sums);
-        integrands(w, weight, w->u.roundings[line] + w->v.roundings[k], x, sums, out);
+        g->area += weight * coefficients(w, x, form);
+        integrands(w, weight, w->u.roundings[line] + w->v.roundings[k], x, sums, form, out);
         gather_point(w, k, out);
         g->halves[0] += weight * square(x + 3 * TAUT_XU) * area;
         g->halves[1] += weight * square(x + 3 * TAUT_XV) * area;
@@ -336,14 +365,15 @@ static taut_status integrate(work *w, taut_dirichlet_gradient *g)
     return status;
 }
 
-taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect, int nodes,
-                                        taut_dirichlet_gradient *gradient)
+static taut_status gradient_new(const taut_surface *surface, int is_area, double aspect, int nodes,
+                                taut_dirichlet_gradient *gradient)
 {
-    taut_dirichlet_gradient made = {NULL, NULL, {0, 0}};
+    taut_dirichlet_gradient made = {NULL, NULL, {0, 0}, 0};
     work w;
     taut_status status = work_new(surface, aspect, nodes, &w);
     const size_t count = (size_t)w.nu * (size_t)w.nv;
 
+    w.is_area = is_area;
     if (status == TAUT_OK) {
         made.values = taut_alloc_zero(3 * count, sizeof(double));
         made.gross = taut_alloc_zero(count, sizeof(double));
@@ -359,6 +389,18 @@ taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspe
     }
     *gradient = made;
     return TAUT_OK;
+}
+
+taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect, int nodes,
+                                        taut_dirichlet_gradient *gradient)
+{
+    return gradient_new(surface, 0, aspect, nodes, gradient);
+}
+
+taut_status taut_area_gradient_new(const taut_surface *surface, int nodes,
+                                   taut_dirichlet_gradient *gradient)
+{
+    return gradient_new(surface, 1, 1, nodes, gradient);
 }
 
 void taut_dirichlet_gradient_clear(taut_dirichlet_gradient *gradient)

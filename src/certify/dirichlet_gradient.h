@@ -20,11 +20,16 @@ typedef struct taut_dirichlet_gradient {
                     *     rho = |u| (k/du + |w_u|/w) + |v| (h/dv + |w_v|/w)
                     * points as stored, not centred; k, h functions alive, du, dv widths of spans */
     double halves[2]; /* iint |x_u|^2, iint |x_v|^2, in squares of the unit */
+    double area;      /* in squares of the unit; 0 of the Dirichlet energy's gradient */
 } taut_dirichlet_gradient;
 
 /* `nodes` Gauss nodes a panel (geometry/panels.h), 1..TAUT_GAUSS_MAX. TAUT_NO_MEMORY. */
 taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect, int nodes,
                                         taut_dirichlet_gradient *gradient);
+/* The gradient of the area instead, from the form (G, -F, E) / W in place of (lambda, 0, 1/lambda)
+ * ([WuWang2011] 7.1: at the surface itself it has the area's gradient). */
+taut_status taut_area_gradient_new(const taut_surface *surface, int nodes,
+                                   taut_dirichlet_gradient *gradient);
 void taut_dirichlet_gradient_clear(taut_dirichlet_gradient *gradient);
 
 #endif /* TAUT_CERTIFY_DIRICHLET_GRADIENT_H */

@@ -14,6 +14,7 @@
     X(asymptotic, "asymptotic")                                                                    \
     X(dirichlet, "dirichlet")                                                                      \
     X(harmonic, "harmonic")                                                                        \
-    X(harmonic_extension, "harmonic-extension")
+    X(harmonic_extension, "harmonic-extension")                                                    \
+    X(plateau, "plateau")
 
 #endif /* TAUT_CONSTRUCT_LIST_H */

@@ -1,14 +1,16 @@
-#include "certify/dirichlet_known.h"
+#include "certify/known.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+static const double unit_roundoff = 0x1p-53;
+
 /* |a - b| over size, at least 2^-52 where they differ at all. */
 static double difference(double a, double b, double size)
 {
     const double apart = fabs(0.5 * a - 0.5 * b) / (0.5 * size);
-    return a == b ? 0 : fmax(apart, 0x1p-52);
+    return a == b ? 0 : fmax(apart, 2 * unit_roundoff);
 }
 
 /* How far apart two bases of the same count are, over their range. */
@@ -62,9 +64,9 @@ static double known_size(const taut_dirichlet_problem *problem)
     return size > 0 ? size : 1;
 }
 
-taut_status taut_dirichlet_add_known(const taut_surface *surface,
-                                     const taut_dirichlet_problem *problem,
-                                     taut_certificate *certificate)
+taut_status taut_certify_add_known(const taut_surface *surface,
+                                   const taut_dirichlet_problem *problem,
+                                   taut_certificate *certificate)
 {
     const int nu = taut_basis_count(problem->u), nv = taut_basis_count(problem->v);
     const double *points = taut_surface_points(surface);

@@ -1,0 +1,53 @@
+/* taut/plateau.h -- the surface of least area through the known points of a net.
+ *
+ *     A(x) = iint |x_u x x_v| du dv
+ *
+ * over the spline space of a net with unknown points: the net of taut/dirichlet.h, the true area in
+ * place of its bound. Newton steps, made safe by the metric iteration ([WuWang2011] sections
+ * 6, 7.1, 7.2; docs/plateau.md).
+ */
+#ifndef TAUT_PLATEAU_H
+#define TAUT_PLATEAU_H
+
+#include "taut/dirichlet.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum taut_plateau_method {
+    TAUT_PLATEAU_FULL = 0, /* the minimum over the whole spline space */
+    TAUT_PLATEAU_NORMAL    /* each point moves along the unit normal of the Dirichlet surface at its
+                            * Greville point: a little above the minimum on coarse nets, and as close
+                            * as the net allows on fine ones */
+} taut_plateau_method;
+
+/* Zero means default everywhere. */
+typedef struct taut_plateau_problem {
+    taut_dirichlet_problem net; /* as for dirichlet; name NULL: "plateau" */
+    const double *start;        /* double[nu][nv][3] to begin from, its known points those of the
+                                 * net; NULL: the Dirichlet surface */
+    double tolerance;           /* of the claim `stationary`, below 1; 0: 1e-10 */
+    int max_iterations;         /* 0: 500 */
+    taut_plateau_method method;
+} taut_plateau_problem;
+
+/* Makes the model with its one surface; details: iterations, products, dirichlet_area, area,
+ * residual, unknowns, known, method; with TAUT_PLATEAU_NORMAL also directions [nu][nv][3].
+ * TAUT_NO_SOLUTION: the known points span no area, or a free edge lets the film shrink away.
+ * TAUT_NOT_CONVERGED: max_iterations, or a film that folds. Others as taut_make. */
+TAUT_API taut_status taut_plateau_make(const taut_plateau_problem *problem,
+                                       const taut_make_options *options, taut_model **model,
+                                       taut_error *error);
+
+/* The certificate: claims `stationary` and, with a problem, `known`; figures area,
+ * mean_abs_mean_curvature, max_abs_mean_curvature. */
+TAUT_API taut_status taut_plateau_certify(const taut_model *model,
+                                          const taut_plateau_problem *problem,
+                                          const taut_certify_options *options,
+                                          taut_certificate **certificate, taut_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_PLATEAU_H */

@@ -1,0 +1,17 @@
+/* known.h -- the claim `known`: what the problem gave is in the surface, bit for bit.
+ *
+ * Its residual is the largest distance of a known point from the problem's over their size, or the
+ * difference of the bases and weights; the limit is 0.
+ */
+#ifndef TAUT_CERTIFY_KNOWN_H
+#define TAUT_CERTIFY_KNOWN_H
+
+#include "taut/certify.h"
+#include "taut/dirichlet.h"
+
+/* The net of the surface has the shape of the problem's. TAUT_NO_MEMORY. */
+taut_status taut_certify_add_known(const taut_surface *surface,
+                                   const taut_dirichlet_problem *problem,
+                                   taut_certificate *certificate);
+
+#endif /* TAUT_CERTIFY_KNOWN_H */

@@ -1,0 +1,371 @@
+#include "construct/descent.h"
+
+#include "core/fail.h"
+#include "core/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Areas carry rounding: below `blind` of the area a gain can't be seen in them, and a step is
+ * judged by the gradient it leaves. */
+static const double blind = 1e-12, rise = 0x1p-50;
+/* A film is at rest where the model gains no more than `flat` of the area and the gradient is
+ * within `flat_residual`: what is left are moves within the surface. */
+static const double flat = 1e-15, flat_residual = 1e-6;
+/* Curvature below -slack of the metric operator makes a saddle; less is rounding and slack. */
+static const double slack = 1e-6;
+
+typedef struct place {
+    taut_film_value value;
+    double *net, *gradient; /* [nu][nv][3] */
+    double residual;
+} place;
+
+typedef struct walk {
+    taut_film *film;
+    taut_film_solver *solver;
+    taut_descent *descent;
+    size_t count, size; /* points; unknowns */
+    place here, there;
+    double *right, *step; /* unknowns */
+    double *move;         /* net */
+    double theta, model, first_norm, start_area;
+} walk;
+
+static double largest_of(size_t count, const double *x)
+{
+    double largest = 0;
+    for (size_t i = 0; i < count; i++) {
+        largest = fmax(largest, fabs(x[i]));
+    }
+    return largest;
+}
+
+/* Area, gradient and residual of the place's net; the film's operators are its own from now on. */
+static void look(walk *w, place *at)
+{
+    at->value = taut_film_gradient(w->film, at->net, at->gradient);
+    taut_film_solver_reduce(w->solver, at->gradient, w->move);
+    const double all = largest_of(3 * w->count, at->gradient);
+    at->residual = all > 0 ? largest_of(w->size, w->move) / all : 0;
+    taut_film_solver_renew(w->solver);
+}
+
+static void walk_clear(walk *w)
+{
+    taut_free(w->here.gradient);
+    taut_free(w->there.gradient);
+    taut_free(w->there.net);
+    taut_free(w->right);
+    taut_free(w->step);
+    taut_free(w->move);
+}
+
+static taut_status walk_new(taut_film *film, taut_film_solver *solver, taut_descent *descent,
+                            walk *w)
+{
+    memset(w, 0, sizeof *w);
+    w->film = film;
+    w->solver = solver;
+    w->descent = descent;
+    w->count = (size_t)film->nu * (size_t)film->nv;
+    w->size = (size_t)taut_film_solver_parts(solver) * w->count;
+    w->here.gradient = taut_alloc_aligned(3 * w->count, sizeof(double));
+    w->there.gradient = taut_alloc_aligned(3 * w->count, sizeof(double));
+    w->there.net = taut_alloc_aligned(3 * w->count, sizeof(double));
+    w->right = taut_alloc_aligned(w->size, sizeof(double));
+    w->step = taut_alloc_aligned(w->size, sizeof(double));
+    w->move = taut_alloc_aligned(3 * w->count, sizeof(double));
+    w->theta = taut_film_solver_parts(solver) == 1 ? 0 : 1e-2;
+    return w->here.gradient != NULL && w->there.gradient != NULL && w->there.net != NULL &&
+                   w->right != NULL && w->step != NULL && w->move != NULL
+               ? TAUT_OK
+               : TAUT_NO_MEMORY;
+}
+
+/* there = here + factor step. */
+static void try_step(walk *w, double factor)
+{
+    taut_film_solver_expand(w->solver, w->step, w->move);
+    for (size_t i = 0; i < 3 * w->count; i++) {
+        w->there.net[i] = w->here.net[i] + factor * w->move[i];
+    }
+    look(w, &w->there);
+}
+
+/* The nets stay where they are, since here's is the caller's; the rest changes hands. */
+static void accept(walk *w)
+{
+    double *const gradient = w->here.gradient;
+    memcpy(w->here.net, w->there.net, 3 * w->count * sizeof(double));
+    w->here.gradient = w->there.gradient;
+    w->there.gradient = gradient;
+    w->here.value = w->there.value;
+    w->here.residual = w->there.residual;
+}
+
+static void raise_theta(walk *w, int tries)
+{
+    const double least = taut_film_solver_parts(w->solver) == 1 ? 1e-2 : 1e-9;
+    w->theta = fmin(1, fmax(least, w->theta * 10 * tries));
+}
+
+/* How precisely to solve: the steps converge fast near the end without wasted products before. */
+static double forcing(const walk *w)
+{
+    return fmin(0.1, fmax(1e-6, w->first_norm > 0 ? w->here.residual / w->first_norm : 0.1));
+}
+
+/* The step at the first theta that leaves B positive definite. */
+static taut_status find_step(walk *w)
+{
+    taut_status status = TAUT_OK;
+
+    taut_film_solver_reduce(w->solver, w->here.gradient, w->right);
+    for (size_t i = 0; i < w->size; i++) {
+        w->right[i] = -w->right[i];
+    }
+    for (int tries = 1; tries < 40; tries++) {
+        status =
+            taut_film_solver_solve(w->solver, w->theta, forcing(w), w->right, w->step, &w->model);
+        if (status != TAUT_NO_SOLUTION || w->theta >= 1) {
+            break;
+        }
+        raise_theta(w, tries);
+    }
+    return status;
+}
+
+/* Is the net as good as moves within the surface allow? Only a small theta may say so. */
+static int is_flat(const walk *w)
+{
+    return w->model <= flat * w->here.value.area && w->here.residual <= flat_residual &&
+           w->theta <= fmax(1e-6, taut_film_solver_floor(w->solver));
+}
+
+/* Did the step keep what its model promised? Changes theta by how well it did. */
+static int is_good(walk *w)
+{
+    const double area = w->here.value.area, gain = area - w->there.value.area;
+    const double ratio = gain / w->model;
+    const double least = taut_film_solver_floor(w->solver);
+
+    if (w->model > blind * area) {
+        if (!(ratio > 0.05)) {
+            return 0;
+        }
+        if (ratio > 0.75) {
+            w->theta = fmax(least, 0.1 * w->theta);
+        } else if (ratio < 0.25) {
+            w->theta = fmin(1, 4 * w->theta);
+        }
+        return 1;
+    }
+    if (!(gain >= -rise * area) || !(w->there.residual < w->here.residual)) {
+        return 0;
+    }
+    w->theta = fmax(least, 0.1 * w->theta);
+    return 1;
+}
+
+/* One accepted step. TAUT_CHECK_FAILED: none is to be had; *at_rest: none is needed. */
+static taut_status advance(walk *w, int *at_rest)
+{
+    const double least = taut_film_solver_floor(w->solver);
+
+    for (int tries = 1; tries < 60; tries++) {
+        const taut_status status = find_step(w);
+        if (status != TAUT_OK) {
+            return status == TAUT_NO_SOLUTION ? TAUT_CHECK_FAILED : status;
+        }
+        if (is_flat(w)) {
+            *at_rest = 1;
+            return TAUT_OK;
+        }
+        try_step(w, 1);
+        if (isfinite(w->there.value.area) && is_good(w)) {
+            accept(w);
+            return TAUT_OK;
+        }
+        look(w, &w->here);
+        if (w->theta >= 1) {
+            break;
+        }
+        raise_theta(w, tries);
+    }
+    *at_rest = w->model <= flat * w->here.value.area && w->here.residual <= flat_residual;
+    w->theta = fmax(least, w->theta);
+    return *at_rest ? TAUT_OK : TAUT_CHECK_FAILED;
+}
+
+/* A deterministic direction that no symmetry of the net shares. */
+static void scatter(walk *w, double *z)
+{
+    unsigned state = 12345;
+    for (size_t i = 0; i < w->size; i++) {
+        state = 1664525u * state + 1013904223u;
+        z[i] = (double)(state >> 8) * 0x1p-24 - 0.5;
+    }
+    taut_film_solver_expand(w->solver, z, w->move);
+    taut_film_solver_reduce(w->solver, w->move, z); /* zero at known points */
+}
+
+/* step = the direction of the least curvature over the metric operator, by inverse iteration at a
+ * theta that is definite; returns that curvature. */
+static double least_curvature(walk *w)
+{
+    double gain = 0, against = 0, curvature = 0;
+
+    scatter(w, w->step);
+    for (int k = 0; k < 12; k++) {
+        taut_film_solver_product(w->solver, 1, w->step, w->right);
+        if (taut_film_solver_solve(w->solver, w->theta, 1e-2, w->right, w->step, &gain) !=
+            TAUT_OK) {
+            break;
+        }
+        const double size = largest_of(w->size, w->step);
+        for (size_t i = 0; size > 0 && i < w->size; i++) {
+            w->step[i] /= size;
+        }
+    }
+    taut_film_solver_product(w->solver, 0, w->step, w->right);
+    curvature = taut_film_solver_dot(w->solver, w->step, w->right);
+    taut_film_solver_product(w->solver, 1, w->step, w->right);
+    against = taut_film_solver_dot(w->solver, w->step, w->right);
+    return against > 0 ? curvature / against : 0;
+}
+
+/* Steps along +-step, the longest first, to where the area is less; 0 when there is no such place.
+ */
+static int step_off(walk *w)
+{
+    for (double length = 1; length > 1e-4; length *= 0.5) {
+        for (int side = 1; side >= -1; side -= 2) {
+            try_step(w, side * length);
+            if (w->there.value.area < w->here.value.area * (1 - 1e-13)) {
+                accept(w);
+                return 1;
+            }
+        }
+    }
+    look(w, &w->here);
+    return 0;
+}
+
+/* At a net where the gradient vanishes: a minimum, or a saddle to be left. *at_rest: stay. */
+static taut_status check_minimum(walk *w, int *at_rest, taut_error *error)
+{
+    const double before = w->theta, normal = taut_film_solver_parts(w->solver) == 1 ? 0 : slack;
+    double gain = 0, curvature = 0;
+    taut_status status = TAUT_OK;
+
+    *at_rest = 1;
+    scatter(w, w->right);
+    w->theta = normal;
+    status = taut_film_solver_solve(w->solver, w->theta, 0.05, w->right, w->step, &gain);
+    for (int tries = 1; status == TAUT_NO_SOLUTION && tries < 40 && w->theta < 1; tries++) {
+        raise_theta(w, tries);
+        status = taut_film_solver_solve(w->solver, w->theta, 0.05, w->right, w->step, &gain);
+    }
+    if (status == TAUT_OK && w->theta > normal) {
+        curvature = least_curvature(w);
+        if (curvature < -slack) {
+            *at_rest = 0;
+            if (!step_off(w)) {
+                status = taut_fail(error, TAUT_NOT_CONVERGED, NULL, curvature, -slack,
+                                   "the film stands on a saddle: its area has a direction of "
+                                   "negative curvature %.3g, but no step along it was found that "
+                                   "lowers the area; give another start",
+                                   curvature);
+            }
+        }
+    }
+    w->theta = *at_rest ? before : fmax(1e-2, w->theta);
+    return status == TAUT_NO_SOLUTION ? TAUT_OK : status;
+}
+
+static taut_status check_film(const walk *w, taut_error *error)
+{
+    const taut_descent *d = w->descent;
+    const double area = w->here.value.area;
+
+    if (d->has_free_edge && area < 1e-3 * w->start_area) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/points", area / w->start_area, 1e-3,
+                         "a free edge lets the film shrink away: its area fell to %.3g of the "
+                         "Dirichlet surface's; make the points of that edge known",
+                         area / w->start_area);
+    }
+    if (d->monitor->progress != NULL &&
+        d->monitor->progress(d->monitor->context, taut_none, "least area") != 0) {
+        return taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped on request");
+    }
+    return TAUT_OK;
+}
+
+static taut_status give_up(const walk *w, const char *why, taut_error *error)
+{
+    const taut_descent *d = w->descent;
+    if (d->has_free_edge) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/points", w->here.residual, d->tolerance,
+                         "with a free edge the film finds no rest (%s, residual %.3g): there may "
+                         "be no least area; make the points of that edge known",
+                         why, w->here.residual);
+    }
+    return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->here.residual, d->tolerance,
+                     "%s after %d iterations: the residual is %.3g, expected at most %.3g; the "
+                     "smallest area element is %.2g of the mean (0 where the film folds)",
+                     why, d->iterations, w->here.residual, d->tolerance, w->here.value.least);
+}
+
+/* Steps until the film is at rest at a minimum. */
+static taut_status descend(walk *w, taut_error *error)
+{
+    taut_descent *d = w->descent;
+    taut_status status = TAUT_OK;
+    int at_rest = 0;
+
+    look(w, &w->here);
+    w->first_norm = w->here.residual;
+    w->start_area = w->here.value.area;
+    w->model = 0;
+    while (status == TAUT_OK && !at_rest) {
+        status = check_film(w, error);
+        if (status != TAUT_OK) {
+            break;
+        }
+        if (w->here.residual <= d->tolerance && d->iterations <= d->max_iterations) {
+            status = check_minimum(w, &at_rest, error);
+            d->iterations += !at_rest;
+            continue;
+        }
+        if (d->iterations >= d->max_iterations) {
+            return give_up(w, "the most iterations allowed were made", error);
+        }
+        status = advance(w, &at_rest);
+        d->iterations += !at_rest;
+        if (at_rest) {
+            status = check_minimum(w, &at_rest, error);
+        }
+        if (status == TAUT_CHECK_FAILED) {
+            return give_up(w, "no step lowers the area any more", error);
+        }
+    }
+    return status;
+}
+
+taut_status taut_film_descend(taut_film *film, taut_film_solver *solver, taut_descent *descent,
+                              double *net, taut_error *error)
+{
+    walk w;
+    taut_status status = walk_new(film, solver, descent, &w);
+
+    w.here.net = net;
+    if (status == TAUT_OK) {
+        status = descend(&w, error);
+        descent->area = w.here.value.area;
+        descent->residual = w.here.residual;
+        descent->gain = w.here.value.area > 0 ? w.model / w.here.value.area : 0;
+    }
+    walk_clear(&w);
+    return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
+}
