@@ -253,7 +253,7 @@ static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
 {
-    taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}, 0};
+    taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}, 0, 0};
     finding found;
     request r;
     int settled = 0;

@@ -43,6 +43,7 @@ typedef struct work {
     double *sizes;         /* [nu][nv]: largest coordinate of each point as stored, in the unit */
     double fu, fv;         /* the larger one is 1 */
     int is_area;
+    int unit;         /* its power of two */
     double *lines;    /* [LINES][v.count][3][3] */
     double *polygons; /* [4][nv]: w and w_u; gross of values and of slopes in u */
     double *spread;   /* [2][nv][CHANNELS]: what goes back with N_i, and with N_i' */
@@ -132,6 +133,7 @@ static taut_status centre(const taut_surface *surface, work *w)
         size = fmax(size, fabs(moved[i]));
     }
     fine = exponent(size);
+    w->unit = coarse + fine;
     if (moved != NULL && w->sizes != NULL) {
         for (size_t i = 0; i < 3 * count; i++) {
             moved[i] = ldexp(moved[i], -fine);
@@ -368,12 +370,13 @@ static taut_status integrate(work *w, taut_dirichlet_gradient *g)
 static taut_status gradient_new(const taut_surface *surface, int is_area, double aspect, int nodes,
                                 taut_dirichlet_gradient *gradient)
 {
-    taut_dirichlet_gradient made = {NULL, NULL, {0, 0}, 0};
+    taut_dirichlet_gradient made = {NULL, NULL, {0, 0}, 0, 0};
     work w;
     taut_status status = work_new(surface, aspect, nodes, &w);
     const size_t count = (size_t)w.nu * (size_t)w.nv;
 
     w.is_area = is_area;
+    made.unit = w.unit;
     if (status == TAUT_OK) {
         made.values = taut_alloc_zero(3 * count, sizeof(double));
         made.gross = taut_alloc_zero(count, sizeof(double));

@@ -21,6 +21,7 @@ typedef struct taut_dirichlet_gradient {
                     * points as stored, not centred; k, h functions alive, du, dv widths of spans */
     double halves[2]; /* iint |x_u|^2, iint |x_v|^2, in squares of the unit */
     double area;      /* in squares of the unit; 0 of the Dirichlet energy's gradient */
+    int unit;         /* the unit is 2 to this power */
 } taut_dirichlet_gradient;
 
 /* `nodes` Gauss nodes a panel (geometry/panels.h), 1..TAUT_GAUSS_MAX. TAUT_NO_MEMORY. */

@@ -9,8 +9,9 @@
  *               Limit: the first of these that the residual is within, else the last,
  *                   1. the rounding that storing the points leaves, as for dirichlet,
  *                   2. the tolerance of the problem (default 1e-10), at most 1e-6,
- *                   3. 1e-6 where the area is flat: max |dA/dP| times the distance the points
- *                      would have to move to change it is below 1e-15 of the area.
+ *                   3. 1e-6 where the area is flat: going along its steepest descent g at the
+ *                      unknown points would gain |g|^4 / (2 g.H g) < 1e-15 of it, with H g from
+ *                      the difference of two gradients.
  *   known       certify/known.h.
  */
 #include "taut/plateau.h"
@@ -30,7 +31,7 @@
 
 enum { ROUNDINGS = 8 };
 static const double unit_roundoff = 0x1p-53;
-static const double largest_limit = 1e-6, tolerance_default = 1e-10;
+static const double largest_limit = 1e-6, tolerance_default = 1e-10, flat = 1e-15;
 
 typedef struct request {
     const taut_surface *surface;
@@ -202,7 +203,59 @@ static taut_status find_gradient(const request *r, taut_dirichlet_gradient *grad
     return status;
 }
 
-static taut_status add_stationary(const request *r, const finding *found, int settled,
+/* out = the gradient where it may act: at unknown points, along the directions. */
+static void free_part(const request *r, const taut_dirichlet_gradient *gradient, double *out)
+{
+    for (int i = 0; i < r->nu; i++) {
+        for (int j = 0; j < r->nv; j++) {
+            const size_t at = 3 * ((size_t)i * (size_t)r->nv + (size_t)j);
+            const double *g = gradient->values + at;
+            const double *d = r->directions != NULL ? r->directions + at : NULL;
+            for (size_t c = 0; c < 3; c++) {
+                out[at + c] = is_known(r, i, j) ? 0 : d != NULL ? taut_dot(d, g) * d[c] : g[c];
+            }
+        }
+    }
+}
+
+/* *gain = |g|^4 / (2 g.H g) over the area, from the gradient a small step away. */
+static taut_status find_gain(const request *r, const taut_dirichlet_gradient *gradient,
+                             double residual, double *gain)
+{
+    const size_t count = 3 * (size_t)r->nu * (size_t)r->nv;
+    const int nodes = TAUT_GAUSS_MAX < 32 ? TAUT_GAUSS_MAX : 32;
+    double *g = taut_alloc(count, sizeof(double)), *moved = taut_alloc(count, sizeof(double));
+    double square = 0, change = 0, step = 0;
+    taut_dirichlet_gradient there = {NULL, NULL, {0, 0}, 0, 0};
+    taut_surface *surface = NULL;
+    taut_status status = g != NULL && moved != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+
+    if (status == TAUT_OK) {
+        free_part(r, gradient, g);
+        step = 1e-5 / (residual > 0 ? residual : 1); /* largest move about 1e-5 of the unit */
+        for (size_t i = 0; i < count; i++) {
+            moved[i] = taut_surface_points(r->surface)[i] + ldexp(step * g[i], gradient->unit);
+            square += g[i] * g[i];
+        }
+        status = taut_surface_new("", taut_surface_u(r->surface), taut_surface_v(r->surface), moved,
+                                  taut_surface_weights(r->surface), &surface, NULL);
+    }
+    if (status == TAUT_OK) {
+        status = taut_area_gradient_new(surface, nodes, &there);
+    }
+    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
+        const double scale = ldexp(1, there.unit - gradient->unit);
+        change += g[i] * (scale * there.values[i] - gradient->values[i]);
+    }
+    *gain = change > 0 ? square * square * step / (2 * change * gradient->area) : INFINITY;
+    taut_dirichlet_gradient_clear(&there);
+    taut_surface_free(surface);
+    taut_free(g);
+    taut_free(moved);
+    return status;
+}
+
+static taut_status add_stationary(const request *r, const finding *found, int is_flat, int settled,
                                   taut_certificate *certificate)
 {
     const double given = fmin(r->tolerance, largest_limit);
@@ -214,6 +267,9 @@ static taut_status add_stationary(const request *r, const finding *found, int se
         claim.limit = fmin(found->noise, largest_limit);
         claim.holds = TAUT_TRUE;
     } else if (found->residual <= given) {
+        claim.holds = TAUT_TRUE;
+    } else if (is_flat) {
+        claim.limit = largest_limit;
         claim.holds = TAUT_TRUE;
     } else if (found->residual <= found->noise) {
         claim.holds = TAUT_UNDECIDED;
@@ -250,13 +306,17 @@ static taut_status add_figures(const request *r, const taut_certify_options *opt
 static taut_status prove(const request *r, const taut_certify_options *options,
                          taut_certificate *certificate, taut_error *error)
 {
-    taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}, 0};
+    taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}, 0, 0};
     finding found;
+    double gain = INFINITY;
     int settled = 0;
     taut_status status = find_gradient(r, &gradient, &found, &settled);
 
+    if (status == TAUT_OK && found.residual > r->tolerance && found.residual <= largest_limit) {
+        status = find_gain(r, &gradient, found.residual, &gain);
+    }
     if (status == TAUT_OK) {
-        status = add_stationary(r, &found, settled, certificate);
+        status = add_stationary(r, &found, gain < flat, settled, certificate);
     }
     taut_dirichlet_gradient_clear(&gradient);
     if (status == TAUT_OK && r->problem != NULL) {

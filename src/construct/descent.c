@@ -8,10 +8,12 @@
 
 /* Areas carry rounding: below `blind` of the area a gain can't be seen in them, and a step is
  * judged by the gradient it leaves. */
-static const double blind = 1e-12, rise = 0x1p-50;
+static const double blind = 2e-14, rise = 0x1p-50;
 /* A film is at rest where the model gains no more than `flat` of the area and the gradient is
  * within `flat_residual`: what is left are moves within the surface. */
 static const double flat = 1e-15, flat_residual = 1e-6;
+enum { LONGEST = 64 };
+enum { FLAT_STEPS = 4 }; /* steps that are still made there, for the sake of the residual */
 /* Curvature below -slack of the metric operator makes a saddle; less is rounding and slack. */
 static const double slack = 1e-6;
 
@@ -27,9 +29,11 @@ typedef struct walk {
     taut_descent *descent;
     size_t count, size; /* points; unknowns */
     place here, there;
-    double *right, *step; /* unknowns */
-    double *move;         /* net */
+    double *right, *step, *image; /* unknowns */
+    double *move;                 /* net */
     double theta, model, first_norm, start_area;
+    double fence; /* B was last seen indefinite at this theta; forgotten by and by */
+    int flat_steps;
 } walk;
 
 static double largest_of(size_t count, const double *x)
@@ -58,6 +62,7 @@ static void walk_clear(walk *w)
     taut_free(w->there.net);
     taut_free(w->right);
     taut_free(w->step);
+    taut_free(w->image);
     taut_free(w->move);
 }
 
@@ -75,10 +80,11 @@ static taut_status walk_new(taut_film *film, taut_film_solver *solver, taut_desc
     w->there.net = taut_alloc_aligned(3 * w->count, sizeof(double));
     w->right = taut_alloc_aligned(w->size, sizeof(double));
     w->step = taut_alloc_aligned(w->size, sizeof(double));
+    w->image = taut_alloc_aligned(w->size, sizeof(double));
     w->move = taut_alloc_aligned(3 * w->count, sizeof(double));
     w->theta = taut_film_solver_parts(solver) == 1 ? 0 : 1e-2;
     return w->here.gradient != NULL && w->there.gradient != NULL && w->there.net != NULL &&
-                   w->right != NULL && w->step != NULL && w->move != NULL
+                   w->right != NULL && w->step != NULL && w->image != NULL && w->move != NULL
                ? TAUT_OK
                : TAUT_NO_MEMORY;
 }
@@ -107,7 +113,15 @@ static void accept(walk *w)
 static void raise_theta(walk *w, int tries)
 {
     const double least = taut_film_solver_parts(w->solver) == 1 ? 1e-2 : 1e-9;
-    w->theta = fmin(1, fmax(least, w->theta * 10 * tries));
+    w->theta = fmin(1, fmax(least, w->theta * 4 * tries));
+}
+
+/* After a good step: the next theta, not far below where B was indefinite. */
+static void lower_theta(walk *w)
+{
+    const double least = fmax(taut_film_solver_floor(w->solver), 1.5 * w->fence);
+    w->theta = fmin(w->theta, fmax(least, 0.1 * w->theta));
+    w->fence *= 0.25;
 }
 
 /* How precisely to solve: the steps converge fast near the end without wasted products before. */
@@ -131,6 +145,7 @@ static taut_status find_step(walk *w)
         if (status != TAUT_NO_SOLUTION || w->theta >= 1) {
             break;
         }
+        w->fence = w->theta;
         raise_theta(w, tries);
     }
     return status;
@@ -148,14 +163,13 @@ static int is_good(walk *w)
 {
     const double area = w->here.value.area, gain = area - w->there.value.area;
     const double ratio = gain / w->model;
-    const double least = taut_film_solver_floor(w->solver);
 
     if (w->model > blind * area) {
         if (!(ratio > 0.05)) {
             return 0;
         }
         if (ratio > 0.75) {
-            w->theta = fmax(least, 0.1 * w->theta);
+            lower_theta(w);
         } else if (ratio < 0.25) {
             w->theta = fmin(1, 4 * w->theta);
         }
@@ -164,8 +178,38 @@ static int is_good(walk *w)
     if (!(gain >= -rise * area) || !(w->there.residual < w->here.residual)) {
         return 0;
     }
-    w->theta = fmax(least, 0.1 * w->theta);
+    lower_theta(w);
     return 1;
+}
+
+/* Moves within the surface hardly change the area, and theta keeps their steps short: goes on along
+ * the step to where Newton's own model ends, at most LONGEST times as far. Costs a product and a
+ * look at the film, where another step costs factors. */
+static int stretch_step(walk *w)
+{
+    const double slope = taut_film_solver_dot(w->solver, w->step, w->right);
+    double curvature = 0, length = LONGEST;
+
+    if (w->theta == 0 || taut_film_solver_parts(w->solver) == 1) {
+        return 0;
+    }
+    taut_film_solver_product(w->solver, 0, w->step, w->image);
+    curvature = taut_film_solver_dot(w->solver, w->step, w->image);
+    if (curvature * LONGEST > slope) {
+        length = slope / curvature;
+    }
+    if (!(length > 1.5)) {
+        return 0;
+    }
+    try_step(w, length);
+    const double gain = w->here.value.area - w->there.value.area;
+    if (isfinite(gain) && gain > fmax(w->model, 0x1p-51 * w->here.value.area)) {
+        lower_theta(w);
+        accept(w);
+        return 1;
+    }
+    look(w, &w->here);
+    return 0;
 }
 
 /* One accepted step. TAUT_CHECK_FAILED: none is to be had; *at_rest: none is needed. */
@@ -178,16 +222,22 @@ static taut_status advance(walk *w, int *at_rest)
         if (status != TAUT_OK) {
             return status == TAUT_NO_SOLUTION ? TAUT_CHECK_FAILED : status;
         }
-        if (is_flat(w)) {
-            *at_rest = 1;
+        const int was_flat = is_flat(w);
+        if (!was_flat && stretch_step(w)) {
             return TAUT_OK;
         }
         try_step(w, 1);
         if (isfinite(w->there.value.area) && is_good(w)) {
             accept(w);
+            w->flat_steps += was_flat;
+            *at_rest = w->flat_steps > FLAT_STEPS;
             return TAUT_OK;
         }
         look(w, &w->here);
+        if (was_flat) {
+            *at_rest = 1;
+            return TAUT_OK;
+        }
         if (w->theta >= 1) {
             break;
         }
