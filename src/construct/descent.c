@@ -12,10 +12,12 @@ static const double blind = 2e-14, rise = 0x1p-50;
 /* A film is at rest where the model gains no more than `flat` of the area and the gradient is
  * within `flat_residual`: what is left are moves within the surface. */
 static const double flat = 1e-15, flat_residual = 1e-6;
-enum { LONGEST = 64 };
+enum { LONGEST = 256 };
 enum { FLAT_STEPS = 4 }; /* steps that are still made there, for the sake of the residual */
 /* Curvature below -slack of the metric operator makes a saddle; less is rounding and slack. */
 static const double slack = 1e-6;
+/* With a free edge, a film that has lost this much of its area is on its way to none. */
+static const double shrunk = 0.1;
 
 typedef struct place {
     taut_film_value value;
@@ -198,15 +200,14 @@ static int stretch_step(walk *w)
     if (curvature * LONGEST > slope) {
         length = slope / curvature;
     }
-    if (!(length > 1.5)) {
-        return 0;
-    }
-    try_step(w, length);
-    const double gain = w->here.value.area - w->there.value.area;
-    if (isfinite(gain) && gain > fmax(w->model, 0x1p-51 * w->here.value.area)) {
-        lower_theta(w);
-        accept(w);
-        return 1;
+    for (; length > 1.5; length *= 0.25) {
+        try_step(w, length);
+        const double gain = w->here.value.area - w->there.value.area;
+        if (isfinite(gain) && gain > fmax(w->model, 0x1p-51 * w->here.value.area)) {
+            lower_theta(w);
+            accept(w);
+            return 1;
+        }
     }
     look(w, &w->here);
     return 0;
@@ -339,10 +340,10 @@ static taut_status check_film(const walk *w, taut_error *error)
     const taut_descent *d = w->descent;
     const double area = w->here.value.area;
 
-    if (d->has_free_edge && area < 1e-3 * w->start_area) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/points", area / w->start_area, 1e-3,
-                         "a free edge lets the film shrink away: its area fell to %.3g of the "
-                         "Dirichlet surface's; make the points of that edge known",
+    if (d->has_free_edge && area < shrunk * w->start_area) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/points", area / w->start_area, shrunk,
+                         "a free edge lets the film shrink away: its area fell to %.3g of what "
+                         "it was; make the points of that edge known",
                          area / w->start_area);
     }
     if (d->monitor->progress != NULL &&
