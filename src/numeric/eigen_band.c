@@ -154,6 +154,17 @@ static int is_right(const taut_pencil *pencil, const taut_eigenpairs *pairs, dou
     return is_complete(pencil, pairs, scratch);
 }
 
+/* Puts pairs in order, orthogonalises them, and puts them in order again, for that may move values.
+ */
+static taut_status finish(const taut_pencil *pencil, taut_eigenpairs *pairs)
+{
+    taut_status status = sort(pairs);
+    if (status == TAUT_OK) {
+        status = taut_eigen_orthogonalise(pencil, pairs);
+    }
+    return status == TAUT_OK ? sort(pairs) : status;
+}
+
 /* The fast way. */
 static taut_status solve_banded(const taut_pencil *pencil, taut_eigenpairs *pairs)
 {
@@ -165,23 +176,8 @@ static taut_status solve_banded(const taut_pencil *pencil, taut_eigenpairs *pair
     if (status == TAUT_OK) {
         status = taut_eigen_iterate(pencil, bracket, pairs);
     }
-    if (status == TAUT_OK) {
-        status = sort(pairs);
-    }
-    if (status == TAUT_OK) {
-        status = taut_eigen_polish(pencil, pairs);
-    }
-    if (status == TAUT_OK) {
-        status = sort(pairs);
-    }
-    if (status == TAUT_OK) {
-        status = taut_eigen_orthogonalise(pencil, pairs);
-    }
-    if (status == TAUT_OK) {
-        status = sort(pairs);
-    }
     taut_free(bracket);
-    return status;
+    return status == TAUT_OK ? finish(pencil, pairs) : status;
 }
 
 /* The sure way. */
@@ -191,16 +187,7 @@ static taut_status solve_dense(const taut_pencil *pencil, taut_eigenpairs *pairs
     if (status == TAUT_OK) {
         status = taut_eigen_polish(pencil, pairs);
     }
-    if (status == TAUT_OK) {
-        status = sort(pairs);
-    }
-    if (status == TAUT_OK) {
-        status = taut_eigen_orthogonalise(pencil, pairs);
-    }
-    if (status == TAUT_OK) {
-        status = sort(pairs);
-    }
-    return status;
+    return status == TAUT_OK ? finish(pencil, pairs) : status;
 }
 
 /* Back to the pencil given, the largest entry positive. */
