@@ -26,23 +26,40 @@ struct lane {
 };
 
 /* splitmix64 */
-double taut_eigen_scatter(unsigned long long seed)
+static uint64_t mixed(uint64_t seed)
 {
     uint64_t x = seed * 0x9e3779b97f4a7c15u;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    x ^= x >> 31;
-    return (double)(x >> 11) * 0x1p-52 - 1.0;
+    return x ^ (x >> 31);
+}
+
+/* The number in [-1, 1) of these bits. */
+static double between(uint64_t bits)
+{
+    const uint64_t pattern = bits >> 12 | 0x4000000000000000u; /* [2, 4) */
+    double x;
+    memcpy(&x, &pattern, sizeof x);
+    return x - 3.0;
+}
+
+double taut_eigen_scatter(unsigned long long seed)
+{
+    return between(mixed(seed));
 }
 
 /* Random right-hand sides, a different one for each eigenvalue. */
 static void start(const taut_eigen_block *block, const struct lane *lane)
 {
     const size_t n = (size_t)block->pencil->k.n, lanes = (size_t)block->pencil->kernel->lanes;
+    uint64_t own[TAUT_LANES_MAX];
+    for (size_t l = 0; l < lanes; l++) {
+        own[l] = mixed((uint64_t)lane[l].index + n);
+    }
     for (size_t i = 0; i < n; i++) {
+        const uint64_t row = mixed(i);
         for (size_t l = 0; l < lanes; l++) {
-            block->m[i * lanes + l] =
-                taut_eigen_scatter((unsigned long long)lane[l].index * n + i + 1);
+            block->m[i * lanes + l] = between(row ^ own[l]);
         }
     }
 }

@@ -30,6 +30,10 @@ typedef struct taut_kernel {
      *     c  row r starts at c + r * c_stride */
     void (*tile)(size_t depth, const double *a, const double *b, double *c, size_t c_stride);
 
+    /* Copies `units` pieces of tile_columns numbers: piece q to to[q * to_stride], aligned to 64.
+     */
+    void (*pack)(size_t units, const double *from, size_t to_stride, double *to);
+
     /* L D L^T of  scale K + shift[l] M  for rows first..end-1, lane by lane, without row
      * interchanges
      *
@@ -63,6 +67,10 @@ typedef struct taut_kernel {
 
     /* x . y over `count` entries. Any alignment, here and below. */
     double (*dot)(size_t count, const double *x, const double *y);
+
+    /* y = A x, x and y double[n] and apart; A symmetric by diagonals, a[d*n + i] = A(i, i - d), d
+     * <= width. */
+    void (*diagonals_multiply)(size_t n, size_t width, const double *a, const double *x, double *y);
 
     /* y += factor x, and y += c x entry by entry, over `count` entries. */
     void (*add_scaled)(size_t count, double factor, const double *x, double *y);

@@ -279,6 +279,45 @@ static void test_long_dot(const taut_kernel *kernel)
     }
 }
 
+/* M x by diagonals against the definition, for any length and width. */
+static void test_diagonals(const taut_kernel *kernel)
+{
+    for (size_t n = 1; n <= LONG_MAX; n += 1 + n / 5) {
+        for (size_t width = 0; width <= WIDTH_MAX; width++) {
+            double *a = numbers(n * (width + 1)), *x = numbers(n), *y = numbers(n);
+            kernel->diagonals_multiply(n, width, a, x, y);
+            for (size_t i = 0; i < n; i++) {
+                double sum = 0.0;
+                for (size_t j = 0; j < n; j++) {
+                    const size_t d = i > j ? i - j : j - i;
+                    sum += d <= width ? a[d * n + (i > j ? i : j)] * x[j] : 0.0;
+                }
+                CHECK_NEAR(y[i], sum, 17 * 17 * 0x1p-53, "%s n=%zu width=%zu i=%zu", kernel->name,
+                           n, width, i);
+            }
+            taut_free(a);
+            taut_free(x);
+            taut_free(y);
+        }
+    }
+}
+
+static void test_pack(const taut_kernel *kernel)
+{
+    const size_t unit = (size_t)kernel->tile_columns, stride = 3 * unit;
+    double *from = numbers(4 * unit), *to = numbers(4 * stride), *before = numbers(4 * stride);
+    memcpy(before, to, 4 * stride * sizeof *to);
+    kernel->pack(4, from, stride, to);
+    for (size_t i = 0; i < 4 * stride; i++) {
+        const double expected =
+            i % stride < unit ? from[i / stride * unit + i % stride] : before[i];
+        CHECK(to[i] == expected, "%s i=%zu", kernel->name, i);
+    }
+    taut_free(from);
+    taut_free(to);
+    taut_free(before);
+}
+
 static void test_choice(void)
 {
     CHECK(taut_kernel_find("baseline") != NULL, "the baseline is always there");
@@ -310,6 +349,8 @@ int main(void)
         test_dot(kernel);
         test_product(kernel);
         test_long_dot(kernel);
+        test_diagonals(kernel);
+        test_pack(kernel);
     }
     test_choice();
     return check_failures != 0;
