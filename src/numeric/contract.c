@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* A packed panel of this many numbers stays in the second-level cache while all of V passes by. */
-enum { PANEL_SIZE = 64 * 1024, COLUMNS_MAX = 240, UNITS_MIN = 4 };
+enum { PANEL_SIZE = 64 * 1024, COLUMNS_MAX = 240, UNITS_MIN = 4, UNITS_MAX = 60 };
 
 static const double zeros[COLUMNS_MAX];
 
@@ -108,17 +108,14 @@ static void put_rows(const struct put *put, size_t rows, const double *from, siz
 
 /* ---- packed operands and their products ---- */
 
-/* Rows that are not all zero: up to two runs, the longest run of zeros between them. */
+/* Rows of a sliver that are not all zero: up to two runs, the longest run of zeros between them. */
 struct depth_runs {
     size_t start[2], end[2];
     size_t zeros_from; /* start of the current run of zeros */
 };
 
-static void note_row(struct depth_runs *runs, size_t row, int zero)
+static void note_row(struct depth_runs *runs, size_t row)
 {
-    if (zero) {
-        return;
-    }
     const size_t gap = row - runs->zeros_from;
     if (gap > runs->start[1] - runs->end[0]) {
         runs->end[0] = runs->zeros_from;
@@ -143,15 +140,27 @@ struct operands {
     const double *a;
     double *b;
     size_t a_depth, b_depth;
-    struct depth_runs runs;
+    struct depth_runs runs[UNITS_MAX];
 };
 
-static void pack_row(const double *from, size_t width, size_t unit, size_t row,
+/* Nothing packed yet; every sliver reaches down to `depth`. */
+static void operands_init(const double *a, size_t a_depth, double *b, size_t b_depth, size_t depth,
+                          struct operands *out)
+{
+    out->a = a;
+    out->b = b;
+    out->a_depth = a_depth;
+    out->b_depth = b_depth;
+    for (int q = 0; q < UNITS_MAX; q++) {
+        out->runs[q] = (struct depth_runs){{0, 0}, {0, depth}, 0};
+    }
+}
+
+static void pack_row(const taut_kernel *kernel, const double *from, size_t width, size_t row,
                      const struct operands *to)
 {
-    for (size_t q = 0; q < width; q += unit) {
-        memcpy(to->b + q * to->b_depth + row * unit, from + q, unit * sizeof *from);
-    }
+    const size_t unit = (size_t)kernel->tile_columns;
+    kernel->pack(width / unit, from, to->b_depth * unit, to->b + row * unit);
 }
 
 /* out[tile_rows][width] = rows r, r + 1, .. of A B */
@@ -160,11 +169,14 @@ static void multiply_rows(const taut_kernel *kernel, const struct operands *o, s
 {
     const size_t t = (size_t)kernel->tile_rows, unit = (size_t)kernel->tile_columns;
     memset(out, 0, t * width * sizeof *out);
-    for (int run = 0; run < 2; run++) {
-        const size_t start = o->runs.start[run], length = o->runs.end[run] - start;
-        for (size_t q = 0; q < width && length > 0; q += unit) {
-            kernel->tile(length, o->a + r * o->a_depth + start * t,
-                         o->b + q * o->b_depth + start * unit, out + q, width);
+    for (size_t q = 0; q < width; q += unit) {
+        const struct depth_runs *runs = &o->runs[q / unit];
+        for (int run = 0; run < 2; run++) {
+            const size_t start = runs->start[run], length = runs->end[run] - start;
+            if (length > 0) {
+                kernel->tile(length, o->a + r * o->a_depth + start * t,
+                             o->b + q * o->b_depth + start * unit, out + q, width);
+            }
         }
     }
 }
@@ -217,28 +229,25 @@ static void pack_points(const taut_panel *panel, const struct put *put, const do
                         struct operands *operands)
 {
     const taut_modes *modes = panel->modes;
-    const size_t n = (size_t)modes->n, unit = (size_t)modes->kernel->tile_columns;
-    const size_t pairs = modes->parts == 2 ? n / 2 : 0;
+    const size_t n = (size_t)modes->n, pairs = modes->parts == 2 ? n / 2 : 0;
+    const size_t unit = (size_t)modes->kernel->tile_columns;
     double here[COLUMNS_MAX] = {0}, there[COLUMNS_MAX] = {0};
-    struct depth_runs runs = {{0, 0}, {0, 0}, 0};
 
     for (size_t i = 0; i < n - pairs; i++) {
         read_row(put->lines, x, i, put->first, put->count, here);
-        int zero = is_zero(here, put->count);
         if (i < pairs) {
             read_row(put->lines, x, n - 1 - i, put->first, put->count, there);
-            zero = zero && is_zero(there, put->count);
             fold(put->count, here, there);
-            pack_row(there, put->width, unit, i, &operands[1]);
+            pack_row(modes->kernel, there, put->width, i, &operands[1]);
         }
-        pack_row(here, put->width, unit, i, &operands[0]);
-        note_row(&runs, i, zero);
-    }
-    for (int p = 0; p < modes->parts; p++) { /* the odd part has no middle row */
-        const size_t rows = (size_t)modes->part[p].rows;
-        for (int r = 0; r < 2; r++) {
-            operands[p].runs.end[r] = runs.end[r] < rows ? runs.end[r] : rows;
-            operands[p].runs.start[r] = runs.start[r] < rows ? runs.start[r] : rows;
+        pack_row(modes->kernel, here, put->width, i, &operands[0]);
+        for (size_t q = 0; q < put->width; q += unit) {
+            if (!is_zero(here + q, unit)) {
+                note_row(&operands[0].runs[q / unit], i);
+            }
+            if (i < pairs && !is_zero(there + q, unit)) {
+                note_row(&operands[1].runs[q / unit], i);
+            }
         }
     }
 }
@@ -254,8 +263,7 @@ void taut_analyse(const taut_panel *panel, const taut_lines *lines, double *x)
         double *b = panel->in;
         for (int p = 0; p < modes->parts; p++) {
             const size_t rows = (size_t)modes->part[p].rows;
-            operands[p] =
-                (struct operands){modes->part[p].analysis, b, rows, rows, {{0, 0}, {0, 0}, 0}};
+            operands_init(modes->part[p].analysis, rows, b, rows, 0, &operands[p]);
             b += rows * put.width;
         }
         pack_points(panel, &put, x, operands);
@@ -279,11 +287,10 @@ void taut_synthesise(const taut_panel *panel, const taut_lines *lines, double *x
         for (int p = 0; p < modes->parts; p++) {
             const taut_modes_part *part = &modes->part[p];
             const size_t depth = (size_t)part->count;
-            operands[p] =
-                (struct operands){part->synthesis, b, depth, depth, {{0, 0}, {0, depth}, 0}};
+            operands_init(part->synthesis, depth, b, depth, depth, &operands[p]);
             for (size_t j = 0; j < depth; j++) {
                 read_row(lines, x, (size_t)part->first + j, first, count, row);
-                pack_row(row, put.width, unit, j, &operands[p]);
+                pack_row(modes->kernel, row, put.width, j, &operands[p]);
             }
             b += depth * put.width;
         }
@@ -370,15 +377,15 @@ static size_t depth_of(const taut_tails *tails, int p, size_t first, size_t coun
 }
 
 /* Packs these columns of the tails of part p, operands->b_depth modes of them. */
-static void pack_tails(const taut_tails *tails, int p, const struct put *put, size_t unit,
-                       const struct operands *operands)
+static void pack_tails(const taut_kernel *kernel, const taut_tails *tails, int p,
+                       const struct put *put, const struct operands *operands)
 {
     double row[COLUMNS_MAX] = {0};
     size_t j = 0;
     for (const taut_tail_block *block = tails->block[p]; j < operands->b_depth; block++) {
         for (size_t l = 0; l < (size_t)block->used; l++) {
             const int kept = take_tail(tails, block, l, put->first, put->count, row);
-            pack_row(kept ? row : zeros, put->width, unit, j++, operands);
+            pack_row(kernel, kept ? row : zeros, put->width, j++, operands);
         }
     }
 }
@@ -400,9 +407,12 @@ void taut_synthesise_tails(const taut_panel *panel, const taut_lines *lines,
         for (int p = 0; p < modes->parts; p++) {
             const taut_modes_part *part = &modes->part[p];
             depth = depth_of(tails, p, first, count);
-            operands[p] = (struct operands){
-                part->synthesis, b, (size_t)part->count, depth, {{0, 0}, {0, depth}, 0}};
-            pack_tails(tails, p, &put, unit, &operands[p]);
+            operands_init(part->synthesis, (size_t)part->count, b, depth, depth, &operands[p]);
+            for (size_t q = 0; q < put.width; q += unit) {
+                const size_t some = count - q < unit ? count - q : unit;
+                operands[p].runs[q / unit].end[1] = depth_of(tails, p, first + q, some);
+            }
+            pack_tails(modes->kernel, tails, p, &put, &operands[p]);
             b += depth * put.width;
         }
         put_points(panel, operands, &put, x);

@@ -154,6 +154,17 @@ static int is_right(const taut_pencil *pencil, const taut_eigenpairs *pairs, dou
     return is_complete(pencil, pairs, scratch);
 }
 
+/* Puts pairs in order, orthogonalises them, and puts them in order again, for that may move values.
+ */
+static taut_status finish(const taut_pencil *pencil, taut_eigenpairs *pairs)
+{
+    taut_status status = sort(pairs);
+    if (status == TAUT_OK) {
+        status = taut_eigen_orthogonalise(pencil, pairs);
+    }
+    return status == TAUT_OK ? sort(pairs) : status;
+}
+
 /* The fast way. */
 static taut_status solve_banded(const taut_pencil *pencil, taut_eigenpairs *pairs)
 {
@@ -165,23 +176,8 @@ static taut_status solve_banded(const taut_pencil *pencil, taut_eigenpairs *pair
     if (status == TAUT_OK) {
         status = taut_eigen_iterate(pencil, bracket, pairs);
     }
-    if (status == TAUT_OK) {
-        status = sort(pairs);
-    }
-    if (status == TAUT_OK) {
-        status = taut_eigen_polish(pencil, pairs);
-    }
-    if (status == TAUT_OK) {
-        status = sort(pairs);
-    }
-    if (status == TAUT_OK) {
-        status = taut_eigen_orthogonalise(pencil, pairs);
-    }
-    if (status == TAUT_OK) {
-        status = sort(pairs);
-    }
     taut_free(bracket);
-    return status;
+    return status == TAUT_OK ? finish(pencil, pairs) : status;
 }
 
 /* The sure way. */
@@ -191,35 +187,17 @@ static taut_status solve_dense(const taut_pencil *pencil, taut_eigenpairs *pairs
     if (status == TAUT_OK) {
         status = taut_eigen_polish(pencil, pairs);
     }
-    if (status == TAUT_OK) {
-        status = sort(pairs);
-    }
-    if (status == TAUT_OK) {
-        status = taut_eigen_orthogonalise(pencil, pairs);
-    }
-    if (status == TAUT_OK) {
-        status = sort(pairs);
-    }
-    return status;
+    return status == TAUT_OK ? finish(pencil, pairs) : status;
 }
 
-/* Back to the pencil given, the largest entry positive. */
-static void hand_out(const taut_eigenpairs *pairs, const double *root, double *values,
-                     double *vectors)
+/* Back to the pencil given. */
+static void unscale(taut_eigenpairs *pairs, const double *root)
 {
     const size_t n = (size_t)pairs->n;
-    memcpy(values, pairs->values, n * sizeof *values);
     for (size_t j = 0; j < n; j++) {
-        const double *x = pairs->vectors + j * n;
-        double *to = vectors + j * n;
-        size_t largest = 0;
+        double *x = pairs->vectors + j * n;
         for (size_t i = 0; i < n; i++) {
-            to[i] = root[i] * x[i];
-            largest = fabs(to[i]) > fabs(to[largest]) ? i : largest;
-        }
-        const double sign = to[largest] < 0.0 ? -1.0 : 1.0;
-        for (size_t i = 0; i < n; i++) {
-            to[i] *= sign;
+            x[i] *= root[i];
         }
     }
 }
@@ -239,8 +217,8 @@ taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *valu
     if (status != TAUT_OK) {
         goto done;
     }
-    double *root = single + 3 * n, *scratch = single + 4 * n;
-    taut_eigenpairs pairs = {k->n, single, x, single + n, single + 2 * n};
+    double *root = single + 2 * n, *scratch = single + 3 * n;
+    taut_eigenpairs pairs = {k->n, values, vectors, single, single + n};
     status = pencil_init(k, m, root, &pencil);
     if (status != TAUT_OK) {
         goto done;
@@ -254,12 +232,11 @@ taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *valu
         }
     }
     if (status == TAUT_OK) {
-        hand_out(&pairs, root, values, vectors);
+        unscale(&pairs, root);
     }
 
 done:
     pencil_clear(&pencil);
-    taut_free(x);
     taut_free(single);
     return status;
 }

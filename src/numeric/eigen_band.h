@@ -15,16 +15,17 @@
 
 /* k, m     same n; widths may differ; k positive semidefinite for the accuracy below (not required)
  * values   double[n], ascending
- * vectors  double[n][n], row j belongs to values[j]; its largest entry is positive
+ * vectors  double[n][n], row j belongs to values[j]; which of x and -x it is is left open
  *
  * Accuracy, u = 2^-53, with |A| for the matrix of absolute values; the first in the norm that
  * weighs row i by M(i,i)^(-1/2):
  *     ||(K - lambda M) x|| <= 64 u ||(|K| + |lambda| |M|) |x|||
  *     |x_i^T M x_j - delta_ij| <= 64 u (1 + |x_i|^T |M| |x_j|)
  *
- * Returns TAUT_OK, TAUT_BAD_ARGUMENT (sizes, entries not finite), TAUT_NO_SOLUTION (M not positive
- * definite), TAUT_CHECK_FAILED (the bounds above not met by any method), TAUT_NO_MEMORY; outputs
- * are untouched on failure. Memory: n^2 numbers and O(n width) beside the outputs. */
+ * Returns TAUT_OK, TAUT_BAD_ARGUMENT (sizes, entries not finite; outputs untouched),
+ * TAUT_NO_SOLUTION (M not positive definite), TAUT_CHECK_FAILED (the bounds above not met by any
+ * method) or TAUT_NO_MEMORY: the outputs are the work space, and spoilt then. Memory: O(n width)
+ * beside them. */
 taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *values,
                             double *vectors);
 

@@ -61,13 +61,30 @@ taut_status taut_eigen_sharpen(const taut_pencil *pencil, taut_bracket *bracket)
 /* The distance of guess j to its neighbours; the length of its bracket when it has none. */
 double taut_eigen_gap(int n, const taut_bracket *bracket, int j);
 
-/* Values and vectors by Rayleigh quotient iteration inside the brackets, not yet polished,
- * orthogonalised or checked. TAUT_OK or TAUT_NO_MEMORY. */
+/* kernel->lanes pairs at work. */
+typedef struct taut_eigen_block {
+    const taut_pencil *pencil;
+    double *factor;    /* double[width + n][width + 1][lanes], the first rows zero; then scratch */
+    double *x, *r, *m; /* double[n][lanes]: x, (K - lambda M) x, M x */
+    double lambda[TAUT_LANES_MAX];
+    double gap[TAUT_LANES_MAX]; /* about the distance of lambda to the next eigenvalue */
+} taut_eigen_block;
+
+/* TAUT_OK or TAUT_NO_MEMORY; clear also after a failure. */
+taut_status taut_eigen_block_init(const taut_pencil *pencil, taut_eigen_block *block);
+void taut_eigen_block_clear(taut_eigen_block *block);
+
+/* Takes from each x the error that factors without row interchanges leave in it, moves lambda to
+ * the Rayleigh quotient and stores the pairs as first..first+used-1, with their noise and residual.
+ */
+void taut_eigen_block_polish(taut_eigen_block *block, int first, int used, taut_eigenpairs *pairs);
+
+/* Values and vectors by Rayleigh quotient iteration inside the brackets, polished; not yet in
+ * order, orthogonalised or checked. TAUT_OK or TAUT_NO_MEMORY. */
 taut_status taut_eigen_iterate(const taut_pencil *pencil, const taut_bracket *bracket,
                                taut_eigenpairs *pairs);
 
-/* Takes from each vector the error that factors without row interchanges leave in it, moves the
- * values to the Rayleigh quotients and fills noise and residual. TAUT_OK or TAUT_NO_MEMORY. */
+/* Polishes pairs that come from elsewhere, values ascending. TAUT_OK or TAUT_NO_MEMORY. */
 taut_status taut_eigen_polish(const taut_pencil *pencil, taut_eigenpairs *pairs);
 
 /* Makes vectors with close values M-orthogonal. Those that turn out to be copies of others are

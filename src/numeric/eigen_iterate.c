@@ -25,29 +25,41 @@ struct lane {
     int is_done;
 };
 
-struct block {
-    const taut_pencil *pencil;
-    double *factor; /* double[width + n][width + 1][lanes], the first rows zero */
-    double *y, *z;  /* double[n][lanes] */
-};
-
 /* splitmix64 */
-double taut_eigen_scatter(unsigned long long seed)
+static uint64_t mixed(uint64_t seed)
 {
     uint64_t x = seed * 0x9e3779b97f4a7c15u;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    x ^= x >> 31;
-    return (double)(x >> 11) * 0x1p-52 - 1.0;
+    return x ^ (x >> 31);
 }
 
-static void start(const struct block *block, const struct lane *lane)
+/* The number in [-1, 1) of these bits. */
+static double between(uint64_t bits)
 {
-    const int n = block->pencil->k.n, lanes = block->pencil->kernel->lanes;
-    for (int i = 0; i < n; i++) {
-        for (int l = 0; l < lanes; l++) {
-            block->z[(size_t)i * (size_t)lanes + (size_t)l] =
-                taut_eigen_scatter((uint64_t)lane[l].index * (uint64_t)n + (uint64_t)i + 1);
+    const uint64_t pattern = bits >> 12 | 0x4000000000000000u; /* [2, 4) */
+    double x;
+    memcpy(&x, &pattern, sizeof x);
+    return x - 3.0;
+}
+
+double taut_eigen_scatter(unsigned long long seed)
+{
+    return between(mixed(seed));
+}
+
+/* Random right-hand sides, a different one for each eigenvalue. */
+static void start(const taut_eigen_block *block, const struct lane *lane)
+{
+    const size_t n = (size_t)block->pencil->k.n, lanes = (size_t)block->pencil->kernel->lanes;
+    uint64_t own[TAUT_LANES_MAX];
+    for (size_t l = 0; l < lanes; l++) {
+        own[l] = mixed((uint64_t)lane[l].index + n);
+    }
+    for (size_t i = 0; i < n; i++) {
+        const uint64_t row = mixed(i);
+        for (size_t l = 0; l < lanes; l++) {
+            block->m[i * lanes + l] = between(row ^ own[l]);
         }
     }
 }
@@ -78,93 +90,73 @@ static void advance(struct lane *lane, int below, double step)
     }
 }
 
-/* One step of all lanes. Returns 1 when all are done. */
-static int step(const struct block *block, struct lane *lane)
+/* One step of all lanes from the right-hand sides in m, which are M x afterwards. Returns 1 when
+ * all are done. */
+static int step(const taut_eigen_block *block, struct lane *lane)
 {
     const taut_pencil *p = block->pencil;
     const taut_kernel *kernel = p->kernel;
     const int n = p->k.n, w = p->k.width, lanes = kernel->lanes;
     const size_t entries = (size_t)n * (size_t)lanes;
-    double minus[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
-    double yg[TAUT_LANES_MAX], yy[TAUT_LANES_MAX], unused[TAUT_LANES_MAX];
+    double shift[TAUT_LANES_MAX], minus[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
+    double dot[3 * TAUT_LANES_MAX], scale[TAUT_LANES_MAX];
 
     for (int l = 0; l < lanes; l++) {
-        minus[l] = -lane[l].shift;
+        shift[l] = lane[l].shift;
+        minus[l] = -shift[l];
     }
     kernel->band_factor(0, n, w, p->k.a, p->m.a, 1.0, minus, p->tiny, block->factor, negative);
-    memcpy(block->y, block->z, entries * sizeof(double));
-    kernel->band_substitute(n, w, 1, block->factor, block->y);
-    kernel->lane_dot(n, block->y, block->z, yg, unused);
-    kernel->band_multiply(n, w, p->m.a, block->y, block->z);
-    kernel->lane_dot(n, block->y, block->z, yy, unused);
+    memcpy(block->x, block->m, entries * sizeof(double));
+    kernel->band_substitute(n, w, 1, block->factor, block->x);
+    kernel->band_pencil(n, w, p->k.a, p->m.a, shift, block->x, block->r, block->m, dot);
 
     int done = 1;
-    double scale[TAUT_LANES_MAX];
     for (int l = 0; l < lanes; l++) {
-        scale[l] = 1.0 / sqrt(yy[l]);
+        scale[l] = 1.0 / sqrt(dot[l]);
         if (!lane[l].is_done) {
-            advance(&lane[l], (int)negative[l], yg[l] / yy[l]);
+            advance(&lane[l], (int)negative[l], dot[lanes + l] / dot[l]);
         }
         done = done && lane[l].is_done;
     }
     for (size_t i = 0; i < entries; i += (size_t)lanes) {
         for (int l = 0; l < lanes; l++) {
-            block->y[i + (size_t)l] *= scale[l];
-            block->z[i + (size_t)l] *= scale[l];
+            block->x[i + (size_t)l] *= scale[l];
+            block->m[i + (size_t)l] *= scale[l];
         }
     }
     return done;
 }
 
-static void iterate_block(const struct block *block, int first, const taut_bracket *bracket,
+static void iterate_block(taut_eigen_block *block, int first, const taut_bracket *bracket,
                           taut_eigenpairs *pairs)
 {
-    const int n = block->pencil->k.n, lanes = block->pencil->kernel->lanes;
+    const int n = pairs->n, lanes = block->pencil->kernel->lanes;
     struct lane lane[TAUT_LANES_MAX];
 
     for (int l = 0; l < lanes; l++) {
         const int j = first + l < n ? first + l : n - 1;
         const taut_bracket *b = &bracket[j];
-        lane[l].index = j;
-        lane[l].low = b->low;
-        lane[l].high = b->high;
-        lane[l].width = taut_eigen_gap(n, bracket, j);
-        lane[l].shift = b->guess;
-        lane[l].is_done = 0;
+        const double gap = taut_eigen_gap(n, bracket, j);
+        lane[l] = (struct lane){b->guess, b->low, b->high, gap, j, 0};
+        block->gap[l] = fmax(gap, 0x1p-44 * fabs(b->guess));
     }
     start(block, lane);
     for (int i = 0; i < STEPS_MAX && !step(block, lane); i++) {
     }
-    for (int l = 0; l < lanes && first + l < n; l++) {
-        pairs->values[first + l] = lane[l].shift;
-        double *x = pairs->vectors + (size_t)(first + l) * (size_t)n;
-        for (int i = 0; i < n; i++) {
-            x[i] = block->y[(size_t)i * (size_t)lanes + (size_t)l];
-        }
+    for (int l = 0; l < lanes; l++) {
+        block->lambda[l] = lane[l].shift;
     }
+    taut_eigen_block_polish(block, first, n - first < lanes ? n - first : lanes, pairs);
 }
 
 taut_status taut_eigen_iterate(const taut_pencil *pencil, const taut_bracket *bracket,
                                taut_eigenpairs *pairs)
 {
-    const size_t n = (size_t)pencil->k.n, w = (size_t)pencil->k.width;
-    const size_t lanes = (size_t)pencil->kernel->lanes;
-    taut_status status = TAUT_NO_MEMORY;
-    struct block block = {pencil, taut_alloc_aligned((n + w) * (w + 1), lanes * sizeof(double)),
-                          taut_alloc_aligned(n, lanes * sizeof(double)),
-                          taut_alloc_aligned(n, lanes * sizeof(double))};
-    if (block.factor == NULL || block.y == NULL || block.z == NULL) {
-        goto done;
-    }
-    memset(block.factor, 0, w * (w + 1) * lanes * sizeof(double));
-    for (int first = 0; first < pencil->k.n; first += pencil->kernel->lanes) {
+    taut_eigen_block block;
+    const taut_status status = taut_eigen_block_init(pencil, &block);
+    for (int first = 0; first < pairs->n && status == TAUT_OK; first += pencil->kernel->lanes) {
         iterate_block(&block, first, bracket, pairs);
     }
-    status = TAUT_OK;
-
-done:
-    taut_free(block.z);
-    taut_free(block.y);
-    taut_free(block.factor);
+    taut_eigen_block_clear(&block);
     return status;
 }

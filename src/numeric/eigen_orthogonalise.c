@@ -26,23 +26,11 @@ taut_status taut_diagonals_init(const taut_pencil *pencil, taut_diagonals *out)
     return a == NULL ? TAUT_NO_MEMORY : TAUT_OK;
 }
 
-/* y = M x */
-static void multiply(const taut_diagonals *m, const double *x, double *y)
-{
-    memset(y, 0, m->n * sizeof *y);
-    m->kernel->add_products(m->n, m->a, x, y);
-    for (size_t d = 1; d <= m->width && d < m->n; d++) {
-        const double *diagonal = m->a + d * m->n + d;
-        m->kernel->add_products(m->n - d, diagonal, x, y + d);
-        m->kernel->add_products(m->n - d, diagonal, x + d, y);
-    }
-}
-
 double taut_eigen_purge(const taut_diagonals *m, const taut_eigenpairs *pairs, int first, int j,
                         double *x, double *mx)
 {
     const taut_kernel *kernel = m->kernel;
-    multiply(m, x, mx);
+    kernel->diagonals_multiply(m->n, m->width, m->a, x, mx);
     const double before = sqrt(kernel->dot(m->n, x, mx));
     int changed = 0;
     for (int i = first; i < j; i++) {
@@ -55,7 +43,7 @@ double taut_eigen_purge(const taut_diagonals *m, const taut_eigenpairs *pairs, i
     }
     double after = before;
     if (changed) {
-        multiply(m, x, mx);
+        kernel->diagonals_multiply(m->n, m->width, m->a, x, mx);
         after = sqrt(kernel->dot(m->n, x, mx));
     }
     for (size_t i = 0; i < m->n; i++) {

@@ -36,10 +36,16 @@ static taut_status pack(const double *vectors, int pairs, const taut_kernel *ker
     memset(part->analysis + (slivers(part->count, kernel->tile_rows) - 1) * rows * t, 0,
            rows * t * sizeof(double));
     for (size_t j = 0; j < count; j++) {
-        for (size_t i = 0; i < rows; i++) {
+        double *analysis = part->analysis + j / t * rows * t + j % t;
+        double *synthesis = part->synthesis + j * t;
+        for (size_t i = 0, q = 0; i < rows; i++, q++) {
             const double v = vectors[j * rows + i] * (i < (size_t)pairs ? sqrt(0.5) : 1.0);
-            part->synthesis[((i / t) * count + j) * t + i % t] = v;
-            part->analysis[((j / t) * rows + i) * t + j % t] = v;
+            if (q == t) { /* the next sliver of rows */
+                q = 0;
+                synthesis += count * t;
+            }
+            synthesis[q] = v;
+            analysis[i * t] = v;
         }
     }
     return TAUT_OK;

@@ -11,6 +11,8 @@
  * values. */
 enum { FRAME_SIZE = 500 };
 
+enum { BLOCK = 16 };
+
 static int is_weight(double s)
 {
     return isfinite(s) && s > 0.0;
@@ -164,38 +166,59 @@ taut_status taut_tensor_solver_rescale(taut_tensor_solver *solver, double su, do
     return status;
 }
 
-/* The rows of x, which are modes by now, are gathered, solved and put back, a few at a time. Entry
- * (j, c) of the banded direction lies `step` j + c behind the start of its row. */
-static void solve_rows(const taut_systems *systems, const taut_lines *lines, size_t step, int nrhs,
-                       double *x)
-{
-    const taut_tensor_solver *solver = systems->solver;
-    const taut_modes *modes = solver->direction[systems->d].modes;
-    const int n = solver->direction[1 - systems->d].k.n, lanes = modes->kernel->lanes;
-    const size_t rhs = (size_t)nrhs, entries = (size_t)n * rhs;
+/* Entry (j, c) of mode i, a row of the net by now, is at x[i * row + j * step + c]. */
+struct layout {
+    size_t row, step, n, rhs;
+};
 
-    for (int first = 0; first < modes->n; first += lanes) {
-        const int used = modes->n - first < lanes ? modes->n - first : lanes;
+/* Modes first..first+used-1 to and from lanes: inside[(j * rhs + c) * lanes + l]. A few j at a
+ * time, so that what is written with gaps stays in the first-level cache. */
+static void gather(const struct layout *at, size_t first, size_t used, size_t lanes,
+                   const double *x, double *inside)
+{
+    for (size_t block = 0; block < at->n; block += BLOCK) {
+        const size_t end = block + BLOCK < at->n ? block + BLOCK : at->n;
+        for (size_t l = 0; l < used; l++) {
+            const double *from = x + (first + l) * at->row;
+            for (size_t j = block; j < end; j++) {
+                for (size_t c = 0; c < at->rhs; c++) {
+                    inside[(j * at->rhs + c) * lanes + l] = from[j * at->step + c];
+                }
+            }
+        }
+    }
+}
+
+static void scatter(const struct layout *at, size_t first, size_t used, size_t lanes,
+                    const double *inside, double *x)
+{
+    for (size_t block = 0; block < at->n; block += BLOCK) {
+        const size_t end = block + BLOCK < at->n ? block + BLOCK : at->n;
+        for (size_t l = 0; l < used; l++) {
+            double *to = x + (first + l) * at->row;
+            for (size_t j = block; j < end; j++) {
+                for (size_t c = 0; c < at->rhs; c++) {
+                    to[j * at->step + c] = inside[(j * at->rhs + c) * lanes + l];
+                }
+            }
+        }
+    }
+}
+
+/* Solves the banded systems of all modes in place. */
+static void solve_rows(const taut_systems *systems, const struct layout *at, double *x)
+{
+    const taut_modes *modes = systems->solver->direction[systems->d].modes;
+    const size_t lanes = (size_t)modes->kernel->lanes, count = (size_t)modes->n;
+
+    for (size_t first = 0; first < count; first += lanes) {
+        const size_t used = count - first < lanes ? count - first : lanes;
         if (used < lanes) {
-            memset(systems->x, 0, entries * (size_t)lanes * sizeof *x);
+            memset(systems->x, 0, at->n * at->rhs * lanes * sizeof *x);
         }
-        for (int l = 0; l < used; l++) {
-            const double *row = x + (size_t)(first + l) * lines->stride;
-            for (size_t at = 0, j = 0; j < entries; j += rhs, at += step) {
-                for (size_t c = 0; c < rhs; c++) {
-                    systems->x[(j + c) * (size_t)lanes + (size_t)l] = row[at + c];
-                }
-            }
-        }
-        taut_systems_solve(systems, first, used, 0, n, nrhs);
-        for (int l = 0; l < used; l++) {
-            double *row = x + (size_t)(first + l) * lines->stride;
-            for (size_t at = 0, j = 0; j < entries; j += rhs, at += step) {
-                for (size_t c = 0; c < rhs; c++) {
-                    row[at + c] = systems->x[(j + c) * (size_t)lanes + (size_t)l];
-                }
-            }
-        }
+        gather(at, first, used, lanes, x, systems->x);
+        taut_systems_solve(systems, (int)first, (int)used, 0, (int)at->n, (int)at->rhs);
+        scatter(at, first, used, lanes, systems->x, x);
     }
 }
 
@@ -214,7 +237,8 @@ static taut_status solve_dense(const taut_tensor_solver *solver, int nrhs, doubl
     }
     if (status == TAUT_OK) {
         taut_analyse(&panel, &lines, x);
-        solve_rows(&systems, &lines, d == 0 ? rhs : nv * rhs, nrhs, x);
+        const struct layout layout = {lines.stride, d == 0 ? rhs : nv * rhs, d == 0 ? nv : nu, rhs};
+        solve_rows(&systems, &layout, x);
         taut_synthesise(&panel, &lines, x);
     }
     taut_panel_clear(&panel);

@@ -205,6 +205,72 @@ INLINE void substitute_any(int n, int width, int count, const double *factor, do
     }
 }
 
+/* r = K x - lambda M x and mx = M x on rows first..end-1, where all of row i reaches `up` rows up
+ * and `down` rows down; adds to the dots. */
+INLINE void pencil_rows(int first, int end, int width, int up, int down, const double *k,
+                        const double *m, const double *lambda, const double *x, double *r,
+                        double *mx, v_double (*dots)[GROUPS])
+{
+    const ptrdiff_t slots = (ptrdiff_t)width + 1;
+    for (int i = first; i < end; i++) {
+        const double *ki = k + i * slots, *mi = m + i * slots;
+        const double *xi = x + (ptrdiff_t)i * LANES;
+        v_double by_k[GROUPS], by_m[GROUPS];
+        for (int g = 0; g < GROUPS; g++) {
+            by_k[g] = v_all(ki[0]) * v_load(xi + g * V_SIZE);
+            by_m[g] = v_all(mi[0]) * v_load(xi + g * V_SIZE);
+        }
+#pragma GCC unroll 8
+        for (int d = 1; d <= up; d++) {
+            const v_double kd = v_all(ki[d]), md = v_all(mi[d]);
+            for (int g = 0; g < GROUPS; g++) {
+                const v_double above = v_load(xi - d * LANES + g * V_SIZE);
+                by_k[g] = v_fma(kd, above, by_k[g]);
+                by_m[g] = v_fma(md, above, by_m[g]);
+            }
+        }
+#pragma GCC unroll 8
+        for (int d = 1; d <= down; d++) {
+            const v_double kd = v_all(ki[d * slots + d]), md = v_all(mi[d * slots + d]);
+            for (int g = 0; g < GROUPS; g++) {
+                const v_double below = v_load(xi + d * LANES + g * V_SIZE);
+                by_k[g] = v_fma(kd, below, by_k[g]);
+                by_m[g] = v_fma(md, below, by_m[g]);
+            }
+        }
+        for (int g = 0; g < GROUPS; g++) {
+            const v_double here = v_load(xi + g * V_SIZE);
+            by_k[g] = v_fnma(v_load(lambda + g * V_SIZE), by_m[g], by_k[g]);
+            v_store(r + (ptrdiff_t)i * LANES + g * V_SIZE, by_k[g]);
+            v_store(mx + (ptrdiff_t)i * LANES + g * V_SIZE, by_m[g]);
+            dots[0][g] = v_fma(here, by_m[g], dots[0][g]);
+            dots[1][g] = v_fma(here, by_k[g], dots[1][g]);
+            dots[2][g] = v_fma(by_k[g], by_k[g], dots[2][g]);
+        }
+    }
+}
+
+INLINE void pencil_all(int n, const int width, const double *k, const double *m,
+                       const double *lambda, const double *x, double *r, double *mx, double *dot)
+{
+    v_double dots[3][GROUPS];
+    for (int g = 0; g < GROUPS; g++) {
+        dots[0][g] = dots[1][g] = dots[2][g] = v_all(0.0);
+    }
+    const int inner = width < n ? width : n, last = n - width > inner ? n - width : inner;
+    for (int i = 0; i < inner; i++) {
+        pencil_rows(i, i + 1, width, i, n - 1 - i < width ? n - 1 - i : width, k, m, lambda, x, r,
+                    mx, dots);
+    }
+    pencil_rows(inner, last, width, width, width, k, m, lambda, x, r, mx, dots);
+    for (int i = last; i < n; i++) {
+        pencil_rows(i, i + 1, width, width, n - 1 - i, k, m, lambda, x, r, mx, dots);
+    }
+    for (int g = 0; g < 3 * GROUPS; g++) {
+        v_store(dot + g * V_SIZE, dots[g / GROUPS][g % GROUPS]);
+    }
+}
+
 #define FACTOR_FIXED(width)                                                                        \
     TARGET static void factor_##width(int first, int end, const double *k, const double *m,        \
                                       double scale, const double *shift, double tiny,              \
@@ -215,6 +281,12 @@ INLINE void substitute_any(int n, int width, int count, const double *factor, do
     TARGET static void substitute_##width(int n, int count, const double *factor, double *x)       \
     {                                                                                              \
         substitute_rows(n, width, count, factor, x);                                               \
+    }                                                                                              \
+    TARGET static void pencil_##width(int n, const double *k, const double *m,                     \
+                                      const double *lambda, const double *x, double *r,            \
+                                      double *mx, double *dot)                                     \
+    {                                                                                              \
+        pencil_all(n, width, k, m, lambda, x, r, mx, dot);                                         \
     }
 FACTOR_FIXED(1)
 FACTOR_FIXED(2)
@@ -227,11 +299,13 @@ static const struct fixed_width {
     void (*factor)(int, int, const double *, const double *, double, const double *, double,
                    double *, double *);
     void (*substitute)(int, int, const double *, double *);
-} fixed_width[WIDTH_FIXED] = {{factor_1, substitute_1},
-                              {factor_2, substitute_2},
-                              {factor_3, substitute_3},
-                              {factor_4, substitute_4},
-                              {factor_5, substitute_5}};
+    void (*pencil)(int, const double *, const double *, const double *, const double *, double *,
+                   double *, double *);
+} fixed_width[WIDTH_FIXED] = {{factor_1, substitute_1, pencil_1},
+                              {factor_2, substitute_2, pencil_2},
+                              {factor_3, substitute_3, pencil_3},
+                              {factor_4, substitute_4, pencil_4},
+                              {factor_5, substitute_5, pencil_5}};
 
 TARGET static void band_factor(int first, int end, int width, const double *k, const double *m,
                                double scale, const double *shift, double tiny, double *factor,
@@ -253,31 +327,14 @@ TARGET static void band_substitute(int n, int width, int count, const double *fa
     }
 }
 
-TARGET static void band_multiply(int n, int width, const double *a, const double *x, double *y)
+TARGET static void band_pencil(int n, int width, const double *k, const double *m,
+                               const double *lambda, const double *x, double *r, double *mx,
+                               double *dot)
 {
-    const ptrdiff_t slots = (ptrdiff_t)width + 1;
-    for (int i = 0; i < n; i++) {
-        const double *row = a + i * slots;
-        const int up = i < width ? i : width, down = n - 1 - i < width ? n - 1 - i : width;
-        const double *xi = x + (ptrdiff_t)i * LANES;
-        v_double sum[GROUPS];
-        for (int g = 0; g < GROUPS; g++) {
-            sum[g] = v_all(row[0]) * v_load(xi + g * V_SIZE);
-        }
-        for (int d = 1; d <= up; d++) {
-            for (int g = 0; g < GROUPS; g++) {
-                sum[g] = v_fma(v_all(row[d]), v_load(xi - d * LANES + g * V_SIZE), sum[g]);
-            }
-        }
-        for (int d = 1; d <= down; d++) {
-            const v_double ad = v_all(row[d * slots + d]);
-            for (int g = 0; g < GROUPS; g++) {
-                sum[g] = v_fma(ad, v_load(xi + d * LANES + g * V_SIZE), sum[g]);
-            }
-        }
-        for (int g = 0; g < GROUPS; g++) {
-            v_store(y + (ptrdiff_t)i * LANES + g * V_SIZE, sum[g]);
-        }
+    if (width >= 1 && width <= WIDTH_FIXED) {
+        fixed_width[width - 1].pencil(n, k, m, lambda, x, r, mx, dot);
+    } else {
+        pencil_all(n, width, k, m, lambda, x, r, mx, dot);
     }
 }
 

@@ -23,44 +23,60 @@ typedef struct taut_kernel {
     int lanes;
     int tile_rows, tile_columns;
 
-    /* c[r][q] += sum_k a[k][r] b[k][q],  k < depth, r < tile_rows, q < tile_columns;
-     * a double[depth][tile_rows], b double[depth][tile_columns] aligned to 64, row r of c at c +
-     * r*c_stride. */
+    /* c[r][q] += sum_k a[k][r] b[k][q],    k < depth, r < tile_rows, q < tile_columns
+     *
+     *     a  double[depth][tile_rows]
+     *     b  double[depth][tile_columns], aligned to 64
+     *     c  row r starts at c + r * c_stride */
     void (*tile)(size_t depth, const double *a, const double *b, double *c, size_t c_stride);
 
-    /* L D L^T of  scale K + shift[l] M  for rows first..end-1, lane by lane, no pivoting (see
-     * band.h). k, m      double[n][width+1] as in band.h factor    double[width + end -
-     * first][width+1][lanes]: row i at index width + i - first; the width rows before row `first`
-     * are input: its predecessors, zero where i < 0. Slot 0 is 1/D(i), slot d is L(i, i-d). tiny >
-     * 0: pivots nearer to zero are replaced by -tiny, so that nothing divides by zero negative
-     * double[lanes]: += the number of negative pivots */
+    /* Copies `units` pieces of tile_columns numbers: piece q to to[q * to_stride], aligned to 64.
+     */
+    void (*pack)(size_t units, const double *from, size_t to_stride, double *to);
+
+    /* L D L^T of  scale K + shift[l] M  for rows first..end-1, lane by lane, without row
+     * interchanges
+     *
+     *     k, m      double[n][width + 1] as in band.h
+     *     shift     double[lanes]
+     *     tiny      > 0: pivots nearer to zero are moved to tiny or -tiny
+     *     factor    double[width + end - first][width + 1][lanes]: row i is at index width + i -
+     * first; the first `width` rows are input, the rows before row `first`, zero where i < 0; slot
+     * 0 of a row is 1 / D(i), slot d is L(i, i - d) negative  double[lanes]: gains the number of
+     * negative pivots */
     void (*band_factor)(int first, int end, int width, const double *k, const double *m,
                         double scale, const double *shift, double tiny, double *factor,
                         double *negative);
 
-    /* Solves with `factor` (first = 0) in place: x double[n][count][lanes]. */
+    /* Solves with a factor of rows 0..n-1 in place; x double[n][count][lanes]. */
     void (*band_substitute)(int n, int width, int count, const double *factor, double *x);
 
-    /* y = A x, both double[n][lanes], apart; a double[n][width+1] as in band.h. */
-    void (*band_multiply)(int n, int width, const double *a, const double *x, double *y);
+    /* r = (K - lambda[l] M) x and mx = M x, all double[n][lanes] and apart
+     *
+     *     dot  double[3][lanes]: x . mx, x . r, r . r */
+    void (*band_pencil)(int n, int width, const double *k, const double *m, const double *lambda,
+                        const double *x, double *r, double *mx, double *dot);
 
-    /* xy[l] = x . y,  xx[l] = x . x  over double[n][lanes]. */
+    /* xy[l] = x . y and xx[l] = x . x over double[n][lanes]. */
     void (*lane_dot)(int n, const double *x, const double *y, double *xy, double *xx);
 
-    /* Multiplies mantissa[l] 2^exponent[l] by x[i * stride + l], i < n; 1 <= |mantissa| < 2 after
-     * that. |x| must lie between 2^-250 and 2^250. */
+    /* mantissa[l] 2^exponent[l] is multiplied by x[i * stride + l], i < n; 1 <= |mantissa| < 2
+     * after that. Every |x| must lie between 2^-250 and 2^250. */
     void (*lane_product)(int n, size_t stride, const double *x, double *mantissa,
                          long long *exponent);
 
     /* x . y over `count` entries. Any alignment, here and below. */
     double (*dot)(size_t count, const double *x, const double *y);
 
-    /* Over `count` entries: y += factor x;  y += c x, entry by entry. */
+    /* y = A x, x and y double[n] and apart; A symmetric by diagonals, a[d*n + i] = A(i, i - d), d
+     * <= width. */
+    void (*diagonals_multiply)(size_t n, size_t width, const double *a, const double *x, double *y);
+
+    /* y += factor x, and y += c x entry by entry, over `count` entries. */
     void (*add_scaled)(size_t count, double factor, const double *x, double *y);
     void (*add_products)(size_t count, const double *c, const double *x, double *y);
 
-    /* The same into sums kept as high + low, with an error of about 2^-104 of the terms. x_low may
-     * be NULL: zero. */
+    /* The same into sums kept as high + low, with an error of about 2^-104 of the terms. */
     void (*add_scaled_exactly)(size_t count, double factor, const double *x, const double *x_low,
                                double *high, double *low);
     void (*add_products_exactly)(size_t count, const double *c, const double *x, double *high,

@@ -38,3 +38,12 @@ TARGET static void tile(size_t depth, const double *a, const double *b, double *
         }
     }
 }
+
+TARGET static void pack(size_t units, const double *from, size_t to_stride, double *to)
+{
+    for (size_t q = 0; q < units; q++, from += TILE_COLUMNS, to += to_stride) {
+        for (int g = 0; g < TILE_GROUPS; g++) {
+            v_store(to + g * V_SIZE, v_load(from + g * V_SIZE));
+        }
+    }
+}

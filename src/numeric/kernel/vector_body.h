@@ -34,6 +34,39 @@ TARGET static double dot(size_t count, const double *x, const double *y)
     return total;
 }
 
+/* Row i of the product; what lies outside the matrix is left out. */
+INLINE double diagonals_row(size_t n, size_t width, const double *a, const double *x, size_t i)
+{
+    double sum = a[i] * x[i];
+    for (size_t d = 1; d <= width && d <= i; d++) {
+        sum += a[d * n + i] * x[i - d];
+    }
+    for (size_t d = 1; d <= width && d < n - i; d++) {
+        sum += a[d * n + i + d] * x[i + d];
+    }
+    return sum;
+}
+
+TARGET static void diagonals_multiply(size_t n, size_t width, const double *a, const double *x,
+                                      double *y)
+{
+    size_t i = 0;
+    for (; i < n && i < width; i++) {
+        y[i] = diagonals_row(n, width, a, x, i);
+    }
+    for (; i + V_SIZE + width <= n; i += V_SIZE) {
+        v_double sum = v_load(a + i) * v_load(x + i);
+        for (size_t d = 1; d <= width; d++) {
+            sum = v_fma(v_load(a + d * n + i), v_load(x + i - d), sum);
+            sum = v_fma(v_load(a + d * n + i + d), v_load(x + i + d), sum);
+        }
+        v_store(y + i, sum);
+    }
+    for (; i < n; i++) {
+        y[i] = diagonals_row(n, width, a, x, i);
+    }
+}
+
 TARGET static void add_scaled(size_t count, double factor, const double *x, double *y)
 {
     const v_double f = v_all(factor);

@@ -58,21 +58,77 @@ static void fill_bands(int width, double *k, double *m)
             k[i * (width + 1) + d] = d == 0   ? 2.0 * width + 1.0 + i
                                      : d <= i ? random_in(-1.0, 1.0)
                                               : 0.0;
-            m[i * (width + 1) + d] = d == 0 ? 1.0 : 0.0;
+            m[i * (width + 1) + d] = d == 0 ? 1.0 : d <= i ? random_in(-0.1, 0.1) : 0.0;
         }
     }
 }
 
-/* Factors made in two pieces solve A x = b with A x multiplied by band_multiply; and for a diagonal
- * pencil the pivots below zero are counted exactly. */
+/* sum_j A(i, j) x[j * lanes] by the definition of band.h; *size gains the sum of the absolute
+ * terms. */
+static double row_times(int width, const double *a, int i, const double *x, int lanes, double *size)
+{
+    double sum = 0.0;
+    for (int j = 0; j < N; j++) {
+        const int d = i > j ? i - j : j - i;
+        if (d <= width) {
+            const double term = a[(i > j ? i : j) * (width + 1) + d] * x[j * lanes];
+            sum += term;
+            *size += fabs(term);
+        }
+    }
+    return sum;
+}
+
+/* r, M x and the three dots against their definitions. */
+static void test_pencil(const taut_kernel *kernel, int width)
+{
+    const int lanes = kernel->lanes;
+    const size_t vector = (size_t)N * (size_t)lanes;
+    double k[N * (WIDTH_MAX + 1)], m[N * (WIDTH_MAX + 1)], lambda[TAUT_LANES_MAX];
+    double dot[3 * TAUT_LANES_MAX];
+    double *x = numbers(vector), *r = numbers(vector), *mx = numbers(vector);
+
+    fill_bands(width, k, m);
+    for (int l = 0; l < lanes; l++) {
+        lambda[l] = random_in(-2.0, 2.0);
+    }
+    kernel->band_pencil(N, width, k, m, lambda, x, r, mx, dot);
+    for (int l = 0; l < lanes; l++) {
+        double sum[3] = {0}, size[3] = {0};
+        for (int i = 0; i < N; i++) {
+            double terms = 0.0;
+            const double mass = row_times(width, m, i, x + l, lanes, &terms);
+            CHECK_NEAR(mx[i * lanes + l], mass, 24 * terms * 0x1p-53, "%s width=%d i=%d",
+                       kernel->name, width, i);
+            terms *= fabs(lambda[l]);
+            const double rest = row_times(width, k, i, x + l, lanes, &terms) - lambda[l] * mass;
+            CHECK_NEAR(r[i * lanes + l], rest, 24 * terms * 0x1p-53, "%s width=%d i=%d",
+                       kernel->name, width, i);
+            const double here[3] = {x[i * lanes + l] * mass, x[i * lanes + l] * rest, rest * rest};
+            for (int q = 0; q < 3; q++) {
+                sum[q] += here[q];
+                size[q] += (q == 2 ? fabs(rest) : 1.0) * terms + fabs(mass);
+            }
+        }
+        for (int q = 0; q < 3; q++) {
+            CHECK_NEAR(dot[q * lanes + l], sum[q], 4 * N * size[q] * 0x1p-53, "%s width=%d q=%d",
+                       kernel->name, width, q);
+        }
+    }
+    taut_free(x);
+    taut_free(r);
+    taut_free(mx);
+}
+
+/* Factors made in two pieces solve A x = b. */
 static void test_band(const taut_kernel *kernel, int width)
 {
     const int lanes = kernel->lanes;
     const size_t row = ((size_t)width + 1) * (size_t)lanes, vector = (size_t)N * (size_t)lanes;
     double k[N * (WIDTH_MAX + 1)], m[N * (WIDTH_MAX + 1)], a[N * (WIDTH_MAX + 1)];
-    double shift[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
+    double shift[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0}, unused = 0.0;
     double *factor = numbers(((size_t)N + (size_t)width) * row);
-    double *x = numbers(vector), *y = numbers(vector), *z = numbers(vector * RHS);
+    double *x = numbers(vector), *z = numbers(vector * RHS);
 
     fill_bands(width, k, m);
     memset(factor, 0, (size_t)width * row * sizeof *factor);
@@ -86,23 +142,22 @@ static void test_band(const taut_kernel *kernel, int width)
         for (int i = 0; i < N * (width + 1); i++) {
             a[i] = 0.5 * k[i] + shift[l] * m[i];
         }
-        kernel->band_multiply(N, width, a, x, y);
         for (int i = 0; i < N; i++) {
+            const double image = row_times(width, a, i, x + l, lanes, &unused);
             for (int c = 0; c < RHS; c++) {
-                z[(i * RHS + c) * lanes + l] = (c + 1) * y[i * lanes + l];
+                z[(i * RHS + c) * lanes + l] = (c + 1) * image;
             }
         }
     }
     kernel->band_substitute(N, width, RHS, factor, z);
     for (int i = 0; i < N * RHS * lanes; i++) {
         const int l = i % lanes, c = i / lanes % RHS, at = i / lanes / RHS;
-        /* cond(A) < 200 by Gershgorin; backward error below 3 (width + 1) u */
-        CHECK_NEAR(z[i], (c + 1) * x[at * lanes + l], 3 * 200 * 27 * 0x1p-53, "%s width=%d",
+        /* cond(A) < 400 by Gershgorin; backward error below 3 (width + 1) u */
+        CHECK_NEAR(z[i], (c + 1) * x[at * lanes + l], 3 * 400 * 27 * 0x1p-53, "%s width=%d",
                    kernel->name, width);
     }
     taut_free(factor);
     taut_free(x);
-    taut_free(y);
     taut_free(z);
 }
 
@@ -224,6 +279,45 @@ static void test_long_dot(const taut_kernel *kernel)
     }
 }
 
+/* M x by diagonals against the definition, for any length and width. */
+static void test_diagonals(const taut_kernel *kernel)
+{
+    for (size_t n = 1; n <= LONG_MAX; n += 1 + n / 5) {
+        for (size_t width = 0; width <= WIDTH_MAX; width++) {
+            double *a = numbers(n * (width + 1)), *x = numbers(n), *y = numbers(n);
+            kernel->diagonals_multiply(n, width, a, x, y);
+            for (size_t i = 0; i < n; i++) {
+                double sum = 0.0;
+                for (size_t j = 0; j < n; j++) {
+                    const size_t d = i > j ? i - j : j - i;
+                    sum += d <= width ? a[d * n + (i > j ? i : j)] * x[j] : 0.0;
+                }
+                CHECK_NEAR(y[i], sum, 17 * 17 * 0x1p-53, "%s n=%zu width=%zu i=%zu", kernel->name,
+                           n, width, i);
+            }
+            taut_free(a);
+            taut_free(x);
+            taut_free(y);
+        }
+    }
+}
+
+static void test_pack(const taut_kernel *kernel)
+{
+    const size_t unit = (size_t)kernel->tile_columns, stride = 3 * unit;
+    double *from = numbers(4 * unit), *to = numbers(4 * stride), *before = numbers(4 * stride);
+    memcpy(before, to, 4 * stride * sizeof *to);
+    kernel->pack(4, from, stride, to);
+    for (size_t i = 0; i < 4 * stride; i++) {
+        const double expected =
+            i % stride < unit ? from[i / stride * unit + i % stride] : before[i];
+        CHECK(to[i] == expected, "%s i=%zu", kernel->name, i);
+    }
+    taut_free(from);
+    taut_free(to);
+    taut_free(before);
+}
+
 static void test_choice(void)
 {
     CHECK(taut_kernel_find("baseline") != NULL, "the baseline is always there");
@@ -249,11 +343,14 @@ int main(void)
         test_counts(kernel);
         for (int width = 0; width <= WIDTH_MAX; width++) {
             test_band(kernel, width);
+            test_pencil(kernel, width);
         }
         test_vectors(kernel);
         test_dot(kernel);
         test_product(kernel);
         test_long_dot(kernel);
+        test_diagonals(kernel);
+        test_pack(kernel);
     }
     test_choice();
     return check_failures != 0;
