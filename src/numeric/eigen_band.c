@@ -212,8 +212,7 @@ taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *valu
     taut_pencil pencil = {.kernel = NULL};
     double *single =
         taut_alloc(7 * n, sizeof *single); /* values, noise, residual, root, scratch[3] */
-    double *x = taut_alloc(n * n, sizeof *x);
-    taut_status status = single == NULL || x == NULL ? TAUT_NO_MEMORY : check_definite(m);
+    taut_status status = single == NULL ? TAUT_NO_MEMORY : check_definite(m);
     if (status != TAUT_OK) {
         goto done;
     }
