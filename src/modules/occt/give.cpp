@@ -9,7 +9,10 @@
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_ReportEntity.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
@@ -20,6 +23,26 @@
 
 #include <cmath>
 #include <vector>
+
+void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
+                       const Handle(Standard_Type) & needed)
+{
+    Handle(Interface_Check) check = model->GlobalCheck();
+    if (check->HasFailed()) {
+        throw occt_failure(TAUT_BAD_INPUT, std::string("the file is broken: ") + check->CFail(1));
+    }
+    for (int i = 1; i <= model->NbEntities(); i++) {
+        if (model->IsReportEntity(i) && model->Value(i)->IsKind(needed)) {
+            check = model->ReportEntity(i)->Check();
+            if (check->HasFailed()) {
+                throw occt_failure(
+                    TAUT_BAD_INPUT,
+                    "entity " + std::string(model->StringLabel(model->Value(i))->ToCString()) +
+                        " is broken: " + check->CFail(1));
+            }
+        }
+    }
+}
 
 /* The geometry a face or an edge hangs on, where it is not moved: what names are kept by. */
 static const void *geometry_of(const TopoDS_Shape &shape)

@@ -233,6 +233,7 @@ TopoDS_Shape occt_read_iges(const taut_cad_job &job, const taut_cad_sink &sink, 
         throw occt_failure(TAUT_BAD_INPUT, "this is no IGES file, or a broken one");
     }
     const Handle(IGESData_IGESModel) model = reader.IGESModel();
+    occt_check_loaded(model, STANDARD_TYPE(IGESData_IGESEntity));
     for (const unit_row &row : units) {
         if (model->GlobalSection().UnitFlag() == row.flag) {
             unit = row.unit;

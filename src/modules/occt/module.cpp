@@ -9,8 +9,8 @@
 #include <cstring>
 #include <new>
 
-/* Runs `work`; what it throws becomes a status and a message. */
-template <class Work> static taut_status guard(taut_error *error, Work work)
+/* Runs `work`; what it throws becomes a status and a message, `blame` where the library fails. */
+template <class Work> static taut_status guard(taut_status blame, taut_error *error, Work work)
 {
     taut_status status = TAUT_OK;
     std::string message;
@@ -24,10 +24,10 @@ template <class Work> static taut_status guard(taut_error *error, Work work)
     } catch (const std::bad_alloc &) {
         status = TAUT_NO_MEMORY;
     } catch (const Standard_Failure &failure) {
-        status = TAUT_INTERNAL;
+        status = blame;
         message = std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name();
     } catch (...) {
-        status = TAUT_INTERNAL;
+        status = blame;
         message = "OpenCASCADE failed";
     }
     if (status != TAUT_OK && error != nullptr) {
@@ -43,7 +43,7 @@ template <class Work> static taut_status guard(taut_error *error, Work work)
 static taut_status cad_write(const taut_cad_job *job, int count, const taut_cad_item *items,
                              taut_error *error)
 {
-    return guard(error, [&] {
+    return guard(TAUT_INTERNAL, error, [&] {
         if (job->kind == TAUT_CAD_STEP) {
             occt_write_step(*job, count, items);
         } else {
@@ -54,7 +54,7 @@ static taut_status cad_write(const taut_cad_job *job, int count, const taut_cad_
 
 static taut_status cad_read(const taut_cad_job *job, const taut_cad_sink *sink, taut_error *error)
 {
-    return guard(error, [&] {
+    return guard(TAUT_BAD_INPUT, error, [&] {
         occt_names names;
         const TopoDS_Shape shape = job->kind == TAUT_CAD_STEP ? occt_read_step(*job, *sink, names)
                                                               : occt_read_iges(*job, *sink, names);

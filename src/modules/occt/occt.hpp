@@ -6,6 +6,7 @@
 
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <map>
@@ -47,6 +48,11 @@ struct occt_names {
 /* Reads a file: its shapes, names, and its unit told to the sink. */
 TopoDS_Shape occt_read_step(const taut_cad_job &job, const taut_cad_sink &sink, occt_names &names);
 TopoDS_Shape occt_read_iges(const taut_cad_job &job, const taut_cad_sink &sink, occt_names &names);
+
+/* TAUT_BAD_INPUT if the library found fault with the file, or with an entity of it that is not to
+ * be done without. */
+void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
+                       const Handle(Standard_Type) & needed);
 
 /* Every face and every edge that bounds no face, as items, in the order of the shape. */
 void occt_give(const TopoDS_Shape &shape, const occt_names &names, const taut_cad_sink &sink);

@@ -160,6 +160,7 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const taut_cad_sink &sink, 
     if (reader.ReadFile(job.path) != IFSelect_RetDone) {
         throw occt_failure(TAUT_BAD_INPUT, "this is no STEP file, or a broken one");
     }
+    occt_check_loaded(reader.Model(), STANDARD_TYPE(StepRepr_RepresentationItem));
     reader.FileUnits(lengths, angles, solid_angles);
     if (lengths.Length() > 0 && unit_of(lengths.First()) != nullptr) {
         unit = unit_of(lengths.First());
