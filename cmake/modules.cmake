@@ -21,5 +21,26 @@ function(taut_module name package)
 endfunction()
 
 taut_module(cairo cairo)
+
+# OpenCASCADE's own CMake package breaks where libtbb-dev is absent, so its libraries are taken by name.
+find_path(OCCT_INCLUDE STEPControl_Writer.hxx PATH_SUFFIXES opencascade occt)
+set(OCCT_LIBRARIES)
+foreach(toolkit TKSTEP TKSTEPAttr TKSTEP209 TKSTEPBase TKIGES TKXSBase TKShHealing TKTopAlgo TKGeomAlgo TKBRep
+    TKGeomBase TKG3d TKG2d TKMath TKernel)
+  find_library(OCCT_${toolkit} ${toolkit})
+  list(APPEND OCCT_LIBRARIES ${OCCT_${toolkit}})
+endforeach()
+if(OCCT_INCLUDE AND NOT OCCT_LIBRARIES MATCHES "NOTFOUND")
+  file(GLOB occt_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/modules/occt/*.cpp)
+  add_library(taut_module_occt MODULE ${occt_sources})
+  set_target_properties(taut_module_occt PROPERTIES
+    OUTPUT_NAME taut-occt PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${TAUT_MODULE_DIR})
+  target_include_directories(taut_module_occt SYSTEM PRIVATE ${OCCT_INCLUDE})
+  target_link_libraries(taut_module_occt PRIVATE taut_flags ${OCCT_LIBRARIES})
+  add_dependencies(product taut_module_occt)
+  install(TARGETS taut_module_occt LIBRARY DESTINATION ${TAUT_MODULE_INSTALL_DIR})
+else()
+  message(STATUS "Module occt is left out: libocct-data-exchange-dev is not installed")
+endif()
 set_source_files_properties(${CMAKE_SOURCE_DIR}/src/core/module.c PROPERTIES COMPILE_DEFINITIONS
   "TAUT_MODULE_BUILD_DIR=\"${TAUT_MODULE_DIR}\";TAUT_MODULE_INSTALL_DIR=\"${CMAKE_INSTALL_PREFIX}/${TAUT_MODULE_INSTALL_DIR}\"")

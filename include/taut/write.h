@@ -32,6 +32,9 @@ typedef struct taut_write_options {
     double view[2];
     const char *title; /* NULL: none */
     taut_monitor monitor;
+    /* NULL, or where a format that approximates within a proved bound puts it: a length, 0 where
+     * all is exact. Other formats leave it alone. */
+    double *bound;
 } taut_write_options;
 
 /* The formats, i = 0 .. count-1: its ending without the dot, and one line on what it holds. */

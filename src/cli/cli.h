@@ -145,6 +145,9 @@ int cli_outputs_new(taut_outputs **outputs);
 void cli_outputs_free(taut_outputs *outputs);
 /* Puts the outputs in place; 0, or the exit code after one message. */
 int cli_commit(taut_outputs *outputs);
+/* ", within 3e-07 mm" or ", exact" for the proved distance of an output, "" where it is NaN. */
+enum { CLI_DISTANCE_ROOM = 64 };
+const char *cli_distance(double bound, const taut_model *model, char room[CLI_DISTANCE_ROOM]);
 /* Writes the model to every -o, or as JSON to standard output without one. 0 or the exit code. */
 int cli_write_model(const taut_model *model, const cli_options *options);
 /* Prints a record as JSON on standard output; 0 or the exit code after one message. Frees the

@@ -2,6 +2,7 @@
 #include "cli.h"
 #include "report.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -16,7 +17,7 @@ static int is_json(const char *path)
 
 /* Stages the model in every output, and the report; 0 or the exit code. */
 static int stage(taut_outputs *outputs, const cli_options *options, cli_report *report,
-                 const char **written)
+                 const char **written, double *bounds)
 {
     const int holds = taut_certificate_holds(report->certificate) != TAUT_FALSE;
     taut_write_options chosen;
@@ -24,6 +25,7 @@ static int stage(taut_outputs *outputs, const cli_options *options, cli_report *
     int code = cli_write_options(options, &chosen);
 
     report->outputs = written;
+    report->bounds = bounds;
     if (code == 0 && options->output_count == 0 &&
         taut_outputs_model(outputs, report->model, "-", &chosen, &error) != TAUT_OK) {
         code = cli_fail(&error);
@@ -32,6 +34,8 @@ static int stage(taut_outputs *outputs, const cli_options *options, cli_report *
         if (!holds && !is_json(options->outputs[i])) {
             continue;
         }
+        bounds[report->output_count] = (double)NAN;
+        chosen.bound = &bounds[report->output_count];
         if (taut_outputs_model(outputs, report->model, options->outputs[i], &chosen, &error) !=
             TAUT_OK) {
             code = cli_fail(&error);
@@ -57,12 +61,13 @@ static int stage_report(taut_outputs *outputs, const char *path, const cli_repor
 static int deliver(const cli_options *options, cli_report *report)
 {
     const char *written[CLI_LIST_MAX];
+    double bounds[CLI_LIST_MAX];
     taut_outputs *outputs = NULL;
     const double start = cli_seconds();
     int code = cli_outputs_new(&outputs);
 
     if (code == 0) {
-        code = stage(outputs, options, report, written);
+        code = stage(outputs, options, report, written, bounds);
     }
     report->seconds_written = cli_seconds() - start;
     if (code == 0 && options->report != NULL) {

@@ -1,6 +1,7 @@
 /* outputs.c -- writing what a command made, whole or not at all, also when interrupted. */
 #include "cli.h"
 
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
@@ -96,6 +97,16 @@ int cli_check_outputs(const cli_options *options)
     return 0;
 }
 
+const char *cli_distance(double bound, const taut_model *model, char room[CLI_DISTANCE_ROOM])
+{
+    if (bound > 0) {
+        snprintf(room, CLI_DISTANCE_ROOM, ", within %.3g %s", bound, taut_model_unit(model));
+    } else {
+        snprintf(room, CLI_DISTANCE_ROOM, "%s", bound == 0 ? ", exact" : "");
+    }
+    return room;
+}
+
 int cli_write_model(const taut_model *model, const cli_options *options)
 {
     static const char *const standard[] = {"-"};
@@ -104,12 +115,15 @@ int cli_write_model(const taut_model *model, const cli_options *options)
     taut_write_options chosen;
     taut_outputs *outputs = NULL;
     taut_error error;
+    double bounds[CLI_LIST_MAX];
     int code = cli_write_options(options, &chosen);
 
     if (code == 0) {
         code = cli_outputs_new(&outputs);
     }
     for (int i = 0; i < count && code == 0; i++) {
+        bounds[i] = (double)NAN;
+        chosen.bound = &bounds[i];
         if (taut_outputs_model(outputs, model, paths[i], &chosen, &error) != TAUT_OK) {
             code = cli_fail(&error);
         }
@@ -118,6 +132,13 @@ int cli_write_model(const taut_model *model, const cli_options *options)
         code = cli_commit(outputs);
     }
     cli_monitor_done();
+    for (int i = 0; i < count && code == 0; i++) { /* what was approximated is not kept quiet */
+        char distance[CLI_DISTANCE_ROOM];
+        if (bounds[i] > 0) {
+            fprintf(stderr, "%s%s of the model\n", paths[i],
+                    cli_distance(bounds[i], model, distance));
+        }
+    }
     cli_outputs_free(outputs);
     return code;
 }

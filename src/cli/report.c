@@ -113,7 +113,9 @@ void cli_report_print(const cli_report *report)
     print_duration("proved", report->seconds_proved, ", ");
     print_duration("written", report->seconds_written, "\n");
     for (int i = 0; i < report->output_count; i++) {
-        fprintf(stderr, "  %-*s%s\n", COLUMN, i == 0 ? "written" : "", report->outputs[i]);
+        char distance[CLI_DISTANCE_ROOM];
+        fprintf(stderr, "  %-*s%s%s\n", COLUMN, i == 0 ? "written" : "", report->outputs[i],
+                cli_distance(report->bounds[i], report->model, distance));
     }
 }
 
@@ -163,6 +165,10 @@ taut_record *cli_report_record(const cli_report *report)
     list = taut_record_add_list(record, "outputs");
     for (int i = 0; i < report->output_count; i++) {
         taut_record_add_text(list, NULL, report->outputs[i]);
+    }
+    list = taut_record_add_list(record, "distances");
+    for (int i = 0; i < report->output_count; i++) {
+        taut_record_add_number(list, NULL, report->bounds[i]);
     }
     return record;
 }

@@ -10,6 +10,7 @@ typedef struct cli_report {
     const taut_model *model;
     const taut_certificate *certificate;
     const char *const *outputs;
+    const double *bounds; /* of each output: its proved distance from the model, NaN if none */
     int output_count;
     double seconds_made, seconds_proved, seconds_written;
 } cli_report;

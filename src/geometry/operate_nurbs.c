@@ -175,6 +175,20 @@ static taut_status begin_and_find(const taut_lattice *whole, const taut_basis *u
     return status;
 }
 
+/* Does a change leave every coefficient as it is? Then so it must stay, bit for bit: weights that
+ * are multiplied in and divided out again would round. */
+static int is_identity(const taut_change *change, const taut_basis *from)
+{
+    const int count = taut_basis_count(change->to);
+    int is_same = count == taut_basis_count(from);
+    for (int i = 0; is_same && i < count; i++) {
+        for (int a = 0; a < change->width; a++) {
+            is_same &= taut_change_row(change, i)[a] == (change->first[i] + a == i);
+        }
+    }
+    return is_same;
+}
+
 taut_status taut_curve_to_nurbs(const taut_curve *curve, double tolerance, taut_curve **nurbs,
                                 double *bound, taut_error *error)
 {
@@ -195,7 +209,11 @@ taut_status taut_curve_to_nurbs(const taut_curve *curve, double tolerance, taut_
             begin_and_find(&whole, taut_curve_t(curve), NULL, tolerance, changes, &proved, error);
     }
     if (status == TAUT_OK) {
-        status = taut_curve_changed(curve, changes[0], taut_curve_name(curve), nurbs, error);
+        status =
+            is_identity(changes[0], taut_curve_t(curve))
+                ? taut_curve_new(taut_curve_name(curve), changes[0]->to, taut_curve_points(curve),
+                                 taut_curve_weights(curve), nurbs, error)
+                : taut_curve_changed(curve, changes[0], taut_curve_name(curve), nurbs, error);
     }
     if (status == TAUT_OK && bound != NULL) {
         *bound = proved;
@@ -210,8 +228,15 @@ static taut_status apply_both(const taut_surface *surface, const taut_lattice *w
                               taut_change *changes[2], taut_surface **nurbs, taut_error *error)
 {
     taut_lattice half = {{0, 0}, 0, NULL}, full = {{0, 0}, 0, NULL};
-    taut_status status = taut_lattice_change(whole, TAUT_ALONG_U, changes[0], &half, error);
+    taut_status status = TAUT_OK;
 
+    if (is_identity(changes[0], taut_surface_u(surface)) &&
+        is_identity(changes[1], taut_surface_v(surface))) {
+        return taut_surface_new(taut_surface_name(surface), changes[0]->to, changes[1]->to,
+                                taut_surface_points(surface), taut_surface_weights(surface), nurbs,
+                                error);
+    }
+    status = taut_lattice_change(whole, TAUT_ALONG_U, changes[0], &half, error);
     if (status == TAUT_OK) {
         status = taut_lattice_change(&half, TAUT_ALONG_V, changes[1], &full, error);
     }

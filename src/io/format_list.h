@@ -6,12 +6,16 @@
 /*    identifier, ending, what it holds */
 #define TAUT_FORMAT_LIST(X)                                                                        \
     X(glb, "glb", "mesh: triangles with normals for renderers, glTF 2.0 in metres; --colour")      \
+    X(iges, "iges", "CAD: NURBS within --tolerance (1e-6) of the model, mostly exact")             \
+    X(iges, "igs", "the same as iges")                                                             \
     X(json, "json", "the model itself, exact: bases, points, details and certificate")             \
     X(obj, "obj", "mesh: quads with normals and parameters, one group per surface")                \
     X(pdf, "pdf", "figure: shaded surfaces on a page")                                             \
     X(ply, "ply", "mesh: triangles with normals and parameters, binary, double precision")         \
     X(png, "png", "figure: shaded surfaces as an image")                                           \
+    X(step, "step", "CAD: NURBS within --tolerance (1e-6) of the model, mostly exact")             \
     X(stl, "stl", "mesh: triangles, binary, turned outwards where the surfaces close")             \
+    X(step, "stp", "the same as step")                                                             \
     X(svg, "svg", "figure: shaded surfaces as vectors")
 
 #endif /* TAUT_IO_FORMAT_LIST_H */

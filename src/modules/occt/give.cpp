@@ -1,0 +1,261 @@
+/* give.cpp -- from shapes to items: the surface under every face, the curve of every free edge. */
+#include "occt.hpp"
+
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_OffsetCurve.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_ReportEntity.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+
+#include <cmath>
+#include <vector>
+
+void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
+                       const Handle(Standard_Type) & needed)
+{
+    Handle(Interface_Check) check = model->GlobalCheck();
+    if (check->HasFailed()) {
+        throw occt_failure(TAUT_BAD_INPUT, std::string("the file is broken: ") + check->CFail(1));
+    }
+    for (int i = 1; i <= model->NbEntities(); i++) {
+        if (model->IsReportEntity(i) && model->Value(i)->IsKind(needed)) {
+            check = model->ReportEntity(i)->Check();
+            if (check->HasFailed()) {
+                throw occt_failure(
+                    TAUT_BAD_INPUT,
+                    "entity " + std::string(model->StringLabel(model->Value(i))->ToCString()) +
+                        " is broken: " + check->CFail(1));
+            }
+        }
+    }
+}
+
+/* The geometry a face or an edge hangs on, where it is not moved: what names are kept by. */
+static const void *geometry_of(const TopoDS_Shape &shape)
+{
+    TopLoc_Location place;
+    double first = 0, last = 0;
+    if (shape.IsNull()) {
+        return nullptr;
+    }
+    if (shape.ShapeType() == TopAbs_FACE) {
+        return BRep_Tool::Surface(TopoDS::Face(shape), place).get();
+    }
+    if (shape.ShapeType() == TopAbs_EDGE) {
+        return BRep_Tool::Curve(TopoDS::Edge(shape), place, first, last).get();
+    }
+    return nullptr;
+}
+
+void occt_names::add(const TopoDS_Shape &shape, const std::string &name)
+{
+    const void *key = geometry_of(shape);
+    if (key != nullptr && !name.empty()) {
+        of.emplace(key, name);
+    }
+}
+
+const char *occt_names::find(const TopoDS_Shape &shape) const
+{
+    const auto at = of.find(geometry_of(shape));
+    return at != of.end() ? at->second.c_str() : "";
+}
+
+/* The ranges a face takes of its surface. */
+struct face_box {
+    double lo[2], hi[2];
+};
+
+/* Does an edge run along a side of the box? */
+static bool is_along_side(const TopoDS_Edge &edge, const TopoDS_Face &face, const face_box &box)
+{
+    double first = 0, last = 0;
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    bool on[4] = {true, true, true, true};
+    if (curve.IsNull()) {
+        return false;
+    }
+    for (int k = 0; k <= 4; k++) {
+        const gp_Pnt2d p = curve->Value(first + (last - first) * k / 4);
+        const double at[2] = {p.X(), p.Y()};
+        for (int d = 0; d < 2; d++) {
+            const double close = 1e-7 * (box.hi[d] - box.lo[d]);
+            on[2 * d] = on[2 * d] && std::fabs(at[d] - box.lo[d]) <= close;
+            on[2 * d + 1] = on[2 * d + 1] && std::fabs(at[d] - box.hi[d]) <= close;
+        }
+    }
+    return on[0] || on[1] || on[2] || on[3];
+}
+
+static bool is_trimmed(const TopoDS_Face &face, const face_box &box)
+{
+    int wires = 0;
+    if (BRep_Tool::NaturalRestriction(face)) {
+        return false;
+    }
+    for (TopExp_Explorer at(face, TopAbs_WIRE); at.More(); at.Next()) {
+        wires++;
+    }
+    for (TopExp_Explorer at(face, TopAbs_EDGE); at.More(); at.Next()) {
+        if (!is_along_side(TopoDS::Edge(at.Current()), face, box)) {
+            return true;
+        }
+    }
+    return wires > 1;
+}
+
+/* Do the end knots come once more often than the degree? Periodic and floating ones do not. */
+static bool is_clamped(int first, int last, int degree)
+{
+    return first == degree + 1 && last == degree + 1;
+}
+
+/* Surfaces that have ends of their own are taken whole, others as far as the face goes. */
+static Handle(Geom_BSplineSurface)
+    convert_surface(const TopoDS_Face &face, face_box &box, int &notes)
+{
+    Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+    double ends[4] = {0, 0, 0, 0};
+    if (surface.IsNull()) {
+        throw occt_failure(TAUT_BAD_INPUT, "a face of the file has no surface");
+    }
+    const Handle(Geom_RectangularTrimmedSurface) cut =
+        Handle(Geom_RectangularTrimmedSurface)::DownCast(surface);
+    if (!cut.IsNull()) {
+        surface = cut->BasisSurface();
+    }
+    Handle(Geom_BSplineSurface) made = Handle(Geom_BSplineSurface)::DownCast(surface);
+    if (!made.IsNull()) {
+        made = Handle(Geom_BSplineSurface)::DownCast(made->Copy());
+    } else {
+        BRepTools::UVBounds(face, box.lo[0], box.hi[0], box.lo[1], box.hi[1]);
+        notes |= surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface)) ? TAUT_CAD_APPROXIMATE : 0;
+        made = GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(
+            surface, box.lo[0], box.hi[0], box.lo[1], box.hi[1]));
+    }
+    made->SetUNotPeriodic();
+    made->SetVNotPeriodic();
+    made->Bounds(ends[0], ends[1], ends[2], ends[3]);
+    if (!is_clamped(made->UMultiplicity(1), made->UMultiplicity(made->NbUKnots()),
+                    made->UDegree()) ||
+        !is_clamped(made->VMultiplicity(1), made->VMultiplicity(made->NbVKnots()),
+                    made->VDegree())) {
+        made->Segment(ends[0], ends[1], ends[2], ends[3]);
+    }
+    if (!Handle(Geom_BSplineSurface)::DownCast(surface).IsNull()) {
+        made->Bounds(box.lo[0], box.hi[0], box.lo[1], box.hi[1]);
+    }
+    return made;
+}
+
+static std::vector<double> numbers(const TColStd_Array1OfReal &array)
+{
+    std::vector<double> out;
+    for (int i = array.Lower(); i <= array.Upper(); i++) {
+        out.push_back(array.Value(i));
+    }
+    return out;
+}
+
+static void give(const taut_cad_sink &sink, const taut_cad_item &item)
+{
+    if (!sink.item(sink.context, &item)) {
+        throw occt_failure(TAUT_IO, "what was read could not be passed on");
+    }
+}
+
+static void give_face(const TopoDS_Face &face, const char *name, const taut_cad_sink &sink)
+{
+    taut_cad_item item = {};
+    face_box box = {};
+    const Handle(Geom_BSplineSurface) s = convert_surface(face, box, item.notes);
+    const std::vector<double> u = numbers(s->UKnotSequence()), v = numbers(s->VKnotSequence());
+    std::vector<double> points, weights;
+    for (int i = 1; i <= s->NbUPoles(); i++) {
+        for (int j = 1; j <= s->NbVPoles(); j++) {
+            const gp_Pnt p = s->Pole(i, j);
+            points.insert(points.end(), {p.X(), p.Y(), p.Z()});
+            weights.push_back(s->Weight(i, j));
+        }
+    }
+    item.name = name;
+    item.degree[0] = s->UDegree();
+    item.degree[1] = s->VDegree();
+    item.count[0] = s->NbUPoles();
+    item.count[1] = s->NbVPoles();
+    item.knots[0] = u.data();
+    item.knots[1] = v.data();
+    item.points = points.data();
+    item.weights = s->IsURational() || s->IsVRational() ? weights.data() : nullptr;
+    item.notes |= is_trimmed(face, box) ? TAUT_CAD_TRIMMED : 0;
+    give(sink, item);
+}
+
+static void give_edge(const TopoDS_Edge &edge, const char *name, const taut_cad_sink &sink)
+{
+    double first = 0, last = 0;
+    Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+    taut_cad_item item = {};
+    if (curve.IsNull()) {
+        return; /* shrunk to a point */
+    }
+    Handle(Geom_BSplineCurve) made = Handle(Geom_BSplineCurve)::DownCast(curve);
+    if (!made.IsNull() && first == made->FirstParameter() && last == made->LastParameter()) {
+        made = Handle(Geom_BSplineCurve)::DownCast(made->Copy());
+    } else {
+        item.notes |= curve->IsKind(STANDARD_TYPE(Geom_OffsetCurve)) ? TAUT_CAD_APPROXIMATE : 0;
+        made = GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(curve, first, last));
+    }
+    made->SetNotPeriodic();
+    if (!is_clamped(made->Multiplicity(1), made->Multiplicity(made->NbKnots()), made->Degree())) {
+        made->Segment(made->FirstParameter(), made->LastParameter());
+    }
+    const std::vector<double> t = numbers(made->KnotSequence());
+    std::vector<double> points, weights;
+    for (int i = 1; i <= made->NbPoles(); i++) {
+        const gp_Pnt p = made->Pole(i);
+        points.insert(points.end(), {p.X(), p.Y(), p.Z()});
+        weights.push_back(made->Weight(i));
+    }
+    item.name = name;
+    item.degree[0] = made->Degree();
+    item.count[0] = made->NbPoles();
+    item.knots[0] = t.data();
+    item.points = points.data();
+    item.weights = made->IsRational() ? weights.data() : nullptr;
+    give(sink, item);
+}
+
+void occt_give(const TopoDS_Shape &shape, const occt_names &names, const taut_cad_sink &sink)
+{
+    TopTools_IndexedMapOfShape faces, edges;
+    if (!shape.IsNull()) {
+        TopExp::MapShapes(shape, TopAbs_FACE, faces);
+        for (TopExp_Explorer at(shape, TopAbs_EDGE, TopAbs_FACE); at.More(); at.Next()) {
+            edges.Add(at.Current());
+        }
+    }
+    if (faces.IsEmpty() && edges.IsEmpty()) {
+        throw occt_failure(TAUT_BAD_INPUT, "the file holds no surface and no curve");
+    }
+    for (int i = 1; i <= faces.Extent(); i++) {
+        give_face(TopoDS::Face(faces(i)), names.find(faces(i)), sink);
+    }
+    for (int i = 1; i <= edges.Extent(); i++) {
+        give_edge(TopoDS::Edge(edges(i)), names.find(edges(i)), sink);
+    }
+}
