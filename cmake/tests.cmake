@@ -20,7 +20,7 @@ function(taut_test file)
   target_link_libraries(test-${target} PRIVATE taut_test_support ${links} m)
   set_target_properties(test-${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   add_test(NAME ${name} COMMAND test-${target} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 300 ENVIRONMENT "OPENBLAS_NUM_THREADS=1;${sanitizer_options}")
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600 ENVIRONMENT "OPENBLAS_NUM_THREADS=1;${sanitizer_options}")
 endfunction()
 
 file(GLOB_RECURSE test_files CONFIGURE_DEPENDS

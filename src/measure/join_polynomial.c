@@ -53,8 +53,9 @@ static void differences(const taut_side *side, double sign, double *d, double *s
     for (int k = 1; k < rows; k++) {
         for (int i = rows - 1; i >= k; i--) {
             double *row = d + (size_t)i * length;
+            const double *before = d + (size_t)(i - 1) * length;
             for (size_t c = 0; c < length; c++) {
-                row[c] = sign * (row[c] - row[c - length]);
+                row[c] = sign * (row[c] - before[c]);
             }
         }
     }

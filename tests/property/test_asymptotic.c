@@ -103,7 +103,7 @@ static projective random_map(void)
 static void test_nets(void)
 {
     int inflections = 0;
-    for (int trial = 0; trial < 12; trial++) {
+    for (int trial = 0; trial < random_trials(12); trial++) {
         const int p = trial % 3 == 0 ? 3 : 2; /* the quintic is slow */
         const lelieuvre net = lelieuvre_random(p);
         const projective map = random_map();
@@ -212,7 +212,7 @@ static double detail(const taut_model *model, const char *name)
 static void test_random_corner_data(void)
 {
     int made = 0;
-    for (int trial = 0; trial < 16; trial++) {
+    for (int trial = 0; trial < random_trials(16); trial++) {
         taut_asymptotic_problem problem = asymptotic_random(trial % 8 == 7 ? 5 : 4, 0.1);
         taut_model *model = NULL;
         taut_error error;
@@ -267,7 +267,7 @@ static void test_similarity(void)
                "A1");
     CHECK_NEAR(detail(second, "plate_energy") / (s * s), detail(first, "plate_energy"), 1e-10,
                "A2");
-    for (int trial = 0; trial < 30; trial++) {
+    for (int trial = 0; trial < random_trials(30); trial++) {
         const double u = random_in(0, 1), v = random_in(0, 1);
         double p[3], q[3];
         CHECK(taut_surface_eval(taut_model_surface(first, 0), u, v, 0, p) == TAUT_OK, "eval");

@@ -56,3 +56,20 @@ double random_log(double lo, double hi)
     }
     return exp(random_in(log(lo), log(hi)));
 }
+
+#if defined(__SANITIZE_ADDRESS__)
+enum { SANITIZED = 1 };
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+enum { SANITIZED = 1 };
+#else
+enum { SANITIZED = 0 };
+#endif
+#else
+enum { SANITIZED = 0 };
+#endif
+
+int random_trials(int count)
+{
+    return SANITIZED ? (count + 3) / 4 : count;
+}

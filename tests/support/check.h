@@ -40,4 +40,8 @@ double random_in(double lo, double hi);  /* uniform in [lo, hi) */
 int random_int(int lo, int hi);          /* uniform in lo..hi, both included */
 double random_log(double lo, double hi); /* log-uniform, one in ten at an end */
 
+/* How many random trials of a slow kind to make: a quarter of `count` where a sanitizer watches
+ * every access, which takes ten times as long. */
+int random_trials(int count);
+
 #endif /* TAUT_TEST_CHECK_H */
