@@ -14,7 +14,7 @@
 /* 64 pieces to begin with; halved again where the bound is far above what the samples show. */
 enum { LEVELS = 6, MORE = 11 };
 static const double close_enough = 1.25;   /* bound over sampled maximum */
-static const double inflection_cut = 1e-4; /* of the largest curvature: nearer there is no b */
+static const double inflection_cut = 5e-3; /* of the largest curvature: nearer there is no b */
 /* On an edge with a singular point, what is beside it is left out: sines of R_u, R_v below the
  * first at the samples, |M| below the second of its largest in the bound. */
 static const double singular_cut = 0.08, normal_share = 0.02;
