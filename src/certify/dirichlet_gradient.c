@@ -15,6 +15,7 @@
 #include "geometry/table.h"
 #include "numeric/quadrature.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -139,7 +140,9 @@ static taut_status centre(const taut_surface *surface, work *w)
             moved[i] = ldexp(moved[i], -fine);
         }
         for (size_t i = 0; i < count; i++) {
-            const double x = fmax(fabs(p[3 * i]), fmax(fabs(p[3 * i + 1]), fabs(p[3 * i + 2])));
+            /* numbers below DBL_MIN are stored with its rounding */
+            const double x =
+                fmax(fmax(fabs(p[3 * i]), DBL_MIN), fmax(fabs(p[3 * i + 1]), fabs(p[3 * i + 2])));
             w->sizes[i] = ldexp(ldexp(x, -coarse), -fine);
         }
         status = taut_surface_new("", taut_surface_u(surface), taut_surface_v(surface), moved,

@@ -10,7 +10,7 @@ static const double unit_roundoff = 0x1p-53;
 
 static int is_direct(const taut_dirichlet_system *system)
 {
-    return system->pattern->is_box && system->form->rational == NULL;
+    return system->pattern->is_box && system->form->rational == NULL && !system->is_damped;
 }
 
 const char *taut_dirichlet_system_method(const taut_dirichlet_system *system)
@@ -57,15 +57,10 @@ static taut_status alloc(taut_dirichlet_system *system)
 {
     const taut_pattern *pattern = system->pattern;
     const size_t hull = 3 * (size_t)pattern->rows * (size_t)pattern->columns;
-    taut_status status =
-        taut_gram_select(&system->form->u, pattern->rows, pattern->row, &system->u);
 
-    if (status == TAUT_OK) {
-        status = taut_gram_select(&system->form->v, pattern->columns, pattern->column, &system->v);
-    }
     system->residual = taut_alloc_aligned(taut_dirichlet_net_size(system), sizeof(double));
     system->hull = taut_alloc_aligned(hull, sizeof(double));
-    if (status != TAUT_OK || system->residual == NULL || system->hull == NULL) {
+    if (system->residual == NULL || system->hull == NULL) {
         return TAUT_NO_MEMORY;
     }
     if (!is_direct(system)) {
@@ -77,6 +72,51 @@ static taut_status alloc(taut_dirichlet_system *system)
         }
     }
     return TAUT_OK;
+}
+
+/* The matrices of the hull with their diagonals times 1 + damping. */
+static taut_status select_hull(taut_dirichlet_system *system, double damping)
+{
+    const taut_pattern *pattern = system->pattern;
+    taut_gram *grams[2] = {&system->u, &system->v};
+    taut_status status = TAUT_OK;
+
+    taut_gram_clear(&system->u);
+    taut_gram_clear(&system->v);
+    status = taut_gram_select(&system->form->u, pattern->rows, pattern->row, &system->u);
+    if (status == TAUT_OK) {
+        status = taut_gram_select(&system->form->v, pattern->columns, pattern->column, &system->v);
+    }
+    for (int k = 0; status == TAUT_OK && k < 2; k++) {
+        if (pattern->rows == pattern->nu && pattern->columns == pattern->nv) {
+            shift(grams[k]);
+        }
+        for (int i = 0; i < grams[k]->mass.n; i++) {
+            taut_band_row(&grams[k]->mass, i)[0] *= 1 + damping;
+            taut_band_row(&grams[k]->stiffness, i)[0] *= 1 + damping;
+        }
+    }
+    return status;
+}
+
+/* The solver of the hull. At high degrees the matrices are too ill-conditioned to be diagonalised
+ * (2^(2 p) at degree p of one span): damped ones then serve as the preconditioner of iterations.
+ * What damping drowns are combinations of points that hardly change the surface. */
+static taut_status make_solver(taut_dirichlet_system *system)
+{
+    static const double dampings[] = {0, 0x1p-32, 0x1p-26, 0x1p-20};
+    taut_status status = TAUT_CHECK_FAILED;
+
+    for (int k = 0; k < 4 && (status == TAUT_CHECK_FAILED || status == TAUT_NO_SOLUTION); k++) {
+        system->is_damped = k > 0;
+        status = select_hull(system, dampings[k]);
+        if (status == TAUT_OK) {
+            status = taut_tensor_solver_new(&system->u.stiffness, &system->u.mass,
+                                            &system->v.stiffness, &system->v.mass, system->form->fu,
+                                            system->form->fv, &system->solver);
+        }
+    }
+    return status;
 }
 
 /* The factors of both directions for an aspect, the larger one scaled to 1. */
@@ -111,14 +151,9 @@ taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_patt
     made->pattern = pattern;
     made->monitor = monitor;
     set_factors(form, 1);
-    status = alloc(made);
+    status = make_solver(made);
     if (status == TAUT_OK) {
-        if (pattern->rows == pattern->nu && pattern->columns == pattern->nv) {
-            shift(&made->u);
-            shift(&made->v);
-        }
-        status = taut_tensor_solver_new(&made->u.stiffness, &made->u.mass, &made->v.stiffness,
-                                        &made->v.mass, form->fu, form->fv, &made->solver);
+        status = alloc(made);
     }
     if (status != TAUT_OK) {
         taut_dirichlet_system_free(made);
@@ -240,6 +275,18 @@ static taut_status settle_iterated(taut_dirichlet_system *system, double *net, d
     return status;
 }
 
+/* What rounding of O(100) terms may leave of omega, each in proportion to its row of |A| and the
+ * largest coordinate (up to 256 times the known ones: beyond that the points are no longer
+ * determined); quadrature takes its functions at rounded parameters besides. */
+static double rounding_of(const taut_dirichlet_system *system, const double *net)
+{
+    double largest = 1;
+    for (size_t i = 0; i < taut_dirichlet_net_size(system); i++) {
+        largest = fabs(net[i]) > largest ? fabs(net[i]) : largest;
+    }
+    return 64 * unit_roundoff * fmin(largest, 256) * taut_dirichlet_form_roundings(system->form);
+}
+
 static taut_status settle(taut_dirichlet_system *system, double *net, double *omega,
                           taut_error *error)
 {
@@ -252,10 +299,11 @@ static taut_status settle(taut_dirichlet_system *system, double *net, double *om
 }
 
 /* Raises the nodes of a quadrature until the solution of one rule is one of the next: omega then is
- * at rounding, or within `limit` and no longer falling from rule to rule. */
-static taut_status settle_quadrature(taut_dirichlet_system *system, double limit, double *net,
-                                     double *omega, taut_error *error)
+ * at rounding, or within what rounding explains and no longer falling from rule to rule. */
+static taut_status settle_quadrature(taut_dirichlet_system *system, double *net, double *omega,
+                                     taut_error *error)
 {
+    const double limit = rounding_of(system, net);
     const double enough = 4 * unit_roundoff;
     double before = INFINITY;
     taut_status status = TAUT_OK;
@@ -282,11 +330,7 @@ static taut_status settle_quadrature(taut_dirichlet_system *system, double limit
 taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double aspect, double *net,
                                         taut_error *error)
 {
-    /* what rounding of O(100) terms, each in proportion to its row of |A|, may leave; quadrature
-     * takes its functions at rounded parameters besides */
-    const double roundings = taut_dirichlet_form_roundings(system->form);
-    const double limit = 64 * unit_roundoff * roundings;
-    double omega = 0;
+    double omega = 0, limit = 0;
     taut_status status = TAUT_OK;
 
     set_factors(system->form, aspect);
@@ -296,8 +340,9 @@ taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double as
     }
     status = settle(system, net, &omega, error);
     if (status == TAUT_OK && system->form->rational != NULL) {
-        status = settle_quadrature(system, limit, net, &omega, error);
+        status = settle_quadrature(system, net, &omega, error);
     }
+    limit = rounding_of(system, net);
     if (status == TAUT_OK && !(omega <= limit)) {
         status = taut_fail(error, TAUT_NOT_CONVERGED, NULL, omega, limit,
                            "the residual of the system stays at %.3g, expected at most %.3g after "

@@ -14,6 +14,7 @@ struct taut_dirichlet_system {
     double fu, fv;                              /* the larger one is 1 */
     double *residual, *step, *product, *smooth; /* nets; the last three for iterations only */
     double *hull;
+    int is_damped; /* the solver's matrices are near the hull's, not equal to them */
     int iterations;
 };
 

@@ -253,7 +253,7 @@ static void test_far_away(void)
 /* Any size, and no size at all. */
 static void test_sizes(void)
 {
-    static const double sizes[5] = {1e-300, 1e-200, 1, 1e200, 0};
+    static const double sizes[5] = {1e-320, 1e-200, 1, 1e200, 0};
     for (int k = 0; k < 5; k++) {
         test_problem problem = problem_example(3);
         taut_model *model = NULL;
@@ -263,7 +263,8 @@ static void test_sizes(void)
         }
         model = problem_make(&problem, NULL);
         certificate = certify(model, &problem);
-        CHECK(taut_certificate_holds(certificate) == TAUT_TRUE, "size %g", sizes[k]);
+        CHECK(taut_certificate_holds(certificate) == (k == 0 ? TAUT_UNDECIDED : TAUT_TRUE),
+              "size %g", sizes[k]);
         taut_certificate_free(certificate);
         taut_model_free(model);
         problem_free(&problem);
