@@ -211,8 +211,9 @@ static double detail(const taut_model *model, const char *name)
 /* Corner data in general position: conditions hold, the certificate too, for both patches. */
 static void test_random_corner_data(void)
 {
+    const int trials = random_trials(16);
     int made = 0;
-    for (int trial = 0; trial < random_trials(16); trial++) {
+    for (int trial = 0; trial < trials; trial++) {
         taut_asymptotic_problem problem = asymptotic_random(trial % 8 == 7 ? 5 : 4, 0.1);
         taut_model *model = NULL;
         taut_error error;
@@ -236,7 +237,7 @@ static void test_random_corner_data(void)
             made++;
         }
     }
-    CHECK(made >= 10, "made %d of 16", made);
+    CHECK(8 * made >= 5 * trials, "made %d of %d", made, trials);
 }
 
 /* x -> s Q x + t with curvatures over s: the same weights, s^2 times the energies, the image of
