@@ -50,8 +50,7 @@ typedef struct taut_tails {
     size_t points, rhs;        /* a whole row is double[points][rhs] */
 } taut_tails;
 
-/* Blocks for all modes, with nothing kept. TAUT_OK or TAUT_NO_MEMORY; clear also after a failure.
- */
+/* Blocks for all modes, nothing kept yet. TAUT_OK or TAUT_NO_MEMORY; clear also after a failure. */
 taut_status taut_tails_init(const taut_modes *modes, size_t points, size_t rhs, taut_tails *out);
 void taut_tails_clear(taut_tails *tails);
 

@@ -12,9 +12,12 @@
 #include "numeric/kernel/kernel.h"
 
 /* One family of modes: all of them, the even ones, or the odd ones. With v(j, i) the entry of mode
- * j at point i, halves scaled so that V is orthonormal as a whole, in slivers of kernel->tile_rows
- * rows padded with zeros: synthesis[i/t][j][i%t] = v(j, i)        analysis[j/t][i][j%t] = v(j, i),
- * t = tile_rows */
+ * j at point i, halves scaled so that V is orthonormal as a whole, and t = kernel->tile_rows,
+ *
+ *     synthesis[i / t][j][i % t] = v(j, i)
+ *     analysis [j / t][i][j % t] = v(j, i)
+ *
+ * padded with zeros to whole slivers of t. */
 typedef struct taut_modes_part {
     int count; /* modes */
     int rows;  /* points kept: all, or one of each mirrored pair and, for even modes, the middle */

@@ -2,8 +2,8 @@
  *
  * Every set is compiled from the same sources (simd_*.h gives the vectors, *_body.h the loops) and
  * fills one const table. The sets differ in the order of their sums and in fused multiply-adds
- * only: results agree to rounding, not bit for bit. To add a kernel: one member here, one line in
- * kernel_table.h.
+ * only: results agree to rounding, not bit for bit. To add a kernel: a member here, its loop in a
+ * *_body.h, its line in the table of kernel_body.h, its test in test_kernel.c.
  */
 #ifndef TAUT_NUMERIC_KERNEL_H
 #define TAUT_NUMERIC_KERNEL_H
@@ -30,20 +30,19 @@ typedef struct taut_kernel {
      *     c  row r starts at c + r * c_stride */
     void (*tile)(size_t depth, const double *a, const double *b, double *c, size_t c_stride);
 
-    /* Copies `units` pieces of tile_columns numbers: piece q to to[q * to_stride], aligned to 64.
-     */
+    /* Copies `units` pieces of tile_columns numbers, piece q to to[q * to_stride]; `to` and
+     * to_stride are multiples of 64 bytes. */
     void (*pack)(size_t units, const double *from, size_t to_stride, double *to);
 
-    /* L D L^T of  scale K + shift[l] M  for rows first..end-1, lane by lane, without row
-     * interchanges
+    /* L D L^T of  scale K + shift[l] M  for rows first..end-1, lane by lane, no row interchanges
      *
      *     k, m      double[n][width + 1] as in band.h
      *     shift     double[lanes]
      *     tiny      > 0: pivots nearer to zero are moved to tiny or -tiny
-     *     factor    double[width + end - first][width + 1][lanes]: row i is at index width + i -
-     * first; the first `width` rows are input, the rows before row `first`, zero where i < 0; slot
-     * 0 of a row is 1 / D(i), slot d is L(i, i - d) negative  double[lanes]: gains the number of
-     * negative pivots */
+     *     factor    double[width + end - first][width + 1][lanes], row i at width + i - first;
+     *               slot 0 of a row is 1 / D(i), slot d is L(i, i - d); the first `width` rows
+     *               are input, the rows before row `first`, zero where there are none
+     *     negative  double[lanes]: gains the number of negative pivots */
     void (*band_factor)(int first, int end, int width, const double *k, const double *m,
                         double scale, const double *shift, double tiny, double *factor,
                         double *negative);

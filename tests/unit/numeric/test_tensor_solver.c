@@ -165,6 +165,23 @@ static void test_large(void)
     }
 }
 
+/* From 500 on, right-hand sides that live along the edges go another way: with modes of both
+ * directions, alike or not, mirrored or not, whose tails end at once or reach across. */
+static void test_frames(void)
+{
+    axis even = axis_make(GRAM_UNIFORM, 3, 501, 0, 0), odd = axis_make(GRAM_UNIFORM, 2, 512, 0, 0);
+    axis graded = axis_make(GRAM_GRADED, 3, 500, 0, 0),
+         loose = axis_make(GRAM_RANDOM, 5, 504, 7, 3);
+    check_solve(even, even, 1.0, 1.0, 3, 3);
+    check_solve(even, odd, 1.0, 20.0, 1, 2);
+    check_solve(graded, odd, 0.1, 1.0, 2, 2);
+    check_solve(loose, even, 1.0, 1e-6, 1, 3);
+    axis_clear(&even);
+    axis_clear(&odd);
+    axis_clear(&graded);
+    axis_clear(&loose);
+}
+
 /* Two directions of different size, degree, knots, ends and weight; any number of coordinates. */
 static void test_mixed_directions(void)
 {
@@ -307,6 +324,7 @@ int main(void)
     test_residuals();
     test_mixed_directions();
     test_large();
+    test_frames();
     test_rescale();
     test_singular();
     test_refusals();
