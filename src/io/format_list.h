@@ -17,6 +17,7 @@
     X(step, "step", "CAD: NURBS within --tolerance (1e-6) of the model, mostly exact")             \
     X(stl, "stl", "mesh: triangles, binary, turned outwards where the surfaces close")             \
     X(step, "stp", "the same as step")                                                             \
-    X(svg, "svg", "figure: shaded surfaces as vectors")
+    X(svg, "svg", "figure: shaded surfaces as vectors")                                            \
+    X(vtu, "vtu", "VTK: exact Bezier cells or quads, with H, K, E - G, F and the control nets")
 
 #endif /* TAUT_IO_FORMAT_LIST_H */
