@@ -74,7 +74,7 @@ static void test_round_trip(void)
     static const char *const units[] = {"mm", "m", "cm", "in", "ft"};
     static const char *const names[] = {"plain", "it's", "a\\b", "",
                                         "\303\244\342\202\254\360\237\230\200"};
-    for (int trial = 0; trial < random_trials(12); trial++) {
+    for (int trial = 0; trial < random_trials(8); trial++) {
         const char *path = in_folder(endings[trial % 4]);
         taut_model *model = NULL, *back = NULL;
         double bound = -1;
@@ -381,11 +381,28 @@ static void test_no_files(void)
     CHECK(taut_model_read(folder, NULL, NULL) == TAUT_BAD_ARGUMENT, "NULL");
 }
 
-int main(void)
+/* Was OpenCASCADE there when this was built? Where nothing may be left out it must be. */
+static int is_there(void)
 {
-    char command[96];
-    random_seed(20260305);
-    CHECK(mkdtemp(folder) != NULL, "mkdtemp");
+    const char *required = getenv("TAUT_REQUIRE");
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_model *model = NULL;
+    taut_status status = TAUT_OK;
+    CHECK(taut_model_new(&model) == TAUT_OK, "model");
+    add_some_curve(model, "");
+    status = taut_model_write(model, in_folder("probe.step"), NULL, &error);
+    taut_model_free(model);
+    if (status == TAUT_IO && strstr(error.message, "install") != NULL) {
+        CHECK(required == NULL || strcmp(required, "all") != 0, "%s", error.message);
+        printf("left out: %s\n", error.message);
+        return 0;
+    }
+    CHECK(status == TAUT_OK, "%s", error.message);
+    return status == TAUT_OK;
+}
+
+static void test_all(void)
+{
     test_round_trip();
     test_bound();
     test_same_bytes();
@@ -393,6 +410,16 @@ int main(void)
     test_broken();
     test_lies();
     test_no_files();
+}
+
+int main(void)
+{
+    char command[96];
+    random_seed(20260305);
+    CHECK(mkdtemp(folder) != NULL, "mkdtemp");
+    if (is_there()) {
+        test_all();
+    }
     snprintf(command, sizeof command, "rm -rf %s", folder);
     CHECK(system(command) == 0, "rm");
     return check_failures != 0;
