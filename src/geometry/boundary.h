@@ -28,7 +28,7 @@ taut_status taut_boundary_fit(taut_curve *const sides[TAUT_SIDES], const int deg
                               taut_error *error);
 
 /* The same sides on bezier bases over [0, 1], as asymptotic and harmonic surfaces want them: curves
- * of several spans are TAUT_NO_SOLUTION. Degrees stay; weights agree at the corners. */
+ * of several spans are TAUT_NO_SOLUTION. Degrees and weights stay. */
 taut_status taut_boundary_bezier(taut_curve *const sides[TAUT_SIDES], taut_curve *made[TAUT_SIDES],
                                  taut_error *error);
 
@@ -42,8 +42,8 @@ void taut_boundary_net(taut_curve *const fitted[TAUT_SIDES], double *points, uns
 int taut_boundary_is_rational(taut_curve *const sides[TAUT_SIDES]);
 void taut_boundary_free(taut_curve *sides[TAUT_SIDES]);
 
-/* Scales the weights of sides until those that share a corner have one weight there, in place:
- * what taut_boundary_fit begins with. */
+/* Scales the weights of rational sides until those that share a corner have one weight there, in
+ * place: what taut_boundary_fit begins with. */
 taut_status taut_boundary_agree(taut_curve *sides[TAUT_SIDES], taut_error *error);
 /* Puts `next` in the place of *curve where status says that an operation gave it; returns status.
  */

@@ -173,7 +173,7 @@ taut_status taut_boundary_fit(taut_curve *const sides[TAUT_SIDES], const int deg
     taut_curve *made[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
     taut_status status = copy_sides(sides, copies) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 
-    if (status == TAUT_OK && taut_boundary_is_rational(sides)) {
+    if (status == TAUT_OK) {
         status = taut_boundary_agree(copies, error);
     }
     if (status == TAUT_OK) {
@@ -223,9 +223,6 @@ taut_status taut_boundary_bezier(taut_curve *const sides[TAUT_SIDES], taut_curve
 
     for (int s = 0; status == TAUT_OK && s < TAUT_SIDES; s++) {
         status = to_bezier(&copies[s], error);
-    }
-    if (status == TAUT_OK && taut_boundary_is_rational(sides)) {
-        status = taut_boundary_agree(copies, error);
     }
     if (status != TAUT_OK) {
         taut_boundary_free(copies);

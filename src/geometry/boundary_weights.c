@@ -6,7 +6,8 @@
 
 #include <math.h>
 
-static const double same_weight = 1e-10;
+/* Ratios this near to 1 are rounding; up to the second they pass where nothing can be done. */
+static const double same_ratio = 1e-14, near_ratio = 1e-10;
 
 taut_status taut_boundary_replace(taut_curve **curve, taut_curve *next, taut_status status)
 {
@@ -57,7 +58,7 @@ static taut_status close_weights(taut_curve *sides[TAUT_SIDES], taut_error *erro
         ratios[s] = end_weight(sides[s], 1) / end_weight(sides[s], 0);
     }
     off = ratios[TAUT_SIDE_V0] / ratios[TAUT_SIDE_U0] * ratios[TAUT_SIDE_U1] / ratios[TAUT_SIDE_V1];
-    if (fabs(off - 1) <= same_weight) {
+    if (fabs(off - 1) <= same_ratio) {
         return TAUT_OK;
     }
     for (size_t i = 0; i < sizeof takers / sizeof takers[0]; i++) {
@@ -67,6 +68,9 @@ static taut_status close_weights(taut_curve *sides[TAUT_SIDES], taut_error *erro
             return scale_weights(
                 side, 1, pow(off, (double)takers[i].power / (taut_basis_count(t) - 1)), error);
         }
+    }
+    if (fabs(off - 1) <= near_ratio) {
+        return TAUT_OK;
     }
     return taut_fail(
         error, TAUT_NO_SOLUTION, NULL, off, 1,
@@ -78,7 +82,11 @@ static taut_status close_weights(taut_curve *sides[TAUT_SIDES], taut_error *erro
 /* v0 stays; u0 and u1 are scaled to its ends, v1 to the end of u0: then it ends as u1 does. */
 taut_status taut_boundary_agree(taut_curve *sides[TAUT_SIDES], taut_error *error)
 {
-    taut_status status = close_weights(sides, error);
+    taut_status status = TAUT_OK;
+    if (!taut_boundary_is_rational(sides)) {
+        return TAUT_OK;
+    }
+    status = close_weights(sides, error);
     for (int last = 0; status == TAUT_OK && last < 2; last++) {
         taut_curve **u = &sides[last ? TAUT_SIDE_U1 : TAUT_SIDE_U0];
         const double wanted = end_weight(sides[TAUT_SIDE_V0], last);

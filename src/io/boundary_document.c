@@ -99,16 +99,15 @@ static taut_status read_pair(const taut_json *document, const char *key, int mos
     return status;
 }
 
-/* The file brings the net: the document must not. */
-static taut_status check_alone(const taut_json *document, taut_error *error)
+/* The file says what these members would. */
+static taut_status check_alone(const taut_json *document, const char *const *others,
+                               taut_error *error)
 {
-    static const char *const others[] = {"u", "v", "points", "weights"};
-    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
-        const taut_json at = taut_json_member(document, others[i]);
+    for (; *others != NULL; others++) {
+        const taut_json at = taut_json_member(document, *others);
         if (at.value != NULL) {
             return taut_json_fail(&at, error, taut_none, taut_none,
-                                  "found \"%s\" beside \"boundary\", which brings the whole net",
-                                  others[i]);
+                                  "found \"%s\" beside \"boundary\", which says it all", *others);
         }
     }
     return TAUT_OK;
@@ -159,12 +158,13 @@ static taut_status fill_net(taut_curve *const fitted[TAUT_SIDES], const taut_jso
 taut_status taut_boundary_document_read(const taut_json *document, taut_problem *problem,
                                         taut_net_document *net, taut_error *error)
 {
+    static const char *const others[] = {"u", "v", "points", "weights", NULL};
     const taut_json at = taut_json_member(document, "boundary");
     taut_curve *sides[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
     taut_curve *fitted[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
     taut_error found = {TAUT_OK, 0, 0, "", ""};
     int degree[2], halvings[2];
-    taut_status status = check_alone(document, error);
+    taut_status status = check_alone(document, others, error);
 
     if (status == TAUT_OK) {
         status = read_pair(document, "degree", TAUT_DEGREE_MAX, degree, error);
@@ -184,5 +184,43 @@ taut_status taut_boundary_document_read(const taut_json *document, taut_problem 
     }
     taut_boundary_free(sides);
     taut_boundary_free(fitted);
+    return status;
+}
+
+static void release_curve(void *curve)
+{
+    taut_curve_free(curve);
+}
+
+taut_status taut_boundary_document_bezier(const taut_json *document, taut_problem *problem,
+                                          const char *const *others, int agree,
+                                          const taut_curve *sides[TAUT_SIDES], taut_error *error)
+{
+    const taut_json at = taut_json_member(document, "boundary");
+    taut_curve *loose[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
+    taut_curve *made[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
+    taut_error found = {TAUT_OK, 0, 0, "", ""};
+    taut_status status = check_alone(document, others, error);
+
+    if (status == TAUT_OK) {
+        status = taut_boundary_document_sides(document, problem, loose, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_boundary_bezier(loose, made, &found);
+        if (status == TAUT_OK && agree) {
+            status = taut_boundary_agree(made, &found);
+        }
+        status = status != TAUT_OK ? blame_file(&at, &found, status, error) : TAUT_OK;
+    }
+    for (int s = 0; status == TAUT_OK && s < TAUT_SIDES; s++) {
+        if (taut_arena_keep(problem->arena, made[s], release_curve)) {
+            sides[s] = made[s];
+        } else {
+            status = taut_fail_memory(error);
+        }
+        made[s] = NULL;
+    }
+    taut_boundary_free(loose);
+    taut_boundary_free(made);
     return status;
 }

@@ -23,4 +23,11 @@ taut_status taut_boundary_document_sides(const taut_json *document, const taut_p
 taut_status taut_boundary_document_read(const taut_json *document, taut_problem *problem,
                                         taut_net_document *net, taut_error *error);
 
+/* The four sides as Bezier curves over [0, 1], in order, their weights made to agree at the corners
+ * where that is asked for; the arena owns them. The document must not have any of the members
+ * `others` (ends with NULL). */
+taut_status taut_boundary_document_bezier(const taut_json *document, taut_problem *problem,
+                                          const char *const *others, int agree,
+                                          const taut_curve *sides[TAUT_SIDES], taut_error *error);
+
 #endif /* TAUT_IO_BOUNDARY_DOCUMENT_H */

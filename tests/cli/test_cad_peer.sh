@@ -1,5 +1,4 @@
-# test_cad_peer.sh -- STEP and IGES read by gmsh: its area and box are those of `taut measure`; and a boundary that comes
-# out of a CAD file.
+# test_cad_peer.sh -- STEP and IGES read by gmsh: its area and box are those of `taut measure`.
 . "$SOURCE/tests/cli/cli.sh"
 
 cat > probe.geo <<'GEO'
@@ -74,45 +73,4 @@ if command -v gmsh > /dev/null; then
     cmp -s here.txt there.txt || complain "areas by way of gmsh: $(cat there.txt), not $(cat here.txt)"
 fi
 
-# Four curves out of a file, in any order and direction, make the problem that a net says.
-cat > frame.json <<'JSON'
-{ "taut": 1, "curves": [
-  { "name": "left", "t": { "type": "bezier", "degree": 3 }, "points": [[0,3,0],[0,2,1],[0,1,1],[0,0,0]] },
-  { "name": "top", "t": { "type": "bezier", "degree": 3 }, "points": [[0,3,0],[1,3,-1],[2,3,-1],[3,3,0]] },
-  { "name": "right", "t": { "type": "bezier", "degree": 3 }, "points": [[3,0,0],[3,1,1],[3,2,1],[3,3,0]] },
-  { "name": "bottom", "t": { "type": "bezier", "degree": 3 }, "points": [[3,0,0],[2,0,-1],[1,0,-1],[0,0,0]] } ] }
-JSON
-mkdir beside
-run 0 convert frame.json -o beside/frame.step -o beside/frame.igs -o beside/frame.geomdl.json
-cp frame.json beside/frame.json
-energy() {
-    sed -n 's/.*"dirichlet_energy": \([0-9.]*\).*/\1/p' "$1" | cut -c 1-14
-}
-run 0 make saddle.json --quiet --report net.txt -o net.json
-for file in frame.step frame.igs frame.json frame.geomdl.json; do
-    for construct in dirichlet plateau; do
-        printf '{ "taut": 1, "construct": "%s", "boundary": "%s" }\n' $construct $file > beside/problem.json
-        run 0 make beside/problem.json --quiet -o made.json --report report.json
-        run 0 certify made.json beside/problem.json
-        [ $construct = plateau ] || [ "$(energy report.json)" = "$(energy net.txt)" ] ||
-            complain "$file: energy $(energy report.json), not $(energy net.txt)"
-    done
-done
-printf '{ "taut": 1, "construct": "dirichlet", "boundary": "frame.step", "degree": [4, 5], "refine": [1, 0] }\n' > beside/problem.json
-run 0 make beside/problem.json --quiet -o made.json
-contains made.json '"degree": 4'
-contains made.json '"degree": 5'
-
-refuse_boundary() { # refuse_boundary CODE PATTERN FILE
-    printf '{ "taut": 1, "construct": "dirichlet", "boundary": "%s" }\n' "$3" > problem.json
-    refused "$1" "$2" make problem.json
-}
-sed '/"top"/s/\[3,3,0\]/[3,3,0.001]/' frame.json > gap.json
-refuse_boundary 4 'a gap of 0\.001 is left between curve 1 \("top"\) and curve 2 \("right"\)' gap.json
-refuse_boundary 5 'nowhere' nowhere.step
-refuse_boundary 3 'found 0 curves' once.json
-head -c 1500 beside/frame.step > cut.step
-refuse_boundary 3 '/boundary: line [0-9]+: ' cut.step
-printf '{ "taut": 1, "construct": "dirichlet", "boundary": "frame.json", "u": { "type": "bezier", "degree": 3 } }\n' > problem.json
-refused 3 '/u: found "u" beside "boundary"' make problem.json
 finish

@@ -305,6 +305,9 @@ static void test_bezier(void)
                   TAUT_OK,
               "%s", error.message);
         status = taut_boundary_bezier(sides, made, &error);
+        if (status == TAUT_OK) {
+            status = taut_boundary_agree(made, &error);
+        }
         CHECK(status == (torn ? TAUT_NO_SOLUTION : TAUT_OK), "%s", error.message);
         for (int s = 0; status == TAUT_OK && s < 4; s++) {
             const taut_basis *t = taut_curve_t(made[s]);
