@@ -86,14 +86,11 @@ curve() { # curve NAME CAT: the curve of the example, its points, a line each, p
     curve u1 tac; printf ',\n'; curve v0 cat; printf ',\n'; curve u0 tac; printf ',\n'; curve v1 cat
     printf ' ] }\n'
 } > loose.json
-case $files in *frame.step*) run 0 convert loose.json -o loose.step ;; esac
-for file in loose.json loose.step; do
-    [ -e "$file" ] || continue
-    printf '{ "taut": 1, "construct": "asymptotic", "boundary": "%s" }\n' $file > problem.json
-    run 0 make problem.json --quiet --report loose.txt -o made.json
-    run 0 certify made.json problem.json
-    [ "$(figure bending_energy loose.txt | cut -c 1-10)" = "$(figure bending_energy named.txt | cut -c 1-10)" ] ||
-        complain "$file: bending energy $(figure bending_energy loose.txt), not $(figure bending_energy named.txt)"
-done
+file=loose.json
+case $files in *frame.step*) run 0 convert loose.json -o loose.step && file=loose.step ;; esac
+printf '{ "taut": 1, "construct": "asymptotic", "boundary": "%s" }\n' $file > problem.json
+run 0 make problem.json --quiet --report loose.txt -o made.json
+[ "$(figure bending_energy loose.txt | cut -c 1-10)" = "$(figure bending_energy named.txt | cut -c 1-10)" ] ||
+    complain "$file: bending energy $(figure bending_energy loose.txt), not $(figure bending_energy named.txt)"
 printf '{ "taut": 1, "construct": "asymptotic", "boundary": "loose.json", "branch": "lowest" }\n' > problem.json
 refused 3 '/branch: found "branch" beside "boundary"' make problem.json

@@ -131,11 +131,13 @@ static taut_model *model_of(const char *text)
 
 int main(void)
 {
-    static const char *const problems[] = {
-        "{\"taut\": 1, \"construct\": \"dirichlet\", \"boundary\": \"frame.json\"}",
-        "{\"taut\": 1, \"construct\": \"asymptotic\", \"boundary\": \"single.json\"}",
-        "{\"taut\": 1, \"construct\": \"harmonic\", \"boundary\": \"single.json\", \"known\": "
-        "\"u\"}"};
+    static const char dirichlet[] =
+        "{\"taut\": 1, \"construct\": \"dirichlet\", \"boundary\": \"frame.json\"}";
+    static const char asymptotic[] =
+        "{\"taut\": 1, \"construct\": \"asymptotic\", \"boundary\": \"single.json\"}";
+    static const char harmonic[] = "{\"taut\": 1, \"construct\": \"harmonic\", \"known\": \"u\", "
+                                   "\"boundary\": \"single.json\"}";
+    static const char *const problems[] = {dirichlet, asymptotic, harmonic};
     char path[96], command[96];
     char *single = strdup(frame_text);
     taut_model *surfaces = model_of(surfaces_text), *frame = model_of(frame_text);
