@@ -106,7 +106,7 @@ typedef struct cli_command {
      0,                                                                                            \
      0,                                                                                            \
      "H|K",                                                                                        \
-     "figures: colour by mean or Gaussian curvature, with scale"},                                 \
+     "figures, GLB: colour by mean or Gaussian curvature, with scale"},                            \
         {"--view", CLI_TEXT, offsetof(cli_options, view), 0, 0,                                    \
          0,        "AZ,EL",  "figures: camera in degrees"},                                        \
         {"--title", CLI_TEXT, offsetof(cli_options, title), 0, 0,                                  \

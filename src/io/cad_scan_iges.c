@@ -76,16 +76,15 @@ static taut_status check_counts(const iges_scan *s, taut_error *error)
 }
 
 /* A line of section D. */
-static taut_status check_entity(iges_scan *s, taut_error *error)
+static void note_entity(iges_scan *s)
 {
     if (s->counts[SECTION_D] % 2 == 1) {
         s->first = number_in(s->line + FIELD, FIELD);
-        return s->first > 0 ? TAUT_OK : refuse(s, "an entity without parameters", error);
+    } else {
+        const long lines = number_in(s->line + 3 * FIELD, FIELD);
+        const long last = s->first + (lines > 0 ? lines : 1) - 1;
+        s->last_parameter = last > s->last_parameter ? last : s->last_parameter;
     }
-    const long lines = number_in(s->line + 3 * FIELD, FIELD);
-    const long last = s->first + (lines > 0 ? lines : 1) - 1;
-    s->last_parameter = last > s->last_parameter ? last : s->last_parameter;
-    return TAUT_OK;
 }
 
 /* One parameter of geometry: nothing, a number, or a text nH.... Returns how many columns it has up
@@ -168,8 +167,10 @@ static taut_status check_line(iges_scan *s, taut_error *error)
         s->has_own_marks = s->line[0] != ',' && memcmp(s->line, "1H,,1H;,", 8) != 0 &&
                            memcmp(s->line, "1H,,,", 5) != 0;
     }
-    return s->section == SECTION_D   ? check_entity(s, error)
-           : s->section == SECTION_P ? check_parameters(s, error)
+    if (s->section == SECTION_D) {
+        note_entity(s);
+    }
+    return s->section == SECTION_P   ? check_parameters(s, error)
            : s->section == SECTION_T ? check_counts(s, error)
                                      : TAUT_OK;
 }
