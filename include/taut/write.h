@@ -25,6 +25,7 @@ typedef struct taut_write_options {
     int divide;  /* meshes and figures: cells per knot span in each direction; 0: by tolerance */
     int threads; /* 0: 1 */
     const char *surface; /* only the surface of this name; NULL: all */
+    int short_knots;     /* json: nonzero leaves out the outermost two knots, as openNURBS does */
     /* figures */
     taut_colour colour;
     int no_net;   /* nonzero: leave the control net out */

@@ -34,6 +34,7 @@ typedef struct cli_options {
     int flag_u; /* refine --u */
     int flag_v;
     int no_net;
+    int short_knots;
     int help;
 } cli_options;
 
@@ -105,7 +106,7 @@ typedef struct cli_command {
      0,                                                                                            \
      0,                                                                                            \
      "H|K",                                                                                        \
-     "figures: colour by mean or Gaussian curvature, with scale"},                                 \
+     "figures, GLB: colour by mean or Gaussian curvature, with scale"},                            \
         {"--view", CLI_TEXT, offsetof(cli_options, view), 0, 0,                                    \
          0,        "AZ,EL",  "figures: camera in degrees"},                                        \
         {"--title", CLI_TEXT, offsetof(cli_options, title), 0, 0,                                  \
@@ -113,6 +114,11 @@ typedef struct cli_command {
     {                                                                                              \
         "--no-net", CLI_FLAG, offsetof(cli_options, no_net), 0, 0, 0, NULL,                        \
             "figures: leave the control net out"                                                   \
+    }
+#define CLI_SHORT_KNOTS                                                                            \
+    {                                                                                              \
+        "--short-knots", CLI_FLAG, offsetof(cli_options, short_knots), 0, 0, 0, NULL,              \
+            "json: B-spline knots without the outermost two, as openNURBS has them"                \
     }
 #define CLI_LAST                                                                                   \
     {                                                                                              \

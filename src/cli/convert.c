@@ -21,8 +21,9 @@ static int run(const cli_options *options)
     return code;
 }
 
-static const cli_option options_of_convert[] = {CLI_OUTPUT, CLI_TOLERANCE, CLI_DIVIDE, CLI_SURFACE,
-                                                CLI_FIGURE, CLI_THREADS,   CLI_LAST};
+static const cli_option options_of_convert[] = {CLI_OUTPUT,  CLI_TOLERANCE, CLI_DIVIDE,
+                                                CLI_SURFACE, CLI_FIGURE,    CLI_SHORT_KNOTS,
+                                                CLI_THREADS, CLI_LAST};
 
 const cli_command cli_command_convert = {
     .name = "convert",

@@ -57,6 +57,7 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
                                    .divide = options->divide,
                                    .threads = options->threads,
                                    .surface = options->surface,
+                                   .short_knots = options->short_knots,
                                    .no_net = options->no_net,
                                    .title = options->title,
                                    .monitor = cli_monitor(options->quiet)};
