@@ -187,6 +187,8 @@ int cli_commit(taut_outputs *outputs);
 /* ", within 3e-07 mm" or ", exact" for the proved distance of an output, "" where it is NaN. */
 enum { CLI_DISTANCE_ROOM = 64 };
 const char *cli_distance(double bound, const taut_model *model, char room[CLI_DISTANCE_ROOM]);
+/* A file's name without folder and ending. */
+void cli_label(const char *file, char *text, size_t size);
 /* Writes several models into every -o side by side; 0 or the exit code. */
 int cli_write_models(int count, const taut_model *const *models, const cli_options *options);
 /* Writes the model to every -o, or as JSON to standard output without one. 0 or the exit code. */

@@ -149,8 +149,7 @@ int cli_write_model(const taut_model *model, const cli_options *options)
     return code;
 }
 
-/* What stands above each: its file's name without folder and ending. */
-static void label(const char *file, char *text, size_t size)
+void cli_label(const char *file, char *text, size_t size)
 {
     const char *name = strrchr(file, '/') != NULL ? strrchr(file, '/') + 1 : file;
     const char *dot = strrchr(name, '.');
@@ -168,7 +167,7 @@ int cli_write_models(int count, const taut_model *const *models, const cli_optio
     int code = cli_write_options(options, &chosen);
 
     for (int i = 0; i < count; i++) {
-        label(options->files[i], texts[i], sizeof texts[i]);
+        cli_label(options->files[i], texts[i], sizeof texts[i]);
         labels[i] = texts[i];
     }
     chosen.labels = labels;
