@@ -23,6 +23,7 @@ enum {
     EACH_MIN = 1500,
     ALL_MAX = 300000,
     NET_MAX = 60000,
+    NET_ONE = 33 * 33, /* more lines than that hide the surface */
     CURVES_MAX = 200,
     ALONG = 96,
     VIEWED = 16
@@ -75,8 +76,8 @@ static taut_status sample(page *p)
     const int each = p->count > 0 ? clamp(share, 16, ALL_MAX / p->count) : 0;
     for (int i = 0, k = 0; i < all && k < p->count && status == TAUT_OK; i++) {
         if (taut_format_wants(p->model, p->options, i)) {
-            status = taut_page_sample(taut_model_surface(p->model, i), each,
-                                      clamp(NET_MAX / p->count, 9, 4096), p->options->threads,
+            status = taut_page_sample(taut_model_surface(p->model, i), each, p->options->divide,
+                                      clamp(NET_MAX / p->count, 9, NET_ONE), p->options->threads,
                                       p->arena, &p->surfaces[k++]);
             if (status == TAUT_OK && monitor->progress != NULL &&
                 monitor->progress(monitor->context, (double)k / p->count, "sampling") != 0) {

@@ -90,16 +90,24 @@ static void thin_net(const taut_surface *surface, int most, int every[2])
     every[0] = every[1] = step;
 }
 
-taut_status taut_page_sample(const taut_surface *surface, int vertices, int net, int threads,
-                             taut_arena *arena, taut_page_surface *page)
+static int cells_of(const taut_basis *basis, int most, int divide)
+{
+    const double asked = (double)divide * taut_basis_span_count(basis);
+    return divide > 0 && asked < most ? (int)asked : most;
+}
+
+taut_status taut_page_sample(const taut_surface *surface, int vertices, int divide, int net,
+                             int threads, taut_arena *arena, taut_page_surface *page)
 {
     const int side = (int)sqrt((double)vertices) - 1;
-    taut_status status = lines_new(taut_surface_u(surface), side, arena, &page->u);
+    const int u = cells_of(taut_surface_u(surface), side, divide);
+    const int v = cells_of(taut_surface_v(surface), side, divide);
+    taut_status status = lines_new(taut_surface_u(surface), u, arena, &page->u);
 
     page->surface = surface;
     thin_net(surface, net, page->every);
     if (status == TAUT_OK) {
-        status = lines_new(taut_surface_v(surface), side, arena, &page->v);
+        status = lines_new(taut_surface_v(surface), v, arena, &page->v);
     }
     return status == TAUT_OK ? evaluate(threads, arena, page) : status;
 }

@@ -34,9 +34,10 @@ typedef struct taut_page_surface {
     int every[2];                     /* every so many points of the net are kept, along u and v */
 } taut_page_surface;
 
-/* About `vertices` vertices, and at most `net` points of the net. */
-taut_status taut_page_sample(const taut_surface *surface, int vertices, int net, int threads,
-                             taut_arena *arena, taut_page_surface *page);
+/* About `vertices` vertices, or, where divide is above 0, so many cells a knot span but no more
+ * vertices than that; and at most `net` points of the net. */
+taut_status taut_page_sample(const taut_surface *surface, int vertices, int divide, int net,
+                             int threads, taut_arena *arena, taut_page_surface *page);
 
 /* How many points are kept of `count`, every so many and the last; and which is the i-th. */
 int taut_page_kept(int count, int every);

@@ -72,6 +72,9 @@ function change(values) {
     document.querySelector('[name=layout][value=' + shown.layout + ']').checked = true;
     byId('list').hidden = byId('list').dataset.any !== '1' || shown.layout !== 'together';
     fillLegend();
+    if (values.colour !== undefined) {
+        resize();
+    }
     fillPanels(list);
     fillFrame();
     byId('layout-note').textContent = shown.layout === 'apart' && list.length < model.surfaces.length

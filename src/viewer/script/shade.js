@@ -81,11 +81,12 @@ const look = {
     isolines: { value: 0 }
 };
 
-function surfaceMaterial(index) {
+/* own: uniforms that are not shared */
+function surfaceMaterial(index, own) {
     return new THREE.ShaderMaterial({
         vertexShader: vertexShader,
         fragmentShader: fragmentShader,
-        uniforms: Object.assign({ plain: { value: rgb(plainColours[index % plainColours.length]) } }, look),
+        uniforms: Object.assign({ plain: { value: rgb(plainColours[index % plainColours.length]) } }, look, own),
         side: THREE.DoubleSide,
         polygonOffset: true,
         polygonOffsetFactor: 1.5,

@@ -42,11 +42,13 @@ function resize() {
     stage.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     stage.renderer.setSize(width, height, false);
     pointScale.value = stage.renderer.getPixelRatio();
-    const half = 1.12 * Math.max(stage.reach[1], stage.reach[0] * height / width);
+    const legend = document.getElementById('legend').offsetWidth; /* it stands at the right, beside the picture if it can */
+    const free = legend > 0 && legend < 0.45 * width ? width - legend - 16 : width;
+    const half = 1.12 * Math.max(stage.reach[1], stage.reach[0] * height / free);
     stage.camera.top = half;
     stage.camera.bottom = -half;
-    stage.camera.right = half * width / height;
-    stage.camera.left = -stage.camera.right;
+    stage.camera.left = -half * free / height;
+    stage.camera.right = half * (2 * width - free) / height;
     stage.camera.updateProjectionMatrix();
     draw();
 }
