@@ -14,7 +14,7 @@ npx --no-install esbuild entry.js --bundle --minify --format=iife --global-name=
     --legal-comments=none --log-level=warning --outfile=body.js
 version=$(sed -n 's/^ *"three": "\(.*\)".*/\1/p' package.json)
 {
-    printf '/* three.js %s, https://threejs.org, MIT licence: Copyright 2010-2026 three.js authors; see three/LICENSE */\n' "$version"
+    printf '/* three.js %s, https://threejs.org, MIT licence, copyright 2010-2026 three.js authors; see three/LICENSE. Long because it is a bundle. */\n' "$version"
     cat body.js
 } > three.min.js
 cp node_modules/three/LICENSE LICENSE
