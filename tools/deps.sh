@@ -24,6 +24,8 @@ test  pc:openblas                    libopenblas-dev        what LAPACK runs on
 test  cmd:pdfinfo                    poppler-utils          reads the PDF figures back
 test  cmd:rsvg-convert               librsvg2-bin           reads the SVG figures back
 test  header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev writes and reads STEP and IGES
+test  cmd:node                       nodejs                 drives the browser that looks at the pages of `taut view`
+test  cmd:chromium                   chromium               that browser
 check cmd:clang                      clang                  a second compiler, the sanitizers, the fuzzer
 check cmd:clang-format               clang-format           the formatting
 check clang:fsanitize=fuzzer,address libclang-rt-14-dev     what sanitizers and fuzzer link with

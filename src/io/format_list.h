@@ -7,6 +7,7 @@
 #define TAUT_FORMAT_LIST(X)                                                                        \
     X(geomdl, "geomdl.json", "NURBS-Python's exchange JSON, within --tolerance (1e-6)")            \
     X(glb, "glb", "mesh: triangles with normals for renderers, glTF 2.0 in metres; --colour")      \
+    X(html, "html", "a page to turn the model in: one file, no network, with the certificate")     \
     X(iges, "iges", "CAD: NURBS within --tolerance (1e-6) of the model, mostly exact")             \
     X(iges, "igs", "the same as iges")                                                             \
     X(json, "json", "the model itself, exact: bases, points, details and certificate")             \
