@@ -163,6 +163,12 @@ taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_patt
     return TAUT_OK;
 }
 
+void taut_dirichlet_system_restart(taut_dirichlet_system *system, const taut_monitor *monitor)
+{
+    system->monitor = monitor;
+    system->iterations = 0;
+}
+
 double taut_dirichlet_omega(const taut_dirichlet_system *system, const double *r)
 {
     const taut_pattern *pattern = system->pattern;
