@@ -52,6 +52,11 @@ TAUT_API taut_status taut_outputs_new(taut_outputs **outputs);
 TAUT_API taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model,
                                         const char *path, const taut_write_options *options,
                                         taut_error *error);
+/* Writes several models as one list. TAUT_BAD_ARGUMENT where the format holds one model a file; of
+ * taut's own all but JSON do. */
+TAUT_API taut_status taut_outputs_models(taut_outputs *outputs, int count,
+                                         const taut_model *const *models, const char *path,
+                                         const taut_write_options *options, taut_error *error);
 /* Writes a record as JSON, or plain text, likewise. */
 TAUT_API taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record,
                                          const char *path, taut_error *error);

@@ -123,28 +123,37 @@ static taut_status write_by_path(taut_staged *staged, const taut_format_ops *ops
     return ops->write_path(model, options, staged->temporary, error);
 }
 
-taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model, const char *path,
-                               const taut_write_options *options, taut_error *error)
+static taut_status write_one(taut_staged *staged, const taut_format_ops *ops,
+                             const taut_model *model, const taut_write_options *options,
+                             taut_error *error)
 {
-    static const taut_write_options none;
-    const taut_write_options *chosen = options != NULL ? options : &none;
-    const taut_format_ops *ops = NULL;
+    return ops->write != NULL ? ops->write(model, options, staged->file, error)
+                              : write_by_path(staged, ops, model, options, error);
+}
+
+/* One model, or a list of them. */
+static taut_status write_models(taut_outputs *outputs, int count, const taut_model *const *models,
+                                int is_list, const char *path, const taut_write_options *options,
+                                taut_error *error)
+{
     taut_error reason = {TAUT_OK, 0, 0, "", ""};
+    const taut_format_ops *ops = taut_format_ops_at(taut_format_of(path, &reason));
     taut_staged *staged = NULL;
     taut_status status = TAUT_OK;
 
-    if (outputs == NULL || model == NULL || path == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
-                         "an output needs a model and a path");
-    }
-    ops = taut_format_ops_at(taut_format_of(path, &reason));
     if (ops == NULL) {
         if (error != NULL) {
             *error = reason;
         }
         return reason.status;
     }
-    status = taut_format_check(model, chosen, error);
+    if (is_list && ops->write_list == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "the format of %.200s holds one model a file", path);
+    }
+    for (int i = 0; status == TAUT_OK && i < count; i++) {
+        status = taut_format_check(models[i], options, error);
+    }
     if (status == TAUT_OK) {
         status = stage(outputs, path, &staged, error);
     }
@@ -152,9 +161,36 @@ taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model, c
         return status;
     }
     errno = 0;
-    status = ops->write != NULL ? ops->write(model, chosen, staged->file, error)
-                                : write_by_path(staged, ops, model, chosen, error);
+    status = is_list ? ops->write_list(count, models, options, staged->file, error)
+                     : write_one(staged, ops, models[0], options, error);
     return finish(staged, status, error);
+}
+
+taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model, const char *path,
+                               const taut_write_options *options, taut_error *error)
+{
+    static const taut_write_options none;
+    if (outputs == NULL || model == NULL || path == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "an output needs a model and a path");
+    }
+    return write_models(outputs, 1, &model, 0, path, options != NULL ? options : &none, error);
+}
+
+taut_status taut_outputs_models(taut_outputs *outputs, int count, const taut_model *const *models,
+                                const char *path, const taut_write_options *options,
+                                taut_error *error)
+{
+    static const taut_write_options none;
+    int whole = outputs != NULL && path != NULL && count >= 0 && (models != NULL || count == 0);
+    for (int i = 0; whole && i < count; i++) {
+        whole = models[i] != NULL;
+    }
+    if (!whole) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "an output of several models needs them all and a path");
+    }
+    return write_models(outputs, count, models, 1, path, options != NULL ? options : &none, error);
 }
 
 taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record, const char *path,
