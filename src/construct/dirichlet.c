@@ -25,7 +25,7 @@
 /* What was decided on the way. */
 typedef struct outcome {
     double aspect;
-    double energy; /* D_aspect, in the user's units */
+    double energy; /* D_aspect, in the user's units; NaN where no aspect was asked for */
     const char *method;
     int iterations;
 } outcome;
@@ -143,6 +143,11 @@ static taut_status unscale_net(const taut_dirichlet_problem *problem, size_t cou
     return TAUT_OK;
 }
 
+static int has_aspect(const taut_dirichlet_problem *problem)
+{
+    return problem->aspect > 0 || problem->aspect_auto;
+}
+
 /* Solves the scaled net in place. */
 static taut_status solve(const taut_dirichlet_problem *problem, taut_dirichlet_system *system,
                          const taut_monitor *monitor, double *net, outcome *out, taut_error *error)
@@ -157,9 +162,11 @@ static taut_status solve(const taut_dirichlet_problem *problem, taut_dirichlet_s
     } else {
         status = taut_dirichlet_system_solve(system, out->aspect, net, error);
     }
-    if (status == TAUT_OK) {
+    if (status == TAUT_OK && has_aspect(problem)) {
         taut_dirichlet_system_energies(system, net, halves);
         out->energy = out->aspect * halves[0] + halves[1] / out->aspect;
+    }
+    if (status == TAUT_OK) {
         out->method = taut_dirichlet_system_method(system);
         out->iterations = taut_dirichlet_system_iterations(system);
     }
@@ -202,7 +209,7 @@ static taut_record *details_of(const taut_dirichlet_problem *problem, const taut
                                                 : "pattern");
     taut_record_add_text(details, "method", out->method);
     taut_record_add_number(details, "iterations", out->iterations);
-    if (problem->aspect > 0 || problem->aspect_auto) {
+    if (has_aspect(problem)) {
         taut_record_add_number(details, "aspect", out->aspect);
         taut_record_add_number(details, "aspect_energy", out->energy);
     }
