@@ -294,18 +294,27 @@ static double ratio(const result *r, int method)
     return r->seconds[method] < 0.0 ? -1.0 : r->seconds[method] / r->seconds[TAUT];
 }
 
+/* A number of JSON; what was not run is null. */
+static const char *json(double x, char room[32])
+{
+    snprintf(room, 32, x < 0.0 ? "null" : "%.4g", x);
+    return room;
+}
+
 static void print_json(const result *r, double peak, int is_last)
 {
-    printf("    { \"n\": %d, \"taut_ms\": %.4g, \"taut_modes_ms\": %.4g, \"cholmod_ms\": %.4g, "
+    char room[5][32];
+    printf("    { \"n\": %d, \"taut_ms\": %.4g, \"taut_modes_ms\": %.4g, \"cholmod_ms\": %s, "
            "\"lapack_ms\": %.4g,\n"
-           "      \"over_cholmod\": %.4g, \"over_lapack\": %.4g, \"residual\": %.3g, "
+           "      \"over_cholmod\": %s, \"over_lapack\": %.4g, \"residual\": %.3g, "
            "\"residual_refined\": %.3g,\n"
-           "      \"residual_cholmod\": %.3g, \"residual_lapack\": %.3g, \"memory\": %.3g, "
+           "      \"residual_cholmod\": %s, \"residual_lapack\": %s, \"memory\": %s, "
            "\"dense_ms\": %.4g,\n"
            "      \"dense_share_of_peak\": %.3g }%s\n",
-           r->n, 1e3 * r->seconds[TAUT], 1e3 * r->modes, 1e3 * r->seconds[CHOLMOD],
-           1e3 * r->seconds[LAPACK], ratio(r, CHOLMOD), ratio(r, LAPACK), r->residual[TAUT],
-           r->refined, r->residual[CHOLMOD], r->residual[LAPACK], r->memory, 1e3 * r->dense,
+           r->n, 1e3 * r->seconds[TAUT], 1e3 * r->modes, json(1e3 * r->seconds[CHOLMOD], room[0]),
+           1e3 * r->seconds[LAPACK], json(ratio(r, CHOLMOD), room[1]), ratio(r, LAPACK),
+           r->residual[TAUT], r->refined, json(r->residual[CHOLMOD], room[2]),
+           json(r->residual[LAPACK], room[3]), json(r->memory, room[4]), 1e3 * r->dense,
            dense_rate(r) / peak, is_last ? "" : ",");
 }
 
