@@ -163,11 +163,15 @@ static taut_status write_models(taut_outputs *outputs, int count, const taut_mod
     if (ops == NULL) {
         return TAUT_BAD_ARGUMENT;
     }
-    if (together && (ops->write_many == NULL || count > ops->models_max)) {
-        const int most = ops->write_many != NULL ? ops->models_max : 1;
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, most,
-                         "the format of %.200s holds at most %d model%s a file, not %d", path, most,
-                         most > 1 ? "s" : "", count);
+    if (together && ops->write_many == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, 1,
+                         "the format of %.200s holds one model a file; several go into .json, or "
+                         "side by side into .svg, .pdf and .png",
+                         path);
+    }
+    if (together && count > ops->models_max) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, ops->models_max,
+                         "%.200s would hold %d models, %d at most", path, count, ops->models_max);
     }
     for (int i = 0; status == TAUT_OK && i < count; i++) {
         status = taut_format_check(models[i], options, error);
