@@ -14,12 +14,12 @@ typedef struct taut_format_ops {
      */
     taut_status (*write)(const taut_model *model, const taut_write_options *options, FILE *out,
                          taut_error *error);
+    /* Likewise, where several models go on one page or in one list; else NULL. */
+    taut_status (*write_many)(int count, const taut_model *const *models,
+                              const taut_write_options *options, FILE *out, taut_error *error);
     /* ...or, for libraries that want a name: writes the file `path`, which is there and empty. */
     taut_status (*write_path)(const taut_model *model, const taut_write_options *options,
                               const char *path, taut_error *error);
-    /* Writes several models as a list, like `write`; NULL where a file holds one. */
-    taut_status (*write_list)(int count, const taut_model *const *models,
-                              const taut_write_options *options, FILE *out, taut_error *error);
     /* Reads a model from a file in this format; NULL where taut does not. */
     taut_status (*read)(const char *path, taut_model **model, taut_error *error);
 } taut_format_ops;

@@ -58,14 +58,16 @@ static taut_status write_json(const taut_model *model, const taut_write_options 
                               taut_error *error)
 {
     taut_json_out json = taut_json_out_to(out);
+    json.short_knots = options->short_knots;
     write_model(&json, model, options);
     return finish(&json, error);
 }
 
-static taut_status write_list(int count, const taut_model *const *models,
+static taut_status write_many(int count, const taut_model *const *models,
                               const taut_write_options *options, FILE *out, taut_error *error)
 {
     taut_json_out json = taut_json_out_to(out);
+    json.short_knots = options->short_knots;
     taut_json_open(&json, '[');
     for (int i = 0; i < count; i++) {
         write_model(&json, models[i], options);
@@ -74,4 +76,4 @@ static taut_status write_list(int count, const taut_model *const *models,
     return finish(&json, error);
 }
 
-const taut_format_ops taut_format_json = {.write = write_json, .write_list = write_list};
+const taut_format_ops taut_format_json = {.write = write_json, .write_many = write_many};

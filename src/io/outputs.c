@@ -123,36 +123,54 @@ static taut_status write_by_path(taut_staged *staged, const taut_format_ops *ops
     return ops->write_path(model, options, staged->temporary, error);
 }
 
-static taut_status write_one(taut_staged *staged, const taut_format_ops *ops,
-                             const taut_model *model, const taut_write_options *options,
-                             taut_error *error)
-{
-    return ops->write != NULL ? ops->write(model, options, staged->file, error)
-                              : write_by_path(staged, ops, model, options, error);
-}
-
-/* One model, or a list of them. */
-static taut_status write_models(taut_outputs *outputs, int count, const taut_model *const *models,
-                                int is_list, const char *path, const taut_write_options *options,
-                                taut_error *error)
+/* The format of the path; NULL, and then *error says so. */
+static const taut_format_ops *format_of(const char *path, const taut_write_options *options,
+                                        taut_error *error)
 {
     taut_error reason = {TAUT_OK, 0, 0, "", ""};
-    const taut_format_ops *ops = taut_format_ops_at(taut_format_of(path, &reason));
+    const char *ending = options->format;
+    char name[32] = ".";
+    const taut_format_ops *ops = NULL;
+
+    if (ending != NULL) {
+        strncat(name, ending, sizeof name - 2);
+        path = name;
+    }
+    ops = taut_format_ops_at(taut_format_of(path, &reason));
+    if (ops == NULL && error != NULL) {
+        *error = reason;
+    }
+    return ops;
+}
+
+taut_status taut_outputs_models(taut_outputs *outputs, int count, const taut_model *const *models,
+                                const char *path, const taut_write_options *options,
+                                taut_error *error)
+{
+    static const taut_write_options none;
+    const taut_write_options *chosen = options != NULL ? options : &none;
+    const taut_format_ops *ops = NULL;
     taut_staged *staged = NULL;
     taut_status status = TAUT_OK;
 
+    if (outputs == NULL || models == NULL || path == NULL || count < 1) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, 1,
+                         "an output needs a path and at least one model");
+    }
+    ops = format_of(path, chosen, error);
     if (ops == NULL) {
-        if (error != NULL) {
-            *error = reason;
-        }
-        return reason.status;
+        return TAUT_BAD_ARGUMENT;
     }
-    if (is_list && ops->write_list == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
-                         "the format of %.200s holds one model a file", path);
+    if (ops->write_many == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, 1,
+                         "%.150s holds one model; several go side by side in .svg, .pdf and .png, "
+                         "and as a list in .json",
+                         path);
     }
-    for (int i = 0; status == TAUT_OK && i < count; i++) {
-        status = taut_format_check(models[i], options, error);
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        status = models[i] != NULL ? taut_format_check(models[i], chosen, error)
+                                   : taut_fail(error, TAUT_BAD_ARGUMENT, NULL, i, taut_none,
+                                               "one of the models is none");
     }
     if (status == TAUT_OK) {
         status = stage(outputs, path, &staged, error);
@@ -161,8 +179,7 @@ static taut_status write_models(taut_outputs *outputs, int count, const taut_mod
         return status;
     }
     errno = 0;
-    status = is_list ? ops->write_list(count, models, options, staged->file, error)
-                     : write_one(staged, ops, models[0], options, error);
+    status = ops->write_many(count, models, chosen, staged->file, error);
     return finish(staged, status, error);
 }
 
@@ -170,27 +187,30 @@ taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model, c
                                const taut_write_options *options, taut_error *error)
 {
     static const taut_write_options none;
+    const taut_write_options *chosen = options != NULL ? options : &none;
+    const taut_format_ops *ops = NULL;
+    taut_staged *staged = NULL;
+    taut_status status = TAUT_OK;
+
     if (outputs == NULL || model == NULL || path == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "an output needs a model and a path");
     }
-    return write_models(outputs, 1, &model, 0, path, options != NULL ? options : &none, error);
-}
-
-taut_status taut_outputs_models(taut_outputs *outputs, int count, const taut_model *const *models,
-                                const char *path, const taut_write_options *options,
-                                taut_error *error)
-{
-    static const taut_write_options none;
-    int whole = outputs != NULL && path != NULL && count >= 0 && (models != NULL || count == 0);
-    for (int i = 0; whole && i < count; i++) {
-        whole = models[i] != NULL;
+    ops = format_of(path, chosen, error);
+    if (ops == NULL) {
+        return TAUT_BAD_ARGUMENT;
     }
-    if (!whole) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
-                         "an output of several models needs them all and a path");
+    status = taut_format_check(model, chosen, error);
+    if (status == TAUT_OK) {
+        status = stage(outputs, path, &staged, error);
     }
-    return write_models(outputs, count, models, 1, path, options != NULL ? options : &none, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    errno = 0;
+    status = ops->write != NULL ? ops->write(model, chosen, staged->file, error)
+                                : write_by_path(staged, ops, model, chosen, error);
+    return finish(staged, status, error);
 }
 
 taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record, const char *path,

@@ -59,8 +59,26 @@ static taut_status check_members(const taut_json *document, const taut_document_
     return taut_json_object(document, names, error);
 }
 
-/* The problem of a document that has been parsed. */
-static taut_status problem_of(const taut_json *document, taut_problem **problem, taut_error *error)
+/* Other files that the document names lie beside it. */
+static taut_status set_folder(taut_problem *problem, const char *path, taut_error *error)
+{
+    const char *slash = path != NULL ? strrchr(path, '/') : NULL;
+    char *folder = NULL;
+    if (slash == NULL) {
+        return TAUT_OK;
+    }
+    folder = taut_arena_text(problem->arena, path);
+    if (folder == NULL) {
+        return taut_fail_memory(error);
+    }
+    folder[slash - path + 1] = '\0';
+    problem->folder = folder;
+    return TAUT_OK;
+}
+
+/* The problem of a document that has been parsed; path NULL: it came from no file. */
+static taut_status problem_of(const taut_json *document, const char *path, taut_problem **problem,
+                              taut_error *error)
 {
     const char *unit = "mm";
     taut_problem *made = NULL;
@@ -78,6 +96,9 @@ static taut_status problem_of(const taut_json *document, taut_problem **problem,
     }
     if (status == TAUT_OK && taut_problem_new(construct, &made) != TAUT_OK) {
         status = taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        status = set_folder(made, path, error);
     }
     if (status == TAUT_OK) {
         snprintf(made->unit, sizeof made->unit, "%s", unit);
@@ -103,7 +124,7 @@ taut_status taut_problem_read_text(const char *text, size_t length, const char *
     status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
     if (status == TAUT_OK) {
         const taut_json document = taut_json_root(root);
-        status = problem_of(&document, problem, error);
+        status = problem_of(&document, NULL, problem, error);
     }
     taut_json_document_free(root);
     return status;
@@ -120,7 +141,7 @@ taut_status taut_problem_read(const char *path, taut_problem **problem, taut_err
     status = taut_json_load(path, &root, error);
     if (status == TAUT_OK) {
         const taut_json document = taut_json_root(root);
-        status = problem_of(&document, problem, error);
+        status = problem_of(&document, path, problem, error);
     }
     taut_json_document_free(root);
     return status;
@@ -158,7 +179,8 @@ int taut_problem_list_is_list(const taut_problem_list *list)
 }
 
 /* Fills a list that is empty; what was read before a failure is in it. */
-static taut_status fill(const taut_json *root, taut_problem_list *list, taut_error *error)
+static taut_status fill(const taut_json *root, const char *path, taut_problem_list *list,
+                        taut_error *error)
 {
     size_t count = 1;
     taut_status status = TAUT_OK;
@@ -173,19 +195,19 @@ static taut_status fill(const taut_json *root, taut_problem_list *list, taut_err
     }
     for (size_t i = 0; status == TAUT_OK && i < count; i++) {
         const taut_json item = list->is_list ? taut_json_item(root, i) : *root;
-        status = problem_of(&item, &list->problems[i], error);
+        status = problem_of(&item, path, &list->problems[i], error);
         list->count += status == TAUT_OK;
     }
     return status;
 }
 
 /* Of a document that has been parsed, which it frees. */
-static taut_status list_of(taut_json_document *document, taut_problem_list **list,
+static taut_status list_of(taut_json_document *document, const char *path, taut_problem_list **list,
                            taut_error *error)
 {
     const taut_json root = taut_json_root(document);
     taut_problem_list *made = taut_alloc_zero(1, sizeof *made);
-    taut_status status = made != NULL ? fill(&root, made, error) : taut_fail_memory(error);
+    taut_status status = made != NULL ? fill(&root, path, made, error) : taut_fail_memory(error);
 
     taut_json_document_free(document);
     if (status != TAUT_OK) {
@@ -206,7 +228,7 @@ taut_status taut_problem_list_read_text(const char *text, size_t length, const c
                          "taut_problem_list_read_text needs a text and a place for the list");
     }
     status = taut_json_parse(text, length, name != NULL ? name : "text", &document, error);
-    return status == TAUT_OK ? list_of(document, list, error) : status;
+    return status == TAUT_OK ? list_of(document, NULL, list, error) : status;
 }
 
 taut_status taut_problem_list_read(const char *path, taut_problem_list **list, taut_error *error)
@@ -218,5 +240,5 @@ taut_status taut_problem_list_read(const char *path, taut_problem_list **list, t
                          "taut_problem_list_read needs a path and a place for the list");
     }
     status = taut_json_load(path, &document, error);
-    return status == TAUT_OK ? list_of(document, list, error) : status;
+    return status == TAUT_OK ? list_of(document, path, list, error) : status;
 }
