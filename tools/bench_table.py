@@ -27,9 +27,10 @@ def digits(x, count=3):
     """x with that many digits that count, never as a power of ten where that is longer."""
     if x is None:
         return "-"
-    if 1e-2 <= abs(x) < 1e5:
-        places = max(0, count - len(str(int(abs(x)))) if abs(x) >= 1 else count - 1)
-        return f"{x:.{places}f}"
+    if 1e-2 <= abs(x) < 1:
+        return f"{x:.2g}"
+    if 1 <= abs(x) < 1e5:
+        return f"{x:.{max(0, count - len(str(int(abs(x)))))}f}"
     return f"{x:.1g}".replace("e-0", "e-")
 
 
