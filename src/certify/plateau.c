@@ -31,6 +31,7 @@
 
 enum { ROUNDINGS = 8 };
 static const double unit_roundoff = 0x1p-53;
+static const double many = 4e4; /* Gauss points */
 static const double largest_limit = 1e-6, tolerance_default = 1e-10, flat = 1e-15;
 
 typedef struct request {
@@ -175,14 +176,16 @@ static finding judge(const request *r, const taut_dirichlet_gradient *gradient)
     return found;
 }
 
-/* With nodes raised by half until the judgement stays: within a quarter of the tolerance, or of the
- * noise, or by a thousandth of itself. *settled tells whether it did. */
+/* With nodes raised by half until the judgement stays: within the noise, or a hundredth of itself;
+ * above so many Gauss points that more cost much, within a quarter of the tolerance. *settled tells
+ * whether it did. */
 static taut_status find_gradient(const request *r, taut_dirichlet_gradient *gradient,
                                  finding *found, int *settled)
 {
     const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
     const int local =
         taut_basis_local(u) > taut_basis_local(v) ? taut_basis_local(u) : taut_basis_local(v);
+    const double spans = (double)taut_basis_span_count(u) * taut_basis_span_count(v);
     int nodes = local + 5;
     taut_status status = taut_area_gradient_new(r->surface, nodes, gradient);
 
@@ -196,8 +199,9 @@ static taut_status find_gradient(const request *r, taut_dirichlet_gradient *grad
         if (status == TAUT_OK) {
             *found = judge(r, gradient);
             const double apart = fabs(found->residual - before);
+            const double enough = spans * nodes * nodes > many ? 0.25 * r->tolerance : 0;
             *settled = fmax(found->residual, before) <= found->noise ||
-                       apart <= fmax(0.25 * r->tolerance, 1e-3 * found->residual);
+                       apart <= fmax(enough, fmax(found->noise, 1e-2 * found->residual));
         }
     }
     return status;
