@@ -11,6 +11,7 @@ static const double blind = 2e-14, rise = 0x1p-50;
 /* A film is at rest where the model gains no more than `flat` of the area and the gradient is
  * within `flat_residual`: what is left are moves within the surface. */
 static const double flat = 1e-15, flat_residual = 1e-6;
+static const double unfolded = 0.02;
 static const double slow = 0.1, small_theta = 1e-6;
 enum { LONGEST = 256 };
 enum { FLAT_STEPS = 4 }; /* steps that are still made there, for the sake of the residual */
@@ -84,6 +85,9 @@ static int is_good(taut_walk *w)
     const double area = w->here.value.area, gain = area - w->there.value.area;
     const double ratio = gain / w->model;
 
+    if (w->there.value.least < w->barrier) {
+        return 0;
+    }
     if (fmax(w->model, gain) > blind * area) {
         if (!(ratio > 0.05)) {
             return 0;
@@ -281,6 +285,13 @@ static taut_status give_up(const taut_walk *w, const char *why, taut_error *erro
                          "be no least area; make the points of that edge known",
                          why, w->here.residual);
     }
+    if (w->here.value.least < 1.5 * w->barrier) {
+        return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->here.value.least, w->barrier,
+                         "the film wants to fold: after %d iterations its smallest area element is "
+                         "%.2g of the mean; take the method \"normal\", or fewer points, or give "
+                         "points inside",
+                         d->iterations, w->here.value.least);
+    }
     return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->here.residual, d->tolerance,
                      "%s after %d iterations: the residual is %.3g, expected at most %.3g; the "
                      "smallest area element is %.2g of the mean (0 where the film folds)",
@@ -297,6 +308,7 @@ static taut_status descend(taut_walk *w, taut_error *error)
     taut_walk_look(w, &w->here);
     w->first_norm = w->here.residual;
     w->start_area = w->here.value.area;
+    w->barrier = fmin(unfolded, 0.5 * w->here.value.least);
     w->model = 0;
     while (status == TAUT_OK && !at_rest) {
         status = check_film(w, error);

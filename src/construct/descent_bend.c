@@ -17,12 +17,12 @@
 enum { CORRECTIONS = 3, POLISHES = 6 };
 static const double longest = 65536, worth = 0.1;
 
-static double area_at(taut_walk *w, double t)
+static taut_film_value value_at(taut_walk *w, double t)
 {
     for (size_t i = 0; i < 3 * w->count; i++) {
         w->there.net[i] = w->here.net[i] + t * (w->move[i] + t * w->bend[i]);
     }
-    return taut_film_area(w->film, w->there.net).area;
+    return taut_film_area(w->film, w->there.net);
 }
 
 /* bend = c, move = z as nets. The film's state must be here's: it is that of x + z afterwards. */
@@ -68,14 +68,14 @@ int taut_walk_bend(taut_walk *w)
     }
     find_curve(w);
     for (double longer = 1; longer <= longest; longer *= 2) {
-        const double area = area_at(w, longer);
-        if (!(area < best)) {
+        const taut_film_value value = value_at(w, longer);
+        if (!(value.area < best) || value.least < w->barrier) {
             break;
         }
-        best = area;
+        best = value.area;
         t = longer;
     }
-    area_at(w, t);
+    value_at(w, t);
     if (t == 0) {
         taut_walk_try(w, 1);
         return 0;
@@ -85,7 +85,7 @@ int taut_walk_bend(taut_walk *w)
         const double before = w->there.value.area;
         correct(w, &w->there);
         taut_walk_look(w, &w->there);
-        if (!(w->there.value.area < before)) {
+        if (!(w->there.value.area < before) || w->there.value.least < w->barrier) {
             undo(w, &w->there);
             break;
         }

@@ -11,6 +11,7 @@
 
 enum { NODES = 4 };
 static const double share = 0.7; /* of the bending, in the spans that are cut */
+static const int many = 4;       /* times as many as there are: all are cut */
 
 /* Nodes and weights over all spans. */
 typedef struct line {
@@ -81,28 +82,41 @@ static taut_status measure(const taut_surface *surface, line *u, line *v)
     return status;
 }
 
-/* Cuts the fewest spans that hold their share: the largest first. */
-static taut_status cut(const taut_basis *basis, line *l, int direction, taut_surface **surface,
-                       taut_error *error)
+/* How few spans hold the share; their places in bending become -1. */
+static int choose(line *l)
 {
-    double left = 0, all = 0;
-    taut_status status = TAUT_OK;
+    double left = 0;
+    int chosen = 0;
 
     for (int s = 0; s < l->spans; s++) {
-        all += l->bending[s];
+        left += share * l->bending[s];
     }
-    left = share * all;
-    for (int k = 0; status == TAUT_OK && k < l->spans && (k == 0 || left > 0); k++) {
-        const double *breaks = taut_basis_breaks(basis);
-        taut_surface *next = NULL;
+    for (; chosen < l->spans && (chosen == 0 || left > 0); chosen++) {
         int most = 0;
         for (int s = 1; s < l->spans; s++) {
             most = l->bending[s] > l->bending[most] ? s : most;
         }
         left -= l->bending[most];
         l->bending[most] = -1;
-        status = taut_surface_insert(*surface, direction,
-                                     0.5 * breaks[most] + 0.5 * breaks[most + 1], 1, &next, error);
+    }
+    return chosen;
+}
+
+/* Cuts the spans chosen; all of them where those are many, since even knots serve better. */
+static taut_status cut(const taut_basis *basis, line *l, int direction, taut_surface **surface,
+                       taut_error *error)
+{
+    const double *breaks = taut_basis_breaks(basis);
+    const int all = many * choose(l) > l->spans;
+    taut_status status = TAUT_OK;
+
+    for (int s = 0; status == TAUT_OK && s < l->spans; s++) {
+        taut_surface *next = NULL;
+        if (!all && l->bending[s] >= 0) {
+            continue;
+        }
+        status = taut_surface_insert(*surface, direction, 0.5 * breaks[s] + 0.5 * breaks[s + 1], 1,
+                                     &next, error);
         if (status == TAUT_OK) {
             taut_surface_free(*surface);
             *surface = next;

@@ -13,7 +13,12 @@
 #include <math.h>
 #include <string.h>
 
-enum { ROUNDS_MAX = 24, POINTS_MAX = 3600 };
+enum { ROUNDS_MAX = 24, POINTS_MAX = 2500 };
+enum {
+    MANY = 700
+}; /* points from which an estimate goes along the normals: hardly above the least */
+/* Areas need not be nearer to their least in one space than this part of what is asked for. */
+static const double share = 1e-2, loosest = 1e-8;
 static const double slowest = 0.5, slowest_adapted = 0.8, fastest = 1.0 / 64;
 
 typedef struct rounds {
@@ -80,14 +85,31 @@ static taut_status halve(const taut_surface *surface, taut_surface **halved, tau
     return status;
 }
 
-/* Solves in the space of `finer`; *space is the new one. */
+/* Solves in the space of `finer`; *space is the new one. For an estimate the area that
+ * it came to is good enough where the film finds no rest. */
 static taut_status solve_finer(const taut_plateau_problem *problem, const taut_surface *finer,
-                               const taut_make_options *options, taut_plateau_space **space,
-                               taut_plateau_solution *solution, taut_error *error)
+                               const taut_make_options *options, int is_estimate,
+                               taut_plateau_space **space, taut_plateau_solution *solution,
+                               taut_error *error)
 {
     taut_status status = taut_plateau_space_new(problem, finer, space, error);
-    return status == TAUT_OK ? taut_plateau_solve(&(*space)->problem, options, solution, error)
-                             : status;
+    taut_plateau_problem film;
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    film = (*space)->problem;
+    if (is_estimate && problem->tolerance_area > 0) {
+        film.tolerance = fmax(film.tolerance, fmin(loosest, share * problem->tolerance_area));
+    }
+    if (is_estimate && taut_basis_count(film.net.u) * taut_basis_count(film.net.v) > MANY) {
+        film.method = TAUT_PLATEAU_NORMAL;
+    }
+    status = taut_plateau_solve(&film, options, solution, error);
+    if (status == TAUT_NOT_CONVERGED && is_estimate && solution->surface != NULL) {
+        status = TAUT_OK;
+    }
+    return status;
 }
 
 taut_status taut_plateau_estimate(const taut_plateau_problem *problem,
@@ -106,7 +128,7 @@ taut_status taut_plateau_estimate(const taut_plateau_problem *problem,
         taut_surface *finer = NULL;
         status = halve(surface, &finer, error);
         if (status == TAUT_OK) {
-            status = solve_finer(problem, finer, options, &space, &next, error);
+            status = solve_finer(problem, finer, options, 1, &space, &next, error);
         }
         taut_surface_free(finer);
         taut_plateau_space_free(space);
@@ -122,6 +144,35 @@ taut_status taut_plateau_estimate(const taut_plateau_problem *problem,
     }
     taut_plateau_solution_clear(&last);
     return status;
+}
+
+/* The estimate by rounds of few knots may flatter: a space with all spans halved has the last word.
+ */
+static taut_status look_ahead(const taut_plateau_problem *problem, const taut_make_options *options,
+                              const taut_plateau_solution *solution, rounds *r, taut_error *error)
+{
+    taut_plateau_solution finest = {NULL, NULL, 0};
+    taut_plateau_space *space = NULL;
+    taut_surface *finer = NULL;
+    taut_status status = halve(solution->surface, &finer, error);
+
+    if (status == TAUT_OK) {
+        status = solve_finer(problem, finer, options, 1, &space, &finest, error);
+    }
+    if (status == TAUT_OK) {
+        double *limit = &r->limits[r->count - 1];
+        *limit = fmin(*limit, finest.area - fabs(solution->area - finest.area) * (1.0 / 3));
+    }
+    taut_plateau_solution_clear(&finest);
+    taut_plateau_space_free(space);
+    taut_surface_free(finer);
+    return status;
+}
+
+static int is_near(const rounds *r, double tolerance)
+{
+    const double area = r->areas[r->count - 1], limit = r->limits[r->count - 1];
+    return area - limit <= tolerance * limit;
 }
 
 static taut_status too_far(const rounds *r, double tolerance, taut_error *error)
@@ -148,15 +199,18 @@ taut_status taut_plateau_adapt(const taut_plateau_problem *problem,
         taut_plateau_space *finer_space = NULL;
         taut_surface *finer = NULL;
         const int last = r.count - 1;
-        if (r.count > 2 && r.areas[last] - r.limits[last] <= tolerance * r.limits[last]) {
-            break;
+        if (r.count > 2 && is_near(&r, tolerance)) {
+            status = look_ahead(problem, options, solution, &r, error);
+            if (status != TAUT_OK || is_near(&r, tolerance)) {
+                break;
+            }
         }
         if (r.count > ROUNDS_MAX || r.points[last][0] * r.points[last][1] > POINTS_MAX) {
             return too_far(&r, tolerance, error);
         }
         status = taut_plateau_insert(solution->surface, &finer, error);
         if (status == TAUT_OK) {
-            status = solve_finer(problem, finer, options, &finer_space, &next, error);
+            status = solve_finer(problem, finer, options, 0, &finer_space, &next, error);
         }
         taut_surface_free(finer);
         if (status != TAUT_OK) {

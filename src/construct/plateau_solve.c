@@ -305,7 +305,11 @@ static taut_status solve(work *w, double *points, taut_error *error)
     if (status == TAUT_OK) {
         status = sharpen(w, error);
     }
-    return status == TAUT_OK ? unscale(w, points, error) : status;
+    if (status == TAUT_OK || status == TAUT_NOT_CONVERGED) {
+        const taut_status unscaled = unscale(w, points, error);
+        status = unscaled != TAUT_OK ? unscaled : status;
+    }
+    return status;
 }
 
 static void add_directions(const work *w, taut_record *details)
@@ -413,8 +417,9 @@ taut_status taut_plateau_solve(const taut_plateau_problem *problem,
                  : w.pattern.unknowns == 0 ? keep(&w, points, error)
                                            : solve(&w, points, error);
     }
-    if (status == TAUT_OK) {
-        status = finish(&w, points, solution, error);
+    if (status == TAUT_OK || (status == TAUT_NOT_CONVERGED && w.descent.area > 0)) {
+        const taut_status finished = finish(&w, points, solution, error);
+        status = finished != TAUT_OK ? finished : status;
     }
     work_clear(&w);
     return status;
