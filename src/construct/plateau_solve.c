@@ -302,7 +302,7 @@ static taut_status solve(work *w, double *points, taut_error *error)
             status = find_rule(w, w->net, &area, error);
         }
     }
-    if (status == TAUT_OK) {
+    if (status == TAUT_OK && w->directions == NULL) { /* "normal" stops at the tolerance */
         status = sharpen(w, error);
     }
     if (status == TAUT_OK || status == TAUT_NOT_CONVERGED) {
