@@ -298,6 +298,14 @@ static taut_status give_up(const taut_walk *w, const char *why, taut_error *erro
                      why, d->iterations, w->here.residual, d->tolerance, w->here.value.least);
 }
 
+static void note_area(taut_walk *w)
+{
+    taut_descent *d = w->descent;
+    if (d->areas_count < d->areas_max) {
+        d->areas[d->areas_count++] = w->here.value.area;
+    }
+}
+
 /* Steps until the film is at rest at a minimum. */
 static taut_status descend(taut_walk *w, taut_error *error)
 {
@@ -325,6 +333,7 @@ static taut_status descend(taut_walk *w, taut_error *error)
         }
         status = advance(w, &at_rest);
         d->iterations += !at_rest;
+        note_area(w);
         if (at_rest) {
             status = check_minimum(w, &at_rest, error);
         }

@@ -22,7 +22,7 @@ typedef struct taut_walk {
     double *move, *bend;                 /* nets */
     double theta, model, first_norm, start_area;
     double barrier; /* no step may take the smallest area element, over the mean, below this */
-    double fence; /* B was last seen indefinite at this theta; forgotten by and by */
+    double fence;   /* B was last seen indefinite at this theta; forgotten by and by */
     double past[TAUT_WALK_PAST];
     int steps, flat_steps;
 } taut_walk;

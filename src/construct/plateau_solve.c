@@ -22,6 +22,7 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { AREAS_MAX = 64 }; /* areas of iterations that are told */
 enum { ITERATIONS_DEFAULT = 500, RULES = 10 };
 static const double tolerance_default = 1e-10;
 /* Nodes on a panel beyond the functions alive there, each rule tried after the one before. */
@@ -70,8 +71,11 @@ static taut_status work_new(work *w, taut_error *error)
     w->arena = taut_arena_new();
     if (w->arena != NULL) {
         w->net = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
+        w->descent.areas = taut_arena_take(w->arena, AREAS_MAX, sizeof(double));
+        w->descent.areas_max = AREAS_MAX;
     }
-    if (w->net == NULL || taut_pattern_new(nu, nv, net->known, w->arena, &w->pattern) != TAUT_OK) {
+    if (w->net == NULL || w->descent.areas == NULL ||
+        taut_pattern_new(nu, nv, net->known, w->arena, &w->pattern) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     if (w->problem->method == TAUT_PLATEAU_NORMAL) {
@@ -345,6 +349,11 @@ static taut_record *details_of(const work *w)
     taut_record_add_number(details, "tolerance", w->descent.tolerance);
     if (is_normal && p->unknowns > 0) {
         add_directions(w, details);
+    }
+    taut_record *areas = taut_record_add_list(details, "areas");
+    for (int k = 0; k < w->descent.areas_count; k++) {
+        taut_record_add_number(areas, NULL,
+                               taut_scaling_undo_square(&w->scaling, w->descent.areas[k]));
     }
     return details;
 }

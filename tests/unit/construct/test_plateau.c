@@ -285,6 +285,31 @@ static void test_enneper(void)
     problem_free(&net);
 }
 
+/* The area never rises from one iteration to the next, but by the 1e-11 of it that two rules of
+ * quadrature may differ where nodes are added. */
+static void test_monotone(void)
+{
+    for (int k = 0; k < 3; k++) {
+        test_problem net = k == 0 ? skew(12) : k == 1 ? saddle(12) : problem_example(4);
+        for (int m = 0; m < 2; m++) {
+            const taut_plateau_problem problem = plateau_of(&net, (taut_plateau_method)m);
+            taut_model *model = NULL;
+            CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
+            const taut_record *areas = taut_record_get(taut_model_details(model), "areas");
+            double before =
+                taut_record_number(taut_record_get(taut_model_details(model), "dirichlet_area"));
+            CHECK(taut_record_count(areas) > 1, "net %d: areas are told", k);
+            for (size_t i = 0; i < taut_record_count(areas); i++) {
+                const double area = taut_record_number(taut_record_at(areas, i));
+                CHECK(area <= before * (1 + 1e-11), "net %d, iteration %zu: %.16g", k, i, area);
+                before = area;
+            }
+            taut_model_free(model);
+        }
+        problem_free(&net);
+    }
+}
+
 static const taut_record *refinement_of(const taut_model *model)
 {
     return taut_record_get(taut_model_details(model), "refinement");
@@ -336,12 +361,53 @@ static void test_tolerance_area(void)
     problem_free(&net);
 }
 
+/* Boundaries whose films are degenerate: an edge that is a point, an edge twice, a fold. They end,
+ * with numbers or with a name for what is wrong. */
+static void test_degenerate(void)
+{
+    for (int k = 0; k < 4; k++) {
+        test_problem net = skew(7);
+        taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+        for (int i = 0; i < 7; i++) {
+            double *first = net.points + 3 * i, *last = net.points + 3 * (42 + i);
+            for (int c = 0; c < 3; c++) {
+                if (k == 0) {
+                    first[c] = net.points[c]; /* u0 is a point */
+                } else if (k == 1) {
+                    last[c] = first[c] + 1e-9 * i * (6 - i); /* u1 is u0, but for a hair */
+                } else if (k == 2) {
+                    last[c] *= i == 3 ? -4 : 1; /* a spike */
+                }
+            }
+            net.points[3 * (7 * i) + 1] -= k == 3 && i % 6 != 0 ? 3 * sin(2.0 * i) : 0;
+        }
+        for (int m = 0; m < 2; m++) {
+            taut_model *model = NULL;
+            taut_error error = {0};
+            problem.method = (taut_plateau_method)m;
+            problem.max_iterations = 8;
+            const taut_status status = taut_plateau_make(&problem, NULL, &model, &error);
+            CHECK(status == TAUT_OK ||
+                      ((status == TAUT_NO_SOLUTION || status == TAUT_NOT_CONVERGED) &&
+                       error.message[0] != '\0'),
+                  "%d: status %d", k, (int)status);
+            for (int i = 0; model != NULL && i < 147; i++) {
+                CHECK(isfinite(taut_surface_points(taut_model_surface(model, 0))[i]), "%d", k);
+            }
+            taut_model_free(model);
+        }
+        problem_free(&net);
+    }
+}
+
 int main(void)
 {
+    test_degenerate();
     test_examples();
     test_limits();
     test_fine_nets();
     test_enneper();
+    test_monotone();
     test_refine();
     test_tolerance_area();
     test_skew();
