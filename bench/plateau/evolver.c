@@ -38,13 +38,19 @@ double bench_run(const char *const *arguments, const char *output)
 
 double bench_evolver(const char *file, int levels, double *seconds)
 {
-    char folder[] = "/tmp/bench-plateau-XXXXXX", commands[64], option[80], output[64], line[256];
+    char folder[] = "/tmp/bench-plateau-XXXXXX", commands[64], option[80], output[64], film[64],
+         dump[72], line[256];
     double area = nan("");
     if (mkdtemp(folder) == NULL) {
         exit(5);
     }
     snprintf(commands, sizeof commands, "%s/commands", folder);
     snprintf(output, sizeof output, "%s/output", folder);
+    snprintf(film, sizeof film, "%s/film.fe", folder);
+    snprintf(dump, sizeof dump, "%s.dmp", film); /* it leaves one beside its file */
+    if (symlink(file, film) != 0) {
+        exit(5);
+    }
     snprintf(option, sizeof option, "-f%s", commands);
     FILE *script = fopen(commands, "w");
     if (script == NULL) {
@@ -56,7 +62,7 @@ double bench_evolver(const char *file, int levels, double *seconds)
     }
     fputs("hessian_seek; hessian; hessian\nprintf \"area %.15g\\n\", total_area\nq\nq\n", script);
     fclose(script);
-    const char *const arguments[] = {BENCH_EVOLVER, "-x", option, file, NULL};
+    const char *const arguments[] = {BENCH_EVOLVER, "-x", option, film, NULL};
     *seconds = bench_run(arguments, output);
     FILE *said = fopen(output, "r");
     while (said != NULL && fgets(line, sizeof line, said) != NULL) {
@@ -70,6 +76,8 @@ double bench_evolver(const char *file, int levels, double *seconds)
     }
     remove(commands);
     remove(output);
+    remove(film);
+    remove(dump);
     rmdir(folder);
     return area;
 }

@@ -2,6 +2,7 @@
  * (docs/format.md). */
 #include "core/fail.h"
 #include "io/basis_document.h"
+#include "io/boundary_document.h"
 #include "io/document_ops.h"
 #include "io/net_document.h"
 #include "io/surface_document.h"
@@ -10,11 +11,10 @@
 #include <limits.h>
 #include <string.h>
 
-static const char *const members[] = {"name",   "u",         "v",
-                                      "points", "weights",   "curves",
-                                      "start",  "tolerance", "max_iterations",
-                                      "method", "refine",    "tolerance_area",
-                                      NULL};
+static const char *const members[] = {"name",           "u",      "v",      "points",
+                                      "weights",        "curves", "start",  "tolerance",
+                                      "max_iterations", "method", "refine", "tolerance_area",
+                                      "boundary",       "degree", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 
 static taut_status check_basis(const taut_json *document, const char *key, const taut_basis *basis,
@@ -36,7 +36,7 @@ static taut_status read_spaces(const taut_json *document, taut_plateau_problem *
     const taut_json tolerance = taut_json_member(document, "tolerance_area");
     taut_status status = TAUT_OK;
 
-    if (refine.value != NULL) {
+    if (refine.value != NULL && !taut_boundary_document_is(document)) { /* else it is a pair */
         status = taut_json_integer(&refine, 0, TAUT_PLATEAU_REFINE_MAX, &data->refine, error);
     }
     if (status == TAUT_OK && tolerance.value != NULL) {
@@ -158,7 +158,7 @@ static taut_status read_curves(const taut_json *document, taut_arena *arena,
     return status;
 }
 
-static taut_status read_net(const taut_json *document, taut_arena *arena,
+static taut_status read_net(const taut_json *document, taut_problem *problem,
                             taut_plateau_problem *data, taut_error *error)
 {
     const taut_json curves = taut_json_member(document, "curves");
@@ -167,11 +167,13 @@ static taut_status read_net(const taut_json *document, taut_arena *arena,
     taut_status status = taut_name_document_read(document, &name, error);
 
     if (status == TAUT_OK && curves.value != NULL) {
-        status = read_curves(document, arena, data, error);
+        status = read_curves(document, problem->arena, data, error);
         net.u = data->net.u;
         net.v = data->net.v;
     } else if (status == TAUT_OK) {
-        status = taut_net_document_read(document, arena, &net, error);
+        status = taut_boundary_document_is(document)
+                     ? taut_boundary_document_read(document, problem, &net, error)
+                     : taut_net_document_read(document, problem->arena, &net, error);
     }
     if (status == TAUT_OK) {
         status = check_basis(document, "u", net.u, error);
@@ -180,7 +182,7 @@ static taut_status read_net(const taut_json *document, taut_arena *arena,
         status = check_basis(document, "v", net.v, error);
     }
     if (status == TAUT_OK && name[0] != '\0') {
-        data->net.name = taut_arena_text(arena, name);
+        data->net.name = taut_arena_text(problem->arena, name);
         status = data->net.name != NULL ? TAUT_OK : taut_fail_memory(error);
     }
     if (status == TAUT_OK) {
@@ -202,7 +204,7 @@ static taut_status plateau_read(const taut_json *document, taut_problem *problem
         status = read_options(document, data, error);
     }
     if (status == TAUT_OK) {
-        status = read_net(document, problem->arena, data, error);
+        status = read_net(document, problem, data, error);
     }
     if (status == TAUT_OK) {
         status = read_start(document, problem->arena, data, error);

@@ -250,7 +250,12 @@ static void test_fine_nets(void)
         const double least = k == 0 ? 1.2792615711710065 : 7.3835056025;
         test_problem net = k == 0 ? skew(n) : saddle(n);
         const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
-        const double area = area_of(&problem, k == 0 ? "skew" : "saddle");
+        taut_model *model = NULL;
+        double area = nan("");
+        CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK &&
+                  taut_surface_area(taut_model_surface(model, 0), &area, NULL) == TAUT_OK,
+              "net %d", k);
+        taut_model_free(model);
         CHECK(area > least * (1 - 1e-14) && area < least * (1 + far[k]), "%d: area %.16g", k, area);
         problem_free(&net);
     }
@@ -381,7 +386,7 @@ static void test_degenerate(void)
             }
             net.points[3 * (7 * i) + 1] -= k == 3 && i % 6 != 0 ? 3 * sin(2.0 * i) : 0;
         }
-        for (int m = 0; m < 2; m++) {
+        for (int m = k % 2; m <= k % 2; m++) {
             taut_model *model = NULL;
             taut_error error = {0};
             problem.method = (taut_plateau_method)m;
