@@ -10,6 +10,7 @@
 #include <string.h>
 
 static const double unit_roundoff = 0x1p-53;
+static const double largest_limit = 1e-6;
 
 taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_error *error)
 {
@@ -35,8 +36,14 @@ taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_e
 taut_status taut_harmonic_add_claim(const char *name, double residual, double limit,
                                     const char *where, taut_certificate *certificate)
 {
-    const taut_claim claim = {name, residual, limit, residual <= limit ? TAUT_TRUE : TAUT_FALSE,
-                              where};
+    const double held = fmin(limit, largest_limit);
+    const int open = residual > held && residual <= limit;
+    const taut_claim claim = {name, residual, held,
+                              residual <= held ? TAUT_TRUE
+                              : open           ? TAUT_UNDECIDED
+                                               : TAUT_FALSE,
+                              open ? "the rounding of points so far from the origin hides it"
+                                   : where};
     return taut_certificate_add(certificate, &claim);
 }
 
@@ -50,7 +57,7 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, taut_certificate
         const taut_harmonic_residual found = taut_harmonic_residual_of(surface, 0);
         const int degrees =
             taut_basis_degree(taut_surface_u(surface)) + taut_basis_degree(taut_surface_v(surface));
-        const double allowed = 2 * degrees * unit_roundoff;
+        const double allowed = 2 * degrees * unit_roundoff * found.reach;
         if (!(found.scaled / allowed <= worst)) {
             worst = found.scaled / allowed;
             residual = found.scaled;

@@ -110,9 +110,8 @@ static taut_status add_continuity(const taut_model *model, taut_edge edge, int g
                          (slope > 0 ? fmax(1, derivative / slope) : 1) /
                          (g1 && least < 1 ? fmax(least, unit_roundoff) : 1);
     const double jump = g1 ? angle : slope > 0 ? apart / slope : 0;
-    return taut_harmonic_add_claim("continuity", fmax(size > 0 ? gap / size : 0, jump),
-                                   fmin(limit, 1e-6), g1 ? "tangent planes" : "derivatives across",
-                                   certificate);
+    return taut_harmonic_add_claim("continuity", fmax(size > 0 ? gap / size : 0, jump), limit,
+                                   g1 ? "tangent planes" : "derivatives across", certificate);
 }
 
 static taut_status add_boundary(const taut_model *model, const taut_surface *given,

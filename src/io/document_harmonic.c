@@ -11,7 +11,7 @@
 #include <string.h>
 
 static const char *const members[] = {
-    "name", "u", "v", "points", "from", "edge", "cross_derivative", "even", "insist", NULL};
+    "name", "u", "v", "points", "from", "edge", "cross_derivative", "even", "insist", "fit", NULL};
 
 static void release_basis(void *basis)
 {
@@ -147,10 +147,20 @@ static taut_status read_choices(const taut_json *document, taut_arena *arena,
 {
     static const char *const repairs[] = {"refuse", "corner", "project", "raise", NULL};
     const taut_json at = taut_json_member(document, "even");
+    const taut_json fit = taut_json_member(document, "fit");
     const char *name = "";
     int word = TAUT_EVEN_REFUSE;
     taut_status status = taut_name_document_read(document, &name, error);
 
+    if (status == TAUT_OK) {
+        status = read_flag(document, "fit", &data->fit, error);
+    }
+    if (status == TAUT_OK && data->fit && (data->from_derivative || at.value != NULL)) {
+        status = taut_json_fail(&fit, error, taut_none, taut_none,
+                                "found \"fit\" beside \"%s\": it takes four boundary rows as they "
+                                "are",
+                                data->from_derivative ? "from" : "even");
+    }
     if (status == TAUT_OK && at.value != NULL) {
         status = taut_json_word(&at, repairs, &word, error);
     }

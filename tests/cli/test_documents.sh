@@ -73,6 +73,9 @@ harmonic 3 'even' "$Q" "$Q" "$R" ',"even":"mend"'
 harmonic 3 '/points.*two opposite' "$Q" "$Q" "$P"
 harmonic 4 'degree' '{"type":"bezier","degree":1}' "$Q" '[[0,0,0],[0,1,1],[0,2,0]],[[2,0,0],[2,1,0],[2,2,0]]'
 harmonic 3 '/u.*bezier' "$B" "$Q" "$R"
+harmonic 3 '/points.*four boundary rows' "$Q" "$Q" "$R" ',"fit":true'
+harmonic 3 '/fit.*even' "$Q" "$Q" "$R" ',"fit":true,"even":"corner"'
+harmonic 3 '/fit.*true or false' "$Q" "$Q" "$R" ',"fit":1'
 D='{"taut":1,"construct":"harmonic","from":"derivative","u":{"type":"bezier","degree":2},"v":{"type":"bezier","degree":2}'
 document 4 'inconsistent derivative' "$D,\"edge\":[[0,0,0],[0,1,1],[0,2,0]],\"cross_derivative\":[[1,0,0],[1,0,1],[1,0,0]]}"
 document 3 '/edge' "$D,\"edge\":[[0,0,0],[0,1,1]],\"cross_derivative\":[[1,0,0],[1,0,1],[1,0,0]]}"

@@ -157,7 +157,7 @@ static taut_status complete_g1(extension *e, double *out, double *amplification,
 {
     const int n = e->n, m = e->m;
     const double ratio = e->ratio * e->across / e->along;
-    const double limit = fmax(1e-10, 4 * ldexp(DBL_EPSILON, m));
+    const double limit = fmax(1e-10, 4 * ldexp(DBL_EPSILON, m) * taut_frame_reach(&e->frame));
     double *cross = taut_arena_take(e->arena, 3 * (size_t)(m + 1), sizeof(double));
     double *scratch =
         taut_arena_take(e->arena, 4 * (size_t)(n + 1) * (size_t)(m + 1), sizeof(double));
@@ -318,11 +318,12 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
     }
     if (status == TAUT_OK) {
         const double residual = harmonic_residual(&e);
-        if (!(residual <= harmonic_limit)) {
-            status = taut_fail(error, TAUT_NO_SOLUTION, "/surface", residual, harmonic_limit,
+        const double limit = fmax(harmonic_limit, 4 * DBL_EPSILON * taut_frame_reach(&e.frame));
+        if (!(residual <= limit)) {
+            status = taut_fail(error, TAUT_NO_SOLUTION, "/surface", residual, limit,
                                "not harmonic: the surface's scaled residual is %.3g, expected at "
                                "most %.0e over its own rectangle",
-                               residual, harmonic_limit);
+                               residual, limit);
         }
     }
     if (status == TAUT_OK) {

@@ -79,6 +79,9 @@ static void restore_given(taut_harmonic_task *task, double *points)
 {
     const taut_harmonic_problem *problem = task->problem;
     const int nu = taut_basis_count(problem->u), nv = taut_basis_count(problem->v);
+    if (problem->fit) {
+        return; /* nothing given is kept */
+    }
     if (problem->from_derivative) {
         memcpy(points, problem->edge, (size_t)nv * 3 * sizeof(double));
         return;
@@ -194,6 +197,26 @@ static taut_status check_problem(const taut_harmonic_problem *problem, taut_erro
     return TAUT_OK;
 }
 
+/* From the data to task->net. */
+static taut_status solve(taut_harmonic_task *task, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    if (task->problem->fit) {
+        return taut_harmonic_fit(task, error);
+    }
+    status = taut_harmonic_collect(task, error);
+    if (status == TAUT_OK) {
+        status = check_degrees(task, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_harmonic_agree(task, error);
+    }
+    if (status == TAUT_OK) {
+        status = check_amplification(task, error);
+    }
+    return status == TAUT_OK ? complete(task, error) : status;
+}
+
 taut_status taut_harmonic_make(const taut_harmonic_problem *problem,
                                const taut_make_options *options, taut_model **model,
                                taut_error *error)
@@ -208,19 +231,7 @@ taut_status taut_harmonic_make(const taut_harmonic_problem *problem,
         return status;
     }
     task.arena = taut_arena_new();
-    status = task.arena != NULL ? taut_harmonic_collect(&task, error) : taut_fail_memory(error);
-    if (status == TAUT_OK) {
-        status = check_degrees(&task, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_harmonic_agree(&task, error);
-    }
-    if (status == TAUT_OK) {
-        status = check_amplification(&task, error);
-    }
-    if (status == TAUT_OK) {
-        status = complete(&task, error);
-    }
+    status = task.arena != NULL ? solve(&task, error) : taut_fail_memory(error);
     if (status == TAUT_OK) {
         status = to_model(&task, &made, error);
     }

@@ -28,4 +28,7 @@ taut_status taut_harmonic_collect(taut_harmonic_task *task, taut_error *error);
 /* Makes rows of even degree agree in the way the problem asks for, or refuses. */
 taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error);
 
+/* With `fit`: the nearest net to four boundary rows, in task->net, not turned. */
+taut_status taut_harmonic_fit(taut_harmonic_task *task, taut_error *error);
+
 #endif /* TAUT_HARMONIC_TASK_H */
