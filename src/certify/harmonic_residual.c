@@ -45,6 +45,24 @@ static double size_about_mean(const double *points, long count, double mean[3])
     return size;
 }
 
+void taut_certify_laplacian(int n, int m, double wu, double wv, const double *net,
+                            double *laplacian)
+{
+    for (int i = 0; i <= n; i++) {
+        double fu[5];
+        factors(n, i, fu);
+        for (int j = 0; j <= m; j++) {
+            double fv[5];
+            factors(m, j, fv);
+            for (int c = 0; c < 3; c++) {
+                laplacian[3 * (i * (m + 1) + j) + c] =
+                    wu * apply(fu, n, i, net, j, m + 1, c, 0) +
+                    wv * apply(fv, m, j, net, (long)i * (m + 1), 1, c, 0);
+            }
+        }
+    }
+}
+
 taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, int square)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);

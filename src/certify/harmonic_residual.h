@@ -18,4 +18,9 @@ typedef struct taut_harmonic_residual {
  */
 taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, int square);
 
+/* The control points of w_u x_uu + w_v x_vv, in the bidegree of the net double[n+1][m+1][3], by
+ * relation (2). Not in place. */
+void taut_certify_laplacian(int n, int m, double wu, double wv, const double *net,
+                            double *laplacian);
+
 #endif /* TAUT_CERTIFY_HARMONIC_RESIDUAL_H */

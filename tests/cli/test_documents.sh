@@ -85,4 +85,21 @@ document 4 'not harmonic' "$X,\"edge\":\"u1\"}"
 document 3 '/edge' "$X,\"edge\":\"top\"}"
 document 3 '/width' "$X,\"edge\":\"u1\",\"width\":0}"
 document 3 '/alpha' "$X,\"edge\":\"u1\",\"alpha\":1}"
+
+# Biharmonic surfaces.
+biharmonic() { # biharmonic CODE PATTERN U V POINTS [MORE]
+    document "$1" "$2" "{\"taut\":1,\"construct\":\"biharmonic\",\"u\":$3,\"v\":$4,\"points\":[$5]${6:-}}"
+}
+W='[[0,0,0],[0,1,1],[0,2,0]],[[1,0,0],null,[1,2,0]],[[2,0,0],[2,1,0],[2,2,0]]'
+biharmonic 3 '/points.*four boundary rows' "$Q" "$Q" "$R"
+biharmonic 3 '/u.*bezier' "$B" "$Q" "$W"
+biharmonic 3 '/edge.*without' "$Q" "$Q" "$W" ',"edge":"u1"'
+biharmonic 4 '/v/degree.*raise the lower' '{"type":"bezier","degree":3}' "$Q" \
+    '[[0,0,0],[0,1,1],[0,2,0]],[[1,0,0],null,[1,2,0]],[[2,0,0],null,[2,2,0]],[[3,0,0],[3,1,0],[3,2,0]]'
+Y=$(printf '%s' "$X" | sed 's/harmonic-extension/biharmonic/')
+document 3 '/edge' "$Y}"
+document 3 '/contact.*c1' "$Y,\"edge\":\"u1\",\"contact\":\"g1\"}"
+document 3 '/width' "$Y,\"edge\":\"u1\",\"width\":-1}"
+document 3 '/name.*beside' "$Y,\"edge\":\"u1\",\"name\":\"q\"}"
+document 4 'one degree' "$(printf '%s' "$Y" | sed 's/"degree":2},"points"/"degree":1},"points"/; s/,\[[0-9],2,0\]//g'),\"edge\":\"u1\"}"
 finish
