@@ -37,6 +37,10 @@ typedef struct taut_harmonic_problem {
     int from_derivative; /* nonzero: complete from edge u0 and the derivative across it */
     const double *edge;  /* double[nv][3]: Bernstein coefficients of x along u0 */
     const double *cross_derivative; /* double[nv][3]: of dx/du along u0 */
+    /* Texts "p/q" of the same numbers where they are rational, for options->exact; NULL: none. */
+    const char *const *exact_points;           /* [nu][nv][3] */
+    const char *const *exact_edge;             /* [nv][3] */
+    const char *const *exact_cross_derivative; /* [nv][3] */
     taut_harmonic_even even;
     int insist; /* nonzero: complete even where the amplification says that the result
                  * means nothing (degree above about 20) */

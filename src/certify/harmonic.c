@@ -208,11 +208,13 @@ static taut_status certify(const taut_model *model, const void *data,
     taut_record *figures = NULL;
     taut_status status = taut_harmonic_check_model(model, 1, error);
 
-    (void)options;
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_harmonic_add_harmonic(model, certificate);
+    status = taut_harmonic_add_harmonic(model, options->exact, certificate, error);
+    if (status == TAUT_IO) {
+        return status;
+    }
     if (status == TAUT_OK && data != NULL) {
         status = add_boundary(model, data, certificate, error);
         if (status == TAUT_BAD_INPUT) {
@@ -231,4 +233,4 @@ static taut_status certify(const taut_model *model, const void *data,
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
-const taut_certify_ops taut_certify_harmonic = {.certify = certify};
+const taut_certify_ops taut_certify_harmonic = {.certify = certify, .exact = 1};

@@ -156,13 +156,15 @@ static taut_status certify(const taut_model *model, const void *data,
     taut_record *figures = NULL;
     taut_status status = taut_harmonic_check_model(model, 2, error);
 
-    (void)options;
     if (status != TAUT_OK) {
         return status;
     }
     const int g1 =
         problem != NULL ? problem->contact == TAUT_CONTACT_G1 : taut_model_surface_count(model) < 3;
-    status = taut_harmonic_add_harmonic(model, certificate);
+    status = taut_harmonic_add_harmonic(model, options->exact, certificate, error);
+    if (status == TAUT_IO) {
+        return status;
+    }
     if (status == TAUT_OK && problem != NULL) {
         status = add_boundary(model, problem->surface, certificate);
     }
@@ -176,6 +178,8 @@ static taut_status certify(const taut_model *model, const void *data,
             taut_record_add_number(
                 figures, "merged_square_residual",
                 taut_harmonic_residual_of(taut_model_surface(model, 2), 1).largest);
+            taut_record_add_text(figures, "merged_remark",
+                                 "h is harmonic over its own rectangle, not over the unit square");
         }
         taut_certificate_set_figures(certificate, figures);
     }
@@ -185,4 +189,4 @@ static taut_status certify(const taut_model *model, const void *data,
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
-const taut_certify_ops taut_certify_harmonic_extension = {.certify = certify};
+const taut_certify_ops taut_certify_harmonic_extension = {.certify = certify, .exact = 1};

@@ -92,9 +92,10 @@ static int make(const taut_problem *problem, const cli_options *options)
 {
     const taut_make_options chosen = {.tolerance = options->tolerance,
                                       .threads = options->threads,
-                                      .monitor = cli_monitor(options->quiet)};
-    const taut_certify_options proof = {.threads = options->threads,
-                                        .tolerance = options->tolerance};
+                                      .monitor = cli_monitor(options->quiet),
+                                      .exact = options->exact};
+    const taut_certify_options proof = {
+        .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};
     cli_report report = {.construct = taut_problem_construct(problem)};
     taut_model *model = NULL;
     taut_certificate *certificate = NULL;
@@ -145,6 +146,7 @@ static const cli_option options_of_make[] = {
     CLI_DIVIDE,
     CLI_THREADS,
     CLI_FIGURE,
+    CLI_EXACT,
     {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},
     CLI_LAST};
 

@@ -105,8 +105,8 @@ static taut_status check_problem(const taut_harmonic_extension_problem *problem,
 }
 
 static taut_status fill_model(const taut_neighbour *e,
-                              const taut_harmonic_extension_problem *problem, taut_model *model,
-                              taut_error *error)
+                              const taut_harmonic_extension_problem *problem, int exact,
+                              taut_model *model, taut_error *error)
 {
     const size_t numbers = 3 * (size_t)(e->n + 1) * (size_t)(e->m + 1);
     const int g1 = problem->contact == TAUT_CONTACT_G1;
@@ -123,8 +123,11 @@ static taut_status fill_model(const taut_neighbour *e,
         taut_neighbour_extrapolate(e, 0, next);
         taut_neighbour_extrapolate(e, 1, merged);
     }
-    if (status == TAUT_OK && taut_surface_copy(e->surface, &surfaces[0]) != TAUT_OK) {
-        status = taut_fail_memory(error);
+    if (status == TAUT_OK) { /* with its exact points only where they are worked with */
+        status = taut_surface_new_exact(taut_surface_name(e->surface), taut_surface_u(e->surface),
+                                        taut_surface_v(e->surface), taut_surface_points(e->surface),
+                                        NULL, exact ? taut_surface_exact(e->surface) : NULL,
+                                        &surfaces[0], error);
     }
     if (status == TAUT_OK) {
         memcpy(next, e->net + 3 * e->n * (e->m + 1), (size_t)(3 * (e->m + 1)) * sizeof(double));
@@ -132,6 +135,9 @@ static taut_status fill_model(const taut_neighbour *e,
     }
     if (status == TAUT_OK && !g1) {
         status = taut_neighbour_surface(e, "h", merged, 0, 1 + e->ratio, &surfaces[2], error);
+    }
+    for (int i = 1; i < 3 && exact && status == TAUT_OK; i++) {
+        status = taut_neighbour_exact(e->surface, e->arena, &surfaces[i], error);
     }
     for (int i = 0; i < 3; i++) {
         if (status == TAUT_OK && surfaces[i] != NULL) {
@@ -144,6 +150,9 @@ static taut_status fill_model(const taut_neighbour *e,
         details = taut_record_new();
         taut_record_add_number(details, "amplification", amplification);
         taut_record_add_null(details, "repair");
+        if (exact) {
+            taut_record_add_text(details, "arithmetic", "rational");
+        }
         taut_model_set_details(model, details);
         status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
     }
@@ -157,9 +166,13 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
     taut_neighbour e = {NULL};
     double *scratch = NULL;
     taut_model *made = NULL;
+    const int exact = options != NULL && options->exact;
     taut_status status = check_problem(problem, error);
 
-    (void)options; /* exact to rounding, and quick */
+    if (status == TAUT_OK && exact && problem->contact == TAUT_CONTACT_G1) {
+        status = taut_fail(error, TAUT_BAD_ARGUMENT, "/contact", taut_none, taut_none,
+                           "contact \"g1\" is not done in rational arithmetic");
+    }
     if (status != TAUT_OK) {
         return status;
     }
@@ -187,7 +200,7 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
         }
     }
     if (status == TAUT_OK) {
-        status = fill_model(&e, problem, made, error);
+        status = fill_model(&e, problem, exact, made, error);
     }
     taut_arena_free(e.arena);
     if (status != TAUT_OK) {
@@ -204,4 +217,4 @@ static taut_status make(const void *data, const taut_make_options *options, taut
     return taut_harmonic_extension_make(data, options, model, error);
 }
 
-const taut_construct_ops taut_construct_harmonic_extension = {.make = make};
+const taut_construct_ops taut_construct_harmonic_extension = {.make = make, .exact = 1};

@@ -1,5 +1,6 @@
 #include "construct/harmonic/neighbour.h"
 
+#include "core/exact.h"
 #include "core/fail.h"
 
 #include <math.h>
@@ -168,5 +169,43 @@ taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, do
                                   error);
     }
     taut_basis_free(basis);
+    return status;
+}
+
+static void *take(void *context, size_t count, size_t size)
+{
+    return taut_arena_take(context, count, size);
+}
+
+taut_status taut_neighbour_exact(const taut_surface *surface, taut_arena *arena,
+                                 taut_surface **beyond, taut_error *error)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const int along_v = taut_basis_equal(u, taut_surface_u(*beyond));
+    const taut_basis *old = along_v ? v : u;
+    const taut_basis *other = along_v ? taut_surface_v(*beyond) : taut_surface_u(*beyond);
+    const double range[4] = {taut_basis_lo(old), taut_basis_hi(old), taut_basis_lo(other),
+                             taut_basis_hi(other)};
+    const taut_exact_numbers numbers = {taut_surface_points(surface), taut_surface_exact(surface)};
+    const taut_exact_memory memory = {arena, take};
+    const taut_exact_ops *ops = NULL;
+    taut_exact_net net;
+    taut_surface *made = NULL;
+    taut_status status = taut_exact_load(&ops, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (!ops->rerange(taut_basis_degree(u), taut_basis_degree(v), &numbers, along_v, range, &memory,
+                      &net)) {
+        return taut_fail_memory(error);
+    }
+    status =
+        taut_surface_new_exact(taut_surface_name(*beyond), taut_surface_u(*beyond),
+                               taut_surface_v(*beyond), net.values, NULL, net.texts, &made, error);
+    if (status == TAUT_OK) {
+        taut_surface_free(*beyond);
+        *beyond = made;
+    }
     return status;
 }

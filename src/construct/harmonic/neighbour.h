@@ -36,6 +36,11 @@ double taut_neighbour_residual(const taut_neighbour *e, int times, double *scrat
 /* The net over [1, 1 + h] of the normalised parameter, or with `merged` over [0, 1 + h]. */
 void taut_neighbour_extrapolate(const taut_neighbour *e, int merged, double *out);
 
+/* The polynomial of `surface` over the ranges of another (one of which is the same), in rational
+ * arithmetic: replaces *beyond, which has them, by one with exact points. */
+taut_status taut_neighbour_exact(const taut_surface *surface, taut_arena *arena,
+                                 taut_surface **beyond, taut_error *error);
+
 /* A surface from a turned net whose first row lies `start` (in widths of the given surface) from
  * its first edge and which is `length` widths long; `net` leaves the frame. */
 taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, double *net,
