@@ -211,7 +211,7 @@ static taut_status certify(const taut_model *model, const void *data,
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_harmonic_add_harmonic(model, options->exact, certificate, error);
+    status = taut_harmonic_add_harmonic(model, options->exact, 0, certificate, error);
     if (status == TAUT_IO) {
         return status;
     }

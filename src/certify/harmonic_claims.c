@@ -79,7 +79,7 @@ static taut_status add_exact(const taut_model *model, taut_certificate *certific
                              : status;
 }
 
-taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact,
+taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, double growth,
                                        taut_certificate *certificate, taut_error *error)
 {
     if (exact) {
@@ -87,14 +87,16 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact,
     }
 
     char where[96] = "";
-    double worst = -1, residual = 0, limit = 0;
+    double worst = -1, residual = 0, limit = 0, carried = 0;
 
     for (int k = 0; k < taut_model_surface_count(model); k++) {
         const taut_surface *surface = taut_model_surface(model, k);
         const taut_harmonic_residual found = taut_harmonic_residual_of(surface, 0);
         const int degrees =
             taut_basis_degree(taut_surface_u(surface)) + taut_basis_degree(taut_surface_v(surface));
-        const double allowed = 2 * degrees * unit_roundoff * found.reach;
+        const double noise = found.size > 0 && k > 0 ? carried / found.size : 0;
+        const double allowed = 2 * degrees * unit_roundoff * fmax(found.reach, noise);
+        carried = k == 0 ? growth * found.reach * found.size : carried;
         if (!(found.scaled / allowed <= worst)) {
             worst = found.scaled / allowed;
             residual = found.scaled;

@@ -13,8 +13,10 @@ taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_e
 /* Claim `harmonic`: the largest rho over the surfaces, each over its own rectangle; its limit is
  * 2 (n + m) 2^-53 times the largest coordinate over the size, the rounding of the points through
  * relation (2), whose factors sum to at most 4 n^2 and 4 m^2. With `exact` the residual of the
- * exact points in rational arithmetic, and limit 0; TAUT_IO where there is no module for it. */
-taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact,
+ * exact points in rational arithmetic, and limit 0; TAUT_IO where there is no module for it.
+ * `growth`: the points of all surfaces but the first are those of the first carried on, which lets
+ * its rounding grow as many times; 0: they are not. */
+taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, double growth,
                                        taut_certificate *certificate, taut_error *error);
 
 /* Figures dirichlet_energy and isothermality: numbers for one surface, lists for several. */

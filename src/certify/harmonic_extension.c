@@ -148,6 +148,19 @@ static taut_edge edge_of(const taut_model *model, const taut_harmonic_extension_
                                                                                 : TAUT_EDGE_V0;
 }
 
+/* (1 + 2 h)^n, h the ratio of the widths: what the points' rounding grows to when they are carried
+ * on. */
+static double growth_of(const taut_model *model)
+{
+    const taut_surface *p = taut_model_surface(model, 0), *q = taut_model_surface(model, 1);
+    const int along_v = taut_basis_equal(taut_surface_u(p), taut_surface_u(q));
+    const taut_basis *old = along_v ? taut_surface_v(p) : taut_surface_u(p);
+    const taut_basis *beyond = along_v ? taut_surface_v(q) : taut_surface_u(q);
+    const double h =
+        (taut_basis_hi(beyond) - taut_basis_lo(beyond)) / (taut_basis_hi(old) - taut_basis_lo(old));
+    return pow(1 + 2 * h, taut_basis_degree(old));
+}
+
 static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
@@ -161,7 +174,8 @@ static taut_status certify(const taut_model *model, const void *data,
     }
     const int g1 =
         problem != NULL ? problem->contact == TAUT_CONTACT_G1 : taut_model_surface_count(model) < 3;
-    status = taut_harmonic_add_harmonic(model, options->exact, certificate, error);
+    status = taut_harmonic_add_harmonic(model, options->exact, g1 ? 0 : growth_of(model),
+                                        certificate, error);
     if (status == TAUT_IO) {
         return status;
     }

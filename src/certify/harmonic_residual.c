@@ -71,7 +71,7 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
     const double b = square ? 1 : taut_basis_hi(v) - taut_basis_lo(v);
     const double wu = 1 / (a * a), wv = 1 / (b * b);
     const double *points = taut_surface_points(surface);
-    taut_harmonic_residual found = {0, 0, 1, 0, 0};
+    taut_harmonic_residual found = {0, 0, 0, 1, 0, 0};
     double mean[3];
     const double size = size_about_mean(points, (long)(n + 1) * (m + 1), mean);
 
@@ -96,6 +96,7 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
     for (long k = 0; size > 0 && k < 3L * (n + 1) * (m + 1); k++) {
         found.reach = fmax(found.reach, fabs(points[k]) / size);
     }
+    found.size = size;
     found.scaled = size > 0 ? found.largest / (fmax(wu * n * n, wv * m * m) * size) : 0;
     return found;
 }

@@ -9,6 +9,7 @@ typedef struct taut_harmonic_residual {
                        rectangle */
     double scaled;  /* rho = largest / (max(n^2/a^2, m^2/b^2) S), S the size about the mean point; 0
                        where S is */
+    double size;    /* S */
     double reach;   /* the largest coordinate over S, at least 1 */
     int i, j;       /* where */
 } taut_harmonic_residual;
