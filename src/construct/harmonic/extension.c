@@ -163,7 +163,7 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
                                          const taut_make_options *options, taut_model **model,
                                          taut_error *error)
 {
-    taut_neighbour e = {NULL};
+    taut_neighbour e = {.surface = NULL};
     double *scratch = NULL;
     taut_model *made = NULL;
     const int exact = options != NULL && options->exact;
