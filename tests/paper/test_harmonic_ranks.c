@@ -4,8 +4,8 @@
  */
 #include "check.h"
 
-#include "construct/harmonic/boundary.h"
 #include "construct/harmonic/complete.h"
+#include "construct/harmonic/rim.h"
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpz_mat.h>
@@ -217,20 +217,20 @@ static void test_biharmonic_amplification(void)
         fmpz_mat_t once, relation;
         taut_arena *arena = taut_arena_new();
         taut_space space;
-        taut_boundary boundary;
+        taut_rim boundary;
         laplacian(n, n, 1, 1, once);
         fmpz_mat_init(relation, count, count);
         fmpz_mat_mul(relation, once, once);
         for (int k = 0; k < 4 * n; k++) {
             int i = 0, j = 0;
-            taut_boundary_place(n, n, k, &i, &j);
+            taut_rim_place(n, n, k, &i, &j);
             held[k] = i * (n + 1) + j;
         }
         const double exact = growth(relation, count, held, 4 * n);
         CHECK(taut_space_biharmonic(n, 2, 2, arena, &space) &&
-                  taut_boundary_solve(&space, arena, &boundary),
+                  taut_rim_solve(&space, arena, &boundary),
               "n=%d", n);
-        CHECK_NEAR(taut_boundary_amplification(&boundary), exact, 1e-12 * exact, "n=%d", n);
+        CHECK_NEAR(taut_rim_amplification(&boundary), exact, 1e-12 * exact, "n=%d", n);
         fmpz_mat_clear(once);
         fmpz_mat_clear(relation);
         taut_arena_free(arena);

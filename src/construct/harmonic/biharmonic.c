@@ -3,8 +3,8 @@
 #include "construct/harmonic/biharmonic.h"
 
 #include "construct/construct_ops.h"
-#include "construct/harmonic/boundary.h"
 #include "construct/harmonic/frame.h"
+#include "construct/harmonic/rim.h"
 #include "core/fail.h"
 
 #include <string.h>
@@ -57,7 +57,7 @@ static taut_status solve(const taut_biharmonic_problem *problem, taut_arena *are
     const double along = taut_basis_hi(problem->v) - taut_basis_lo(problem->v);
     const taut_frame frame = taut_frame_of(points, problem->points, problem->known);
     taut_space space;
-    taut_boundary boundary;
+    taut_rim boundary;
     taut_wide *scratch = NULL;
     taut_status status = TAUT_OK;
 
@@ -65,10 +65,10 @@ static taut_status solve(const taut_biharmonic_problem *problem, taut_arena *are
         return check_amplification(n, 2 * amplification_limit, error);
     }
     if (!taut_space_biharmonic(n, across, along, arena, &space) ||
-        !taut_boundary_solve(&space, arena, &boundary)) {
+        !taut_rim_solve(&space, arena, &boundary)) {
         return taut_fail_memory(error);
     }
-    *amplification = taut_boundary_amplification(&boundary);
+    *amplification = taut_rim_amplification(&boundary);
     status = check_amplification(n, *amplification, error);
     if (status != TAUT_OK) {
         return status;
@@ -79,7 +79,7 @@ static taut_status solve(const taut_biharmonic_problem *problem, taut_arena *are
     }
     memcpy(net, problem->points, 3 * points * sizeof(double));
     taut_frame_enter(&frame, points, net);
-    taut_boundary_net(&boundary, net, scratch, net);
+    taut_rim_net(&boundary, net, scratch, net);
     taut_frame_leave(&frame, points, net);
     for (size_t k = 0; k < points; k++) {
         if (problem->known[k]) {

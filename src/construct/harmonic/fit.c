@@ -1,7 +1,7 @@
 /* fit.c -- the harmonic surface nearest to four boundary rows ([NiWang2015] section 8.3): the sum
  * over the edges of the mean squared distance is least, over all harmonic polynomials of the
  * bidegree. */
-#include "construct/harmonic/boundary.h"
+#include "construct/harmonic/rim.h"
 #include "construct/harmonic/task.h"
 #include "core/fail.h"
 
@@ -31,7 +31,7 @@ taut_status taut_harmonic_fit(taut_harmonic_task *task, taut_error *error)
     const taut_harmonic_problem *problem = task->problem;
     taut_status status = check_pattern(problem, error);
     taut_space space;
-    taut_boundary boundary;
+    taut_rim boundary;
 
     if (status != TAUT_OK) {
         return status;
@@ -44,7 +44,7 @@ taut_status taut_harmonic_fit(taut_harmonic_task *task, taut_error *error)
     task->net = taut_arena_copy(task->arena, problem->points, 3 * points, sizeof(double));
     if (task->net == NULL ||
         !taut_space_harmonic(task->n, task->m, across, along, task->arena, &space) ||
-        !taut_boundary_solve(&space, task->arena, &boundary)) {
+        !taut_rim_solve(&space, task->arena, &boundary)) {
         return taut_fail_memory(error);
     }
     taut_wide *scratch = taut_arena_take(
@@ -54,8 +54,8 @@ taut_status taut_harmonic_fit(taut_harmonic_task *task, taut_error *error)
     }
     task->frame = taut_frame_of(points, problem->points, problem->known);
     taut_frame_enter(&task->frame, points, task->net);
-    taut_boundary_net(&boundary, task->net, scratch, task->net);
+    taut_rim_net(&boundary, task->net, scratch, task->net);
     taut_frame_leave(&task->frame, points, task->net);
-    task->amplification = taut_boundary_amplification(&boundary);
+    task->amplification = taut_rim_amplification(&boundary);
     return TAUT_OK;
 }

@@ -1,4 +1,4 @@
-#include "construct/harmonic/boundary.h"
+#include "construct/harmonic/rim.h"
 
 #include "construct/harmonic/wide_solve.h"
 #include "numeric/quadrature.h"
@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-void taut_boundary_place(int n, int m, int k, int *i, int *j)
+void taut_rim_place(int n, int m, int k, int *i, int *j)
 {
     if (k <= 2 * m + 1) {
         *i = k <= m ? 0 : n;
@@ -49,14 +49,14 @@ static taut_wide on_side(const taut_space *space, int side, const taut_wide *net
 static taut_wide point_on_side(const taut_space *space, int side, int k, const taut_wide *along)
 {
     int i = 0, j = 0;
-    taut_boundary_place(space->n, space->m, k, &i, &j);
+    taut_rim_place(space->n, space->m, k, &i, &j);
     if (side < 2) {
         return i == (side == 0 ? 0 : space->n) ? along[j] : 0;
     }
     return j == (side == 2 ? 0 : space->m) ? along[i] : 0;
 }
 
-int taut_boundary_solve(const taut_space *space, taut_arena *arena, taut_boundary *boundary)
+int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundary)
 {
     const int unknowns = space->count, points = 2 * (space->n + space->m),
               width = unknowns + points;
@@ -92,12 +92,12 @@ int taut_boundary_solve(const taut_space *space, taut_arena *arena, taut_boundar
             response[i * points + k] = r[i * width + unknowns + k];
         }
     }
-    *boundary = (taut_boundary){space, points, response};
+    *boundary = (taut_rim){space, points, response};
     return 1;
 }
 
 /* net += sum_k coefficient_k net_k with the coefficients of the rest: given minus net so far. */
-static void improve(const taut_boundary *boundary, const double *given, taut_wide *rest,
+static void improve(const taut_rim *boundary, const double *given, taut_wide *rest,
                     taut_wide *coefficients, taut_wide *net)
 {
     const taut_space *space = boundary->space;
@@ -105,7 +105,7 @@ static void improve(const taut_boundary *boundary, const double *given, taut_wid
 
     for (int k = 0; k < boundary->count; k++) {
         int i = 0, j = 0;
-        taut_boundary_place(space->n, space->m, k, &i, &j);
+        taut_rim_place(space->n, space->m, k, &i, &j);
         for (int c = 0; c < 3; c++) {
             const int at = 3 * (i * columns + j) + c;
             rest[3 * k + c] = given[at] - net[at];
@@ -131,8 +131,7 @@ static void improve(const taut_boundary *boundary, const double *given, taut_wid
     }
 }
 
-void taut_boundary_net(const taut_boundary *boundary, const double *given, taut_wide *scratch,
-                       double *net)
+void taut_rim_net(const taut_rim *boundary, const double *given, taut_wide *scratch, double *net)
 {
     const size_t numbers = 3 * (size_t)(boundary->space->n + 1) * (size_t)(boundary->space->m + 1);
     taut_wide *rest = scratch, *coefficients = rest + 3 * boundary->count;
@@ -147,7 +146,7 @@ void taut_boundary_net(const taut_boundary *boundary, const double *given, taut_
     }
 }
 
-double taut_boundary_amplification(const taut_boundary *boundary)
+double taut_rim_amplification(const taut_rim *boundary)
 {
     const taut_space *space = boundary->space;
     const int numbers = (space->n + 1) * (space->m + 1);
