@@ -91,8 +91,8 @@ int cli_make_model(const taut_problem *problem, const cli_options *options,
     const taut_make_options chosen = {.tolerance = options->tolerance,
                                       .threads = options->threads,
                                       .monitor = cli_monitor(options->quiet),
-                                       .workspace = workspace,
-                                       .exact = options->exact};
+                                      .workspace = workspace,
+                                      .exact = options->exact};
     const taut_certify_options proof = {
         .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};
     cli_report *report = &made->report;
