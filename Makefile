@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps bench bench-dirichlet bench-evaluate format check mutants install clean help
+.PHONY: demo test build deps bench bench-dirichlet bench-evaluate format check mutants install deb clean help
 
 demo: build
 	@mkdir -p out
@@ -49,6 +49,10 @@ mutants:
 
 install: build
 	@cmake --install build/release
+
+deb: build
+	@tools/deps.sh check
+	@cd build/release && cpack -G DEB -B .. && rm -r ../_CPack_Packages
 
 clean:
 	@cmake -E rm -rf build out

@@ -28,6 +28,7 @@ check cmd:clang-format               clang-format           the formatting
 check clang:fsanitize=fuzzer,address libclang-rt-14-dev     what sanitizers and fuzzer link with
 check cmd:llvm-symbolizer-14         llvm-14                names in the sanitizers' reports
 check cmd:nm                         binutils               lists the library's symbols
+check cmd:dpkg-shlibdeps             dpkg-dev               what the Debian package depends on
 bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of the Dirichlet solver
 bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
 bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
