@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps bench bench-dirichlet bench-evaluate format check mutants install deb clean help
+.PHONY: demo test build deps bench bench-dirichlet bench-evaluate format check mutants reproduction install deb clean help
 
 demo: build
 	@mkdir -p out
@@ -49,6 +49,9 @@ mutants:
 
 install: build
 	@cmake --install build/release
+
+reproduction: build
+	@tools/reproduction.sh
 
 deb: build
 	@tools/deps.sh check

@@ -31,6 +31,7 @@ typedef struct cli_options {
     int divide;
     int quiet;
     int json;
+    int markdown;
     int flag_u; /* refine --u */
     int flag_v;
     int no_net;
