@@ -65,7 +65,8 @@ int main(int argc, char **argv)
 {
     const char *names[COMMAND_COUNT + 3] = {"--help", "--version"};
 
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once */
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once, */
+    signal(SIGXFSZ, SIG_IGN); /* and so is a file that grows past its limit */
     if (argc < 2) {
         return cli_misuse("no command; `taut --help` lists them");
     }
