@@ -160,6 +160,8 @@ int cli_print_text(const char *text, size_t length);
 /* A monitor that shows a progress line on a terminal once work has taken a second. */
 taut_monitor cli_monitor(int quiet);
 void cli_monitor_done(void); /* wipes the line */
-double cli_seconds(void);    /* a clock */
+/* From now on: long work is told once on standard error, also where no terminal is watching. */
+void cli_announce(const char *command);
+double cli_seconds(void); /* a clock */
 
 #endif /* TAUT_CLI_H */

@@ -55,6 +55,9 @@ static int run(const cli_command *command, int count, char **words)
     cli_options options = {.file_count = 0};
     int code = cli_parse(command, count, words, &options);
     if (code == 0) {
+        if (!options.quiet) {
+            cli_announce(command->name);
+        }
         code = options.help ? print_command_help(command) : command->run(&options);
     }
     cli_parse_free(&options);

@@ -78,4 +78,14 @@ awk 'BEGIN {
     printf "]}]}" }' > plane.json
 refused 2 'at most 50000000 ' convert plane.json -o x.obj --divide 1000
 absent x.obj
+
+# Whoever waits five seconds is told, also through a pipe; here for a document that never comes.
+mkfifo never.json
+"$TAUT" measure never.json 2> err.txt &
+pid=$!
+sleep 6
+kill $pid
+wait $pid 2> /dev/null
+contains err.txt '`taut measure` has run for 5 s'
+[ "$(wc -l < err.txt)" = 1 ] || complain "five seconds: $(cat err.txt)"
 finish
