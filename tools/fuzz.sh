@@ -1,7 +1,7 @@
 #!/bin/bash
 # fuzz.sh [SECONDS [TARGET...]] -- runs the fuzz targets of build/sanitize (or those named) for so long in all (default 150 s of the
 # clock, by FUZZ_SECONDS): as many at a time as there are processors, each its share, from its committed corpus and what was found
-# before; `problems` also from the examples. An input that crashes is kept in build/fuzz/<target>/, to be added to
+# before; `problems` in longer runs also from the examples. An input that crashes is kept in build/fuzz/<target>/, to be added to
 # tests/fuzz/corpus/<target>/ with the mend.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -18,15 +18,15 @@ if [ ${#targets[@]} -eq 0 ]; then
     exit 1
 fi
 at_once=$(nproc)
-[ "$at_once" -gt ${#targets[@]} ] && at_once=${#targets[@]}
-share=$((total * at_once / ${#targets[@]}))
+rounds=$(((${#targets[@]} + at_once - 1) / at_once))
+share=$((total / rounds))
 [ "$share" -gt 0 ] || share=1
 
 fuzz_one() { # fuzz_one TARGET SECONDS
     local work=build/fuzz/$1 options=() seeds=()
     mkdir -p "$work/found"
     [ -e "tests/fuzz/$1.dict" ] && options+=("-dict=tests/fuzz/$1.dict")
-    [ "$1" = problems ] && seeds+=(examples)
+    [ "$1" = problems ] && [ "$2" -ge 300 ] && seeds+=(examples) # some take seconds under the sanitizers
     if "build/sanitize/fuzz/fuzz-$1" "${options[@]}" -max_total_time="$2" -timeout=25 -rss_limit_mb=3000 -max_len=4096 \
         -artifact_prefix="$work/" "$work/found" "tests/fuzz/corpus/$1" "${seeds[@]}" > "$work/log" 2>&1; then
         printf '%-12s %s\n' "$1" "$(tail -n 1 "$work/log")"

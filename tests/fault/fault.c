@@ -4,8 +4,17 @@
 #include "core/memory.h"
 
 #include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 enum { ALLOCATIONS_MAX = 200000 }; /* a call that takes more is taken to hang */
+
+static long injected; /* failures so far */
+
+static void tell(void)
+{
+    printf("%ld faults injected\n", injected);
+}
 
 /* One attempt with allocation k failing; the status it returned. */
 static taut_status attempt(const fault_call *call, long k, int and_later)
@@ -17,6 +26,9 @@ static taut_status attempt(const fault_call *call, long k, int and_later)
     taut_status status = TAUT_OK;
     long refused = 0;
 
+    if (injected++ == 0) {
+        atexit(tell);
+    }
     fault_arm(k, and_later);
     status = call->call(call->context, &result, &error);
     refused = fault_disarm();
