@@ -1,5 +1,5 @@
 /* monitor.c -- for a person who waits: on a terminal a progress line, after one second, ten times a
- * second; everywhere one line, after five seconds, that it may be long. */
+ * second; everywhere one line, after five seconds of work, that it may be long. */
 #include "cli.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { PATIENCE = 5 }; /* seconds */
+enum { PATIENCE = 5 }; /* seconds of processor time: a busy machine is no news of ours */
 
 static char notice[160]; /* what the alarm says; written before it is set */
 
@@ -61,14 +61,14 @@ void cli_announce(const char *command)
     const struct itimerval once = {{0, 0}, {PATIENCE, 0}};
     struct sigaction action;
     snprintf(notice, sizeof notice,
-             "%staut: `taut %s` has run for %d s and may run for minutes: Ctrl-C stops it, and "
+             "%staut: `taut %s` has worked for %d s and may work for minutes: Ctrl-C stops it, and "
              "leaves nothing behind\n",
              isatty(STDERR_FILENO) ? "\r\033[K" : "", command, (int)PATIENCE);
     memset(&action, 0, sizeof action);
     action.sa_handler = ring;
     action.sa_flags = SA_RESTART; /* reading and writing go on */
-    sigaction(SIGALRM, &action, NULL);
-    setitimer(ITIMER_REAL, &once, NULL);
+    sigaction(SIGPROF, &action, NULL);
+    setitimer(ITIMER_PROF, &once, NULL);
 }
 
 void cli_monitor_done(void)

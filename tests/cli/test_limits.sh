@@ -79,13 +79,25 @@ awk 'BEGIN {
 refused 2 'at most 50000000 ' convert plane.json -o x.obj --divide 1000
 absent x.obj
 
-# Whoever waits five seconds is told, also through a pipe; here for a document that never comes.
-mkfifo never.json
-"$TAUT" measure never.json 2> err.txt &
+# Whoever waits for five seconds of work is told, also through a pipe: here for the area of a net that folds over.
+awk 'BEGIN {
+    srand(1)
+    printf "{\"taut\": 1, \"surfaces\": [{\"u\": {\"type\": \"bezier\", \"degree\": 40}, "
+    printf "\"v\": {\"type\": \"bezier\", \"degree\": 40}, \"points\": ["
+    for (i = 0; i <= 40; i++) { printf "%s[", i ? "," : ""
+        for (j = 0; j <= 40; j++) printf "%s[%.3f,%.3f,%.3f]", j ? "," : "", rand(), rand(), rand()
+        printf "]" }
+    printf "]}]}" }' > folded.json
+: > err.txt
+"$TAUT" measure folded.json > /dev/null 2> err.txt &
 pid=$!
-sleep 6
-kill $pid
+tries=0
+while [ ! -s err.txt ] && [ $tries -lt 600 ] && kill -0 $pid 2> /dev/null; do
+    sleep 0.1
+    tries=$((tries + 1))
+done
+kill $pid 2> /dev/null
 wait $pid 2> /dev/null
-contains err.txt '`taut measure` has run for 5 s'
+contains err.txt '`taut measure` has worked for 5 s'
 [ "$(wc -l < err.txt)" = 1 ] || complain "five seconds: $(cat err.txt)"
 finish

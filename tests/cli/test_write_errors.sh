@@ -14,7 +14,7 @@ if [ -w /dev/full ]; then
     done
     absent beside.json
     [ -c /dev/full ] || complain "/dev/full was replaced"
-    for command in 'example dirichlet-tent' 'measure model.json --json' 'reproduce dirichlet' 'schema model' '--help'; do
+    for command in 'example dirichlet-tent' 'measure model.json --json' 'reproduce harmonic' 'schema model' '--help'; do
         "$TAUT" make problem.json --quiet -o model.json
         # shellcheck disable=SC2086
         "$TAUT" $command > /dev/full 2> err.txt
@@ -63,11 +63,12 @@ stop() { # stop SIGNAL EXPECTED-EXIT
     "$TAUT" make problem.json --quiet -o first.json -o second.obj -o slow.ply 2> err.txt &
     pid=$!
     tries=0
-    # it has come to the end of the pipe when it sleeps in open()
-    while [ $tries -lt 100 ] && ! grep -qE 'wait_for_partner|fifo_open|pipe' "/proc/$pid/wchan" 2> /dev/null; do
+    # both outputs are being written when it holds two files without a name, or two with a hidden one
+    while [ "$(ls -l "/proc/$pid/fd" 2> /dev/null | grep -c '(deleted)')" -lt 2 ] &&
+        [ "$(find . -name '.taut-*' | wc -l)" -lt 2 ]; do
         sleep 0.05
         tries=$((tries + 1))
-        [ -s "/proc/$pid/wchan" ] && [ "$(cat "/proc/$pid/wchan")" = 0 ] && [ $tries -gt 20 ] && break
+        [ $tries -lt 400 ] || { complain "nothing is written after 20 s"; break; }
     done
     kill "-$1" $pid
     wait $pid 2> /dev/null

@@ -37,6 +37,12 @@ static size_t below(size_t n)
     return n > 0 ? (size_t)(z % n) : 0;
 }
 
+/* strchr, but for 0, which may stand anywhere in what is to be mutated. */
+static int is_one_of(const char *set, char c)
+{
+    return c != '\0' && strchr(set, c) != NULL;
+}
+
 /* Replaces text[p.from .. p.to); nothing when it would not fit. */
 static void replace(document *d, place p, const char *by, size_t length)
 {
@@ -62,7 +68,7 @@ static size_t value_end(const document *d, size_t at)
         } else if (c == ']' || c == '}') {
             depth--;
         } else if (depth == 0) {
-            while (i < d->size && strchr(",]} \t\r\n:", d->text[i]) == NULL) {
+            while (i < d->size && !is_one_of(",]} \t\r\n:", d->text[i])) {
                 i++;
             }
             return i;
@@ -97,7 +103,7 @@ static size_t items_of(const document *d, place p, place *items)
     while (i + 1 < p.to && count < TOKENS_MAX) {
         const size_t begin = i;
         while (i + 1 < p.to && d->text[i] != ',') {
-            i = strchr("[{\"", d->text[i]) != NULL ? value_end(d, i) : i + 1;
+            i = is_one_of("[{\"", d->text[i]) ? value_end(d, i) : i + 1;
         }
         items[count++] = (place){begin, i};
         i++;
@@ -221,7 +227,7 @@ static place member(const document *d, const char *quoted, place inside)
     const size_t length = strlen(quoted);
     for (size_t i = inside.from; i + length < inside.to; i++) {
         if (memcmp(d->text + i, quoted, length) == 0) {
-            for (i += length; i < inside.to && strchr(": \n\t", d->text[i]) != NULL; i++) {
+            for (i += length; i < inside.to && is_one_of(": \n\t", d->text[i]); i++) {
             }
             return (place){i, value_end(d, i)};
         }
