@@ -46,7 +46,7 @@ static int is_one_of(const char *set, char c)
 /* Replaces text[p.from .. p.to); nothing when it would not fit. */
 static void replace(document *d, place p, const char *by, size_t length)
 {
-    if (d->size - (p.to - p.from) + length <= d->room) {
+    if (p.from <= p.to && p.to <= d->size && d->size - (p.to - p.from) + length <= d->room) {
         memmove(d->text + p.from + length, d->text + p.to, d->size - p.to);
         memcpy(d->text + p.from, by, length);
         d->size = d->size - (p.to - p.from) + length;
@@ -280,6 +280,9 @@ static void change_net(document *d)
             p = items[at % columns];
         }
         const size_t length = p.to - p.from;
+        if (p.from == 0 || p.to >= d->size) {
+            return; /* the text ends within the net */
+        }
         if (add && length + 1 <= sizeof copy) {
             memcpy(copy, d->text + p.from, length);
             copy[length] = ',';

@@ -70,6 +70,43 @@ void require_certificate(const taut_certificate *certificate)
     require(taut_certificate_holds(certificate) == verdict);
 }
 
+static int is_tame_surface(const taut_surface *surface)
+{
+    enum { N = 9 };
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    double normals[N * N][3], mean[3] = {0, 0, 0};
+    int tame = 1;
+    for (int i = 0; i < N * N; i++) {
+        const double s = (double)(i / N) / (N - 1), t = (double)(i % N) / (N - 1);
+        double x[3][3];
+        if (taut_surface_eval(surface, taut_basis_lo(u) * (1 - s) + taut_basis_hi(u) * s,
+                              taut_basis_lo(v) * (1 - t) + taut_basis_hi(v) * t, 1,
+                              &x[0][0]) != TAUT_OK) {
+            return 0;
+        }
+        for (int c = 0; c < 3; c++) {
+            const int d = (c + 1) % 3, e = (c + 2) % 3;
+            normals[i][c] = x[1][d] * x[2][e] - x[1][e] * x[2][d];
+            mean[c] += normals[i][c] / (N * N);
+        }
+    }
+    const double size = mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2];
+    for (int i = 0; i < N * N; i++) {
+        const double *n = normals[i];
+        tame &= n[0] * mean[0] + n[1] * mean[1] + n[2] * mean[2] > 0.1 * size;
+    }
+    return tame;
+}
+
+int is_tame(const taut_model *model)
+{
+    int tame = taut_model_surface_count(model) > 0;
+    for (int i = 0; i < taut_model_surface_count(model) && tame; i++) {
+        tame = is_tame_surface(taut_model_surface(model, i));
+    }
+    return tame;
+}
+
 static int look_at_clock(void *context, double done, const char *what)
 {
     (void)context;

@@ -12,6 +12,9 @@ void require_error(taut_status status, const taut_error *error);
 void require_model(const taut_model *model);
 /* The verdict is that of the claims; no claim holds by a NaN. */
 void require_certificate(const taut_certificate *certificate);
+/* Are the normals of every surface nowhere far from their mean? Where a surface folds over, its
+ * area is an integral with kinks, which takes seconds here and has no monitor. */
+int is_tame(const taut_model *model);
 /* A monitor that stops work after so many seconds of this processor's time. */
 taut_monitor patient_monitor(double seconds);
 
