@@ -232,16 +232,19 @@ static void mesh(input *in, const taut_surface *surface)
     taut_model_free(model);
 }
 
+/* The join seldom: it looks for the nearest point of every point, a hundred times what others cost.
+ */
 static void measure(input *in, const taut_surface *surface)
 {
-    taut_join join = {.max_gap = -1};
+    const taut_edge a = (taut_edge)(byte(in) % 6), b = (taut_edge)(byte(in) % 6);
     double energy = -1;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
-    const taut_status status = taut_join_measure(surface, (taut_edge)(byte(in) % 6), surface,
-                                                 (taut_edge)(byte(in) % 6), &join, &error);
-    require(status == TAUT_OK ? join.max_gap >= 0 : join.max_gap == -1);
     if (taut_surface_dirichlet_energy(surface, &energy) == TAUT_OK) {
         require(energy >= 0);
+    }
+    if (byte(in) % 8 == 0) {
+        taut_join join = {.max_gap = -1};
+        const taut_status status = taut_join_measure(surface, a, surface, b, &join, NULL);
+        require(status == TAUT_OK ? join.max_gap >= 0 : join.max_gap == -1);
     }
 }
 
