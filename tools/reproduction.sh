@@ -41,7 +41,11 @@ Ours is written to the digits that its tolerance vouches for. The rows, with tol
 | `cotes_point P I J` | point (i, j) when the rows are solved with a Newton-Cotes rule of P panels, as one paper did |
 
 END
-"$taut" reproduce --markdown >> "$page"
+if ! "$taut" reproduce --markdown >> "$page"; then
+    grep '| differs |' "$page" || true
+    echo "numbers that should agree with the papers do not"
+    exit 1
+fi
 if [ -z "$check" ]; then
     cp "$page" docs/reproduction.md
 elif ! cmp -s "$page" docs/reproduction.md; then
