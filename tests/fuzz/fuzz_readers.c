@@ -21,8 +21,8 @@ static int format_of(const uint8_t *data, size_t size, size_t *used)
     for (int i = 0; i < taut_format_count(); i++) {
         const char *ending = taut_format_ending(i);
         const size_t length = strlen(ending);
-        if (taut_format_ops_at(i)->read != NULL && size > length &&
-            memcmp(data, ending, length) == 0 && data[length] == '\n') {
+        const int is_read = taut_format_ops_at(i)->read != NULL || strcmp(ending, "json") == 0;
+        if (is_read && size > length && memcmp(data, ending, length) == 0 && data[length] == '\n') {
             *used = length + 1;
             return i;
         }
