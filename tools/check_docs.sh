@@ -47,7 +47,7 @@ for header in include/taut/*.h; do
 done
 
 names() { # names LIST: the words that documents use
-    sed -n 's/.*X([a-z_0-9]*, "\([a-z0-9-]*\)".*/\1/p' "$1" 2> /dev/null || true
+    sed -n 's/.*X([a-z_0-9]*, "\([a-z0-9.-]*\)".*/\1/p' "$1" 2> /dev/null || true
 }
 
 for name in $(names src/problem/construct_list.h); do
@@ -74,7 +74,7 @@ done
 # Links of the pages, but those to the web and within a page.
 for page in README.md CONTRIBUTING.md docs/*.md docs/*/*.md; do
     [ -e "$page" ] || continue
-    sed 's/`[^`]*`//g' "$page" | grep -o '](\([^)#]*\)[^)]*)' | sed 's/^](//; s/[)#].*//' | sort -u | while read -r link; do
+    sed 's/`[^`]*`//g' "$page" | grep -o '](\([^)#]*\)[^)]*)' | sed 's/^](//; s/[)# ].*//' | sort -u | while read -r link; do
         case $link in http:* | https:* | mailto:* | '') continue ;; esac
         [ -e "$(dirname "$page")/$link" ] || echo "$page: leads to $link, which is not there"
     done

@@ -173,7 +173,7 @@ taut_status taut_outputs_models(taut_outputs *outputs, int count, const taut_mod
                                                "one of the models is none");
     }
     if (status == TAUT_OK) {
-        status = stage(outputs, path, &staged, error);
+        status = stage(outputs, path, 0, &staged, error);
     }
     if (status != TAUT_OK) {
         return status;
