@@ -118,6 +118,27 @@ static taut_status write_model(const void *context, void **result, taut_error *e
     return status;
 }
 
+/* One model beside itself, in one figure. */
+static taut_status write_models(const void *context, void **result, taut_error *error)
+{
+    const taut_model *const models[2] = {context, context};
+    const taut_write_options options = {.divide = 1};
+    taut_outputs *outputs = NULL;
+    char path[64];
+    taut_status status = taut_outputs_new(&outputs);
+    (void)result;
+    snprintf(path, sizeof path, "%s/two.svg", folder);
+    if (status == TAUT_OK) {
+        status = taut_outputs_models(outputs, 2, models, path, &options, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_outputs_commit(outputs, error);
+    }
+    taut_outputs_free(outputs);
+    CHECK((unlink(path) == 0) == (status == TAUT_OK), "a figure that is there after all, or not");
+    return status;
+}
+
 static const char problem_text[] =
     "{\"taut\": 1, \"construct\": \"dirichlet\", \"u\": {\"type\": \"bezier\", \"degree\": 1},\n"
     " \"v\": {\"type\": \"bezier\", \"degree\": 1},\n"
@@ -172,6 +193,7 @@ int main(void)
     check_call("taut_problem_read", read_problem, release_problem, path);
     check_call("taut_outputs_text", write_text, NULL, problem_text);
     check_call("taut_model_write", write_model, NULL, model);
+    check_call("taut_outputs_models", write_models, NULL, model);
 
     test_no_memory(surface, curve, model);
     taut_model_free(model);
