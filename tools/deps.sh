@@ -40,6 +40,7 @@ bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of t
 bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
 bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
 bench pc:openblas                    libopenblas-dev        what CHOLMOD runs on
+bench cmd:evolver               evolver                Surface Evolver, a peer of the least area
 LIST
 }
 

@@ -89,6 +89,29 @@ static void release_problem(void *problem)
     taut_problem_free(problem);
 }
 
+static taut_status read_list(const void *context, void **result, taut_error *error)
+{
+    taut_problem_list *list = *result;
+    const taut_status status = taut_problem_list_read(context, &list, error);
+    *result = list;
+    return status;
+}
+
+/* Twice the same problem, as a list. */
+static taut_status read_list_text(const void *context, void **result, taut_error *error)
+{
+    taut_problem_list *list = *result;
+    const taut_status status =
+        taut_problem_list_read_text(context, strlen(context), "text", &list, error);
+    *result = list;
+    return status;
+}
+
+static void release_list(void *list)
+{
+    taut_problem_list_free(list);
+}
+
 /* A text in a file; after a failure the file is not there. */
 static taut_status write_text(const void *context, void **result, taut_error *error)
 {
@@ -169,7 +192,7 @@ static void check_call(const char *name, taut_status (*call)(const void *, void 
 int main(void)
 {
     static const double points[2][3] = {{0, 0, 0}, {1, 1, 0}};
-    char path[64], command[96];
+    char path[64], command[96], two[2 * sizeof problem_text + 8];
     FILE *file = NULL;
     taut_surface *surface = NULL, *copy = NULL;
     taut_model *model = NULL;
@@ -191,6 +214,9 @@ int main(void)
     check_call("taut_join_record, taut_measure_curve_record", records, release_record, curve);
     check_call("taut_record_read_text", read_record, release_record, problem_text);
     check_call("taut_problem_read", read_problem, release_problem, path);
+    check_call("taut_problem_list_read", read_list, release_list, path);
+    snprintf(two, sizeof two, "[%s, %s]", problem_text, problem_text);
+    check_call("taut_problem_list_read_text", read_list_text, release_list, two);
     check_call("taut_outputs_text", write_text, NULL, problem_text);
     check_call("taut_model_write", write_model, NULL, model);
     check_call("taut_outputs_models", write_models, NULL, model);
