@@ -241,7 +241,7 @@ static void measure(input *in, const taut_surface *surface)
     if (taut_surface_dirichlet_energy(surface, &energy) == TAUT_OK) {
         require(energy >= 0);
     }
-    if (byte(in) % 8 == 0) {
+    if (byte(in) % 64 == 0) {
         taut_join join = {.max_gap = -1};
         const taut_status status = taut_join_measure(surface, a, surface, b, &join, NULL);
         require(status == TAUT_OK ? join.max_gap >= 0 : join.max_gap == -1);
