@@ -4,6 +4,7 @@
 
 #include "taut/asymptotic.h"
 #include "taut/basis.h"
+#include "taut/bonnet.h"
 #include "taut/certify.h"
 #include "taut/construct.h"
 #include "taut/curve.h"
