@@ -64,7 +64,8 @@ static void print_members(const taut_record *record)
         if (taut_record_kind_of(value) == TAUT_RECORD_OBJECT) {
             continue;
         }
-        fprintf(stderr, "  %-*s", COLUMN, words(taut_record_key(record, i), name, sizeof name));
+        words(taut_record_key(record, i), name, sizeof name);
+        fprintf(stderr, "  %-*s%s", COLUMN, name, strlen(name) < COLUMN ? "" : " ");
         print_value(value);
         fputc('\n', stderr);
     }
@@ -78,7 +79,10 @@ void cli_certificate_print(const taut_certificate *certificate)
                               : claim->holds == TAUT_FALSE ? "DOES NOT HOLD"
                                                            : "undecided";
         fprintf(stderr, "  %-*s%s: %.3g, limit %.3g%s%s\n", COLUMN, claim->claim, verdict,
-                claim->residual, claim->limit, claim->where[0] != '\0' ? ", at " : "",
+                claim->residual, claim->limit,
+                claim->where[0] == '\0'          ? ""
+                : claim->holds == TAUT_UNDECIDED ? ": "
+                                                 : ", at ",
                 claim->where);
     }
     print_members(taut_certificate_figures(certificate));
