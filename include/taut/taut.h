@@ -18,6 +18,7 @@
 #include "taut/operate.h"
 #include "taut/plateau.h"
 #include "taut/read.h"
+#include "taut/recognise.h"
 #include "taut/record.h"
 #include "taut/status.h"
 #include "taut/surface.h"
