@@ -9,6 +9,7 @@
 #include "draw/label.h"
 #include "draw/legend.h"
 #include "draw/parts.h"
+#include "draw/strip.h"
 #include "draw/view.h"
 
 #include <errno.h>
@@ -425,6 +426,7 @@ taut_status taut_draw_figure(const taut_model *model, const taut_write_options *
 {
     const taut_canvas_ops *ops = NULL;
     figure f = {.model = model, .limit = 1};
+    taut_model *strip = NULL;
     taut_status status = TAUT_OK;
 
     if (model == NULL || kind == NULL || out == NULL) {
@@ -438,6 +440,14 @@ taut_status taut_draw_figure(const taut_model *model, const taut_write_options *
     if (status == TAUT_OK) {
         status = find_canvas(kind, &ops, error);
     }
+    if (status == TAUT_OK && taut_strip_is(model, &f.options)) {
+        status = taut_strip_new(model, &f.options, &strip);
+        f.model = strip;
+        if (status != TAUT_OK) {
+            return taut_fail(error, status, NULL, taut_none, taut_none, "%s",
+                             taut_status_text(status));
+        }
+    }
     if (status == TAUT_OK) {
         f.vector = strcmp(kind, "png") != 0;
         f.arena = taut_arena_new();
@@ -445,5 +455,6 @@ taut_status taut_draw_figure(const taut_model *model, const taut_write_options *
     }
     taut_scene_clear(&f.scene);
     taut_arena_free(f.arena);
+    taut_model_free(strip);
     return status;
 }

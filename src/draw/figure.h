@@ -3,7 +3,7 @@
  * Surfaces are shaded, or coloured by H or K over a scale symmetric about 0 (options->colour), with
  * their boundaries, knot lines, control nets (unless no_net) and curves, hidden parts hidden, in an
  * orthographic view with z up. The page is white, 1200 by 900 units: 1200 by 900 pixels of PNG, 600
- * by 450 points of SVG and PDF.
+ * by 450 points of SVG and PDF. The frames of a deformation stand side by side (strip.h).
  */
 #ifndef TAUT_DRAW_FIGURE_H
 #define TAUT_DRAW_FIGURE_H
