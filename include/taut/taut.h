@@ -16,6 +16,7 @@
 #include "taut/model.h"
 #include "taut/monitor.h"
 #include "taut/operate.h"
+#include "taut/panels.h"
 #include "taut/plateau.h"
 #include "taut/read.h"
 #include "taut/recognise.h"

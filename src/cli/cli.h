@@ -25,6 +25,8 @@ typedef struct cli_options {
     const char *title;
     const char *text_u; /* split --u T */
     const char *text_v;
+    const char *kind;   /* panels --kind */
+    const char *panels; /* panels --divide NU,NV */
     double tolerance;
     int threads;
     int grid;

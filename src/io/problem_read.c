@@ -57,9 +57,8 @@ static taut_status check_members(const taut_json *document, const taut_document_
     return taut_json_object(document, names, error);
 }
 
-/* The problem of a document that has been parsed. */
-static taut_status problem_of(const taut_json_document *root, taut_problem **problem,
-                              taut_error *error)
+taut_status taut_problem_of_document(const taut_json_document *root, taut_problem **problem,
+                                     taut_error *error)
 {
     const taut_json document = taut_json_root(root);
     const char *unit = "mm";
@@ -102,7 +101,7 @@ taut_status taut_problem_read_text(const char *text, size_t length, const char *
     }
     status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
     if (status == TAUT_OK) {
-        status = problem_of(root, problem, error);
+        status = taut_problem_of_document(root, problem, error);
     }
     taut_json_document_free(root);
     return status;
@@ -118,7 +117,7 @@ taut_status taut_problem_read(const char *path, taut_problem **problem, taut_err
     }
     status = taut_json_load(path, &root, error);
     if (status == TAUT_OK) {
-        status = problem_of(root, problem, error);
+        status = taut_problem_of_document(root, problem, error);
     }
     taut_json_document_free(root);
     return status;
