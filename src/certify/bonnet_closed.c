@@ -107,12 +107,24 @@ static void exact_point(const taut_bonnet_frame *frame, double u, double v, doub
     }
 }
 
+/* The largest coordinate of the net: a quasi-B-spline's may be far outside of its surface. */
+static double net_size(const taut_surface *surface)
+{
+    const long count =
+        3L * taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
+    double size = 0;
+    for (long i = 0; i < count; i++) {
+        size = fmax(size, fabs(taut_surface_points(surface)[i]));
+    }
+    return size;
+}
+
 taut_status taut_bonnet_against_formula(const taut_surface *surface, const taut_bonnet_frame *frame,
                                         taut_bonnet_finding *found)
 {
     enum { STEPS = 32 };
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
-    double lo[2], hi[2], size = 0, apart = 0, noise = 0, at[2] = {0, 0};
+    double lo[2], hi[2], size = 0, apart = 0, noise = net_size(surface), at[2] = {0, 0};
 
     window_of(frame, lo, hi);
     for (int k = 0; k < (STEPS + 1) * (STEPS + 1); k++) {

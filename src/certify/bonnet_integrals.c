@@ -1,7 +1,7 @@
 /* bonnet_integrals.c -- area and total curvature, iint W du dv and iint K W du dv.
  *
  * Gauss rules on rectangles, cut across their longer side, or in four where the sides are alike,
- * until their quarters agree with the whole, to `closeness` or to their noise: of W, W slope; of K
+ * until their quarters agree with the whole, to 1e-13 of all or to their noise: of W, W slope; of K
  * W, sqrt|K| bend + |K| W slope (bonnet_sums.h). Where W varies much over the nodes, a peak of K
  * may lie between them, so that agreement says nothing. Coordinates may grow like cosh v, so that
  * sums are taken where points are: seen from one common origin (as measure/cell.h does, for
@@ -19,10 +19,11 @@ enum { NODES = 10, BLOCKS = 8, DEPTH = 40, CELLS_MAX = 4000, ORDERS = TAUT_BONNE
 /* What is integrated: W, K W, and the noise of each. */
 enum { AREA, CURVATURE, NOISE, FIELDS = 4 };
 
-static const double closeness = 1e-13;
 /* W over its least at the nodes of a cell that is trusted: W = F0^2/w^2 grows about so much from
  * the middle of a peak, |K| = w^4/F0^4, to where 99 hundredths of it are inside. */
 static const double most_varied = 100;
+
+static const double unit_roundoff = 0x1p-53; /* each cut leaves about a quarter of it */
 
 typedef struct cell {
     double lo[2], hi[2];
@@ -178,11 +179,30 @@ static taut_status rule_init(const taut_surface *surface, const taut_bonnet_scal
     return status;
 }
 
+/* The blocks, each integrated as one cell. */
+static int blocks_of(rule *r, cell *cells)
+{
+    int count = 0;
+    for (int i = 0; i < taut_basis_span_count(r->basis[0]) && i < BLOCKS; i++) {
+        for (int j = 0; j < taut_basis_span_count(r->basis[1]) && j < BLOCKS; j++) {
+            cell *c = &cells[count++];
+            c->depth = 0;
+            block(r->basis[0], i, &c->lo[0], &c->hi[0]);
+            block(r->basis[1], j, &c->lo[1], &c->hi[1]);
+            integrate(r, c);
+        }
+    }
+    return count;
+}
+
+/* Two rounds: where nearly all lies in a peak, only the first tells how large the whole is, and so
+ * how close the second must come. */
 taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet_scale *scale,
                                   taut_arena *arena, taut_bonnet_integrals *integrals)
 {
+    static const double round_closeness[2] = {1e-3, 1e-13};
     cell cells[BLOCKS * BLOCKS];
-    double allowed[2] = {0, 0};
+    double whole[2] = {0, 0};
     taut_sum total[FIELDS];
     rule r;
     long cut = 0;
@@ -192,26 +212,29 @@ taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet
     if (status != TAUT_OK) {
         return status;
     }
-    memset(total, 0, sizeof total);
-    for (int i = 0; i < taut_basis_span_count(r.basis[0]) && i < BLOCKS; i++) {
-        for (int j = 0; j < taut_basis_span_count(r.basis[1]) && j < BLOCKS; j++) {
-            cell *c = &cells[count++];
-            c->depth = 0;
-            block(r.basis[0], i, &c->lo[0], &c->hi[0]);
-            block(r.basis[1], j, &c->lo[1], &c->hi[1]);
-            integrate(&r, c);
-            allowed[0] += closeness * fabs(c->value[0]);
-            allowed[1] += closeness * fabs(c->value[1]);
-        }
-    }
-    allowed[0] /= count;
-    allowed[1] /= count;
+    count = blocks_of(&r, cells);
     for (int i = 0; i < count; i++) {
-        add(&r, &cells[i], allowed, &cut, total);
+        whole[0] += fabs(cells[i].value[0]);
+        whole[1] += fabs(cells[i].value[1]);
+    }
+    for (int k = 0; k < 2; k++) {
+        const double close = round_closeness[k] / count;
+        const double allowed[2] = {close * whole[0], close * whole[1]};
+        memset(total, 0, sizeof total);
+        cut = 0;
+        for (int i = 0; i < count; i++) {
+            add(&r, &cells[i], allowed, &cut, total);
+        }
+        whole[0] = fabs(taut_sum_total(&total[0]));
+        whole[1] = fabs(taut_sum_total(&total[1]));
     }
     for (int k = 0; k < 2; k++) {
         integrals->value[k] = taut_sum_total(&total[k]);
-        integrals->noise[k] = taut_sum_total(&total[NOISE + k]) / fabs(integrals->value[k]);
+        integrals->noise[k] = taut_sum_total(&total[NOISE + k]) / fabs(integrals->value[k]) +
+                              0.25 * unit_roundoff * (double)cut;
+        if (cut >= CELLS_MAX) {
+            integrals->noise[k] = INFINITY;
+        }
     }
     return TAUT_OK;
 }

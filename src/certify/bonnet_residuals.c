@@ -96,8 +96,8 @@ static void judge(const taut_bonnet_spot *spot, double u, double v, taut_bonnet_
     for (int c = 0; c < 3; c++) {
         sum[c] = x[TAUT_XUU][c] + x[TAUT_XVV][c];
     }
-    taut_bonnet_raise(&found[0], over(fmax(fabs(f->e - f->g), fabs(f->f)), f->e), 2 * spot->slope,
-                      u, v);
+    taut_bonnet_raise(&found[0], over(fmax(fabs(f->e - f->g), fabs(f->f)), f->e),
+                      spot->slope * (2 + spot->slope), u, v);
     taut_bonnet_raise(&found[1], over(length(sum), second), over(spot->noise[1], second), u, v);
     taut_bonnet_raise(&found[2], f->regular ? over(fabs(f->mean), k) : most,
                       spot->bend / (2 * k * f->w), u, v);

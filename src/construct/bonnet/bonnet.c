@@ -1,7 +1,8 @@
-/* bonnet.c -- construct `bonnet`: checks what is asked for, then coefficients, net, surface, frame
- * by frame. */
+/* bonnet.c -- construct `bonnet`: checks what is asked for (check.c), then coefficients, net,
+ * surface, frame by frame. */
 #include "taut/bonnet.h"
 
+#include "construct/bonnet/check.h"
 #include "construct/bonnet/net.h"
 #include "construct/construct_ops.h"
 #include "core/arena.h"
@@ -9,96 +10,6 @@
 
 #include <math.h>
 #include <stdio.h>
-
-/* F_0^4, which curvatures divide by, must stay finite: cosh(177)^4 does. */
-static const double farthest = 177;
-
-static const double pi = 3.14159265358979323846;
-
-static taut_status check_lambda(const taut_bonnet_problem *problem, taut_error *error)
-{
-    for (int i = 0; i < 2; i++) {
-        const double lambda = problem->lambda[i];
-        const char *where = problem->frames > 1 ? (i == 0 ? "/lambda/0" : "/lambda/1") : "/lambda";
-        if (!isfinite(lambda)) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, lambda, 1,
-                             "lambda is not a finite number");
-        }
-        if (lambda < 0) {
-            return taut_fail(error, TAUT_NO_SOLUTION, where, lambda, 0,
-                             "lambda is %.17g, expected 0 or more: the other sign is this surface "
-                             "turned by pi about the y axis",
-                             lambda);
-        }
-        if (lambda > 1 || (lambda == 1 && !problem->normalize)) {
-            return taut_fail(
-                error, TAUT_NO_SOLUTION, where, lambda, 1,
-                "lambda is %.17g, expected less than 1, where the surface grows without "
-                "bound: \"normalize\": true has lambda = 1, Enneper's surface",
-                lambda);
-        }
-    }
-    return TAUT_OK;
-}
-
-static taut_status check_lengths(const taut_bonnet_problem *problem, taut_error *error)
-{
-    if (!(problem->alpha > 0) || !isfinite(problem->alpha)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/alpha", problem->alpha, 0,
-                         "alpha is %.17g, expected a positive length", problem->alpha);
-    }
-    if (!(problem->beta > 0) || !isfinite(problem->beta)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/beta", problem->beta, 0,
-                         "beta is %.17g, expected a positive length", problem->beta);
-    }
-    if (!isfinite(problem->start[0]) || !isfinite(problem->start[1]) || !isfinite(problem->theta)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "", taut_none, taut_none, "a number is not finite");
-    }
-    if (problem->bspline && problem->alpha >= pi) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/alpha", problem->alpha, pi,
-                         "alpha is %.17g, expected less than pi, where the four functions of a "
-                         "c-bspline become dependent: use more segments",
-                         problem->alpha);
-    }
-    if (!problem->bspline && !problem->normalize && problem->alpha > pi) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/alpha", problem->alpha, pi,
-                         "alpha is %.17g, expected at most pi for one c-bezier segment: use "
-                         "\"mesh\": \"bspline\" with more segments",
-                         problem->alpha);
-    }
-    return TAUT_OK;
-}
-
-static taut_status check_rest(const taut_bonnet_problem *problem, taut_error *error)
-{
-    const double v0 = problem->start[1];
-    const double v1 = v0 + problem->beta * (problem->segments[1] > 0 ? problem->segments[1] : 1);
-    if (problem->sign != 1 && problem->sign != -1) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/sign", problem->sign, 1,
-                         "expected \"+\" or \"-\"");
-    }
-    if (problem->normalize && (problem->sign != -1 || problem->bspline)) {
-        return taut_fail(error, TAUT_BAD_INPUT, problem->bspline ? "/mesh" : "/sign", taut_none,
-                         taut_none, "the normalised family has sign \"-\" and mesh \"bezier\"");
-    }
-    if (!problem->bspline && (problem->segments[0] > 1 || problem->segments[1] > 1)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/segments", taut_none, taut_none,
-                         "the quasi-Bezier mesh has one segment: use \"mesh\": \"bspline\"");
-    }
-    if (problem->segments[0] < 0 || problem->segments[1] < 0 ||
-        problem->segments[0] > TAUT_COUNT_MAX / 2 || problem->segments[1] > TAUT_COUNT_MAX / 2 ||
-        problem->frames < 0 || problem->frames > TAUT_OBJECTS_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/segments", taut_none, TAUT_COUNT_MAX / 2,
-                         "segments and frames must be at least 1 and not more than taut takes");
-    }
-    if (fmax(fabs(v0), fabs(v1)) > farthest) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/beta", fmax(fabs(v0), fabs(v1)), farthest,
-                         "the window reaches v = %.6g, expected at most %g in size: beyond, "
-                         "curvatures overflow",
-                         fabs(v1) > fabs(v0) ? v1 : v0, farthest);
-    }
-    return TAUT_OK;
-}
 
 /* Rows of five functions in each direction. */
 static taut_status take_rows(taut_arena *arena, int count, taut_bonnet_rows *rows,
@@ -200,19 +111,13 @@ static taut_status add_frame(const taut_bonnet_problem *problem, double lambda, 
     return status;
 }
 
-static double lambda_of(const taut_bonnet_problem *problem, int frame, int frames)
-{
-    const double *l = problem->lambda;
-    return frame + 1 == frames ? l[frames > 1] : l[0] + (l[1] - l[0]) * frame / (frames - 1);
-}
-
 static taut_record *details_of(const taut_bonnet_problem *problem, int frames)
 {
     taut_record *details = taut_record_new();
     if (problem->frames > 1) {
         taut_record *list = taut_record_add_list(details, "lambda");
         for (int i = 0; i < frames; i++) {
-            taut_record_add_number(list, NULL, lambda_of(problem, i, frames));
+            taut_record_add_number(list, NULL, taut_bonnet_frame_lambda(problem, i));
         }
     } else {
         taut_record_add_number(details, "lambda", problem->lambda[0]);
@@ -247,8 +152,8 @@ static taut_status fill_model(const taut_bonnet_problem *problem, const taut_mon
         if (problem->frames > 1) {
             snprintf(name, sizeof name, "frame-%d", i);
         }
-        status =
-            add_frame(problem, lambda_of(problem, i, frames), name, &u, &v, points, model, error);
+        status = add_frame(problem, taut_bonnet_frame_lambda(problem, i), name, &u, &v, points,
+                           model, error);
         if (status == TAUT_OK && monitor->progress != NULL &&
             monitor->progress(monitor->context, (i + 1.0) / frames, "frames") != 0) {
             status = taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped");
@@ -268,14 +173,13 @@ taut_status taut_bonnet_make(const taut_bonnet_problem *problem, const taut_make
     static const taut_make_options none;
     taut_arena *arena = NULL;
     taut_model *made = NULL;
-    taut_status status = check_lambda(problem, error);
+    taut_status status = TAUT_OK;
 
-    if (status == TAUT_OK) {
-        status = check_lengths(problem, error);
+    if (problem == NULL || model == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_bonnet_make needs a problem and a place for the model");
     }
-    if (status == TAUT_OK) {
-        status = check_rest(problem, error);
-    }
+    status = taut_bonnet_check(problem, error);
     if (status != TAUT_OK) {
         return status;
     }

@@ -2,6 +2,13 @@
 
 #include <math.h>
 
+double taut_bonnet_frame_lambda(const taut_bonnet_problem *problem, int i)
+{
+    const double *l = problem->lambda;
+    const int frames = problem->frames;
+    return i == 0 ? l[0] : i + 1 == frames ? l[1] : l[0] + (l[1] - l[0]) * i / (frames - 1);
+}
+
 /* points = cos(theta) r + sin(theta) r*; theta = 0 leaves r as it is. */
 static void turn(double theta, const double r[3], const double adjoint[3], double *point)
 {

@@ -3,6 +3,10 @@
 #define TAUT_BONNET_NET_H
 
 #include "construct/bonnet/coefficients.h"
+#include "taut/bonnet.h"
+
+/* lambda of frame i: equal steps, ends included. */
+double taut_bonnet_frame_lambda(const taut_bonnet_problem *problem, int i);
 
 /* [XuWang2006] section 5, turned by theta into the associate family: double
  * points[u.count][v.count][3]. */

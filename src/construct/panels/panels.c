@@ -2,6 +2,7 @@
  * into a model, the residuals into its details. */
 #include "taut/panels.h"
 
+#include "construct/bonnet/net.h"
 #include "construct/panels/residuals.h"
 #include "construct/panels/vertices.h"
 #include "core/arena.h"
@@ -309,11 +310,7 @@ taut_status taut_panels_of_bonnet(const taut_bonnet_problem *problem,
         status = begin(options != NULL ? options : &none, &m, error);
     }
     for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(made); i++) {
-        const int last = i + 1 == taut_model_surface_count(made) ? 1 : 0;
-        const double *l = problem->lambda;
-        const double lambda = problem->frames < 2 ? l[0]
-                              : last              ? l[1]
-                                     : l[0] + (l[1] - l[0]) * i / (problem->frames - 1);
+        const double lambda = taut_bonnet_frame_lambda(problem, i);
         const char *name = taut_surface_name(taut_model_surface(made, i));
         if (options == NULL || options->surface == NULL || strcmp(options->surface, name) == 0) {
             status = add_frame(&m, problem, lambda, name, error);
