@@ -150,7 +150,13 @@ int cli_commit(taut_outputs *outputs);
 /* ", within 3e-07 mm" or ", exact" for the proved distance of an output, "" where it is NaN. */
 enum { CLI_DISTANCE_ROOM = 64 };
 const char *cli_distance(double bound, const taut_model *model, char room[CLI_DISTANCE_ROOM]);
-/* Writes the model to every -o, or as JSON to standard output without one. 0 or the exit code. */
+/* Nonzero where the format of a path is taut's own. */
+int cli_is_json(const char *path);
+/* Writes the model to every -o, or as JSON to standard output without one; where `nurbs` is not
+ * NULL it stands for the model in JSON, within `bound` of it. 0 or the exit code. */
+int cli_write_models(const taut_model *model, const taut_model *nurbs, double bound,
+                     const cli_options *options);
+/* The same with the model alone. */
 int cli_write_model(const taut_model *model, const cli_options *options);
 /* Prints a record as JSON on standard output; 0 or the exit code after one message. Frees the
  * record. */

@@ -63,7 +63,7 @@ static taut_status read_segments(const taut_json *document, taut_bonnet_problem 
     status = taut_json_array(&at, 2, 2, "numbers", &count, error);
     for (size_t i = 0; i < 2 && status == TAUT_OK; i++) {
         const taut_json item = taut_json_item(&at, i);
-        status = taut_json_integer(&item, 1, TAUT_COUNT_MAX - 3, &data->segments[i], error);
+        status = taut_json_integer(&item, 1, TAUT_COUNT_MAX / 2, &data->segments[i], error);
     }
     return status;
 }

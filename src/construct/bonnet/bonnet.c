@@ -124,6 +124,9 @@ static taut_record *details_of(const taut_bonnet_problem *problem, int frames)
     }
     taut_record_add_number(details, "amplitude",
                            problem->bspline ? problem->alpha / sin(problem->alpha) : 1);
+    if (problem->normalize) {
+        taut_record_add_bool(details, "normalize", 1);
+    }
     return details;
 }
 
