@@ -261,7 +261,7 @@ static void test_same_surface(void)
 int main(void)
 {
     random_seed(20261121);
-    for (int i = 0; i < random_trials(300); i++) {
+    for (int i = 0; i < random_trials(200); i++) {
         const taut_bonnet_problem p = random_problem();
         certify(&p);
     }
