@@ -27,7 +27,7 @@ field() { # field NAME PATCH
 targets() { # targets REGEX
     ctest --test-dir "$build" -N -R "$1" 2>/dev/null | sed -n 's/^ *Test *#[0-9]*: *//p' | while read -r name; do
         case $name in
-        cli/*) echo product ;;
+        cli/* | viewer/*) echo product ;;
         tools/*) ;;
         *) echo "test-${name//\//-}" ;;
         esac

@@ -13,6 +13,7 @@
     X(refine)                                                                                      \
     X(convert)                                                                                     \
     X(panels)                                                                                      \
+    X(view)                                                                                        \
     X(example)                                                                                     \
     X(reproduce)                                                                                   \
     X(schema)

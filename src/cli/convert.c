@@ -12,6 +12,30 @@ static int wants_nurbs(const cli_options *options)
     return wanted;
 }
 
+/* Reads every model and writes them side by side. */
+static int run_many(const cli_options *options)
+{
+    taut_model *models[TAUT_MODELS_MAX] = {NULL};
+    const taut_model *written[TAUT_MODELS_MAX];
+    taut_error error;
+    int count = 0, code = 0;
+
+    for (int i = 0; i < options->file_count && code == 0; i++) {
+        if (taut_model_read(options->files[i], &models[i], &error) != TAUT_OK) {
+            code = cli_fail_in(options->files[i], &error);
+        } else {
+            written[count++] = models[i];
+        }
+    }
+    if (code == 0) {
+        code = cli_write_models(count, written, options);
+    }
+    for (int i = 0; i < count; i++) {
+        taut_model_free(models[i]);
+    }
+    return code;
+}
+
 static int run(const cli_options *options)
 {
     taut_model *model = NULL, *nurbs = NULL;
@@ -25,6 +49,9 @@ static int run(const cli_options *options)
     if (code != 0) {
         return code;
     }
+    if (options->file_count > 1) {
+        return run_many(options);
+    }
     if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
@@ -32,24 +59,26 @@ static int run(const cli_options *options)
         taut_model_to_nurbs(model, options->tolerance, &nurbs, &bound, &error) != TAUT_OK) {
         code = cli_fail_in(options->files[0], &error);
     } else {
-        code = cli_write_models(model, nurbs, bound, options);
+        code = cli_write_or_nurbs(model, nurbs, bound, options);
     }
     taut_model_free(nurbs);
     taut_model_free(model);
     return code;
 }
 
-static const cli_option options_of_convert[] = {CLI_OUTPUT, CLI_TOLERANCE, CLI_DIVIDE, CLI_SURFACE,
-                                                CLI_FIGURE, CLI_THREADS,   CLI_LAST};
+static const cli_option options_of_convert[] = {CLI_OUTPUT,  CLI_TOLERANCE, CLI_DIVIDE,
+                                                CLI_SURFACE, CLI_FIGURE,    CLI_SHORT_KNOTS,
+                                                CLI_THREADS, CLI_LAST};
 
 const cli_command cli_command_convert = {
     .name = "convert",
-    .usage = "MODEL.json -o FILE... [--tolerance T] [--divide N]",
+    .usage = "MODEL.json... -o FILE... [--tolerance T] [--divide N]",
     .summary = "write a model in other formats",
     .text = "The ending of FILE says the format. With --tolerance, JSON too holds NURBS, within a "
-            "distance that is\nproved and printed; without it the model itself.\n",
+            "distance that is\nproved and printed; without it the model itself. Several models go "
+            "side by side into one figure\n(.svg, .pdf, .png).\n",
     .files_min = 1,
-    .files_max = 1,
+    .files_max = TAUT_MODELS_MAX,
     .options = options_of_convert,
     .run = run,
 };

@@ -1,17 +1,14 @@
-/* strip.h -- the frames of a deformation side by side, as one model to be drawn. */
+/* strip.h -- the frames of a deformation, which are drawn side by side. */
 #ifndef TAUT_DRAW_STRIP_H
 #define TAUT_DRAW_STRIP_H
 
+#include "core/arena.h"
 #include "taut/model.h"
-#include "taut/write.h"
 
-/* Are the surfaces of a model frames, and all of them to be drawn? So it is when `details.lambda`
- * lists one number for each of several surfaces. */
-int taut_strip_is(const taut_model *model, const taut_write_options *options);
-
-/* The frames moved in the plane of the page into rows, named by their lambda; the view goes into
- * *options if none was asked for. TAUT_NO_MEMORY, TAUT_BAD_ARGUMENT (nothing finite). */
-taut_status taut_strip_new(const taut_model *model, taut_write_options *options,
-                           taut_model **strip);
+/* Are the surfaces of a model frames? So it is when `details.lambda` lists one number for each of
+ * several surfaces. */
+int taut_strip_is(const taut_model *model);
+/* "lambda 0.2" for frame i of such a model, in the arena; NULL without memory. */
+const char *taut_strip_label(const taut_model *model, int i, taut_arena *arena);
 
 #endif /* TAUT_DRAW_STRIP_H */

@@ -1,9 +1,8 @@
-/* test_bonnet.c -- the construction `bonnet`, its certificate, its panels and its film strip when
- * memory runs out. */
+/* test_bonnet.c -- the construction `bonnet`, its certificate and its panels when memory runs out.
+ */
 #include "check.h"
 #include "fault.h"
 
-#include "draw/strip.h"
 #include "taut/panels.h"
 #include "taut/read.h"
 
@@ -60,19 +59,6 @@ static taut_status panels_of_model(const void *context, void **result, taut_erro
     return status;
 }
 
-static taut_status strip(const void *context, void **result, taut_error *error)
-{
-    const given *const g = context;
-    taut_write_options options = {.tolerance = 0};
-    taut_model *made = *result;
-    const taut_status status = taut_strip_new(g->model, &options, &made);
-    if (status == TAUT_NO_MEMORY) {
-        *error = (taut_error){.status = status, .message = "memory ran out"};
-    }
-    *result = made;
-    return status;
-}
-
 static taut_status read(const void *context, void **result, taut_error *error)
 {
     taut_problem *problem = *result;
@@ -105,7 +91,6 @@ int main(void)
         {"certify", certify, release_certificate, &context},
         {"panels of a problem", panels_of_problem, release_model, &context},
         {"panels of a model", panels_of_model, release_model, &context},
-        {"strip", strip, release_model, &context},
         {"read either", read, release_problem, "bonnet-either.json"},
     };
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i++) {
