@@ -13,6 +13,7 @@
 #define TAUT_CONSTRUCT_LIST(X)                                                                     \
     X(asymptotic, "asymptotic")                                                                    \
     X(biharmonic, "biharmonic")                                                                    \
+    X(bonnet, "bonnet")                                                                            \
     X(dirichlet, "dirichlet")                                                                      \
     X(harmonic, "harmonic")                                                                        \
     X(harmonic_extension, "harmonic-extension")                                                    \
