@@ -15,6 +15,7 @@
 #include "taut/model.h"
 #include "taut/monitor.h"
 #include "taut/operate.h"
+#include "taut/pipe.h"
 #include "taut/plateau.h"
 #include "taut/read.h"
 #include "taut/record.h"

@@ -1,0 +1,180 @@
+/* pipe_tube.c -- do the surfaces meet, and are they the tube?
+ *
+ *   joint1, joint2  along both edges of a joint: the larger of gap over radius and sine between the
+ *                   normals
+ *   tube            over all three surfaces: | distance from the axis - radius | / radius, where
+ * the axis is the curve and its tangent lines at the ends
+ */
+#include "certify/pipe_parts.h"
+#include "core/vec3.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { AROUND = 96, RING = 32, PER_SPAN = 8, NEWTON_STEPS = 6 };
+
+static double at(const taut_basis *basis, int k, int n)
+{
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    return k == n ? hi : lo + (hi - lo) * k / n;
+}
+
+static double sine(const double a[3], const double b[3])
+{
+    double across[3];
+    const double size = taut_norm(a) * taut_norm(b);
+    taut_cross(a, b, across);
+    return size > 0 ? taut_norm(across) / size : 1;
+}
+
+/* Rows of control points at edge u0 (side 0) or u1, and beside it: the shortest leg between. */
+static double shortest_leg(const taut_surface *surface, int side)
+{
+    const int nu = taut_basis_count(taut_surface_u(surface));
+    const int nv = taut_basis_count(taut_surface_v(surface));
+    const double *points = taut_surface_points(surface);
+    const int edge = side == 0 ? 0 : nu - 1, inner = side == 0 ? 1 : nu - 2;
+    double least = INFINITY;
+    for (int j = 0; j < nv; j++) {
+        least =
+            fmin(least, taut_distance(points + 3 * (edge * nv + j), points + 3 * (inner * nv + j)));
+    }
+    return least;
+}
+
+/* What rounding of the control points does to a normal: each leg turns by a rounding over its
+ * length, the ring by one over the radius. */
+static double joint_noise(const taut_pipe_parts *parts, int side)
+{
+    const double rounding = 4 * DBL_EPSILON * parts->size;
+    return rounding / parts->radius + rounding / shortest_leg(parts->blend, side) +
+           rounding / shortest_leg(parts->pipes[side], 1 - side) + 8 * DBL_EPSILON;
+}
+
+taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
+                                  taut_certificate *certificate)
+{
+    const taut_surface *blend = parts->blend, *pipe = parts->pipes[side];
+    const taut_basis *v = taut_surface_v(blend);
+    const double u =
+        side == 0 ? taut_basis_lo(taut_surface_u(blend)) : taut_basis_hi(taut_surface_u(blend));
+    const double w =
+        side == 0 ? taut_basis_hi(taut_surface_u(pipe)) : taut_basis_lo(taut_surface_u(pipe));
+    char where[64] = "";
+    double worst = 0;
+
+    for (int k = 0; k <= AROUND; k++) {
+        double a[3][3], b[3][3], normal_a[3], normal_b[3], residual = 0;
+        taut_surface_eval(blend, u, at(v, k, AROUND), 1, a[0]);
+        taut_surface_eval(pipe, w, at(taut_surface_v(pipe), k, AROUND), 1, b[0]);
+        taut_cross(a[TAUT_XU], a[TAUT_XV], normal_a);
+        taut_cross(b[TAUT_XU], b[TAUT_XV], normal_b);
+        residual = fmax(taut_distance(a[0], b[0]) / parts->radius, sine(normal_a, normal_b));
+        /* a joint that folds back has parallel normals too */
+        residual = taut_dot(normal_a, normal_b) > 0 ? residual : 1;
+        if (!(residual <= worst)) {
+            worst = residual;
+            snprintf(where, sizeof where, "v = %.6g", at(v, k, AROUND));
+        }
+    }
+    return taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", worst, 0, joint_noise(parts, side),
+                               where, certificate);
+}
+
+/* The distance of a local point from the axis, its foot sought from parameter `t` of the curve. */
+static double from_curve(const taut_pipe_line *line, const double x[3], double t)
+{
+    const taut_pipe_piece *piece = &line->pieces[0];
+    double s = 0, d[3][3], apart[3];
+    for (int i = 0; i + 1 < line->count && t > piece->hi; i++) {
+        piece = &line->pieces[i + 1];
+    }
+    s = fmin(1, fmax(0, (t - piece->lo) / (piece->hi - piece->lo)));
+    for (int i = 0; i < NEWTON_STEPS; i++) {
+        taut_pipe_piece_eval(piece, s, 2, d);
+        taut_difference(d[0], x, apart);
+        const double slope = taut_dot(d[1], d[1]) + taut_dot(apart, d[2]);
+        const double move = slope > 0 ? taut_dot(apart, d[1]) / slope : 0;
+        s = fmin(1, fmax(0, s - move));
+    }
+    taut_pipe_piece_eval(piece, s, 0, d);
+    return taut_distance(d[0], x);
+}
+
+static void to_local(const taut_pipe_line *line, const double x[3], double local[3])
+{
+    for (int k = 0; k < 3; k++) {
+        local[k] = (x[k] - line->origin[k]) / line->scale;
+    }
+}
+
+/* The largest deviation gathered while surfaces are gone over. */
+typedef struct deviation {
+    double worst;
+    char where[64];
+} deviation;
+
+static void see(deviation *d, const taut_pipe_parts *parts, double distance, const char *name,
+                double u, double v)
+{
+    const double residual = fabs(distance * parts->line.scale - parts->radius) / parts->radius;
+    if (!(residual <= d->worst)) {
+        d->worst = residual;
+        snprintf(d->where, sizeof d->where, "%s, u = %.6g, v = %.6g", name, u, v);
+    }
+}
+
+static void see_blend(deviation *d, const taut_pipe_parts *parts)
+{
+    const taut_basis *u = taut_surface_u(parts->blend), *v = taut_surface_v(parts->blend);
+    const double *breaks = taut_basis_breaks(u);
+    for (int i = 0; i < taut_basis_span_count(u); i++) {
+        for (int k = 0; k <= PER_SPAN; k++) {
+            const double s = k == PER_SPAN ? breaks[i + 1]
+                                           : breaks[i] + (breaks[i + 1] - breaks[i]) * k / PER_SPAN;
+            for (int j = 0; j < RING; j++) {
+                double x[3], local[3];
+                taut_surface_eval(parts->blend, s, at(v, j, RING), 0, x);
+                to_local(&parts->line, x, local);
+                see(d, parts, from_curve(&parts->line, local, s), "blend", s, at(v, j, RING));
+            }
+        }
+    }
+}
+
+/* A straight pipe: distances from the tangent line; it must not reach past the joint. */
+static void see_pipe(deviation *d, const taut_pipe_parts *parts, int side)
+{
+    const taut_pipe_line *line = &parts->line;
+    const taut_surface *pipe = parts->pipes[side];
+    const taut_basis *u = taut_surface_u(pipe), *v = taut_surface_v(pipe);
+    const taut_pipe_piece *piece = &line->pieces[side == 0 ? 0 : line->count - 1];
+    const double *joint = piece->points[side == 0 ? 0 : piece->degree];
+    for (int k = 0; k <= PER_SPAN; k++) {
+        for (int j = 0; j < RING; j++) {
+            double x[3], local[3], foot[3], along = 0;
+            taut_surface_eval(pipe, at(u, k, PER_SPAN), at(v, j, RING), 0, x);
+            to_local(line, x, local);
+            taut_difference(local, joint, foot);
+            along = taut_dot(foot, line->tangent[side]);
+            taut_add_scaled(-along, line->tangent[side], foot);
+            see(d, parts, taut_norm(foot), side == 0 ? "pipe1" : "pipe2", at(u, k, PER_SPAN),
+                at(v, j, RING));
+        }
+    }
+}
+
+taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
+                                 taut_certificate *certificate)
+{
+    /* rounding of the control points, and of the tangent over the length of a straight pipe */
+    const double noise = 8 * DBL_EPSILON * parts->size / parts->radius;
+    deviation d = {0, ""};
+    see_blend(&d, parts);
+    *fit_error = d.worst;
+    see_pipe(&d, parts, 0);
+    see_pipe(&d, parts, 1);
+    return taut_pipe_add_claim("tube", d.worst, tolerance, tolerance + noise, d.where, certificate);
+}
