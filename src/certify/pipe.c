@@ -78,15 +78,14 @@ static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, t
     return TAUT_OK;
 }
 
-static double largest_coordinate(const taut_surface *surface)
+static void see_sizes(const taut_surface *surface, taut_pipe_parts *parts)
 {
     const int count =
         3 * taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
-    double most = 0;
     for (int i = 0; i < count; i++) {
-        most = fmax(most, fabs(taut_surface_points(surface)[i]));
+        parts->sizes[i % 3] = fmax(parts->sizes[i % 3], fabs(taut_surface_points(surface)[i]));
     }
-    return most;
+    parts->size = fmax(parts->sizes[0], fmax(parts->sizes[1], parts->sizes[2]));
 }
 
 /* The radius and the lengths of the straight pipes: the problem's, or what the model shows. */
@@ -105,9 +104,9 @@ static void find_data(const taut_model *model, const taut_pipe_problem *problem,
                                   ? problem->lengths[side]
                                   : taut_record_number(taut_record_at(lengths, (size_t)side));
         parts->line.lengths[side] = length > 0 ? length / parts->line.scale : INFINITY;
-        parts->size = fmax(parts->size, largest_coordinate(parts->pipes[side]));
+        see_sizes(parts->pipes[side], parts);
     }
-    parts->size = fmax(parts->size, largest_coordinate(parts->blend));
+    see_sizes(parts->blend, parts);
 }
 
 /* Rounding of the axis moves rho by a part of itself; within that the verdict is open. */

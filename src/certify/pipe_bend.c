@@ -102,6 +102,33 @@ static void visit(bound *b, const double (*points)[3], double lo, double hi, int
     }
 }
 
+/* A positive multiple of the derivative of kappa^2 = |K|^2 / |P'|^6, K = P' x P'', K' = P' x P'''.
+ */
+static double slope(const taut_pipe_piece *piece, double t)
+{
+    double d[4][3], cross[3], cross1[3];
+    taut_pipe_piece_eval(piece, t, 3, d);
+    taut_cross(d[1], d[2], cross);
+    taut_cross(d[1], d[3], cross1);
+    return taut_dot(cross, cross1) * taut_dot(d[1], d[1]) -
+           3 * taut_dot(cross, cross) * taut_dot(d[1], d[2]);
+}
+
+/* Where values no longer tell (a maximum is flat), the slope does: bisection beside it. */
+static void place(bound *b)
+{
+    const double width = 1e-5;
+    double lo = b->best_t - width, hi = b->best_t + width;
+    if (lo <= 0 || hi >= 1 || !(slope(b->piece, lo) > 0 && slope(b->piece, hi) < 0)) {
+        return;
+    }
+    for (int i = 0; i < 60; i++) {
+        const double middle = 0.5 * (lo + hi);
+        *(slope(b->piece, middle) > 0 ? &lo : &hi) = middle;
+    }
+    b->best_t = 0.5 * (lo + hi);
+}
+
 /* What the subdivision found, to the last digit. */
 static void polish(bound *b, double width)
 {
@@ -133,6 +160,7 @@ taut_status taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figu
     b.piece = &line->pieces[b.best_index];
     b.index = b.best_index;
     polish(&b, 1.0 / 512);
+    place(&b);
     figures->curvature = b.best > TAUT_PIPE_STRAIGHT ? b.best : 0;
     figures->curvature_at = b.piece->lo + b.best_t * (b.piece->hi - b.piece->lo);
     return TAUT_OK;

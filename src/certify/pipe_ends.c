@@ -62,17 +62,22 @@ static double ends_residual(const taut_pipe_parts *parts, const double *shape)
     return worst;
 }
 
-/* A rounding of each coordinate over the shorter handle, and over the radius; lines are as good as
- * the distance to their points. */
+/* A rounding of each coordinate over the handle, and over the radius; lines are as good as the
+ * distance to their points. A given polygon is kept bit for bit. */
 static double ends_noise(const taut_pipe_parts *parts)
 {
     const taut_pipe_problem *p = parts->problem;
     const double *points = taut_curve_points(parts->axis);
-    double far = parts->size, shortest = INFINITY;
+    const double none[3] = {0, 0, 0};
+    double noise = 2 * DBL_EPSILON, far = 0, sine = 1;
+    if (p->axis == TAUT_PIPE_POLYGON) {
+        return 0;
+    }
     for (int side = 0; side < 2; side++) {
-        shortest = fmin(shortest, taut_distance(points + 6 * side, points + 6 * side + 3));
-        for (int k = 0; k < 3 && p->axis == TAUT_PIPE_FEET; k++) {
-            far = fmax(far, fabs(p->ends[side].point[k]));
+        noise += taut_pipe_sideways(parts, side, none) /
+                 taut_distance(points + 6 * side, points + 6 * side + 3);
+        for (int k = 0; k < 3; k++) {
+            far = fmax(far, fmax(fabs(p->ends[side].point[k]), parts->sizes[k]));
         }
     }
     if (p->axis == TAUT_PIPE_FEET) { /* nearly parallel lines place their feet badly */
@@ -80,9 +85,10 @@ static double ends_noise(const taut_pipe_parts *parts)
         unit(p->ends[0].direction, a);
         unit(p->ends[1].direction, b);
         taut_cross(a, b, n);
-        far /= fmax(taut_norm(n), 1e-9);
+        sine = fmax(taut_norm(n), 1e-9);
+        noise += 4 * DBL_EPSILON * far / (parts->radius * sine);
     }
-    return 8 * DBL_EPSILON * (1 + far / parts->radius + far / shortest);
+    return noise;
 }
 
 static void shape_of(const taut_curve *axis, double shape[3])

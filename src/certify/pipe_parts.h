@@ -11,9 +11,15 @@ typedef struct taut_pipe_parts {
     const taut_pipe_problem *problem; /* or NULL */
     taut_pipe_line line;
     taut_pipe_figures figures;
-    double radius; /* the user's unit */
-    double size;   /* the largest coordinate of any control point */
+    double radius;   /* the user's unit */
+    double size;     /* the largest coordinate of any control point, */
+    double sizes[3]; /* and the largest x, y, z */
 } taut_pipe_parts;
+
+/* How far rounding moves one control point against another at right angles to the axis, where both
+ * should lie along it at end `side`: coordinates that do not change along it, nor between them, are
+ * exact. */
+double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double changes[3]);
 
 /* The claims: pipe_tube.c, pipe_ends.c. Each adds one, or returns TAUT_NO_MEMORY. */
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,

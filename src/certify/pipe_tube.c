@@ -21,65 +21,102 @@ static double at(const taut_basis *basis, int k, int n)
     return k == n ? hi : lo + (hi - lo) * k / n;
 }
 
+/* The unit normal of two tangents, whatever their lengths; 0 where there is none. */
+static void normal_of(const double xu[3], const double xv[3], double normal[3])
+{
+    const double u = taut_norm(xu), v = taut_norm(xv);
+    double a[3], b[3], length = 0;
+    for (int k = 0; k < 3; k++) {
+        a[k] = u > 0 ? xu[k] / u : 0;
+        b[k] = v > 0 ? xv[k] / v : 0;
+    }
+    taut_cross(a, b, normal);
+    length = taut_norm(normal);
+    for (int k = 0; k < 3 && length > 0; k++) {
+        normal[k] /= length;
+    }
+}
+
+/* The sine between two unit normals; 1 where they look apart or one is missing. */
 static double sine(const double a[3], const double b[3])
 {
     double across[3];
-    const double size = taut_norm(a) * taut_norm(b);
     taut_cross(a, b, across);
-    return size > 0 ? taut_norm(across) / size : 1;
+    return taut_dot(a, b) > 0.5 ? taut_norm(across) : 1;
 }
 
-/* Rows of control points at edge u0 (side 0) or u1, and beside it: the shortest leg between. */
-static double shortest_leg(const taut_surface *surface, int side)
+double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double changes[3])
 {
-    const int nu = taut_basis_count(taut_surface_u(surface));
-    const int nv = taut_basis_count(taut_surface_v(surface));
-    const double *points = taut_surface_points(surface);
-    const int edge = side == 0 ? 0 : nu - 1, inner = side == 0 ? 1 : nu - 2;
-    double least = INFINITY;
-    for (int j = 0; j < nv; j++) {
-        least =
-            fmin(least, taut_distance(points + 3 * (edge * nv + j), points + 3 * (inner * nv + j)));
+    const double *tangent = parts->line.tangent[side];
+    double square = 0;
+    for (int k = 0; k < 3; k++) {
+        const double rounding =
+            tangent[k] != 0 || changes[k] != 0 ? 2 * DBL_EPSILON * parts->sizes[k] : 0;
+        square += rounding * rounding * (1 - tangent[k]) * (1 + tangent[k]);
     }
-    return least;
+    return sqrt(square);
 }
 
-/* What rounding of the control points does to a normal: each leg turns by a rounding over its
- * length, the ring by one over the radius. */
-static double joint_noise(const taut_pipe_parts *parts, int side)
+/* An edge u0 (edge 0) or u1 of a surface, and what rounding does to its tangents across. */
+typedef struct edge {
+    const taut_surface *surface;
+    double u;
+    double sideways; /* of control points */
+    double leg;      /* times |x_u|: the distance to the next ring that makes it up */
+} edge;
+
+static edge edge_of(const taut_pipe_parts *parts, int side, const taut_surface *surface, int last)
 {
-    const double rounding = 4 * DBL_EPSILON * parts->size;
-    return rounding / parts->radius + rounding / shortest_leg(parts->blend, side) +
-           rounding / shortest_leg(parts->pipes[side], 1 - side) + 8 * DBL_EPSILON;
+    const taut_basis *u = taut_surface_u(surface);
+    const int nu = taut_basis_count(u), nv = taut_basis_count(taut_surface_v(surface));
+    const int spans = taut_basis_span_count(u);
+    const double *breaks = taut_basis_breaks(u), *points = taut_surface_points(surface);
+    const double *ring = points + (size_t)(last ? nu - 1 : 0) * 3 * (size_t)nv;
+    const double *next = points + (size_t)(last ? nu - 2 : 1) * 3 * (size_t)nv;
+    double changes[3] = {0, 0, 0};
+    for (int j = 0; j < 3 * nv; j++) {
+        changes[j % 3] = fmax(changes[j % 3], fabs(ring[j] - next[j]));
+    }
+    return (edge){
+        .surface = surface,
+        .u = last ? breaks[spans] : breaks[0],
+        .sideways = taut_pipe_sideways(parts, side, changes),
+        .leg = (last ? breaks[spans] - breaks[spans - 1] : breaks[1] - breaks[0]) /
+               taut_basis_degree(u),
+    };
+}
+
+/* The point and the unit normal at v; returns what rounding turns the normal by. */
+static double look(const edge *e, double v, double x[3], double normal[3])
+{
+    double d[3][3];
+    taut_surface_eval(e->surface, e->u, v, 1, d[0]);
+    memcpy(x, d[0], sizeof d[0]);
+    normal_of(d[TAUT_XU], d[TAUT_XV], normal);
+    return e->sideways > 0 ? e->sideways / (e->leg * taut_norm(d[TAUT_XU])) : 0;
 }
 
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
                                   taut_certificate *certificate)
 {
-    const taut_surface *blend = parts->blend, *pipe = parts->pipes[side];
-    const taut_basis *v = taut_surface_v(blend);
-    const double u =
-        side == 0 ? taut_basis_lo(taut_surface_u(blend)) : taut_basis_hi(taut_surface_u(blend));
-    const double w =
-        side == 0 ? taut_basis_hi(taut_surface_u(pipe)) : taut_basis_lo(taut_surface_u(pipe));
+    const edge blend = edge_of(parts, side, parts->blend, side == 1);
+    const edge pipe = edge_of(parts, side, parts->pipes[side], side == 0);
+    const taut_basis *v = taut_surface_v(blend.surface), *w = taut_surface_v(pipe.surface);
     char where[64] = "";
-    double worst = 0;
+    double worst = 0, turned = 0;
 
     for (int k = 0; k <= AROUND; k++) {
-        double a[3][3], b[3][3], normal_a[3], normal_b[3], residual = 0;
-        taut_surface_eval(blend, u, at(v, k, AROUND), 1, a[0]);
-        taut_surface_eval(pipe, w, at(taut_surface_v(pipe), k, AROUND), 1, b[0]);
-        taut_cross(a[TAUT_XU], a[TAUT_XV], normal_a);
-        taut_cross(b[TAUT_XU], b[TAUT_XV], normal_b);
-        residual = fmax(taut_distance(a[0], b[0]) / parts->radius, sine(normal_a, normal_b));
-        /* a joint that folds back has parallel normals too */
-        residual = taut_dot(normal_a, normal_b) > 0 ? residual : 1;
+        double a[3], b[3], normal_a[3], normal_b[3], residual = 0;
+        turned = fmax(turned, look(&blend, at(v, k, AROUND), a, normal_a) +
+                                  look(&pipe, at(w, k, AROUND), b, normal_b));
+        residual = fmax(taut_distance(a, b) / parts->radius, sine(normal_a, normal_b));
         if (!(residual <= worst)) {
             worst = residual;
             snprintf(where, sizeof where, "v = %.6g", at(v, k, AROUND));
         }
     }
-    return taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", worst, 0, joint_noise(parts, side),
+    return taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", worst, 0,
+                               4 * DBL_EPSILON + DBL_EPSILON * parts->size / parts->radius + turned,
                                where, certificate);
 }
 
@@ -98,6 +135,9 @@ static double from_curve(const taut_pipe_line *line, const double x[3], double t
         const double slope = taut_dot(d[1], d[1]) + taut_dot(apart, d[2]);
         const double move = slope > 0 ? taut_dot(apart, d[1]) / slope : 0;
         s = fmin(1, fmax(0, s - move));
+        if (fabs(move) < 1e-9) { /* the distance is flat there: its error is the square of that */
+            break;
+        }
     }
     taut_pipe_piece_eval(piece, s, 0, d);
     return taut_distance(d[0], x);

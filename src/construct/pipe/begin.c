@@ -15,8 +15,7 @@ static taut_status check_length(double value, const char *where, taut_error *err
 {
     if (!(value >= length_min && value <= length_max)) {
         return taut_fail(error, TAUT_BAD_INPUT, where, value, length_min,
-                         "%s is %.17g, expected a positive length (1e-90 to 1e90)", where + 1,
-                         value);
+                         "found %.17g, expected a positive length (1e-90 to 1e90)", value);
     }
     return TAUT_OK;
 }

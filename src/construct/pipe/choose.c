@@ -19,12 +19,20 @@ enum { COARSE = 5, STARTS = 4, SAMPLES = 64, PANELS = 4, BISECTIONS = 40 };
 static const double infeasible = 1e200;
 static const double pi = 3.14159265358979323846;
 
+/* The chords that count need a turn of pi between their ends, or of half that where one of them is
+ * a free end. */
+static int may_touch(const taut_pipe_task *task, double turning)
+{
+    const int is_free = isfinite(task->tails[0]) || isfinite(task->tails[1]);
+    return turning > 0.99 * (is_free ? 0.5 * pi : pi);
+}
+
 double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const double shape[3],
-                       taut_pipe_goal goal)
+                       taut_pipe_goal goal, double bound)
 {
     taut_pipe_arc arc;
     taut_pipe_bend bend;
-    double room = 0;
+    double room = 0, value = 0;
 
     taut_pipe_arc_quasi(edges, shape, &arc);
     taut_pipe_bend_extremes(&arc, SAMPLES, &bend);
@@ -33,8 +41,10 @@ double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const dou
     }
     room = task->radius * bend.curvature;
     taut_pipe_bend_integrals(&arc, PANELS, &bend);
-    if (room < TAUT_PIPE_ROOM &&
-        (bend.turning > 0.99 * pi || isfinite(task->tails[0]) || isfinite(task->tails[1]))) {
+    value = goal == TAUT_PIPE_CURVATURE ? bend.curvature
+            : goal == TAUT_PIPE_BENDING ? bend.bending
+                                        : bend.length * bend.bending;
+    if (room < TAUT_PIPE_ROOM && value < bound && may_touch(task, bend.turning)) {
         const taut_pipe_composite composite = {
             .count = 1,
             .arcs = &arc,
@@ -45,25 +55,28 @@ double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const dou
         taut_pipe_reach_of(&composite, task->reach_scratch, &reach);
         room = task->radius / reach.radius;
     }
-    if (!(room < TAUT_PIPE_ROOM)) {
-        return infeasible * (1 + fmin(room, 1e90));
-    }
-    return goal == TAUT_PIPE_CURVATURE ? bend.curvature
-           : goal == TAUT_PIPE_BENDING ? bend.bending
-                                       : bend.length * bend.bending;
+    return room < TAUT_PIPE_ROOM ? value : infeasible * (1 + fmin(room, 1e90));
 }
 
 /* One search: the variables are shape numbers, or logarithms of handles. */
 typedef struct search {
     taut_pipe_task *task;
     taut_pipe_goal goal;
-    int side; /* the handle that is sought; 2: both */
+    int side;     /* the handle that is sought; 2: both */
+    double bound; /* the best value of this search: no more is asked of worse ones */
 } search;
+
+static double keep(search *s, double value)
+{
+    s->bound = fmin(s->bound, value);
+    return value;
+}
 
 static double shape_merit(void *context, const double *x)
 {
     search *s = context;
-    return taut_pipe_merit(s->task, (const double(*)[3])s->task->edges, x, s->goal);
+    return keep(s,
+                taut_pipe_merit(s->task, (const double(*)[3])s->task->edges, x, s->goal, s->bound));
 }
 
 static double handle_merit(void *context, const double *x)
@@ -77,7 +90,8 @@ static double handle_merit(void *context, const double *x)
         handles[s->side] = exp(x[0]);
     }
     taut_pipe_edges(s->task, handles, edges);
-    return taut_pipe_merit(s->task, (const double(*)[3])edges, s->task->shape, s->goal);
+    return keep(
+        s, taut_pipe_merit(s->task, (const double(*)[3])edges, s->task->shape, s->goal, s->bound));
 }
 
 /* The best of a grid over the box, as starts for as many searches: points that are better than
@@ -97,6 +111,7 @@ static void search_from_grid(int count, const double *lo, const double *hi, cons
         for (int k = 0, rest = cell; k < count; k++, rest /= COARSE) {
             x[k] = lo[k] + (hi[k] - lo[k]) * (rest % COARSE) / (COARSE - 1);
         }
+        s->bound = INFINITY;
         value = f(s, x);
         for (slot = kept; slot > 0 && value < values[slot - 1]; slot--) {
             if (slot < STARTS) {
@@ -112,6 +127,7 @@ static void search_from_grid(int count, const double *lo, const double *hi, cons
     }
     s->task->evaluations += cells;
     for (int k = 0; k < kept; k++) {
+        s->bound = INFINITY;
         const double value =
             taut_pipe_search(count, lo, hi, f, s, starts[k], &s->task->evaluations);
         if (value < least) {
@@ -122,6 +138,7 @@ static void search_from_grid(int count, const double *lo, const double *hi, cons
     for (int k = 0; k < count; k++) {
         const double kept_value = best[k];
         best[k] = plain[k];
+        s->bound = INFINITY;
         if (!(f(s, best) <= least)) {
             best[k] = kept_value;
         }

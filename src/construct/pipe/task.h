@@ -50,8 +50,9 @@ typedef enum taut_pipe_goal {
     TAUT_PIPE_CURVATURE,
     TAUT_PIPE_FAIRNESS
 } taut_pipe_goal;
-/* TAUT_PIPE_FAIRNESS: length times bending, which no scaling changes. */
+/* TAUT_PIPE_FAIRNESS: length times bending, which no scaling changes. A value that is not below
+ * `bound` may come back without a look at other parts of the pipe. */
 double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const double shape[3],
-                       taut_pipe_goal goal);
+                       taut_pipe_goal goal, double bound);
 
 #endif /* TAUT_PIPE_TASK_H */
