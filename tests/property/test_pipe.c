@@ -238,7 +238,7 @@ static double global_radius(axis *a, const taut_pipe_problem *problem)
 static void test_largest_radius(void)
 {
     int by_distance = 0, compared = 0;
-    for (int trial = 0; trial < random_trials(28); trial++) {
+    for (int trial = 0; trial < random_trials(20); trial++) {
         taut_pipe_problem problem = random_blend();
         taut_model *model = NULL;
         taut_certificate *certificate = NULL;
