@@ -211,6 +211,12 @@ static taut_status certify(const taut_model *model, const void *data,
     status = taut_pipe_line_of(parts.axis, arena, &parts.line, error);
     if (status == TAUT_OK) {
         find_data(model, data, &parts);
+        if (!(parts.radius > 0)) {
+            status = taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0", parts.radius, 0,
+                               "the blend begins on its own axis: it has no radius");
+        }
+    }
+    if (status == TAUT_OK) {
         taut_pipe_integrate(&parts.line, &parts.figures);
         status = taut_pipe_bound_curvature(&parts.line, &parts.figures);
     }

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { GAUSS = 12, DEPTH_MAX = 40, PANELS = 8, INTEGRALS = 4 };
+enum { GAUSS = 12, DEPTH_MAX = 40, PANELS = 8, INTEGRALS = 4, HALVINGS = 4000 };
 
 void taut_pipe_halve(int degree, const double (*points)[3], int upper, double (*half)[3])
 {
@@ -166,45 +166,50 @@ static void integrands(const taut_pipe_piece *piece, int planar, double t, doubl
     }
 }
 
-static void gauss(const taut_pipe_piece *piece, int planar, double lo, double hi,
-                  double out[INTEGRALS])
-{
+/* One piece under quadrature. */
+typedef struct quadrature {
+    const taut_pipe_piece *piece;
+    int planar;
     double nodes[GAUSS], weights[GAUSS];
-    taut_gauss_rule(GAUSS, nodes, weights);
+    double size[INTEGRALS]; /* what errors are measured against */
+    taut_sum sums[INTEGRALS];
+    int left; /* panels that may still be halved */
+} quadrature;
+
+static void gauss(const quadrature *q, double lo, double hi, double out[INTEGRALS])
+{
     memset(out, 0, INTEGRALS * sizeof *out);
     for (int i = 0; i < GAUSS; i++) {
         double value[INTEGRALS];
-        integrands(piece, planar, 0.5 * (lo + hi) + 0.5 * (hi - lo) * nodes[i], value);
+        integrands(q->piece, q->planar, 0.5 * (lo + hi) + 0.5 * (hi - lo) * q->nodes[i], value);
         for (int k = 0; k < INTEGRALS; k++) {
-            out[k] += 0.5 * (hi - lo) * weights[i] * value[k];
+            out[k] += 0.5 * (hi - lo) * q->weights[i] * value[k];
         }
     }
 }
 
 /* Halved until both halves agree with the whole: kinks at inflections are met by depth. */
-static void adapt(const taut_pipe_piece *piece, int planar, double lo, double hi,
-                  const double whole[INTEGRALS], int depth, taut_sum sums[INTEGRALS])
+static void adapt(quadrature *q, double lo, double hi, const double whole[INTEGRALS], int depth)
 {
-    const double tolerance = 1e-13;
+    const double tolerance = 1e-14; /* of one panel; a few dozen count */
     const double middle = 0.5 * (lo + hi);
     double left[INTEGRALS], right[INTEGRALS];
     int agree = 1;
-    gauss(piece, planar, lo, middle, left);
-    gauss(piece, planar, middle, hi, right);
+    gauss(q, lo, middle, left);
+    gauss(q, middle, hi, right);
     for (int k = 0; k < INTEGRALS; k++) {
-        const double size = fabs(taut_sum_total(&sums[k])) + fabs(left[k]) + fabs(right[k]) +
-                            (k == 1 || k == 2 ? 1 : 0); /* angles are absolute */
-        agree = agree && fabs(left[k] + right[k] - whole[k]) <= tolerance * size;
+        agree = agree && fabs(left[k] + right[k] - whole[k]) <= tolerance * q->size[k];
     }
-    if (agree || depth >= DEPTH_MAX) {
+    if (agree || depth >= DEPTH_MAX || q->left <= 0) {
         for (int k = 0; k < INTEGRALS; k++) {
-            taut_sum_add(&sums[k], left[k]);
-            taut_sum_add(&sums[k], right[k]);
+            taut_sum_add(&q->sums[k], left[k]);
+            taut_sum_add(&q->sums[k], right[k]);
         }
         return;
     }
-    adapt(piece, planar, lo, middle, left, depth + 1, sums);
-    adapt(piece, planar, middle, hi, right, depth + 1, sums);
+    q->left--;
+    adapt(q, lo, middle, left, depth + 1);
+    adapt(q, middle, hi, right, depth + 1);
 }
 
 /* Do all edges lie in one plane, as far as rounding lets that be told? Then there is no torsion. */
@@ -228,22 +233,40 @@ static int is_planar(const taut_pipe_line *line, const taut_pipe_piece *piece)
     return 1;
 }
 
-void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures)
+/* All integrals of one piece, added to `figures`. */
+static void integrate_piece(quadrature *q, taut_pipe_figures *figures)
 {
-    taut_sum sums[INTEGRALS] = {{0, 0}};
-    for (int i = 0; i < line->count; i++) {
-        const int planar = is_planar(line, &line->pieces[i]);
-        for (int k = 0; k < PANELS; k++) {
-            const double lo = (double)k / PANELS, hi = (k + 1.0) / PANELS;
-            double whole[INTEGRALS];
-            gauss(&line->pieces[i], planar, lo, hi, whole);
-            adapt(&line->pieces[i], planar, lo, hi, whole, 0, sums);
+    double panels[PANELS][INTEGRALS];
+    for (int k = 0; k < INTEGRALS; k++) {
+        q->size[k] = k == 1 || k == 2 ? 1 : 0; /* angles are absolute */
+        q->sums[k] = (taut_sum){0, 0};
+    }
+    for (int i = 0; i < PANELS; i++) {
+        gauss(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i]);
+        for (int k = 0; k < INTEGRALS; k++) {
+            q->size[k] += fabs(panels[i][k]);
         }
     }
-    figures->length = taut_sum_total(&sums[0]);
-    figures->turning = taut_sum_total(&sums[1]);
-    figures->torsion = taut_sum_total(&sums[2]);
-    figures->bending = taut_sum_total(&sums[3]);
+    q->left = HALVINGS;
+    for (int i = 0; i < PANELS; i++) {
+        adapt(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i], 0);
+    }
+    figures->length += taut_sum_total(&q->sums[0]);
+    figures->turning += taut_sum_total(&q->sums[1]);
+    figures->torsion += taut_sum_total(&q->sums[2]);
+    figures->bending += taut_sum_total(&q->sums[3]);
+}
+
+void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures)
+{
+    quadrature q;
+    taut_gauss_rule(GAUSS, q.nodes, q.weights);
+    figures->length = figures->turning = figures->torsion = figures->bending = 0;
+    for (int i = 0; i < line->count; i++) {
+        q.piece = &line->pieces[i];
+        q.planar = is_planar(line, q.piece);
+        integrate_piece(&q, figures);
+    }
     figures->ends[0] = taut_pipe_piece_curvature(&line->pieces[0], 0);
     figures->ends[1] = taut_pipe_piece_curvature(&line->pieces[line->count - 1], 1);
 }

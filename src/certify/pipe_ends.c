@@ -1,10 +1,10 @@
 /* pipe_ends.c -- is it the pipe that was asked for?
  *
- *   ends     the larger of: distances of the axis from the given points or lines, over the radius;
- *            sines between its ends and the given directions; differences of given shape numbers
- *   optimal  where the shape was chosen: the largest part of the goal that a neighbour in the legal
- *            box would save, of the 26 neighbours at each of two distances that leave room for the
- *            pipe
+ *   ends     the larger of: distances of the axis from the given points or lines, and of handles
+ *            from given ones, over the radius; sines between its ends and the given directions;
+ * differences of given shape numbers optimal  where the shape was chosen: the largest part of the
+ * goal that a neighbour in the legal box would save, of the 26 neighbours at each of two distances
+ * that leave room for the pipe
  */
 #include "certify/pipe_parts.h"
 #include "core/fail.h"
@@ -51,6 +51,10 @@ static double ends_residual(const taut_pipe_parts *parts, const double *shape)
         double d[3];
         unit(p->ends[side].direction, d);
         worst = fmax(worst, turn(parts->line.tangent[side], d));
+        if (p->ends[side].handle > 0) {
+            const double handle = taut_distance(points + 6 * side, points + 6 * side + 3);
+            worst = fmax(worst, fabs(handle - p->ends[side].handle) / parts->radius);
+        }
         worst = fmax(worst, (p->axis == TAUT_PIPE_ENDS ? taut_distance(x, p->ends[side].point)
                                                        : from_line(x, p->ends[side].point, d)) /
                                 parts->radius);
@@ -76,6 +80,9 @@ static double ends_noise(const taut_pipe_parts *parts)
     for (int side = 0; side < 2; side++) {
         noise += taut_pipe_sideways(parts, side, none) /
                  taut_distance(points + 6 * side, points + 6 * side + 3);
+        if (p->ends[side].handle > 0) {
+            noise += 4 * DBL_EPSILON * (parts->size + p->ends[side].handle) / parts->radius;
+        }
         for (int k = 0; k < 3; k++) {
             far = fmax(far, fmax(fabs(p->ends[side].point[k]), parts->sizes[k]));
         }
@@ -108,22 +115,49 @@ taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate 
                                certificate);
 }
 
-/* The goal with other shape numbers; INFINITY where the pipe has no room. */
-static taut_status goal_of(const taut_pipe_parts *parts, const double shape[3], double *goal,
-                           taut_error *error)
+/* The goal about a curve, and whether the pipe has room there: asked only where the goal is below
+ * `bound`. INFINITY where it has none. */
+static taut_status judge(const taut_pipe_parts *parts, taut_pipe_line *line, double bound,
+                         double *goal)
+{
+    const double room = 0.999; /* what a choice leaves: docs/pipe.md */
+    const int sharpest = parts->problem->shape == TAUT_PIPE_LEAST_CURVATURE;
+    taut_pipe_figures figures = {.rho = 0};
+    taut_status status = TAUT_OK;
+
+    memcpy(line->lengths, parts->line.lengths, sizeof line->lengths);
+    if (sharpest) {
+        status = taut_pipe_bound_curvature(line, &figures);
+        *goal = figures.curvature;
+    } else {
+        taut_pipe_integrate(line, &figures);
+        *goal = figures.bending;
+    }
+    if (status == TAUT_OK && *goal < bound) {
+        status = sharpest ? TAUT_OK : taut_pipe_bound_curvature(line, &figures);
+        if (status == TAUT_OK) {
+            status = taut_pipe_bound_reach(line, &figures);
+        }
+        if (!(parts->radius < room * figures.rho * line->scale)) {
+            *goal = INFINITY;
+        }
+    }
+    return status;
+}
+
+/* The goal with other shape numbers. */
+static taut_status goal_of(const taut_pipe_parts *parts, const double shape[3], double bound,
+                           double *goal, taut_error *error)
 {
     const taut_basis_spec spec = {
         .type = "ce-bezier", .alpha = shape[0], .beta = shape[1], .gamma = shape[2]};
-    const double room = 0.999; /* what a choice leaves: docs/pipe.md */
     taut_arena *const arena = taut_arena_new();
     taut_basis *basis = NULL;
     taut_curve *curve = NULL;
     taut_pipe_line line;
-    taut_pipe_figures figures = {.rho = 0};
     taut_status status =
         arena != NULL ? taut_basis_new(&spec, 4, &basis, error) : taut_fail_memory(error);
 
-    *goal = INFINITY;
     if (status == TAUT_OK) {
         status = taut_curve_new("", basis, taut_curve_points(parts->axis), NULL, &curve, error);
     }
@@ -131,16 +165,7 @@ static taut_status goal_of(const taut_pipe_parts *parts, const double shape[3], 
         status = taut_pipe_line_of(curve, arena, &line, error);
     }
     if (status == TAUT_OK) {
-        memcpy(line.lengths, parts->line.lengths, sizeof line.lengths);
-        taut_pipe_integrate(&line, &figures);
-        status = taut_pipe_bound_curvature(&line, &figures);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_bound_reach(&line, &figures);
-    }
-    if (status == TAUT_OK && parts->radius < room * figures.rho * line.scale) {
-        *goal = parts->problem->shape == TAUT_PIPE_LEAST_CURVATURE ? figures.curvature
-                                                                   : figures.bending;
+        status = judge(parts, &line, bound, goal);
     }
     taut_curve_free(curve);
     taut_basis_free(basis);
@@ -157,7 +182,7 @@ static int neighbour(const double shape[3], int code, double step, double out[3]
     int moved = 0;
     for (int k = 0; k < 3; k++, code /= 3) {
         out[k] = shape[k] + (code % 3 - 1) * step * (high[k] - low[k]);
-        if (out[k] > high[k] || out[k] <= low[k] + (k == 1 ? -1 : 0.01)) {
+        if (out[k] > high[k] || out[k] < low[k] + (k == 1 ? 0 : 0.01)) {
             return 0;
         }
         moved += code % 3 != 1;
@@ -175,13 +200,13 @@ taut_status taut_pipe_claim_optimal(const taut_pipe_parts *parts, taut_certifica
     taut_status status = TAUT_OK;
 
     shape_of(parts->axis, shape);
-    status = goal_of(parts, shape, &here, error);
+    status = goal_of(parts, shape, 0, &here, error);
     for (int i = 0; i < 54 && status == TAUT_OK && here > 0; i++) {
         double other[3], there = 0;
         if (!neighbour(shape, i % 27, steps[i / 27], other)) {
             continue;
         }
-        status = goal_of(parts, other, &there, error);
+        status = goal_of(parts, other, here, &there, error);
         if (status == TAUT_OK && (here - there) / here > saved) {
             saved = (here - there) / here;
             snprintf(where, sizeof where, "alpha = %.6g, beta = %.6g, gamma = %.6g", other[0],

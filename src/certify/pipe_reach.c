@@ -33,6 +33,7 @@ typedef struct node {
 typedef struct tree {
     taut_pipe_piece piece; /* tails are pieces of degree 1 */
     node nodes[NODES];
+    double gauss_nodes[GAUSS], gauss_weights[GAUSS];
 } tree;
 
 typedef struct finder {
@@ -91,13 +92,13 @@ static void grow(tree *t, int at, const double (*points)[3])
 }
 
 /* The length from t = lo to hi. */
-static double length_of(const taut_pipe_piece *piece, double lo, double hi)
+static double length_of(const tree *t, double lo, double hi)
 {
-    double nodes[GAUSS], weights[GAUSS], length = 0;
-    taut_gauss_rule(GAUSS, nodes, weights);
+    const double *const nodes = t->gauss_nodes, *const weights = t->gauss_weights;
+    double length = 0;
     for (int i = 0; i < GAUSS; i++) {
         double d[2][3];
-        taut_pipe_piece_eval(piece, 0.5 * (lo + hi) + 0.5 * (hi - lo) * nodes[i], 1, d);
+        taut_pipe_piece_eval(&t->piece, 0.5 * (lo + hi) + 0.5 * (hi - lo) * nodes[i], 1, d);
         length += 0.5 * (hi - lo) * weights[i] * taut_norm(d[1]);
     }
     return length;
@@ -109,7 +110,7 @@ static double measure(tree *t, double start)
     for (int i = 0; i < LEAVES; i++) {
         node *leaf = &t->nodes[LEAVES + i];
         leaf->from = start;
-        start += length_of(&t->piece, (double)i / LEAVES, (i + 1.0) / LEAVES);
+        start += length_of(t, (double)i / LEAVES, (i + 1.0) / LEAVES);
         leaf->to = start;
     }
     for (int i = LEAVES - 1; i > 0; i--) {
@@ -151,7 +152,7 @@ static int may_bind(const finder *f, const node *a, const node *b, int a_is_free
 static double arc_length(const tree *t, double at)
 {
     const int i = (int)fmin(LEAVES - 1, floor(at * LEAVES));
-    return t->nodes[LEAVES + i].from + length_of(&t->piece, (double)i / LEAVES, at);
+    return t->nodes[LEAVES + i].from + length_of(t, (double)i / LEAVES, at);
 }
 
 /* Steps down |p - q|^2 / 2 from the middles of two leaves, kept near them: Newton's where that is
@@ -335,6 +336,7 @@ taut_status taut_pipe_bound_reach(const taut_pipe_line *line, taut_pipe_figures 
     }
     add_tails(line, &f);
     for (int i = 0; i < f.count; i++) {
+        taut_gauss_rule(GAUSS, f.trees[i].gauss_nodes, f.trees[i].gauss_weights);
         grow(&f.trees[i], 1, (const double(*)[3])f.trees[i].piece.points);
         if (i == 0) { /* the curve itself begins at arc length 0 */
             (void)measure(&f.trees[0],

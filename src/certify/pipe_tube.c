@@ -82,7 +82,7 @@ static edge edge_of(const taut_pipe_parts *parts, int side, const taut_surface *
         .u = last ? breaks[spans] : breaks[0],
         .sideways = taut_pipe_sideways(parts, side, changes),
         .leg = (last ? breaks[spans] - breaks[spans - 1] : breaks[1] - breaks[0]) /
-               taut_basis_degree(u),
+               fmax(1, taut_basis_degree(u)),
     };
 }
 
