@@ -74,7 +74,7 @@ typedef struct taut_pipe_problem {
  *     SELF_INTERSECT_LOCAL   the radius is not below the least radius of curvature
  *     SELF_INTERSECT_GLOBAL  the radius is not below half the distance of two parts of the axis
  *     FRENET_UNDEFINED       the curvature vanishes where it takes the normal along
- * with error->limit the largest radius that would work, for the last two but one. */
+ * with error->limit the largest radius that would work, for SELF_INTERSECT_*. */
 TAUT_API taut_status taut_pipe_make(const taut_pipe_problem *problem,
                                     const taut_make_options *options, taut_model **model,
                                     taut_error *error);

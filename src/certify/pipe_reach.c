@@ -327,6 +327,10 @@ taut_status taut_pipe_bound_reach(const taut_pipe_line *line, taut_pipe_figures 
     }
     f.apart = pi / figures->curvature;
     f.best = 2 / figures->curvature;
+    if (f.apart < slack) { /* arc lengths do not tell such pairs apart: the bend alone decides */
+        figures->rho = 1 / figures->curvature;
+        return TAUT_OK;
+    }
     f.trees = taut_arena_take(line->arena, (size_t)f.count, sizeof *f.trees);
     if (f.trees == NULL) {
         return TAUT_NO_MEMORY;

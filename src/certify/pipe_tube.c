@@ -86,14 +86,21 @@ static edge edge_of(const taut_pipe_parts *parts, int side, const taut_surface *
     };
 }
 
-/* The point and the unit normal at v; returns what rounding turns the normal by. */
+/* The point and the unit normal at v; returns what rounding turns the normal by: only the part of
+ * x_u at right angles to the ring holds it. */
 static double look(const edge *e, double v, double x[3], double normal[3])
 {
-    double d[3][3];
+    double d[3][3], around[3], across[3], length = 0;
     taut_surface_eval(e->surface, e->u, v, 1, d[0]);
     memcpy(x, d[0], sizeof d[0]);
     normal_of(d[TAUT_XU], d[TAUT_XV], normal);
-    return e->sideways > 0 ? e->sideways / (e->leg * taut_norm(d[TAUT_XU])) : 0;
+    length = taut_norm(d[TAUT_XV]);
+    for (int k = 0; k < 3; k++) {
+        around[k] = length > 0 ? d[TAUT_XV][k] / length : 0;
+    }
+    taut_cross(d[TAUT_XU], around, across);
+    length = taut_norm(across) * e->leg;
+    return e->sideways > 0 || !(length > 0) ? e->sideways / length : 0;
 }
 
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,

@@ -40,6 +40,24 @@ static taut_status prove(const void *context, void **result, taut_error *error)
     return status;
 }
 
+/* The neighbours of a chosen shape are many and alike: the first allocations will do. */
+static void prove_choice(const taut_model *model, const taut_pipe_problem *problem)
+{
+    taut_pipe_problem chosen = *problem;
+    chosen.shape = TAUT_PIPE_LEAST_CURVATURE;
+    for (long k = 1; k <= 90; k++) {
+        const long live = fault_live();
+        taut_certificate *certificate = NULL;
+        taut_error error = {.status = TAUT_OK};
+        fault_arm(k, k % 2 == 0);
+        const taut_status status = taut_pipe_certify(model, &chosen, NULL, &certificate, &error);
+        fault_disarm();
+        CHECK(status == TAUT_NO_MEMORY && error.status == TAUT_NO_MEMORY && certificate == NULL,
+              "allocation %ld", k);
+        CHECK(fault_live() == live, "allocation %ld leaks", k);
+    }
+}
+
 int main(void)
 {
     taut_pipe_problem problem = {
@@ -57,7 +75,7 @@ int main(void)
     const proof context = {model, &problem};
     const fault_call certify = {"certificate", prove, release_certificate, &context};
     CHECK(model == NULL || fault_loop(&certify) > 20, "the proof takes memory");
-    /* one neighbour of a chosen shape is enough: the curve it is judged by */
+    prove_choice(model, &problem);
     problem.frame = TAUT_PIPE_FRENET;
     problem.lengths[0] = 5;
     problem.polygon[3][2] = 9;

@@ -242,6 +242,28 @@ static void place_polygon(taut_pipe_task *task)
     }
 }
 
+/* Rings and straight pipes that rounding would swallow: 2^-44 of the largest coordinate leaves them
+ * some eight binary digits. */
+static taut_status check_sizes(const taut_pipe_task *task, taut_error *error)
+{
+    const taut_pipe_problem *p = task->problem;
+    const double sizes[] = {p->radius, p->lengths[0], p->lengths[1]};
+    static const char *const names[] = {"/radius", "/pipe_lengths/0", "/pipe_lengths/1"};
+    double least = 0;
+    for (int i = 0; i < 4; i++) {
+        least = fmax(least, 0x1p-44 * largest(task->polygon[i]));
+    }
+    for (int i = 0; i < 3; i++) {
+        if (sizes[i] > 0 && sizes[i] < least) {
+            return taut_fail(error, TAUT_NO_SOLUTION, names[i], sizes[i], least,
+                             "TOO_SMALL: %.6g is lost in the rounding of coordinates of this size; "
+                             "move the origin near, or take more than %.6g",
+                             sizes[i], least);
+        }
+    }
+    return TAUT_OK;
+}
+
 taut_status taut_pipe_settle(taut_pipe_task *task, taut_error *error)
 {
     if (task->problem->axis != TAUT_PIPE_POLYGON) {
@@ -265,5 +287,5 @@ taut_status taut_pipe_settle(taut_pipe_task *task, taut_error *error)
                              2 * side, 2 * side + 1, side + 1);
         }
     }
-    return TAUT_OK;
+    return check_sizes(task, error);
 }

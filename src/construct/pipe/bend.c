@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stddef.h>
 
-enum { GAUSS = 16, ROOT_STEPS = 80 };
+enum { GAUSS = 16, ROOT_STEPS = 80, GRADED = 32 };
 
 static const double cusp = 1e-12;
 
@@ -89,9 +89,21 @@ static void take(const taut_pipe_arc *arc, double t, taut_pipe_bend *bend)
     }
 }
 
+/* Parameter i of -GRADED .. samples + GRADED, increasing: equal steps, and ever smaller ones
+ * towards both ends, where a short handle beside a long one makes a sharp bend. */
+static double place(int i, int samples)
+{
+    const double step = 1.0 / samples;
+    return i < 0          ? (i == -GRADED ? 0 : step * ldexp(1, i))
+           : i > samples  ? (i == samples + GRADED ? 1 : 1 - step * ldexp(1, samples - i))
+           : i == 0       ? 0.5 * step
+           : i == samples ? 1 - 0.5 * step
+                          : i * step;
+}
+
 void taut_pipe_bend_extremes(const taut_pipe_arc *arc, int samples, taut_pipe_bend *bend)
 {
-    double largest = 0, before_speed = 0, before_curvature = 0;
+    double largest = 0, before = 0, before_speed = 0, before_curvature = 0;
 
     bend->curvature = 0;
     bend->curvature_at = 0;
@@ -100,16 +112,17 @@ void taut_pipe_bend_extremes(const taut_pipe_arc *arc, int samples, taut_pipe_be
     for (int i = 0; i < arc->degree; i++) {
         largest = fmax(largest, sqrt(taut_dot(arc->velocity[i], arc->velocity[i])));
     }
-    for (int i = 0; i <= samples; i++) {
-        const double t = (double)i / samples, before = (double)(i - 1) / samples;
+    for (int i = -GRADED; i <= samples + GRADED; i++) {
+        const double t = place(i, samples);
         const double s = speed_slope(arc, t), c = curvature_slope(arc, t);
         take(arc, t, bend);
-        if (i > 0 && before_speed < 0 && s > 0) {
+        if (i > -GRADED && before_speed < 0 && s > 0) {
             take(arc, root(speed_slope, arc, before, t, before_speed, s), bend);
         }
-        if (i > 0 && before_curvature > 0 && c < 0) {
+        if (i > -GRADED && before_curvature > 0 && c < 0) {
             take(arc, root(curvature_slope, arc, before, t, before_curvature, c), bend);
         }
+        before = t;
         before_speed = s;
         before_curvature = c;
     }

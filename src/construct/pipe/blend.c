@@ -1,5 +1,6 @@
 #include "construct/pipe/blend.h"
 
+#include "construct/pipe/bend.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -19,6 +20,7 @@ typedef struct maker {
     const taut_pipe_arc *arc;
     const taut_pipe_binormal *binormal;
     double radius, tolerance;
+    double sharpest; /* parameter of the largest curvature: never stepped over unseen */
     taut_arena *arena;
     int count, room; /* of nodes */
     double *t;
@@ -107,7 +109,8 @@ static int is_close(const maker *m, double t0, const taut_pipe_normals *n0, doub
             return 0;
         }
     }
-    return 1;
+    return !(m->sharpest > t0 && m->sharpest < t1) ||
+           deviation(m, t0, n0, t1, n1, (m->sharpest - t0) / (t1 - t0)) <= 0.8 * m->tolerance;
 }
 
 /* From the first end to the last in dyadic steps: halved until close, doubled again where the place
@@ -205,8 +208,12 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
     const int n = arc->degree;
     double ring[TAUT_PIPE_DEGREE_MAX + 1][TAUT_PIPE_RING][3];
     double(*points)[TAUT_PIPE_RING][3] = NULL;
-    const taut_status status = cut(&m);
+    taut_pipe_bend bend;
+    taut_status status = TAUT_OK;
 
+    taut_pipe_bend_extremes(arc, 200, &bend);
+    m.sharpest = bend.curvature_at;
+    status = cut(&m);
     if (status != TAUT_OK) {
         return status;
     }

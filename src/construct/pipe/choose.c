@@ -14,7 +14,15 @@
 #include <math.h>
 #include <string.h>
 
-enum { COARSE = 5, STARTS = 4, SAMPLES = 64, PANELS = 4, BISECTIONS = 40 };
+enum {
+    COARSE = 5,
+    STARTS = 4,
+    SAMPLES = 64,
+    PANELS = 4,
+    PANELS_FINE = 16,
+    ROUNDS = 20,
+    BISECTIONS = 40
+};
 
 static const double infeasible = 1e200;
 static const double pi = 3.14159265358979323846;
@@ -40,7 +48,7 @@ double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const dou
         return 1e100 * infeasible;
     }
     room = task->radius * bend.curvature;
-    taut_pipe_bend_integrals(&arc, PANELS, &bend);
+    taut_pipe_bend_integrals(&arc, task->panels, &bend);
     value = goal == TAUT_PIPE_CURVATURE ? bend.curvature
             : goal == TAUT_PIPE_BENDING ? bend.bending
                                         : bend.length * bend.bending;
@@ -94,6 +102,53 @@ static double handle_merit(void *context, const double *x)
         s, taut_pipe_merit(s->task, (const double(*)[3])edges, s->task->shape, s->goal, s->bound));
 }
 
+/* A step to the best of the neighbours at a part `step` of the box; 0 if none is better. */
+static int step_aside(int count, const double *lo, const double *hi, double step,
+                      taut_pipe_objective f, search *s, double *best, double *least)
+{
+    double from[TAUT_PIPE_SEARCH_MAX];
+    int neighbours = 1, better = 0;
+    memcpy(from, best, (size_t)count * sizeof *from);
+    for (int k = 0; k < count; k++) {
+        neighbours *= 3;
+    }
+    for (int code = 0; code < neighbours; code++) {
+        double x[TAUT_PIPE_SEARCH_MAX], value = 0;
+        int inside = 1;
+        for (int k = 0, rest = code; k < count; k++, rest /= 3) {
+            x[k] = from[k] + (rest % 3 - 1) * step * (hi[k] - lo[k]);
+            inside = inside && x[k] >= lo[k] && x[k] <= hi[k];
+        }
+        value = inside ? f(s, x) : INFINITY;
+        s->task->evaluations += inside;
+        if (value < *least) {
+            *least = value;
+            memcpy(best, x, (size_t)count * sizeof *best);
+            better = 1;
+        }
+    }
+    return better;
+}
+
+/* A search that ended in a crease is helped out of it: whatever neighbour near or far is better
+ * begins another. */
+static double settle(int count, const double *lo, const double *hi, taut_pipe_objective f,
+                     search *s, double *best)
+{
+    double least = 0;
+    s->task->panels = PANELS_FINE;
+    s->bound = INFINITY;
+    least = f(s, best);
+    for (int round = 0; round < ROUNDS; round++) {
+        if (!step_aside(count, lo, hi, 1.0 / 64, f, s, best, &least) &&
+            !step_aside(count, lo, hi, 1.0 / 4096, f, s, best, &least)) {
+            break;
+        }
+        least = taut_pipe_search(count, lo, hi, f, s, best, &s->task->evaluations);
+    }
+    return least;
+}
+
 /* The best of a grid over the box, as starts for as many searches: points that are better than
  * those beside them come before others only by their values, which is enough for four starts. A
  * variable that makes no difference takes its value in `plain`. */
@@ -102,6 +157,7 @@ static void search_from_grid(int count, const double *lo, const double *hi, cons
 {
     double starts[STARTS][TAUT_PIPE_SEARCH_MAX], values[STARTS], least = INFINITY;
     int cells = 1, kept = 0;
+    s->task->panels = PANELS;
     for (int k = 0; k < count; k++) {
         cells *= COARSE;
     }
@@ -135,6 +191,7 @@ static void search_from_grid(int count, const double *lo, const double *hi, cons
             memcpy(best, starts[k], (size_t)count * sizeof *best);
         }
     }
+    least = settle(count, lo, hi, f, s, best);
     for (int k = 0; k < count; k++) {
         const double kept_value = best[k];
         best[k] = plain[k];
@@ -183,12 +240,13 @@ static void set_missing(const taut_pipe_task *task, double h, double handles[2])
     }
 }
 
-/* Doubled from a quarter of the radius until the largest radius is three radii, then bisected. A
+/* Doubled from a quarter of the radius, or of the distance of the feet, until the largest radius is
+ * three radii, then bisected. A
  * given handle may be too short for that: the best seen is taken then. */
 static void choose_feet(taut_pipe_task *task)
 {
     const double wanted = 3;
-    double h = 0.25 * task->radius, lo = 0, best = -1, handles[2];
+    double h = 0.25 * fmax(task->radius, taut_norm(task->across)), lo = h, best = -1, handles[2];
     int found = 0;
     for (int k = 0; k < 24 && !found; k++) {
         double room = 0;
@@ -200,7 +258,7 @@ static void choose_feet(taut_pipe_task *task)
             best = room;
             memcpy(task->handles, handles, sizeof handles);
         }
-        lo = found ? lo : h;
+        lo = !found || k == 0 ? h : lo;
         h = found ? h : 2 * h;
     }
     for (int k = 0; k < BISECTIONS && found; k++) {

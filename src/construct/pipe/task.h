@@ -29,6 +29,7 @@ typedef struct taut_pipe_task {
     taut_pipe_bend bend;
     taut_pipe_reach reach;
     double *reach_scratch;
+    int panels;      /* of the quadrature that judges a choice */
     int evaluations; /* of the choices */
     int chose_handles, chose_shape;
 } taut_pipe_task;

@@ -144,6 +144,9 @@ static void test_refusals(void)
     taut_pipe_problem problem = paper(0, 0, 0);
     problem.polygon[1][1] = 0;
     (void)refused(&problem, TAUT_NO_SOLUTION, "DEGENERATE_EDGE");
+    problem = paper(0, 0, 0);
+    problem.lengths[1] = 1e-20;
+    (void)refused(&problem, TAUT_NO_SOLUTION, "TOO_SMALL");
     problem = paper(3, 2, 1);
     (void)refused(&problem, TAUT_NO_SOLUTION, "PARAMETER_DOMAIN");
     problem = paper(0, -3.5, 0);
@@ -243,6 +246,16 @@ static void test_choices(void)
     CHECK(taut_pipe_certify(model, NULL, NULL, &certificate, NULL) == TAUT_OK &&
               taut_certificate_holds(certificate) == TAUT_TRUE,
           "without the problem");
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+
+    /* Frenet's frame turning fast at the joint: x_u nearly along the ring */
+    problem = paper(1, 0, 1);
+    problem.polygon[2][1] = 1e-7;
+    problem.polygon[2][2] = 0;
+    problem.frame = TAUT_PIPE_FRENET;
+    problem.radius = 0.5;
+    certificate = proved(&problem, "twisted frenet", &model);
     taut_certificate_free(certificate);
     taut_model_free(model);
 
