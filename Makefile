@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps bench bench-dirichlet bench-evaluate format check mutants install clean help
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-evaluate format check mutants install clean help
 
 demo: build
 	@mkdir -p out
@@ -27,6 +27,9 @@ build:
 
 deps:
 	@tools/deps.sh build test check
+
+gallery: build
+	@tools/gallery.sh $(TAUT)
 
 bench: bench-dirichlet bench-evaluate
 

@@ -7,7 +7,12 @@ find_package(Threads REQUIRED)
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
 list(FILTER library_sources EXCLUDE REGEX "/src/(cli|modules)/")
 
-add_library(taut_objects OBJECT ${library_sources})
+# The page of `taut view`: our scripts and the part of three.js they need (src/viewer/three/bundle.sh makes it).
+file(GLOB viewer_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/viewer/page.* ${CMAKE_SOURCE_DIR}/src/viewer/script/*.js)
+taut_embed(${CMAKE_BINARY_DIR}/generated/viewer.c taut_viewer_files io/viewer_files.h taut_viewer_file
+  ${viewer_files} ${CMAKE_SOURCE_DIR}/src/viewer/three/three.min.js)
+
+add_library(taut_objects OBJECT ${library_sources} ${CMAKE_BINARY_DIR}/generated/viewer.c)
 target_link_libraries(taut_objects PUBLIC taut_flags Threads::Threads)
 
 add_library(taut_static STATIC $<TARGET_OBJECTS:taut_objects>)

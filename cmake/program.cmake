@@ -3,9 +3,9 @@ file(GLOB program_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/cli/*.c)
 file(GLOB example_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/examples/*.json)
 file(GLOB paper_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/paper/*.json)
 file(GLOB schema_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/schema/*.json)
-taut_embed(${CMAKE_BINARY_DIR}/generated/examples.c taut_examples ${example_files})
-taut_embed(${CMAKE_BINARY_DIR}/generated/papers.c taut_papers ${paper_files})
-taut_embed(${CMAKE_BINARY_DIR}/generated/schemas.c taut_schemas ${schema_files})
+taut_embed(${CMAKE_BINARY_DIR}/generated/examples.c taut_examples cli/embedded_files.h taut_embedded ${example_files})
+taut_embed(${CMAKE_BINARY_DIR}/generated/papers.c taut_papers cli/embedded_files.h taut_embedded ${paper_files})
+taut_embed(${CMAKE_BINARY_DIR}/generated/schemas.c taut_schemas cli/embedded_files.h taut_embedded ${schema_files})
 add_library(taut_embedded_files STATIC
   ${CMAKE_BINARY_DIR}/generated/examples.c ${CMAKE_BINARY_DIR}/generated/papers.c
   ${CMAKE_BINARY_DIR}/generated/schemas.c)

@@ -49,6 +49,11 @@ foreach(file IN LISTS cli_tests)
     ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR};${sanitizer_options}")
 endforeach()
 
+# The pages of `taut view` in a browser, where there is one (exit 77: there is none).
+add_test(NAME viewer/page COMMAND sh ${CMAKE_SOURCE_DIR}/tests/viewer/test_page.sh)
+set_tests_properties(viewer/page PROPERTIES TIMEOUT 400 SKIP_RETURN_CODE 77
+  ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR};${sanitizer_options}")
+
 # The checks of tools/ are seen to catch what they are for.
 file(GLOB tool_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/tools/test_*.sh)
 foreach(file IN LISTS tool_tests)

@@ -23,11 +23,18 @@ test  header:lapacke.h               liblapacke-dev         a second solver that
 test  pc:openblas                    libopenblas-dev        what LAPACK runs on
 test  cmd:pdfinfo                    poppler-utils          reads the PDF figures back
 test  cmd:rsvg-convert               librsvg2-bin           reads the SVG figures back
+test  header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev writes and reads STEP and IGES
+test  cmd:node                       nodejs                 drives the browser that looks at the pages of `taut view`
+test  cmd:chromium                   chromium               that browser
 check cmd:clang                      clang                  a second compiler, the sanitizers, the fuzzer
 check cmd:clang-format               clang-format           the formatting
 check clang:fsanitize=fuzzer,address libclang-rt-14-dev     what sanitizers and fuzzer link with
 check cmd:llvm-symbolizer-14         llvm-14                names in the sanitizers' reports
 check cmd:nm                         binutils               lists the library's symbols
+check cmd:gmsh                       gmsh                   reads STEP and IGES back
+check cmd:node                       nodejs                 runs the Khronos validator of glTF
+check cmd:npm                        npm                    fetches it
+check py:vtkmodules                  python3-vtk9           VTK, which reads the VTU files back
 bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of the Dirichlet solver
 bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
 bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
@@ -44,6 +51,7 @@ is_there() {
     cmd:*) command -v "${1#cmd:}" >/dev/null 2>&1 ;;
     pc:*) pkg-config --exists "${1#pc:}" 2>/dev/null ;;
     header:*.hxx) test -e "/usr/include/${1#header:}" ;;
+    py:*) /usr/bin/python3 -c "import ${1#py:}" 2>/dev/null ;;
     header:*) compiles c "${1#header:}" ;;
     clang:*) echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return d == 0 && n > 0; }' |
         clang "-${1#clang:}" -x c - -o /dev/null 2>/dev/null ;;

@@ -1,6 +1,8 @@
 #!/bin/bash
 # mutants.sh [PATTERN] -- shows that the tests notice when the code is wrong.
 #
+#     MUTANTS_SECONDS  begin no other after so long; each commit takes them in another order (default: all are tried)
+#
 # Every tests/mutants/*.patch (those whose name matches PATTERN) breaks one thing: a sign, a bound, a certificate. In its
 # first lines it says what, and which tests must fail:
 #
@@ -25,7 +27,7 @@ field() { # field NAME PATCH
 targets() { # targets REGEX
     ctest --test-dir "$build" -N -R "$1" 2>/dev/null | sed -n 's/^ *Test *#[0-9]*: *//p' | while read -r name; do
         case $name in
-        cli/*) echo product ;;
+        cli/* | viewer/*) echo product ;;
         tools/*) ;;
         *) echo "test-${name//\//-}" ;;
         esac
@@ -67,6 +69,15 @@ if [ ${#patches[@]} -eq 0 ]; then
     exit 1
 fi
 
+# Where time is short each commit takes them in another order, so that all have their turn.
+seconds=${MUTANTS_SECONDS:-0}
+if [ "$seconds" -gt 0 ]; then
+    salt=$(git rev-parse HEAD 2>/dev/null)
+    mapfile -t patches < <(for patch in "${patches[@]}"; do
+        printf '%s %s\n' "$(printf '%s' "$salt${patch##*/}" | sha1sum | cut -c 1-16)" "$patch"
+    done | sort | cut -d ' ' -f 2-)
+fi
+
 copy_tree
 cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE='-O1 -DNDEBUG' \
     > "$work/configure.log" 2>&1 || { cat "$work/configure.log"; exit 1; }
@@ -84,6 +95,11 @@ for patch in "${patches[@]}"; do
         exit 1
     fi
     all="$all${all:+|}$regex"
+    if ! apply "$patch" --check; then
+        cat "$work/apply.log"
+        echo "$patch: does not apply (the code moved on: make the patch anew)" >&2
+        exit 1
+    fi
 done
 mapfile -t wanted < <(targets "$all")
 build_targets "${wanted[@]}" || { cat "$work/build.log"; exit 1; }
@@ -94,7 +110,13 @@ if ! run_tests "$all"; then
 fi
 
 failed=0
+tried=0
+begin=$SECONDS
 for patch in "${patches[@]}"; do
+    if [ "$seconds" -gt 0 ] && [ $((SECONDS - begin)) -ge "$seconds" ]; then
+        break
+    fi
+    tried=$((tried + 1))
     name=$(basename "$patch" .patch)
     regex=$(field Caught-by "$patch")
     sed -n 's|^+++ b/||p' "$patch" >> "$work/touched"
@@ -105,7 +127,7 @@ for patch in "${patches[@]}"; do
         continue
     fi
     if ! apply "$patch"; then
-        verdict='DOES NOT APPLY (the code moved on: make the patch anew)'
+        verdict='DOES NOT APPLY'
         cat "$work/apply.log"
     else
         if ! build_targets "${wanted[@]}"; then
@@ -124,5 +146,5 @@ for patch in "${patches[@]}"; do
     [ "$verdict" = caught ] || failed=$((failed + 1))
     printf '%-34s %-10s %s\n' "$name" "$verdict" "$(field What "$patch")"
 done
-echo "${#patches[@]} mutants, $failed not caught"
+echo "$tried of ${#patches[@]} mutants tried, $failed not caught"
 [ "$failed" -eq 0 ]

@@ -15,4 +15,7 @@
 #define TAUT_GRID_MAX 20000        /* parameters per direction of a grid asked for by a person */
 #define TAUT_THREADS_MAX 256       /* threads of one command                                  */
 
+/* Figures: isolines, mirrored lights, pixels across. */
+enum { TAUT_ISOLINES_MAX = 100, TAUT_LIGHTS_MAX = 100, TAUT_WIDTH_MAX = 2400 };
+
 #endif /* TAUT_LIMITS_H */

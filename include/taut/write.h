@@ -16,21 +16,36 @@
 extern "C" {
 #endif
 
-/* Colour of the surfaces in figures. */
-typedef enum taut_colour { TAUT_COLOUR_PLAIN, TAUT_COLOUR_MEAN, TAUT_COLOUR_GAUSSIAN } taut_colour;
+/* Colour of the surfaces in figures: none, H, K, or how far the parametrisation is from isothermal,
+ * sqrt((E-G)^2 + 4 F^2) / (E+G) in [0, 1], 0 where it is. */
+typedef enum taut_colour {
+    TAUT_COLOUR_PLAIN,
+    TAUT_COLOUR_MEAN,
+    TAUT_COLOUR_GAUSSIAN,
+    TAUT_COLOUR_ISOTHERMALITY
+} taut_colour;
 
 /* Zero means default everywhere. */
 typedef struct taut_write_options {
     double tolerance; /* 0: the format's own (1e-3 of the size for meshes) */
     int divide;  /* meshes and figures: cells per knot span in each direction; 0: by tolerance */
     int threads; /* 0: 1 */
+    const char *format;  /* an ending, where the path does not say it; NULL: by the path */
     const char *surface; /* only the surface of this name; NULL: all */
+    int short_knots;     /* json: nonzero leaves out the outermost two knots, as openNURBS does */
     /* figures */
     taut_colour colour;
     int no_net;   /* nonzero: leave the control net out */
     int has_view; /* nonzero: azimuth and elevation in degrees below */
     double view[2];
     const char *title; /* NULL: none */
+    int isolines;      /* above 0: lines of equal value of the colour, so many from 0 to the end of
+                          its scale; plain: so many lines of equal u and of equal v */
+    int reflections; /* above 0: stripes of a room of so many lights, as the surface mirrors them */
+    int combs;       /* nonzero: curvature combs along the edges */
+    int side_by_side;          /* nonzero: each surface apart; figures show 12 of more */
+    int width;                 /* png: pixels across; 0: 1200 */
+    const char *const *labels; /* of taut_outputs_models: what stands above each, or NULL */
     taut_monitor monitor;
     /* NULL, or where a format that approximates within a proved bound puts it: a length, 0 where
      * all is exact. Other formats leave it alone. */
@@ -52,6 +67,12 @@ TAUT_API taut_status taut_outputs_new(taut_outputs **outputs);
 TAUT_API taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model,
                                         const char *path, const taut_write_options *options,
                                         taut_error *error);
+/* Several models, 1 .. TAUT_MODELS_MAX, side by side in one figure, each at its own scale of length
+ * and all at one of colour; TAUT_BAD_ARGUMENT where the format is no figure. */
+enum { TAUT_MODELS_MAX = 12 };
+TAUT_API taut_status taut_outputs_models(taut_outputs *outputs, int count,
+                                         const taut_model *const *models, const char *path,
+                                         const taut_write_options *options, taut_error *error);
 /* Writes a record as JSON, or plain text, likewise. */
 TAUT_API taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record,
                                          const char *path, taut_error *error);

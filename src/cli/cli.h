@@ -11,7 +11,7 @@ enum { CLI_LIST_MAX = 4096 }; /* how often an option may be repeated */
 
 /* All that any command can be told; each command's table says which of it. Zero: not given. */
 typedef struct cli_options {
-    const char *files[4]; /* operands */
+    const char *files[TAUT_MODELS_MAX]; /* operands */
     int file_count;
     const char **outputs; /* -o, repeated */
     int output_count;
@@ -34,6 +34,12 @@ typedef struct cli_options {
     int flag_u; /* refine --u */
     int flag_v;
     int no_net;
+    int short_knots;
+    int isolines;
+    int reflections;
+    int combs;
+    int side_by_side;
+    int width;
     int help;
 } cli_options;
 
@@ -104,8 +110,42 @@ typedef struct cli_command {
      0,                                                                                            \
      0,                                                                                            \
      0,                                                                                            \
-     "H|K",                                                                                        \
-     "figures: colour by mean or Gaussian curvature, with scale"},                                 \
+     "H|K|I",                                                                                      \
+     "figures, GLB (H, K): colour by curvature or isothermality, with scale"},                     \
+        {"--isolines",                                                                             \
+         CLI_INTEGER,                                                                              \
+         offsetof(cli_options, isolines),                                                          \
+         0,                                                                                        \
+         1,                                                                                        \
+         TAUT_ISOLINES_MAX,                                                                        \
+         "N",                                                                                      \
+         "figures: N lines of equal colour from 0 to the scale's end, or of equal u and v"},       \
+        {"--reflections",                                                                          \
+         CLI_INTEGER,                                                                              \
+         offsetof(cli_options, reflections),                                                       \
+         0,                                                                                        \
+         1,                                                                                        \
+         TAUT_LIGHTS_MAX,                                                                          \
+         "N",                                                                                      \
+         "figures: stripes as N upright lamps all around leave (12 is a good number)"},            \
+        {"--combs",                                                                                \
+         CLI_FLAG,                                                                                 \
+         offsetof(cli_options, combs),                                                             \
+         0,                                                                                        \
+         0,                                                                                        \
+         0,                                                                                        \
+         NULL,                                                                                     \
+         "figures: curvature combs along the edges"},                                              \
+        {"--side-by-side",                                                                         \
+         CLI_FLAG,                                                                                 \
+         offsetof(cli_options, side_by_side),                                                      \
+         0,                                                                                        \
+         0,                                                                                        \
+         0,                                                                                        \
+         NULL,                                                                                     \
+         "figures: each surface apart, such as the frames of a deformation"},                      \
+        {"--width",      CLI_INTEGER, offsetof(cli_options, width),  0, 16,                        \
+         TAUT_WIDTH_MAX, "PIXELS",    "png: how wide (default 1200)"},                             \
         {"--view", CLI_TEXT, offsetof(cli_options, view), 0, 0,                                    \
          0,        "AZ,EL",  "figures: camera in degrees"},                                        \
         {"--title", CLI_TEXT, offsetof(cli_options, title), 0, 0,                                  \
@@ -113,6 +153,11 @@ typedef struct cli_command {
     {                                                                                              \
         "--no-net", CLI_FLAG, offsetof(cli_options, no_net), 0, 0, 0, NULL,                        \
             "figures: leave the control net out"                                                   \
+    }
+#define CLI_SHORT_KNOTS                                                                            \
+    {                                                                                              \
+        "--short-knots", CLI_FLAG, offsetof(cli_options, short_knots), 0, 0, 0, NULL,              \
+            "json: B-spline knots without the outermost two, as openNURBS has them"                \
     }
 #define CLI_LAST                                                                                   \
     {                                                                                              \
@@ -148,6 +193,10 @@ int cli_commit(taut_outputs *outputs);
 /* ", within 3e-07 mm" or ", exact" for the proved distance of an output, "" where it is NaN. */
 enum { CLI_DISTANCE_ROOM = 64 };
 const char *cli_distance(double bound, const taut_model *model, char room[CLI_DISTANCE_ROOM]);
+/* A file's name without folder and ending. */
+void cli_label(const char *file, char *text, size_t size);
+/* Writes several models into every -o side by side; 0 or the exit code. */
+int cli_write_models(int count, const taut_model *const *models, const cli_options *options);
 /* Writes the model to every -o, or as JSON to standard output without one. 0 or the exit code. */
 int cli_write_model(const taut_model *model, const cli_options *options);
 /* Prints a record as JSON on standard output; 0 or the exit code after one message. Frees the

@@ -1,6 +1,30 @@
 /* convert.c -- taut convert: a model into other formats. */
 #include "cli.h"
 
+/* Reads every model and writes them side by side. */
+static int run_many(const cli_options *options)
+{
+    taut_model *models[TAUT_MODELS_MAX] = {NULL};
+    const taut_model *written[TAUT_MODELS_MAX];
+    taut_error error;
+    int count = 0, code = 0;
+
+    for (int i = 0; i < options->file_count && code == 0; i++) {
+        if (taut_model_read(options->files[i], &models[i], &error) != TAUT_OK) {
+            code = cli_fail_in(options->files[i], &error);
+        } else {
+            written[count++] = models[i];
+        }
+    }
+    if (code == 0) {
+        code = cli_write_models(count, written, options);
+    }
+    for (int i = 0; i < count; i++) {
+        taut_model_free(models[i]);
+    }
+    return code;
+}
+
 static int run(const cli_options *options)
 {
     taut_model *model = NULL;
@@ -13,6 +37,9 @@ static int run(const cli_options *options)
     if (code != 0) {
         return code;
     }
+    if (options->file_count > 1) {
+        return run_many(options);
+    }
     if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
@@ -21,16 +48,19 @@ static int run(const cli_options *options)
     return code;
 }
 
-static const cli_option options_of_convert[] = {CLI_OUTPUT, CLI_TOLERANCE, CLI_DIVIDE, CLI_SURFACE,
-                                                CLI_FIGURE, CLI_THREADS,   CLI_LAST};
+static const cli_option options_of_convert[] = {CLI_OUTPUT,  CLI_TOLERANCE, CLI_DIVIDE,
+                                                CLI_SURFACE, CLI_FIGURE,    CLI_SHORT_KNOTS,
+                                                CLI_THREADS, CLI_LAST};
 
 const cli_command cli_command_convert = {
     .name = "convert",
-    .usage = "MODEL.json -o FILE... [--tolerance T] [--divide N]",
+    .usage = "MODEL.json... -o FILE... [--tolerance T] [--divide N]",
     .summary = "write a model in other formats",
-    .text = "The ending of FILE says the format.\n",
+    .text =
+        "The ending of FILE says the format. Several models go side by side into one figure (.svg, "
+        ".pdf,\n.png).\n",
     .files_min = 1,
-    .files_max = 1,
+    .files_max = TAUT_MODELS_MAX,
     .options = options_of_convert,
     .run = run,
 };

@@ -51,14 +51,21 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
     static const struct {
         const char *word;
         taut_colour colour;
-    } colours[] = {{"H", TAUT_COLOUR_MEAN}, {"K", TAUT_COLOUR_GAUSSIAN}};
+    } colours[] = {
+        {"H", TAUT_COLOUR_MEAN}, {"K", TAUT_COLOUR_GAUSSIAN}, {"I", TAUT_COLOUR_ISOTHERMALITY}};
 
     *chosen = (taut_write_options){.tolerance = options->tolerance,
                                    .divide = options->divide,
                                    .threads = options->threads,
                                    .surface = options->surface,
+                                   .short_knots = options->short_knots,
                                    .no_net = options->no_net,
                                    .title = options->title,
+                                   .isolines = options->isolines,
+                                   .reflections = options->reflections,
+                                   .combs = options->combs,
+                                   .side_by_side = options->side_by_side,
+                                   .width = options->width,
                                    .monitor = cli_monitor(options->quiet)};
     if (options->colour != NULL) {
         for (size_t i = 0; i < sizeof colours / sizeof colours[0]; i++) {
@@ -67,7 +74,7 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
             }
         }
         if (chosen->colour == TAUT_COLOUR_PLAIN) {
-            return cli_misuse("--colour %.40s: expected H or K", options->colour);
+            return cli_misuse("--colour %.40s: expected H, K or I", options->colour);
         }
     }
     if (options->view != NULL) {
@@ -139,6 +146,45 @@ int cli_write_model(const taut_model *model, const cli_options *options)
                     cli_distance(bounds[i], model, distance));
         }
     }
+    cli_outputs_free(outputs);
+    return code;
+}
+
+void cli_label(const char *file, char *text, size_t size)
+{
+    const char *name = strrchr(file, '/') != NULL ? strrchr(file, '/') + 1 : file;
+    const char *dot = strrchr(name, '.');
+    const size_t length = dot != NULL && dot > name ? (size_t)(dot - name) : strlen(name);
+    snprintf(text, size, "%.*s", (int)(length < size ? length : size - 1), name);
+}
+
+int cli_write_models(int count, const taut_model *const *models, const cli_options *options)
+{
+    char texts[TAUT_MODELS_MAX][128];
+    const char *labels[TAUT_MODELS_MAX];
+    taut_write_options chosen;
+    taut_outputs *outputs = NULL;
+    taut_error error;
+    int code = cli_write_options(options, &chosen);
+
+    for (int i = 0; i < count; i++) {
+        cli_label(options->files[i], texts[i], sizeof texts[i]);
+        labels[i] = texts[i];
+    }
+    chosen.labels = labels;
+    if (code == 0) {
+        code = cli_outputs_new(&outputs);
+    }
+    for (int i = 0; i < options->output_count && code == 0; i++) {
+        if (taut_outputs_models(outputs, count, models, options->outputs[i], &chosen, &error) !=
+            TAUT_OK) {
+            code = cli_fail(&error);
+        }
+    }
+    if (code == 0) {
+        code = cli_commit(outputs);
+    }
+    cli_monitor_done();
     cli_outputs_free(outputs);
     return code;
 }

@@ -27,8 +27,22 @@ static void print_duration(const char *what, double seconds, const char *end)
     }
 }
 
+/* Few members, none of which has members: short enough for a line. */
+static int is_short(const taut_record *object)
+{
+    const size_t count = taut_record_count(object);
+    for (size_t i = 0; i < count; i++) {
+        const taut_record_kind kind = taut_record_kind_of(taut_record_at(object, i));
+        if (kind == TAUT_RECORD_LIST || kind == TAUT_RECORD_OBJECT) {
+            return 0;
+        }
+    }
+    return count <= 3;
+}
+
 static void print_value(const taut_record *value)
 {
+    char name[64];
     switch (taut_record_kind_of(value)) {
     case TAUT_RECORD_NUMBER:
         fprintf(stderr, "%.12g", taut_record_number(value));
@@ -47,7 +61,14 @@ static void print_value(const taut_record *value)
         fprintf(stderr, "%s", taut_record_count(value) > 6 ? ", ..." : "");
         break;
     case TAUT_RECORD_OBJECT:
-        fprintf(stderr, "(%zu members, in the report)", taut_record_count(value));
+        for (size_t i = 0; is_short(value) && i < taut_record_count(value); i++) {
+            fprintf(stderr, "%s%s ", i > 0 ? " " : "",
+                    words(taut_record_key(value, i), name, sizeof name));
+            print_value(taut_record_at(value, i));
+        }
+        if (!is_short(value)) {
+            fprintf(stderr, "(%zu members, in the report)", taut_record_count(value));
+        }
         break;
     case TAUT_RECORD_NULL:
     default:

@@ -90,6 +90,11 @@ void taut_camera_see(taut_camera *camera, size_t count, const double *points)
 
 void taut_camera_fit(taut_camera *camera, const double frame[4])
 {
+    taut_camera_fit_within(camera, frame, INFINITY);
+}
+
+void taut_camera_fit_within(taut_camera *camera, const double frame[4], double most)
+{
     const double room[2] = {frame[2] - frame[0], frame[3] - frame[1]};
     double centre[2] = {0, 0};
     double side = 0; /* the larger part of the room that a scale of 1 takes */
@@ -100,7 +105,7 @@ void taut_camera_fit(taut_camera *camera, const double frame[4])
         centre[c] = (camera->seen[0][c] + camera->seen[1][c]) / 2;
     }
     /* Seen end on, a line is a point: a hundredth of the room is the smallest it is blown up. */
-    camera->scale = 1 / fmax(side, 0.01 / fmax(room[0], room[1]));
+    camera->scale = fmin(1 / fmax(side, 0.01 / fmax(room[0], room[1])), most);
     camera->origin[0] = (frame[0] + frame[2]) / 2 - camera->scale * centre[0];
     camera->origin[1] = (frame[1] + frame[3]) / 2 + camera->scale * centre[1];
 }

@@ -32,6 +32,8 @@ void taut_camera_aim(taut_camera *camera, double azimuth, double elevation);
 void taut_camera_see(taut_camera *camera, size_t count, const double *points);
 /* Fits all that is seen into the frame x0 y0 x1 y1 of the page. */
 void taut_camera_fit(taut_camera *camera, const double frame[4]);
+/* The same, but no larger than at `most` page units to half a box. */
+void taut_camera_fit_within(taut_camera *camera, const double frame[4], double most);
 
 /* (x, y) on the page and the depth in the same unit, larger is nearer; NaN for points that are
  * not finite. */

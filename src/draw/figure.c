@@ -1,4 +1,4 @@
-/* figure.c -- from a model to a page: choose what is drawn, sample it, aim the camera, cut into
+/* figure.c -- from models to a page: choose what is drawn, sample it, aim the cameras, cut into
  * pieces, paint. */
 #include "draw/figure.h"
 
@@ -8,41 +8,27 @@
 #include "draw/colour.h"
 #include "draw/label.h"
 #include "draw/legend.h"
-#include "draw/parts.h"
-#include "draw/view.h"
+#include "draw/pane.h"
+#include "draw/panes.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const double page_width = 1200, page_height = 900;
 
-typedef struct polyline {
-    const taut_curve *curve;
-    size_t count;
-    double *points;
-} polyline;
-
 /* All of one figure. */
 typedef struct figure {
-    const taut_model *model;
     taut_write_options options;
     int vector; /* svg, pdf: fewer pieces */
     taut_arena *arena;
-    int sheet_count, curve_count;
-    taut_sheet *sheets;
-    polyline *curves;
-    taut_camera camera;
+    taut_panes panes;
     taut_scene scene;
     double limit; /* of the colours */
     int cut, has_grey;
 } figure;
-
-static int is_drawn(const figure *f, const char *name)
-{
-    return f->options.surface == NULL || strcmp(f->options.surface, name) == 0;
-}
 
 static int interrupted(const figure *f, double done)
 {
@@ -59,56 +45,29 @@ static int cells_each(const figure *f, int sheets)
     return share > one ? one : share < least ? least : share;
 }
 
-static taut_status sample_surfaces(figure *f, taut_error *error)
+static taut_status sample(figure *f)
 {
-    const int all = taut_model_surface_count(f->model);
-    int drawn = 0;
+    const int sheets = taut_panes_sheets(&f->panes, &f->options);
+    const int most = (f->vector ? 40000 : 1000000) / (sheets > 0 ? sheets : 1) + 1;
     taut_status status = TAUT_OK;
 
-    for (int i = 0; i < all; i++) {
-        drawn += is_drawn(f, taut_surface_name(taut_model_surface(f->model, i)));
+    for (int i = 0; i < f->panes.count && status == TAUT_OK; i++) {
+        status = interrupted(f, 0.5 * i / f->panes.count)
+                     ? TAUT_INTERRUPTED
+                     : taut_pane_sample(&f->panes.pane[i], &f->options, cells_each(f, sheets), most,
+                                        f->vector ? 120 : 400, f->arena);
     }
-    if (f->options.surface != NULL && drawn == 0) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, 0, 1, "no surface is named \"%s\"",
-                         f->options.surface);
-    }
-    f->sheets = taut_arena_take(f->arena, (size_t)drawn, sizeof *f->sheets);
-    if (f->sheets == NULL) {
-        return taut_fail_memory(error);
-    }
-    for (int i = 0; i < all && status == TAUT_OK; i++) {
-        const taut_surface *surface = taut_model_surface(f->model, i);
-        if (is_drawn(f, taut_surface_name(surface))) {
-            status = interrupted(f, 0.5 * f->sheet_count / drawn)
-                         ? TAUT_INTERRUPTED
-                         : taut_sheet_new(surface, cells_each(f, drawn),
-                                          (f->vector ? 40000 : 1000000) / drawn + 1, &f->options,
-                                          f->arena, &f->sheets[f->sheet_count++]);
-        }
-    }
-    return status == TAUT_OK ? TAUT_OK
-                             : taut_fail(error, status, NULL, taut_none, taut_none, "%s",
-                                         taut_status_text(status));
+    return status;
 }
 
-static taut_status sample_curves(figure *f, taut_error *error)
+/* Rows of names beside a figure of several plain things, too many for none. */
+static int names_shown(const figure *f)
 {
-    const int count = f->options.surface == NULL ? taut_model_curve_count(f->model) : 0;
-    const int most = count > 1000 ? 16 : f->vector ? 120 : 400;
-    taut_status status = TAUT_OK;
-
-    f->curves = taut_arena_take(f->arena, (size_t)count, sizeof *f->curves);
-    if (f->curves == NULL) {
-        return taut_fail_memory(error);
-    }
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
-        polyline *line = &f->curves[f->curve_count++];
-        line->curve = taut_model_curve(f->model, i);
-        status = taut_parts_sample_curve(line->curve, most, f->arena, &line->count, &line->points);
-    }
-    return status == TAUT_OK ? TAUT_OK
-                             : taut_fail(error, status, NULL, taut_none, taut_none, "%s",
-                                         taut_status_text(status));
+    const taut_pane *pane = f->panes.pane;
+    const int things = f->panes.count == 1 ? pane->sheet_count + pane->curve_count : 0;
+    return f->options.colour == TAUT_COLOUR_PLAIN && things > 1 && things <= TAUT_LEGEND_ROWS
+               ? things
+               : 0;
 }
 
 static size_t cell_count(const taut_sheet *sheet)
@@ -116,180 +75,99 @@ static size_t cell_count(const taut_sheet *sheet)
     return (size_t)(sheet->u.count - 1) * (size_t)(sheet->v.count - 1);
 }
 
-/* Rows of names beside a figure of several plain things, too many for none. */
-static int names_shown(const figure *f)
+/* What a value below is rounding: 1e-9 of 1/size (H), 1/size^2 (K) or 1; the power of ten above
+ * that ends the scale at the least. */
+static double noise_of(const figure *f)
 {
-    const int things = f->sheet_count + f->curve_count;
-    return f->options.colour == TAUT_COLOUR_PLAIN && things > 1 && things <= TAUT_LEGEND_ROWS
-               ? things
-               : 0;
+    const double size = f->panes.pane[0].camera.half;
+    const double unit[] = {[TAUT_COLOUR_PLAIN] = 1,
+                           [TAUT_COLOUR_MEAN] = 1 / size,
+                           [TAUT_COLOUR_GAUSSIAN] = 1 / size / size,
+                           [TAUT_COLOUR_ISOTHERMALITY] = 1};
+    return pow(10, ceil(log10(fmin(fmax(1e-9 * unit[f->options.colour], 1e-290), 1e290))));
 }
 
-/* visit(camera, count, points) for all that is drawn, nets included. */
-static void visit_points(figure *f, void (*visit)(taut_camera *, size_t, const double *))
-{
-    const int net = !f->options.no_net;
-    for (int i = 0; i < f->sheet_count; i++) {
-        const taut_sheet *s = &f->sheets[i];
-        visit(&f->camera, (size_t)s->u.count * (size_t)s->v.count, s->points);
-        if (net) {
-            visit(&f->camera,
-                  (size_t)taut_basis_count(taut_surface_u(s->surface)) *
-                      (size_t)taut_basis_count(taut_surface_v(s->surface)),
-                  taut_surface_points(s->surface));
-        }
-    }
-    for (int i = 0; i < f->curve_count; i++) {
-        const polyline *line = &f->curves[i];
-        visit(&f->camera, line->count, line->points);
-        if (net) {
-            visit(&f->camera, (size_t)taut_basis_count(taut_curve_t(line->curve)),
-                  taut_curve_points(line->curve));
-        }
-    }
-}
-
-/* The camera on all of it: 0 when nothing of it is finite. */
-static int aim(figure *f)
-{
-    const int wide = f->options.colour != TAUT_COLOUR_PLAIN || names_shown(f) > 0;
-    const double frame[4] = {60, f->options.title != NULL ? 90 : 60, page_width - (wide ? 220 : 60),
-                             page_height - 60};
-
-    taut_camera_init(&f->camera);
-    visit_points(f, taut_camera_include);
-    if (!taut_camera_settle(&f->camera)) {
-        return 0;
-    }
-    if (f->options.has_view) {
-        taut_camera_aim(&f->camera, f->options.view[0], f->options.view[1]);
-    } else {
-        taut_view_aim(&f->camera, f->sheet_count, f->sheets);
-    }
-    visit_points(f, taut_camera_see);
-    taut_camera_fit(&f->camera, frame);
-    return 1;
-}
-
-/* One range for all surfaces. Curvature is in units of 1/size (H) or 1/size^2 (K); what is below
- * 1e-9 of that is rounding of second derivatives; the power of ten above that ends the scale at the
- * least. */
+/* One range for all surfaces. */
 static taut_status choose_limit(figure *f)
 {
-    const double size = f->camera.half;
-    const double rounding =
-        f->options.colour == TAUT_COLOUR_MEAN ? 1e-9 / size : 1e-9 / size / size;
-    const double noise = pow(10, ceil(log10(fmin(fmax(rounding, 1e-290), 1e290))));
     size_t count = 0, at = 0;
     double *values = NULL;
 
-    for (int i = 0; i < f->sheet_count; i++) {
-        count += cell_count(&f->sheets[i]);
+    for (int p = 0; p < f->panes.count; p++) {
+        for (int i = 0; i < f->panes.pane[p].sheet_count; i++) {
+            count += cell_count(&f->panes.pane[p].sheets[i]);
+        }
     }
     values = taut_arena_take(f->arena, count, sizeof *values);
     if (values == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (int i = 0; i < f->sheet_count; i++) {
-        const size_t cells = cell_count(&f->sheets[i]);
-        memcpy(values + at, f->sheets[i].values, cells * sizeof *values);
-        at += cells;
+    for (int p = 0; p < f->panes.count; p++) {
+        for (int i = 0; i < f->panes.pane[p].sheet_count; i++) {
+            const taut_sheet *sheet = &f->panes.pane[p].sheets[i];
+            memcpy(values + at, sheet->values, cell_count(sheet) * sizeof *values);
+            at += cell_count(sheet);
+        }
     }
     for (size_t i = 0; i < count; i++) {
         f->has_grey |= isnan(values[i]);
     }
-    f->limit = taut_colour_limit(count, values, noise, &f->cut);
+    f->limit = taut_colour_limit(count, values, noise_of(f), &f->cut);
     return TAUT_OK;
 }
 
-static taut_status add_net(figure *f, const taut_surface *s)
+/* All cells before any line, as lines are judged by the depth of what is there. */
+static taut_status add_all(figure *f)
 {
-    return taut_parts_net(taut_basis_count(taut_surface_u(s)), taut_basis_count(taut_surface_v(s)),
-                          taut_surface_points(s), &f->camera, f->arena, &f->scene);
-}
-
-/* Knot lines say nothing beside a net so dense that it lies in the surface. */
-static int has_knot_lines(const figure *f, const taut_surface *s)
-{
-    return f->options.no_net || taut_parts_net_is_whole(taut_basis_count(taut_surface_u(s)),
-                                                        taut_basis_count(taut_surface_v(s)));
-}
-
-/* All cells, then the lines of every surface, the boundaries last: they must not be paler where a
- * net runs along them. */
-static taut_status add_surfaces(figure *f)
-{
-    double **pages = taut_arena_take(f->arena, (size_t)f->sheet_count, sizeof *pages);
-    taut_status status = pages != NULL ? TAUT_OK : TAUT_NO_MEMORY;
-    for (int i = 0; i < f->sheet_count && status == TAUT_OK; i++) {
-        status = taut_parts_cells(&f->sheets[i], &f->camera, taut_colour_plain(i), f->limit,
-                                  f->arena, &f->scene, &pages[i]);
+    taut_status status = TAUT_OK;
+    for (int i = 0; i < f->panes.count && status == TAUT_OK; i++) {
+        status = taut_pane_add_cells(&f->panes.pane[i], &f->options, f->limit, f->arena, &f->scene);
     }
-    for (int i = 0; i < f->sheet_count && status == TAUT_OK; i++) {
-        const taut_sheet *sheet = &f->sheets[i];
-        status = taut_parts_silhouette(sheet, pages[i], f->arena, &f->scene);
-        if (status == TAUT_OK && has_knot_lines(f, sheet->surface)) {
-            status =
-                taut_parts_outline(sheet, pages[i], 0, taut_colour_plain(i), f->arena, &f->scene);
-        }
-        if (status == TAUT_OK && !f->options.no_net) {
-            status = add_net(f, sheet->surface);
-        }
+    for (int i = 0; i < f->panes.count && status == TAUT_OK; i++) {
+        status = taut_pane_add_lines(&f->panes.pane[i], &f->options, f->limit, f->arena, &f->scene);
     }
-    for (int i = 0; i < f->sheet_count && status == TAUT_OK; i++) {
-        status = taut_parts_outline(&f->sheets[i], pages[i], 1, taut_colour_plain(i), f->arena,
-                                    &f->scene);
+    for (int i = 0; i < f->panes.count && status == TAUT_OK; i++) {
+        status = taut_pane_add_curves(&f->panes.pane[i], &f->options, f->arena, &f->scene);
     }
     return status;
 }
 
-/* The curves with their polygons, and on top the points of all nets. */
-static taut_status add_curves(figure *f)
+static void draw_names(const figure *f, const taut_legend *legend)
 {
-    taut_status status = TAUT_OK;
-    for (int i = 0; i < f->curve_count && status == TAUT_OK; i++) {
-        const taut_curve *c = f->curves[i].curve;
-        status = taut_parts_curve(f->curves[i].count, f->curves[i].points, &f->camera,
-                                  taut_colour_curve(i), f->arena, &f->scene);
-        if (status == TAUT_OK && !f->options.no_net) {
-            status = taut_parts_net(1, taut_basis_count(taut_curve_t(c)), taut_curve_points(c),
-                                    &f->camera, f->arena, &f->scene);
+    const taut_pane *pane = f->panes.pane;
+    const int shown = names_shown(f);
+    for (int row = 0; row < shown; row++) {
+        const int curve = row - pane->sheet_count;
+        if (curve < 0) {
+            taut_legend_name(legend, row, taut_colour_plain(row), 0,
+                             taut_surface_name(pane->sheets[row].surface));
+        } else {
+            taut_legend_name(legend, row, taut_colour_curve(curve), 1,
+                             taut_curve_name(pane->curves[curve].curve));
         }
     }
-    for (int i = 0; i < f->sheet_count && !f->options.no_net; i++) {
-        const taut_surface *s = f->sheets[i].surface;
-        taut_parts_net_points(taut_basis_count(taut_surface_u(s)),
-                              taut_basis_count(taut_surface_v(s)), taut_surface_points(s),
-                              &f->camera, &f->scene);
-    }
-    for (int i = 0; i < f->curve_count && !f->options.no_net; i++) {
-        const taut_curve *c = f->curves[i].curve;
-        taut_parts_net_points(1, taut_basis_count(taut_curve_t(c)), taut_curve_points(c),
-                              &f->camera, &f->scene);
-    }
-    return status == TAUT_OK ? f->scene.status : status;
 }
 
 static void draw_legend(const figure *f, const taut_legend *legend)
 {
-    const int shown = names_shown(f);
-    if (f->options.title != NULL) {
-        taut_legend_title(legend, f->options.title);
+    const taut_write_options *o = &f->options;
+    char note[256] = "";
+
+    if (o->title != NULL) {
+        taut_legend_title(legend, o->title);
     }
-    if (f->options.colour != TAUT_COLOUR_PLAIN && f->sheet_count > 0) {
-        taut_legend_scale(legend, f->options.colour, f->limit, f->cut, f->has_grey,
-                          taut_model_unit(f->model));
+    if (o->colour != TAUT_COLOUR_PLAIN && taut_panes_sheets(&f->panes, o) > 0) {
+        taut_legend_scale(legend, o->colour, f->limit, f->cut, f->has_grey,
+                          taut_model_unit(f->panes.pane[0].model));
     }
-    for (int row = 0; row < shown; row++) {
-        const int curve = row - f->sheet_count;
-        if (curve < 0) {
-            taut_legend_name(legend, row, taut_colour_plain(row), 0,
-                             taut_surface_name(f->sheets[row].surface));
-        } else {
-            taut_legend_name(legend, row, taut_colour_curve(curve), 1,
-                             taut_curve_name(f->curves[curve].curve));
+    for (int i = 0; i < f->panes.count; i++) {
+        if (f->panes.pane[i].label != NULL) {
+            taut_legend_label(legend, f->panes.frame[i], f->panes.pane[i].label);
         }
     }
+    draw_names(f, legend);
+    taut_panes_note(&f->panes, o, f->limit, note, sizeof note);
+    taut_legend_note(legend, note);
 }
 
 static int write_bytes(void *context, const void *bytes, size_t count)
@@ -315,6 +193,7 @@ static taut_status paint(figure *f, const taut_canvas_ops *ops, const char *kind
                       .width = page_width,
                       .height = page_height,
                       .date = source_date(),
+                      .pixels = f->options.width > 0 ? f->options.width : (int)page_width,
                       .write = write_bytes,
                       .context = out};
     taut_canvas *canvas = taut_arena_take(f->arena, 1, ops->size);
@@ -330,7 +209,7 @@ static taut_status paint(figure *f, const taut_canvas_ops *ops, const char *kind
         status = ops->begin(canvas, &page);
     }
     if (status == TAUT_OK) {
-        taut_legend_axes(&legend, &f->camera);
+        taut_legend_axes(&legend, &f->panes.pane[0].camera);
         taut_scene_paint(&f->scene, ops, canvas);
         draw_legend(f, &legend);
         status = ops->finish(canvas);
@@ -354,28 +233,27 @@ static taut_status paint(figure *f, const taut_canvas_ops *ops, const char *kind
 static taut_status draw(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out,
                         taut_error *error)
 {
-    taut_status status = sample_surfaces(f, error);
+    const int wide = f->options.colour != TAUT_COLOUR_PLAIN;
+    taut_status status = sample(f);
+
     if (status == TAUT_OK) {
-        status = sample_curves(f, error);
-    }
-    if (status != TAUT_OK) {
-        return status;
-    }
-    if (!aim(f)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, 0, 1,
-                         "there is nothing to draw: no surface or curve has a finite point");
-    }
-    if (f->options.colour != TAUT_COLOUR_PLAIN) {
-        status = choose_limit(f);
+        const int names = names_shown(f) > 0;
+        const double page[4] = {0,
+                                f->options.title == NULL ? 0
+                                : f->panes.count > 1     ? 60
+                                                         : 30,
+                                page_width - (wide || names ? 160 : 0), page_height};
+        if (!taut_panes_aim(&f->panes, &f->options, page)) {
+            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, 0, 1,
+                             "there is nothing to draw: no surface or curve has a finite point");
+        }
+        status = wide ? choose_limit(f) : TAUT_OK;
     }
     if (status == TAUT_OK) {
         status = taut_scene_init(&f->scene, page_width, page_height, f->arena);
     }
     if (status == TAUT_OK) {
-        status = add_surfaces(f);
-    }
-    if (status == TAUT_OK) {
-        status = add_curves(f);
+        status = add_all(f);
     }
     if (status == TAUT_OK && interrupted(f, 0.7)) {
         status = TAUT_INTERRUPTED;
@@ -403,6 +281,26 @@ static taut_status find_canvas(const char *kind, const taut_canvas_ops **ops, ta
     return status;
 }
 
+static taut_status check_numbers(const taut_write_options *o, taut_error *error)
+{
+    const int least[] = {o->divide, o->threads, o->isolines, o->reflections, o->width};
+    const int most[] = {INT_MAX, TAUT_THREADS_MAX, TAUT_ISOLINES_MAX, TAUT_LIGHTS_MAX,
+                        TAUT_WIDTH_MAX};
+    static const char *const names[] = {"divide", "threads", "isolines", "reflections", "width"};
+    for (size_t i = 0; i < sizeof least / sizeof least[0]; i++) {
+        if (least[i] < 0 || least[i] > most[i]) {
+            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, least[i], most[i],
+                             "the option %s of a figure must lie between 0 and %d", names[i],
+                             most[i]);
+        }
+    }
+    if (o->colour > TAUT_COLOUR_ISOTHERMALITY) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, (double)o->colour,
+                         TAUT_COLOUR_ISOTHERMALITY, "there is no such colour");
+    }
+    return TAUT_OK;
+}
+
 static taut_status check(const taut_write_options *options, taut_error *error)
 {
     const double a = options->view[0], e = options->view[1];
@@ -411,25 +309,20 @@ static taut_status check(const taut_write_options *options, taut_error *error)
                          isfinite(a) ? 90 : taut_none,
                          "a view needs a finite azimuth and an elevation from -90 to 90 degrees");
     }
-    if (options->divide < 0 || options->threads < 0 || options->threads > TAUT_THREADS_MAX) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL,
-                         options->divide < 0 ? options->divide : options->threads, taut_none,
-                         "divide and threads must not be negative, nor threads above %d",
-                         TAUT_THREADS_MAX);
-    }
-    return TAUT_OK;
+    return check_numbers(options, error);
 }
 
-taut_status taut_draw_figure(const taut_model *model, const taut_write_options *options,
-                             const char *kind, FILE *out, taut_error *error)
+taut_status taut_draw_figures(int count, const taut_model *const *models,
+                              const taut_write_options *options, const char *kind, FILE *out,
+                              taut_error *error)
 {
     const taut_canvas_ops *ops = NULL;
-    figure f = {.model = model, .limit = 1};
+    figure f = {.limit = 1};
     taut_status status = TAUT_OK;
 
-    if (model == NULL || kind == NULL || out == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
-                         "a figure needs a model, a kind and a stream");
+    if (count < 1 || count > TAUT_MODELS_MAX || models == NULL || kind == NULL || out == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, TAUT_MODELS_MAX,
+                         "a figure needs 1 to %d models, a kind and a stream", TAUT_MODELS_MAX);
     }
     if (options != NULL) {
         f.options = *options;
@@ -441,9 +334,24 @@ taut_status taut_draw_figure(const taut_model *model, const taut_write_options *
     if (status == TAUT_OK) {
         f.vector = strcmp(kind, "png") != 0;
         f.arena = taut_arena_new();
-        status = f.arena != NULL ? draw(&f, ops, kind, out, error) : taut_fail_memory(error);
+        status = f.arena != NULL
+                     ? taut_panes_new(count, models, &f.options, f.arena, &f.panes, error)
+                     : taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        status = draw(&f, ops, kind, out, error);
     }
     taut_scene_clear(&f.scene);
     taut_arena_free(f.arena);
     return status;
+}
+
+taut_status taut_draw_figure(const taut_model *model, const taut_write_options *options,
+                             const char *kind, FILE *out, taut_error *error)
+{
+    if (model == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "a figure needs a model");
+    }
+    return taut_draw_figures(1, &model, options, kind, out, error);
 }

@@ -24,6 +24,20 @@ void taut_label_fixed(double value, int decimals, char *text, size_t size)
     snprintf(text, size, "%s%lld%s", sign, whole, digits);
 }
 
+void taut_label_number(double value, char *text, size_t size)
+{
+    char digits[48];
+    const int e = value < 0 || value > 0 ? (int)floor(log10(fabs(value)) + 1e-9) : 0;
+    if (!isfinite(value)) {
+        snprintf(text, size, "?");
+    } else if (e >= -3 && e <= 5) {
+        taut_label_fixed(value, e < 2 ? 2 - e : 0, text, size);
+    } else {
+        taut_label_fixed(value / pow(10, e), 2, digits, sizeof digits);
+        snprintf(text, size, "%se%d", digits, e);
+    }
+}
+
 /* The bytes of the letter at `s`, 0 when they are not well-formed UTF-8 (no overlong forms, no
  * surrogates, no code above U+10FFFF: Unicode 15, table 3-7). */
 static size_t letter(const unsigned char *s)

@@ -8,6 +8,9 @@
  * below 1e9. */
 void taut_label_fixed(double value, int decimals, char *text, size_t size);
 
+/* value to three digits, such as 0.125, 1340 or 2.5e-7; "?" where it is not finite. */
+void taut_label_number(double value, char *text, size_t size);
+
 /* A copy of at most `most` letters that every canvas can draw: what is not UTF-8 or not printable
  * becomes "?", what is too long ends in an ellipsis. */
 void taut_label_clean(const char *from, size_t most, char *text, size_t size);

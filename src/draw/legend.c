@@ -43,79 +43,120 @@ static double tick_power(double limit, int *exponent)
     return pow(10, *exponent);
 }
 
-static void draw_ticks(const taut_legend *l, double x, double top, double limit, double power)
+/* A scale from `from` (-1 or 0) to 1 of its limit. */
+typedef struct scale {
+    double x, top, limit;
+    int from, exponent;
+    double power; /* 10^exponent */
+} scale;
+
+static void draw_ticks(const taut_legend *l, const scale *s)
 {
-    const double step = tick_step(limit);
-    const int count = (int)floor(limit / step + 1e-9);
-    const int decimals = (int)fmax(0, -floor(log10(step / power) + 1e-9));
+    const double step = tick_step(s->limit);
+    const int count = (int)floor(s->limit / step + 1e-9);
+    const int decimals = (int)fmax(0, -floor(log10(step / s->power) + 1e-9));
     char text[48];
 
-    for (int k = -count; k <= count; k++) {
-        const double y = top + bar_height * (0.5 - 0.5 * k * step / limit);
-        const double mark[2][2] = {{x + bar_width, y}, {x + bar_width + 6, y}};
+    for (int k = s->from * count; k <= count; k++) {
+        const double share = (k * step / s->limit - s->from) / (1 - s->from); /* of the height */
+        const double y = s->top + bar_height * (1 - share);
+        const double mark[2][2] = {{s->x + bar_width, y}, {s->x + bar_width + 6, y}};
         l->ops->line(l->canvas, 2, mark, text_ink, 1.2);
-        taut_label_fixed(k * step / power, decimals, text, sizeof text);
-        write_text(l, x + bar_width + 12, y + 0.35 * text_size, text_size, TAUT_ANCHOR_START, text);
+        taut_label_fixed(k * step / s->power, decimals, text, sizeof text);
+        write_text(l, s->x + bar_width + 12, y + 0.35 * text_size, text_size, TAUT_ANCHOR_START,
+                   text);
     }
 }
 
-/* The outline, with a pointed end above and below when values were cut off. */
-static void draw_outline(const taut_legend *l, double x, double top, int cut)
+/* The outline, with a pointed end where values were cut off. */
+static void draw_outline(const taut_legend *l, const scale *s, int cut)
 {
-    const double tip = cut ? 18 : 0, middle = x + bar_width / 2, right = x + bar_width;
-    const double bottom = top + bar_height;
-    const double xy[7][2] = {{x, top},        {middle, top - tip},    {right, top},
-                             {right, bottom}, {middle, bottom + tip}, {x, bottom},
-                             {x, top}};
+    const double tip = cut ? 18 : 0, low_tip = s->from < 0 ? tip : 0;
+    const double middle = s->x + bar_width / 2, right = s->x + bar_width;
+    const double bottom = s->top + bar_height;
+    const double xy[7][2] = {{s->x, s->top},  {middle, s->top - tip},     {right, s->top},
+                             {right, bottom}, {middle, bottom + low_tip}, {s->x, bottom},
+                             {s->x, s->top}};
     if (cut) {
         l->ops->polygon(l->canvas, 3, xy, taut_colour_diverging(1));
-        l->ops->polygon(l->canvas, 3, xy + 3, taut_colour_diverging(-1));
+        l->ops->polygon(l->canvas, 3, xy + 3, taut_colour_diverging(s->from));
     }
     l->ops->line(l->canvas, 7, xy, text_ink, 1.2);
 }
 
-static void draw_heading(const taut_legend *l, double x, double top, taut_colour colour,
-                         int exponent, const char *unit)
+/* Two lines of what is shown, and what the unit of length is raised to below 1. */
+typedef struct heading {
+    const char *first, *second;
+    int power;
+} heading;
+
+static const heading headings[] = {
+    [TAUT_COLOUR_PLAIN] = {"", "", 0},
+    [TAUT_COLOUR_MEAN] = {"Mean", "curvature H", 1},
+    [TAUT_COLOUR_GAUSSIAN] = {"Gaussian", "curvature K", 2},
+    [TAUT_COLOUR_ISOTHERMALITY] = {"Isothermality", "0: isothermal", 0},
+};
+
+static void draw_heading(const taut_legend *l, const scale *s, taut_colour colour, const char *unit)
 {
-    const int mean = colour == TAUT_COLOUR_MEAN;
-    char text[64];
-    write_text(l, x, top - 84, text_size, TAUT_ANCHOR_START, mean ? "Mean" : "Gaussian");
-    snprintf(text, sizeof text, "curvature %s", mean ? "H" : "K");
-    write_text(l, x, top - 61, text_size, TAUT_ANCHOR_START, text);
-    if (exponent == 0) {
-        snprintf(text, sizeof text, mean ? "1/%s" : "1/%s\xc2\xb2", unit);
-        write_text(l, x, top - 34, text_size, TAUT_ANCHOR_START, text);
-    } else {
+    const heading *h = &headings[colour];
+    const double x = s->x, y = s->top - 34;
+    const int plain = s->exponent == 0;
+    const char *square = h->power == 2 ? "\xc2\xb2" : "";
+    char text[64] = "";
+
+    write_text(l, x, y - 50, text_size, TAUT_ANCHOR_START, h->first);
+    write_text(l, x, y - 27, text_size, TAUT_ANCHOR_START, h->second);
+    if (h->power > 0) {
+        snprintf(text, sizeof text, "%s%s%s", plain ? "1/" : "/", unit, square);
+    }
+    if (!plain) {
         /* 10 with the exponent small and raised: no font need have raised digits */
         char raised[16];
-        taut_label_fixed(exponent, 0, raised, sizeof raised);
-        write_text(l, x + 23, top - 34, text_size, TAUT_ANCHOR_END, "10");
-        write_text(l, x + 24, top - 43, 0.7 * text_size, TAUT_ANCHOR_START, raised);
-        snprintf(text, sizeof text, mean ? "/%s" : "/%s\xc2\xb2", unit);
-        write_text(l, x + 54, top - 34, text_size, TAUT_ANCHOR_START, text);
+        taut_label_fixed(s->exponent, 0, raised, sizeof raised);
+        write_text(l, x + 23, y, text_size, TAUT_ANCHOR_END, "10");
+        write_text(l, x + 24, y - 9, 0.7 * text_size, TAUT_ANCHOR_START, raised);
     }
+    write_text(l, plain ? x : x + 54, y, text_size, TAUT_ANCHOR_START, text);
 }
 
 void taut_legend_scale(const taut_legend *legend, taut_colour colour, double limit, int cut,
                        int has_grey, const char *unit)
 {
-    const double x = legend->width - bar_from_right;
     const double slice = bar_height / SLICES;
-    int exponent = 0;
-    const double power = tick_power(limit, &exponent);
+    scale s = {.x = legend->width - bar_from_right,
+               .top = bar_top,
+               .limit = limit,
+               .from = colour == TAUT_COLOUR_ISOTHERMALITY ? 0 : -1};
 
+    s.power = tick_power(limit, &s.exponent);
     for (int k = 0; k < SLICES; k++) {
         const double over = k + 1 < SLICES ? 0.5 : 0; /* no white between slices */
-        box(legend, x, bar_top + k * slice, bar_width, slice + over,
-            taut_colour_diverging(1 - (2 * k + 1.0) / SLICES));
+        box(legend, s.x, s.top + k * slice, bar_width, slice + over,
+            taut_colour_diverging(1 - (k + 0.5) / SLICES * (1 - s.from)));
     }
-    draw_outline(legend, x, bar_top, cut);
-    draw_ticks(legend, x, bar_top, limit, power);
-    draw_heading(legend, x, bar_top, colour, exponent, unit);
+    draw_outline(legend, &s, cut);
+    draw_ticks(legend, &s);
+    draw_heading(legend, &s, colour, unit);
     if (has_grey) {
         const double y = bar_top + bar_height + 34;
-        box(legend, x, y, bar_width, 16, taut_colour_diverging((double)NAN));
-        write_text(legend, x + bar_width + 12, y + 14, text_size, TAUT_ANCHOR_START, "undefined");
+        box(legend, s.x, y, bar_width, 16, taut_colour_diverging((double)NAN));
+        write_text(legend, s.x + bar_width + 12, y + 14, text_size, TAUT_ANCHOR_START, "undefined");
+    }
+}
+
+void taut_legend_label(const taut_legend *legend, const double frame[4], const char *label)
+{
+    char text[256];
+    taut_label_clean(label, (size_t)fmax(4, (frame[2] - frame[0]) / 11), text, sizeof text);
+    write_text(legend, (frame[0] + frame[2]) / 2, frame[1] - 10, text_size, TAUT_ANCHOR_MIDDLE,
+               text);
+}
+
+void taut_legend_note(const taut_legend *legend, const char *note)
+{
+    if (note[0] != '\0') {
+        write_text(legend, 160, legend->height - 22, 16, TAUT_ANCHOR_START, note);
     }
 }
 

@@ -19,6 +19,14 @@ taut_status taut_parts_silhouette(const taut_sheet *sheet, const double *page, t
 taut_status taut_parts_outline(const taut_sheet *sheet, const double *page, int boundary,
                                taut_ink ink, taut_arena *arena, taut_scene *scene);
 
+/* Where its values are k step, k = first .. last; its corners are filled. Zero is drawn bolder. */
+taut_status taut_parts_isolines(const taut_sheet *sheet, const double *page, double step, int first,
+                                int last, taut_scene *scene);
+/* `count` inner lines of equal u and of equal v, evenly spread. */
+taut_status taut_parts_parameter_lines(const taut_surface *surface, int count,
+                                       const taut_camera *camera, taut_arena *arena,
+                                       taut_scene *scene);
+
 /* The net double points[nu][nv][3], or a polygon when nu is 1. Of many lines every k-th is drawn,
  * and then no points. */
 taut_status taut_parts_net(int nu, int nv, const double *points, const taut_camera *camera,

@@ -36,10 +36,65 @@ static int cell_normal(const double *const corner[4], double normal[3])
     return turned;
 }
 
+/* The part of the triangle where s > 0, as one piece over the last cell: linear along its sides. */
+static void add_lit(const double *const p[3], const double s[3], taut_ink ink, taut_scene *scene)
+{
+    double at[4][3];
+    int count = 0;
+    for (int k = 0; k < 3; k++) {
+        const double *a = p[k], *b = p[(k + 1) % 3];
+        const double sa = s[k], sb = s[(k + 1) % 3];
+        if (sa > 0) {
+            memcpy(at[count++], a, sizeof at[0]);
+        }
+        if ((sa > 0) != (sb > 0)) {
+            for (int c = 0; c < 3; c++) {
+                at[count][c] = a[c] + sa / (sa - sb) * (b[c] - a[c]);
+            }
+            count++;
+        }
+    }
+    if (count >= 3) {
+        const double *const corner[4] = {at[0], at[1], at[2], at[count - 1]};
+        taut_scene_over(scene, corner, ink);
+    }
+}
+
+/* Lamps mirrored in a cell, s at its corners; none where there is no normal. */
+static void add_stripes(const double *const corner[4], const double s[4], taut_ink ink,
+                        taut_scene *scene)
+{
+    const double *const first[3] = {corner[0], corner[1], corner[2]};
+    const double *const second[3] = {corner[0], corner[2], corner[3]};
+    const double s_second[3] = {s[0], s[2], s[3]};
+    if (isfinite(s[0]) && isfinite(s[1]) && isfinite(s[2]) && isfinite(s[3])) {
+        if (s[0] > 0 && s[1] > 0 && s[2] > 0 && s[3] > 0) {
+            taut_scene_over(scene, corner, ink);
+        } else {
+            add_lit(first, s, ink, scene);
+            add_lit(second, s_second, ink, scene);
+        }
+    }
+}
+
+/* What the cell's colour is under the light. */
+static taut_ink cell_ink(const taut_sheet *sheet, size_t cell, taut_ink ink, double limit,
+                         const double *const corner[4])
+{
+    static const taut_ink back = {150, 138, 140};
+    double normal[3];
+    const int turned = cell_normal(corner, normal);
+    taut_ink shown = turned ? taut_colour_mix(ink, back, 0.35) : ink;
+    if (sheet->values != NULL) {
+        shown = taut_colour_diverging(sheet->values[cell] / limit);
+    }
+    return taut_colour_shade(shown, normal, sheet->values != NULL ? 0.32 : 1);
+}
+
 taut_status taut_parts_cells(const taut_sheet *sheet, const taut_camera *camera, taut_ink ink,
                              double limit, taut_arena *arena, taut_scene *scene, double **page)
 {
-    static const taut_ink back = {150, 138, 140};
+    static const taut_ink dark = {30, 36, 52};
     const size_t columns = (size_t)sheet->v.count, count = (size_t)sheet->u.count * columns;
     double *p = taut_arena_take(arena, count, 3 * sizeof(double));
 
@@ -54,14 +109,13 @@ taut_status taut_parts_cells(const taut_sheet *sheet, const taut_camera *camera,
             const double *first = p + 3 * (i * columns + j);
             const double *const corner[4] = {first, first + 3 * columns, first + 3 * columns + 3,
                                              first + 3};
-            double normal[3];
-            const int turned = cell_normal(corner, normal);
-            taut_ink shown = turned ? taut_colour_mix(ink, back, 0.35) : ink;
-            if (sheet->values != NULL) {
-                shown = taut_colour_diverging(sheet->values[i * (columns - 1) + j] / limit);
+            const size_t cell = i * (columns - 1) + j, before = scene->cell_count;
+            const taut_ink shown = cell_ink(sheet, cell, ink, limit, corner);
+            taut_scene_cell(scene, corner, shown);
+            if (sheet->stripes != NULL && scene->cell_count > before) {
+                add_stripes(corner, sheet->stripes + 4 * cell, taut_colour_mix(shown, dark, 0.72),
+                            scene);
             }
-            taut_scene_cell(scene, corner,
-                            taut_colour_shade(shown, normal, sheet->values != NULL ? 0.32 : 1));
         }
     }
     *page = p;

@@ -2,6 +2,7 @@
 
 #include "core/memory.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,33 +52,55 @@ static int is_finite(const double p[3])
 }
 
 /* Corners are moved 0.35 of a page unit outwards, so that neighbours overlap and no white shows
- * through between their smoothed edges. */
-void taut_scene_cell(taut_scene *scene, const double *const corner[4], taut_ink ink)
+ * through between their smoothed edges. 0 when a corner is not finite or all are one point. */
+static int shape_cell(const double *const corner[4], taut_cell *cell)
 {
-    taut_cell cell = {.ink = ink, .order = scene->cell_count};
     double centre[2] = {0, 0}, reach = 0;
     for (int i = 0; i < 4; i++) {
         if (!is_finite(corner[i])) {
-            return;
+            return 0;
         }
         centre[0] += corner[i][0] / 4;
         centre[1] += corner[i][1] / 4;
-        cell.depth += corner[i][2] / 4;
+        cell->depth += corner[i][2] / 4;
     }
     for (int i = 0; i < 4; i++) {
         const double d[2] = {corner[i][0] - centre[0], corner[i][1] - centre[1]};
         const double length = hypot(d[0], d[1]);
         reach = fmax(reach, length);
         for (int c = 0; c < 2; c++) {
-            cell.xy[i][c] = corner[i][c] + (length > 0.01 ? 0.35 * d[c] / length : 0);
+            cell->xy[i][c] = corner[i][c] + (length > 0.01 ? 0.35 * d[c] / length : 0);
         }
     }
+    return reach > 0.01;
+}
+
+static void add_cell(taut_scene *scene, const taut_cell *cell)
+{
     scene->cells = with_room(scene, scene->cells, scene->cell_count, 1, sizeof *scene->cells,
                              &scene->cell_room);
-    if (scene->status == TAUT_OK && reach > 0.01) {
-        scene->cells[scene->cell_count++] = cell;
+    if (scene->status == TAUT_OK) {
+        scene->cells[scene->cell_count++] = *cell;
+    }
+}
+
+void taut_scene_cell(taut_scene *scene, const double *const corner[4], taut_ink ink)
+{
+    taut_cell cell = {.ink = ink, .order = scene->cell_count};
+    if (shape_cell(corner, &cell)) {
+        add_cell(scene, &cell);
         taut_depth_triangle(&scene->depth, corner[0], corner[1], corner[2]);
         taut_depth_triangle(&scene->depth, corner[0], corner[2], corner[3]);
+    }
+}
+
+void taut_scene_over(taut_scene *scene, const double *const corner[4], taut_ink ink)
+{
+    taut_cell cell = {.ink = ink, .order = scene->cell_count};
+    assert(scene->cell_count > 0);
+    if (shape_cell(corner, &cell)) {
+        cell.depth = scene->cells[scene->cell_count - 1].depth;
+        add_cell(scene, &cell);
     }
 }
 

@@ -44,6 +44,8 @@ void taut_scene_clear(taut_scene *scene);
 /* Points are (x, y, depth) in page units, the larger depth nearer. What has a coordinate that is
  * not finite is left out. All cells before any line. */
 void taut_scene_cell(taut_scene *scene, const double *const corner[4], taut_ink ink);
+/* A piece of the cell that was added last, painted right over it; corners as above. */
+void taut_scene_over(taut_scene *scene, const double *const corner[4], taut_ink ink);
 /* points: double[count][3] */
 void taut_scene_line(taut_scene *scene, size_t count, const double *points, taut_ink ink,
                      double width);

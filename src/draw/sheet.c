@@ -78,6 +78,18 @@ static taut_status lines_new(const taut_basis *basis, int cells, taut_arena *are
     return TAUT_OK;
 }
 
+double taut_sheet_value(taut_colour colour, const taut_forms *forms)
+{
+    const double x[] = {
+        [TAUT_COLOUR_PLAIN] = (double)NAN,
+        [TAUT_COLOUR_MEAN] = forms->regular ? forms->mean : (double)NAN,
+        [TAUT_COLOUR_GAUSSIAN] = forms->regular ? forms->gaussian : (double)NAN,
+        [TAUT_COLOUR_ISOTHERMALITY] =
+            hypot(forms->e - forms->g, 2 * forms->f) / (forms->e + forms->g),
+    };
+    return isfinite(x[colour]) ? x[colour] : (double)NAN;
+}
+
 /* values[i] from the six vectors of each of `count` cells. */
 static void forms_to_values(const taut_write_options *options, size_t count, const double *vectors,
                             double *values)
@@ -85,14 +97,11 @@ static void forms_to_values(const taut_write_options *options, size_t count, con
     for (size_t i = 0; i < count; i++) {
         taut_forms forms;
         taut_forms_of((const double(*)[3])(vectors + 18 * i), &forms);
-        values[i] = options->colour == TAUT_COLOUR_MEAN ? forms.mean : forms.gaussian;
-        if (!forms.regular || !isfinite(values[i])) {
-            values[i] = (double)NAN;
-        }
+        values[i] = taut_sheet_value(options->colour, &forms);
     }
 }
 
-/* H or K in the middle of each cell, some rows of the grid at a time. */
+/* What the colour shows in the middle of each cell, some rows of the grid at a time. */
 static taut_status fill_values(const taut_write_options *options, taut_arena *arena,
                                taut_sheet *sheet)
 {

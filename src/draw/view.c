@@ -53,7 +53,7 @@ static double part_seen(const taut_camera *camera, int count, const taut_sheet *
     return all > 0 ? seen / all : 1;
 }
 
-void taut_view_aim(taut_camera *camera, int count, const taut_sheet *sheets)
+void taut_view_choose(taut_camera *camera, int count, const taut_sheet *sheets, double view[2])
 {
     static const double views[][2] = {{-60, 35}, {-60, 55}, {-30, 35}, {-120, 35},
                                       {30, 35},  {120, 35}, {-80, 15}, {-10, 15}};
@@ -70,5 +70,7 @@ void taut_view_aim(taut_camera *camera, int count, const taut_sheet *sheets)
             chosen = i;
         }
     }
-    taut_camera_aim(camera, views[chosen][0], views[chosen][1]);
+    view[0] = views[chosen][0];
+    view[1] = views[chosen][1];
+    taut_camera_aim(camera, view[0], view[1]);
 }

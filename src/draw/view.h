@@ -5,8 +5,9 @@
 #include "draw/camera.h"
 #include "draw/sheet.h"
 
-/* Aims the settled camera from azimuth -60, elevation 35 degrees, or, where the surfaces would
- * mostly be seen edge on from there, from the first of some other directions that shows them. */
-void taut_view_aim(taut_camera *camera, int count, const taut_sheet *sheets);
+/* Aims the settled camera, and says how in *view: from azimuth -60, elevation 35 degrees, or, where
+ * the surfaces would mostly be seen edge on from there, from the first of some other directions
+ * that shows them. */
+void taut_view_choose(taut_camera *camera, int count, const taut_sheet *sheets, double view[2]);
 
 #endif /* TAUT_DRAW_VIEW_H */

@@ -162,7 +162,8 @@ static void write_member(taut_json_out *out, const basis_member *member,
     } else if (member->kind == MEMBER_NUMBER) {
         taut_json_put_number(out, *(const double *)(const void *)field);
     } else if (member->kind == MEMBER_KNOTS) {
-        taut_json_put_numbers(out, (size_t)spec->knot_count, spec->knots);
+        const int skip = out->short_knots != 0;
+        taut_json_put_numbers(out, (size_t)(spec->knot_count - 2 * skip), spec->knots + skip);
     } else {
         taut_json_put_numbers(out, 2, spec->range);
     }

@@ -5,9 +5,12 @@
  * header. */
 #include "core/arena.h"
 #include "core/fail.h"
+#include "core/memory.h"
 #include "io/cad_child.h"
+#include "io/cad_scan.h"
 #include "io/file_in.h"
 #include "io/format.h"
+#include "io/format_nurbs.h"
 #include "taut/operate.h"
 #include "taut/version.h"
 
@@ -32,43 +35,6 @@ static void tell_date(char text[32])
     if (gmtime_r(&date, &parts) == NULL || strftime(text, 32, "%Y-%m-%dT%H:%M:%S", &parts) == 0) {
         text[0] = '\0';
     }
-}
-
-/* Only the surface that is asked for, or all there is. */
-static taut_status choose(const taut_model *model, const taut_write_options *options,
-                          taut_model **chosen)
-{
-    taut_model *made = NULL;
-    taut_surface *copy = NULL;
-    taut_curve *curve = NULL;
-    taut_status status = taut_model_new(&made);
-
-    if (status == TAUT_OK) {
-        taut_model_set_unit(made, taut_model_unit(model));
-    }
-    for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(model); i++) {
-        if (taut_format_wants(model, options, i)) {
-            status = taut_surface_copy(taut_model_surface(model, i), &copy);
-            if (status == TAUT_OK && taut_model_add_surface(made, copy) != TAUT_OK) {
-                taut_surface_free(copy);
-                status = TAUT_NO_MEMORY;
-            }
-        }
-    }
-    for (int i = 0;
-         status == TAUT_OK && options->surface == NULL && i < taut_model_curve_count(model); i++) {
-        status = taut_curve_copy(taut_model_curve(model, i), &curve);
-        if (status == TAUT_OK && taut_model_add_curve(made, curve) != TAUT_OK) {
-            taut_curve_free(curve);
-            status = TAUT_NO_MEMORY;
-        }
-    }
-    if (status != TAUT_OK) {
-        taut_model_free(made);
-        return status;
-    }
-    *chosen = made;
-    return TAUT_OK;
 }
 
 static void set_direction(taut_cad_item *item, int d, const taut_basis *basis)
@@ -164,25 +130,16 @@ static taut_status write_cad(taut_cad_kind kind, const taut_model *model,
                              const taut_write_options *options, const char *path, taut_error *error)
 {
     const double tolerance = options->tolerance > 0 ? options->tolerance : default_tolerance;
-    taut_model *chosen = NULL, *nurbs = NULL;
+    taut_model *nurbs = NULL;
     double bound = 0;
-    taut_status status = TAUT_OK;
+    taut_status status = taut_format_nurbs(model, options, tolerance, &nurbs, &bound, error);
 
-    if (taut_model_surface_count(model) + taut_model_curve_count(model) == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, 0, 1,
-                         "the model has neither surfaces nor curves");
-    }
-    if (choose(model, options, &chosen) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    status = taut_model_to_nurbs(chosen, tolerance, &nurbs, &bound, error);
     if (status == TAUT_OK) {
         status = send_items(kind, nurbs, bound, path, error);
     }
     if (status == TAUT_OK && options->bound != NULL) {
         *options->bound = bound;
     }
-    taut_model_free(chosen);
     taut_model_free(nurbs);
     return status;
 }
@@ -199,26 +156,31 @@ static taut_status write_iges(const taut_model *model, const taut_write_options 
     return write_cad(TAUT_CAD_IGES, model, options, path, error);
 }
 
-/* A file that is there and can be read, and not too large to try. */
+/* A file that is there, and nothing else than a file. */
 static taut_status check_file(const char *path, taut_error *error)
 {
     struct stat about;
-    FILE *file = NULL;
     if (stat(path, &about) != 0) {
         return taut_fail_file(error, path, "read", errno);
     }
     if (!S_ISREG(about.st_mode)) {
         return taut_fail_file(error, path, "read", S_ISDIR(about.st_mode) ? EISDIR : ESPIPE);
     }
-    if ((double)about.st_size > TAUT_FILE_MAX) {
-        return taut_fail_file(error, path, "read", EFBIG);
-    }
-    file = fopen(path, "rb");
-    if (file == NULL) {
-        return taut_fail_file(error, path, "read", errno);
-    }
-    fclose(file);
     return TAUT_OK;
+}
+
+/* What the file says of itself must hold before the library sees it. */
+static taut_status scan_file(taut_cad_kind kind, const char *path, taut_error *error)
+{
+    char *text = NULL;
+    size_t length = 0;
+    taut_status status = taut_file_read(path, &text, &length, error);
+    if (status == TAUT_OK) {
+        status =
+            (kind == TAUT_CAD_STEP ? taut_cad_scan_step : taut_cad_scan_iges)(text, length, error);
+    }
+    taut_free(text);
+    return status;
 }
 
 /* What was read, with notes where there are any. */
@@ -246,6 +208,9 @@ static taut_status read_cad(taut_cad_kind kind, const char *path, taut_model **m
     taut_cad_result result = {NULL, NULL, 0, TAUT_OK};
     taut_status status = check_file(path, error);
 
+    if (status == TAUT_OK) {
+        status = scan_file(kind, path, error);
+    }
     if (status == TAUT_OK) {
         result.notes = taut_record_new_list();
         status = result.notes != NULL ? taut_model_new(&result.model) : TAUT_NO_MEMORY;

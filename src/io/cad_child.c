@@ -16,8 +16,8 @@ static const char package[] = "libocct-data-exchange-dev";
 
 /* Beyond what the process has already: a library of its size, and what a file may be blown up to.
  */
-static const double memory_base = 3e9, memory_per_byte = 400;
-static const double seconds_base = 120, seconds_per_byte = 2e-5;
+static const double memory_base = 1e9, memory_per_byte = 400;
+static const double seconds_base = 20, seconds_per_byte = 2e-5;
 
 #if defined(__SANITIZE_ADDRESS__)
 enum { HAS_SHADOW = 1 };
@@ -136,6 +136,13 @@ static taut_status died(int how, int is_reading, taut_error *error)
                      is_reading ? "file" : "model", number);
 }
 
+/* The child had the memory that a file of this size may take. */
+static taut_status refuse_claim(taut_error *error)
+{
+    return taut_fail(error, TAUT_BAD_INPUT, NULL, taut_none, taut_none,
+                     "the file claims to hold more than its size explains");
+}
+
 taut_status taut_cad_run(const taut_cad_job *job, int count, const taut_cad_item *items,
                          taut_cad_result *result, taut_error *error)
 {
@@ -166,6 +173,7 @@ taut_status taut_cad_run(const taut_cad_job *job, int count, const taut_cad_item
     }
     if (status == TAUT_OK) {
         status = result->has_ended ? result->status : died(how, items == NULL, error);
+        status = status == TAUT_NO_MEMORY && items == NULL ? refuse_claim(error) : status;
     }
     return status;
 }

@@ -1,6 +1,7 @@
 /* document_asymptotic.c -- the problem `asymptotic`: corner data or four curves (docs/format.md).
  */
 #include "core/fail.h"
+#include "io/boundary_document.h"
 #include "io/document_ops.h"
 #include "io/surface_document.h"
 #include "taut/asymptotic.h"
@@ -8,8 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const members[] = {"degree",  "corners",  "edges", "curves", "branch",
-                                      "surface", "singular", "free",  NULL};
+static const char *const members[] = {"degree",  "corners",  "edges", "curves",   "branch",
+                                      "surface", "singular", "free",  "boundary", NULL};
 static const char *const edge_members[] = {"v0", "u0", "v1", "u1", NULL};
 static const char *const corner_members[] = {"u0v0", "u1v0", "u0v1", "u1v1", NULL};
 static const char *const edge_data[] = {"legs", "curvature", "weights", NULL};
@@ -130,6 +131,22 @@ static taut_status read_curves(const taut_json *document, taut_arena *arena,
     return status;
 }
 
+/* The four curves out of a file, each under its name. */
+static taut_status read_boundary(const taut_json *document, taut_problem *problem,
+                                 taut_asymptotic_problem *data, taut_error *error)
+{
+    static const char *const others[] = {"degree", "corners", "edges", "curves", "branch", NULL};
+    const taut_curve *sides[TAUT_SIDES];
+    taut_status status = taut_boundary_document_bezier(document, problem, others, 1, sides, error);
+    if (status == TAUT_OK) {
+        data->curves[TAUT_ASYMPTOTIC_U0] = sides[TAUT_SIDE_U0];
+        data->curves[TAUT_ASYMPTOTIC_U1] = sides[TAUT_SIDE_U1];
+        data->curves[TAUT_ASYMPTOTIC_V0] = sides[TAUT_SIDE_V0];
+        data->curves[TAUT_ASYMPTOTIC_V1] = sides[TAUT_SIDE_V1];
+    }
+    return status;
+}
+
 /* "lowest", or the signs of v0, v1, u0, u1 such as "+-+-", 0 for a straight edge. */
 static taut_status read_branch(const taut_json *document, taut_asymptotic_problem *data,
                                taut_error *error)
@@ -173,8 +190,9 @@ static taut_status asymptotic_read(const taut_json *document, taut_problem *prob
         status = read_branch(document, data, error);
     }
     if (status == TAUT_OK) {
-        status = curves.value != NULL ? read_curves(document, problem->arena, data, error)
-                                      : read_corner_data(document, data, error);
+        status = taut_boundary_document_is(document) ? read_boundary(document, problem, data, error)
+                 : curves.value != NULL ? read_curves(document, problem->arena, data, error)
+                                        : read_corner_data(document, data, error);
     }
     if (status == TAUT_OK) {
         data->surface = surface == 1 ? TAUT_ASYMPTOTIC_N_3 : TAUT_ASYMPTOTIC_5N_7;

@@ -1,5 +1,6 @@
 /* document_dirichlet.c -- the problem `dirichlet`: a net with holes (docs/format.md). */
 #include "core/fail.h"
+#include "io/boundary_document.h"
 #include "io/document_ops.h"
 #include "io/net_document.h"
 #include "io/surface_document.h"
@@ -7,7 +8,8 @@
 
 #include <string.h>
 
-static const char *const members[] = {"name", "u", "v", "points", "weights", "aspect", NULL};
+static const char *const members[] = {
+    "name", "u", "v", "points", "weights", "aspect", TAUT_BOUNDARY_MEMBERS, NULL};
 
 /* A ce-bezier basis is one for curves, the axes of pipes. */
 static taut_status check_basis(const taut_json *document, const char *key, const taut_basis *basis,
@@ -55,7 +57,9 @@ static taut_status dirichlet_read(const taut_json *document, taut_problem *probl
         status = read_aspect(document, data, error);
     }
     if (status == TAUT_OK) {
-        status = taut_net_document_read(document, problem->arena, &net, error);
+        status = taut_boundary_document_is(document)
+                     ? taut_boundary_document_read(document, problem, &net, error)
+                     : taut_net_document_read(document, problem->arena, &net, error);
     }
     if (status == TAUT_OK) {
         status = check_basis(document, "u", net.u, error);

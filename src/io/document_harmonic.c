@@ -3,7 +3,9 @@
 #include "basis/basis_ops.h"
 #include "core/fail.h"
 #include "io/basis_document.h"
+#include "io/boundary_document.h"
 #include "io/document_ops.h"
+#include "io/harmonic_boundary.h"
 #include "io/net_document.h"
 #include "io/surface_document.h"
 #include "taut/harmonic.h"
@@ -11,7 +13,8 @@
 #include <string.h>
 
 static const char *const members[] = {
-    "name", "u", "v", "points", "from", "edge", "cross_derivative", "even", "insist", NULL};
+    "name", "u",      "v",        "points", "from",   "edge", "cross_derivative",
+    "even", "insist", "boundary", "known",  "widths", NULL};
 
 static void release_basis(void *basis)
 {
@@ -182,8 +185,10 @@ static taut_status harmonic_read(const taut_json *document, taut_problem *proble
         status = taut_json_word(&from, sources, &word, error);
     }
     if (status == TAUT_OK) {
-        status = from.value != NULL ? read_derivative(document, problem->arena, data, error)
-                                    : read_net(document, problem->arena, data, error);
+        status = taut_boundary_document_is(document)
+                     ? taut_harmonic_boundary_read(document, problem, data, error)
+                 : from.value != NULL ? read_derivative(document, problem->arena, data, error)
+                                      : read_net(document, problem->arena, data, error);
     }
     if (status == TAUT_OK) {
         status = read_choices(document, problem->arena, data, error);

@@ -1,6 +1,7 @@
 /* document_plateau.c -- the problem `plateau`: a net with holes, and how to go about it
  * (docs/format.md). */
 #include "core/fail.h"
+#include "io/boundary_document.h"
 #include "io/document_ops.h"
 #include "io/net_document.h"
 #include "io/surface_document.h"
@@ -9,8 +10,12 @@
 #include <limits.h>
 #include <string.h>
 
-static const char *const members[] = {
-    "name", "u", "v", "points", "weights", "start", "tolerance", "max_iterations", "method", NULL};
+static const char *const members[] = {"name",      "u",
+                                      "v",         "points",
+                                      "weights",   "start",
+                                      "tolerance", "max_iterations",
+                                      "method",    TAUT_BOUNDARY_MEMBERS,
+                                      NULL};
 
 static taut_status check_basis(const taut_json *document, const char *key, const taut_basis *basis,
                                taut_error *error)
@@ -84,7 +89,7 @@ static taut_status read_start(const taut_json *document, taut_arena *arena,
     return status;
 }
 
-static taut_status read_net(const taut_json *document, taut_arena *arena,
+static taut_status read_net(const taut_json *document, taut_problem *problem,
                             taut_plateau_problem *data, taut_error *error)
 {
     taut_net_document net = {NULL, NULL, NULL, NULL, NULL};
@@ -92,7 +97,9 @@ static taut_status read_net(const taut_json *document, taut_arena *arena,
     taut_status status = taut_name_document_read(document, &name, error);
 
     if (status == TAUT_OK) {
-        status = taut_net_document_read(document, arena, &net, error);
+        status = taut_boundary_document_is(document)
+                     ? taut_boundary_document_read(document, problem, &net, error)
+                     : taut_net_document_read(document, problem->arena, &net, error);
     }
     if (status == TAUT_OK) {
         status = check_basis(document, "u", net.u, error);
@@ -101,7 +108,7 @@ static taut_status read_net(const taut_json *document, taut_arena *arena,
         status = check_basis(document, "v", net.v, error);
     }
     if (status == TAUT_OK && name[0] != '\0') {
-        data->net.name = taut_arena_text(arena, name);
+        data->net.name = taut_arena_text(problem->arena, name);
         status = data->net.name != NULL ? TAUT_OK : taut_fail_memory(error);
     }
     if (status == TAUT_OK) {
@@ -123,7 +130,7 @@ static taut_status plateau_read(const taut_json *document, taut_problem *problem
         status = read_options(document, data, error);
     }
     if (status == TAUT_OK) {
-        status = read_net(document, problem->arena, data, error);
+        status = read_net(document, problem, data, error);
     }
     if (status == TAUT_OK) {
         status = read_start(document, problem->arena, data, error);

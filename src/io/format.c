@@ -45,14 +45,21 @@ const taut_format_ops *taut_format_ops_at(int i)
     return i >= 0 && i < FORMAT_COUNT ? rows[i].ops : NULL;
 }
 
-static int find_ending(const char *ending)
+/* The format of a name's ending; of "geomdl.json" and "json" the longer one. */
+static int find_ending(const char *name)
 {
+    const size_t length = strlen(name);
+    size_t longest = 0;
+    int found = -1;
     for (int i = 0; i < FORMAT_COUNT; i++) {
-        if (strcasecmp(rows[i].ending, ending) == 0) {
-            return i;
+        const size_t ending = strlen(rows[i].ending);
+        if (ending > longest && length > ending && name[length - ending - 1] == '.' &&
+            strcasecmp(rows[i].ending, name + length - ending) == 0) {
+            longest = ending;
+            found = i;
         }
     }
-    return -1;
+    return found;
 }
 
 /* "json, obj, pdf" */
@@ -69,22 +76,21 @@ int taut_format_of(const char *path, taut_error *error)
 {
     struct stat about;
     const char *name = strrchr(path, '/') != NULL ? strrchr(path, '/') + 1 : path;
-    const char *dot = strrchr(name, '.');
     char list[200];
-    int i = dot != NULL ? find_ending(dot + 1) : -1;
+    int i = find_ending(name);
 
     if (i >= 0) {
         return i;
     }
     if (strcmp(path, "-") == 0) {
-        return find_ending("json");
+        return find_ending(".json");
     }
     if (stat(path, &about) == 0 && S_ISDIR(about.st_mode)) {
         taut_fail_file(error, path, "write", EISDIR);
         return -1;
     }
     if (strncmp(path, "/dev/", 5) == 0 || (stat(path, &about) == 0 && !S_ISREG(about.st_mode))) {
-        return find_ending("json"); /* a device or a pipe: as standard output */
+        return find_ending(".json"); /* a device or a pipe: as standard output */
     }
     list_endings(list, sizeof list);
     taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,

@@ -2,24 +2,21 @@
 #include "draw/figure.h"
 #include "io/format.h"
 
-static taut_status write_svg(const taut_model *model, const taut_write_options *options, FILE *out,
-                             taut_error *error)
-{
-    return taut_draw_figure(model, options, "svg", out, error);
-}
+#define TAUT_FIGURE(kind)                                                                          \
+    static taut_status write_##kind(const taut_model *model, const taut_write_options *options,    \
+                                    FILE *out, taut_error *error)                                  \
+    {                                                                                              \
+        return taut_draw_figure(model, options, #kind, out, error);                                \
+    }                                                                                              \
+    static taut_status write_many_##kind(int count, const taut_model *const *models,               \
+                                         const taut_write_options *options, FILE *out,             \
+                                         taut_error *error)                                        \
+    {                                                                                              \
+        return taut_draw_figures(count, models, options, #kind, out, error);                       \
+    }                                                                                              \
+    const taut_format_ops taut_format_##kind = {.write = write_##kind,                             \
+                                                .write_many = write_many_##kind}
 
-static taut_status write_pdf(const taut_model *model, const taut_write_options *options, FILE *out,
-                             taut_error *error)
-{
-    return taut_draw_figure(model, options, "pdf", out, error);
-}
-
-static taut_status write_png(const taut_model *model, const taut_write_options *options, FILE *out,
-                             taut_error *error)
-{
-    return taut_draw_figure(model, options, "png", out, error);
-}
-
-const taut_format_ops taut_format_svg = {.write = write_svg};
-const taut_format_ops taut_format_pdf = {.write = write_pdf};
-const taut_format_ops taut_format_png = {.write = write_png};
+TAUT_FIGURE(svg);
+TAUT_FIGURE(pdf);
+TAUT_FIGURE(png);

@@ -42,6 +42,7 @@ static taut_status write_json(const taut_model *model, const taut_write_options 
     taut_json_out json = taut_json_out_to(out);
     taut_status status = TAUT_OK;
 
+    json.short_knots = options->short_knots;
     taut_json_open(&json, '{');
     taut_json_key(&json, "taut");
     taut_json_put_number(&json, 1);

@@ -5,7 +5,9 @@
 
 /*    identifier, ending, what it holds */
 #define TAUT_FORMAT_LIST(X)                                                                        \
+    X(geomdl, "geomdl.json", "NURBS-Python's exchange JSON, within --tolerance (1e-6)")            \
     X(glb, "glb", "mesh: triangles with normals for renderers, glTF 2.0 in metres; --colour")      \
+    X(html, "html", "a page to turn the model in: one file, no network, with the certificate")     \
     X(iges, "iges", "CAD: NURBS within --tolerance (1e-6) of the model, mostly exact")             \
     X(iges, "igs", "the same as iges")                                                             \
     X(json, "json", "the model itself, exact: bases, points, details and certificate")             \
@@ -16,6 +18,7 @@
     X(step, "step", "CAD: NURBS within --tolerance (1e-6) of the model, mostly exact")             \
     X(stl, "stl", "mesh: triangles, binary, turned outwards where the surfaces close")             \
     X(step, "stp", "the same as step")                                                             \
-    X(svg, "svg", "figure: shaded surfaces as vectors")
+    X(svg, "svg", "figure: shaded surfaces as vectors")                                            \
+    X(vtu, "vtu", "VTK: exact Bezier cells or quads, with H, K, E - G, F and the control nets")
 
 #endif /* TAUT_IO_FORMAT_LIST_H */

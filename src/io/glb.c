@@ -53,11 +53,14 @@ static void choose_box(glb_plan *plan, const taut_mesh_group *group, glb_part *p
     }
 }
 
-/* Mean or Gaussian curvature at every vertex, and the range that the colours show. */
+/* The value of the colour at every vertex, and the range that the colours show. */
 static taut_status choose_colours(glb_plan *plan, const taut_model *model, int threads)
 {
     const size_t vertices = taut_mesh_vertex_count(plan->mesh);
-    const int field = plan->colour == TAUT_COLOUR_MEAN ? TAUT_FIELD_H : TAUT_FIELD_K;
+    static const int fields_of[] = {[TAUT_COLOUR_MEAN] = TAUT_FIELD_H,
+                                    [TAUT_COLOUR_GAUSSIAN] = TAUT_FIELD_K,
+                                    [TAUT_COLOUR_ISOTHERMALITY] = TAUT_FIELD_I};
+    const int field = fields_of[plan->colour];
     double *fields = taut_alloc(vertices, TAUT_FIELDS * sizeof(double));
     double *sorted = taut_alloc(vertices, sizeof(double));
     taut_status status = TAUT_OK;

@@ -6,7 +6,7 @@
 
 taut_json_out taut_json_out_to(FILE *file)
 {
-    return (taut_json_out){taut_sink_to(file), 0, 0, 1, 0};
+    return (taut_json_out){taut_sink_to(file), 0, 0, 1, 0, 0};
 }
 
 static void new_line(taut_json_out *out)

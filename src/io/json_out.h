@@ -19,10 +19,11 @@
 
 typedef struct taut_json_out {
     taut_sink sink;
-    int depth;    /* objects and lists that are open */
-    int inline_;  /* of these, how many since the outermost inline one; 0: lines are broken */
-    int is_first; /* nothing yet in the innermost */
-    int has_key;  /* a key waits for its value */
+    int depth;       /* objects and lists that are open */
+    int inline_;     /* of these, how many since the outermost inline one; 0: lines are broken */
+    int is_first;    /* nothing yet in the innermost */
+    int has_key;     /* a key waits for its value */
+    int short_knots; /* of B-splines: without the outermost two */
 } taut_json_out;
 
 taut_json_out taut_json_out_to(FILE *file);      /* NULL: into memory */

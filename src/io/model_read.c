@@ -1,6 +1,7 @@
 /* model_read.c -- models from documents. */
 #include "core/fail.h"
 #include "io/format.h"
+#include "io/geomdl.h"
 #include "io/model_document.h"
 #include "io/surface_document.h"
 #include "taut/limits.h"
@@ -141,6 +142,9 @@ static taut_status model_of(const taut_json_document *root, taut_model **model, 
         const taut_json at = taut_json_member(&document, "construct");
         return taut_json_fail(&at, error, taut_none, taut_none,
                               "this is a problem, expected a model: `taut make` makes one from it");
+    }
+    if (taut_geomdl_is(&document)) {
+        return taut_geomdl_read(&document, model, error);
     }
     status = taut_json_object(&document, model_members, error);
     if (status == TAUT_OK) {

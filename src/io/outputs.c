@@ -123,13 +123,71 @@ static taut_status write_by_path(taut_staged *staged, const taut_format_ops *ops
     return ops->write_path(model, options, staged->temporary, error);
 }
 
+/* The format of the path; NULL, and then *error says so. */
+static const taut_format_ops *format_of(const char *path, const taut_write_options *options,
+                                        taut_error *error)
+{
+    taut_error reason = {TAUT_OK, 0, 0, "", ""};
+    const char *ending = options->format;
+    char name[32] = ".";
+    const taut_format_ops *ops = NULL;
+
+    if (ending != NULL) {
+        strncat(name, ending, sizeof name - 2);
+        path = name;
+    }
+    ops = taut_format_ops_at(taut_format_of(path, &reason));
+    if (ops == NULL && error != NULL) {
+        *error = reason;
+    }
+    return ops;
+}
+
+taut_status taut_outputs_models(taut_outputs *outputs, int count, const taut_model *const *models,
+                                const char *path, const taut_write_options *options,
+                                taut_error *error)
+{
+    static const taut_write_options none;
+    const taut_write_options *chosen = options != NULL ? options : &none;
+    const taut_format_ops *ops = NULL;
+    taut_staged *staged = NULL;
+    taut_status status = TAUT_OK;
+
+    if (outputs == NULL || models == NULL || path == NULL || count < 1 || count > TAUT_MODELS_MAX) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, TAUT_MODELS_MAX,
+                         "an output needs a path and 1 to %d models", TAUT_MODELS_MAX);
+    }
+    ops = format_of(path, chosen, error);
+    if (ops == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    if (ops->write_many == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, 1,
+                         "%.150s holds one model; several go side by side in .svg, .pdf and .png",
+                         path);
+    }
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        status = models[i] != NULL ? taut_format_check(models[i], chosen, error)
+                                   : taut_fail(error, TAUT_BAD_ARGUMENT, NULL, i, taut_none,
+                                               "one of the models is none");
+    }
+    if (status == TAUT_OK) {
+        status = stage(outputs, path, &staged, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    errno = 0;
+    status = ops->write_many(count, models, chosen, staged->file, error);
+    return finish(staged, status, error);
+}
+
 taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model, const char *path,
                                const taut_write_options *options, taut_error *error)
 {
     static const taut_write_options none;
     const taut_write_options *chosen = options != NULL ? options : &none;
     const taut_format_ops *ops = NULL;
-    taut_error reason = {TAUT_OK, 0, 0, "", ""};
     taut_staged *staged = NULL;
     taut_status status = TAUT_OK;
 
@@ -137,12 +195,9 @@ taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model, c
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "an output needs a model and a path");
     }
-    ops = taut_format_ops_at(taut_format_of(path, &reason));
+    ops = format_of(path, chosen, error);
     if (ops == NULL) {
-        if (error != NULL) {
-            *error = reason;
-        }
-        return reason.status;
+        return TAUT_BAD_ARGUMENT;
     }
     status = taut_format_check(model, chosen, error);
     if (status == TAUT_OK) {

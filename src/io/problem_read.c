@@ -57,9 +57,26 @@ static taut_status check_members(const taut_json *document, const taut_document_
     return taut_json_object(document, names, error);
 }
 
-/* The problem of a document that has been parsed. */
-static taut_status problem_of(const taut_json_document *root, taut_problem **problem,
-                              taut_error *error)
+/* Other files that the document names lie beside it. */
+static taut_status set_folder(taut_problem *problem, const char *path, taut_error *error)
+{
+    const char *slash = path != NULL ? strrchr(path, '/') : NULL;
+    char *folder = NULL;
+    if (slash == NULL) {
+        return TAUT_OK;
+    }
+    folder = taut_arena_text(problem->arena, path);
+    if (folder == NULL) {
+        return taut_fail_memory(error);
+    }
+    folder[slash - path + 1] = '\0';
+    problem->folder = folder;
+    return TAUT_OK;
+}
+
+/* The problem of a document that has been parsed; path NULL: it came from no file. */
+static taut_status problem_of(const taut_json_document *root, const char *path,
+                              taut_problem **problem, taut_error *error)
 {
     const taut_json document = taut_json_root(root);
     const char *unit = "mm";
@@ -78,6 +95,9 @@ static taut_status problem_of(const taut_json_document *root, taut_problem **pro
     }
     if (status == TAUT_OK && taut_problem_new(construct, &made) != TAUT_OK) {
         status = taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        status = set_folder(made, path, error);
     }
     if (status == TAUT_OK) {
         snprintf(made->unit, sizeof made->unit, "%s", unit);
@@ -102,7 +122,7 @@ taut_status taut_problem_read_text(const char *text, size_t length, const char *
     }
     status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
     if (status == TAUT_OK) {
-        status = problem_of(root, problem, error);
+        status = problem_of(root, NULL, problem, error);
     }
     taut_json_document_free(root);
     return status;
@@ -118,7 +138,7 @@ taut_status taut_problem_read(const char *path, taut_problem **problem, taut_err
     }
     status = taut_json_load(path, &root, error);
     if (status == TAUT_OK) {
-        status = problem_of(root, problem, error);
+        status = problem_of(root, path, problem, error);
     }
     taut_json_document_free(root);
     return status;

@@ -43,6 +43,7 @@ taut_status taut_problem_new(int construct, taut_problem **problem)
         return TAUT_NO_MEMORY;
     }
     memcpy(made->unit, "mm", 3);
+    made->folder = "";
     *problem = made;
     return TAUT_OK;
 }

@@ -16,10 +16,11 @@ typedef enum taut_construct_index {
 #undef TAUT_CONSTRUCT_INDEX
 
 struct taut_problem {
-    int construct;     /* a taut_construct_index */
-    taut_arena *arena; /* owns the data and all it points at */
-    const void *data;  /* the construction's struct, such as taut_dirichlet_problem */
-    char unit[4];      /* "mm" unless the document says otherwise */
+    int construct;      /* a taut_construct_index */
+    taut_arena *arena;  /* owns the data and all it points at */
+    const void *data;   /* the construction's struct, such as taut_dirichlet_problem */
+    char unit[4];       /* "mm" unless the document says otherwise */
+    const char *folder; /* of its document, with a slash at the end, "" if it came from no file */
 };
 
 /* An empty problem with its arena; data is set by the reader. */

@@ -39,6 +39,15 @@ absent() {
     [ -z "$left" ] || complain "left behind: $left"
 }
 
+# missing WHAT: a check that cannot be made; where all tools must be there (TAUT_REQUIRE=all) that is a failure.
+missing() {
+    if [ "${TAUT_REQUIRE:-}" = all ]; then
+        complain "$1 is not installed"
+    else
+        echo "left out: $1 is not installed"
+    fi
+}
+
 contains() {
     grep -qE -- "$2" "$1" || complain "$1 has no line like $2"
 }

@@ -47,6 +47,8 @@ for path in [os.path.join(f, n) for f in folders if os.path.isdir(f) for n in so
         document = json.loads(open(path, encoding="utf-8-sig").read())
     except (ValueError, RecursionError):
         continue
+    if isinstance(document, dict) and "shape" in document and "taut" not in document:
+        continue # geomdl's: its members are another's to say
     code, _ = run("make", path, "-o", "made.json", "--report", "report.json", "--quiet")
     if code in (0, 1, 4):
         read["problem"] += 1

@@ -3,7 +3,9 @@
 #include "fault.h"
 #include "shapes.h"
 
+#include "core/memory.h"
 #include "draw/figure.h"
+#include "io/html_data.h"
 
 #include <stdlib.h>
 
@@ -22,6 +24,36 @@ static taut_status draw(const void *context, void **result, taut_error *error)
     return status;
 }
 
+static taut_status draw_marks(const void *context, void **result, taut_error *error)
+{
+    static const taut_write_options options = {.divide = 2,
+                                               .colour = TAUT_COLOUR_ISOTHERMALITY,
+                                               .isolines = 3,
+                                               .reflections = 5,
+                                               .combs = 1};
+    const taut_model *models[2] = {context, context};
+    char *text = NULL;
+    size_t length = 0;
+    FILE *out = open_memstream(&text, &length);
+    const taut_status status = taut_draw_figures(2, models, &options, "svg", out, error);
+    (void)result;
+    fclose(out);
+    CHECK(status != TAUT_OK || length > 1000, "a figure of %zu bytes", length);
+    free(text);
+    return status;
+}
+
+static taut_status page(const void *context, void **result, taut_error *error)
+{
+    static const taut_write_options options = {.title = "title", .divide = 3};
+    char *text = *result;
+    size_t length = 0;
+    const taut_status status = taut_html_data(context, &options, &text, &length, error);
+    CHECK(status != TAUT_OK || length > 1000, "data of %zu bytes", length);
+    *result = text;
+    return status;
+}
+
 int main(void)
 {
     static const double points[4][3] = {{0, 0, 0}, {1, 1, 0}, {2, 0, 1}, {3, 1, 1}};
@@ -36,6 +68,8 @@ int main(void)
     CHECK(taut_model_add_surface(model, surface) == TAUT_OK, "surface");
     CHECK(taut_model_add_curve(model, curve) == TAUT_OK, "curve");
     fault_loop(&(fault_call){"taut_draw_figure", draw, NULL, model});
+    fault_loop(&(fault_call){"taut_draw_figures", draw_marks, NULL, model});
+    fault_loop(&(fault_call){"taut_html_data", page, taut_free, model});
     taut_model_free(model);
     CHECK(fault_live() == 0, "%ld blocks left", fault_live());
     return check_failures != 0;

@@ -55,23 +55,30 @@ static void set_metadata(cairo_surface_t *surface, const taut_page *page)
 
 enum { OVERSAMPLING = 3 };
 
-/* PNG: one pixel to the unit. PDF: half a point, so that letters of 18 units print as 9 point. */
+static int pixels_down(const taut_page *page)
+{
+    return (int)(page->pixels * page->height / page->width + 0.5);
+}
+
+/* PNG: as many pixels as asked for. PDF: half a point, so that letters of 18 units print as 9
+ * point. */
 static taut_status cairo_begin(taut_canvas *canvas, const taut_page *page)
 {
     const int png = strcmp(page->kind, "png") == 0;
+    const double unit = png ? OVERSAMPLING * page->pixels / page->width : 0.5;
     taut_status status = TAUT_OK;
 
     canvas->page = page;
     if (png) {
         canvas->surface = cairo_image_surface_create(
-            CAIRO_FORMAT_RGB24, OVERSAMPLING * (int)page->width, OVERSAMPLING * (int)page->height);
+            CAIRO_FORMAT_RGB24, OVERSAMPLING * page->pixels, OVERSAMPLING * pixels_down(page));
     } else {
         canvas->surface = cairo_pdf_surface_create_for_stream(write_bytes, (void *)page,
                                                               page->width / 2, page->height / 2);
         set_metadata(canvas->surface, page);
     }
     canvas->cairo = cairo_create(canvas->surface);
-    cairo_scale(canvas->cairo, png ? OVERSAMPLING : 0.5, png ? OVERSAMPLING : 0.5);
+    cairo_scale(canvas->cairo, unit, unit);
     cairo_set_line_cap(canvas->cairo, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(canvas->cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_select_font_face(canvas->cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
@@ -140,11 +147,11 @@ static void cairo_text(taut_canvas *canvas, double x, double y, double size, tau
     cairo_new_path(canvas->cairo);
 }
 
-/* The page at its own size, each pixel the mean of OVERSAMPLING^2. */
+/* The page, each pixel the mean of OVERSAMPLING^2. */
 static cairo_status_t write_png(const taut_canvas *canvas)
 {
-    cairo_surface_t *small = cairo_image_surface_create(
-        CAIRO_FORMAT_RGB24, (int)canvas->page->width, (int)canvas->page->height);
+    cairo_surface_t *small = cairo_image_surface_create(CAIRO_FORMAT_RGB24, canvas->page->pixels,
+                                                        pixels_down(canvas->page));
     cairo_t *cairo = cairo_create(small);
     cairo_status_t status = CAIRO_STATUS_SUCCESS;
 

@@ -103,7 +103,7 @@ void occt_write_step(const taut_cad_job &job, int count, const taut_cad_item *it
     set("write.step.product.name", job.name);
     Interface_Static::SetIVal("write.precision.mode", 2);
     Interface_Static::SetRVal("write.precision.val", job.precision);
-    Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+    Interface_Static::SetIVal("write.surfacecurve.mode", 1); /* spares readers a projection */
     Interface_Static::SetIVal("write.step.assembly", 0);
     writer.Model(Standard_True);
     builder.MakeCompound(all);

@@ -322,6 +322,60 @@ static void test_refusals(void)
     taut_model_free(empty);
 }
 
+/* Every way to draw, on what has edges, knots, a pole and nothing. */
+static void test_options(void)
+{
+    static const char *const labels[] = {"first", "second", "third"};
+    const double line[12] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3};
+    taut_model *a = model_of(enneper()), *b = model_of(sphere()),
+               *c = model_of(patch("", 1, line, NULL));
+    const taut_model *models[] = {a, b, c};
+    size_t size = 0;
+    char *svg = NULL;
+
+    CHECK(taut_model_add_surface(a, sphere()) == TAUT_OK, "two surfaces");
+    for (int colour = 0; colour < 4; colour++) {
+        const taut_write_options options = {.colour = (taut_colour)colour,
+                                            .isolines = 5,
+                                            .divide = 6,
+                                            .reflections = 9,
+                                            .combs = 1,
+                                            .side_by_side = colour % 2};
+        for (int i = 0; i < 3; i++) {
+            svg = draw(models[i], &options, "svg", &size, TAUT_OK);
+            CHECK(strstr(svg, "nan") == NULL && strstr(svg, "inf") == NULL, "model %d", i);
+            CHECK(strstr(svg, "the longest tooth") != NULL, "the scale of the combs is said");
+            CHECK((strstr(svg, ">Enneper<") != NULL) ==
+                      (i == 0 && (colour == 0 || colour % 2 == 1)),
+                  "its name is there");
+            free(svg);
+        }
+    }
+    FILE *out = open_memstream(&svg, &size);
+    CHECK(taut_draw_figures(3, models, &(taut_write_options){.labels = labels}, "svg", out, NULL) ==
+              TAUT_OK,
+          "three models");
+    fclose(out);
+    for (int i = 0; i < 3; i++) {
+        CHECK(strstr(svg, labels[i]) != NULL, "%s", labels[i]);
+    }
+    free(svg);
+    CHECK(taut_draw_figures(0, models, NULL, "svg", stdout, NULL) == TAUT_BAD_ARGUMENT, "none");
+    CHECK(taut_draw_figures(TAUT_MODELS_MAX + 1, models, NULL, "svg", stdout, NULL) ==
+              TAUT_BAD_ARGUMENT,
+          "too many");
+    free(draw(a, &(taut_write_options){.isolines = -1}, "svg", &size, TAUT_BAD_ARGUMENT));
+    free(draw(a, &(taut_write_options){.reflections = 101}, "svg", &size, TAUT_BAD_ARGUMENT));
+    free(draw(a, &(taut_write_options){.width = 5000}, "png", &size, TAUT_BAD_ARGUMENT));
+    free(draw(a, &(taut_write_options){.colour = (taut_colour)4}, "svg", &size, TAUT_BAD_ARGUMENT));
+    svg = draw(a, &(taut_write_options){.width = 300}, "png", &size, TAUT_OK);
+    CHECK(big_endian(svg + 16) == 300 && big_endian(svg + 20) == 225, "as wide as asked for");
+    free(svg);
+    taut_model_free(a);
+    taut_model_free(b);
+    taut_model_free(c);
+}
+
 static void test_full_device(void)
 {
     taut_model *model = model_of(enneper());
@@ -347,6 +401,7 @@ int main(void)
     test_repeats();
     test_degenerate();
     test_refusals();
+    test_options();
     test_full_device();
     return check_failures != 0;
 }

@@ -106,6 +106,74 @@ static inline void add_any_curve(taut_model *model, const char *name)
     free(weights);
 }
 
+/* The same with coordinates of one size, for what has a size to compute. */
+
+/* Knots with every multiplicity up to the degree, or a bezier basis. */
+static inline taut_basis *some_basis(void)
+{
+    taut_basis_spec spec = {.type = "bezier", .degree = random_int(1, random_int(0, 19) ? 5 : 25)};
+    taut_basis *basis = NULL;
+    double knots[200], t = random_in(-2, 2);
+    int n = 0;
+    if (random_int(0, 2) == 0) {
+        spec.has_range = 1;
+        spec.range[0] = random_in(-5, 0);
+        spec.range[1] = random_in(0.1, 5);
+    } else {
+        const int inner = random_int(0, 5);
+        spec.type = "bspline";
+        for (int k = 0; k <= inner + 1; k++) {
+            const int times = k == 0 || k > inner ? spec.degree + 1 : random_int(1, spec.degree);
+            for (int i = 0; i < times; i++) {
+                knots[n++] = t;
+            }
+            t += random_in(0.01, 1);
+        }
+        spec.knots = knots;
+        spec.knot_count = n;
+    }
+    CHECK(taut_basis_new(&spec, 0, &basis, NULL) == TAUT_OK, "basis of degree %d", spec.degree);
+    return basis;
+}
+
+static inline double *numbers_in(int count, double lo, double hi)
+{
+    double *numbers = malloc(sizeof(double) * (size_t)count);
+    for (int i = 0; i < count; i++) {
+        numbers[i] = random_in(lo, hi);
+    }
+    return numbers;
+}
+
+static inline void add_some_surface(taut_model *model, const char *name)
+{
+    taut_basis *u = some_basis(), *v = some_basis();
+    const int count = taut_basis_count(u) * taut_basis_count(v);
+    double *points = numbers_in(3 * count, -10, 10);
+    double *weights = random_int(0, 1) ? numbers_in(count, 0.1, 3) : NULL;
+    taut_surface *surface = NULL;
+    CHECK(taut_surface_new(name, u, v, points, weights, &surface, NULL) == TAUT_OK, "surface");
+    CHECK(taut_model_add_surface(model, surface) == TAUT_OK, "add");
+    taut_basis_free(u);
+    taut_basis_free(v);
+    free(points);
+    free(weights);
+}
+
+static inline void add_some_curve(taut_model *model, const char *name)
+{
+    taut_basis *t = some_basis();
+    const int count = taut_basis_count(t);
+    double *points = numbers_in(3 * count, -10, 10);
+    double *weights = random_int(0, 1) ? numbers_in(count, 0.1, 3) : NULL;
+    taut_curve *curve = NULL;
+    CHECK(taut_curve_new(name, t, points, weights, &curve, NULL) == TAUT_OK, "curve");
+    CHECK(taut_model_add_curve(model, curve) == TAUT_OK, "add");
+    taut_basis_free(t);
+    free(points);
+    free(weights);
+}
+
 static inline int same_numbers(int count, const double *a, const double *b)
 {
     if (a == NULL || b == NULL) {

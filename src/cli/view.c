@@ -1,0 +1,80 @@
+/* view.c -- taut view: a model as a page to turn it in. */
+#include "cli.h"
+
+#include <string.h>
+#include <unistd.h>
+
+/* One model into each -o, or into standard output, whatever the path: a page is what was asked. */
+static int write_pages(const taut_model *model, const cli_options *options)
+{
+    static const char *const standard[] = {"-"};
+    const char *const *paths = options->output_count > 0 ? options->outputs : standard;
+    const int count = options->output_count > 0 ? options->output_count : 1;
+    char name[128];
+    taut_write_options chosen;
+    taut_outputs *outputs = NULL;
+    taut_error error;
+    int code = cli_write_options(options, &chosen);
+
+    chosen.format = "html";
+    if (chosen.title == NULL && strcmp(options->files[0], "-") != 0) {
+        cli_label(options->files[0], name, sizeof name);
+        chosen.title = name;
+    }
+    if (code == 0) {
+        code = cli_outputs_new(&outputs);
+    }
+    for (int i = 0; i < count && code == 0; i++) {
+        if (taut_outputs_model(outputs, model, paths[i], &chosen, &error) != TAUT_OK) {
+            code = cli_fail(&error);
+        }
+    }
+    if (code == 0) {
+        code = cli_commit(outputs);
+    }
+    cli_monitor_done();
+    cli_outputs_free(outputs);
+    return code;
+}
+
+static int run(const cli_options *options)
+{
+    taut_model *model = NULL;
+    taut_error error;
+    int code = 0;
+
+    if (options->output_count == 0 && isatty(STDOUT_FILENO)) {
+        return cli_misuse("`taut view` needs -o FILE.html here: a page is not for a terminal");
+    }
+    if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
+        return cli_fail_in(options->files[0], &error);
+    }
+    code = write_pages(model, options);
+    taut_model_free(model);
+    return code;
+}
+
+static const cli_option options_of_view[] = {
+    {"-o", CLI_LIST, offsetof(cli_options, outputs), offsetof(cli_options, output_count), 0, 0,
+     "FILE", "write the page to FILE; else to standard output"},
+    CLI_SURFACE,
+    {"--view", CLI_TEXT, offsetof(cli_options, view), 0, 0, 0, "AZ,EL",
+     "where it is looked at from at first, in degrees"},
+    {"--title", CLI_TEXT, offsetof(cli_options, title), 0, 0, 0, "TEXT", "its heading"},
+    {"--frames", CLI_FLAG, offsetof(cli_options, side_by_side), 0, 0, 0, NULL,
+     "the surfaces are frames of one that moves (told by itself where the details say so)"},
+    CLI_THREADS,
+    CLI_LAST};
+
+const cli_command cli_command_view = {
+    .name = "view",
+    .usage = "MODEL.json [-o FILE.html]",
+    .summary = "write a page to turn a model in, with its certificate",
+    .text = "The page is one file and asks for no other: open it in any browser. `make` and "
+            "`convert` write it\ntoo, as -o FILE.html. It says what of a large model it leaves "
+            "out.\n",
+    .files_min = 1,
+    .files_max = 1,
+    .options = options_of_view,
+    .run = run,
+};

@@ -1,0 +1,100 @@
+/* isolines.c -- lines of equal value on a sheet, and lines of equal parameter. */
+#include "draw/parts.h"
+
+#include <math.h>
+
+static const taut_ink line_ink = {44, 48, 60};
+static const double line_width = 1.0, zero_width = 2.0;
+
+/* The points on the sides of a triangle where s = level; 2, or 0. */
+static int crossings(const double *const p[3], const double s[3], double level, double at[2][3])
+{
+    int count = 0;
+    for (int k = 0; k < 3; k++) {
+        const double *a = p[k], *b = p[(k + 1) % 3];
+        const double sa = s[k] - level, sb = s[(k + 1) % 3] - level;
+        if ((sa > 0) != (sb > 0) && count < 2) {
+            for (int c = 0; c < 3; c++) {
+                at[count][c] = a[c] + sa / (sa - sb) * (b[c] - a[c]);
+            }
+            count++;
+        }
+    }
+    return count;
+}
+
+/* Every level k step, k = first .. last, that the triangle crosses. */
+static void add_triangle(const double *const p[3], const double s[3], double step, int first,
+                         int last, taut_scene *scene)
+{
+    const double low = fmin(s[0], fmin(s[1], s[2])), high = fmax(s[0], fmax(s[1], s[2]));
+    /* a value that is the same but for rounding would be crossed everywhere */
+    if (!(high - low > 1e-5 * step)) {
+        return;
+    }
+    const int from = (int)fmax(first, ceil(fmax(low / step, first)));
+    const int to = (int)fmin(last, floor(fmin(high / step, last)));
+    for (int k = from; k <= to; k++) {
+        double at[2][3];
+        if (crossings(p, s, k * step, at) == 2) {
+            taut_scene_line(scene, 2, at[0], line_ink, k == 0 ? zero_width : line_width);
+        }
+    }
+}
+
+taut_status taut_parts_isolines(const taut_sheet *sheet, const double *page, double step, int first,
+                                int last, taut_scene *scene)
+{
+    const size_t columns = (size_t)sheet->v.count;
+    for (size_t i = 0; i + 1 < (size_t)sheet->u.count; i++) {
+        for (size_t j = 0; j + 1 < columns; j++) {
+            const double *corner = page + 3 * (i * columns + j);
+            const double *s = sheet->corners + 4 * (i * (columns - 1) + j);
+            const double *const one[3] = {corner, corner + 3 * columns, corner + 3 * columns + 3};
+            const double *const two[3] = {corner, corner + 3 * columns + 3, corner + 3};
+            const double s_two[3] = {s[0], s[2], s[3]};
+            if (isfinite(s[0]) && isfinite(s[1]) && isfinite(s[2]) && isfinite(s[3])) {
+                add_triangle(one, s, step, first, last, scene);
+                add_triangle(two, s_two, step, first, last, scene);
+            }
+        }
+    }
+    return scene->status;
+}
+
+enum { STEPS = 96 };
+
+static double share(const taut_basis *basis, int i, int of)
+{
+    const double a = taut_basis_lo(basis), b = taut_basis_hi(basis), s = (double)i / of;
+    return fmin(fmax((1 - s) * a + s * b, a), b);
+}
+
+taut_status taut_parts_parameter_lines(const taut_surface *surface, int count,
+                                       const taut_camera *camera, taut_arena *arena,
+                                       taut_scene *scene)
+{
+    const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
+    double along[STEPS + 1];
+    double *points = taut_arena_take(arena, STEPS + 1, 3 * sizeof(double));
+    taut_status status = points != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+
+    for (int held = 0; held < 2; held++) {
+        for (int i = 0; i <= STEPS; i++) {
+            along[i] = share(bases[1 - held], i, STEPS);
+        }
+        for (int k = 1; k <= count && status == TAUT_OK; k++) {
+            const double at = share(bases[held], k, count + 1);
+            status = held == 0
+                         ? taut_surface_eval_grid(surface, 1, &at, STEPS + 1, along, 0, 1, points)
+                         : taut_surface_eval_grid(surface, STEPS + 1, along, 1, &at, 0, 1, points);
+            for (int i = 0; i <= STEPS && status == TAUT_OK; i++) {
+                taut_camera_project(camera, points + 3 * i, points + 3 * i);
+            }
+            if (status == TAUT_OK) {
+                taut_scene_line(scene, STEPS + 1, points, line_ink, line_width);
+            }
+        }
+    }
+    return status == TAUT_OK ? scene->status : status;
+}

@@ -1,0 +1,240 @@
+#include "draw/pane.h"
+
+#include "draw/colour.h"
+#include "draw/parts.h"
+
+#include <math.h>
+#include <string.h>
+
+static int net_u(const taut_surface *s)
+{
+    return taut_basis_count(taut_surface_u(s));
+}
+
+static int net_v(const taut_surface *s)
+{
+    return taut_basis_count(taut_surface_v(s));
+}
+
+int taut_pane_shows(const taut_pane *pane, const taut_write_options *options, int i)
+{
+    const char *name = taut_surface_name(taut_model_surface(pane->model, i));
+    return pane->surface >= 0 ? pane->surface == i
+                              : options->surface == NULL || strcmp(options->surface, name) == 0;
+}
+
+static taut_status sample_surfaces(taut_pane *pane, const taut_write_options *options, int cells,
+                                   int most, taut_arena *arena)
+{
+    taut_status status = TAUT_OK;
+    for (int i = 0; i < taut_model_surface_count(pane->model) && status == TAUT_OK; i++) {
+        if (taut_pane_shows(pane, options, i)) {
+            taut_sheet *sheet = &pane->sheets[pane->sheet_count++];
+            status = taut_sheet_new(taut_model_surface(pane->model, i), cells, most, options, arena,
+                                    sheet);
+            if (status == TAUT_OK && options->isolines > 0 &&
+                options->colour != TAUT_COLOUR_PLAIN) {
+                status = taut_sheet_corners(options, arena, sheet);
+            }
+        }
+    }
+    return status;
+}
+
+/* The curves belong to the whole model: one surface alone is shown without. */
+static taut_status sample_curves(taut_pane *pane, const taut_write_options *options, int along,
+                                 taut_arena *arena)
+{
+    const int count =
+        options->surface == NULL && pane->surface < 0 ? taut_model_curve_count(pane->model) : 0;
+    taut_status status = TAUT_OK;
+
+    pane->curves = taut_arena_take(arena, (size_t)count, sizeof *pane->curves);
+    if (pane->curves == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        taut_polyline *line = &pane->curves[pane->curve_count++];
+        line->curve = taut_model_curve(pane->model, i);
+        status = taut_parts_sample_curve(line->curve, count > 1000 ? 16 : along, arena,
+                                         &line->count, &line->points);
+    }
+    return status;
+}
+
+/* The longest tooth is an eighth of the diagonal of the box of the surfaces. */
+static taut_status sample_combs(taut_pane *pane, taut_arena *arena)
+{
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    taut_status status = TAUT_OK;
+
+    pane->combs = taut_arena_take(arena, (size_t)pane->sheet_count, sizeof *pane->combs);
+    if (pane->combs == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < pane->sheet_count && status == TAUT_OK; i++) {
+        const taut_sheet *s = &pane->sheets[i];
+        for (size_t k = 0; k < 3 * (size_t)s->u.count * (size_t)s->v.count; k++) {
+            low[k % 3] = fmin(low[k % 3], s->points[k]);
+            high[k % 3] = fmax(high[k % 3], s->points[k]);
+        }
+        status = taut_combs_fill(s->surface, &pane->combs[i], &pane->comb_most);
+    }
+    const double size = hypot(hypot(high[0] - low[0], high[1] - low[1]), high[2] - low[2]);
+    const int bends = pane->comb_most * size > 1e-9 && isfinite(pane->comb_most * size);
+    pane->comb_scale = bends ? size / 8 / pane->comb_most : 0;
+    for (int i = 0; i < pane->sheet_count && status == TAUT_OK; i++) {
+        taut_combs_scale(&pane->combs[i], pane->comb_scale);
+    }
+    return status;
+}
+
+taut_status taut_pane_sample(taut_pane *pane, const taut_write_options *options, int cells,
+                             int most, int along, taut_arena *arena)
+{
+    int shown = 0;
+    taut_status status = TAUT_OK;
+
+    for (int i = 0; i < taut_model_surface_count(pane->model); i++) {
+        shown += taut_pane_shows(pane, options, i);
+    }
+    pane->sheets = taut_arena_take(arena, (size_t)shown, sizeof *pane->sheets);
+    pane->pages = taut_arena_take(arena, (size_t)shown, sizeof *pane->pages);
+    if (pane->sheets == NULL || pane->pages == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    status = sample_surfaces(pane, options, cells, most, arena);
+    if (status == TAUT_OK) {
+        status = sample_curves(pane, options, along, arena);
+    }
+    return status == TAUT_OK && options->combs ? sample_combs(pane, arena) : status;
+}
+
+void taut_pane_visit(const taut_pane *pane, const taut_write_options *options, taut_camera *camera,
+                     void (*visit)(taut_camera *, size_t, const double *))
+{
+    const int net = !options->no_net;
+    for (int i = 0; i < pane->sheet_count; i++) {
+        const taut_sheet *s = &pane->sheets[i];
+        visit(camera, (size_t)s->u.count * (size_t)s->v.count, s->points);
+        if (net) {
+            visit(camera, (size_t)net_u(s->surface) * (size_t)net_v(s->surface),
+                  taut_surface_points(s->surface));
+        }
+        if (pane->combs != NULL) {
+            visit(camera, (size_t)4 * TAUT_COMB_TEETH, &pane->combs[i].tip[0][0][0]);
+        }
+    }
+    for (int i = 0; i < pane->curve_count; i++) {
+        const taut_polyline *line = &pane->curves[i];
+        visit(camera, line->count, line->points);
+        if (net) {
+            visit(camera, (size_t)taut_basis_count(taut_curve_t(line->curve)),
+                  taut_curve_points(line->curve));
+        }
+    }
+}
+
+taut_status taut_pane_add_cells(taut_pane *pane, const taut_write_options *options, double limit,
+                                taut_arena *arena, taut_scene *scene)
+{
+    taut_status status = TAUT_OK;
+    for (int i = 0; i < pane->sheet_count && status == TAUT_OK; i++) {
+        taut_sheet *sheet = &pane->sheets[i];
+        const int colour = pane->surface >= 0 ? 0 : i;
+        if (options->reflections > 0) {
+            status = taut_sheet_stripes(options, &pane->camera, arena, sheet);
+        }
+        if (status == TAUT_OK) {
+            status = taut_parts_cells(sheet, &pane->camera, taut_colour_plain(colour), limit, arena,
+                                      scene, &pane->pages[i]);
+        }
+    }
+    return status;
+}
+
+/* Knot lines say nothing beside a net so dense that it lies in the surface, and little beside other
+ * lines. */
+static int has_knot_lines(const taut_write_options *options, const taut_surface *s)
+{
+    return options->isolines == 0 && options->reflections == 0 &&
+           (options->no_net || taut_parts_net_is_whole(net_u(s), net_v(s)));
+}
+
+static taut_status add_isolines(const taut_pane *pane, const taut_write_options *options, int i,
+                                double limit, taut_arena *arena, taut_scene *scene)
+{
+    const int count = options->isolines;
+    const taut_sheet *sheet = &pane->sheets[i];
+    if (options->colour == TAUT_COLOUR_PLAIN) {
+        return taut_parts_parameter_lines(sheet->surface, count, &pane->camera, arena, scene);
+    }
+    return taut_parts_isolines(sheet, pane->pages[i], limit / count,
+                               options->colour == TAUT_COLOUR_ISOTHERMALITY ? 0 : -count, count,
+                               scene);
+}
+
+static taut_status add_lines(const taut_pane *pane, const taut_write_options *options, int i,
+                             double limit, taut_arena *arena, taut_scene *scene)
+{
+    const taut_sheet *sheet = &pane->sheets[i];
+    const taut_surface *s = sheet->surface;
+    taut_status status = taut_parts_silhouette(sheet, pane->pages[i], arena, scene);
+
+    if (status == TAUT_OK && has_knot_lines(options, s)) {
+        const taut_ink ink = taut_colour_plain(pane->surface >= 0 ? 0 : i);
+        status = taut_parts_outline(sheet, pane->pages[i], 0, ink, arena, scene);
+    }
+    if (status == TAUT_OK && options->isolines > 0) {
+        status = add_isolines(pane, options, i, limit, arena, scene);
+    }
+    if (status == TAUT_OK && pane->combs != NULL && pane->comb_scale > 0) {
+        status = taut_combs_add(&pane->combs[i], &pane->camera, scene);
+    }
+    if (status == TAUT_OK && !options->no_net) {
+        status =
+            taut_parts_net(net_u(s), net_v(s), taut_surface_points(s), &pane->camera, arena, scene);
+    }
+    return status;
+}
+
+/* The boundaries last: they must not be paler where a net runs along them. */
+taut_status taut_pane_add_lines(taut_pane *pane, const taut_write_options *options, double limit,
+                                taut_arena *arena, taut_scene *scene)
+{
+    taut_status status = TAUT_OK;
+    for (int i = 0; i < pane->sheet_count && status == TAUT_OK; i++) {
+        status = add_lines(pane, options, i, limit, arena, scene);
+    }
+    for (int i = 0; i < pane->sheet_count && status == TAUT_OK; i++) {
+        status = taut_parts_outline(&pane->sheets[i], pane->pages[i], 1, taut_colour_plain(i),
+                                    arena, scene);
+    }
+    return status;
+}
+
+taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *options,
+                                 taut_arena *arena, taut_scene *scene)
+{
+    const int net = !options->no_net;
+    taut_status status = TAUT_OK;
+    for (int i = 0; i < pane->curve_count && status == TAUT_OK; i++) {
+        const taut_polyline *line = &pane->curves[i];
+        status = taut_parts_curve(line->count, line->points, &pane->camera, taut_colour_curve(i),
+                                  arena, scene);
+        if (status == TAUT_OK && net) {
+            status = taut_parts_net(1, taut_basis_count(taut_curve_t(line->curve)),
+                                    taut_curve_points(line->curve), &pane->camera, arena, scene);
+        }
+    }
+    for (int i = 0; i < pane->sheet_count && net; i++) {
+        const taut_surface *s = pane->sheets[i].surface;
+        taut_parts_net_points(net_u(s), net_v(s), taut_surface_points(s), &pane->camera, scene);
+    }
+    for (int i = 0; i < pane->curve_count && net; i++) {
+        const taut_curve *c = pane->curves[i].curve;
+        taut_parts_net_points(1, taut_basis_count(taut_curve_t(c)), taut_curve_points(c),
+                              &pane->camera, scene);
+    }
+    return status == TAUT_OK ? scene->status : status;
+}

@@ -1,0 +1,207 @@
+#include "draw/panes.h"
+
+#include "core/fail.h"
+#include "draw/label.h"
+#include "draw/view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int shown_of(const taut_model *model, const taut_write_options *options)
+{
+    const taut_pane all = {.model = model, .surface = -1};
+    int shown = 0;
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        shown += taut_pane_shows(&all, options, i);
+    }
+    return shown;
+}
+
+/* Surface after surface of one model, `of` in all. */
+static void split(const taut_model *model, taut_panes *panes)
+{
+    panes->of = taut_model_surface_count(model);
+    panes->count = panes->of < TAUT_PANES_MAX ? panes->of : TAUT_PANES_MAX;
+    for (int k = 0; k < panes->count; k++) {
+        const int i = (int)((long)k * (panes->of - 1) / (panes->count > 1 ? panes->count - 1 : 1));
+        panes->pane[k] = (taut_pane){
+            .model = model, .surface = i, .label = taut_surface_name(taut_model_surface(model, i))};
+    }
+    panes->is_one_size = 1;
+}
+
+taut_status taut_panes_new(int count, const taut_model *const *models,
+                           const taut_write_options *options, taut_arena *arena, taut_panes *panes,
+                           taut_error *error)
+{
+    (void)arena;
+    memset(panes, 0, sizeof *panes);
+    for (int i = 0; i < count; i++) {
+        if (models[i] == NULL) {
+            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                             "a figure needs a model");
+        }
+        if (options->surface != NULL && shown_of(models[i], options) == 0) {
+            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, 0, 1, "no surface is named \"%s\"",
+                             options->surface);
+        }
+    }
+    if (count == 1 && options->side_by_side && options->surface == NULL &&
+        taut_model_surface_count(models[0]) > 1) {
+        split(models[0], panes);
+        return TAUT_OK;
+    }
+    panes->count = panes->of = count;
+    for (int i = 0; i < count; i++) {
+        panes->pane[i] = (taut_pane){.model = models[i], .surface = -1};
+        if (count > 1 && options->labels != NULL) {
+            panes->pane[i].label = options->labels[i];
+        }
+    }
+    return TAUT_OK;
+}
+
+int taut_panes_sheets(const taut_panes *panes, const taut_write_options *options)
+{
+    int sheets = 0;
+    for (int i = 0; i < panes->count; i++) {
+        sheets += panes->is_one_size ? 1 : shown_of(panes->pane[i].model, options);
+    }
+    return sheets;
+}
+
+/* Rows and columns such that a pane of 4 by 3 is largest; room for a label above each. */
+static void place(taut_panes *panes, const double page[4])
+{
+    const double width = page[2] - page[0], height = page[3] - page[1];
+    int columns = 1;
+    double best = 0;
+
+    if (panes->count == 1) {
+        const double only[4] = {page[0] + 60, page[1] + 60, page[2] - 60, page[3] - 60};
+        memcpy(panes->frame[0], only, sizeof only);
+        return;
+    }
+    for (int c = 1; c <= panes->count; c++) {
+        const int rows = (panes->count + c - 1) / c;
+        const double size = fmin(width / c / 4, (height - 60) / rows / 3);
+        if (size >= best) {
+            best = size;
+            columns = c;
+        }
+    }
+    const int rows = (panes->count + columns - 1) / columns;
+    for (int i = 0; i < panes->count; i++) {
+        const double w = width / columns, h = (height - 60) / rows;
+        const double x = page[0] + i % columns * w, y = page[1] + i / columns * h;
+        const double frame[4] = {x + 24, y + 52, x + w - 24, y + h - 8};
+        memcpy(panes->frame[i], frame, sizeof frame);
+    }
+}
+
+/* The same teeth mean the same in all panes of one model. */
+static void share_combs(taut_panes *panes)
+{
+    double most = 0, scale = INFINITY;
+    for (int i = 0; i < panes->count; i++) {
+        const taut_pane *pane = &panes->pane[i];
+        most = fmax(most, pane->comb_most);
+        scale = pane->comb_scale > 0 ? fmin(scale, pane->comb_scale) : scale;
+    }
+    for (int i = 0; i < panes->count; i++) {
+        taut_pane *pane = &panes->pane[i];
+        pane->comb_most = most;
+        pane->comb_scale = isfinite(scale) ? scale : 0;
+        for (int k = 0; k < pane->sheet_count && pane->combs != NULL; k++) {
+            taut_combs_scale(&pane->combs[k], pane->comb_scale);
+        }
+    }
+}
+
+/* The box of the world: of each pane, or, at one size, of all. */
+static int settle(taut_panes *panes, const taut_write_options *options)
+{
+    taut_camera all;
+    taut_camera_init(&all);
+    for (int i = 0; i < panes->count; i++) {
+        taut_pane *pane = &panes->pane[i];
+        taut_camera_init(&pane->camera);
+        taut_pane_visit(pane, options, panes->is_one_size ? &all : &pane->camera,
+                        taut_camera_include);
+        if (!panes->is_one_size && !taut_camera_settle(&pane->camera)) {
+            return 0;
+        }
+    }
+    if (panes->is_one_size && !taut_camera_settle(&all)) {
+        return 0;
+    }
+    for (int i = 0; i < panes->count && panes->is_one_size; i++) {
+        panes->pane[i].camera = all;
+    }
+    return 1;
+}
+
+int taut_panes_aim(taut_panes *panes, const taut_write_options *options, const double page[4])
+{
+    double view[2] = {options->view[0], options->view[1]}, most = INFINITY;
+
+    place(panes, page);
+    if (panes->is_one_size && options->combs) {
+        share_combs(panes);
+    }
+    if (!settle(panes, options)) {
+        return 0;
+    }
+    if (!options->has_view) {
+        taut_pane *first = &panes->pane[0];
+        taut_view_choose(&first->camera, first->sheet_count, first->sheets, view);
+    }
+    for (int round = 0; round < (panes->is_one_size ? 2 : 1); round++) {
+        for (int i = 0; i < panes->count; i++) {
+            taut_camera *camera = &panes->pane[i].camera;
+            taut_camera_aim(camera, view[0], view[1]);
+            taut_pane_visit(&panes->pane[i], options, camera, taut_camera_see);
+            if (camera->seen[0][0] > camera->seen[1][0]) { /* a surface of no finite point */
+                static const double nothing[3] = {0, 0, 0};
+                taut_camera_see(camera, 1, nothing);
+            }
+            taut_camera_fit_within(camera, panes->frame[i], most);
+        }
+        for (int i = 0; i < panes->count && panes->is_one_size; i++) {
+            most = fmin(most, panes->pane[i].camera.scale);
+        }
+    }
+    return 1;
+}
+
+/* Adds "; " where something stands already, and the text. */
+static void append(char *note, size_t size, const char *text)
+{
+    const size_t used = strlen(note);
+    snprintf(note + used, size - used, "%s%s", used > 0 ? "; " : "", text);
+}
+
+void taut_panes_note(const taut_panes *panes, const taut_write_options *options, double limit,
+                     char *note, size_t size)
+{
+    const char *unit = taut_model_unit(panes->pane[0].model);
+    char text[160], number[48];
+
+    note[0] = '\0';
+    if (panes->of > panes->count) {
+        snprintf(text, sizeof text, "%d of %d surfaces", panes->count, panes->of);
+        append(note, size, text);
+    }
+    if (options->isolines > 0 && options->colour != TAUT_COLOUR_PLAIN) {
+        taut_label_number(limit / options->isolines, number, sizeof number);
+        snprintf(text, sizeof text, "a line every %s", number);
+        append(note, size, text);
+    }
+    if (options->combs) {
+        taut_label_number(panes->pane[0].comb_most, number, sizeof number);
+        snprintf(text, sizeof text, "combs: the longest tooth is a curvature of %s/%s%s", number,
+                 unit, panes->count > 1 && !panes->is_one_size ? " at first" : "");
+        append(note, size, text);
+    }
+}

@@ -1,0 +1,112 @@
+/* certificate.js -- what was proved and decided, as text. Text of the document only ever becomes textContent. */
+function element(name, text, className) {
+    const made = document.createElement(name);
+    if (text !== undefined) {
+        made.textContent = text;
+    }
+    if (className) {
+        made.className = className;
+    }
+    return made;
+}
+
+function verdictText(holds) {
+    return holds === true ? 'yes' : holds === false ? 'no' : 'undecided';
+}
+
+const SHOWN_MOST = 60; /* entries of one list or claims: more are counted */
+
+/* A value of a record: numbers and words in a line, objects as lists of their own. */
+function valueElement(value) {
+    if (Array.isArray(value)) {
+        if (value.every((x) => x === null || typeof x !== 'object')) {
+            const text = value.slice(0, SHOWN_MOST).map(show).join(', ');
+            return element('dd', value.length > SHOWN_MOST ? text + ' … (' + value.length + ')' : text);
+        }
+        const holder = element('dd');
+        value.slice(0, SHOWN_MOST).forEach((x) => holder.append(...[valueElement(x)].map((d) => {
+            const line = element('div');
+            line.append(...d.childNodes);
+            return line;
+        })));
+        if (value.length > SHOWN_MOST) {
+            holder.append(element('div', '… (' + value.length + ')'));
+        }
+        return holder;
+    }
+    if (value !== null && typeof value === 'object') {
+        const holder = element('dd');
+        const list = element('dl');
+        fillList(list, value);
+        holder.append(list);
+        return holder;
+    }
+    return element('dd', show(value));
+}
+
+function fillList(list, object) {
+    for (const [key, value] of Object.entries(object)) {
+        list.append(element('dt', key.replaceAll('_', ' ')), valueElement(value));
+    }
+}
+
+function fillCertificate() {
+    const certificate = model.certificate;
+    const verdict = document.getElementById('verdict');
+    if (!certificate) {
+        verdict.textContent = 'The model carries none.';
+    } else {
+        const claims = certificate.claims || [];
+        const body = document.querySelector('#claims tbody');
+        verdict.textContent = (certificate.construct ? certificate.construct + ': ' : '') +
+            (certificate.holds === true ? 'all claims hold.' : certificate.holds === false ? 'not all claims hold.' : 'undecided.');
+        verdict.className = certificate.holds === true ? 'yes' : certificate.holds === false ? 'no' : '';
+        claims.slice(0, SHOWN_MOST).forEach((claim) => {
+            const line = element('tr');
+            const head = element('th', claim.claim);
+            head.scope = 'row';
+            line.append(head, element('td', show(claim.residual)), element('td', show(claim.limit)),
+                element('td', verdictText(claim.holds), claim.holds === false ? 'no' : 'yes'));
+            line.title = claim.where || '';
+            body.append(line);
+        });
+        if (claims.length > SHOWN_MOST) {
+            const cell = element('td', '… ' + claims.length + ' claims in all; the model’s file has them.');
+            const line = element('tr');
+            cell.colSpan = 4;
+            line.append(cell);
+            body.append(line);
+        }
+        document.getElementById('claims').hidden = claims.length === 0;
+        if (certificate.figures) {
+            document.getElementById('figures-title').hidden = false;
+            fillList(document.getElementById('figures'), certificate.figures);
+        }
+    }
+    if (model.details) {
+        document.getElementById('details-title').hidden = false;
+        fillList(document.getElementById('details'), model.details);
+    }
+    model.dropped.forEach((text) => document.getElementById('dropped').append(element('li', text)));
+}
+
+/* Name and size of what is shown, for people and for screen readers. */
+function fillHead() {
+    const first = model.surfaces[0] || model.curves[0];
+    const construct = model.certificate && model.certificate.construct;
+    const title = model.title || construct || (first && first.name) || 'taut';
+    const parts = [];
+    if (model.surfaces.length === 1) {
+        parts.push('One surface: ' + model.surfaces[0].basis_u + ' by ' + model.surfaces[0].basis_v + '.');
+    } else if (model.surfaces.length > 1) {
+        parts.push(model.surfaces.length + ' surfaces.');
+    }
+    if (model.curves.length > 0) {
+        parts.push(model.curves.length === 1 ? 'One curve.' : model.curves.length + ' curves.');
+    }
+    parts.push('Largest side, net included, ' + show(2 * model.half) + ' ' + model.unit + '.');
+    document.title = title + ' – taut';
+    document.getElementById('title').textContent = title;
+    document.getElementById('summary').textContent = parts.join(' ');
+    canvas.setAttribute('aria-label', title + ', drawn in three dimensions. ' + parts.join(' '));
+}

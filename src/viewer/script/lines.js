@@ -1,0 +1,101 @@
+/* lines.js -- boundaries, knot lines, nets and curves: lines some pixels wide, and round points. */
+const lineMaterials = new Map();
+function lineMaterial(colour, width) {
+    const key = colour + ' ' + width;
+    if (!lineMaterials.has(key)) {
+        const material = new THREE.LineMaterial({ linewidth: width });
+        const ink = rgb(colour);
+        material.color.setRGB(ink.x, ink.y, ink.z); /* as it is to be seen: not turned to linear light */
+        lineMaterials.set(key, material);
+    }
+    return lineMaterials.get(key);
+}
+
+/* The polyline through points[order[0]], points[order[1]], ... as pairs of ends. */
+function addPolyline(pairs, points, order) {
+    for (let k = 0; k + 1 < order.length; k++) {
+        const a = 3 * order[k];
+        const b = 3 * order[k + 1];
+        pairs.push(points[a], points[a + 1], points[a + 2], points[b], points[b + 1], points[b + 2]);
+    }
+}
+
+function lineObject(pairs, colour, width) {
+    const geometry = new THREE.LineSegmentsGeometry();
+    geometry.setPositions(pairs.length > 0 ? pairs : [0, 0, 0, 0, 0, 0]);
+    return new THREE.LineSegments2(geometry, lineMaterial(colour, width));
+}
+
+const row = (i, nv) => Array.from({ length: nv }, (_, j) => i * nv + j);
+const column = (j, nu, nv) => Array.from({ length: nu }, (_, i) => i * nv + j);
+
+/* The boundary of a surface and its knot lines. */
+function outline(packed) {
+    const grid = unpackSurface(packed);
+    const edges = [];
+    const knots = [];
+    const group = new THREE.Group();
+    for (const i of [0, grid.nu - 1]) {
+        addPolyline(edges, grid.points, row(i, grid.nv));
+    }
+    for (const j of [0, grid.nv - 1]) {
+        addPolyline(edges, grid.points, column(j, grid.nu, grid.nv));
+    }
+    packed.u.knots.forEach((i) => addPolyline(knots, grid.points, row(i, grid.nv)));
+    packed.v.knots.forEach((j) => addPolyline(knots, grid.points, column(j, grid.nu, grid.nv)));
+    group.add(lineObject(edges, 0x242a36, 2.2));
+    if (knots.length > 0) {
+        group.add(lineObject(knots, 0x6d7788, 1));
+    }
+    return group;
+}
+
+/* Points of a net, smaller where there are many, and before the lines that end in them. */
+const pointScale = { value: 1 };
+function pointMaterial(count) {
+    const size = count <= 60 ? 9 : count <= 250 ? 7 : 5;
+    return new THREE.ShaderMaterial({
+        uniforms: { size: { value: size }, pixels: pointScale },
+        vertexShader: `
+uniform float size;
+uniform float pixels;
+void main() {
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    gl_Position.z -= 0.0006 * gl_Position.w;
+    gl_PointSize = size * pixels;
+}`,
+        fragmentShader: `
+void main() {
+    float r = 2.0 * length(gl_PointCoord - 0.5);
+    if (r > 1.0) discard;
+    gl_FragColor = vec4(r > 0.62 ? vec3(0.24, 0.26, 0.32) : vec3(0.98), 1.0);
+}`
+    });
+}
+
+/* A net of nu by nv points, or a polygon when nu is 1. */
+function netObject(net) {
+    const points = unpackPoints(net.points);
+    const pairs = [];
+    const group = new THREE.Group();
+    for (let i = 0; i < net.nu; i++) {
+        addPolyline(pairs, points, row(i, net.nv));
+    }
+    for (let j = 0; net.nu > 1 && j < net.nv; j++) {
+        addPolyline(pairs, points, column(j, net.nu, net.nv));
+    }
+    group.add(lineObject(pairs, 0x444a5a, net.nu * net.nv <= 100 ? 1.2 : 0.9));
+    if (net.nu * net.nv <= 1200) {
+        const geometry = new THREE.BufferGeometry();
+        geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
+        group.add(new THREE.Points(geometry, pointMaterial(net.nu * net.nv)));
+    }
+    return group;
+}
+
+function curveObject(curve, index) {
+    const points = unpackPoints(curve.points);
+    const pairs = [];
+    addPolyline(pairs, points, row(0, points.length / 3));
+    return lineObject(pairs, curveColours[index % curveColours.length], 3);
+}

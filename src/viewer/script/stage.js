@@ -1,0 +1,232 @@
+/* stage.js -- canvas, camera and what stands before it. */
+const canvas = document.getElementById('canvas');
+const stage = {
+    renderer: null,
+    scene: new THREE.Scene(),
+    camera: new THREE.OrthographicCamera(-1, 1, 1, -1, -100, 100),
+    orbit: null,
+    surfaces: [],  /* by index: { mesh, outline, net, panels, group }, made when first shown */
+    curves: new THREE.Group(),
+    reach: [1, 1], /* of what is shown from the start, to the right and up from the middle */
+    centre: new THREE.Vector3(),
+    asked: false   /* is a picture on its way? */
+};
+
+const shown = {
+    colour: 'plain', net: true, reflections: false, isolines: false, panels: false, panelCount: 12,
+    layout: 'together', frame: 0, hidden: new Set()
+};
+
+const LIGHTS = 12;
+const ISOLINES = 10;
+const APART_MAX = 12;
+
+/* One picture at the next chance, however many ask. */
+function draw() {
+    if (!stage.asked && stage.renderer) {
+        stage.asked = true;
+        requestAnimationFrame(() => {
+            stage.asked = false;
+            stage.renderer.render(stage.scene, stage.camera);
+            canvas.dataset.drawn = Number(canvas.dataset.drawn || 0) + 1;
+        });
+    }
+}
+
+function resize() {
+    const width = canvas.parentElement.clientWidth;
+    const height = canvas.parentElement.clientHeight;
+    if (width === 0 || height === 0) {
+        return;
+    }
+    stage.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    stage.renderer.setSize(width, height, false);
+    pointScale.value = stage.renderer.getPixelRatio();
+    const legend = document.getElementById('legend').offsetWidth; /* it stands at the right, beside the picture if it can */
+    const free = legend > 0 && legend < 0.45 * width ? width - legend - 16 : width;
+    const half = 1.12 * Math.max(stage.reach[1], stage.reach[0] * height / free);
+    stage.camera.top = half;
+    stage.camera.bottom = -half;
+    stage.camera.left = -half * free / height;
+    stage.camera.right = half * (2 * width - free) / height;
+    stage.camera.updateProjectionMatrix();
+    draw();
+}
+
+/* Azimuth and elevation in degrees, as in figures; z is up. */
+function lookFrom(azimuth, elevation) {
+    const a = azimuth * Math.PI / 180;
+    const e = Math.min(Math.max(elevation, -89.9), 89.9) * Math.PI / 180;
+    stage.camera.position.set(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e))
+        .multiplyScalar(10).add(stage.centre);
+    stage.orbit.target.copy(stage.centre);
+    stage.orbit.update();
+    draw();
+}
+
+function home() {
+    stage.camera.zoom = 1;
+    stage.camera.updateProjectionMatrix();
+    lookFrom(model.view[0], model.view[1]);
+}
+
+/* Turns about the target by degrees. */
+function turn(right, up) {
+    const offset = stage.camera.position.clone().sub(stage.orbit.target);
+    const azimuth = Math.atan2(offset.y, offset.x) * 180 / Math.PI;
+    const elevation = Math.asin(offset.z / offset.length()) * 180 / Math.PI;
+    const target = stage.orbit.target.clone();
+    lookFrom(azimuth + right, elevation + up);
+    stage.camera.position.add(target).sub(stage.centre);
+    stage.orbit.target.copy(target);
+    stage.orbit.update();
+}
+
+function zoom(factor) {
+    stage.camera.zoom = Math.min(Math.max(stage.camera.zoom * factor, 0.1), 200);
+    stage.camera.updateProjectionMatrix();
+    draw();
+}
+
+function part(i) {
+    if (!stage.surfaces[i]) {
+        const packed = model.surfaces[i];
+        const made = { group: new THREE.Group(), mesh: surfaceMesh(packed, colourIndex(i)), outline: outline(packed),
+            net: netObject(packed.net), panels: null, panelKey: '', worst: 0 };
+        made.group.add(made.mesh, made.outline, made.net);
+        stage.surfaces[i] = made;
+    }
+    return stage.surfaces[i];
+}
+
+/* Frames are one surface that moves: they keep one colour. */
+function colourIndex(i) {
+    return model.frames ? 0 : i;
+}
+
+/* The surfaces that are shown now. */
+function present() {
+    const all = model.surfaces.map((_, i) => i);
+    if (shown.layout === 'frames') {
+        return all.slice(shown.frame, shown.frame + 1);
+    }
+    if (shown.layout === 'apart' && all.length > APART_MAX) {
+        return Array.from({ length: APART_MAX }, (_, k) => Math.floor(k * (all.length - 1) / (APART_MAX - 1)));
+    }
+    return all.filter((i) => !shown.hidden.has('surface ' + i));
+}
+
+function updatePanels(made, i) {
+    const key = shown.panelCount + ' ' + shown.colour;
+    if (shown.panels && made.panelKey !== key) {
+        if (made.panels) {
+            made.group.remove(made.panels);
+            disposeOf(made.panels);
+        }
+        const panels = panelObject(model.surfaces[i], colourIndex(i), shown.panelCount, shown.colour);
+        made.panels = panels.object;
+        made.worst = panels.worst;
+        made.panelKey = key;
+        made.group.add(made.panels);
+    }
+    if (made.panels) {
+        made.panels.visible = shown.panels;
+    }
+}
+
+/* Puts what is to be shown, as it is to be shown, before the camera. */
+function refresh() {
+    const list = present();
+    const columns = shown.layout === 'apart' ? Math.ceil(Math.sqrt(list.length)) : 1;
+    const rows = Math.ceil(list.length / columns);
+    look.coloured.value = shown.colour !== 'plain';
+    look.lights.value = shown.reflections ? LIGHTS : 0;
+    look.isolines.value = shown.isolines ? ISOLINES : 0;
+    stage.surfaces.forEach((made) => stage.scene.remove(made.group));
+    list.forEach((i, k) => {
+        const made = part(i);
+        colourMesh(made.mesh, model.surfaces[i], shown.colour);
+        made.mesh.visible = !shown.panels;
+        made.outline.children.forEach((line, number) => { line.visible = number === 0 || !shown.panels; });
+        made.net.visible = shown.net;
+        updatePanels(made, i);
+        made.group.position.set(0, 0, 0);
+        if (shown.layout === 'apart') { /* a grid across the view from the start */
+            const [right, up] = axes();
+            made.group.position.copy(right.multiplyScalar((k % columns - (columns - 1) / 2) * 2.2))
+                .addScaledVector(up, ((rows - 1) / 2 - Math.floor(k / columns)) * 2.2);
+        }
+        stage.scene.add(made.group);
+    });
+    stage.curves.visible = shown.layout === 'together';
+    stage.curves.children.forEach((group, i) => {
+        group.visible = !shown.hidden.has('curve ' + i);
+        group.children[1].visible = shown.net;
+    });
+    draw();
+    return list;
+}
+
+/* Right and up on the screen, from the start. */
+function axes() {
+    const a = model.view[0] * Math.PI / 180;
+    const e = model.view[1] * Math.PI / 180;
+    return [new THREE.Vector3(-Math.sin(a), Math.cos(a), 0),
+        new THREE.Vector3(-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a), Math.cos(e))];
+}
+
+/* How far what is shown reaches, for the camera. */
+function measure(list) {
+    if (shown.layout === 'apart') {
+        const columns = Math.ceil(Math.sqrt(list.length));
+        stage.reach = [1.1 * columns, 1.1 * Math.ceil(list.length / columns)];
+        stage.centre.set(0, 0, 0);
+    } else {
+        reach(list);
+    }
+    resize();
+}
+
+/* The surfaces, their nets and the curves, as they are seen from the start; of many frames some. */
+function reach(list) {
+    const every = Math.ceil(model.surfaces.length / 20);
+    const some = shown.layout === 'frames' ? model.surfaces.map((_, i) => i).filter((i) => i % every === 0) : list;
+    const [right, up] = axes();
+    const low = [Infinity, Infinity];
+    const high = [-Infinity, -Infinity];
+    const visit = (points) => {
+        for (let k = 0; k < points.length; k += 3) {
+            [right, up].forEach((axis, c) => {
+                const at = points[k] * axis.x + points[k + 1] * axis.y + points[k + 2] * axis.z;
+                low[c] = Math.min(low[c], at);
+                high[c] = Math.max(high[c], at);
+            });
+        }
+    };
+    some.forEach((i) => {
+        visit(unpackSurface(model.surfaces[i]).points);
+        visit(unpackPoints(model.surfaces[i].net.points));
+    });
+    model.curves.forEach((curve) => visit(unpackPoints(curve.points)));
+    stage.reach = [0, 1].map((c) => high[c] > low[c] ? Math.max((high[c] - low[c]) / 2, 0.05) : 1);
+    stage.centre.set(0, 0, 0);
+    if (high[0] >= low[0]) {
+        stage.centre.addScaledVector(right, (low[0] + high[0]) / 2).addScaledVector(up, (low[1] + high[1]) / 2);
+    }
+}
+
+function setStage() {
+    stage.renderer = new THREE.WebGLRenderer({ canvas: canvas, antialias: true });
+    stage.renderer.setClearColor(0xffffff, 1);
+    stage.renderer.outputColorSpace = 'srgb-linear'; /* the colours are those of the screen already */
+    stage.camera.up.set(0, 0, 1);
+    stage.orbit = new THREE.OrbitControls(stage.camera, canvas);
+    stage.orbit.addEventListener('change', draw);
+    model.curves.forEach((curve, i) => {
+        const group = new THREE.Group();
+        group.add(curveObject(curve, i), netObject(curve.net));
+        stage.curves.add(group);
+    });
+    stage.scene.add(stage.curves);
+    new ResizeObserver(resize).observe(canvas.parentElement);
+}

@@ -1,0 +1,96 @@
+# test_boundary.sh -- "boundary": the four edges of a surface out of a file, in any order and direction.
+. "$SOURCE/tests/cli/cli.sh"
+
+# The net that the curves below bound.
+cat > net.json <<'JSON'
+{ "taut": 1, "construct": "dirichlet", "u": { "type": "bezier", "degree": 3 }, "v": { "type": "bezier", "degree": 3 },
+  "points": [[[0,0,0],[0,1,1],[0,2,1],[0,3,0]], [[1,0,-1],null,null,[1,3,-1]], [[2,0,-1],null,null,[2,3,-1]],
+             [[3,0,0],[3,1,1],[3,2,1],[3,3,0]]] }
+JSON
+cat > frame.json <<'JSON'
+{ "taut": 1, "curves": [
+  { "name": "left", "t": { "type": "bezier", "degree": 3 }, "points": [[0,3,0],[0,2,1],[0,1,1],[0,0,0]] },
+  { "name": "top", "t": { "type": "bezier", "degree": 3 }, "points": [[0,3,0],[1,3,-1],[2,3,-1],[3,3,0]] },
+  { "name": "right", "t": { "type": "bezier", "degree": 3 }, "points": [[3,0,0],[3,1,1],[3,2,1],[3,3,0]] },
+  { "name": "bottom", "t": { "type": "bezier", "degree": 3 }, "points": [[3,0,0],[2,0,-1],[1,0,-1],[0,0,0]] } ] }
+JSON
+mkdir beside
+cp frame.json beside/frame.json
+run 0 convert frame.json -o beside/frame.geomdl.json
+files="frame.json frame.geomdl.json"
+"$TAUT" convert frame.json -o beside/frame.step -o beside/frame.igs 2> err.txt
+if grep -q 'install libocct' err.txt; then
+    missing "OpenCASCADE (libocct-data-exchange-dev, when Taut was built)"
+else
+    files="$files frame.step frame.igs"
+fi
+figure() { # figure NAME REPORT: 14 characters of a number
+    sed -n "s/.*\"$1\": \([0-9.]*\).*/\1/p" "$2" | cut -c 1-14
+}
+run 0 make net.json --quiet --report net.txt -o once.json
+for file in $files; do
+    for construct in dirichlet plateau harmonic; do
+        printf '{ "taut": 1, "construct": "%s", "boundary": "%s" }\n' $construct $file > beside/problem.json
+        run 0 make beside/problem.json --quiet -o made.json --report report.json
+        run 0 certify made.json beside/problem.json
+        # the Dirichlet energy of this boundary is least where the surface is harmonic
+        [ $construct = plateau ] || [ "$(figure dirichlet_energy report.json)" = "$(figure dirichlet_energy net.txt)" ] ||
+            complain "$file: $construct: energy $(figure dirichlet_energy report.json), not $(figure dirichlet_energy net.txt)"
+    done
+done
+printf '{ "taut": 1, "construct": "dirichlet", "boundary": "frame.json", "degree": [4, 5], "refine": [1, 0] }\n' > beside/problem.json
+run 0 make beside/problem.json --quiet -o made.json
+contains made.json '"degree": 4'
+contains made.json '"degree": 5'
+
+refuse_boundary() { # refuse_boundary CODE PATTERN FILE
+    printf '{ "taut": 1, "construct": "dirichlet", "boundary": "%s" }\n' "$3" > problem.json
+    refused "$1" "$2" make problem.json
+}
+sed '/"top"/s/\[3,3,0\]/[3,3,0.001]/' frame.json > gap.json
+refuse_boundary 4 'a gap of 0\.001 is left between curve 1 \("top"\) and curve 2 \("right"\)' gap.json
+refuse_boundary 5 'nowhere' nowhere.step
+refuse_boundary 3 'found 0 curves' once.json
+case $files in
+*frame.step*)
+    head -c 1500 beside/frame.step > cut.step
+    refuse_boundary 3 '/boundary: line [0-9]+: ' cut.step
+    ;;
+esac
+printf '{ "taut": 1, "construct": "dirichlet", "boundary": "frame.json", "u": { "type": "bezier", "degree": 3 } }\n' > problem.json
+refused 3 '/u: found "u" beside "boundary"' make problem.json
+
+# A harmonic surface keeps two opposite curves, by their names in the order above; it may be told which, and its rectangle.
+printf '{ "taut": 1, "construct": "harmonic", "boundary": "frame.json", "known": "u", "widths": [1, 2] }\n' > problem.json
+run 0 make problem.json --quiet -o made.json
+run 0 certify made.json problem.json
+printf '{ "taut": 1, "construct": "harmonic", "boundary": "frame.json", "widths": [1, 0] }\n' > problem.json
+refused 3 '/widths' make problem.json
+sed '/"bottom"/s/ } \]/, "weights": [1,2,2,1] } ]/; /"bottom"/s/}, "points/}, "points/' frame.json > rational.json
+printf '{ "taut": 1, "construct": "harmonic", "boundary": "rational.json", "known": "u" }\n' > problem.json
+refused 4 'is rational' make problem.json
+run 0 refine frame.json -o fine.json
+printf '{ "taut": 1, "construct": "harmonic", "boundary": "fine.json" }\n' > problem.json
+refused 4 'with 2 spans, expected a Bezier curve' make problem.json
+
+# Four curves with inflections, by name and out of a file, two of them turned and all in another order: the same patch.
+cp "$SOURCE/examples/asymptotic-inflection.json" named.json
+run 0 make named.json --quiet --report named.txt -o named-model.json
+curve() { # curve NAME CAT: the curve of the example, its points, a line each, passed through CAT
+    printf '{ "t": { "type": "bezier", "degree": 5 }, "points": [\n'
+    sed -n "/\"$1\": {/,/\]\]/p" named.json | sed 1d | sed 's/\]\].*/]/; s/\],/]/' | "$2" | sed '$!s/$/,/'
+    printf '] }'
+}
+{
+    printf '{ "taut": 1, "curves": [ '
+    curve u1 tac; printf ',\n'; curve v0 cat; printf ',\n'; curve u0 tac; printf ',\n'; curve v1 cat
+    printf ' ] }\n'
+} > loose.json
+file=loose.json
+case $files in *frame.step*) run 0 convert loose.json -o loose.step && file=loose.step ;; esac
+printf '{ "taut": 1, "construct": "asymptotic", "boundary": "%s" }\n' $file > problem.json
+run 0 make problem.json --quiet --report loose.txt -o made.json
+[ "$(figure bending_energy loose.txt | cut -c 1-10)" = "$(figure bending_energy named.txt | cut -c 1-10)" ] ||
+    complain "$file: bending energy $(figure bending_energy loose.txt), not $(figure bending_energy named.txt)"
+printf '{ "taut": 1, "construct": "asymptotic", "boundary": "loose.json", "branch": "lowest" }\n' > problem.json
+refused 3 '/branch: found "branch" beside "boundary"' make problem.json

@@ -1,0 +1,74 @@
+# test_figures.sh -- pictures and pages: their options, what their scales say beside `measure`, what they leave behind.
+. "$SOURCE/tests/cli/cli.sh"
+
+# The saddle (x, y, x y) over [-1, 1]^2: K from -1 in the middle to -1/9 at the corners, |H| at most at the corners.
+cat > saddle.json <<'JSON'
+{ "taut": 1, "unit": "cm", "details": { "<b>": "</script><script>alert(1)</script>" },
+  "surfaces": [ { "name": "s", "u": { "type": "bezier", "degree": 1 }, "v": { "type": "bezier", "degree": 1 },
+    "points": [[[-1,-1,1],[-1,1,-1]], [[1,-1,-1],[1,1,1]]] } ] }
+JSON
+run 0 convert saddle.json -o k.svg --colour K --isolines 4 --title 'A & B'
+contains k.svg 'cm²'
+contains k.svg 'A &amp; B'
+contains k.svg '>a line every 0\.250<'
+contains k.svg '>−1\.0<'
+run 0 convert saddle.json -o i.svg --colour I
+contains i.svg 'Isothermality'
+run 0 convert saddle.json -o c.svg --combs --reflections 12 --no-net
+contains c.svg 'the longest tooth is a curvature of '
+
+# The limits of the page's scales, rounded up to two digits, are the extremes that `measure` finds.
+run 0 view saddle.json -o s.html
+run 0 measure saddle.json --json
+limit() { # limit INDEX: of H, K, I
+    sed -n '/<script type="application\/json"/,/^<\/script>/p' s.html | tr -d ' \n' | sed 's/.*"limits":\[\([^]]*\)\].*/\1/' | cut -d , -f "$1"
+}
+number() { # number MEMBER INDEX: in what measure said
+    tr -d ' \n' < out.txt | grep -o "\"$1\":[-0-9.e]*" | sed -n "$2p" | sed 's/.*://'
+}
+agree() { # agree LIMIT VALUE: rounded up to two digits
+    awk -v limit="$1" -v value="$2" 'BEGIN { if (value < 0) value = -value
+        exit !(limit >= value * (1 - 1e-9) && limit <= value * 1.1) }' || complain "the scale ends at $1, measure says $2"
+}
+agree "$(limit 1)" "$(number max_abs 1)"
+agree "$(limit 2)" "$(number min 1)"
+[ "$(limit 3)" = 0.5 ] || complain "isothermality ends at $(limit 3), not at 1/2"
+
+# One file that asks for nothing, and no markup out of names.
+[ "$(wc -c < s.html)" -lt 1500000 ] || complain "a small page of $(wc -c < s.html) bytes"
+grep -qE '(src|href)="?(https?:)?//' s.html && complain "the page asks for another address"
+[ "$(grep -c 'alert(1)' s.html)" = 1 ] || complain "the hostile text is not there once"
+grep -q '<script>alert(1)' s.html && complain "markup of a name is markup"
+contains s.html 'Content-Security-Policy'
+run 0 view - < saddle.json
+cmp -s out.txt s.html && complain "a title came out of nowhere"
+run 0 view saddle.json --title t -o t.html
+run 0 view saddle.json --title t
+cmp -s out.txt t.html || complain "standard output is another page"
+run 0 convert saddle.json -o t2.html --title t
+cmp -s t.html t2.html || complain "convert writes another page"
+
+# Several models.
+cp saddle.json other.json
+run 0 convert saddle.json other.json -o two.svg -o two.pdf --combs
+contains two.svg '>saddle<'
+contains two.svg '>other<'
+[ -s two.pdf ] || complain "no two.pdf"
+refused 2 'holds one model' convert saddle.json other.json -o two.obj
+refused 5 'missing' convert saddle.json missing.json -o none.svg
+absent two.obj none.svg
+
+# Small enough to be sent: vectors stay vectors.
+[ "$(wc -c < k.svg)" -lt 800000 ] || complain "a figure of $(wc -c < k.svg) bytes"
+grep -q '<image' k.svg && complain "a figure holds pixels"
+
+run 0 convert saddle.json -o w.png --width 200
+refused 2 'expected H, K or I' convert saddle.json -o x.svg --colour Q
+refused 2 'width' convert saddle.json -o x.png --width 8
+refused 2 'isolines' convert saddle.json -o x.png --isolines 0
+refused 2 'reflections' convert saddle.json -o x.png --reflections 1.5
+refused 2 'two numbers' view saddle.json -o x.html --view 1
+refused 2 'needs more' view
+refused 5 'missing' view missing.json -o x.html
+absent x.svg x.png x.html
+finish

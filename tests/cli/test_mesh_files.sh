@@ -1,0 +1,80 @@
+# test_mesh_files.sh -- STL, PLY, GLB, VTU: written, then read back by something else.
+. "$SOURCE/tests/cli/cli.sh"
+
+# A cube of six patches of different degrees and senses, and a rational tube on c-, h- and other bases.
+cat > cube.json <<'JSON'
+{ "taut": 1, "unit": "cm", "surfaces": [
+  { "name": "bottom", "u": { "type": "bezier", "degree": 1 }, "v": { "type": "bezier", "degree": 1 },
+    "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]] },
+  { "name": "top", "u": { "type": "bezier", "degree": 2 }, "v": { "type": "bezier", "degree": 1 },
+    "points": [[[0,0,1],[1,0,1]],[[0,0.5,1],[1,0.5,1]],[[0,1,1],[1,1,1]]] },
+  { "name": "front", "u": { "type": "bezier", "degree": 1 }, "v": { "type": "bspline", "degree": 1, "count": 3 },
+    "points": [[[1,0,0],[1,0,0.5],[1,0,1]],[[0,0,0],[0,0,0.5],[0,0,1]]] },
+  { "name": "back", "u": { "type": "bezier", "degree": 1 }, "v": { "type": "bezier", "degree": 1 },
+    "points": [[[0,1,0],[0,1,1]],[[1,1,0],[1,1,1]]] },
+  { "name": "left <&> \"\u00e4\"", "u": { "type": "bezier", "degree": 1, "range": [2, 5] }, "v": { "type": "bezier", "degree": 1 },
+    "points": [[[0,0,0],[0,0,1]],[[0,1,0],[0,1,1]]] },
+  { "name": "right", "u": { "type": "bezier", "degree": 1 }, "v": { "type": "bezier", "degree": 1 },
+    "points": [[[1,0,1],[1,0,0]],[[1,1,1],[1,1,0]]] } ] }
+JSON
+cat > tube.json <<'JSON'
+{ "taut": 1, "surfaces": [ { "name": "tube", "u": { "type": "bspline", "degree": 2, "knots": [0,0,0,1,1,2,2,3,3,4,4,4] },
+  "v": { "type": "bezier", "degree": 1 },
+  "points": [[[1,0,0],[1,0,2]],[[1,1,0],[1,1,2]],[[0,1,0],[0,1,2]],[[-1,1,0],[-1,1,2]],[[-1,0,0],[-1,0,2]],
+             [[-1,-1,0],[-1,-1,2]],[[0,-1,0],[0,-1,2]],[[1,-1,0],[1,-1,2]],[[1,0,0],[1,0,2]]],
+  "weights": [[1,1],[0.7071067811865476,0.7071067811865476],[1,1],[0.7071067811865476,0.7071067811865476],[1,1],
+              [0.7071067811865476,0.7071067811865476],[1,1],[0.7071067811865476,0.7071067811865476],[1,1]] },
+  { "name": "quasi", "u": { "type": "c-bezier", "alpha": 1.2 }, "v": { "type": "h-bspline", "beta": 0.8, "segments": 1 },
+    "points": [[[3,0,0],[3,1,0],[3,2,0.3],[3,3,0]],[[4,0,0],[4,1,0],[4,2,0.3],[4,3,1]],
+               [[5,0,0],[5,1,0],[5,2,0.3],[5,3,0.5]],[[6,0,0],[6,1,0],[6,2,0.3],[6,3,0]]] } ] }
+JSON
+# A ball of radius 1: half circles of two pieces around a circle of four, a pole at each end.
+awk 'BEGIN { h = sqrt(0.5); split("1 1 0 -1 -1 -1 0 1 1", x); split("0 1 1 1 0 -1 -1 -1 0", y)
+    split("0 1 1 1 0", r); split("-1 -1 0 1 1", z)
+    printf "{ \"taut\": 1, \"surfaces\": [ { \"u\": { \"type\": \"bspline\", \"degree\": 2, \"knots\": [0,0,0,1,1,2,2,3,3,4,4,4] },\n"
+    printf "\"v\": { \"type\": \"bspline\", \"degree\": 2, \"knots\": [0,0,0,1,1,2,2,2] },\n\"points\": ["
+    for (i = 1; i <= 9; i++) { printf "%s[", (i > 1 ? "," : "")
+        for (j = 1; j <= 5; j++) { printf "%s[%g,%g,%g]", (j > 1 ? "," : ""), x[i] * r[j], y[i] * r[j], z[j] }
+        printf "]" }
+    printf "],\n\"weights\": ["
+    for (i = 1; i <= 9; i++) { printf "%s[", (i > 1 ? "," : "")
+        for (j = 1; j <= 5; j++) { printf "%s%.17g", (j > 1 ? "," : ""), (i % 2 ? 1 : h) * (j % 2 ? 1 : h) }
+        printf "]" }
+    printf "] } ] }\n" }' > ball.json
+for model in cube tube ball; do
+    run 0 convert $model.json -o $model.stl -o $model.ply -o $model.glb -o $model.vtu -o $model.obj
+    run 0 convert $model.json -o $model-h.glb --colour H --divide 5
+done
+run 0 convert tube.json -o quasi.vtu --surface quasi
+for ending in stl ply obj; do
+    run 0 convert tube.json -o pipe.$ending --surface tube
+done
+refused 2 'no surface' convert tube.json -o never.stl --surface other
+absent never.stl
+
+# Sizes say how many triangles there are: two for bottom and top, four for the front with its knot and so for all sides
+# that go around with it; the header says the unit.
+[ "$(wc -c < cube.stl)" = $((84 + 50 * 20)) ] || complain "cube.stl has $(wc -c < cube.stl) bytes"
+head -c 80 cube.stl | grep -qa 'unit cm' || complain "cube.stl does not say its unit"
+head -c 400 cube.ply | grep -qa '^element face 20' || complain "cube.ply: $(head -c 400 cube.ply | tr -d '\0')"
+contains cube.vtu 'unit cm'
+
+# The validator is where CI puts it (TAUT_GLTF), or where `npm ci` in tests/gltf does.
+modules=${TAUT_GLTF:-$SOURCE/tests/gltf}/node_modules
+if command -v node > /dev/null && [ -d "$modules/gltf-validator" ]; then
+    NODE_PATH=$modules node "$SOURCE/tests/gltf/validate.js" cube.glb cube-h.glb tube.glb tube-h.glb ball.glb ball-h.glb > said.txt 2>&1 ||
+        complain "the validator: $(cat said.txt)"
+    contains said.txt '^cube.glb: .* 20 triangles'
+    grep -qa COLOR_0 cube-h.glb || complain "cube-h.glb has no colours"
+else
+    missing "the Khronos validator (npm ci in tests/gltf)"
+fi
+
+# VTK: the area of the exact cells, cut finely, and the fields at their points.
+if /usr/bin/python3 -c 'import vtkmodules.vtkIOXML' 2> /dev/null; then
+    /usr/bin/python3 "$SOURCE/tests/cli/read_vtu.py" tube.vtu quasi.vtu > said.txt 2>&1 || complain "VTK: $(cat said.txt)"
+    /usr/bin/python3 "$SOURCE/tests/cli/read_meshes.py" cube ball pipe > said.txt 2>&1 || complain "VTK: $(cat said.txt)"
+else
+    missing "VTK (python3-vtk9)"
+fi
+finish

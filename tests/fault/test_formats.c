@@ -1,0 +1,166 @@
+/* test_formats.c -- formats and boundaries out of files when memory runs out. */
+#include "check.h"
+#include "fault.h"
+
+#include "geometry/boundary.h"
+#include "taut/read.h"
+#include "taut/write.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* A rational surface of two spans, and a c- one: exact cells and quads. */
+static const char surfaces_text[] =
+    "{\"taut\": 1, \"surfaces\": [{\"u\": {\"type\": \"bspline\", \"degree\": 1, \"knots\": [0, 0, "
+    "1, 2, 2]}, \"v\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": [[[0,0,0],[0,1,0]], "
+    "[[1,0,1],[1,1,0]], [[2,0,0],[2,1,1]]], \"weights\": [[1,2],[1,1],[1,1]]}, {\"u\": {\"type\": "
+    "\"c-bezier\", \"alpha\": 1}, \"v\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": "
+    "[[[0,0,0],[0,1,0]], [[1,0,0],[1,1,0]], [[2,0,1],[2,1,0]], [[3,0,0],[3,1,0]]]}]}";
+
+/* Four curves of unlike degrees, one of them rational, one of two spans, out of order. */
+static const char frame_text[] =
+    "{\"taut\": 1, \"curves\": [{\"t\": {\"type\": \"bezier\", \"degree\": 2}, \"points\": "
+    "[[0,0,0],[1,0,1],[2,0,0]], \"weights\": [1,2,3]}, {\"t\": {\"type\": \"bspline\", \"degree\": "
+    "1, \"knots\": [0,0,1,2,2]}, \"points\": [[2,2,0],[1,2,1],[0,2,0]]}, {\"t\": {\"type\": "
+    "\"bezier\", \"degree\": 1}, \"points\": [[0,2,0],[0,0,0]]}, {\"t\": {\"type\": \"bezier\", "
+    "\"degree\": 1}, \"points\": [[2,0,0],[2,2,0]]}]}";
+
+static char folder[] = "/tmp/taut-test-XXXXXX";
+
+static const char *in_folder(const char *name, char *path, size_t size)
+{
+    snprintf(path, size, "%s/%s", folder, name);
+    return path;
+}
+
+/* Writes the model in the format of its name and takes the file away again. */
+static taut_status write_file(const taut_model *model, const char *name, taut_error *error)
+{
+    const taut_write_options options = {.divide = 1};
+    char path[96];
+    const taut_status status =
+        taut_model_write(model, in_folder(name, path, sizeof path), &options, error);
+    CHECK((unlink(path) == 0) == (status == TAUT_OK), "%s is there although it failed", name);
+    return status;
+}
+
+static taut_status write_vtu(const void *context, void **result, taut_error *error)
+{
+    (void)result;
+    return write_file(context, "a.vtu", error);
+}
+
+static taut_status write_geomdl(const void *context, void **result, taut_error *error)
+{
+    (void)result;
+    return write_file(context, "a.geomdl.json", error);
+}
+
+static taut_status read_model(const void *context, void **result, taut_error *error)
+{
+    taut_model *model = *result;
+    const taut_status status = taut_model_read(context, &model, error);
+    *result = model;
+    return status;
+}
+
+static void release_model(void *model)
+{
+    taut_model_free(model);
+}
+
+static taut_status read_problem(const void *context, void **result, taut_error *error)
+{
+    taut_problem *problem = *result;
+    const taut_status status = taut_problem_read(context, &problem, error);
+    *result = problem;
+    return status;
+}
+
+static void release_problem(void *problem)
+{
+    taut_problem_free(problem);
+}
+
+/* In order, and on common bases. */
+static taut_status fit(const void *context, void **result, taut_error *error)
+{
+    static const int degree[2] = {3, 0}, halvings[2] = {0, 1};
+    const taut_curve *curves[TAUT_SIDES];
+    taut_curve *sides[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
+    taut_curve *fitted[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
+    taut_status status = TAUT_OK;
+    for (int i = 0; i < TAUT_SIDES; i++) {
+        curves[i] = taut_model_curve(context, i);
+    }
+    status = taut_boundary_order(curves, 1e-9, sides, error);
+    if (status == TAUT_OK) {
+        status = taut_boundary_fit(sides, degree, halvings, fitted, error);
+    }
+    taut_boundary_free(sides);
+    taut_boundary_free(fitted);
+    (void)result;
+    return status;
+}
+
+static void put_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    CHECK(file != NULL && fputs(text, file) >= 0, "%s", path);
+    fclose(file);
+}
+
+static void check_call(const char *name, taut_status (*call)(const void *, void **, taut_error *),
+                       void (*release)(void *), const void *context, long least)
+{
+    const fault_call described = {name, call, release, context};
+    const long allocations = fault_loop(&described);
+    CHECK(allocations >= least, "%s: only %ld allocations", name, allocations);
+}
+
+static taut_model *model_of(const char *text)
+{
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_model_read_text(text, strlen(text), "text", &model, &error) == TAUT_OK, "%s: %s",
+          error.where, error.message);
+    return model;
+}
+
+int main(void)
+{
+    static const char dirichlet[] =
+        "{\"taut\": 1, \"construct\": \"dirichlet\", \"boundary\": \"frame.json\"}";
+    static const char asymptotic[] =
+        "{\"taut\": 1, \"construct\": \"asymptotic\", \"boundary\": \"single.json\"}";
+    static const char harmonic[] = "{\"taut\": 1, \"construct\": \"harmonic\", \"known\": \"u\", "
+                                   "\"boundary\": \"single.json\"}";
+    static const char *const problems[] = {dirichlet, asymptotic, harmonic};
+    char path[96], command[96];
+    char *single = strdup(frame_text);
+    taut_model *surfaces = model_of(surfaces_text), *frame = model_of(frame_text);
+
+    CHECK(mkdtemp(folder) != NULL, "mkdtemp");
+    /* the side of two spans as one: its middle point and a knot blotted out */
+    memcpy(strstr(single, "0,0,1,2,2"), "0,0,  2,2", 9);
+    memcpy(strstr(single, "[1,2,1],"), "        ", 8);
+    put_text(in_folder("single.json", path, sizeof path), single);
+    put_text(in_folder("frame.json", path, sizeof path), frame_text);
+    check_call("vtu", write_vtu, NULL, surfaces, 20);
+    check_call("geomdl", write_geomdl, NULL, surfaces, 10);
+    check_call("boundary", fit, NULL, frame, 20);
+    for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
+        put_text(in_folder("problem.json", path, sizeof path), problems[i]);
+        check_call(problems[i], read_problem, release_problem, path, 30);
+    }
+    in_folder("b.geomdl.json", path, sizeof path);
+    CHECK(taut_model_write(surfaces, path, NULL, NULL) == TAUT_OK, "write");
+    check_call("geomdl in", read_model, release_model, path, 30);
+    taut_model_free(surfaces);
+    taut_model_free(frame);
+    free(single);
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    return system(command) != 0 || check_failures != 0;
+}

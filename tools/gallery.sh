@@ -1,0 +1,52 @@
+#!/bin/bash
+# gallery.sh TAUT [PAGES] -- one figure (docs/gallery/<example>.png) and one page (PAGES/<example>.html, default
+# out/gallery) of every worked example, and docs/gallery/README.md that shows them by construction. The figures are
+# committed; the pages, of 0.8 MB each, are not: they are made where they are wanted. New examples appear by themselves.
+set -eu
+taut=$(realpath "$1")
+cd "$(dirname "$0")/.."
+pages=${2:-out/gallery}
+gallery=${GALLERY:-docs/gallery}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$pages" "$gallery"
+
+# How an example is drawn: with a dense net the surface is hidden, so it is left out; a construction that joins several
+# surfaces shows them together, the frames of a deformation side by side.
+words() { # words EXAMPLE
+    case $1 in
+    asymptotic*) echo --no-net --isolines 9 ;;
+    bonnet*-frames* | *-film*) echo --side-by-side --no-net ;;
+    bonnet* | pipe*) echo --no-net ;;
+    esac
+}
+
+member() { # member NAME FILE: the string that follows it first
+    sed -n "s/.*\"$1\": *\"\([^\"]*\)\".*/\1/p" "$2" | head -n 1
+}
+
+: > "$work/list"
+for name in $("$taut" example); do
+    "$taut" example "$name" > "$work/problem.json"
+    construct=$(member construct "$work/problem.json")
+    # exit 1: a claim does not hold, as the example says; the model is there all the same
+    "$taut" make "$work/problem.json" --quiet -o "$work/model.json" || [ $? = 1 ]
+    # shellcheck disable=SC2046
+    "$taut" convert "$work/model.json" -o "$gallery/$name.png" --width 600 $(words "$name")
+    "$taut" view "$work/model.json" -o "$pages/$name.html" --title "$name"
+    echo "$construct $name" >> "$work/list"
+done
+
+{
+    echo '# Gallery'
+    echo
+    echo 'Every worked example (`taut example`). `make gallery` draws the figures anew and writes a page to turn each in to'
+    echo '`out/gallery/`; [view.md](../view.md) says what the pages can do.'
+    for construct in $(cut -d ' ' -f 1 "$work/list" | sort -u); do
+        printf '\n## %s\n\n' "$construct"
+        sed -n "s/^$construct //p" "$work/list" | while read -r name; do
+            printf '[![%s](%s.png)](%s.png "%s")\n' "$name" "$name" "$name" "$name"
+        done
+    done
+} > "$gallery/README.md"
+echo "$(wc -l < "$work/list") figures in $gallery, as many pages in $pages"
