@@ -18,21 +18,31 @@ static double figure(const taut_certificate *certificate, const char *name)
     return taut_record_number(taut_record_get(taut_certificate_figures(certificate), name));
 }
 
-/* Ends near each other with any directions: many of these loops come near themselves. */
-static taut_pipe_problem random_blend(void)
+/* Ends anywhere with any directions; or loops that come back beside where they began,
+ * near themselves or their straight pipes. */
+static taut_pipe_problem random_blend(int loop)
 {
     taut_pipe_problem problem = {.radius = 1e-3, .axis = TAUT_PIPE_ENDS};
+    taut_pipe_end *const from = &problem.ends[0], *const to = &problem.ends[1];
     for (int side = 0; side < 2; side++) {
         for (int k = 0; k < 3; k++) {
             problem.ends[side].point[k] = random_in(-1, 1);
             problem.ends[side].direction[k] = random_in(-1, 1);
         }
-        problem.ends[side].handle = random_in(0.3, 3);
-        problem.lengths[side] = random_int(0, 2) == 0 ? random_in(0.5, 4) : 0;
+        problem.ends[side].handle = loop ? random_in(1.5, 3) : random_in(0.3, 3);
+        problem.lengths[side] = random_int(0, 1) == 0 ? random_in(0.5, 4) : 0;
     }
-    problem.alpha = random_in(-2, 1);
-    problem.beta = random_in(-3, 3);
-    problem.gamma = random_in(-2, 1);
+    if (loop) { /* at right angles, more or less: a round loop */
+        const double part =
+            taut_dot(from->direction, to->direction) / taut_dot(from->direction, from->direction);
+        taut_add_scaled(-part + random_in(-0.3, 0.3), from->direction, to->direction);
+        for (int k = 0; k < 3; k++) {
+            to->point[k] = from->point[k] + random_in(-0.2, 0.2);
+        }
+    }
+    problem.alpha = loop ? random_in(-0.5, 1) : random_in(-2, 1);
+    problem.beta = loop ? random_in(-1, 1) : random_in(-3, 3);
+    problem.gamma = loop ? random_in(-0.5, 1) : random_in(-2, 1);
     return problem;
 }
 
@@ -240,7 +250,7 @@ static void test_largest_radius(void)
 {
     int by_distance = 0, compared = 0;
     for (int trial = 0; trial < random_trials(16); trial++) {
-        taut_pipe_problem problem = random_blend();
+        taut_pipe_problem problem = random_blend(trial % 3 > 0);
         taut_model *model = NULL;
         taut_certificate *certificate = NULL;
         taut_error error = {.message = ""};
@@ -269,7 +279,7 @@ static void test_largest_radius(void)
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
-    CHECK(compared > 2 && (by_distance > 1 || compared < 12), "%d pairs bind of %d", by_distance,
+    CHECK(compared > 2 && (by_distance > 3 || compared < 12), "%d pairs bind of %d", by_distance,
           compared);
 }
 
@@ -304,7 +314,7 @@ static void test_pappus(void)
     for (int trial = 0; trial < random_trials(3); trial++) {
         const taut_make_options fine = {.tolerance = 1e-11};
         const taut_certify_options proof = {.tolerance = 1e-11};
-        taut_pipe_problem problem = random_blend();
+        taut_pipe_problem problem = random_blend(trial % 3 > 0);
         taut_model *model = NULL;
         taut_certificate *certificate = NULL;
         double area = 0, volume = 0;
@@ -353,8 +363,8 @@ static void test_scale_and_shift(void)
 {
     static const double moves[][2] = {{1e-3, 0}, {1e3, 0},   {1e-3, 1e6},
                                       {1, 1e9},  {1e-80, 0}, {1e80, 0}};
-    for (int trial = 0; trial < random_trials(6); trial++) {
-        taut_pipe_problem problem = random_blend();
+    for (int trial = 0; trial < random_trials(4); trial++) {
+        taut_pipe_problem problem = random_blend(trial % 3 > 0);
         taut_error error = {.message = ""};
         taut_model *model = NULL;
         problem.radius = 1e4; /* refused, with the largest */
@@ -400,8 +410,8 @@ static void test_scale_and_shift(void)
 /* A pipe that flows the other way is the same pipe. */
 static void test_reversal(void)
 {
-    for (int trial = 0; trial < random_trials(20); trial++) {
-        taut_pipe_problem problem = random_blend(), back = problem;
+    for (int trial = 0; trial < random_trials(8); trial++) {
+        taut_pipe_problem problem = random_blend(trial % 3 > 0), back = problem;
         taut_model *models[2] = {NULL, NULL};
         taut_certificate *certificates[2] = {NULL, NULL};
         const taut_make_options coarse = {.tolerance = 1e-2};
@@ -437,11 +447,11 @@ static void test_reversal(void)
     }
 }
 
-/* A chosen shape is no worse than any of 9^3 places of the box. */
+/* A chosen shape is no worse than any of 9^3 places of the box that certainly have room. */
 static void test_choice(void)
 {
-    for (int trial = 0; trial < random_trials(4); trial++) {
-        taut_pipe_problem problem = random_blend();
+    for (int trial = 0; trial < random_trials(2); trial++) {
+        taut_pipe_problem problem = random_blend(0);
         const int sharpest = trial % 2;
         taut_model *model = NULL;
         taut_certificate *certificate = NULL;
@@ -469,8 +479,10 @@ static void test_choice(void)
             taut_pipe_bend bend;
             taut_pipe_arc_quasi((const double(*)[3])edges, shape, &arc);
             taut_pipe_bend_extremes(&arc, 60, &bend);
-            taut_pipe_bend_integrals(&arc, 4, &bend);
-            least = fmin(least, sharpest ? bend.curvature : bend.bending);
+            taut_pipe_bend_integrals(&arc, 8, &bend);
+            if (bend.turning < 0.99 * pi && bend.curvature * problem.radius < 0.999) {
+                least = fmin(least, sharpest ? bend.curvature : bend.bending);
+            }
         }
         CHECK(found <= least * (1 + 1e-9), "trial %d: %.12g above %.12g", trial, found, least);
         taut_certificate_free(certificate);

@@ -137,10 +137,12 @@ void taut_pipe_bend_integrals(const taut_pipe_arc *arc, int panels, taut_pipe_be
     bend->length = bend->turning = bend->bending = 0;
     for (int i = 0; i < panels; i++) {
         for (int k = 0; k < GAUSS; k++) {
+            /* t = s^2 (3 - 2s) brings nodes to the ends, where curvature may peak */
+            const double s = (i + 0.5 + 0.5 * nodes[k]) / panels;
             taut_pipe_jet jet;
             double ds = 0;
-            taut_pipe_arc_jet(arc, (i + 0.5 + 0.5 * nodes[k]) / panels, &jet);
-            ds = 0.5 * weights[k] / panels * jet.speed;
+            taut_pipe_arc_jet(arc, s * s * (3 - 2 * s), &jet);
+            ds = 0.5 * weights[k] / panels * 6 * s * (1 - s) * jet.speed;
             bend->length += ds;
             bend->turning += jet.curvature * ds;
             bend->bending += jet.curvature * jet.curvature * ds;

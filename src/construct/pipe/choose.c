@@ -165,7 +165,7 @@ static void search_from_grid(int count, const double *lo, const double *hi, cons
         double x[TAUT_PIPE_SEARCH_MAX] = {0}, value = 0;
         int slot = 0;
         for (int k = 0, rest = cell; k < count; k++, rest /= COARSE) {
-            x[k] = lo[k] + (hi[k] - lo[k]) * (rest % COARSE) / (COARSE - 1);
+            x[k] = lo[k] + (hi[k] - lo[k]) * (rest % COARSE + 0.5) / COARSE;
         }
         s->bound = INFINITY;
         value = f(s, x);
