@@ -19,6 +19,7 @@
 #include "taut/monitor.h"
 #include "taut/operate.h"
 #include "taut/panels.h"
+#include "taut/pipe.h"
 #include "taut/plateau.h"
 #include "taut/read.h"
 #include "taut/recognise.h"

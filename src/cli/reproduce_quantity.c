@@ -130,22 +130,26 @@ static double gaussian(const cli_subject *s, const words *w)
     return forms.gaussian;
 }
 
-/* figure NAME, or figure NAME I where it is a list: of the certificate */
-static double figure(const cli_subject *s, const words *w)
+/* The number that words 1, 2, ... lead to: members by name, items by index. */
+static double follow(const taut_record *at, const words *w)
 {
-    const taut_record *at = taut_record_get(taut_certificate_figures(s->certificate), w->word[1]);
-    return taut_record_number(w->count > 2 ? taut_record_at(at, (size_t)integer(w, 2)) : at);
-}
-
-/* detail NAME [NAME...]: of the model */
-static double detail(const cli_subject *s, const words *w)
-{
-    const taut_record *at = taut_model_details(s->model);
     for (int i = 1; i < w->count; i++) {
         at = taut_record_kind_of(at) == TAUT_RECORD_LIST ? taut_record_at(at, (size_t)integer(w, i))
                                                          : taut_record_get(at, w->word[i]);
     }
     return taut_record_number(at);
+}
+
+/* figure NAME [NAME...]: of the certificate */
+static double figure(const cli_subject *s, const words *w)
+{
+    return follow(taut_certificate_figures(s->certificate), w);
+}
+
+/* detail NAME [NAME...]: of the model */
+static double detail(const cli_subject *s, const words *w)
+{
+    return follow(taut_model_details(s->model), w);
 }
 
 /* count NAME [NAME...]: the items of a list, or members, in the details */
@@ -225,6 +229,18 @@ static double curvature(const cli_subject *s, const words *w)
     }
     speed = sqrt(x[1][0] * x[1][0] + x[1][1] * x[1][1] + x[1][2] * x[1][2]);
     return sqrt(b[0] * b[0] + b[1] * b[1] + b[2] * b[2]) / (speed * speed * speed);
+}
+
+/* function NAME I T: basis function i of a curve with one span */
+static double function(const cli_subject *s, const words *w)
+{
+    const taut_curve *curve = curve_of(s, w->word[1]);
+    const int i = integer(w, 2);
+    double values[TAUT_DEGREE_MAX + 1];
+    return curve != NULL && i >= 0 && i < taut_basis_local(taut_curve_t(curve)) &&
+                   taut_basis_eval(taut_curve_t(curve), 0, real(w, 3), 0, values) == TAUT_OK
+               ? values[i]
+               : (double)NAN;
 }
 
 static const taut_claim *claim_of(const cli_subject *s, const char *name)
@@ -326,6 +342,7 @@ static const struct {
     {"curve_point", curve_point},
     {"curve_weight", curve_weight},
     {"curvature", curvature},
+    {"function", function},
     {"claim", claim},
     {"holds", holds},
     {"max_abs_mean", max_abs_mean},

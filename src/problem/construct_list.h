@@ -17,6 +17,7 @@
     X(dirichlet, "dirichlet")                                                                      \
     X(harmonic, "harmonic")                                                                        \
     X(harmonic_extension, "harmonic-extension")                                                    \
+    X(pipe, "pipe")                                                                                \
     X(plateau, "plateau")
 
 #endif /* TAUT_CONSTRUCT_LIST_H */
