@@ -10,4 +10,9 @@ for check in layers words sizes citations format; do
         bad=1
     fi
 done
+if ./bench_table.py --check; then
+    echo "bench tables: ok"
+else
+    bad=1
+fi
 exit $bad

@@ -9,6 +9,7 @@
 #ifndef TAUT_PLATEAU_H
 #define TAUT_PLATEAU_H
 
+#include "taut/curve.h"
 #include "taut/dirichlet.h"
 
 #ifdef __cplusplus
@@ -22,18 +23,30 @@ typedef enum taut_plateau_method {
                             * as the net allows on fine ones */
 } taut_plateau_method;
 
+enum { TAUT_PLATEAU_REFINE_MAX = 6 };
+#define TAUT_PLATEAU_AREA_MIN 1e-11 /* of tolerance_area */
+
 /* Zero means default everywhere. */
 typedef struct taut_plateau_problem {
-    taut_dirichlet_problem net; /* as for dirichlet; name NULL: "plateau" */
-    const double *start;        /* double[nu][nv][3] to begin from, its known points those of the
-                                 * net; NULL: the Dirichlet surface */
-    double tolerance;           /* of the claim `stationary`, below 1; 0: 1e-10 */
-    int max_iterations;         /* 0: 500 */
+    taut_dirichlet_problem net;  /* as for dirichlet; name NULL: "plateau" */
+    const taut_curve *curves[4]; /* u0, u1 along v; v0, v1 along u; all NULL: none. Given, they are
+                                  * fitted to the bases of the net and are its boundary: points and
+                                  * known are not read, weights must be NULL */
+    const double *start;         /* double[nu][nv][3] to begin from, its known points those of the
+                                  * net; NULL: the Dirichlet surface */
+    double tolerance;            /* of the claim `stationary`, below 1; 0: 1e-10 */
+    int max_iterations;          /* 0: 500 */
     taut_plateau_method method;
+    int refine;            /* 0..TAUT_PLATEAU_REFINE_MAX: estimate the distance from the least area
+                            * of all surfaces with this boundary, from so many spaces with halved
+                            * spans; only where the boundary is known and nothing else */
+    double tolerance_area; /* above 0: put knots in, until that estimate is within so much of the
+                            * area; from TAUT_PLATEAU_AREA_MIN on, without refine and start */
 } taut_plateau_problem;
 
 /* Makes the model with its one surface; details: iterations, products, dirichlet_area, area,
- * residual, unknowns, known, method; with TAUT_PLATEAU_NORMAL also directions [nu][nv][3].
+ * residual, unknowns, known, method; with TAUT_PLATEAU_NORMAL also directions [nu][nv][3]; with
+ * curves deviation; with refine or tolerance_area refinement.
  * TAUT_NO_SOLUTION: the known points span no area, or a free edge lets the film shrink away.
  * TAUT_NOT_CONVERGED: max_iterations, or a film that folds. Others as taut_make. */
 TAUT_API taut_status taut_plateau_make(const taut_plateau_problem *problem,

@@ -12,13 +12,17 @@
  *                   3. 1e-6 where the area is flat: going along its steepest descent g at the
  *                      unknown points would gain |g|^4 / (2 g.H g) < 1e-15 of it, with H g from
  *                      the difference of two gradients.
- *   known       certify/known.h.
+ *   known       certify/known.h: of a net that was kept.
+ *   boundary    in its place with curves, or where knots were put in: largest proved distance of an
+ *               edge from its curve, or from that of the problem's net, over the size of the
+ *               boundary (certify/plateau_boundary.h).
  */
 #include "taut/plateau.h"
 
 #include "certify/certify_ops.h"
 #include "certify/dirichlet_gradient.h"
 #include "certify/known.h"
+#include "certify/plateau_boundary.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -31,15 +35,17 @@
 
 enum { ROUNDINGS = 8 };
 static const double unit_roundoff = 0x1p-53;
+static const double many = 4e4; /* Gauss points */
 static const double largest_limit = 1e-6, tolerance_default = 1e-10, flat = 1e-15;
 
 typedef struct request {
     const taut_surface *surface;
     const taut_plateau_problem *problem; /* or NULL */
     int nu, nv;
-    int boundary_only;  /* without a problem: the boundary is known; else every point is */
+    int boundary_only;  /* the boundary is known; without a problem else every point is */
     double *directions; /* [nu][nv][3] for the method "normal", or NULL */
     double tolerance;
+    double deviation; /* of the edges from the curves, that the model tells; else 0 */
 } request;
 
 typedef struct finding {
@@ -49,7 +55,7 @@ typedef struct finding {
 
 static int is_known(const request *r, int i, int j)
 {
-    if (r->problem != NULL) {
+    if (r->problem != NULL && !r->boundary_only) {
         return r->problem->net.known[(size_t)i * (size_t)r->nv + (size_t)j] != 0;
     }
     return !r->boundary_only || i == 0 || j == 0 || i == r->nu - 1 || j == r->nv - 1;
@@ -111,8 +117,11 @@ static taut_status read_request(const taut_model *model, const taut_plateau_prob
     int is_normal = strcmp(taut_record_text(taut_record_get(details, "method")), "normal") == 0;
     taut_status status = TAUT_OK;
 
+    const double deviation = taut_record_number(taut_record_get(details, "deviation"));
+
     r->surface = taut_model_surface(model, 0);
     r->problem = problem;
+    r->deviation = deviation > 0 && isfinite(deviation) ? deviation : 0;
     if (r->surface == NULL) {
         return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", 0, 1,
                          "the model has no surface, expected the one of its problem");
@@ -122,6 +131,10 @@ static taut_status read_request(const taut_model *model, const taut_plateau_prob
     if (problem == NULL) {
         status = read_details(details, r, error);
         is_normal = is_normal && r->boundary_only;
+    } else if (taut_plateau_has_new_net(problem)) {
+        r->tolerance = problem->tolerance;
+        r->boundary_only = 1;
+        is_normal = problem->method == TAUT_PLATEAU_NORMAL;
     } else if (taut_basis_count(problem->net.u) != r->nu ||
                taut_basis_count(problem->net.v) != r->nv) {
         status = taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0/points", taut_none, taut_none,
@@ -175,14 +188,16 @@ static finding judge(const request *r, const taut_dirichlet_gradient *gradient)
     return found;
 }
 
-/* With nodes raised by half until the judgement stays: within a quarter of the tolerance, or of the
- * noise, or by a thousandth of itself. *settled tells whether it did. */
+/* With nodes raised by half until the judgement stays: within the noise, or a hundredth of itself;
+ * above so many Gauss points that more cost much, within a quarter of the tolerance. *settled tells
+ * whether it did. */
 static taut_status find_gradient(const request *r, taut_dirichlet_gradient *gradient,
                                  finding *found, int *settled)
 {
     const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
     const int local =
         taut_basis_local(u) > taut_basis_local(v) ? taut_basis_local(u) : taut_basis_local(v);
+    const double spans = (double)taut_basis_span_count(u) * taut_basis_span_count(v);
     int nodes = local + 5;
     taut_status status = taut_area_gradient_new(r->surface, nodes, gradient);
 
@@ -196,8 +211,9 @@ static taut_status find_gradient(const request *r, taut_dirichlet_gradient *grad
         if (status == TAUT_OK) {
             *found = judge(r, gradient);
             const double apart = fabs(found->residual - before);
+            const double enough = spans * nodes * nodes > many ? 0.25 * r->tolerance : 0;
             *settled = fmax(found->residual, before) <= found->noise ||
-                       apart <= fmax(0.25 * r->tolerance, 1e-3 * found->residual);
+                       apart <= fmax(enough, fmax(found->noise, 1e-2 * found->residual));
         }
     }
     return status;
@@ -303,6 +319,14 @@ static taut_status add_figures(const request *r, const taut_certify_options *opt
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
+static taut_status add_boundary(const request *r, const taut_certify_options *options,
+                                taut_certificate *certificate, taut_error *error)
+{
+    const taut_status status =
+        taut_certify_plateau_boundary(r->surface, r->problem, r->deviation, certificate, error);
+    return status == TAUT_OK ? add_figures(r, options, certificate, error) : status;
+}
+
 static taut_status prove(const request *r, const taut_certify_options *options,
                          taut_certificate *certificate, taut_error *error)
 {
@@ -319,6 +343,9 @@ static taut_status prove(const request *r, const taut_certify_options *options,
         status = add_stationary(r, &found, gain < flat, settled, certificate);
     }
     taut_dirichlet_gradient_clear(&gradient);
+    if (status == TAUT_OK && r->problem != NULL && taut_plateau_has_new_net(r->problem)) {
+        return add_boundary(r, options, certificate, error);
+    }
     if (status == TAUT_OK && r->problem != NULL) {
         status = taut_certify_add_known(r->surface, &r->problem->net, certificate);
     }

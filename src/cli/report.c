@@ -85,8 +85,8 @@ void cli_members_print(const taut_record *record)
         if (taut_record_kind_of(value) == TAUT_RECORD_OBJECT) {
             continue;
         }
-        words(taut_record_key(record, i), name, sizeof name);
-        fprintf(stderr, "  %-*s%s", COLUMN, name, strlen(name) < COLUMN ? "" : " ");
+        fprintf(stderr, "  %-*s ", COLUMN - 1,
+                words(taut_record_key(record, i), name, sizeof name));
         print_value(value);
         fputc('\n', stderr);
     }

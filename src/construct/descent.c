@@ -1,7 +1,6 @@
-#include "construct/descent.h"
+#include "construct/descent_walk.h"
 
 #include "core/fail.h"
-#include "core/memory.h"
 
 #include <math.h>
 #include <string.h>
@@ -12,6 +11,8 @@ static const double blind = 2e-14, rise = 0x1p-50;
 /* A film is at rest where the model gains no more than `flat` of the area and the gradient is
  * within `flat_residual`: what is left are moves within the surface. */
 static const double flat = 1e-15, flat_residual = 1e-6;
+static const double unfolded = 0.02;
+static const double slow = 0.1, small_theta = 1e-6;
 enum { LONGEST = 256 };
 enum { FLAT_STEPS = 4 }; /* steps that are still made there, for the sake of the residual */
 /* Curvature below -slack of the metric operator makes a saddle; less is rounding and slack. */
@@ -19,107 +20,14 @@ static const double slack = 1e-6;
 /* With a free edge, a film that has lost this much of its area is on its way to none. */
 static const double shrunk = 0.1;
 
-typedef struct place {
-    taut_film_value value;
-    double *net, *gradient; /* [nu][nv][3] */
-    double residual;
-} place;
-
-typedef struct walk {
-    taut_film *film;
-    taut_film_solver *solver;
-    taut_descent *descent;
-    size_t count, size; /* points; unknowns */
-    place here, there;
-    double *right, *step, *image; /* unknowns */
-    double *move;                 /* net */
-    double theta, model, first_norm, start_area;
-    double fence; /* B was last seen indefinite at this theta; forgotten by and by */
-    int flat_steps;
-} walk;
-
-static double largest_of(size_t count, const double *x)
-{
-    double largest = 0;
-    for (size_t i = 0; i < count; i++) {
-        largest = fmax(largest, fabs(x[i]));
-    }
-    return largest;
-}
-
-/* Area, gradient and residual of the place's net; the film's operators are its own from now on. */
-static void look(walk *w, place *at)
-{
-    at->value = taut_film_gradient(w->film, at->net, at->gradient);
-    taut_film_solver_reduce(w->solver, at->gradient, w->move);
-    const double all = largest_of(3 * w->count, at->gradient);
-    at->residual = all > 0 ? largest_of(w->size, w->move) / all : 0;
-    taut_film_solver_renew(w->solver);
-}
-
-static void walk_clear(walk *w)
-{
-    taut_free(w->here.gradient);
-    taut_free(w->there.gradient);
-    taut_free(w->there.net);
-    taut_free(w->right);
-    taut_free(w->step);
-    taut_free(w->image);
-    taut_free(w->move);
-}
-
-static taut_status walk_new(taut_film *film, taut_film_solver *solver, taut_descent *descent,
-                            walk *w)
-{
-    memset(w, 0, sizeof *w);
-    w->film = film;
-    w->solver = solver;
-    w->descent = descent;
-    w->count = (size_t)film->nu * (size_t)film->nv;
-    w->size = (size_t)taut_film_solver_parts(solver) * w->count;
-    w->here.gradient = taut_alloc_aligned(3 * w->count, sizeof(double));
-    w->there.gradient = taut_alloc_aligned(3 * w->count, sizeof(double));
-    w->there.net = taut_alloc_aligned(3 * w->count, sizeof(double));
-    w->right = taut_alloc_aligned(w->size, sizeof(double));
-    w->step = taut_alloc_aligned(w->size, sizeof(double));
-    w->image = taut_alloc_aligned(w->size, sizeof(double));
-    w->move = taut_alloc_aligned(3 * w->count, sizeof(double));
-    w->theta = taut_film_solver_parts(solver) == 1 ? 0 : 1e-2;
-    return w->here.gradient != NULL && w->there.gradient != NULL && w->there.net != NULL &&
-                   w->right != NULL && w->step != NULL && w->image != NULL && w->move != NULL
-               ? TAUT_OK
-               : TAUT_NO_MEMORY;
-}
-
-/* there = here + factor step. */
-static void try_step(walk *w, double factor)
-{
-    taut_film_solver_expand(w->solver, w->step, w->move);
-    for (size_t i = 0; i < 3 * w->count; i++) {
-        w->there.net[i] = w->here.net[i] + factor * w->move[i];
-    }
-    look(w, &w->there);
-}
-
-/* The nets stay where they are, since here's is the caller's; the rest changes hands. */
-static void accept(walk *w)
-{
-    double *const gradient = w->here.gradient;
-    memcpy(w->here.net, w->there.net, 3 * w->count * sizeof(double));
-    w->here.gradient = w->there.gradient;
-    w->there.gradient = gradient;
-    w->here.value = w->there.value;
-    w->here.residual = w->there.residual;
-}
-
-static void raise_theta(walk *w, int tries)
+static void raise_theta(taut_walk *w, int tries)
 {
     const double least = taut_film_solver_parts(w->solver) == 1 ? 1e-2 : 1e-9;
     w->theta = fmin(1, fmax(least, w->theta * 4 * tries));
 }
 
 /* After a good step: the next theta, not far below where B was indefinite. */
-static void lower_theta(walk *w)
+static void lower_theta(taut_walk *w)
 {
     const double least = fmax(taut_film_solver_floor(w->solver), 1.5 * w->fence);
     w->theta = fmin(w->theta, fmax(least, 0.1 * w->theta));
@@ -127,13 +35,13 @@ static void lower_theta(walk *w)
 }
 
 /* How precisely to solve: the steps converge fast near the end without wasted products before. */
-static double forcing(const walk *w)
+static double forcing(const taut_walk *w)
 {
     return fmin(0.1, fmax(1e-6, w->first_norm > 0 ? w->here.residual / w->first_norm : 0.1));
 }
 
 /* The step at the first theta that leaves B positive definite. */
-static taut_status find_step(walk *w)
+static taut_status find_step(taut_walk *w)
 {
     taut_status status = TAUT_OK;
 
@@ -154,19 +62,33 @@ static taut_status find_step(walk *w)
 }
 
 /* Is the net as good as moves within the surface allow? Only a small theta may say so. */
-static int is_flat(const walk *w)
+static int is_flat(const taut_walk *w)
 {
     return w->model <= flat * w->here.value.area && w->here.residual <= flat_residual &&
            w->theta <= fmax(1e-6, taut_film_solver_floor(w->solver));
 }
 
+/* Has the area come so near its least that steps are not worth making? The net still slides within
+ * the surface, each step for less: five of them for a tenth of the tolerance, of the area. */
+static int is_slow(const taut_walk *w)
+{
+    const double area = w->here.value.area;
+    const double before = w->past[w->steps % TAUT_WALK_PAST];
+
+    return w->steps >= TAUT_WALK_PAST && w->here.residual <= flat_residual &&
+           w->theta <= small_theta && before - area <= slow * w->descent->tolerance * area;
+}
+
 /* Did the step keep what its model promised? Changes theta by how well it did. */
-static int is_good(walk *w)
+static int is_good(taut_walk *w)
 {
     const double area = w->here.value.area, gain = area - w->there.value.area;
     const double ratio = gain / w->model;
 
-    if (w->model > blind * area) {
+    if (w->there.value.least < w->barrier) {
+        return 0;
+    }
+    if (fmax(w->model, gain) > blind * area) {
         if (!(ratio > 0.05)) {
             return 0;
         }
@@ -187,12 +109,13 @@ static int is_good(walk *w)
 /* Moves within the surface hardly change the area, and theta keeps their steps short: goes on along
  * the step to where Newton's own model ends, at most LONGEST times as far. Costs a product and a
  * look at the film, where another step costs factors. */
-static int stretch_step(walk *w)
+static int stretch_step(taut_walk *w)
 {
     const double slope = taut_film_solver_dot(w->solver, w->step, w->right);
     double curvature = 0, length = LONGEST;
 
-    if (w->theta == 0 || taut_film_solver_parts(w->solver) == 1) {
+    if (w->theta == 0 || taut_film_solver_parts(w->solver) == 1 ||
+        taut_film_solver_has_factors(w->solver)) {
         return 0;
     }
     taut_film_solver_product(w->solver, 0, w->step, w->image);
@@ -201,20 +124,20 @@ static int stretch_step(walk *w)
         length = slope / curvature;
     }
     for (; length > 1.5; length *= 0.25) {
-        try_step(w, length);
+        taut_walk_try(w, length);
         const double gain = w->here.value.area - w->there.value.area;
         if (isfinite(gain) && gain > fmax(w->model, 0x1p-51 * w->here.value.area)) {
             lower_theta(w);
-            accept(w);
+            taut_walk_accept(w);
             return 1;
         }
     }
-    look(w, &w->here);
+    taut_walk_look(w, &w->here);
     return 0;
 }
 
 /* One accepted step. TAUT_CHECK_FAILED: none is to be had; *at_rest: none is needed. */
-static taut_status advance(walk *w, int *at_rest)
+static taut_status advance(taut_walk *w, int *at_rest)
 {
     const double least = taut_film_solver_floor(w->solver);
 
@@ -227,14 +150,14 @@ static taut_status advance(walk *w, int *at_rest)
         if (!was_flat && stretch_step(w)) {
             return TAUT_OK;
         }
-        try_step(w, 1);
+        taut_walk_bend(w);
         if (isfinite(w->there.value.area) && is_good(w)) {
-            accept(w);
+            taut_walk_accept(w);
             w->flat_steps += was_flat;
-            *at_rest = w->flat_steps > FLAT_STEPS;
+            *at_rest = w->flat_steps > FLAT_STEPS || is_slow(w);
             return TAUT_OK;
         }
-        look(w, &w->here);
+        taut_walk_look(w, &w->here);
         if (was_flat) {
             *at_rest = 1;
             return TAUT_OK;
@@ -250,7 +173,7 @@ static taut_status advance(walk *w, int *at_rest)
 }
 
 /* A deterministic direction that no symmetry of the net shares. */
-static void scatter(walk *w, double *z)
+static void scatter(taut_walk *w, double *z)
 {
     unsigned state = 12345;
     for (size_t i = 0; i < w->size; i++) {
@@ -263,7 +186,7 @@ static void scatter(walk *w, double *z)
 
 /* step = the direction of the least curvature over the metric operator, by inverse iteration at a
  * theta that is definite; returns that curvature. */
-static double least_curvature(walk *w)
+static double least_curvature(taut_walk *w)
 {
     double gain = 0, against = 0, curvature = 0;
 
@@ -274,7 +197,7 @@ static double least_curvature(walk *w)
             TAUT_OK) {
             break;
         }
-        const double size = largest_of(w->size, w->step);
+        const double size = taut_largest(w->size, w->step);
         for (size_t i = 0; size > 0 && i < w->size; i++) {
             w->step[i] /= size;
         }
@@ -288,23 +211,23 @@ static double least_curvature(walk *w)
 
 /* Steps along +-step, the longest first, to where the area is less; 0 when there is no such place.
  */
-static int step_off(walk *w)
+static int step_off(taut_walk *w)
 {
     for (double length = 1; length > 1e-4; length *= 0.5) {
         for (int side = 1; side >= -1; side -= 2) {
-            try_step(w, side * length);
+            taut_walk_try(w, side * length);
             if (w->there.value.area < w->here.value.area * (1 - 1e-13)) {
-                accept(w);
+                taut_walk_accept(w);
                 return 1;
             }
         }
     }
-    look(w, &w->here);
+    taut_walk_look(w, &w->here);
     return 0;
 }
 
 /* At a net where the gradient vanishes: a minimum, or a saddle to be left. *at_rest: stay. */
-static taut_status check_minimum(walk *w, int *at_rest, taut_error *error)
+static taut_status check_minimum(taut_walk *w, int *at_rest, taut_error *error)
 {
     const double before = w->theta, normal = taut_film_solver_parts(w->solver) == 1 ? 0 : slack;
     double gain = 0, curvature = 0;
@@ -335,7 +258,7 @@ static taut_status check_minimum(walk *w, int *at_rest, taut_error *error)
     return status == TAUT_NO_SOLUTION ? TAUT_OK : status;
 }
 
-static taut_status check_film(const walk *w, taut_error *error)
+static taut_status check_film(const taut_walk *w, taut_error *error)
 {
     const taut_descent *d = w->descent;
     const double area = w->here.value.area;
@@ -353,7 +276,7 @@ static taut_status check_film(const walk *w, taut_error *error)
     return TAUT_OK;
 }
 
-static taut_status give_up(const walk *w, const char *why, taut_error *error)
+static taut_status give_up(const taut_walk *w, const char *why, taut_error *error)
 {
     const taut_descent *d = w->descent;
     if (d->has_free_edge) {
@@ -362,22 +285,38 @@ static taut_status give_up(const walk *w, const char *why, taut_error *error)
                          "be no least area; make the points of that edge known",
                          why, w->here.residual);
     }
+    if (w->here.value.least < 1.5 * w->barrier) {
+        return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->here.value.least, w->barrier,
+                         "the film wants to fold: after %d iterations its smallest area element is "
+                         "%.2g of the mean; take the method \"normal\", or fewer points, or give "
+                         "points inside",
+                         d->iterations, w->here.value.least);
+    }
     return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->here.residual, d->tolerance,
                      "%s after %d iterations: the residual is %.3g, expected at most %.3g; the "
                      "smallest area element is %.2g of the mean (0 where the film folds)",
                      why, d->iterations, w->here.residual, d->tolerance, w->here.value.least);
 }
 
+static void note_area(taut_walk *w)
+{
+    taut_descent *d = w->descent;
+    if (d->areas_count < d->areas_max) {
+        d->areas[d->areas_count++] = w->here.value.area;
+    }
+}
+
 /* Steps until the film is at rest at a minimum. */
-static taut_status descend(walk *w, taut_error *error)
+static taut_status descend(taut_walk *w, taut_error *error)
 {
     taut_descent *d = w->descent;
     taut_status status = TAUT_OK;
     int at_rest = 0;
 
-    look(w, &w->here);
+    taut_walk_look(w, &w->here);
     w->first_norm = w->here.residual;
     w->start_area = w->here.value.area;
+    w->barrier = fmin(unfolded, 0.5 * w->here.value.least);
     w->model = 0;
     while (status == TAUT_OK && !at_rest) {
         status = check_film(w, error);
@@ -394,6 +333,7 @@ static taut_status descend(walk *w, taut_error *error)
         }
         status = advance(w, &at_rest);
         d->iterations += !at_rest;
+        note_area(w);
         if (at_rest) {
             status = check_minimum(w, &at_rest, error);
         }
@@ -407,16 +347,18 @@ static taut_status descend(walk *w, taut_error *error)
 taut_status taut_film_descend(taut_film *film, taut_film_solver *solver, taut_descent *descent,
                               double *net, taut_error *error)
 {
-    walk w;
-    taut_status status = walk_new(film, solver, descent, &w);
+    taut_walk w;
+    taut_status status = taut_walk_new(film, solver, descent, net, &w);
 
-    w.here.net = net;
     if (status == TAUT_OK) {
         status = descend(&w, error);
+        if (status == TAUT_OK) {
+            taut_walk_polish(&w);
+        }
         descent->area = w.here.value.area;
         descent->residual = w.here.residual;
         descent->gain = w.here.value.area > 0 ? w.model / w.here.value.area : 0;
     }
-    walk_clear(&w);
+    taut_walk_clear(&w);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }

@@ -19,8 +19,11 @@ typedef struct taut_descent {
     int max_iterations;
     int has_free_edge;
     const taut_monitor *monitor;
+    double *areas; /* [areas_max]: after each iteration, or NULL */
+    int areas_max;
     /* found; iterations is added to */
     int iterations;
+    int areas_count;
     double area;
     double residual; /* largest derivative along an unknown over the largest in the net */
     double gain;     /* what the last model still had to gain, over the area */

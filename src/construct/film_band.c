@@ -269,16 +269,16 @@ static void combine(taut_film_band *band, double theta)
     }
 }
 
-taut_status taut_film_band_solve(taut_film_band *band, double theta, double *net)
+taut_status taut_film_band_factor(taut_film_band *band, double theta)
+{
+    combine(band, theta);
+    return taut_band_factor(&band->factor);
+}
+
+void taut_film_band_solve(taut_film_band *band, double *net)
 {
     const size_t count = (size_t)band->pattern->nu * (size_t)band->pattern->nv;
-    taut_status status = TAUT_OK;
 
-    combine(band, theta);
-    status = taut_band_factor(&band->factor);
-    if (status != TAUT_OK) {
-        return status;
-    }
     for (size_t i = 0; i < count; i++) {
         if (band->index[i] >= 0) {
             memcpy(band->right + 3 * (size_t)band->index[i], net + 3 * i, 3 * sizeof(double));
@@ -292,5 +292,4 @@ taut_status taut_film_band_solve(taut_film_band *band, double theta, double *net
             memset(net + 3 * i, 0, 3 * sizeof(double));
         }
     }
-    return TAUT_OK;
 }

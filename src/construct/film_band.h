@@ -28,9 +28,12 @@ void taut_film_band_free(taut_film_band *band); /* NULL is fine */
 /* Fills both matrices from the film's state: once for each net. */
 void taut_film_band_assemble(taut_film_band *band, const taut_film *film);
 
-/* Solves B x = x in place, B = (1 - theta) H + theta L_g over the unknown points, net
- * double[nu][nv][3]; known points become 0. TAUT_NO_SOLUTION when B is not positive definite: net
- * is untouched. */
-taut_status taut_film_band_solve(taut_film_band *band, double theta, double *net);
+/* Factors B = (1 - theta) H + theta L_g over the unknown points. TAUT_NO_SOLUTION when B is not
+ * positive definite: there are no factors then. */
+taut_status taut_film_band_factor(taut_film_band *band, double theta);
+
+/* Solves B x = x in place with the factors of last, net double[nu][nv][3]; known points become
+ * 0. */
+void taut_film_band_solve(taut_film_band *band, double *net);
 
 #endif /* TAUT_CONSTRUCT_FILM_BAND_H */

@@ -5,6 +5,7 @@
 #include "core/vec3.h"
 #include "numeric/tensor_solver.h"
 
+#include <assert.h>
 #include <string.h>
 
 enum { ROUNDS_MAX = 400 }; /* products of one solve: a step cut short is still one downhill */
@@ -283,9 +284,23 @@ taut_status taut_film_solver_solve(taut_film_solver *solver, double theta, doubl
         taut_film_band_assemble(solver->band, solver->film);
         solver->is_assembled = 1;
     }
-    memcpy(z, b, solver->size * sizeof(double));
-    status = taut_film_band_solve(solver->band, theta, z);
+    status = taut_film_band_factor(solver->band, theta);
     solver->products++;
-    *model = 0.5 * taut_film_solver_dot(solver, z, b);
+    if (status == TAUT_OK) {
+        memcpy(z, b, solver->size * sizeof(double));
+        taut_film_band_solve(solver->band, z);
+        *model = 0.5 * taut_film_solver_dot(solver, z, b);
+    }
     return status;
+}
+
+int taut_film_solver_has_factors(const taut_film_solver *solver)
+{
+    return solver->band != NULL;
+}
+
+void taut_film_solver_again(taut_film_solver *solver, double *z)
+{
+    assert(solver->band != NULL);
+    taut_film_band_solve(solver->band, z);
 }

@@ -45,6 +45,11 @@ void taut_film_solver_renew(taut_film_solver *solver);
 taut_status taut_film_solver_solve(taut_film_solver *solver, double theta, double forcing,
                                    const double *b, double *z, double *model);
 
+/* Are steps made by factors? Then z = B^-1 z with those of the last solve that succeeded, whatever
+ * the film's state is now. */
+int taut_film_solver_has_factors(const taut_film_solver *solver);
+void taut_film_solver_again(taut_film_solver *solver, double *z);
+
 /* product = B z. */
 void taut_film_solver_product(taut_film_solver *solver, double theta, const double *z,
                               double *product);

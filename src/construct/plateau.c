@@ -1,54 +1,21 @@
-/* plateau.c -- the surface of least area through the known points of a net.
+/* plateau.c -- the surface of least area through the known points of a net, or between four curves.
  *
- *     1. the Dirichlet surface of the same net (taut_dirichlet_make): the data are checked there
- *     2. move and scale the points to about unit size (construct/scaling.h)
- *     3. Gauss nodes enough that more of them do not change the area (construct/film.h)
- *     4. descend from the Dirichlet surface, or the one given (construct/descent.h)
- *     5. with more nodes: still at rest? Otherwise go on with those
- *     6. put the solution back between the known points, which stay bit for bit
+ *     1. a spline space and a boundary in it (construct/plateau_space.h)
+ *     2. the film of least area there (construct/plateau_solve.h)
+ *     3. more spaces, to say how far it is from the least area of all, or to come as near as was
+ *        asked for (construct/plateau_refine.h)
  *
- * [WuWang2011] sections 6, 7.1, 7.2; docs/plateau.md.
+ * [WuWang2011] sections 6, 7.1 to 7.4; docs/plateau.md.
  */
 #include "taut/plateau.h"
 
 #include "construct/construct_ops.h"
-#include "construct/descent.h"
-#include "construct/plateau_directions.h"
-#include "construct/scaling.h"
+#include "construct/plateau_refine.h"
 #include "core/fail.h"
-#include "core/memory.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-enum { ITERATIONS_DEFAULT = 500, RULES = 10 };
-static const double tolerance_default = 1e-10;
-/* Nodes on a panel beyond the functions alive there, each rule tried after the one before. */
-static const int extras[RULES] = {2, 4, 6, 9, 13, 19, 28, 42, 63, 95};
-/* Two rules agree when their areas do to this. */
-static const double agreement = 2e-14;
-static const double points_max = 3e7; /* Gauss points of one film */
-
-/* What is being made. */
-typedef struct work {
-    const taut_plateau_problem *problem;
-    const taut_make_options *options;
-    taut_model *first; /* the Dirichlet surface */
-    const taut_surface *surface;
-    taut_arena *arena;
-    taut_pattern pattern;
-    taut_scaling scaling;
-    taut_dirichlet_form form;
-    taut_film *film;
-    size_t count;
-    double *net;        /* scaled */
-    double *directions; /* or NULL */
-    double dirichlet_area, aspect;
-    taut_descent descent;
-    const char *solver;
-    int rule, products;
-} work;
 
 static taut_status check_start(const taut_plateau_problem *problem, taut_error *error)
 {
@@ -73,9 +40,41 @@ static taut_status check_start(const taut_plateau_problem *problem, taut_error *
     return TAUT_OK;
 }
 
-/* What dirichlet does not check. */
+static taut_status check_tolerance_area(const taut_plateau_problem *problem, taut_error *error)
+{
+    const double tolerance = problem->tolerance_area;
+
+    if (tolerance != 0 && !(tolerance >= TAUT_PLATEAU_AREA_MIN && tolerance < 1)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", tolerance, TAUT_PLATEAU_AREA_MIN,
+                         "tolerance_area is %.17g, expected a number from %g on and below 1",
+                         tolerance, TAUT_PLATEAU_AREA_MIN);
+    }
+    if (tolerance != 0 && (problem->refine > 0 || problem->start != NULL)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", taut_none, taut_none,
+                         "tolerance_area finds its own spaces: expected neither refine nor start "
+                         "beside it");
+    }
+    if (problem->curves[0] != NULL && problem->start != NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/start", taut_none, taut_none,
+                         "found a start beside curves, expected none: its boundary would not be "
+                         "theirs");
+    }
+    return problem->curves[0] == NULL && problem->start != NULL ? check_start(problem, error)
+                                                                : TAUT_OK;
+}
+
+/* What dirichlet does not check, or is needed before it does. */
 static taut_status check(const taut_plateau_problem *problem, taut_error *error)
 {
+    const taut_dirichlet_problem *net = &problem->net;
+    const int curves = (problem->curves[0] != NULL) + (problem->curves[1] != NULL) +
+                       (problem->curves[2] != NULL) + (problem->curves[3] != NULL);
+
+    if (net->u == NULL || net->v == NULL || (curves != 0 && curves != 4) ||
+        (curves == 0 && (net->points == NULL || net->known == NULL))) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "a problem of least area needs two bases, and a net or four curves");
+    }
     if (!(problem->tolerance >= 0) || problem->tolerance >= 1) {
         return taut_fail(error, TAUT_BAD_INPUT, "/tolerance", problem->tolerance, 1,
                          "tolerance is %.17g, expected a number above 0 and below 1",
@@ -89,267 +88,28 @@ static taut_status check(const taut_plateau_problem *problem, taut_error *error)
         return taut_fail(error, TAUT_BAD_INPUT, "/method", taut_none, taut_none,
                          "expected the method \"full\" or \"normal\"");
     }
-    return check_start(problem, error);
+    if (problem->refine < 0 || problem->refine > TAUT_PLATEAU_REFINE_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/refine", problem->refine, TAUT_PLATEAU_REFINE_MAX,
+                         "refine is %d, expected 0 to %d", problem->refine,
+                         TAUT_PLATEAU_REFINE_MAX);
+    }
+    return check_tolerance_area(problem, error);
 }
 
-static void work_clear(work *w)
-{
-    taut_dirichlet_form_clear(&w->form);
-    taut_film_free(w->film);
-    taut_model_free(w->first);
-    taut_arena_free(w->arena);
-}
-
-static taut_status work_new(work *w, taut_error *error)
-{
-    const taut_dirichlet_problem *net = &w->problem->net;
-    const int nu = taut_basis_count(net->u), nv = taut_basis_count(net->v);
-
-    w->surface = taut_model_surface(w->first, 0);
-    w->count = (size_t)nu * (size_t)nv;
-    w->arena = taut_arena_new();
-    if (w->arena != NULL) {
-        w->net = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
-    }
-    if (w->net == NULL || taut_pattern_new(nu, nv, net->known, w->arena, &w->pattern) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    if (w->problem->method == TAUT_PLATEAU_NORMAL) {
-        w->directions = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
-        if (w->directions == NULL ||
-            taut_plateau_directions(w->surface, w->directions) != TAUT_OK) {
-            return taut_fail_memory(error);
-        }
-    }
-    return TAUT_OK;
-}
-
-/* net = points in the scaled frame. */
-static void scale(const work *w, const double *points, double *net)
-{
-    for (size_t i = 0; i < w->count; i++) {
-        taut_scaling_apply(&w->scaling, points + 3 * i, net + 3 * i);
-    }
-}
-
-/* The points back: known ones as given. */
-static taut_status unscale(const work *w, double *points, taut_error *error)
-{
-    for (size_t i = 0; i < w->count; i++) {
-        if (w->problem->net.known[i]) {
-            memcpy(points + 3 * i, w->problem->net.points + 3 * i, 3 * sizeof(double));
-        } else {
-            taut_scaling_undo(&w->scaling, w->net + 3 * i, points + 3 * i);
-        }
-    }
-    for (size_t i = 0; i < 3 * w->count; i++) {
-        if (!isfinite(points[i])) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/points", taut_none, taut_none,
-                             "a point of the solution is beyond the range of double precision: "
-                             "scale the points down");
-        }
-    }
-    return TAUT_OK;
-}
-
-/* The film with this rule; *is_last when a finer one would be too large. */
-static taut_status film_with(work *w, int rule, taut_film **film, int *is_last, taut_error *error)
-{
-    const taut_dirichlet_problem *net = &w->problem->net;
-    const int next = rule + 1 < RULES ? rule + 1 : rule;
-    const double u = taut_basis_local(net->u) + extras[next];
-    const double v = taut_basis_local(net->v) + extras[next];
-
-    *is_last = next == rule ||
-               u * v * taut_basis_span_count(net->u) * taut_basis_span_count(net->v) > points_max;
-    return taut_film_new(net->u, net->v, net->weights, extras[rule], film) == TAUT_OK
-               ? TAUT_OK
-               : taut_fail_memory(error);
-}
-
-/* Raises the rule until the next one gives the same area of the net; the film is the coarser of
- * the two. *area is what the finer one gives. */
-static taut_status find_rule(work *w, const double *net, double *area, taut_error *error)
-{
-    int is_last = 0;
-    taut_status status = TAUT_OK;
-
-    if (w->film == NULL) {
-        status = film_with(w, w->rule, &w->film, &is_last, error);
-    }
-    for (int settled = 0; status == TAUT_OK && !settled;) {
-        const double before = taut_film_area(w->film, net).area;
-        taut_film *finer = NULL;
-        *area = before;
-        if (w->rule + 1 >= RULES || is_last) {
-            break;
-        }
-        status = film_with(w, w->rule + 1, &finer, &is_last, error);
-        if (status == TAUT_OK) {
-            *area = taut_film_area(finer, net).area;
-            settled = fabs(*area - before) <= agreement * *area;
-        }
-        if (status == TAUT_OK && !settled) {
-            taut_film_free(w->film);
-            w->film = finer;
-            w->rule++;
-        } else {
-            taut_film_free(finer);
-        }
-    }
-    return status;
-}
-
-/* The stretch of u over that of v: fu / fv of the preconditioner. */
-static double stretch(const work *w)
-{
-    double halves[2] = {0, 0};
-    taut_dirichlet_form_energies(&w->form, w->net, halves);
-    const double ratio = sqrt(halves[1] / halves[0]) / w->form.ratio;
-    return ratio > 1e-4 && ratio < 1e4 ? ratio : 1;
-}
-
-static int has_free_edge(const taut_pattern *p)
-{
-    const size_t nv = (size_t)p->nv, last = (size_t)(p->nu - 1) * nv;
-    int found = 0;
-    for (size_t j = 0; j < nv; j++) {
-        found |= !p->known[j] || !p->known[last + j];
-    }
-    for (size_t i = 0; i < (size_t)p->nu; i++) {
-        found |= !p->known[i * nv] || !p->known[i * nv + nv - 1];
-    }
-    return found;
-}
-
-/* Descends with the film of the moment. */
-static taut_status descend(work *w, taut_error *error)
-{
-    taut_film_solver *solver = NULL;
-    taut_status status =
-        taut_film_solver_new(w->film, &w->form, &w->pattern, w->directions, w->aspect, &solver);
-
-    if (status == TAUT_OK) {
-        w->solver = taut_film_solver_name(solver);
-        status = taut_film_descend(w->film, solver, &w->descent, w->net, error);
-        w->products += taut_film_solver_products(solver);
-    } else {
-        status = status == TAUT_NO_MEMORY
-                     ? taut_fail_memory(error)
-                     : taut_fail(error, TAUT_NOT_CONVERGED, NULL, taut_none, taut_none,
-                                 "the system is too ill-conditioned for double precision: the "
-                                 "knots, the degree or the weights are too extreme");
-    }
-    taut_film_solver_free(solver);
-    return status;
-}
-
-/* The area of the Dirichlet surface, in the scaled frame, and a rule for it. */
-static taut_status measure_first(work *w, taut_error *error)
-{
-    double halves[2] = {0, 0};
-    taut_status status = TAUT_OK;
-
-    scale(w, taut_surface_points(w->surface), w->net);
-    status = find_rule(w, w->net, &w->dirichlet_area, error);
-    taut_dirichlet_form_energies(&w->form, w->net, halves);
-    if (status == TAUT_OK && !(w->dirichlet_area > 1e-12 * sqrt(halves[0] * halves[1]))) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/points", w->dirichlet_area, taut_none,
-                         "the known points span no area: every surface through them that has none "
-                         "is a minimum; give a boundary that is not a point or a line");
-    }
-    w->aspect = stretch(w);
-    return status;
-}
-
-/* Fills points double[nu][nv][3]. */
-static taut_status solve(work *w, double *points, taut_error *error)
-{
-    taut_status status = TAUT_OK;
-    double area = 0;
-
-    w->scaling = taut_scaling_of(w->count, w->problem->net.points, w->problem->net.known);
-    status = taut_dirichlet_form_new(w->problem->net.u, w->problem->net.v, w->problem->net.weights,
-                                     &w->form, error);
-    if (status == TAUT_OK) {
-        status = measure_first(w, error);
-    }
-    if (status == TAUT_OK && w->problem->start != NULL) {
-        scale(w, w->problem->start, w->net);
-        status = find_rule(w, w->net, &area, error);
-    }
-    w->descent.has_free_edge = has_free_edge(&w->pattern);
-    for (int rule = -1; status == TAUT_OK && rule != w->rule;) {
-        rule = w->rule;
-        status = descend(w, error);
-        if (status == TAUT_OK) {
-            status = find_rule(w, w->net, &area, error);
-        }
-    }
-    return status == TAUT_OK ? unscale(w, points, error) : status;
-}
-
-static void add_directions(const work *w, taut_record *details)
-{
-    taut_record *rows = taut_record_add_list(details, "directions");
-    for (int i = 0; i < w->pattern.nu; i++) {
-        taut_record *row = taut_record_add_list(rows, NULL);
-        for (int j = 0; j < w->pattern.nv; j++) {
-            const size_t at = (size_t)i * (size_t)w->pattern.nv + (size_t)j;
-            taut_record_add_numbers(row, NULL, 3, w->directions + 3 * at);
-        }
-    }
-}
-
-static taut_record *details_of(const work *w)
-{
-    const taut_pattern *p = &w->pattern;
-    taut_record *details = taut_record_new();
-    const int is_normal = w->problem->method == TAUT_PLATEAU_NORMAL;
-
-    taut_record_add_number(details, "iterations", w->descent.iterations);
-    taut_record_add_number(details, "dirichlet_area",
-                           taut_scaling_undo_square(&w->scaling, w->dirichlet_area));
-    taut_record_add_number(details, "unknowns", (double)p->unknowns);
-    taut_record_add_text(details, "known",
-                         p->unknowns == 0 ? "all"
-                         : p->is_interior ? "boundary"
-                                          : "pattern");
-    taut_record_add_text(details, "method", is_normal ? "normal" : "full");
-    taut_record_add_text(details, "solver", w->solver);
-    taut_record_add_number(details, "products", w->products);
-    taut_record_add_number(details, "residual", w->descent.residual);
-    taut_record_add_number(details, "tolerance", w->descent.tolerance);
-    if (is_normal && p->unknowns > 0) {
-        add_directions(w, details);
-    }
-    return details;
-}
-
-static taut_status make_model(const work *w, const double *points, taut_model **model,
+static taut_status make_model(taut_plateau_solution *solution, taut_model **model,
                               taut_error *error)
 {
-    const taut_dirichlet_problem *net = &w->problem->net;
-    const char *name = net->name != NULL ? net->name : "plateau";
-    taut_surface *surface = NULL;
     taut_model *made = NULL;
-    taut_record *details = NULL;
-    taut_status status =
-        taut_surface_new(name, net->u, net->v, points, net->weights, &surface, error);
+    taut_status status = taut_model_new(&made);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_model_new(&made);
     if (status == TAUT_OK) {
-        status = taut_model_add_surface(made, surface);
+        status = taut_model_add_surface(made, solution->surface);
     }
-    if (status != TAUT_OK) {
-        taut_surface_free(surface);
-    } else {
-        details = details_of(w);
-        status = taut_record_status(details);
-        taut_model_set_details(made, details);
+    if (status == TAUT_OK) {
+        solution->surface = NULL; /* the model's now */
+        status = taut_record_status(solution->details);
+        taut_model_set_details(made, solution->details);
+        solution->details = NULL;
     }
     if (status != TAUT_OK) {
         taut_model_free(made);
@@ -359,55 +119,37 @@ static taut_status make_model(const work *w, const double *points, taut_model **
     return TAUT_OK;
 }
 
-/* Without unknowns the surface is the one given; its area is still told. */
-static taut_status keep(work *w, double *points, taut_error *error)
-{
-    taut_status status = TAUT_OK;
-
-    memcpy(points, w->problem->net.points, 3 * w->count * sizeof(double));
-    w->solver = "none";
-    w->scaling = taut_scaling_of(w->count, points, w->problem->net.known);
-    scale(w, points, w->net);
-    status = find_rule(w, w->net, &w->dirichlet_area, error);
-    return status;
-}
-
 taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_make_options *options,
                               taut_model **model, taut_error *error)
 {
     static const taut_make_options none;
-    work w;
-    double *points = NULL;
+    taut_plateau_space *space = NULL;
+    taut_plateau_solution solution = {NULL, NULL, 0};
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "taut_plateau_make needs a problem and a place for the model");
     }
-    memset(&w, 0, sizeof w);
-    w.problem = problem;
-    w.options = options != NULL ? options : &none;
-    w.descent.tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;
-    w.descent.max_iterations =
-        problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS_DEFAULT;
-    w.descent.monitor = &w.options->monitor;
-    status = taut_dirichlet_make(&problem->net, w.options, &w.first, error);
+    options = options != NULL ? options : &none;
+    status = check(problem, error);
     if (status == TAUT_OK) {
-        status = check(problem, error);
+        status = taut_plateau_space_new(problem, NULL, &space, error);
     }
     if (status == TAUT_OK) {
-        status = work_new(&w, error);
+        status = taut_plateau_solve(&space->problem, options, &solution, error);
+    }
+    if (status == TAUT_OK && problem->refine > 0) {
+        status = taut_plateau_estimate(problem, options, &solution, error);
+    } else if (status == TAUT_OK && problem->tolerance_area > 0) {
+        status = taut_plateau_adapt(problem, options, &space, &solution, error);
     }
     if (status == TAUT_OK) {
-        points = taut_arena_take(w.arena, 3 * w.count, sizeof(double));
-        status = points == NULL            ? taut_fail_memory(error)
-                 : w.pattern.unknowns == 0 ? keep(&w, points, error)
-                                           : solve(&w, points, error);
+        taut_plateau_space_describe(space, solution.details);
+        status = make_model(&solution, model, error);
     }
-    if (status == TAUT_OK) {
-        status = make_model(&w, points, model, error);
-    }
-    work_clear(&w);
+    taut_plateau_solution_clear(&solution);
+    taut_plateau_space_free(space);
     return status;
 }
 

@@ -1,6 +1,7 @@
 /* document_plateau.c -- the problem `plateau`: a net with holes, and how to go about it
  * (docs/format.md). */
 #include "core/fail.h"
+#include "io/basis_document.h"
 #include "io/boundary_document.h"
 #include "io/document_ops.h"
 #include "io/net_document.h"
@@ -10,12 +11,11 @@
 #include <limits.h>
 #include <string.h>
 
-static const char *const members[] = {"name",      "u",
-                                      "v",         "points",
-                                      "weights",   "start",
-                                      "tolerance", "max_iterations",
-                                      "method",    TAUT_BOUNDARY_MEMBERS,
-                                      NULL};
+static const char *const members[] = {"name",           "u",      "v",      "points",
+                                      "weights",        "curves", "start",  "tolerance",
+                                      "max_iterations", "method", "refine", "tolerance_area",
+                                      "boundary",       "degree", NULL};
+static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 
 static taut_status check_basis(const taut_json *document, const char *key, const taut_basis *basis,
                                taut_error *error)
@@ -27,6 +27,26 @@ static taut_status check_basis(const taut_json *document, const char *key, const
                               "basis of pipe axes, not of surfaces that are solved for");
     }
     return TAUT_OK;
+}
+
+static taut_status read_spaces(const taut_json *document, taut_plateau_problem *data,
+                               taut_error *error)
+{
+    const taut_json refine = taut_json_member(document, "refine");
+    const taut_json tolerance = taut_json_member(document, "tolerance_area");
+    taut_status status = TAUT_OK;
+
+    if (refine.value != NULL && !taut_boundary_document_is(document)) { /* else it is a pair */
+        status = taut_json_integer(&refine, 0, TAUT_PLATEAU_REFINE_MAX, &data->refine, error);
+    }
+    if (status == TAUT_OK && tolerance.value != NULL) {
+        status = taut_json_number(&tolerance, &data->tolerance_area, error);
+        if (status == TAUT_OK &&
+            !(data->tolerance_area >= TAUT_PLATEAU_AREA_MIN && data->tolerance_area < 1)) {
+            status = taut_json_expected(&tolerance, error, "a number from 1e-11 on and below 1");
+        }
+    }
+    return status;
 }
 
 static taut_status read_options(const taut_json *document, taut_plateau_problem *data,
@@ -52,7 +72,7 @@ static taut_status read_options(const taut_json *document, taut_plateau_problem 
         status = taut_json_word(&method, methods, &word, error);
         data->method = word == 1 ? TAUT_PLATEAU_NORMAL : TAUT_PLATEAU_FULL;
     }
-    return status;
+    return status == TAUT_OK ? read_spaces(document, data, error) : status;
 }
 
 /* The points of `start`, which must be a surface of the same net. */
@@ -89,14 +109,68 @@ static taut_status read_start(const taut_json *document, taut_arena *arena,
     return status;
 }
 
+static void release_basis(void *basis)
+{
+    taut_basis_free(basis);
+}
+
+static void release_curve(void *curve)
+{
+    taut_curve_free(curve);
+}
+
+/* Four curves, in place of points; the bases say how finely they are fitted. */
+static taut_status read_curves(const taut_json *document, taut_arena *arena,
+                               taut_plateau_problem *data, taut_error *error)
+{
+    static const char *const apart[] = {"points", "weights", "start"};
+    const taut_json at = taut_json_member(document, "curves");
+    taut_basis *bases[2] = {NULL, NULL};
+    taut_status status = taut_json_object(&at, edge_members, error);
+
+    for (int k = 0; status == TAUT_OK && k < 3; k++) {
+        const taut_json other = taut_json_member(document, apart[k]);
+        if (other.value != NULL) {
+            status = taut_json_fail(&other, error, taut_none, taut_none,
+                                    "found \"%s\" beside \"curves\": curves that are given are the "
+                                    "boundary",
+                                    apart[k]);
+        }
+    }
+    for (int k = 0; status == TAUT_OK && k < 2; k++) {
+        const taut_json basis = taut_json_member(document, k == 0 ? "u" : "v");
+        status = taut_basis_document_read(&basis, 0, &bases[k], error);
+        if (status == TAUT_OK && !taut_arena_keep(arena, bases[k], release_basis)) {
+            status = taut_fail_memory(error);
+        }
+    }
+    data->net.u = bases[0];
+    data->net.v = bases[1];
+    for (int e = 0; status == TAUT_OK && e < 4; e++) {
+        const taut_json curve = taut_json_member(&at, edge_members[e]);
+        taut_curve *made = NULL;
+        status = taut_curve_document_read(&curve, &made, error);
+        if (status == TAUT_OK && !taut_arena_keep(arena, made, release_curve)) {
+            status = taut_fail_memory(error);
+        }
+        data->curves[e] = made;
+    }
+    return status;
+}
+
 static taut_status read_net(const taut_json *document, taut_problem *problem,
                             taut_plateau_problem *data, taut_error *error)
 {
+    const taut_json curves = taut_json_member(document, "curves");
     taut_net_document net = {NULL, NULL, NULL, NULL, NULL};
     const char *name = "";
     taut_status status = taut_name_document_read(document, &name, error);
 
-    if (status == TAUT_OK) {
+    if (status == TAUT_OK && curves.value != NULL) {
+        status = read_curves(document, problem->arena, data, error);
+        net.u = data->net.u;
+        net.v = data->net.v;
+    } else if (status == TAUT_OK) {
         status = taut_boundary_document_is(document)
                      ? taut_boundary_document_read(document, problem, &net, error)
                      : taut_net_document_read(document, problem->arena, &net, error);

@@ -1,6 +1,7 @@
 #include "numeric/band.h"
 
 #include "core/memory.h"
+#include "numeric/kernel/kernel.h"
 
 #include <assert.h>
 #include <math.h>
@@ -11,6 +12,8 @@
 static const size_t entries_max = (size_t)1 << 40;
 
 static const double unit_roundoff = 0x1p-53;
+
+enum { WIDE = 32 }; /* half-width from which the vector kernels pay */
 
 taut_status taut_band_init(int n, int width, taut_band *out)
 {
@@ -105,12 +108,17 @@ void taut_band_multiply_add(const taut_band *band, double factor, const double *
 taut_status taut_band_factor(taut_band *band)
 {
     const int n = band->n, w = band->width;
+    const taut_kernel *kernel = w >= WIDE ? taut_kernel_best() : NULL;
     for (int i = 0; i < n; i++) {
         double *row = taut_band_row(band, i);
         const double diagonal = row[0];
         const int reach = i < w ? i : w;
         for (int d = reach - 1; d >= 1; d--) {
             const double *upper = taut_band_row(band, i - d);
+            if (kernel != NULL) {
+                row[d] -= kernel->dot((size_t)(reach - d), row + d + 1, upper + 1);
+                continue;
+            }
             for (int e = reach; e > d; e--) {
                 row[d] -= row[e] * upper[e - d];
             }
@@ -127,8 +135,43 @@ taut_status taut_band_factor(taut_band *band)
     return TAUT_OK;
 }
 
+static void reverse(int n, double *x)
+{
+    for (int i = 0, j = n - 1; i < j; i++, j--) {
+        const double xi = x[i];
+        x[i] = x[j];
+        x[j] = xi;
+    }
+}
+
+/* The same for one right-hand side: with x the other way round, rows of the factor and stretches of
+ * x run alike, y[n - 1 - i] = x[i]. */
+static void solve_wide(const taut_band *factor, double *x)
+{
+    const taut_kernel *kernel = taut_kernel_best();
+    const int n = factor->n, w = factor->width;
+
+    reverse(n, x);
+    for (int i = 1; i < n; i++) {
+        const size_t reach = (size_t)(i < w ? i : w);
+        x[n - 1 - i] -= kernel->dot(reach, taut_band_row(factor, i) + 1, x + (n - i));
+    }
+    for (int i = 0; i < n; i++) {
+        x[n - 1 - i] /= taut_band_row(factor, i)[0];
+    }
+    for (int i = n - 1; i > 0; i--) {
+        const size_t reach = (size_t)(i < w ? i : w);
+        kernel->add_scaled(reach, -x[n - 1 - i], taut_band_row(factor, i) + 1, x + (n - i));
+    }
+    reverse(n, x);
+}
+
 void taut_band_solve(const taut_band *factor, int count, double *x)
 {
+    if (count == 1 && factor->width >= WIDE) {
+        solve_wide(factor, x);
+        return;
+    }
     const int n = factor->n, w = factor->width;
     const size_t c = (size_t)count;
     for (int i = 0; i < n; i++) {

@@ -200,9 +200,221 @@ static void test_interrupt(void)
     problem_free(&net);
 }
 
+/* Limits close above what is left: the worked examples end at rounding ([WuWang2011] section 4). */
+static void test_limits(void)
+{
+    for (int k = 0; k < 4; k++) {
+        test_problem net = problem_example(k + 1);
+        const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+        taut_model *model = NULL;
+        taut_certificate *certificate = NULL;
+        CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK &&
+                  taut_plateau_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK,
+              "example %d", k + 1);
+        const taut_claim *claim = taut_certificate_claim(certificate, 0);
+        CHECK(claim->limit <= 1e-13 && claim->residual <= claim->limit, "example %d: %.3g, %.3g",
+              k + 1, claim->residual, claim->limit);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+        problem_free(&net);
+    }
+}
+
+/* z = 1 - x^2 on y = +-1, z = y^2 - 1 on x = +-1, over a net of n x n cubic points. */
+static test_problem saddle(int n)
+{
+    test_problem net = problem_new(basis_uniform(3, n), basis_uniform(3, n));
+    for (int i = 0; i < n; i++) {
+        double knot[3], product = 0;
+        for (int k = 0; k < 3; k++) {
+            knot[k] = 2 * fmin(1, fmax(0, (double)(i + k - 2) / (n - 3))) - 1;
+        }
+        for (int k = 0; k < 3; k++) {
+            product += knot[k] * knot[(k + 1) % 3] / 3; /* the blossom of t^2 */
+        }
+        const double t = 2 * greville(n, i) - 1;
+        set(&net, i, 0, t, -1, 1 - product);
+        set(&net, i, n - 1, t, 1, 1 - product);
+        set(&net, 0, i, -1, t, product - 1);
+        set(&net, n - 1, i, 1, t, product - 1);
+    }
+    return net;
+}
+
+/* From above, and as near as 28 x 28 cubic points come. Where sanitizers watch, fewer. */
+static void test_fine_nets(void)
+{
+    const int n = random_trials(28) < 28 ? 14 : 28;
+    const double far[2] = {n == 28 ? 1e-11 : 2e-11, n == 28 ? 2e-9 : 4e-8};
+    for (int k = 0; k < 2; k++) {
+        const double least = k == 0 ? 1.2792615711710065 : 7.3835056025;
+        test_problem net = k == 0 ? skew(n) : saddle(n);
+        const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+        taut_model *model = NULL;
+        double area = nan("");
+        CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK &&
+                  taut_surface_area(taut_model_surface(model, 0), &area, NULL) == TAUT_OK,
+              "net %d", k);
+        taut_model_free(model);
+        CHECK(area > least * (1 - 1e-14) && area < least * (1 + far[k]), "%d: area %.16g", k, area);
+        problem_free(&net);
+    }
+}
+
+/* A cubic patch of Enneper's surface, (u - u^3/3 + u v^2, -v - u^2 v + v^3/3, u^2 - v^2): harmonic,
+ * so the Dirichlet surface of its boundary is it, and there is nothing left to gain. Over
+ * [-1/2, 1/2]^2 its area is iint (1 + u^2 + v^2)^2. */
+static void test_enneper(void)
+{
+    test_problem net = problem_new(basis_uniform(3, 4), basis_uniform(3, 4));
+    const double a = 0.5;
+    for (int at = 0; at < 16; at++) {
+        /* blossoms of t, t^2, t^3 over [-a, a] at (-a, .., a, ..) with i, j times a */
+        const int m[2] = {at / 4, at % 4};
+        double one[2], two[2], three[2];
+        for (int c = 0; c < 2; c++) {
+            const double s[3] = {m[c] > 2 ? a : -a, m[c] > 1 ? a : -a, m[c] > 0 ? a : -a};
+            one[c] = (s[0] + s[1] + s[2]) / 3;
+            two[c] = (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]) / 3;
+            three[c] = s[0] * s[1] * s[2];
+        }
+        if (m[0] % 3 == 0 || m[1] % 3 == 0) {
+            set(&net, m[0], m[1], one[0] - three[0] / 3 + one[0] * two[1],
+                -one[1] - two[0] * one[1] + three[1] / 3, two[0] - two[1]);
+        }
+    }
+    const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+    /* 1 + 2 (u^2 + v^2) + u^4 + 2 u^2 v^2 + v^4 over the square of side 1 */
+    const double area = 1 + 4.0 / 12 + 2.0 / 80 + 2.0 / 144;
+    CHECK_NEAR(area_of(&problem, "Enneper"), area, 1e-14, "Enneper");
+    problem_free(&net);
+}
+
+/* The area never rises from one iteration to the next, but by the 1e-11 of it that two rules of
+ * quadrature may differ where nodes are added. */
+static void test_monotone(void)
+{
+    for (int k = 0; k < 3; k++) {
+        test_problem net = k == 0 ? skew(12) : k == 1 ? saddle(12) : problem_example(4);
+        for (int m = 0; m < 2; m++) {
+            const taut_plateau_problem problem = plateau_of(&net, (taut_plateau_method)m);
+            taut_model *model = NULL;
+            CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
+            const taut_record *areas = taut_record_get(taut_model_details(model), "areas");
+            double before =
+                taut_record_number(taut_record_get(taut_model_details(model), "dirichlet_area"));
+            CHECK(taut_record_count(areas) > 1, "net %d: areas are told", k);
+            for (size_t i = 0; i < taut_record_count(areas); i++) {
+                const double area = taut_record_number(taut_record_at(areas, i));
+                CHECK(area <= before * (1 + 1e-11), "net %d, iteration %zu: %.16g", k, i, area);
+                before = area;
+            }
+            taut_model_free(model);
+        }
+        problem_free(&net);
+    }
+}
+
+static const taut_record *refinement_of(const taut_model *model)
+{
+    return taut_record_get(taut_model_details(model), "refinement");
+}
+
+/* [WuWang2011] section 4: "limit of minimal area" of Ex3 and Ex4, 4.1028759 and 4.2728533,
+ * found there on 32 x 32 spans. */
+static void test_refine(void)
+{
+    static const double limits[2] = {4.1028759, 4.2728533};
+    const int rounds = random_trials(10) < 10 ? 2 : 3;
+    for (int k = 0; k < 2; k++) {
+        test_problem net = problem_example(k + 3);
+        taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+        taut_model *model = NULL;
+        taut_error error = {0};
+        problem.refine = rounds;
+        CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%s", error.message);
+        const double found =
+            taut_record_number(taut_record_get(refinement_of(model), "estimated_least_area"));
+        CHECK_NEAR(found, limits[k], rounds == 3 ? 6e-8 : 4e-7, "example %d", k + 3);
+        CHECK(taut_record_count(taut_record_get(refinement_of(model), "rounds")) ==
+                  (size_t)rounds + 1,
+              "rounds");
+        taut_model_free(model);
+        problem_free(&net);
+    }
+}
+
+/* Knots go in until the estimate is met; the edges stay, and areas fall from round to round. */
+static void test_tolerance_area(void)
+{
+    test_problem net = problem_example(4);
+    taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+    taut_model *model = NULL;
+    double area = nan(""), before = INFINITY;
+    problem.tolerance_area = 1e-7;
+    CHECK(area_of(&problem, "tolerance_area") < 4.2728533 * (1 + 1e-7), "near enough");
+    CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
+    const taut_record *rounds = taut_record_get(refinement_of(model), "rounds");
+    for (size_t k = 0; k < taut_record_count(rounds); k++) {
+        area = taut_record_number(taut_record_get(taut_record_at(rounds, k), "area"));
+        CHECK(area < before, "round %zu", k);
+        before = area;
+    }
+    CHECK(taut_record_number(taut_record_get(refinement_of(model), "estimated_gap")) <= 1e-7,
+          "the estimate is met");
+    taut_model_free(model);
+    problem_free(&net);
+}
+
+/* Boundaries whose films are degenerate: an edge that is a point, an edge twice, a fold. They end,
+ * with numbers or with a name for what is wrong. */
+static void test_degenerate(void)
+{
+    for (int k = 0; k < 4; k++) {
+        test_problem net = skew(7);
+        taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+        for (int i = 0; i < 7; i++) {
+            double *first = net.points + 3 * i, *last = net.points + 3 * (42 + i);
+            for (int c = 0; c < 3; c++) {
+                if (k == 0) {
+                    first[c] = net.points[c]; /* u0 is a point */
+                } else if (k == 1) {
+                    last[c] = first[c] + 1e-9 * i * (6 - i); /* u1 is u0, but for a hair */
+                } else if (k == 2) {
+                    last[c] *= i == 3 ? -4 : 1; /* a spike */
+                }
+            }
+            net.points[3 * (7 * i) + 1] -= k == 3 && i % 6 != 0 ? 3 * sin(2.0 * i) : 0;
+        }
+        for (int m = k % 2; m <= k % 2; m++) {
+            taut_model *model = NULL;
+            taut_error error = {0};
+            problem.method = (taut_plateau_method)m;
+            problem.max_iterations = 8;
+            const taut_status status = taut_plateau_make(&problem, NULL, &model, &error);
+            CHECK(status == TAUT_OK ||
+                      ((status == TAUT_NO_SOLUTION || status == TAUT_NOT_CONVERGED) &&
+                       error.message[0] != '\0'),
+                  "%d: status %d", k, (int)status);
+            for (int i = 0; model != NULL && i < 147; i++) {
+                CHECK(isfinite(taut_surface_points(taut_model_surface(model, 0))[i]), "%d", k);
+            }
+            taut_model_free(model);
+        }
+        problem_free(&net);
+    }
+}
+
 int main(void)
 {
+    test_degenerate();
     test_examples();
+    test_limits();
+    test_fine_nets();
+    test_enneper();
+    test_monotone();
+    test_refine();
+    test_tolerance_area();
     test_skew();
     test_start();
     test_refusals();

@@ -60,6 +60,34 @@ static void test_multiply_and_solve(void)
     }
 }
 
+/* Wide bands have loops of their own, for one right-hand side. */
+static void test_wide(void)
+{
+    enum { ROWS = 150 };
+    for (int trial = 0; trial < 40; trial++) {
+        const int n = random_int(1, ROWS), width = random_int(28, 60);
+        double x[ROWS], one[ROWS] = {0}, two[ROWS][2];
+        taut_band a = random_band(n, width);
+        for (int i = 0; i < n; i++) {
+            x[i] = random_in(-1.0, 1.0);
+        }
+        taut_band_multiply_add(&a, 1.0, x, one);
+        for (int i = 0; i < n; i++) {
+            two[i][0] = two[i][1] = one[i];
+        }
+        CHECK(taut_band_factor(&a) == TAUT_OK, "n=%d width=%d", n, width);
+        taut_band_solve(&a, 1, one);
+        taut_band_solve(&a, 2, &two[0][0]);
+        for (int i = 0; i < n; i++) {
+            /* cond(A) < 2 (4 width + 2) by Gershgorin, backward error <= 3 (width + 1) u */
+            const double bound = 2 * (4 * 60 + 2) * 3 * 61 * 0x1p-53;
+            CHECK_NEAR(one[i], x[i], bound, "n=%d width=%d i=%d", n, width, i);
+            CHECK_NEAR(two[i][0], x[i], bound, "n=%d width=%d i=%d", n, width, i);
+        }
+        taut_band_clear(&a);
+    }
+}
+
 static void test_widen(void)
 {
     taut_band a = random_band(6, 2), wide = {0, 0, NULL}, narrow = {1, 2, NULL};
@@ -111,6 +139,7 @@ int main(void)
 {
     random_seed(11);
     test_multiply_and_solve();
+    test_wide();
     test_widen();
     test_refuses_singular();
     test_refuses_bad_arguments();

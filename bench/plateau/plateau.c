@@ -1,0 +1,216 @@
+/* plateau.c -- films of least area beside Surface Evolver, to given errors of the area, in one run.
+ *
+ * Two patches of known area between four curves (Bezier curves of degree 18, good to rounding):
+ * Scherk's and the catenoid's. Taut: method "normal", the fastest degree and number of points that
+ * reach the error; within the process, best of five, and as a whole process with certificate and
+ * output. Evolver: quadratic elements, levels of refinement until the error is reached. CPU time of
+ * one thread. Prints a table, or JSON with --json.
+ */
+#include "evolver.h"
+#include "machine.h"
+
+#include "taut/taut.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { LEVELS = 3, CASES = 2, REPEATS = 5, EVOLVER_MAX = 6, POINTS_MAX = 30, DEGREE_MAX = 6 };
+
+typedef struct film {
+    double seconds, error;
+    int iterations, products;
+} film;
+
+typedef struct best {
+    film inside;
+    int degree, points;
+    double process;         /* whole, seconds */
+    double evolver, missed; /* seconds, and its error */
+} best;
+
+static const char *const names[CASES] = {"scherk", "catenoid"};
+static const double areas[CASES] = {5.6975122115870573, 2.1280059723370761};
+static const double wanted[LEVELS] = {1e-6, 1e-8, 1e-10};
+static char curves[CASES][16384];
+
+static void read_curves(int which)
+{
+    char path[512];
+    snprintf(path, sizeof path, BENCH_FILES "/%s.json", names[which]);
+    FILE *file = fopen(path, "r");
+    if (file == NULL) {
+        exit(5);
+    }
+    curves[which][fread(curves[which], 1, sizeof curves[which] - 1, file)] = '\0';
+    fclose(file);
+}
+
+static void write_problem(int which, int degree, int points, char *text, size_t size)
+{
+    snprintf(text, size,
+             "{ \"taut\": 1, \"construct\": \"plateau\", \"method\": \"normal\",\n"
+             "  \"u\": { \"type\": \"bspline\", \"degree\": %d, \"count\": %d },\n"
+             "  \"v\": { \"type\": \"bspline\", \"degree\": %d, \"count\": %d },\n"
+             "  \"curves\": %s }\n",
+             degree, points, degree, points, curves[which]);
+}
+
+static double detail(const taut_model *model, const char *key)
+{
+    return taut_record_number(taut_record_get(taut_model_details(model), key));
+}
+
+/* From the problem in memory to the model. */
+static film solve(int which, int degree, int points, int repeats)
+{
+    static char text[32768];
+    taut_problem *problem = NULL;
+    film f = {INFINITY, INFINITY, 0, 0};
+    write_problem(which, degree, points, text, sizeof text);
+    if (taut_problem_read_text(text, strlen(text), "bench", &problem, NULL) != TAUT_OK) {
+        exit(3);
+    }
+    for (int k = 0; k < repeats; k++) {
+        taut_model *model = NULL;
+        const double start = bench_cpu_seconds();
+        if (taut_make(problem, NULL, &model, NULL) == TAUT_OK) {
+            double area = 0;
+            f.seconds = fmin(f.seconds, bench_cpu_seconds() - start);
+            taut_surface_area(taut_model_surface(model, 0), &area, NULL);
+            f.error = fabs(area / areas[which] - 1);
+            f.iterations = (int)detail(model, "iterations");
+            f.products = (int)detail(model, "products");
+        }
+        taut_model_free(model);
+    }
+    taut_problem_free(problem);
+    return f;
+}
+
+/* The fastest that reaches the error, by degree and points. */
+static void search(int which, double error, best *b)
+{
+    b->inside.seconds = INFINITY;
+    for (int degree = 3; degree <= DEGREE_MAX; degree++) {
+        for (int points = degree + 2; points <= POINTS_MAX; points++) {
+            const film f = solve(which, degree, points, 1);
+            if (f.error <= error) {
+                const film again = solve(which, degree, points, REPEATS);
+                if (again.seconds < b->inside.seconds) {
+                    b->inside = again;
+                    b->degree = degree;
+                    b->points = points;
+                }
+                break;
+            }
+        }
+    }
+}
+
+static double process(int which, const best *b)
+{
+    static char text[32768];
+    char folder[] = "/tmp/bench-plateau-XXXXXX", in[64], out[64];
+    double took = INFINITY;
+    if (mkdtemp(folder) == NULL) {
+        exit(5);
+    }
+    snprintf(in, sizeof in, "%s/in.json", folder);
+    snprintf(out, sizeof out, "%s/out.json", folder);
+    FILE *file = fopen(in, "w");
+    if (file == NULL) {
+        exit(5);
+    }
+    write_problem(which, b->degree, b->points, text, sizeof text);
+    fputs(text, file);
+    fclose(file);
+    const char *const arguments[] = {BENCH_TAUT, "make", in, "-o", out, "--quiet", NULL};
+    for (int k = 0; k < REPEATS; k++) {
+        const double once = bench_run(arguments, "/dev/null");
+        took = once >= 0 ? fmin(took, once) : took;
+    }
+    remove(in);
+    remove(out);
+    rmdir(folder);
+    return took;
+}
+
+static void compare(int which, best rows[LEVELS])
+{
+    char file[512];
+    int levels = 2;
+    double error = INFINITY, seconds = 0;
+    snprintf(file, sizeof file, BENCH_FILES "/%s.fe", names[which]);
+    for (int k = 0; k < LEVELS; k++) {
+        search(which, wanted[k], &rows[k]);
+        rows[k].process = process(which, &rows[k]);
+        while (!(error <= wanted[k]) && levels <= EVOLVER_MAX) {
+            error = fabs(bench_evolver(file, levels++, &seconds) / areas[which] - 1);
+        }
+        rows[k].evolver = seconds;
+        rows[k].missed = error;
+    }
+}
+
+static void print_row(int json, int which, int k, const best *b)
+{
+    if (json) {
+        printf("%s\n    { \"case\": \"%s\", \"error\": %g, \"degree\": %d, \"points\": %d, "
+               "\"reached\": %.3g,\n      \"solver_ms\": %.4g, \"process_ms\": %.4g, "
+               "\"iterations\": %d, \"products\": %d, \"evolver_ms\": %.4g, "
+               "\"evolver_reached\": %.3g }",
+               which + k > 0 ? "," : "", names[which], wanted[k], b->degree, b->points,
+               b->inside.error, 1e3 * b->inside.seconds, 1e3 * b->process, b->inside.iterations,
+               b->inside.products, 1e3 * b->evolver, b->missed);
+    } else {
+        printf("%-10s %7.0e  p=%d n=%-3d %9.1e %11.3f %11.2f %12.1f %9.1e%s %8.1f\n", names[which],
+               wanted[k], b->degree, b->points, b->inside.error, 1e3 * b->inside.seconds,
+               1e3 * b->process, 1e3 * b->evolver, b->missed, b->missed <= wanted[k] ? " " : "*",
+               b->evolver / b->process);
+    }
+}
+
+/* Steps and products as the net grows. */
+static void growth(int json)
+{
+    static const int counts[] = {10, 20, 40, 100, 200};
+    printf(json ? "\n  ],\n  \"growth\": [" : "\nScherk, cubic:  n, steps, products, ms, error\n");
+    for (int k = 0; k < 5; k++) {
+        const film f = solve(0, 3, counts[k], 1);
+        printf(json ? "%s\n    { \"points\": %d, \"iterations\": %d, \"products\": %d, "
+                      "\"solver_ms\": %.4g, \"reached\": %.3g }"
+                    : "%s%4d %6d %9d %11.2f %9.1e\n",
+               json && k > 0 ? "," : "", counts[k], f.iterations, f.products, 1e3 * f.seconds,
+               f.error);
+    }
+    printf(json ? "\n  ] }\n" : "\n");
+}
+
+int main(int argc, char **argv)
+{
+    const int json = argc > 1 && strcmp(argv[1], "--json") == 0;
+    best rows[CASES][LEVELS];
+
+    memset(rows, 0, sizeof rows);
+    for (int c = 0; c < CASES; c++) {
+        read_curves(c);
+        compare(c, rows[c]);
+    }
+    printf(json ? "{ \"processor\": \"%s\",\n  \"rows\": ["
+                : "%s, one thread, CPU time; * the error was not reached\n",
+           bench_processor());
+    if (!json) {
+        printf("%-10s %7s  %-9s %9s %11s %11s %12s %9s  %8s\n", "", "error", "taut", "reached",
+               "solver, ms", "process, ms", "evolver, ms", "reached", "ratio");
+    }
+    for (int c = 0; c < CASES; c++) {
+        for (int k = 0; k < LEVELS; k++) {
+            print_row(json, c, k, &rows[c][k]);
+        }
+    }
+    growth(json);
+    return 0;
+}

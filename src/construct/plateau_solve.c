@@ -1,0 +1,435 @@
+/* plateau_solve.c -- the surface of least area in one spline space.
+ *
+ *     1. the Dirichlet surface of the same net (taut_dirichlet_make): the data are checked there
+ *     2. move and scale the points to about unit size (construct/scaling.h)
+ *     3. Gauss nodes enough that more of them do not change the area (construct/film.h)
+ *     4. descend from the Dirichlet surface, or the one given (construct/descent.h)
+ *     5. with more nodes: still at rest? Otherwise go on with those
+ *     6. put the solution back between the known points, which stay bit for bit
+ *
+ * [WuWang2011] sections 6, 7.1, 7.2; docs/plateau.md.
+ */
+#include "construct/plateau_solve.h"
+
+#include "construct/descent.h"
+#include "construct/plateau_directions.h"
+#include "construct/scaling.h"
+#include "core/fail.h"
+#include "core/memory.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { AREAS_MAX = 64 }; /* areas of iterations that are told */
+enum { ITERATIONS_DEFAULT = 500, RULES = 10 };
+static const double tolerance_default = 1e-10;
+/* Nodes on a panel beyond the functions alive there, each rule tried after the one before. */
+static const int extras[RULES] = {2, 4, 6, 9, 13, 19, 28, 42, 63, 95};
+/* Two rules agree when their areas do to this. */
+static const double agreement = 2e-14;
+static const double points_max = 3e7; /* Gauss points of one film */
+/* Residuals that agree to this, by rules of so many points that more cost little. */
+static const double sharp = 4e-15, sharp_points = 2e4;
+
+/* What is being made. */
+typedef struct work {
+    const taut_plateau_problem *problem;
+    const taut_make_options *options;
+    taut_model *first; /* the Dirichlet surface */
+    const taut_surface *surface;
+    taut_arena *arena;
+    taut_pattern pattern;
+    taut_scaling scaling;
+    taut_dirichlet_form form;
+    taut_film *film;
+    size_t count;
+    double *net;        /* scaled */
+    double *directions; /* or NULL */
+    double dirichlet_area, aspect;
+    taut_descent descent;
+    const char *solver;
+    int rule, products;
+} work;
+
+static void work_clear(work *w)
+{
+    taut_dirichlet_form_clear(&w->form);
+    taut_film_free(w->film);
+    taut_model_free(w->first);
+    taut_arena_free(w->arena);
+}
+
+static taut_status work_new(work *w, taut_error *error)
+{
+    const taut_dirichlet_problem *net = &w->problem->net;
+    const int nu = taut_basis_count(net->u), nv = taut_basis_count(net->v);
+
+    w->surface = taut_model_surface(w->first, 0);
+    w->count = (size_t)nu * (size_t)nv;
+    w->arena = taut_arena_new();
+    if (w->arena != NULL) {
+        w->net = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
+        w->descent.areas = taut_arena_take(w->arena, AREAS_MAX, sizeof(double));
+        w->descent.areas_max = AREAS_MAX;
+    }
+    if (w->net == NULL || w->descent.areas == NULL ||
+        taut_pattern_new(nu, nv, net->known, w->arena, &w->pattern) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    if (w->problem->method == TAUT_PLATEAU_NORMAL) {
+        w->directions = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
+        if (w->directions == NULL ||
+            taut_plateau_directions(w->surface, w->directions) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+    }
+    return TAUT_OK;
+}
+
+/* net = points in the scaled frame. */
+static void scale(const work *w, const double *points, double *net)
+{
+    for (size_t i = 0; i < w->count; i++) {
+        taut_scaling_apply(&w->scaling, points + 3 * i, net + 3 * i);
+    }
+}
+
+/* The points back: known ones as given. */
+static taut_status unscale(const work *w, double *points, taut_error *error)
+{
+    for (size_t i = 0; i < w->count; i++) {
+        if (w->problem->net.known[i]) {
+            memcpy(points + 3 * i, w->problem->net.points + 3 * i, 3 * sizeof(double));
+        } else {
+            taut_scaling_undo(&w->scaling, w->net + 3 * i, points + 3 * i);
+        }
+    }
+    for (size_t i = 0; i < 3 * w->count; i++) {
+        if (!isfinite(points[i])) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "/points", taut_none, taut_none,
+                             "a point of the solution is beyond the range of double precision: "
+                             "scale the points down");
+        }
+    }
+    return TAUT_OK;
+}
+
+/* The film with this rule; *is_last when a finer one would be too large. */
+static taut_status film_with(work *w, int rule, taut_film **film, int *is_last, taut_error *error)
+{
+    const taut_dirichlet_problem *net = &w->problem->net;
+    const int next = rule + 1 < RULES ? rule + 1 : rule;
+    const double u = taut_basis_local(net->u) + extras[next];
+    const double v = taut_basis_local(net->v) + extras[next];
+
+    *is_last = next == rule ||
+               u * v * taut_basis_span_count(net->u) * taut_basis_span_count(net->v) > points_max;
+    return taut_film_new(net->u, net->v, net->weights, extras[rule], film) == TAUT_OK
+               ? TAUT_OK
+               : taut_fail_memory(error);
+}
+
+/* Raises the rule until the next one gives the same area of the net; the film is the coarser of
+ * the two. *area is what the finer one gives. */
+static taut_status find_rule(work *w, const double *net, double *area, taut_error *error)
+{
+    int is_last = 0;
+    taut_status status = TAUT_OK;
+
+    if (w->film == NULL) {
+        status = film_with(w, w->rule, &w->film, &is_last, error);
+    }
+    for (int settled = 0; status == TAUT_OK && !settled;) {
+        const double before = taut_film_area(w->film, net).area;
+        taut_film *finer = NULL;
+        *area = before;
+        if (w->rule + 1 >= RULES || is_last) {
+            break;
+        }
+        status = film_with(w, w->rule + 1, &finer, &is_last, error);
+        if (status == TAUT_OK) {
+            *area = taut_film_area(finer, net).area;
+            settled = fabs(*area - before) <= agreement * *area;
+        }
+        if (status == TAUT_OK && !settled) {
+            taut_film_free(w->film);
+            w->film = finer;
+            w->rule++;
+        } else {
+            taut_film_free(finer);
+        }
+    }
+    return status;
+}
+
+/* The stretch of u over that of v: fu / fv of the preconditioner. */
+static double stretch(const work *w)
+{
+    double halves[2] = {0, 0};
+    taut_dirichlet_form_energies(&w->form, w->net, halves);
+    const double ratio = sqrt(halves[1] / halves[0]) / w->form.ratio;
+    return ratio > 1e-4 && ratio < 1e4 ? ratio : 1;
+}
+
+static int has_free_edge(const taut_pattern *p)
+{
+    const size_t nv = (size_t)p->nv, last = (size_t)(p->nu - 1) * nv;
+    int found = 0;
+    for (size_t j = 0; j < nv; j++) {
+        found |= !p->known[j] || !p->known[last + j];
+    }
+    for (size_t i = 0; i < (size_t)p->nu; i++) {
+        found |= !p->known[i * nv] || !p->known[i * nv + nv - 1];
+    }
+    return found;
+}
+
+/* Descends with the film of the moment. */
+static taut_status descend(work *w, taut_error *error)
+{
+    taut_film_solver *solver = NULL;
+    taut_status status =
+        taut_film_solver_new(w->film, &w->form, &w->pattern, w->directions, w->aspect, &solver);
+
+    if (status == TAUT_OK) {
+        w->solver = taut_film_solver_name(solver);
+        status = taut_film_descend(w->film, solver, &w->descent, w->net, error);
+        w->products += taut_film_solver_products(solver);
+    } else {
+        status = status == TAUT_NO_MEMORY
+                     ? taut_fail_memory(error)
+                     : taut_fail(error, TAUT_NOT_CONVERGED, NULL, taut_none, taut_none,
+                                 "the system is too ill-conditioned for double precision: the "
+                                 "knots, the degree or the weights are too extreme");
+    }
+    taut_film_solver_free(solver);
+    return status;
+}
+
+/* The area of the Dirichlet surface, in the scaled frame, and a rule for it. */
+static taut_status measure_first(work *w, taut_error *error)
+{
+    double halves[2] = {0, 0};
+    taut_status status = TAUT_OK;
+
+    scale(w, taut_surface_points(w->surface), w->net);
+    status = find_rule(w, w->net, &w->dirichlet_area, error);
+    taut_dirichlet_form_energies(&w->form, w->net, halves);
+    if (status == TAUT_OK && !(w->dirichlet_area > 1e-12 * sqrt(halves[0] * halves[1]))) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/points", w->dirichlet_area, taut_none,
+                         "the known points span no area: every surface through them that has none "
+                         "is a minimum; give a boundary that is not a point or a line");
+    }
+    w->aspect = stretch(w);
+    return status;
+}
+
+/* Largest derivative along an unknown over the largest in the net, by this film. */
+static taut_status residual_by(const work *w, taut_film *film, double *residual)
+{
+    double *gradient = taut_alloc_aligned(w->count, 3 * sizeof(double));
+    double all = 0, unknown = 0;
+
+    if (gradient == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_film_gradient(film, w->net, gradient);
+    for (size_t i = 0; i < w->count; i++) {
+        const double *g = gradient + 3 * i;
+        const double size = fmax(fabs(g[0]), fmax(fabs(g[1]), fabs(g[2])));
+        all = fmax(all, size);
+        if (!w->pattern.known[i]) {
+            unknown = fmax(unknown,
+                           w->directions == NULL ? size : fabs(taut_dot(w->directions + 3 * i, g)));
+        }
+    }
+    *residual = all > 0 ? unknown / all : 0;
+    taut_free(gradient);
+    return TAUT_OK;
+}
+
+/* Rules that agree on the area to 2e-14 agree on its derivatives to fewer digits: where it costs
+ * little, goes on to rules that do not see the residual change either. */
+static taut_status sharpen(work *w, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+
+    for (int settled = 0; status == TAUT_OK && !settled;) {
+        const double points = (double)w->film->u.count * w->film->v.count;
+        taut_film *finer = NULL;
+        double residual = 0;
+        int is_last = 0;
+        if (w->rule + 1 >= RULES || points > sharp_points) {
+            break;
+        }
+        status = film_with(w, w->rule + 1, &finer, &is_last, error);
+        if (status == TAUT_OK && residual_by(w, finer, &residual) != TAUT_OK) {
+            status = taut_fail_memory(error);
+        }
+        settled = is_last ||
+                  fabs(residual - w->descent.residual) <= fmax(sharp, 0.1 * w->descent.residual);
+        if (status != TAUT_OK || settled) {
+            taut_film_free(finer);
+            break;
+        }
+        taut_film_free(w->film);
+        w->film = finer;
+        w->rule++;
+        status = descend(w, error);
+    }
+    return status;
+}
+
+/* Fills points double[nu][nv][3]. */
+static taut_status solve(work *w, double *points, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    double area = 0;
+
+    w->scaling = taut_scaling_of(w->count, w->problem->net.points, w->problem->net.known);
+    status = taut_dirichlet_form_new(w->problem->net.u, w->problem->net.v, w->problem->net.weights,
+                                     &w->form, error);
+    if (status == TAUT_OK) {
+        status = measure_first(w, error);
+    }
+    if (status == TAUT_OK && w->problem->start != NULL) {
+        scale(w, w->problem->start, w->net);
+        status = find_rule(w, w->net, &area, error);
+    }
+    w->descent.has_free_edge = has_free_edge(&w->pattern);
+    for (int rule = -1; status == TAUT_OK && rule != w->rule;) {
+        rule = w->rule;
+        status = descend(w, error);
+        if (status == TAUT_OK) {
+            status = find_rule(w, w->net, &area, error);
+        }
+    }
+    if (status == TAUT_OK && w->directions == NULL) { /* "normal" stops at the tolerance */
+        status = sharpen(w, error);
+    }
+    if (status == TAUT_OK || status == TAUT_NOT_CONVERGED) {
+        const taut_status unscaled = unscale(w, points, error);
+        status = unscaled != TAUT_OK ? unscaled : status;
+    }
+    return status;
+}
+
+static void add_directions(const work *w, taut_record *details)
+{
+    taut_record *rows = taut_record_add_list(details, "directions");
+    for (int i = 0; i < w->pattern.nu; i++) {
+        taut_record *row = taut_record_add_list(rows, NULL);
+        for (int j = 0; j < w->pattern.nv; j++) {
+            const size_t at = (size_t)i * (size_t)w->pattern.nv + (size_t)j;
+            taut_record_add_numbers(row, NULL, 3, w->directions + 3 * at);
+        }
+    }
+}
+
+static taut_record *details_of(const work *w)
+{
+    const taut_pattern *p = &w->pattern;
+    taut_record *details = taut_record_new();
+    const int is_normal = w->problem->method == TAUT_PLATEAU_NORMAL;
+
+    taut_record_add_number(details, "iterations", w->descent.iterations);
+    taut_record_add_number(details, "dirichlet_area",
+                           taut_scaling_undo_square(&w->scaling, w->dirichlet_area));
+    taut_record_add_number(details, "unknowns", (double)p->unknowns);
+    taut_record_add_text(details, "known",
+                         p->unknowns == 0 ? "all"
+                         : p->is_interior ? "boundary"
+                                          : "pattern");
+    taut_record_add_text(details, "method", is_normal ? "normal" : "full");
+    taut_record_add_text(details, "solver", w->solver);
+    taut_record_add_number(details, "products", w->products);
+    taut_record_add_number(details, "residual", w->descent.residual);
+    taut_record_add_number(details, "tolerance", w->descent.tolerance);
+    if (is_normal && p->unknowns > 0) {
+        add_directions(w, details);
+    }
+    taut_record *areas = taut_record_add_list(details, "areas");
+    for (int k = 0; k < w->descent.areas_count; k++) {
+        taut_record_add_number(areas, NULL,
+                               taut_scaling_undo_square(&w->scaling, w->descent.areas[k]));
+    }
+    return details;
+}
+
+/* Without unknowns the surface is the one given; its area is still told. */
+static taut_status keep(work *w, double *points, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+
+    memcpy(points, w->problem->net.points, 3 * w->count * sizeof(double));
+    w->solver = "none";
+    w->scaling = taut_scaling_of(w->count, points, w->problem->net.known);
+    scale(w, points, w->net);
+    status = find_rule(w, w->net, &w->dirichlet_area, error);
+    return status;
+}
+
+static taut_status finish(const work *w, const double *points, taut_plateau_solution *solution,
+                          taut_error *error)
+{
+    const taut_dirichlet_problem *net = &w->problem->net;
+    const char *name = net->name != NULL ? net->name : "plateau";
+    taut_plateau_solution made = {NULL, NULL, 0};
+    taut_status status =
+        taut_surface_new(name, net->u, net->v, points, net->weights, &made.surface, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    made.area = taut_scaling_undo_square(&w->scaling, w->pattern.unknowns == 0 ? w->dirichlet_area
+                                                                               : w->descent.area);
+    made.details = details_of(w);
+    if (taut_record_status(made.details) != TAUT_OK) {
+        taut_plateau_solution_clear(&made);
+        return taut_fail_memory(error);
+    }
+    *solution = made;
+    return TAUT_OK;
+}
+
+void taut_plateau_solution_clear(taut_plateau_solution *solution)
+{
+    taut_surface_free(solution->surface);
+    taut_record_free(solution->details);
+    memset(solution, 0, sizeof *solution);
+}
+
+taut_status taut_plateau_solve(const taut_plateau_problem *problem,
+                               const taut_make_options *options, taut_plateau_solution *solution,
+                               taut_error *error)
+{
+    work w;
+    double *points = NULL;
+    taut_status status = TAUT_OK;
+
+    memset(&w, 0, sizeof w);
+    w.problem = problem;
+    w.options = options;
+    w.descent.tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;
+    w.descent.max_iterations =
+        problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS_DEFAULT;
+    w.descent.monitor = &w.options->monitor;
+    status = taut_dirichlet_make(&problem->net, w.options, &w.first, error);
+    if (status == TAUT_OK) {
+        status = work_new(&w, error);
+    }
+    if (status == TAUT_OK) {
+        points = taut_arena_take(w.arena, 3 * w.count, sizeof(double));
+        status = points == NULL            ? taut_fail_memory(error)
+                 : w.pattern.unknowns == 0 ? keep(&w, points, error)
+                                           : solve(&w, points, error);
+    }
+    if (status == TAUT_OK || (status == TAUT_NOT_CONVERGED && w.descent.area > 0)) {
+        const taut_status finished = finish(&w, points, solution, error);
+        status = finished != TAUT_OK ? finished : status;
+    }
+    work_clear(&w);
+    return status;
+}
