@@ -33,6 +33,7 @@ typedef struct cli_options {
     int divide;
     int quiet;
     int json;
+    int markdown;
     int flag_u; /* refine --u */
     int flag_v;
     int no_net;
@@ -222,6 +223,8 @@ int cli_print_text(const char *text, size_t length);
 /* A monitor that shows a progress line on a terminal once work has taken a second. */
 taut_monitor cli_monitor(int quiet);
 void cli_monitor_done(void); /* wipes the line */
-double cli_seconds(void);    /* a clock */
+/* From now on: long work is told once on standard error, also where no terminal is watching. */
+void cli_announce(const char *command);
+double cli_seconds(void); /* a clock */
 
 #endif /* TAUT_CLI_H */

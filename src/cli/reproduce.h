@@ -31,6 +31,9 @@ double cli_unnormalised_curvature(const taut_surface *surface, int samples, int 
  * panels; NaN where that is not possible. */
 double cli_cotes_point(const taut_surface *surface, int panels, int i, int j, int c);
 
+/* The judged rows as a page of Markdown on standard output. */
+void cli_reproduction_page(const taut_record *list);
+
 /* k and m of a c- or h-bezier basis. */
 double cli_basis_k(const taut_basis *basis);
 double cli_basis_m(const taut_basis *basis);

@@ -27,7 +27,7 @@ taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,
         const taut_json document = taut_json_root(root);
         const int is_problem = taut_json_kind_at(&document) == TAUT_JSON_OBJECT &&
                                taut_json_find(document.value, "construct") != NULL;
-        status = is_problem ? taut_problem_of_document(&document, path, &read_problem, error)
+        status = is_problem ? taut_problem_of_document(root, path, &read_problem, error)
                             : taut_model_of_document(root, &read_model, error);
     }
     taut_json_document_free(root);

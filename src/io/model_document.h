@@ -9,7 +9,7 @@
 
 /* The problem, or the model, of a document that has been parsed; path NULL: it came from no file.
  */
-taut_status taut_problem_of_document(const taut_json *document, const char *path,
+taut_status taut_problem_of_document(const taut_json_document *root, const char *path,
                                      taut_problem **problem, taut_error *error);
 taut_status taut_model_of_document(const taut_json_document *root, taut_model **model,
                                    taut_error *error);

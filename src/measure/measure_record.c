@@ -23,21 +23,6 @@ static void add_edges(const taut_edge_measure edges[4], taut_record *record)
     }
 }
 
-/* Which of the minimal surfaces with planar curvature lines, or their associates, this is, if any.
- */
-static void add_family(const taut_surface *surface, taut_record *record)
-{
-    taut_family_member member;
-    if (taut_surface_recognise(surface, &member, NULL) == TAUT_OK) {
-        taut_record *family = taut_record_add_object(record, "minimal_family");
-        taut_record_add_text(family, "surface", member.name);
-        taut_record_add_number(family, "scale", member.scale);
-        taut_record_add_number(family, "lambda", member.lambda);
-        taut_record_add_number(family, "theta", member.theta);
-        taut_record_add_number(family, "residual", member.residual);
-    }
-}
-
 /* Planar surfaces only: one_sign is true, false or null, and then why. */
 static void add_jacobian(const taut_jacobian *jacobian, taut_record *record)
 {
@@ -59,6 +44,21 @@ static void add_jacobian(const taut_jacobian *jacobian, taut_record *record)
         taut_record_add_number(child, "sign", jacobian->sign);
         taut_record_add_number(child, "lowest", jacobian->lowest);
         taut_record_add_numbers(child, "lowest_at", 2, jacobian->at);
+    }
+}
+
+/* Which of the minimal surfaces with planar curvature lines, or their associates, this is, if any.
+ */
+static void add_family(const taut_surface *surface, taut_record *record)
+{
+    taut_family_member member;
+    if (taut_surface_recognise(surface, &member, NULL) == TAUT_OK) {
+        taut_record *family = taut_record_add_object(record, "minimal_family");
+        taut_record_add_text(family, "surface", member.name);
+        taut_record_add_number(family, "scale", member.scale);
+        taut_record_add_number(family, "lambda", member.lambda);
+        taut_record_add_number(family, "theta", member.theta);
+        taut_record_add_number(family, "residual", member.residual);
     }
 }
 
