@@ -15,6 +15,7 @@ build cmd:cmake                      cmake                  says what is built f
 build cmd:ninja                      ninja-build            runs the build
 build cmd:pkg-config                 pkg-config             finds libraries
 build pc:cairo                       libcairo2-dev          draws figures (SVG, PDF, PNG)
+build header:flint/fmpq_mat.h        libflint-dev           rational arithmetic: --exact
 test  pc:jansson                     libjansson-dev         another JSON parser, which ours is compared with
 test  header:gmp.h                   libgmp-dev             exact numbers the results are checked against
 test  header:flint/fmpq_mat.h        libflint-dev           exact rational algebra, likewise
@@ -31,6 +32,7 @@ check cmd:clang-format               clang-format           the formatting
 check clang:fsanitize=fuzzer,address libclang-rt-14-dev     what sanitizers and fuzzer link with
 check cmd:llvm-symbolizer-14         llvm-14                names in the sanitizers' reports
 check cmd:nm                         binutils               lists the library's symbols
+check cmd:dpkg-shlibdeps             dpkg-dev               what the Debian package depends on
 check cmd:gmsh                       gmsh                   reads STEP and IGES back
 check cmd:node                       nodejs                 runs the Khronos validator of glTF
 check cmd:npm                        npm                    fetches it

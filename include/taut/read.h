@@ -27,6 +27,20 @@ TAUT_API taut_status taut_problem_read_text(const char *text, size_t length, con
 TAUT_API taut_status taut_model_read_text(const char *text, size_t length, const char *name,
                                           taut_model **model, taut_error *error);
 
+/* A document that is one problem, or a list of 1 .. TAUT_OBJECTS_MAX of them; in a list the
+ * pointers of errors begin with the item, as "/2/points". */
+typedef struct taut_problem_list taut_problem_list;
+TAUT_API taut_status taut_problem_list_read(const char *path, taut_problem_list **list,
+                                            taut_error *error);
+TAUT_API taut_status taut_problem_list_read_text(const char *text, size_t length, const char *name,
+                                                 taut_problem_list **list, taut_error *error);
+TAUT_API void taut_problem_list_free(taut_problem_list *list); /* NULL is fine */
+TAUT_API int taut_problem_list_count(const taut_problem_list *list);
+/* Borrowed; i = 0 .. count-1, else NULL. */
+TAUT_API const taut_problem *taut_problem_list_at(const taut_problem_list *list, int i);
+/* Nonzero: the document is a list, if only of one; 0: it is a problem. */
+TAUT_API int taut_problem_list_is_list(const taut_problem_list *list);
+
 /* Any JSON text as a record; its root must be an object or a list. */
 TAUT_API taut_status taut_record_read_text(const char *text, size_t length, const char *name,
                                            taut_record **record, taut_error *error);

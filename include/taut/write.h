@@ -67,8 +67,9 @@ TAUT_API taut_status taut_outputs_new(taut_outputs **outputs);
 TAUT_API taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model,
                                         const char *path, const taut_write_options *options,
                                         taut_error *error);
-/* Several models, 1 .. TAUT_MODELS_MAX, side by side in one figure, each at its own scale of length
- * and all at one of colour; TAUT_BAD_ARGUMENT where the format is no figure. */
+/* Writes several models to one path: as one list (JSON), or side by side (figures: at most
+ * TAUT_MODELS_MAX, each at its own scale of length and all at one of colour). TAUT_BAD_ARGUMENT
+ * where the format holds one model a file, or not so many. */
 enum { TAUT_MODELS_MAX = 12 };
 TAUT_API taut_status taut_outputs_models(taut_outputs *outputs, int count,
                                          const taut_model *const *models, const char *path,

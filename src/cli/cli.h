@@ -31,9 +31,11 @@ typedef struct cli_options {
     int divide;
     int quiet;
     int json;
+    int markdown;
     int flag_u; /* refine --u */
     int flag_v;
     int no_net;
+    int exact;
     int short_knots;
     int isolines;
     int reflections;
@@ -154,6 +156,11 @@ typedef struct cli_command {
         "--no-net", CLI_FLAG, offsetof(cli_options, no_net), 0, 0, 0, NULL,                        \
             "figures: leave the control net out"                                                   \
     }
+#define CLI_EXACT                                                                                  \
+    {                                                                                              \
+        "--exact", CLI_FLAG, offsetof(cli_options, exact), 0, 0, 0, NULL,                          \
+            "in rational arithmetic (harmonic surfaces): coordinates come out as \"p/q\""          \
+    }
 #define CLI_SHORT_KNOTS                                                                            \
     {                                                                                              \
         "--short-knots", CLI_FLAG, offsetof(cli_options, short_knots), 0, 0, 0, NULL,              \
@@ -208,6 +215,8 @@ int cli_print_text(const char *text, size_t length);
 /* A monitor that shows a progress line on a terminal once work has taken a second. */
 taut_monitor cli_monitor(int quiet);
 void cli_monitor_done(void); /* wipes the line */
-double cli_seconds(void);    /* a clock */
+/* From now on: long work is told once on standard error, also where no terminal is watching. */
+void cli_announce(const char *command);
+double cli_seconds(void); /* a clock */
 
 #endif /* TAUT_CLI_H */

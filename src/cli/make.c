@@ -1,14 +1,12 @@
 /* make.c -- taut make: document -> problem -> model -> certificate -> files and a report. */
+#include "make.h"
 #include "cli.h"
-#include "report.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* The JSON outputs alone when a claim does not hold: the model can be looked at, but nobody
- * builds from a picture of a surface that is not what it should be. */
-static int is_json(const char *path)
+int cli_make_is_json(const char *path)
 {
     taut_error error;
     const int format = taut_format_of(path, &error);
@@ -31,7 +29,7 @@ static int stage(taut_outputs *outputs, const cli_options *options, cli_report *
         code = cli_fail(&error);
     }
     for (int i = 0; i < options->output_count && code == 0; i++) {
-        if (!holds && !is_json(options->outputs[i])) {
+        if (!holds && !cli_make_is_json(options->outputs[i])) {
             continue;
         }
         bounds[report->output_count] = (double)NAN;
@@ -87,53 +85,70 @@ static int deliver(const cli_options *options, cli_report *report)
     return code;
 }
 
-/* From the problem on. */
-static int make(const taut_problem *problem, const cli_options *options)
+int cli_make_model(const taut_problem *problem, const cli_options *options,
+                   taut_workspace *workspace, const char *place, cli_made *made)
 {
     const taut_make_options chosen = {.tolerance = options->tolerance,
                                       .threads = options->threads,
-                                      .monitor = cli_monitor(options->quiet)};
-    const taut_certify_options proof = {.threads = options->threads,
-                                        .tolerance = options->tolerance};
-    cli_report report = {.construct = taut_problem_construct(problem)};
+                                      .monitor = cli_monitor(options->quiet),
+                                      .workspace = workspace,
+                                      .exact = options->exact};
+    const taut_certify_options proof = {
+        .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};
+    cli_report *report = &made->report;
     taut_model *model = NULL;
     taut_certificate *certificate = NULL;
     taut_error error;
     const double start = cli_seconds();
     taut_status status = taut_make(problem, &chosen, &model, &error);
-    int code = 0;
 
-    report.seconds_made = cli_seconds() - start;
+    report->construct = taut_problem_construct(problem);
+    report->seconds_made = cli_seconds() - start;
     if (status == TAUT_OK) {
         status = taut_certify(model, problem, &proof, &certificate, &error);
-        report.seconds_proved = cli_seconds() - start - report.seconds_made;
+        report->seconds_proved = cli_seconds() - start - report->seconds_made;
     }
-    if (status == TAUT_OK) {
-        taut_model_set_certificate(model, certificate);
-        report.model = model;
-        report.certificate = certificate;
-        code = deliver(options, &report);
-    } else {
-        code = cli_fail_in(options->files[0], &error);
+    if (status != TAUT_OK) {
+        taut_model_free(model);
+        if (error.where[0] == '\0' || error.where[0] == '/') {
+            char where[sizeof error.where];
+            snprintf(where, sizeof where, "%s%.100s", place, error.where);
+            memcpy(error.where, where, sizeof where);
+        }
+        return cli_fail_in(options->files[0], &error);
     }
-    taut_model_free(model);
+    taut_model_set_certificate(model, certificate);
+    report->model = made->model = model;
+    report->certificate = certificate;
+    return 0;
+}
+
+static int make(const taut_problem *problem, const cli_options *options)
+{
+    cli_made made = {.model = NULL};
+    int code = cli_make_model(problem, options, NULL, "", &made);
+    if (code == 0) {
+        code = deliver(options, &made.report);
+    }
+    taut_model_free(made.model);
     return code;
 }
 
 static int run(const cli_options *options)
 {
-    taut_problem *problem = NULL;
+    taut_problem_list *list = NULL;
     taut_error error;
     int code = cli_check_outputs(options);
 
     if (code != 0) {
         return code;
     }
-    if (taut_problem_read(options->files[0], &problem, &error) != TAUT_OK) {
+    if (taut_problem_list_read(options->files[0], &list, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
-    code = make(problem, options);
-    taut_problem_free(problem);
+    code = taut_problem_list_is_list(list) ? cli_make_list(list, options)
+                                           : make(taut_problem_list_at(list, 0), options);
+    taut_problem_list_free(list);
     return code;
 }
 
@@ -145,6 +160,7 @@ static const cli_option options_of_make[] = {
     CLI_DIVIDE,
     CLI_THREADS,
     CLI_FIGURE,
+    CLI_EXACT,
     {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},
     CLI_LAST};
 
@@ -157,7 +173,12 @@ const cli_command cli_command_make = {
             "FILE in the format of its ending; without -o as JSON to standard output. The report "
             "goes to\n"
             "standard error. A claim that does not hold is exit 1, and only JSON outputs are "
-            "written.\n",
+            "written.\n"
+            "A JSON list of problems gives a list of models; formats that hold one model a file "
+            "give\n"
+            "FILE-0.obj, FILE-1.obj, ... A % in the name takes the number, in JSON too. One that "
+            "fails\n"
+            "leaves no file of any. Dirichlet problems on the same knots share their factors.\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_make,

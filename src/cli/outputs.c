@@ -26,9 +26,13 @@ int cli_outputs_new(taut_outputs **outputs)
     }
     at_risk = *outputs;
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
-        struct sigaction action;
+        struct sigaction action, before;
         memset(&action, 0, sizeof action);
         action.sa_handler = interrupted;
+        if (sigaction(signals[i], NULL, &before) == 0 && signals[i] == SIGHUP &&
+            before.sa_handler == SIG_IGN) {
+            continue; /* nohup: whoever started us wants us to outlive the terminal */
+        }
         sigaction(signals[i], &action, NULL);
     }
     return 0;

@@ -85,7 +85,8 @@ static void print_members(const taut_record *record)
         if (taut_record_kind_of(value) == TAUT_RECORD_OBJECT) {
             continue;
         }
-        fprintf(stderr, "  %-*s", COLUMN, words(taut_record_key(record, i), name, sizeof name));
+        fprintf(stderr, "  %-*s ", COLUMN - 1,
+                words(taut_record_key(record, i), name, sizeof name));
         print_value(value);
         fputc('\n', stderr);
     }

@@ -31,4 +31,7 @@ double cli_unnormalised_curvature(const taut_surface *surface, int samples, int 
  * panels; NaN where that is not possible. */
 double cli_cotes_point(const taut_surface *surface, int panels, int i, int j, int c);
 
+/* The judged rows as a page of Markdown on standard output. */
+void cli_reproduction_page(const taut_record *list);
+
 #endif /* TAUT_CLI_REPRODUCE_H */

@@ -12,9 +12,9 @@
 #include "taut/dirichlet.h"
 
 #include "construct/construct_ops.h"
-#include "construct/dirichlet_system.h"
-#include "construct/pattern.h"
+#include "construct/dirichlet_plan.h"
 #include "construct/scaling.h"
+#include "construct/workspace.h"
 #include "core/fail.h"
 #include "core/memory.h"
 
@@ -25,7 +25,7 @@
 /* What was decided on the way. */
 typedef struct outcome {
     double aspect;
-    double energy; /* D_aspect, in the user's units */
+    double energy; /* D_aspect, in the user's units; NaN where no aspect was asked for */
     const char *method;
     int iterations;
 } outcome;
@@ -143,57 +143,54 @@ static taut_status unscale_net(const taut_dirichlet_problem *problem, size_t cou
     return TAUT_OK;
 }
 
+static int has_aspect(const taut_dirichlet_problem *problem)
+{
+    return problem->aspect > 0 || problem->aspect_auto;
+}
+
 /* Solves the scaled net in place. */
-static taut_status solve(const taut_dirichlet_problem *problem, taut_dirichlet_form *form,
-                         const taut_pattern *pattern, const taut_make_options *options, double *net,
-                         outcome *out, taut_error *error)
+static taut_status solve(const taut_dirichlet_problem *problem, taut_dirichlet_system *system,
+                         const taut_monitor *monitor, double *net, outcome *out, taut_error *error)
 {
     double halves[2] = {0, 0};
-    taut_dirichlet_system *system = NULL;
-    taut_status status =
-        taut_dirichlet_system_new(form, pattern, &options->monitor, &system, error);
+    taut_status status = TAUT_OK;
 
-    if (status == TAUT_OK) {
-        out->aspect = problem->aspect > 0 ? problem->aspect : 1;
-        if (problem->aspect_auto) {
-            status = taut_dirichlet_system_aspect(system, net, &out->aspect, error);
-        } else {
-            status = taut_dirichlet_system_solve(system, out->aspect, net, error);
-        }
+    taut_dirichlet_system_restart(system, monitor);
+    out->aspect = problem->aspect > 0 ? problem->aspect : 1;
+    if (problem->aspect_auto) {
+        status = taut_dirichlet_system_aspect(system, net, &out->aspect, error);
+    } else {
+        status = taut_dirichlet_system_solve(system, out->aspect, net, error);
     }
-    if (status == TAUT_OK) {
+    if (status == TAUT_OK && has_aspect(problem)) {
         taut_dirichlet_system_energies(system, net, halves);
         out->energy = out->aspect * halves[0] + halves[1] / out->aspect;
+    }
+    if (status == TAUT_OK) {
         out->method = taut_dirichlet_system_method(system);
         out->iterations = taut_dirichlet_system_iterations(system);
     }
-    taut_dirichlet_system_free(system);
+    taut_dirichlet_system_restart(system, NULL); /* a plan that is kept outlives the monitor */
     return status;
 }
 
 /* Fills net double[count][3] with the finished control points. */
-static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_pattern *pattern,
-                            const taut_make_options *options, double *net, outcome *out,
+static taut_status fill_net(const taut_dirichlet_problem *problem, taut_dirichlet_plan *plan,
+                            const taut_monitor *monitor, double *net, outcome *out,
                             taut_error *error)
 {
-    const size_t count = (size_t)pattern->nu * (size_t)pattern->nv;
-    taut_dirichlet_form form;
+    const size_t count = (size_t)plan->pattern.nu * (size_t)plan->pattern.nv;
     taut_scaling scaling;
     taut_status status = TAUT_OK;
 
-    if (pattern->unknowns == 0) {
+    if (plan->pattern.unknowns == 0) {
         memcpy(net, problem->points, 3 * count * sizeof(double));
         out->aspect = problem->aspect > 0 ? problem->aspect : 1;
         return TAUT_OK;
     }
     scaling = taut_scaling_of(count, problem->points, problem->known);
     scale_net(problem, count, &scaling, net);
-    memset(&form, 0, sizeof form);
-    status = taut_dirichlet_form_new(problem->u, problem->v, problem->weights, &form, error);
-    if (status == TAUT_OK) {
-        status = solve(problem, &form, pattern, options, net, out, error);
-    }
-    taut_dirichlet_form_clear(&form);
+    status = solve(problem, plan->system, monitor, net, out, error);
     if (status == TAUT_OK) {
         out->energy = taut_scaling_undo_square(&scaling, out->energy);
         status = unscale_net(problem, count, &scaling, net, error);
@@ -212,7 +209,7 @@ static taut_record *details_of(const taut_dirichlet_problem *problem, const taut
                                                 : "pattern");
     taut_record_add_text(details, "method", out->method);
     taut_record_add_number(details, "iterations", out->iterations);
-    if (problem->aspect > 0 || problem->aspect_auto) {
+    if (has_aspect(problem)) {
         taut_record_add_number(details, "aspect", out->aspect);
         taut_record_add_number(details, "aspect_energy", out->energy);
     }
@@ -253,15 +250,38 @@ static taut_status make_model(const taut_dirichlet_problem *problem, const taut_
     return TAUT_OK;
 }
 
+/* The plan of a problem: the one that the workspace keeps if it serves, else a new one, which the
+ * workspace takes if it may serve others. *own is what the caller is to free. */
+static taut_status find_plan(const taut_dirichlet_problem *problem,
+                             const taut_make_options *options, taut_dirichlet_plan **plan,
+                             taut_dirichlet_plan **own, taut_error *error)
+{
+    taut_dirichlet_plan *kept = taut_workspace_find(options->workspace, taut_dirichlet_plan_free);
+    taut_status status = TAUT_OK;
+
+    if (kept != NULL && taut_dirichlet_plan_serves(kept, problem)) {
+        taut_workspace_count(options->workspace);
+        *plan = kept;
+        return TAUT_OK;
+    }
+    status = taut_dirichlet_plan_new(problem, &options->monitor, plan, error);
+    if (status == TAUT_OK && options->workspace != NULL && (*plan)->is_lasting) {
+        taut_workspace_keep(options->workspace, *plan, taut_dirichlet_plan_free);
+    } else if (status == TAUT_OK) {
+        *own = *plan;
+    }
+    return status;
+}
+
 taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
                                 const taut_make_options *options, taut_model **model,
                                 taut_error *error)
 {
     static const taut_make_options none;
+    const taut_make_options *chosen = options != NULL ? options : &none;
     outcome out = {1, taut_none, "none", 0};
+    taut_dirichlet_plan *plan = NULL, *own = NULL;
     taut_status status = check(problem, error);
-    taut_arena *arena = NULL;
-    taut_pattern pattern;
     double *net = NULL;
 
     if (status != TAUT_OK) {
@@ -271,20 +291,17 @@ taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "taut_dirichlet_make needs a place for the model");
     }
-    const int nu = taut_basis_count(problem->u), nv = taut_basis_count(problem->v);
-    arena = taut_arena_new();
-    net = taut_alloc_aligned(3 * (size_t)nu * (size_t)nv, sizeof(double));
-    if (arena == NULL || net == NULL ||
-        taut_pattern_new(nu, nv, problem->known, arena, &pattern) != TAUT_OK) {
-        status = taut_fail_memory(error);
+    net = taut_alloc_aligned(3 * (size_t)taut_basis_count(problem->u) *
+                                 (size_t)taut_basis_count(problem->v),
+                             sizeof(double));
+    status = net != NULL ? find_plan(problem, chosen, &plan, &own, error) : taut_fail_memory(error);
+    if (status == TAUT_OK) {
+        status = fill_net(problem, plan, &chosen->monitor, net, &out, error);
     }
     if (status == TAUT_OK) {
-        status = fill_net(problem, &pattern, options != NULL ? options : &none, net, &out, error);
+        status = make_model(problem, &plan->pattern, net, &out, model, error);
     }
-    if (status == TAUT_OK) {
-        status = make_model(problem, &pattern, net, &out, model, error);
-    }
-    taut_arena_free(arena);
+    taut_dirichlet_plan_free(own);
     taut_free(net);
     return status;
 }

@@ -163,6 +163,12 @@ taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_patt
     return TAUT_OK;
 }
 
+void taut_dirichlet_system_restart(taut_dirichlet_system *system, const taut_monitor *monitor)
+{
+    system->monitor = monitor;
+    system->iterations = 0;
+}
+
 double taut_dirichlet_omega(const taut_dirichlet_system *system, const double *r)
 {
     const taut_pattern *pattern = system->pattern;
@@ -172,10 +178,11 @@ double taut_dirichlet_omega(const taut_dirichlet_system *system, const double *r
         for (int b = 0; b < pattern->columns; b++) {
             const int j = pattern->column[b];
             const double *p = r + 3 * ((size_t)i * (size_t)pattern->nv + (size_t)j);
-            const double size = fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
             const double sum = taut_dirichlet_form_row_sum(system->form, i, j);
-            if (!(size <= largest * sum)) {
-                largest = sum > 0 ? size / sum : INFINITY;
+            for (int c = 0; c < 3; c++) {
+                if (!(fabs(p[c]) <= largest * sum)) {
+                    largest = sum > 0 ? fabs(p[c]) / sum : INFINITY;
+                }
             }
         }
     }

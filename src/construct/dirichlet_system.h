@@ -27,6 +27,9 @@ taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_patt
                                       taut_error *error);
 void taut_dirichlet_system_free(taut_dirichlet_system *system); /* NULL is fine */
 
+/* Before a further problem: the iterations count from 0, and this monitor is asked. */
+void taut_dirichlet_system_restart(taut_dirichlet_system *system, const taut_monitor *monitor);
+
 /* Solves in place: net double[nu][nv][3], its known points in [-1, 1]^3, the unknown ones a first
  * guess (0 is fine). TAUT_NOT_CONVERGED with the residual in error->found; TAUT_INTERRUPTED. */
 taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double aspect, double *net,

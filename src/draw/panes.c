@@ -8,6 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
+/* What the axes and the note below take, and a bit. */
+static const double axes_height = 130;
+
 static int shown_of(const taut_model *model, const taut_write_options *options)
 {
     const taut_pane all = {.model = model, .surface = -1};
@@ -85,7 +88,7 @@ static void place(taut_panes *panes, const double page[4])
     }
     for (int c = 1; c <= panes->count; c++) {
         const int rows = (panes->count + c - 1) / c;
-        const double size = fmin(width / c / 4, (height - 60) / rows / 3);
+        const double size = fmin(width / c / 4, (height - axes_height) / rows / 3);
         if (size >= best) {
             best = size;
             columns = c;
@@ -93,7 +96,7 @@ static void place(taut_panes *panes, const double page[4])
     }
     const int rows = (panes->count + columns - 1) / columns;
     for (int i = 0; i < panes->count; i++) {
-        const double w = width / columns, h = (height - 60) / rows;
+        const double w = width / columns, h = (height - axes_height) / rows;
         const double x = page[0] + i % columns * w, y = page[1] + i / columns * h;
         const double frame[4] = {x + 24, y + 52, x + w - 24, y + h - 8};
         memcpy(panes->frame[i], frame, sizeof frame);

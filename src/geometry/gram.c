@@ -50,18 +50,30 @@ static taut_status gram_alloc(const taut_basis *basis, taut_gram *gram)
     return status;
 }
 
-/* Values and slopes n[0][..], n[1][..] become those of R = a N / W, W = sum a N:
- *     R' = a (N' - N W'/W) / W */
+/* Values and slopes n[0][..], n[1][..] become those of R = a N / W, W = sum a N. With D = a N' / W
+ *     R_i' = sum_{s != i} D_i R_s - R_i D_s
+ * where what cancels in (N' - N W'/W) / W, as weights that outweigh the others do, is left out. */
 static void make_rational(int local, const double *weights, double *n)
 {
-    double w = 0, slope = 0;
-    for (int a = 0; a < local; a++) {
-        w += weights[a] * n[a];
-        slope += weights[a] * n[local + a];
+    double *slope = n + local;
+    double behind[2] = {0, 0}, ahead[TAUT_DEGREE_MAX + 1][2], w = 0;
+    for (int i = 0; i < local; i++) {
+        w += weights[i] * n[i];
     }
-    for (int a = 0; a < local; a++) {
-        n[local + a] = weights[a] * ((n[local + a] - n[a] * (slope / w)) / w);
-        n[a] = weights[a] * n[a] / w;
+    ahead[local - 1][0] = ahead[local - 1][1] = 0; /* sums over s > i of R and D */
+    for (int i = local - 1; i >= 0; i--) {
+        n[i] = weights[i] * n[i] / w;
+        slope[i] = weights[i] * (slope[i] / w);
+        if (i > 0) {
+            ahead[i - 1][0] = ahead[i][0] + n[i];
+            ahead[i - 1][1] = ahead[i][1] + slope[i];
+        }
+    }
+    for (int i = 0; i < local; i++) {
+        const double value = n[i], d = slope[i];
+        slope[i] = d * (behind[0] + ahead[i][0]) - value * (behind[1] + ahead[i][1]);
+        behind[0] += value;
+        behind[1] += d;
     }
 }
 
@@ -135,13 +147,28 @@ static void eval_by_lengths(int p, const double *length, int i, double x, double
     }
 }
 
+/* Values and slopes at node g of a panel, a share of its knot interval: there nothing depends on
+ * how far from 0 the parameters lie. */
+static void eval_share(const taut_basis *basis, const taut_panels *panels, int k, double node,
+                       const double *lengths, double *n)
+{
+    const double *span = taut_basis_breaks(basis) + panels->span[k];
+    const double lo = (panels->lo[k] - span[0]) / (span[1] - span[0]);
+    const double hi = (panels->hi[k] - span[0]) / (span[1] - span[0]);
+    const double up = 0.5 + 0.5 * node, down = 0.5 - 0.5 * node;
+    eval_by_lengths(taut_basis_local(basis) - 1, lengths, basis->knot_span[panels->span[k]],
+                    down * lo + up * hi, down * (1 - lo) + up * (1 - hi), n);
+}
+
 /* The terms of one panel. The square roots of the weights go into the factors, so that very short
  * spans do not overflow before they are summed. */
 static void add_panel(const taut_basis *basis, const double *weights, const taut_panels *panels,
                       int k, const gauss *rule, const double *lengths, taut_gram *gram)
 {
-    const int interval = lengths == NULL ? 0 : basis->knot_span[panels->span[k]];
-    const double width = lengths == NULL ? panels->hi[k] - panels->lo[k] : lengths[interval];
+    const double *span = taut_basis_breaks(basis) + panels->span[k];
+    const double share = (panels->hi[k] - panels->lo[k]) / (span[1] - span[0]);
+    const double width = lengths == NULL ? panels->hi[k] - panels->lo[k]
+                                         : share * lengths[basis->knot_span[panels->span[k]]];
     const int local = taut_basis_local(basis), first = taut_basis_first(basis, panels->span[k]);
     double n[2 * (TAUT_DEGREE_MAX + 1)];
 
@@ -149,8 +176,7 @@ static void add_panel(const taut_basis *basis, const double *weights, const taut
         const double root = sqrt(0.5 * rule->weight[g] * (width / gram->length));
         const double slope_root = root * gram->length;
         if (lengths != NULL) {
-            eval_by_lengths(local - 1, lengths, interval, 0.5 + 0.5 * rule->node[g],
-                            0.5 - 0.5 * rule->node[g], n);
+            eval_share(basis, panels, k, rule->node[g], lengths, n);
         } else {
             taut_basis_eval(basis, panels->span[k], taut_panels_at(panels, k, rule->node[g]), 1, n);
         }
@@ -174,7 +200,7 @@ static taut_status gram_with(const taut_basis *basis, const double *weights, int
     taut_status status = taut_panels_new(basis, 1, weights, 1, 0, &panels);
     double *lengths = NULL;
 
-    if (status == TAUT_OK && weights == NULL) {
+    if (status == TAUT_OK) {
         status = knot_lengths(basis, &lengths);
     }
     if (status == TAUT_OK) {

@@ -15,6 +15,7 @@ typedef struct cutting {
     size_t step, next;
     taut_panels *panels;
     int room;
+    double *values; /* [local + 1][local] */
 } cutting;
 
 void taut_panels_free(taut_panels *panels)
@@ -27,23 +28,23 @@ void taut_panels_free(taut_panels *panels)
     }
 }
 
-/* Does w on some line vary by more than 4 between lo, the middle and hi? */
+/* Does w on some line vary by more than 4 among `local` + 1 places from lo to hi? As many as w has
+ * bends: at the ends and in the middle alone a bump in between would go unseen. */
 static int varies(const cutting *c, int span, double lo, double hi)
 {
-    const double at[3] = {lo, lo + 0.5 * (hi - lo), hi};
     const int local = taut_basis_local(c->basis);
     const double *first = c->weights + (size_t)taut_basis_first(c->basis, span) * c->step;
-    double n[3][TAUT_DEGREE_MAX + 1];
 
-    for (int k = 0; k < 3; k++) {
-        taut_basis_eval(c->basis, span, at[k], 0, n[k]);
+    for (int k = 0; k <= local; k++) {
+        const double t = k < local ? lo + (hi - lo) * ((double)k / local) : hi;
+        taut_basis_eval(c->basis, span, t, 0, c->values + k * local);
     }
     for (size_t l = 0; l < (size_t)c->lines; l++) {
         double least = INFINITY, largest = 0;
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k <= local; k++) {
             double w = 0;
             for (int i = 0; i < local; i++) {
-                w += first[(size_t)i * c->step + l * c->next] * n[k][i];
+                w += first[(size_t)i * c->step + l * c->next] * c->values[k * local + i];
             }
             least = fmin(least, w);
             largest = fmax(largest, w);
@@ -107,7 +108,8 @@ taut_status taut_panels_new(const taut_basis *basis, int lines, const double *we
 {
     const int spans = taut_basis_span_count(basis);
     taut_panels *made = taut_alloc_zero(1, sizeof *made);
-    cutting c = {basis, lines, weights, step, next, made, spans};
+    const size_t local = (size_t)taut_basis_local(basis);
+    cutting c = {basis, lines, weights, step, next, made, spans, NULL};
     taut_status status = TAUT_OK;
 
     if (made == NULL) {
@@ -116,12 +118,17 @@ taut_status taut_panels_new(const taut_basis *basis, int lines, const double *we
     made->lo = taut_alloc((size_t)spans, sizeof(double));
     made->hi = taut_alloc((size_t)spans, sizeof(double));
     made->span = taut_alloc((size_t)spans, sizeof(int));
-    if (made->lo == NULL || made->hi == NULL || made->span == NULL) {
+    if (weights != NULL) {
+        c.values = taut_alloc(local + 1, local * sizeof(double));
+    }
+    if (made->lo == NULL || made->hi == NULL || made->span == NULL ||
+        (weights != NULL && c.values == NULL)) {
         status = TAUT_NO_MEMORY;
     }
     for (int k = 0; status == TAUT_OK && k < spans; k++) {
         status = cut(&c, k);
     }
+    taut_free(c.values);
     if (status != TAUT_OK) {
         taut_panels_free(made);
         return status;

@@ -14,9 +14,10 @@ typedef struct taut_format_ops {
      */
     taut_status (*write)(const taut_model *model, const taut_write_options *options, FILE *out,
                          taut_error *error);
-    /* Likewise, where several models go on one page; else NULL. */
+    /* Likewise, where a file can hold several models, models_max at most; else NULL. */
     taut_status (*write_many)(int count, const taut_model *const *models,
                               const taut_write_options *options, FILE *out, taut_error *error);
+    int models_max;
     /* ...or, for libraries that want a name: writes the file `path`, which is there and empty. */
     taut_status (*write_path)(const taut_model *model, const taut_write_options *options,
                               const char *path, taut_error *error);

@@ -14,8 +14,8 @@
     {                                                                                              \
         return taut_draw_figures(count, models, options, #kind, out, error);                       \
     }                                                                                              \
-    const taut_format_ops taut_format_##kind = {.write = write_##kind,                             \
-                                                .write_many = write_many_##kind}
+    const taut_format_ops taut_format_##kind = {                                                   \
+        .write = write_##kind, .write_many = write_many_##kind, .models_max = TAUT_MODELS_MAX}
 
 TAUT_FIGURE(svg);
 TAUT_FIGURE(pdf);

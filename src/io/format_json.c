@@ -36,22 +36,45 @@ static void write_members(taut_json_out *out, const taut_model *model,
     }
 }
 
+static void write_model(taut_json_out *out, const taut_model *model,
+                        const taut_write_options *options)
+{
+    taut_json_open(out, '{');
+    taut_json_key(out, "taut");
+    taut_json_put_number(out, 1);
+    taut_json_key(out, "unit");
+    taut_json_put_text(out, taut_model_unit(model));
+    write_members(out, model, options);
+    taut_json_close(out, '}');
+}
+
+static taut_status finish(taut_json_out *out, taut_error *error)
+{
+    const taut_status status = taut_json_out_finish(out);
+    return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
+}
+
 static taut_status write_json(const taut_model *model, const taut_write_options *options, FILE *out,
                               taut_error *error)
 {
     taut_json_out json = taut_json_out_to(out);
-    taut_status status = TAUT_OK;
-
     json.short_knots = options->short_knots;
-    taut_json_open(&json, '{');
-    taut_json_key(&json, "taut");
-    taut_json_put_number(&json, 1);
-    taut_json_key(&json, "unit");
-    taut_json_put_text(&json, taut_model_unit(model));
-    write_members(&json, model, options);
-    taut_json_close(&json, '}');
-    status = taut_json_out_finish(&json);
-    return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
+    write_model(&json, model, options);
+    return finish(&json, error);
 }
 
-const taut_format_ops taut_format_json = {.write = write_json};
+static taut_status write_list(int count, const taut_model *const *models,
+                              const taut_write_options *options, FILE *out, taut_error *error)
+{
+    taut_json_out json = taut_json_out_to(out);
+    json.short_knots = options->short_knots;
+    taut_json_open(&json, '[');
+    for (int i = 0; i < count; i++) {
+        write_model(&json, models[i], options);
+    }
+    taut_json_close(&json, ']');
+    return finish(&json, error);
+}
+
+const taut_format_ops taut_format_json = {
+    .write = write_json, .write_many = write_list, .models_max = TAUT_OBJECTS_MAX};

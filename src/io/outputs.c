@@ -69,8 +69,8 @@ static int is_taken(const taut_outputs *outputs, const taut_staged *staged)
 }
 
 /* A new output, in the list and open. */
-static taut_status stage(taut_outputs *outputs, const char *path, taut_staged **staged,
-                         taut_error *error)
+static taut_status stage(taut_outputs *outputs, const char *path, int needs_name,
+                         taut_staged **staged, taut_error *error)
 {
     taut_staged *made = NULL;
     taut_status status = taut_staged_new(path, &made, error);
@@ -84,6 +84,7 @@ static taut_status stage(taut_outputs *outputs, const char *path, taut_staged **
         taut_staged_free(made);
         return status;
     }
+    made->needs_name = needs_name;
     made->next = atomic_load(&outputs->first);
     atomic_store(&outputs->first, made);
     status = taut_staged_open(made, error);
@@ -143,42 +144,48 @@ static const taut_format_ops *format_of(const char *path, const taut_write_optio
     return ops;
 }
 
-taut_status taut_outputs_models(taut_outputs *outputs, int count, const taut_model *const *models,
-                                const char *path, const taut_write_options *options,
+static taut_status write_one(taut_staged *staged, const taut_format_ops *ops,
+                             const taut_model *model, const taut_write_options *options,
+                             taut_error *error)
+{
+    return ops->write != NULL ? ops->write(model, options, staged->file, error)
+                              : write_by_path(staged, ops, model, options, error);
+}
+
+/* One model, or several together. */
+static taut_status write_models(taut_outputs *outputs, int count, const taut_model *const *models,
+                                int together, const char *path, const taut_write_options *options,
                                 taut_error *error)
 {
-    static const taut_write_options none;
-    const taut_write_options *chosen = options != NULL ? options : &none;
-    const taut_format_ops *ops = NULL;
+    const taut_format_ops *ops = format_of(path, options, error);
     taut_staged *staged = NULL;
     taut_status status = TAUT_OK;
 
-    if (outputs == NULL || models == NULL || path == NULL || count < 1 || count > TAUT_MODELS_MAX) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, TAUT_MODELS_MAX,
-                         "an output needs a path and 1 to %d models", TAUT_MODELS_MAX);
-    }
-    ops = format_of(path, chosen, error);
     if (ops == NULL) {
         return TAUT_BAD_ARGUMENT;
     }
-    if (ops->write_many == NULL) {
+    if (together && ops->write_many == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, 1,
-                         "%.150s holds one model; several go side by side in .svg, .pdf and .png",
+                         "the format of %.200s holds one model a file; several go into .json, or "
+                         "side by side into .svg, .pdf and .png",
                          path);
     }
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
-        status = models[i] != NULL ? taut_format_check(models[i], chosen, error)
-                                   : taut_fail(error, TAUT_BAD_ARGUMENT, NULL, i, taut_none,
-                                               "one of the models is none");
+    if (together && count > ops->models_max) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, ops->models_max,
+                         "%.200s would hold %d models, %d at most", path, count, ops->models_max);
+    }
+    for (int i = 0; status == TAUT_OK && i < count; i++) {
+        status = taut_format_check(models[i], options, error);
     }
     if (status == TAUT_OK) {
-        status = stage(outputs, path, &staged, error);
+        status = stage(outputs, path, !together && ops->write == NULL, &staged, error);
     }
     if (status != TAUT_OK) {
         return status;
     }
     errno = 0;
-    status = ops->write_many(count, models, chosen, staged->file, error);
+    status = together ? ops->write_many(count, models, options, staged->file, error)
+                      : write_one(staged, ops, models[0], options, error);
     return finish(staged, status, error);
 }
 
@@ -186,30 +193,27 @@ taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model, c
                                const taut_write_options *options, taut_error *error)
 {
     static const taut_write_options none;
-    const taut_write_options *chosen = options != NULL ? options : &none;
-    const taut_format_ops *ops = NULL;
-    taut_staged *staged = NULL;
-    taut_status status = TAUT_OK;
-
     if (outputs == NULL || model == NULL || path == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "an output needs a model and a path");
     }
-    ops = format_of(path, chosen, error);
-    if (ops == NULL) {
-        return TAUT_BAD_ARGUMENT;
+    return write_models(outputs, 1, &model, 0, path, options != NULL ? options : &none, error);
+}
+
+taut_status taut_outputs_models(taut_outputs *outputs, int count, const taut_model *const *models,
+                                const char *path, const taut_write_options *options,
+                                taut_error *error)
+{
+    static const taut_write_options none;
+    int whole = outputs != NULL && path != NULL && count >= 1 && models != NULL;
+    for (int i = 0; whole && i < count; i++) {
+        whole = models[i] != NULL;
     }
-    status = taut_format_check(model, chosen, error);
-    if (status == TAUT_OK) {
-        status = stage(outputs, path, &staged, error);
+    if (!whole) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "an output of several models needs them all and a path");
     }
-    if (status != TAUT_OK) {
-        return status;
-    }
-    errno = 0;
-    status = ops->write != NULL ? ops->write(model, chosen, staged->file, error)
-                                : write_by_path(staged, ops, model, chosen, error);
-    return finish(staged, status, error);
+    return write_models(outputs, count, models, 1, path, options != NULL ? options : &none, error);
 }
 
 taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record, const char *path,
@@ -223,7 +227,7 @@ taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "an output needs a record and a path");
     }
-    status = stage(outputs, path, &staged, error);
+    status = stage(outputs, path, 0, &staged, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -243,7 +247,7 @@ taut_status taut_outputs_text(taut_outputs *outputs, const char *text, size_t le
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "an output needs a text and a path");
     }
-    status = stage(outputs, path, &staged, error);
+    status = stage(outputs, path, 0, &staged, error);
     if (status != TAUT_OK) {
         return status;
     }

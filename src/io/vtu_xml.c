@@ -115,7 +115,8 @@ void vtu_xml_begin(taut_sink *sink, const char *unit)
 
 void vtu_xml_piece(taut_sink *sink, const vtu_grid *grid, int part)
 {
-    static const char *const names[TAUT_FIELDS] = {"H", "K", "E_minus_G", "F"};
+    static const char *const names[] = {"H", "K", "E_minus_G", "F", "isothermality"};
+    _Static_assert(sizeof names / sizeof names[0] == TAUT_FIELDS, "a name for each field");
     taut_sink_text(sink, "<Piece NumberOfPoints=\"");
     taut_sink_count(sink, grid->points);
     taut_sink_text(sink, "\" NumberOfCells=\"");

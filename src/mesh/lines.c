@@ -15,13 +15,18 @@
 
 #include <math.h>
 
-enum { SAMPLES_IN_ALL = 200, SAMPLES_LEAST = 2, SAMPLES_MOST = 24 };
+/* Samples a span: even the twist of a bilinear cell has its peak inside, where the normal turns;
+ * with 17 the tolerance held on thousands of random surfaces, with 4 to 9 it was passed by up to 6
+ * %. */
+enum { SAMPLES_IN_ALL = 200, SAMPLES_LEAST = 2, SAMPLES_ENOUGH = 17, SAMPLES_MOST = 24 };
 
 static int samples_per_span(const taut_basis *basis)
 {
     const int wish = SAMPLES_IN_ALL / taut_basis_span_count(basis);
-    const int enough =
-        2 * taut_basis_local(basis) < SAMPLES_MOST ? 2 * taut_basis_local(basis) : SAMPLES_MOST;
+    const int bends = 2 * taut_basis_local(basis);
+    const int enough = bends < SAMPLES_ENOUGH ? SAMPLES_ENOUGH
+                       : bends < SAMPLES_MOST ? bends
+                                              : SAMPLES_MOST;
     return wish < SAMPLES_LEAST ? SAMPLES_LEAST : wish < enough ? wish : enough;
 }
 

@@ -41,7 +41,7 @@ def values_at(grid, cell, r, s, name):
 
 tube = read(sys.argv[1])
 names = {tube.GetPointData().GetArrayName(i) for i in range(tube.GetPointData().GetNumberOfArrays())}
-if not {"H", "K", "E_minus_G", "F", "RationalWeights"} <= names:
+if not {"H", "K", "E_minus_G", "F", "isothermality", "RationalWeights"} <= names:
     complain(f"fields {names}")
 surface = tube.GetCellData().GetArray("surface")
 exact = [i for i in cells(tube, 0) if surface.GetTuple1(i) == 0]

@@ -105,24 +105,33 @@ TARGET static void add_scaled_exactly(size_t count, double factor, const double 
                                       const double *x_low, double *high, double *low)
 {
     const v_double f = v_all(factor);
-    for (size_t i = 0; i < count; i += V_SIZE) {
-        const size_t some = count - i < V_SIZE ? count - i : V_SIZE;
-        v_double h = v_load_some(high + i, some), l = v_load_some(low + i, some);
-        const v_double tail = f * v_load_some(x_low + i, some);
-        add_exactly(f, v_load_some(x + i, some), tail, &h, &l);
-        v_store_some(high + i, h, some);
-        v_store_some(low + i, l, some);
+    size_t i = 0;
+    for (; i + V_SIZE <= count; i += V_SIZE) {
+        v_double h = v_load(high + i), l = v_load(low + i);
+        add_exactly(f, v_load(x + i), f * v_load(x_low + i), &h, &l);
+        v_store(high + i, h);
+        v_store(low + i, l);
     }
+    v_double h = v_load_some(high + i, count - i), l = v_load_some(low + i, count - i);
+    const v_double tail = f * v_load_some(x_low + i, count - i);
+    add_exactly(f, v_load_some(x + i, count - i), tail, &h, &l);
+    v_store_some(high + i, h, count - i);
+    v_store_some(low + i, l, count - i);
 }
 
 TARGET static void add_products_exactly(size_t count, const double *c, const double *x,
                                         double *high, double *low)
 {
-    for (size_t i = 0; i < count; i += V_SIZE) {
-        const size_t some = count - i < V_SIZE ? count - i : V_SIZE;
-        v_double h = v_load_some(high + i, some), l = v_load_some(low + i, some);
-        add_exactly(v_load_some(c + i, some), v_load_some(x + i, some), v_all(0.0), &h, &l);
-        v_store_some(high + i, h, some);
-        v_store_some(low + i, l, some);
+    const v_double none = v_all(0.0);
+    size_t i = 0;
+    for (; i + V_SIZE <= count; i += V_SIZE) {
+        v_double h = v_load(high + i), l = v_load(low + i);
+        add_exactly(v_load(c + i), v_load(x + i), none, &h, &l);
+        v_store(high + i, h);
+        v_store(low + i, l);
     }
+    v_double h = v_load_some(high + i, count - i), l = v_load_some(low + i, count - i);
+    add_exactly(v_load_some(c + i, count - i), v_load_some(x + i, count - i), none, &h, &l);
+    v_store_some(high + i, h, count - i);
+    v_store_some(low + i, l, count - i);
 }

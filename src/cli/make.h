@@ -1,0 +1,25 @@
+/* make.h -- what `make` does with one problem and with a list of them share. */
+#ifndef TAUT_CLI_MAKE_H
+#define TAUT_CLI_MAKE_H
+
+#include "report.h"
+
+/* A problem on its way to its files. */
+typedef struct cli_made {
+    taut_model *model; /* with its certificate; NULL: not made */
+    cli_report report;
+} cli_made;
+
+/* Makes and proves. `file` and `place` ("" or "/2") say where the problem stands, for messages; 0,
+ * or the exit code after one message. */
+int cli_make_model(const taut_problem *problem, const cli_options *options,
+                   taut_workspace *workspace, const char *place, cli_made *made);
+
+/* The JSON outputs alone are written when a claim does not hold: the model can be looked at, but
+ * nobody builds from a picture of a surface that is not what it should be. */
+int cli_make_is_json(const char *path);
+
+/* All the documents of a list, sharing what they have in common. 0 or the exit code. */
+int cli_make_list(const taut_problem_list *list, const cli_options *options);
+
+#endif /* TAUT_CLI_MAKE_H */
