@@ -22,6 +22,22 @@ endfunction()
 
 taut_module(cairo cairo)
 
+# Debian's FLINT comes without a pkg-config file.
+find_path(FLINT_INCLUDE flint/fmpq.h)
+find_library(FLINT_LIBRARY flint)
+if(FLINT_INCLUDE AND FLINT_LIBRARY)
+  file(GLOB exact_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/modules/exact/*.c)
+  add_library(taut_module_exact MODULE ${exact_sources})
+  set_target_properties(taut_module_exact PROPERTIES
+    OUTPUT_NAME taut-exact PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${TAUT_MODULE_DIR})
+  target_include_directories(taut_module_exact SYSTEM PRIVATE ${FLINT_INCLUDE})
+  target_link_libraries(taut_module_exact PRIVATE taut_flags ${FLINT_LIBRARY} m)
+  add_dependencies(product taut_module_exact)
+  install(TARGETS taut_module_exact LIBRARY DESTINATION ${TAUT_MODULE_INSTALL_DIR})
+else()
+  message(STATUS "Module exact is left out: libflint-dev is not installed")
+endif()
+
 # OpenCASCADE's own CMake package breaks where libtbb-dev is absent, so its libraries are taken by name.
 find_path(OCCT_INCLUDE STEPControl_Writer.hxx PATH_SUFFIXES opencascade occt)
 set(OCCT_LIBRARIES)

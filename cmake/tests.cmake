@@ -4,6 +4,9 @@ file(GLOB support_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.
 add_library(taut_test_support STATIC ${support_sources})
 target_include_directories(taut_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests/support)
 target_link_libraries(taut_test_support PUBLIC taut_static taut_embedded_files)
+if(TARGET taut_module_exact) # loaded by tests when they run
+  add_dependencies(taut_test_support taut_module_exact)
+endif()
 
 # What the sanitizers are told: which leaks are not ours.
 set(sanitizer_options "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0")

@@ -20,6 +20,7 @@ io:        core basis geometry problem measure mesh draw
 cli:
 viewer:
 modules/*: core draw
+modules/exact: core <flint/fmpq.h>
 modules/occt: io/cad.h <*.hxx>
 modules/cairo: core draw <cairo.h> <cairo-svg.h> <cairo-pdf.h>
 include/taut:

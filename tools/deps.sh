@@ -15,6 +15,7 @@ build cmd:cmake                      cmake                  says what is built f
 build cmd:ninja                      ninja-build            runs the build
 build cmd:pkg-config                 pkg-config             finds libraries
 build pc:cairo                       libcairo2-dev          draws figures (SVG, PDF, PNG)
+build header:flint/fmpq_mat.h        libflint-dev           rational arithmetic: --exact
 test  pc:jansson                     libjansson-dev         another JSON parser, which ours is compared with
 test  header:gmp.h                   libgmp-dev             exact numbers the results are checked against
 test  header:flint/fmpq_mat.h        libflint-dev           exact rational algebra, likewise

@@ -45,6 +45,9 @@ typedef struct taut_make_options {
     int threads;      /* 0: 1 */
     taut_monitor monitor;
     taut_workspace *workspace; /* borrowed; NULL: none */
+    int exact; /* nonzero: in rational arithmetic (harmonic and harmonic-extension): surfaces come
+                * with their exact points. TAUT_BAD_ARGUMENT for other constructions, TAUT_IO
+                * without FLINT */
 } taut_make_options;
 
 /* Makes the model: surfaces, curves and `details`, no certificate yet. options may be NULL.
@@ -57,6 +60,7 @@ TAUT_API taut_status taut_make(const taut_problem *problem, const taut_make_opti
 typedef struct taut_certify_options {
     int threads;      /* 0: 1 */
     double tolerance; /* that the model was made to, where a claim depends on it; 0: 1e-6 */
+    int exact; /* nonzero: the claim `harmonic` in rational arithmetic, its limit 0; as above */
 } taut_certify_options;
 
 /* Proves a model again from its numbers alone. problem NULL: the construction is taken from the

@@ -6,7 +6,7 @@
  * others, and a harmonic surface has just one harmonic neighbour that meets it with equal
  * derivatives.
  *
- * Source: [NiWang2015] sections 2.2 to 2.7, 3, 8.2, 8.6.
+ * Source: [NiWang2015] sections 2.2 to 2.7, 3, 8.2, 8.3, 8.6.
  */
 #ifndef TAUT_HARMONIC_H
 #define TAUT_HARMONIC_H
@@ -31,9 +31,16 @@ typedef struct taut_harmonic_problem {
     const taut_basis *u, *v;    /* bezier, any range */
     const double *points;       /* double[nu][nv][3]; unknown points are not read */
     const unsigned char *known; /* [nu][nv]: two opposite boundary rows, or columns */
-    int from_derivative;        /* nonzero: complete from edge u0 and the derivative across it */
-    const double *edge;         /* double[nv][3]: Bernstein coefficients of x along u0 */
+    int fit; /* nonzero: all four boundary rows are known, and the harmonic surface nearest to them
+              * is wanted: the sum over the edges of the mean squared distance, each edge by its
+              * normalised parameter, is least */
+    int from_derivative; /* nonzero: complete from edge u0 and the derivative across it */
+    const double *edge;  /* double[nv][3]: Bernstein coefficients of x along u0 */
     const double *cross_derivative; /* double[nv][3]: of dx/du along u0 */
+    /* Texts "p/q" of the same numbers where they are rational, for options->exact; NULL: none. */
+    const char *const *exact_points;           /* [nu][nv][3] */
+    const char *const *exact_edge;             /* [nv][3] */
+    const char *const *exact_cross_derivative; /* [nv][3] */
     taut_harmonic_even even;
     int insist; /* nonzero: complete even where the amplification says that the result
                  * means nothing (degree above about 20) */

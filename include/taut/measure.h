@@ -45,6 +45,31 @@ typedef struct taut_edge_measure {
     double max_angle_normal_binormal; /* in [0, pi/2]; NaN on straight edges */
 } taut_edge_measure;
 
+/* What is known of the sign of the Jacobian of a planar surface. */
+typedef enum taut_jacobian_state {
+    TAUT_JACOBIAN_NONE = 0,   /* the points are not in one plane */
+    TAUT_JACOBIAN_ONE_SIGN,   /* proved: of one sign inside (it may vanish on collapsed edges) */
+    TAUT_JACOBIAN_FOLDS,      /* proved: of the other sign at `at`, or zero on an open part */
+    TAUT_JACOBIAN_UNDECIDED,  /* too near to zero for the subdivision, or for rounding */
+    TAUT_JACOBIAN_UNSUPPORTED /* rational, or not on polynomial bases: no such proof here */
+} taut_jacobian_state;
+
+typedef struct taut_jacobian {
+    taut_jacobian_state state;
+    int sign;      /* of its integral, in the coordinates kept, in cyclic order */
+    double lowest; /* of sign J by the surface's parameters: one sign: a proved lower bound; else
+                      the lowest value found; NaN where there is none */
+    double at[2];  /* parameters of the lowest value found */
+    long cells;    /* rectangles looked at */
+} taut_jacobian;
+
+/* J = x_u y_v - x_v y_u in the coordinates of the plane of the points (the one of x, y, z that
+ * varies least is left out), for validity as a parameterisation: [NiWang2015] section 8.8.
+ * Bernstein coefficients with bounds of their rounding, subdivided: what is said to be proved is
+ * proved, the points taken as they are. Points within 2^-40 of their size of one plane count as
+ * planar. TAUT_BAD_ARGUMENT, TAUT_NO_MEMORY. */
+TAUT_API taut_status taut_surface_jacobian(const taut_surface *surface, taut_jacobian *jacobian);
+
 typedef struct taut_surface_measure {
     double area;
     double area_error; /* 0 when area is good to 1e-10 relative; else its estimated error */
@@ -60,6 +85,7 @@ typedef struct taut_surface_measure {
     double max_abs_mean_at[2];  /* parameters (u, v) of the largest |H| on the grid */
     taut_edge_measure edges[4]; /* u0, u1, v0, v1 */
     long singular_points;
+    taut_jacobian jacobian; /* of planar surfaces */
 } taut_surface_measure;
 
 /* All of the above at once. TAUT_BAD_ARGUMENT (NULL, an option out of range), TAUT_NO_MEMORY. */

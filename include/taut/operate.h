@@ -111,6 +111,13 @@ TAUT_API taut_status taut_surface_to_nurbs(const taut_surface *surface, double t
 TAUT_API taut_status taut_model_split(const taut_model *model, const char *name, int direction,
                                       double t, taut_model **split, taut_error *error);
 
+/* The same in rational arithmetic, t taken as the number it is: the pieces have exact points. All
+ * surfaces that are cut are polynomial on bezier bases, else TAUT_NO_SOLUTION; curves are cut as
+ * above. TAUT_IO where FLINT was not there when taut was built. */
+TAUT_API taut_status taut_model_split_exact(const taut_model *model, const char *name,
+                                            int direction, double t, taut_model **split,
+                                            taut_error *error);
+
 /* Halves the spans of every surface, or of the one named, along u and along v as the two flags
  * say (neither: both); curves when named, or where there are no surfaces. */
 TAUT_API taut_status taut_model_refine(const taut_model *model, const char *name, int along_u,

@@ -26,6 +26,14 @@ TAUT_API taut_status taut_surface_new(const char *name, const taut_basis *u, con
                                       const double *points, const double *weights,
                                       taut_surface **surface, taut_error *error);
 TAUT_API taut_status taut_surface_copy(const taut_surface *surface, taut_surface **copy);
+/* The same with points that are rational: exact[nu][nv][3] are texts "p" or "p/q", of which
+ * `points` are the nearest doubles; NULL where a coordinate is the double itself. The texts are
+ * copied, and are written in place of the doubles as JSON; only operations that say so keep them.
+ */
+TAUT_API taut_status taut_surface_new_exact(const char *name, const taut_basis *u,
+                                            const taut_basis *v, const double *points,
+                                            const double *weights, const char *const *exact,
+                                            taut_surface **surface, taut_error *error);
 TAUT_API void taut_surface_free(taut_surface *surface); /* NULL is fine */
 
 TAUT_API const char *taut_surface_name(const taut_surface *surface);
@@ -33,6 +41,8 @@ TAUT_API const taut_basis *taut_surface_u(const taut_surface *surface);   /* bor
 TAUT_API const taut_basis *taut_surface_v(const taut_surface *surface);   /* borrowed */
 TAUT_API const double *taut_surface_points(const taut_surface *surface);  /* borrowed */
 TAUT_API const double *taut_surface_weights(const taut_surface *surface); /* borrowed, or NULL */
+/* Borrowed, [nu][nv][3]; NULL where all coordinates are doubles. */
+TAUT_API const char *const *taut_surface_exact(const taut_surface *surface);
 
 /* Vectors per point at each order, in the order written. */
 enum {

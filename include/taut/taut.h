@@ -4,10 +4,12 @@
 
 #include "taut/asymptotic.h"
 #include "taut/basis.h"
+#include "taut/biharmonic.h"
 #include "taut/certify.h"
 #include "taut/construct.h"
 #include "taut/curve.h"
 #include "taut/dirichlet.h"
+#include "taut/harmonic.h"
 #include "taut/join.h"
 #include "taut/limits.h"
 #include "taut/measure.h"

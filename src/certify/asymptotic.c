@@ -266,4 +266,4 @@ taut_status taut_asymptotic_certify(const taut_model *model, const taut_asymptot
     return TAUT_OK;
 }
 
-const taut_certify_ops taut_certify_asymptotic = {certify};
+const taut_certify_ops taut_certify_asymptotic = {.certify = certify};

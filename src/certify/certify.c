@@ -40,6 +40,11 @@ taut_status taut_certify(const taut_model *model, const taut_problem *problem,
                          "the model does not say which construction it came from: give its "
                          "problem too");
     }
+    if (options != NULL && options->exact && !ops_table[construct]->exact) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "rational arithmetic is for harmonic and harmonic-extension, not for %s",
+                         taut_construct_name(construct));
+    }
     status = taut_certificate_new(taut_construct_name(construct), &made);
     if (status != TAUT_OK) {
         return taut_fail_memory(error);

@@ -11,6 +11,7 @@ typedef struct taut_certify_ops {
     taut_status (*certify)(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error);
+    int exact; /* nonzero: knows options->exact */
 } taut_certify_ops;
 
 #define TAUT_CERTIFY_DECLARE(identifier, name)                                                     \

@@ -5,6 +5,8 @@
  * where nothing was moved. After "corner" the last point of the second row is left out, after
  * "project" the rows are compared with the projected ones, worked out here. With a derivative: its
  * Bernstein coefficients n (P_1 - P_0) / a too; limit 8 n 2^-53, the rounding of that difference.
+ *   nearest    with `fit`, in place of boundary: harmonic_claims.h. Figures boundary_gap, the
+ * largest distance of the edges from the given rows, and boundary_gap_at.
  */
 #include "taut/harmonic.h"
 
@@ -159,9 +161,14 @@ static taut_status add_boundary(const taut_model *model, const taut_harmonic_pro
     double limit = 0;
 
     if (taut_basis_count(taut_surface_v(surface)) < nv ||
-        taut_basis_count(taut_surface_u(surface)) < nu) {
+        taut_basis_count(taut_surface_u(surface)) < nu ||
+        (p->fit && (!taut_basis_equal(taut_surface_u(surface), p->u) ||
+                    !taut_basis_equal(taut_surface_v(surface), p->v)))) {
         return taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0", taut_none, taut_none,
                          "the model and the problem do not belong together");
+    }
+    if (p->fit) {
+        return taut_harmonic_add_nearest(surface, p, certificate);
     }
     if (p->from_derivative) {
         b.size = size_of(p->edge, NULL, nv);
@@ -180,8 +187,18 @@ static taut_status add_boundary(const taut_model *model, const taut_harmonic_pro
     if (b.largest > 0) {
         snprintf(where, sizeof where, "/surfaces/0/points/%d/%d", b.i, b.j);
     }
-    return taut_harmonic_add_claim("boundary", b.largest / b.size, fmin(limit, 1e-6), where,
-                                   certificate);
+    return taut_harmonic_add_claim("boundary", b.largest / b.size, limit, where, certificate);
+}
+
+/* With `fit`: how far the edges are from what was given. */
+static void add_gap(const taut_model *model, const taut_harmonic_problem *p, taut_record *figures)
+{
+    if (p != NULL && p->fit) {
+        double gap = 0, at[2] = {0, 0};
+        taut_harmonic_fit_gap(taut_model_surface(model, 0), p, &gap, at);
+        taut_record_add_number(figures, "boundary_gap", gap);
+        taut_record_add_numbers(figures, "boundary_gap_at", 2, at);
+    }
 }
 
 static taut_status certify(const taut_model *model, const void *data,
@@ -191,11 +208,13 @@ static taut_status certify(const taut_model *model, const void *data,
     taut_record *figures = NULL;
     taut_status status = taut_harmonic_check_model(model, 1, error);
 
-    (void)options;
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_harmonic_add_harmonic(model, certificate);
+    status = taut_harmonic_add_harmonic(model, options->exact, 0, certificate, error);
+    if (status == TAUT_IO) {
+        return status;
+    }
     if (status == TAUT_OK && data != NULL) {
         status = add_boundary(model, data, certificate, error);
         if (status == TAUT_BAD_INPUT) {
@@ -205,6 +224,7 @@ static taut_status certify(const taut_model *model, const void *data,
     if (status == TAUT_OK) {
         figures = taut_record_new();
         status = taut_harmonic_add_figures(model, figures);
+        add_gap(model, data, figures);
         taut_certificate_set_figures(certificate, figures);
     }
     if (status == TAUT_OK) {
@@ -213,4 +233,4 @@ static taut_status certify(const taut_model *model, const void *data,
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
-const taut_certify_ops taut_certify_harmonic = {.certify = certify};
+const taut_certify_ops taut_certify_harmonic = {.certify = certify, .exact = 1};

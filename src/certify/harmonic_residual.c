@@ -45,6 +45,24 @@ static double size_about_mean(const double *points, long count, double mean[3])
     return size;
 }
 
+void taut_certify_laplacian(int n, int m, double wu, double wv, const double *net,
+                            double *laplacian)
+{
+    for (int i = 0; i <= n; i++) {
+        double fu[5];
+        factors(n, i, fu);
+        for (int j = 0; j <= m; j++) {
+            double fv[5];
+            factors(m, j, fv);
+            for (int c = 0; c < 3; c++) {
+                laplacian[3 * (i * (m + 1) + j) + c] =
+                    wu * apply(fu, n, i, net, j, m + 1, c, 0) +
+                    wv * apply(fv, m, j, net, (long)i * (m + 1), 1, c, 0);
+            }
+        }
+    }
+}
+
 taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, int square)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
@@ -53,7 +71,7 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
     const double b = square ? 1 : taut_basis_hi(v) - taut_basis_lo(v);
     const double wu = 1 / (a * a), wv = 1 / (b * b);
     const double *points = taut_surface_points(surface);
-    taut_harmonic_residual found = {0, 0, 0, 0};
+    taut_harmonic_residual found = {0, 0, 0, 1, 0, 0};
     double mean[3];
     const double size = size_about_mean(points, (long)(n + 1) * (m + 1), mean);
 
@@ -75,6 +93,10 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
             }
         }
     }
+    for (long k = 0; size > 0 && k < 3L * (n + 1) * (m + 1); k++) {
+        found.reach = fmax(found.reach, fabs(points[k]) / size);
+    }
+    found.size = size;
     found.scaled = size > 0 ? found.largest / (fmax(wu * n * n, wv * m * m) * size) : 0;
     return found;
 }

@@ -9,6 +9,8 @@ typedef struct taut_harmonic_residual {
                        rectangle */
     double scaled;  /* rho = largest / (max(n^2/a^2, m^2/b^2) S), S the size about the mean point; 0
                        where S is */
+    double size;    /* S */
+    double reach;   /* the largest coordinate over S, at least 1 */
     int i, j;       /* where */
 } taut_harmonic_residual;
 
@@ -16,5 +18,10 @@ typedef struct taut_harmonic_residual {
  * ranges; `square` nonzero: with weights 1, as over the unit square. Bezier bases without weights.
  */
 taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, int square);
+
+/* The control points of w_u x_uu + w_v x_vv, in the bidegree of the net double[n+1][m+1][3], by
+ * relation (2). Not in place. */
+void taut_certify_laplacian(int n, int m, double wu, double wv, const double *net,
+                            double *laplacian);
 
 #endif /* TAUT_CERTIFY_HARMONIC_RESIDUAL_H */

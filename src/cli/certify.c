@@ -20,8 +20,8 @@ static int tell(const cli_options *options, const taut_certificate *certificate)
 
 static int run(const cli_options *options)
 {
-    const taut_certify_options chosen = {.threads = options->threads,
-                                         .tolerance = options->tolerance};
+    const taut_certify_options chosen = {
+        .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};
     taut_model *model = NULL;
     taut_problem *problem = NULL;
     taut_certificate *certificate = NULL;
@@ -45,7 +45,8 @@ static int run(const cli_options *options)
     return code;
 }
 
-static const cli_option options_of_certify[] = {CLI_JSON, CLI_TOLERANCE, CLI_THREADS, CLI_LAST};
+static const cli_option options_of_certify[] = {CLI_JSON, CLI_TOLERANCE, CLI_THREADS, CLI_EXACT,
+                                                CLI_LAST};
 
 const cli_command cli_command_certify = {
     .name = "certify",

@@ -35,6 +35,7 @@ typedef struct cli_options {
     int flag_u; /* refine --u */
     int flag_v;
     int no_net;
+    int exact;
     int short_knots;
     int isolines;
     int reflections;
@@ -154,6 +155,11 @@ typedef struct cli_command {
     {                                                                                              \
         "--no-net", CLI_FLAG, offsetof(cli_options, no_net), 0, 0, 0, NULL,                        \
             "figures: leave the control net out"                                                   \
+    }
+#define CLI_EXACT                                                                                  \
+    {                                                                                              \
+        "--exact", CLI_FLAG, offsetof(cli_options, exact), 0, 0, 0, NULL,                          \
+            "in rational arithmetic (harmonic surfaces): coordinates come out as \"p/q\""          \
     }
 #define CLI_SHORT_KNOTS                                                                            \
     {                                                                                              \

@@ -91,9 +91,10 @@ int cli_make_model(const taut_problem *problem, const cli_options *options,
     const taut_make_options chosen = {.tolerance = options->tolerance,
                                       .threads = options->threads,
                                       .monitor = cli_monitor(options->quiet),
-                                      .workspace = workspace};
-    const taut_certify_options proof = {.threads = options->threads,
-                                        .tolerance = options->tolerance};
+                                      .workspace = workspace,
+                                      .exact = options->exact};
+    const taut_certify_options proof = {
+        .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};
     cli_report *report = &made->report;
     taut_model *model = NULL;
     taut_certificate *certificate = NULL;
@@ -159,6 +160,7 @@ static const cli_option options_of_make[] = {
     CLI_DIVIDE,
     CLI_THREADS,
     CLI_FIGURE,
+    CLI_EXACT,
     {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},
     CLI_LAST};
 

@@ -7,6 +7,8 @@ static int run(const cli_options *options)
     const char *word = along_v ? options->text_v : options->text_u;
     taut_model *model = NULL, *split = NULL;
     taut_error error;
+    taut_status (*cut)(const taut_model *, const char *, int, double, taut_model **, taut_error *) =
+        options->exact ? taut_model_split_exact : taut_model_split;
     double t = 0;
     cli_options all = *options; /* what is written: every surface */
     int code = 0;
@@ -25,8 +27,8 @@ static int run(const cli_options *options)
     if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
-    code = taut_model_split(model, options->surface, along_v ? TAUT_ALONG_V : TAUT_ALONG_U, t,
-                            &split, &error) == TAUT_OK
+    code = cut(model, options->surface, along_v ? TAUT_ALONG_V : TAUT_ALONG_U, t, &split, &error) ==
+                   TAUT_OK
                ? cli_write_model(split, &all)
                : cli_fail_in(options->files[0], &error);
     taut_model_free(split);
@@ -40,6 +42,7 @@ static const cli_option options_of_split[] = {
     CLI_OUTPUT,
     CLI_SURFACE,
     CLI_THREADS,
+    CLI_EXACT,
     CLI_LAST};
 
 const cli_command cli_command_split = {

@@ -24,6 +24,11 @@ taut_status taut_make(const taut_problem *problem, const taut_make_options *opti
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "an argument of taut_make is out of its range");
     }
+    if (chosen->exact && !ops_table[problem->construct]->exact) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "rational arithmetic is for harmonic and harmonic-extension, not for %s",
+                         taut_construct_name(problem->construct));
+    }
     status = ops_table[problem->construct]->make(problem->data, chosen, &made, error);
     if (status != TAUT_OK) {
         return status;

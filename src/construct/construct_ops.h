@@ -10,6 +10,7 @@ typedef struct taut_construct_ops {
      * curves and details. */
     taut_status (*make)(const void *data, const taut_make_options *options, taut_model **model,
                         taut_error *error);
+    int exact; /* nonzero: knows options->exact */
 } taut_construct_ops;
 
 #define TAUT_CONSTRUCT_DECLARE(identifier, name)                                                   \

@@ -11,7 +11,8 @@ struct taut_surface {
     char name[TAUT_NAME_MAX + 1];
     taut_basis *u, *v;
     double *points;
-    double *weights; /* or NULL */
+    double *weights;    /* or NULL */
+    const char **exact; /* texts of the points, in one block with them; or NULL */
 };
 
 static size_t point_count(const taut_basis *u, const taut_basis *v)
@@ -49,6 +50,27 @@ static taut_status check(const char *name, const taut_basis *u, const taut_basis
     return status;
 }
 
+/* A copy of the texts: the pointers, and behind them the characters. */
+static const char **copy_texts(size_t count, const char *const *texts)
+{
+    const char **copy = NULL;
+    char *to = NULL;
+    size_t length = 0;
+    for (size_t i = 0; i < count; i++) {
+        length += texts[i] != NULL ? strlen(texts[i]) + 1 : 0;
+    }
+    copy = taut_alloc(count * sizeof *copy + length, 1);
+    if (copy != NULL) {
+        to = (char *)(copy + count);
+        for (size_t i = 0; i < count; i++) {
+            const size_t size = texts[i] != NULL ? strlen(texts[i]) + 1 : 0;
+            copy[i] = size > 0 ? memcpy(to, texts[i], size) : NULL;
+            to += size;
+        }
+    }
+    return copy;
+}
+
 taut_status taut_surface_new(const char *name, const taut_basis *u, const taut_basis *v,
                              const double *points, const double *weights, taut_surface **surface,
                              taut_error *error)
@@ -81,10 +103,30 @@ taut_status taut_surface_new(const char *name, const taut_basis *u, const taut_b
     return TAUT_OK;
 }
 
+taut_status taut_surface_new_exact(const char *name, const taut_basis *u, const taut_basis *v,
+                                   const double *points, const double *weights,
+                                   const char *const *exact, taut_surface **surface,
+                                   taut_error *error)
+{
+    taut_surface *made = NULL;
+    taut_status status = taut_surface_new(name, u, v, points, weights, &made, error);
+    if (status == TAUT_OK && exact != NULL) {
+        made->exact = copy_texts(3 * point_count(u, v), exact);
+        if (made->exact == NULL) {
+            taut_surface_free(made);
+            status = taut_fail_memory(error);
+        }
+    }
+    if (status == TAUT_OK) {
+        *surface = made;
+    }
+    return status;
+}
+
 taut_status taut_surface_copy(const taut_surface *surface, taut_surface **copy)
 {
-    return taut_surface_new(surface->name, surface->u, surface->v, surface->points,
-                            surface->weights, copy, NULL);
+    return taut_surface_new_exact(surface->name, surface->u, surface->v, surface->points,
+                                  surface->weights, surface->exact, copy, NULL);
 }
 
 void taut_surface_free(taut_surface *surface)
@@ -94,6 +136,7 @@ void taut_surface_free(taut_surface *surface)
         taut_basis_free(surface->v);
         taut_free(surface->points);
         taut_free(surface->weights);
+        taut_free(surface->exact);
         taut_free(surface);
     }
 }
@@ -121,4 +164,9 @@ const double *taut_surface_points(const taut_surface *surface)
 const double *taut_surface_weights(const taut_surface *surface)
 {
     return surface->weights;
+}
+
+const char *const *taut_surface_exact(const taut_surface *surface)
+{
+    return surface->exact;
 }

@@ -14,7 +14,7 @@
 
 static const char *const members[] = {
     "name", "u",      "v",        "points", "from",   "edge", "cross_derivative",
-    "even", "insist", "boundary", "known",  "widths", NULL};
+    "even", "insist", "boundary", "known",  "widths", "fit",  NULL};
 
 static void release_basis(void *basis)
 {
@@ -59,9 +59,34 @@ static taut_status read_basis(const taut_json *document, const char *key, taut_a
     return status;
 }
 
+/* The texts of rational coordinates; NULL where all are numbers. */
+static taut_status read_texts(const taut_json *at, int rows, int columns, taut_arena *arena,
+                              const char *const **texts, taut_error *error)
+{
+    const size_t count = 3 * (size_t)(rows > 0 ? rows : 1) * (size_t)columns;
+    const char **found = taut_arena_take(arena, count, sizeof *found);
+    int any = 0;
+
+    if (found == NULL) {
+        return taut_fail_memory(error);
+    }
+    taut_net_document_texts(at, rows, columns, found, &any);
+    for (size_t k = 0; any && k < count; k++) {
+        if (found[k] != NULL) {
+            found[k] = taut_arena_text(arena, found[k]);
+            if (found[k] == NULL) {
+                return taut_fail_memory(error);
+            }
+        }
+    }
+    *texts = any ? found : NULL;
+    return TAUT_OK;
+}
+
 /* A list of `count` points. */
 static taut_status read_row(const taut_json *document, const char *key, int count,
-                            taut_arena *arena, const double **row, taut_error *error)
+                            taut_arena *arena, const double **row, const char *const **texts,
+                            taut_error *error)
 {
     const taut_json at = taut_json_member(document, key);
     double *points = taut_arena_take(arena, 3 * (size_t)count, sizeof(double));
@@ -73,6 +98,9 @@ static taut_status read_row(const taut_json *document, const char *key, int coun
     }
     if (status == TAUT_OK) {
         status = taut_net_document_points(&at, 0, count, points, NULL, error);
+    }
+    if (status == TAUT_OK) {
+        status = read_texts(&at, 0, count, arena, texts, error);
     }
     *row = points;
     return status;
@@ -96,11 +124,12 @@ static taut_status read_derivative(const taut_json *document, taut_arena *arena,
         status = read_basis(document, "v", arena, &data->v, error);
     }
     if (status == TAUT_OK) {
-        status = read_row(document, "edge", taut_basis_count(data->v), arena, &data->edge, error);
+        status = read_row(document, "edge", taut_basis_count(data->v), arena, &data->edge,
+                          &data->exact_edge, error);
     }
     if (status == TAUT_OK) {
         status = read_row(document, "cross_derivative", taut_basis_count(data->v), arena,
-                          &data->cross_derivative, error);
+                          &data->cross_derivative, &data->exact_cross_derivative, error);
     }
     return status;
 }
@@ -124,6 +153,11 @@ static taut_status read_net(const taut_json *document, taut_arena *arena,
     }
     if (status == TAUT_OK) {
         status = check_basis(document, "v", net.v, error);
+    }
+    if (status == TAUT_OK) {
+        const taut_json points = taut_json_member(document, "points");
+        status = read_texts(&points, taut_basis_count(net.u), taut_basis_count(net.v), arena,
+                            &data->exact_points, error);
     }
     data->u = net.u;
     data->v = net.v;
@@ -150,10 +184,20 @@ static taut_status read_choices(const taut_json *document, taut_arena *arena,
 {
     static const char *const repairs[] = {"refuse", "corner", "project", "raise", NULL};
     const taut_json at = taut_json_member(document, "even");
+    const taut_json fit = taut_json_member(document, "fit");
     const char *name = "";
     int word = TAUT_EVEN_REFUSE;
     taut_status status = taut_name_document_read(document, &name, error);
 
+    if (status == TAUT_OK) {
+        status = read_flag(document, "fit", &data->fit, error);
+    }
+    if (status == TAUT_OK && data->fit && (data->from_derivative || at.value != NULL)) {
+        status = taut_json_fail(&fit, error, taut_none, taut_none,
+                                "found \"fit\" beside \"%s\": it takes four boundary rows as they "
+                                "are",
+                                data->from_derivative ? "from" : "even");
+    }
     if (status == TAUT_OK && at.value != NULL) {
         status = taut_json_word(&at, repairs, &word, error);
     }

@@ -2,8 +2,10 @@
 
 #include "core/fail.h"
 #include "io/basis_document.h"
+#include "io/rational_text.h"
 #include "taut/limits.h"
 
+#include <math.h>
 #include <string.h>
 
 taut_status taut_net_document_shape(const taut_json *points, int *rows, int *columns,
@@ -79,7 +81,46 @@ taut_status taut_net_document_point(const taut_json *at, double point[3], taut_e
     if (taut_json_kind_at(at) != TAUT_JSON_ARRAY || taut_json_count_at(at) != 3) {
         return taut_json_expected(at, error, "a point [x, y, z]");
     }
-    return taut_json_numbers(at, 3, point, error);
+    double read[3];
+    for (size_t c = 0; c < 3; c++) {
+        const taut_json item = taut_json_item(at, c);
+        const char *text = taut_json_text_at(&item);
+        if (text == NULL) {
+            const taut_status status = taut_json_number(&item, &read[c], error);
+            if (status != TAUT_OK) {
+                return status;
+            }
+        } else if (!taut_rational_value(text, &read[c]) || !isfinite(read[c])) {
+            return taut_json_expected(&item, error,
+                                      "a number, or a rational one as \"3/4\", not too large");
+        }
+    }
+    memcpy(point, read, sizeof read);
+    return TAUT_OK;
+}
+
+static int row_texts(const taut_json *row, int columns, const char **texts)
+{
+    int found = 0;
+    for (int j = 0; j < columns; j++) {
+        const taut_json point = taut_json_item(row, (size_t)j);
+        for (int c = 0; c < 3; c++) {
+            const taut_json at = taut_json_item(&point, (size_t)c);
+            texts[3 * j + c] = taut_json_text_at(&at);
+            found = found || texts[3 * j + c] != NULL;
+        }
+    }
+    return found;
+}
+
+void taut_net_document_texts(const taut_json *at, int rows, int columns, const char **texts,
+                             int *found)
+{
+    *found = rows == 0 && row_texts(at, columns, texts);
+    for (int i = 0; i < rows; i++) {
+        const taut_json row = taut_json_item(at, (size_t)i);
+        *found = row_texts(&row, columns, texts + 3 * (size_t)i * (size_t)columns) || *found;
+    }
 }
 
 /* A row of points, or of nulls where `known` is given. */

@@ -51,6 +51,39 @@ static taut_status read_net(const taut_json *object, int rows, int columns, doub
     return status;
 }
 
+/* Is there a text in the net? */
+static int has_text(const taut_json *points, int rows, int columns)
+{
+    for (int i = 0; i < rows; i++) {
+        const taut_json row = taut_json_item(points, (size_t)i);
+        for (int j = 0; j < columns; j++) {
+            const taut_json point = taut_json_item(&row, (size_t)j);
+            for (size_t c = 0; c < 3; c++) {
+                const taut_json at = taut_json_item(&point, c);
+                if (taut_json_text_at(&at) != NULL) {
+                    return 1;
+                }
+            }
+        }
+    }
+    return 0;
+}
+
+/* The texts of rational coordinates, the caller's to free; NULL where all are numbers. */
+static taut_status read_texts(const taut_json *points, int rows, int columns, const char ***texts,
+                              taut_error *error)
+{
+    int found = has_text(points, rows, columns);
+    if (found) {
+        *texts = taut_alloc(3 * (size_t)rows * (size_t)columns, sizeof **texts);
+        if (*texts == NULL) {
+            return taut_fail_memory(error);
+        }
+        taut_net_document_texts(points, rows, columns, *texts, &found);
+    }
+    return TAUT_OK;
+}
+
 taut_status taut_surface_document_read(const taut_json *at, taut_surface **surface,
                                        taut_error *error)
 {
@@ -59,6 +92,7 @@ taut_status taut_surface_document_read(const taut_json *at, taut_surface **surfa
     const char *name = "";
     taut_basis *u = NULL, *v = NULL;
     double *points = NULL, *weights = NULL;
+    const char **texts = NULL;
     int rows = 0, columns = 0;
 
     if (status == TAUT_OK) {
@@ -74,13 +108,17 @@ taut_status taut_surface_document_read(const taut_json *at, taut_surface **surfa
         status = read_net(at, rows, columns, &points, &weights, error);
     }
     if (status == TAUT_OK) {
-        status = taut_json_within(at, taut_surface_new(name, u, v, points, weights, surface, error),
-                                  error);
+        status = read_texts(&points_at, rows, columns, &texts, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_json_within(
+            at, taut_surface_new_exact(name, u, v, points, weights, texts, surface, error), error);
     }
     taut_basis_free(u);
     taut_basis_free(v);
     taut_free(points);
     taut_free(weights);
+    taut_free(texts);
     return status;
 }
 
@@ -129,6 +167,31 @@ taut_status taut_curve_document_read(const taut_json *at, taut_curve **curve, ta
     return status;
 }
 
+/* The points with their texts, a row a line. */
+static void put_exact(taut_json_out *out, size_t rows, size_t columns, const taut_surface *surface)
+{
+    const double *points = taut_surface_points(surface);
+    const char *const *texts = taut_surface_exact(surface);
+    taut_json_open(out, '[');
+    for (size_t i = 0; i < rows; i++) {
+        taut_json_open_inline(out, '[');
+        for (size_t j = 0; j < columns; j++) {
+            taut_json_open(out, '[');
+            for (size_t c = 0; c < 3; c++) {
+                const size_t at = 3 * (i * columns + j) + c;
+                if (texts[at] != NULL) {
+                    taut_json_put_text(out, texts[at]);
+                } else {
+                    taut_json_put_number(out, points[at]);
+                }
+            }
+            taut_json_close(out, ']');
+        }
+        taut_json_close(out, ']');
+    }
+    taut_json_close(out, ']');
+}
+
 void taut_surface_document_write(taut_json_out *out, const taut_surface *surface)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
@@ -142,7 +205,11 @@ void taut_surface_document_write(taut_json_out *out, const taut_surface *surface
     taut_json_key(out, "v");
     taut_basis_document_write(out, v);
     taut_json_key(out, "points");
-    taut_json_put_net(out, rows, columns, 3, taut_surface_points(surface));
+    if (taut_surface_exact(surface) != NULL) {
+        put_exact(out, rows, columns, surface);
+    } else {
+        taut_json_put_net(out, rows, columns, 3, taut_surface_points(surface));
+    }
     if (taut_surface_weights(surface) != NULL) {
         taut_json_key(out, "weights");
         taut_json_put_net(out, rows, columns, 1, taut_surface_weights(surface));

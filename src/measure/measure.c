@@ -75,6 +75,9 @@ taut_status taut_measure_surface(const taut_surface *surface, const taut_measure
     for (int edge = 0; status == TAUT_OK && edge < 4; edge++) {
         status = taut_edge_measure_of(surface, edge, settled.grid, &made.edges[edge]);
     }
+    if (status == TAUT_OK) {
+        status = taut_surface_jacobian(surface, &made.jacobian);
+    }
     if (status != TAUT_OK) {
         return taut_fail_memory(error);
     }

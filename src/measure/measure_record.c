@@ -22,6 +22,30 @@ static void add_edges(const taut_edge_measure edges[4], taut_record *record)
     }
 }
 
+/* Planar surfaces only: one_sign is true, false or null, and then why. */
+static void add_jacobian(const taut_jacobian *jacobian, taut_record *record)
+{
+    taut_record *child = NULL;
+    if (jacobian->state == TAUT_JACOBIAN_NONE) {
+        return;
+    }
+    child = taut_record_add_object(record, "jacobian");
+    if (jacobian->state == TAUT_JACOBIAN_ONE_SIGN || jacobian->state == TAUT_JACOBIAN_FOLDS) {
+        taut_record_add_bool(child, "one_sign", jacobian->state == TAUT_JACOBIAN_ONE_SIGN);
+    } else {
+        taut_record_add_null(child, "one_sign");
+        taut_record_add_text(child, "reason",
+                             jacobian->state == TAUT_JACOBIAN_UNDECIDED
+                                 ? "too near to zero to tell"
+                                 : "only for polynomial surfaces without weights");
+    }
+    if (jacobian->state != TAUT_JACOBIAN_UNSUPPORTED) {
+        taut_record_add_number(child, "sign", jacobian->sign);
+        taut_record_add_number(child, "lowest", jacobian->lowest);
+        taut_record_add_numbers(child, "lowest_at", 2, jacobian->at);
+    }
+}
+
 void taut_measure_surface_record(const taut_surface *surface, const taut_surface_measure *measure,
                                  taut_record *record)
 {
@@ -50,6 +74,7 @@ void taut_measure_surface_record(const taut_surface *surface, const taut_surface
     taut_record_add_number(child, "max_abs_laplacian", measure->max_laplacian);
     add_edges(measure->edges, record);
     taut_record_add_number(record, "singular_points", (double)measure->singular_points);
+    add_jacobian(&measure->jacobian, record);
 }
 
 void taut_measure_curve_record(const taut_curve *curve, const taut_curve_measure *measure,

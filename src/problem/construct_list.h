@@ -12,6 +12,7 @@
 /*    identifier, name in documents */
 #define TAUT_CONSTRUCT_LIST(X)                                                                     \
     X(asymptotic, "asymptotic")                                                                    \
+    X(biharmonic, "biharmonic")                                                                    \
     X(dirichlet, "dirichlet")                                                                      \
     X(harmonic, "harmonic")                                                                        \
     X(harmonic_extension, "harmonic-extension")                                                    \

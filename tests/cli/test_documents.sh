@@ -36,7 +36,7 @@ problem 3 'weights' "$B" "$B" "$P" ',"wieghts":[]'
 problem 3 '/unit' "$B" "$B" "$P" ',"unit":"parsec"'
 problem 3 '/points/1' "$B" "$B" '[[0,0,0],[0,1,1],[0,2,0]],[[1,0,0],[1,2,0]],[[2,0,0],[2,1,1],[2,2,0]]'
 problem 3 '/points/0/1' "$B" "$B" '[[0,0,0],[0,1],[0,2,0]],[[1,0,0],null,[1,2,0]],[[2,0,0],[2,1,1],[2,2,0]]'
-problem 3 '/points/0/1/2' "$B" "$B" '[[0,0,0],[0,1,"1"],[0,2,0]],[[1,0,0],null,[1,2,0]],[[2,0,0],[2,1,1],[2,2,0]]'
+problem 3 '/points/0/1/2' "$B" "$B" '[[0,0,0],[0,1,"one"],[0,2,0]],[[1,0,0],null,[1,2,0]],[[2,0,0],[2,1,1],[2,2,0]]'
 problem 3 'd\.json:1:' "$B" "$B" '[[0,0,0],[0,1,1e400],[0,2,0]],[[1,0,0],null,[1,2,0]],[[2,0,0],[2,1,1],[2,2,0]]'
 problem 3 '/points' "$B" "$B" ''
 problem 3 '/weights' "$B" "$B" "$P" ',"weights":[[1,1,1],[1,0,1],[1,1,1]]'
@@ -73,6 +73,9 @@ harmonic 3 'even' "$Q" "$Q" "$R" ',"even":"mend"'
 harmonic 3 '/points.*two opposite' "$Q" "$Q" "$P"
 harmonic 4 'degree' '{"type":"bezier","degree":1}' "$Q" '[[0,0,0],[0,1,1],[0,2,0]],[[2,0,0],[2,1,0],[2,2,0]]'
 harmonic 3 '/u.*bezier' "$B" "$Q" "$R"
+harmonic 3 '/points.*four boundary rows' "$Q" "$Q" "$R" ',"fit":true'
+harmonic 3 '/fit.*even' "$Q" "$Q" "$R" ',"fit":true,"even":"corner"'
+harmonic 3 '/fit.*true or false' "$Q" "$Q" "$R" ',"fit":1'
 D='{"taut":1,"construct":"harmonic","from":"derivative","u":{"type":"bezier","degree":2},"v":{"type":"bezier","degree":2}'
 document 4 'inconsistent derivative' "$D,\"edge\":[[0,0,0],[0,1,1],[0,2,0]],\"cross_derivative\":[[1,0,0],[1,0,1],[1,0,0]]}"
 document 3 '/edge' "$D,\"edge\":[[0,0,0],[0,1,1]],\"cross_derivative\":[[1,0,0],[1,0,1],[1,0,0]]}"
@@ -82,4 +85,21 @@ document 4 'not harmonic' "$X,\"edge\":\"u1\"}"
 document 3 '/edge' "$X,\"edge\":\"top\"}"
 document 3 '/width' "$X,\"edge\":\"u1\",\"width\":0}"
 document 3 '/alpha' "$X,\"edge\":\"u1\",\"alpha\":1}"
+
+# Biharmonic surfaces.
+biharmonic() { # biharmonic CODE PATTERN U V POINTS [MORE]
+    document "$1" "$2" "{\"taut\":1,\"construct\":\"biharmonic\",\"u\":$3,\"v\":$4,\"points\":[$5]${6:-}}"
+}
+W='[[0,0,0],[0,1,1],[0,2,0]],[[1,0,0],null,[1,2,0]],[[2,0,0],[2,1,0],[2,2,0]]'
+biharmonic 3 '/points.*four boundary rows' "$Q" "$Q" "$R"
+biharmonic 3 '/u.*bezier' "$B" "$Q" "$W"
+biharmonic 3 '/edge.*without' "$Q" "$Q" "$W" ',"edge":"u1"'
+biharmonic 4 '/v/degree.*raise the lower' '{"type":"bezier","degree":3}' "$Q" \
+    '[[0,0,0],[0,1,1],[0,2,0]],[[1,0,0],null,[1,2,0]],[[2,0,0],null,[2,2,0]],[[3,0,0],[3,1,0],[3,2,0]]'
+Y=$(printf '%s' "$X" | sed 's/harmonic-extension/biharmonic/')
+document 3 '/edge' "$Y}"
+document 3 '/contact.*c1' "$Y,\"edge\":\"u1\",\"contact\":\"g1\"}"
+document 3 '/width' "$Y,\"edge\":\"u1\",\"width\":-1}"
+document 3 '/name.*beside' "$Y,\"edge\":\"u1\",\"name\":\"q\"}"
+document 4 'one degree' "$(printf '%s' "$Y" | sed 's/"degree":2},"points"/"degree":1},"points"/; s/,\[[0-9],2,0\]//g'),\"edge\":\"u1\"}"
 finish

@@ -70,10 +70,12 @@ int main(void)
 {
     static const double points[4][3] = {{0, 0, 0}, {1, 1, 0}, {2, 0, 1}, {3, 1, 1}};
     taut_surface *surface = NULL;
+    taut_surface *planar = NULL;
     taut_curve *curve = NULL;
 
     random_seed(20260112);
     surface = shape_saddle(0.5);
+    planar = shape_saddle(0);
     curve = shape_curve(shape_bezier(3, 0, 1), &points[0][0], NULL);
     const integral integrals[] = {{surface, area},
                                   {surface, taut_surface_dirichlet_energy},
@@ -81,6 +83,7 @@ int main(void)
                                   {surface, taut_surface_isothermality}};
     const fault_call calls[] = {
         {"taut_measure_surface", measure_surface, NULL, surface},
+        {"a planar surface", measure_surface, NULL, planar},
         {"taut_measure_curve", measure_curve, NULL, curve},
         {"taut_surface_area", integrate, NULL, &integrals[0]},
         {"taut_surface_dirichlet_energy", integrate, NULL, &integrals[1]},
@@ -92,6 +95,7 @@ int main(void)
         fault_loop(&calls[i]);
     }
     taut_surface_free(surface);
+    taut_surface_free(planar);
     taut_curve_free(curve);
     CHECK(fault_live() == 0, "%ld blocks left", fault_live());
     return check_failures != 0;

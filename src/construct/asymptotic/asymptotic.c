@@ -304,4 +304,4 @@ static taut_status make(const void *data, const taut_make_options *options, taut
     return taut_asymptotic_make(data, options, model, error);
 }
 
-const taut_construct_ops taut_construct_asymptotic = {make};
+const taut_construct_ops taut_construct_asymptotic = {.make = make};

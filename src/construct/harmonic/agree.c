@@ -77,7 +77,8 @@ static taut_status refuse(const taut_harmonic_task *task, double defect, double 
 taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error)
 {
     const taut_harmonic_even even = task->problem->even;
-    const double limit = fmax(1e-10, 4 * ldexp(DBL_EPSILON, task->m));
+    const double limit =
+        fmax(1e-10, 4 * ldexp(DBL_EPSILON, task->m) * taut_frame_reach(&task->frame));
     double delta[3] = {0, 0, 0};
 
     if (task->m % 2 != 0 || task->n != task->m) {

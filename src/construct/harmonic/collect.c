@@ -10,7 +10,7 @@ static double width(const taut_basis *basis)
 }
 
 /* Point j of line i, i across the known rows. */
-static size_t index_of(const taut_harmonic_task *task, int i, int j)
+size_t taut_harmonic_index(const taut_harmonic_task *task, int i, int j)
 {
     const int columns = taut_basis_count(task->problem->v);
     return task->turned ? (size_t)j * (size_t)columns + (size_t)i
@@ -36,7 +36,7 @@ static int is_two_lines(taut_harmonic_task *task, int turned)
     task->corner_missing = 0;
     for (int i = 0; i <= task->n; i++) {
         for (int j = 0; j <= task->m; j++) {
-            const int known = task->problem->known[index_of(task, i, j)] != 0;
+            const int known = task->problem->known[taut_harmonic_index(task, i, j)] != 0;
             const int wanted = i == 0 || i == task->n;
             const int corner = i == task->n && j == task->m && task->m % 2 == 0;
             if (known != wanted && !(corner && !known)) {
@@ -69,7 +69,7 @@ static taut_status collect_lines(taut_harmonic_task *task, taut_error *error)
     task->frame = taut_frame_of(points, problem->points, problem->known);
     for (int side = 0; side < 2; side++) {
         for (int j = 0; j <= task->m; j++) {
-            const size_t index = index_of(task, side * task->n, j);
+            const size_t index = taut_harmonic_index(task, side * task->n, j);
             memcpy(lines[side][j], problem->points + 3 * index, sizeof lines[side][j]);
         }
     }

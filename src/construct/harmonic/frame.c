@@ -24,6 +24,12 @@ taut_frame taut_frame_of(size_t count, const double *points, const unsigned char
     return frame;
 }
 
+double taut_frame_reach(const taut_frame *frame)
+{
+    const double *c = frame->centre;
+    return 1 + fmax(fabs(c[0]), fmax(fabs(c[1]), fabs(c[2]))) / frame->size;
+}
+
 void taut_frame_enter(const taut_frame *frame, size_t count, double *points)
 {
     for (size_t i = 0; i < 3 * count; i++) {

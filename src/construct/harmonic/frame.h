@@ -11,7 +11,11 @@ typedef struct taut_frame {
 
 /* The frame of points[count][3], of which only those with known[i] != 0 count (NULL: all). */
 taut_frame taut_frame_of(size_t count, const double *points, const unsigned char *known);
-/* Into the frame and out of it, in place; `vectors`: only the size applies. */
+/* The largest coordinate over the size, at least 1: how much coarser the rounding of the points is,
+ * for points far from the origin. */
+double taut_frame_reach(const taut_frame *frame);
+
+/* Into the frame and out of it, in place. */
 void taut_frame_enter(const taut_frame *frame, size_t count, double *points);
 void taut_frame_leave(const taut_frame *frame, size_t count, double *points);
 

@@ -79,6 +79,9 @@ static void restore_given(taut_harmonic_task *task, double *points)
 {
     const taut_harmonic_problem *problem = task->problem;
     const int nu = taut_basis_count(problem->u), nv = taut_basis_count(problem->v);
+    if (problem->fit) {
+        return; /* nothing given is kept */
+    }
     if (problem->from_derivative) {
         memcpy(points, problem->edge, (size_t)nv * 3 * sizeof(double));
         return;
@@ -113,6 +116,17 @@ static taut_status basis_like(const taut_basis *basis, int degree, taut_basis **
     return taut_basis_new(&spec, degree + 1, like, error);
 }
 
+/* The texts turned back as the points are. */
+static void turn_texts(const taut_harmonic_task *task, int rows, int columns, const char **texts)
+{
+    for (int i = 0; i <= rows; i++) {
+        for (int j = 0; j <= columns; j++) {
+            const int from = task->turned ? j * (rows + 1) + i : i * (columns + 1) + j;
+            memcpy(texts + 3 * (i * (columns + 1) + j), task->texts + 3 * from, 3 * sizeof *texts);
+        }
+    }
+}
+
 /* The net turned back, as a surface in a model. */
 static taut_status to_model(taut_harmonic_task *task, taut_model **model, taut_error *error)
 {
@@ -120,12 +134,14 @@ static taut_status to_model(taut_harmonic_task *task, taut_model **model, taut_e
     const int rows = task->turned ? task->m : task->n, columns = task->turned ? task->n : task->m;
     double *points = taut_arena_take(task->arena, 3 * (size_t)(rows + 1) * (size_t)(columns + 1),
                                      sizeof(double));
+    const char **texts =
+        taut_arena_take(task->arena, 3 * (size_t)(rows + 1) * (size_t)(columns + 1), sizeof *texts);
     taut_basis *u = NULL, *v = NULL;
     taut_surface *surface = NULL;
     taut_model *made = NULL;
     taut_status status = TAUT_OK;
 
-    if (points == NULL) {
+    if (points == NULL || texts == NULL) {
         return taut_fail_memory(error);
     }
     for (int i = 0; i <= rows; i++) {
@@ -134,14 +150,19 @@ static taut_status to_model(taut_harmonic_task *task, taut_model **model, taut_e
             memcpy(points + 3 * (i * (columns + 1) + j), task->net + 3 * from, 3 * sizeof(double));
         }
     }
-    restore_given(task, points);
+    if (task->texts != NULL) {
+        turn_texts(task, rows, columns, texts);
+    } else {
+        restore_given(task, points);
+    }
     status = basis_like(problem->u, rows, &u, error);
     if (status == TAUT_OK) {
         status = basis_like(problem->v, columns, &v, error);
     }
     if (status == TAUT_OK) {
-        status = taut_surface_new(problem->name != NULL ? problem->name : "harmonic", u, v, points,
-                                  NULL, &surface, error);
+        status =
+            taut_surface_new_exact(problem->name != NULL ? problem->name : "harmonic", u, v, points,
+                                   NULL, task->texts != NULL ? texts : NULL, &surface, error);
     }
     if (status == TAUT_OK &&
         (taut_model_new(&made) != TAUT_OK || taut_model_add_surface(made, surface) != TAUT_OK)) {
@@ -168,7 +189,9 @@ static taut_record *details_of(const taut_harmonic_task *task)
     } else {
         taut_record_add_null(details, "repair");
     }
-    if (task->amplification >= amplification_warning) {
+    if (task->texts != NULL) {
+        taut_record_add_text(details, "arithmetic", "rational");
+    } else if (task->amplification >= amplification_warning) {
         taut_record *warnings = taut_record_add_list(details, "warnings");
         taut_record_add_text(
             warnings, NULL,
@@ -194,6 +217,52 @@ static taut_status check_problem(const taut_harmonic_problem *problem, taut_erro
     return TAUT_OK;
 }
 
+/* Rational arithmetic amplifies nothing, so that any degree will do. */
+static taut_status check_exact(taut_harmonic_task *task, taut_error *error)
+{
+    const taut_status status = taut_harmonic_exact(task, error);
+    for (int i = 0; status == TAUT_OK && i < 3 * (task->n + 1) * (task->m + 1); i++) {
+        if (!isfinite(task->net[i])) {
+            return taut_fail(
+                error, TAUT_NO_SOLUTION, "", task->amplification, amplification_limit,
+                "the control points are too large for doubles: degree %d amplifies the "
+                "data %.3g times",
+                task->m, task->amplification);
+        }
+    }
+    return status;
+}
+
+/* From the data to task->net. */
+static taut_status solve(taut_harmonic_task *task, int exact, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    if (exact && task->problem->fit) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "/fit", taut_none, taut_none,
+                         "\"fit\" is not done in rational arithmetic");
+    }
+    if (task->problem->fit) {
+        return taut_harmonic_fit(task, error);
+    }
+    status = taut_harmonic_collect(task, error);
+    if (status == TAUT_OK) {
+        status = check_degrees(task, error);
+    }
+    if (status == TAUT_OK && exact) {
+        task->amplification = task->problem->from_derivative
+                                  ? taut_none
+                                  : taut_harmonic_rows_amplification(task->n, task->m, task->mu);
+        return check_exact(task, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_harmonic_agree(task, error);
+    }
+    if (status == TAUT_OK) {
+        status = check_amplification(task, error);
+    }
+    return status == TAUT_OK ? complete(task, error) : status;
+}
+
 taut_status taut_harmonic_make(const taut_harmonic_problem *problem,
                                const taut_make_options *options, taut_model **model,
                                taut_error *error)
@@ -203,24 +272,12 @@ taut_status taut_harmonic_make(const taut_harmonic_problem *problem,
     taut_record *details = NULL;
     taut_status status = check_problem(problem, error);
 
-    (void)options; /* exact to rounding, and quick */
     if (status != TAUT_OK) {
         return status;
     }
     task.arena = taut_arena_new();
-    status = task.arena != NULL ? taut_harmonic_collect(&task, error) : taut_fail_memory(error);
-    if (status == TAUT_OK) {
-        status = check_degrees(&task, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_harmonic_agree(&task, error);
-    }
-    if (status == TAUT_OK) {
-        status = check_amplification(&task, error);
-    }
-    if (status == TAUT_OK) {
-        status = complete(&task, error);
-    }
+    status = task.arena != NULL ? solve(&task, options != NULL && options->exact, error)
+                                : taut_fail_memory(error);
     if (status == TAUT_OK) {
         status = to_model(&task, &made, error);
     }
@@ -244,4 +301,4 @@ static taut_status make(const void *data, const taut_make_options *options, taut
     return taut_harmonic_make(data, options, model, error);
 }
 
-const taut_construct_ops taut_construct_harmonic = {.make = make};
+const taut_construct_ops taut_construct_harmonic = {.make = make, .exact = 1};

@@ -19,7 +19,8 @@ typedef struct taut_harmonic_task {
     const char *repair;   /* "corner", "project", "raise" or NULL */
     double repair_change; /* the largest move of a given point, in the user's unit */
     double amplification;
-    double *net; /* double[n+1][m+1][3], turned as the rows are */
+    double *net;        /* double[n+1][m+1][3], turned as the rows are */
+    const char **texts; /* of the same, in rational arithmetic; else NULL */
 } taut_harmonic_task;
 
 /* Reads the pattern of known points into task->row; TAUT_BAD_INPUT when it is none of those that
@@ -27,5 +28,12 @@ typedef struct taut_harmonic_task {
 taut_status taut_harmonic_collect(taut_harmonic_task *task, taut_error *error);
 /* Makes rows of even degree agree in the way the problem asks for, or refuses. */
 taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error);
+
+/* In rational arithmetic, in place of what follows taut_harmonic_collect. */
+taut_status taut_harmonic_exact(taut_harmonic_task *task, taut_error *error);
+/* Point j of line i of the turned net among the problem's points. */
+size_t taut_harmonic_index(const taut_harmonic_task *task, int i, int j);
+/* With `fit`: the nearest net to four boundary rows, in task->net, not turned. */
+taut_status taut_harmonic_fit(taut_harmonic_task *task, taut_error *error);
 
 #endif /* TAUT_HARMONIC_TASK_H */

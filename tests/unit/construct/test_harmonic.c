@@ -126,25 +126,29 @@ static void test_against_rationals(void)
     }
 }
 
-/* The table of section 7, to the digits printed there. */
+/* The table of section 7, to the digits printed there; of even degree the two rows alone. */
 static void test_amplification(void)
 {
     static const struct {
         int n;
         double rows, derivative, half;
-    } table[] = {{3, 5, 11, 0.5},         {5, 45, 81, 0.5},         {7, 745, 491, 0.5},
-                 {9, 2.1e4, 2.9e3, 0.05}, {11, 9.1e5, 1.8e4, 0.05}, {13, 5.7e7, 1.0e5, 0.05},
-                 {15, 4.8e9, 6.2e5, 0.05}};
+    } table[] = {{3, 5, 11, 0.5},          {5, 45, 81, 0.5},         {7, 745, 491, 0.5},
+                 {9, 2.1e4, 2.9e3, 0.05},  {11, 9.1e5, 1.8e4, 0.05}, {13, 5.7e7, 1.0e5, 0.05},
+                 {15, 4.8e9, 6.2e5, 0.05}, {8, 4.0e3, 0, 0.05},      {10, 1.4e5, 0, 0.05},
+                 {12, 7.5e6, 0, 0.05},     {16, 5.2e10, 0, 0.05},    {20, 9.9e14, 0, 0.05}};
     static double work[4 * SIZE * SIZE];
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         const int n = table[i].n;
-        const double rows = taut_harmonic_rows_amplification(n, n, 1);
-        const double derivative = taut_harmonic_derivative_amplification(n, n, 1, work);
+        const int across = n % 2 != 0 ? n : n + 1; /* even: the unconstrained bidegree */
+        const double rows = taut_harmonic_rows_amplification(across, n, 1);
+        const double derivative = taut_harmonic_derivative_amplification(across, n, 1, work);
         const double unit = table[i].half < 0.5 ? table[i].half : 0;
         const double scale_r = unit > 0 ? pow(10, floor(log10(table[i].rows))) : 1;
         const double scale_d = unit > 0 ? pow(10, floor(log10(table[i].derivative))) : 1;
         CHECK_NEAR(rows, table[i].rows, 1.001 * table[i].half * scale_r, "n=%d", n);
-        CHECK_NEAR(derivative, table[i].derivative, 1.001 * table[i].half * scale_d, "n=%d", n);
+        if (table[i].derivative > 0) {
+            CHECK_NEAR(derivative, table[i].derivative, 1.001 * table[i].half * scale_d, "n=%d", n);
+        }
     }
 }
 

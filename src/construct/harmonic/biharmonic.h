@@ -1,0 +1,15 @@
+/* biharmonic.h -- the two halves of the construction `biharmonic`. */
+#ifndef TAUT_HARMONIC_BIHARMONIC_H
+#define TAUT_HARMONIC_BIHARMONIC_H
+
+#include "core/arena.h"
+#include "taut/biharmonic.h"
+
+/* Adds the surface with the problem's four rows. */
+taut_status taut_biharmonic_rows(const taut_biharmonic_problem *problem, taut_arena *arena,
+                                 taut_model *model, taut_error *error);
+/* Adds the given surface and its neighbour. */
+taut_status taut_biharmonic_neighbour(const taut_biharmonic_problem *problem, taut_arena *arena,
+                                      taut_model *model, taut_error *error);
+
+#endif /* TAUT_HARMONIC_BIHARMONIC_H */

@@ -1,0 +1,87 @@
+/* exact.c -- completion in rational arithmetic (core/exact.h): the lines with their texts, and what
+ * to do when those of even degree do not agree. */
+#include "core/exact.h"
+
+#include "construct/harmonic/task.h"
+#include "core/fail.h"
+
+#include <string.h>
+
+static void *take(void *context, size_t count, size_t size)
+{
+    return taut_arena_take(context, count, size);
+}
+
+/* Line `side` of the problem as it was given. */
+static taut_status line_of(const taut_harmonic_task *task, int side, taut_exact_numbers *line)
+{
+    const taut_harmonic_problem *p = task->problem;
+    const size_t count = 3 * ((size_t)task->m + 1);
+    double *values = taut_arena_take(task->arena, count, sizeof *values);
+    const char **texts = taut_arena_take(task->arena, count, sizeof *texts);
+
+    if (values == NULL || texts == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t k = 0; k < count; k++) {
+        const double *from = side == 0 ? p->edge : p->cross_derivative;
+        const char *const *exact = side == 0 ? p->exact_edge : p->exact_cross_derivative;
+        size_t at = k;
+        if (!p->from_derivative) {
+            from = p->points;
+            exact = p->exact_points;
+            at = 3 * taut_harmonic_index(task, side * task->n, (int)(k / 3)) + k % 3;
+        }
+        values[k] = from[at];
+        texts[k] = exact != NULL ? exact[at] : NULL;
+    }
+    line->values = values;
+    line->texts = texts;
+    return TAUT_OK;
+}
+
+static taut_status refuse(const taut_harmonic_task *task, double defect, taut_error *error)
+{
+    return taut_fail(error, TAUT_NO_SOLUTION,
+                     task->problem->from_derivative ? "/cross_derivative" : "/points", defect, 0,
+                     "inconsistent %s: the degree %d is even and the top difference is %.6g, not "
+                     "exactly 0; \"even\" can mend it",
+                     task->problem->from_derivative ? "derivative" : "boundary", task->m, defect);
+}
+
+taut_status taut_harmonic_exact(taut_harmonic_task *task, taut_error *error)
+{
+    static const char *const names[] = {NULL, "corner", "project",
+                                        "raise"}; /* by taut_harmonic_even */
+    const taut_harmonic_problem *p = task->problem;
+    const taut_basis *across = task->turned ? p->v : p->u, *along = task->turned ? p->u : p->v;
+    const taut_exact_memory memory = {task->arena, take};
+    const taut_exact_ops *ops = NULL;
+    taut_exact_net net;
+    taut_exact_lines lines = {.n = task->n,
+                              .m = task->m,
+                              .across = taut_basis_hi(across) - taut_basis_lo(across),
+                              .along = taut_basis_hi(along) - taut_basis_lo(along),
+                              .from_derivative = p->from_derivative,
+                              .corner_missing = task->corner_missing,
+                              .even = (int)p->even};
+    taut_status status = taut_exact_load(&ops, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    memset(&net, 0, sizeof net);
+    if (line_of(task, 0, &lines.line[0]) != TAUT_OK ||
+        line_of(task, 1, &lines.line[1]) != TAUT_OK || !ops->complete(&lines, &memory, &net)) {
+        return taut_fail_memory(error);
+    }
+    if (net.values == NULL) {
+        return refuse(task, net.defect, error);
+    }
+    task->n = net.n;
+    task->net = net.values;
+    task->texts = net.texts;
+    task->repair = net.moved ? names[lines.even] : NULL;
+    task->repair_change = net.change;
+    return TAUT_OK;
+}

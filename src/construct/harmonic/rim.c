@@ -1,0 +1,168 @@
+#include "construct/harmonic/rim.h"
+
+#include "construct/harmonic/wide_solve.h"
+#include "numeric/quadrature.h"
+
+#include <math.h>
+#include <string.h>
+
+void taut_rim_place(int n, int m, int k, int *i, int *j)
+{
+    if (k <= 2 * m + 1) {
+        *i = k <= m ? 0 : n;
+        *j = k <= m ? k : k - m - 1;
+    } else {
+        const int rest = k - 2 * (m + 1);
+        *i = rest < n - 1 ? rest + 1 : rest - n + 2;
+        *j = rest < n - 1 ? 0 : m;
+    }
+}
+
+/* B[d,i](t), i = 0..d. */
+static void bernstein(int d, taut_wide t, taut_wide *b)
+{
+    b[0] = 1;
+    for (int k = 1; k <= d; k++) {
+        b[k] = t * b[k - 1];
+        for (int i = k - 1; i > 0; i--) {
+            b[i] = t * b[i - 1] + (1 - t) * b[i];
+        }
+        b[0] *= 1 - t;
+    }
+}
+
+/* The value on side 0..3 (u0, u1, v0, v1) of a net, given the functions along it. */
+static taut_wide on_side(const taut_space *space, int side, const taut_wide *net,
+                         const taut_wide *along)
+{
+    const int d = side < 2 ? space->m : space->n, columns = space->m + 1;
+    const int first = side == 1 ? space->n * columns : side == 3 ? space->m : 0;
+    const int stride = side < 2 ? 1 : columns;
+    taut_wide sum = 0;
+    for (int i = 0; i <= d; i++) {
+        sum += along[i] * net[first + i * stride];
+    }
+    return sum;
+}
+
+/* Of boundary point k the function on a side, 0 where the point is not of it. */
+static taut_wide point_on_side(const taut_space *space, int side, int k, const taut_wide *along)
+{
+    int i = 0, j = 0;
+    taut_rim_place(space->n, space->m, k, &i, &j);
+    if (side < 2) {
+        return i == (side == 0 ? 0 : space->n) ? along[j] : 0;
+    }
+    return j == (side == 2 ? 0 : space->m) ? along[i] : 0;
+}
+
+int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundary)
+{
+    const int unknowns = space->count, points = 2 * (space->n + space->m),
+              width = unknowns + points;
+    const int nodes = (space->n > space->m ? space->n : space->m) + 2;
+    const size_t numbers = (size_t)(space->n + 1) * (size_t)(space->m + 1);
+    double t[TAUT_GAUSS_MAX], w[TAUT_GAUSS_MAX];
+    taut_wide *r = taut_arena_take(arena, (size_t)unknowns * (size_t)width, sizeof *r);
+    taut_wide *block = taut_arena_take(arena, (size_t)nodes * (size_t)width, sizeof *block);
+    taut_wide *response =
+        taut_arena_take(arena, (size_t)unknowns * (size_t)points, sizeof *response);
+
+    if (r == NULL || block == NULL || response == NULL) {
+        return 0;
+    }
+    taut_gauss_rule(nodes, t, w);
+    for (int side = 0; side < 4; side++) {
+        for (int s = 0; s < nodes; s++) {
+            taut_wide along[TAUT_SPACE_DEGREE_MAX + 1], *row = block + s * width;
+            const taut_wide weight = sqrtl((taut_wide)w[s] / 2);
+            bernstein(side < 2 ? space->m : space->n, ((taut_wide)t[s] + 1) / 2, along);
+            for (int k = 0; k < unknowns; k++) {
+                row[k] = weight * on_side(space, side, space->nets + (size_t)k * numbers, along);
+            }
+            for (int k = 0; k < points; k++) {
+                row[unknowns + k] = weight * point_on_side(space, side, k, along);
+            }
+        }
+        taut_wide_append(unknowns, width, r, nodes, block);
+    }
+    for (int k = 0; k < points; k++) {
+        taut_wide_back(unknowns, width, r, width, r + unknowns + k);
+        for (int i = 0; i < unknowns; i++) {
+            response[i * points + k] = r[i * width + unknowns + k];
+        }
+    }
+    *boundary = (taut_rim){space, points, response};
+    return 1;
+}
+
+/* net += sum_k coefficient_k net_k with the coefficients of the rest: given minus net so far. */
+static void improve(const taut_rim *boundary, const double *given, taut_wide *rest,
+                    taut_wide *coefficients, taut_wide *net)
+{
+    const taut_space *space = boundary->space;
+    const int columns = space->m + 1, numbers = (space->n + 1) * columns;
+
+    for (int k = 0; k < boundary->count; k++) {
+        int i = 0, j = 0;
+        taut_rim_place(space->n, space->m, k, &i, &j);
+        for (int c = 0; c < 3; c++) {
+            const int at = 3 * (i * columns + j) + c;
+            rest[3 * k + c] = given[at] - net[at];
+        }
+    }
+    for (int f = 0; f < space->count; f++) {
+        const taut_wide *response = boundary->response + f * boundary->count;
+        for (int c = 0; c < 3; c++) {
+            taut_wide sum = 0;
+            for (int k = 0; k < boundary->count; k++) {
+                sum += response[k] * rest[3 * k + c];
+            }
+            coefficients[3 * f + c] = sum;
+        }
+    }
+    for (int f = 0; f < space->count; f++) {
+        for (int k = 0; k < numbers; k++) {
+            for (int c = 0; c < 3; c++) {
+                net[3 * k + c] +=
+                    coefficients[3 * f + c] * space->nets[(size_t)f * (size_t)numbers + (size_t)k];
+            }
+        }
+    }
+}
+
+void taut_rim_net(const taut_rim *boundary, const double *given, taut_wide *scratch, double *net)
+{
+    const size_t numbers = 3 * (size_t)(boundary->space->n + 1) * (size_t)(boundary->space->m + 1);
+    taut_wide *rest = scratch, *coefficients = rest + 3 * boundary->count;
+    taut_wide *sum = coefficients + 3 * boundary->space->count;
+
+    memset(sum, 0, numbers * sizeof *sum);
+    for (int pass = 0; pass < 3; pass++) { /* the second and third take out what rounding left */
+        improve(boundary, given, rest, coefficients, sum);
+    }
+    for (size_t k = 0; k < numbers; k++) {
+        net[k] = (double)sum[k];
+    }
+}
+
+double taut_rim_amplification(const taut_rim *boundary)
+{
+    const taut_space *space = boundary->space;
+    const int numbers = (space->n + 1) * (space->m + 1);
+    taut_wide most = 0;
+
+    for (int at = 0; at < numbers; at++) {
+        taut_wide sum = 0;
+        for (int k = 0; k < boundary->count; k++) {
+            taut_wide entry = 0;
+            for (int f = 0; f < space->count; f++) {
+                entry += boundary->response[f * boundary->count + k] *
+                         space->nets[(size_t)f * (size_t)numbers + (size_t)at];
+            }
+            sum += fabsl(entry);
+        }
+        most = fmaxl(most, sum);
+    }
+    return (double)most;
+}

@@ -1,0 +1,23 @@
+/* wide_solve.h -- small dense systems in the processor's wider format. Matrices are row by row. */
+#ifndef TAUT_HARMONIC_WIDE_SOLVE_H
+#define TAUT_HARMONIC_WIDE_SOLVE_H
+
+#include "construct/harmonic/lidstone.h"
+
+/* Adds rows to a triangle: r'r becomes r'r + block'block ([GolubVanLoan2013] 5.2, Householder).
+ *     r      [n][n], the upper triangle used, zero before the first call
+ *     block  [rows][n], destroyed
+ * Right-hand sides are further columns: only the first `columns` are eliminated. */
+void taut_wide_append(int columns, int n, taut_wide *r, int rows, taut_wide *block);
+
+/* x <- r^-1 x for the leading columns x columns triangle of r [n][n]; x[i * stride]. */
+void taut_wide_back(int columns, int n, const taut_wide *r, long stride, taut_wide *x);
+
+/* The affine solution set of c x = d for a consistent system of known rank, by Gram-Schmidt with
+ * the longest row next, each orthogonalised twice. c      [rows][n], d [rows][sides]; destroyed
+ *     basis  [n][n]: the first `rank` rows span the rows of c, the others its null space;
+ * orthonormal x      [sides][n]: the shortest solutions */
+void taut_wide_constrain(int rows, int n, int rank, int sides, taut_wide *c, taut_wide *d,
+                         taut_wide *basis, taut_wide *x);
+
+#endif /* TAUT_HARMONIC_WIDE_SOLVE_H */

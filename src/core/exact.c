@@ -1,0 +1,21 @@
+#include "core/exact.h"
+
+#include "core/fail.h"
+#include "core/module.h"
+
+taut_status taut_exact_load(const taut_exact_ops **ops, taut_error *error)
+{
+    const void *table = NULL;
+    const taut_exact_ops *found = NULL;
+    taut_status status = taut_module_load("exact", "libflint-dev", &table, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    found = table;
+    if (found->size != sizeof *found) {
+        return taut_fail(error, TAUT_IO, NULL, taut_none, taut_none,
+                         "the module taut-exact.so is of another version of taut");
+    }
+    *ops = found;
+    return TAUT_OK;
+}

@@ -1,0 +1,174 @@
+/* test_harmonic.c -- harmonic and biharmonic surfaces when memory runs out: each way of making
+ * them, in doubles and in rationals, and their certificates. */
+#include "check.h"
+#include "fault.h"
+#include "shapes.h"
+
+#include "problem/problem.h"
+#include "taut/biharmonic.h"
+#include "taut/harmonic.h"
+#include "taut/operate.h"
+
+#include <string.h>
+
+/* A problem of one of the three constructions, and how it is made. */
+typedef struct request {
+    const char *name;
+    int construct;
+    const void *data;
+    taut_make_options options;
+    const taut_model *model; /* for its certificate */
+} request;
+
+static void release_model(void *model)
+{
+    taut_model_free(model);
+}
+
+static void release_certificate(void *certificate)
+{
+    taut_certificate_free(certificate);
+}
+
+static taut_status make(const void *context, void **result, taut_error *error)
+{
+    const request *r = context;
+    taut_model *model = *result;
+    taut_status status = TAUT_OK;
+    if (r->construct == TAUT_CONSTRUCT_INDEX_harmonic) {
+        status = taut_harmonic_make(r->data, &r->options, &model, error);
+    } else if (r->construct == TAUT_CONSTRUCT_INDEX_harmonic_extension) {
+        status = taut_harmonic_extension_make(r->data, &r->options, &model, error);
+    } else {
+        status = taut_biharmonic_make(r->data, &r->options, &model, error);
+    }
+    *result = model;
+    return status;
+}
+
+static taut_status prove(const void *context, void **result, taut_error *error)
+{
+    const request *r = context;
+    const taut_certify_options options = {.exact = r->options.exact};
+    taut_certificate *certificate = *result;
+    taut_problem *problem = NULL;
+    taut_status status = taut_problem_new(r->construct, &problem);
+    if (status != TAUT_OK) { /* the problem is the test's own */
+        error->status = status;
+        strcpy(error->message, "memory");
+        return status;
+    }
+    problem->data = r->data;
+    status = taut_certify(r->model, problem, &options, &certificate, error);
+    taut_problem_free(problem);
+    *result = certificate;
+    return status;
+}
+
+static taut_status split(const void *context, void **result, taut_error *error)
+{
+    taut_model *pieces = *result;
+    const taut_status status =
+        taut_model_split_exact(context, NULL, TAUT_ALONG_U, 0.5, &pieces, error);
+    *result = pieces;
+    return status;
+}
+
+/* Made under fire, then made once and proved under fire. */
+static void try(request *r)
+{
+    taut_model *model = NULL;
+    void *made = NULL;
+    taut_error error;
+    const fault_call making = {r->name, make, release_model, r};
+    CHECK(fault_loop(&making) > 5, "%s takes memory", r->name);
+    CHECK(make(r, &made, &error) == TAUT_OK, "%s", r->name);
+    model = made;
+    r->model = model;
+    const fault_call proving = {r->name, prove, release_certificate, r};
+    CHECK(model == NULL || fault_loop(&proving) > 2, "the proof of %s takes memory", r->name);
+    taut_model_free(model);
+}
+
+int main(void)
+{
+    static const char *const texts[12] = {"1/3", NULL, "2/7", "5", "-1/9"};
+    double points[48];
+    unsigned char rows[16], four[16];
+    taut_basis *u = shape_bezier(3, 0, 1), *v = shape_bezier(3, 0, 2);
+    taut_surface *enneper = shape_enneper(0, 1, 0, 1);
+    taut_model *whole = NULL;
+    taut_harmonic_problem two, derivative, fit;
+    taut_harmonic_extension_problem c1, g1;
+    taut_biharmonic_problem boundary, neighbour;
+
+    random_seed(20261125);
+    for (int k = 0; k < 48; k++) {
+        points[k] = random_in(-1, 1);
+        rows[k / 3] = k / 12 == 0 || k / 12 == 3;
+        four[k / 3] = rows[k / 3] || k / 3 % 4 == 0 || k / 3 % 4 == 3;
+    }
+    memset(&two, 0, sizeof two);
+    two.u = u;
+    two.v = v;
+    two.points = points;
+    two.known = rows;
+    fit = two;
+    fit.known = four;
+    fit.fit = 1;
+    derivative = two;
+    derivative.from_derivative = 1;
+    derivative.edge = points;
+    derivative.cross_derivative = points + 12;
+    derivative.exact_edge = texts;
+    memset(&c1, 0, sizeof c1);
+    c1.surface = enneper;
+    c1.edge = TAUT_EDGE_V0;
+    g1 = c1;
+    g1.contact = TAUT_CONTACT_G1;
+    g1.c = 2;
+    memset(&boundary, 0, sizeof boundary);
+    boundary.u = u;
+    boundary.v = v;
+    boundary.points = points;
+    boundary.known = four;
+    memset(&neighbour, 0, sizeof neighbour);
+    neighbour.surface = enneper;
+    neighbour.contact = 2;
+
+    request requests[] = {
+        {"two rows", TAUT_CONSTRUCT_INDEX_harmonic, &two, {.exact = 0}, NULL},
+        {"a derivative", TAUT_CONSTRUCT_INDEX_harmonic, &derivative, {.exact = 0}, NULL},
+        {"a fit", TAUT_CONSTRUCT_INDEX_harmonic, &fit, {.exact = 0}, NULL},
+        {"two rows in rationals", TAUT_CONSTRUCT_INDEX_harmonic, &two, {.exact = 1}, NULL},
+        {"a derivative in rationals",
+         TAUT_CONSTRUCT_INDEX_harmonic,
+         &derivative,
+         {.exact = 1},
+         NULL},
+        {"an extension", TAUT_CONSTRUCT_INDEX_harmonic_extension, &c1, {.exact = 0}, NULL},
+        {"an extension in rationals",
+         TAUT_CONSTRUCT_INDEX_harmonic_extension,
+         &c1,
+         {.exact = 1},
+         NULL},
+        {"a neighbour", TAUT_CONSTRUCT_INDEX_harmonic_extension, &g1, {.exact = 0}, NULL},
+        {"four rows", TAUT_CONSTRUCT_INDEX_biharmonic, &boundary, {.exact = 0}, NULL},
+        {"a biharmonic neighbour",
+         TAUT_CONSTRUCT_INDEX_biharmonic,
+         &neighbour,
+         {.exact = 0},
+         NULL}};
+    for (size_t k = 0; k < sizeof requests / sizeof requests[0]; k++) {
+        try(&requests[k]);
+    }
+    CHECK(taut_harmonic_make(&two, &requests[3].options, &whole, NULL) == TAUT_OK, "model");
+    const fault_call cut = {"a cut in rationals", split, release_model, whole};
+    CHECK(fault_loop(&cut) > 5, "a cut takes memory");
+    taut_model_free(whole);
+    taut_surface_free(enneper);
+    taut_basis_free(u);
+    taut_basis_free(v);
+    CHECK(fault_live() == 0, "%ld blocks left", fault_live());
+    return check_failures != 0;
+}

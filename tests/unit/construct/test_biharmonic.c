@@ -1,0 +1,376 @@
+/* test_biharmonic.c -- biharmonic surfaces from four rows and their neighbours: closed forms,
+ * harmonic surfaces given back, certificates over random data, and refusals. */
+#include "check.h"
+#include "shapes.h"
+
+#include "problem/problem.h"
+#include "taut/biharmonic.h"
+#include "taut/harmonic.h"
+#include "taut/measure.h"
+#include "taut/operate.h"
+
+#include <string.h>
+
+enum { SIZE = 20 };
+
+typedef struct net {
+    taut_basis *u, *v;
+    double points[SIZE * SIZE * 3];
+    unsigned char known[SIZE * SIZE];
+    int n;
+} net;
+
+static void start(net *g, int n, double across, double along)
+{
+    memset(g, 0, sizeof *g);
+    g->n = n;
+    g->u = shape_bezier(n, 1, 1 + across);
+    g->v = shape_bezier(n, -2, -2 + along);
+    for (int i = 0; i <= n; i++) {
+        for (int j = 0; j <= n; j++) {
+            g->known[i * (n + 1) + j] = i == 0 || j == 0 || i == n || j == n;
+        }
+    }
+}
+
+static void fill(net *g, double offset, double size)
+{
+    for (int k = 0; k < 3 * (g->n + 1) * (g->n + 1); k++) {
+        g->points[k] = offset + size * random_in(-1, 1);
+    }
+}
+
+static void end(net *g)
+{
+    taut_basis_free(g->u);
+    taut_basis_free(g->v);
+}
+
+static taut_biharmonic_problem rows_of(const net *g)
+{
+    taut_biharmonic_problem problem;
+    memset(&problem, 0, sizeof problem);
+    problem.u = g->u;
+    problem.v = g->v;
+    problem.points = g->points;
+    problem.known = g->known;
+    return problem;
+}
+
+static taut_model *make(const taut_biharmonic_problem *problem, const char *what)
+{
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    const taut_status status = taut_biharmonic_make(problem, NULL, &model, &error);
+    CHECK(status == TAUT_OK, "%s: %s", what, error.message);
+    return model;
+}
+
+/* How the claim stands, -1 if it is not there; *slack its residual over its limit. */
+static int prove(const taut_model *model, const taut_biharmonic_problem *data, const char *name,
+                 double *slack)
+{
+    taut_problem *problem = NULL;
+    taut_certificate *certificate = NULL;
+    int verdict = -1;
+    CHECK(taut_problem_new(TAUT_CONSTRUCT_INDEX_biharmonic, &problem) == TAUT_OK, "problem");
+    problem->data = data;
+    CHECK(taut_certify(model, problem, NULL, &certificate, NULL) == TAUT_OK, "certify");
+    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+        const taut_claim *c = taut_certificate_claim(certificate, i);
+        if (strcmp(c->claim, name) == 0) {
+            verdict = (int)c->holds;
+            *slack = c->limit > 0 ? c->residual / c->limit : c->residual;
+        }
+    }
+    taut_certificate_free(certificate);
+    taut_problem_free(problem);
+    return verdict;
+}
+
+/* The masks of [NiWang2015] section 8.4. */
+static void test_masks(void)
+{
+    static net g;
+    for (int n = 2; n <= 3; n++) {
+        start(&g, n, 1, 1);
+        fill(&g, 0, 1);
+        const taut_biharmonic_problem problem = rows_of(&g);
+        taut_model *model = make(&problem, "mask");
+        const double *p = taut_surface_points(taut_model_surface(model, 0));
+        for (int c = 0; c < 3; c++) {
+#define P(i, j) g.points[3 * ((i) * (n + 1) + (j)) + c]
+            const double wanted = n == 2 ? (P(0, 1) + P(1, 0) + P(2, 1) + P(1, 2)) / 2 -
+                                               (P(0, 0) + P(0, 2) + P(2, 0) + P(2, 2)) / 4
+                                         : (-4 * P(0, 0) - 2 * P(0, 3) - 2 * P(3, 0) - P(3, 3) +
+                                            6 * P(0, 1) + 6 * P(1, 0) + 3 * P(1, 3) + 3 * P(3, 1)) /
+                                               9;
+#undef P
+            CHECK_NEAR(p[3 * (n + 2) + c], wanted, 4e-16, "n=%d c=%d", n, c);
+        }
+        taut_model_free(model);
+        end(&g);
+    }
+}
+
+/* The four rows of a harmonic surface, over any rectangle: the same surface. */
+static void test_harmonic(void)
+{
+    static net g;
+    for (int n = 1; n <= 11; n += 2) {
+        taut_harmonic_problem harmonic;
+        taut_model *wanted = NULL;
+        start(&g, n, 1, random_log(0.5, 2));
+        fill(&g, 0, 1);
+        memset(&harmonic, 0, sizeof harmonic);
+        harmonic.u = g.u;
+        harmonic.v = g.v;
+        harmonic.points = g.points;
+        harmonic.known = g.known;
+        for (int i = 1; i < n; i++) {
+            g.known[i * (n + 1)] = g.known[i * (n + 1) + n] = 0;
+        }
+        CHECK(taut_harmonic_make(&harmonic, NULL, &wanted, NULL) == TAUT_OK, "n=%d", n);
+        const double *expected = taut_surface_points(taut_model_surface(wanted, 0));
+        memcpy(g.points, expected, 3 * (size_t)((n + 1) * (n + 1)) * sizeof(double));
+        for (int i = 1; i < n; i++) {
+            g.known[i * (n + 1)] = g.known[i * (n + 1) + n] = 1;
+        }
+        const taut_biharmonic_problem problem = rows_of(&g);
+        taut_model *model = make(&problem, "harmonic");
+        const double *found = taut_surface_points(taut_model_surface(model, 0));
+        const double grows =
+            taut_record_number(taut_record_get(taut_model_details(model), "amplification"));
+        double largest = 0, apart = 0;
+        for (int k = 0; k < 3 * (n + 1) * (n + 1); k++) {
+            largest = fmax(largest, fabs(expected[k]));
+            apart = fmax(apart, fabs(found[k] - expected[k]));
+        }
+        CHECK(apart <= (1 + grows) * 0x1p-52 * largest, "n=%d: %.3g of the largest, growth %.3g", n,
+              apart / largest, grows);
+        taut_model_free(wanted);
+        taut_model_free(model);
+        end(&g);
+    }
+}
+
+static void all_hold(const taut_model *model, const taut_biharmonic_problem *problem, int neighbour,
+                     const char *what, int n, double *worst)
+{
+    static const char *const names[] = {"biharmonic", "boundary", "continuity", "least-bending"};
+    for (int k = 0; k < (neighbour ? 4 : 2); k++) {
+        double slack = 0;
+        const int verdict = prove(model, problem, names[k], &slack);
+        CHECK(verdict == TAUT_TRUE || verdict == TAUT_UNDECIDED,
+              "%s n=%d: %s %d, %.3g of its limit", what, n, names[k], verdict, slack);
+        worst[k] = fmax(worst[k], verdict == TAUT_TRUE ? slack : 0);
+    }
+}
+
+/* The model with one inner point of its last surface moved. */
+static taut_model *moved(const taut_model *model, double by)
+{
+    const int last = taut_model_surface_count(model) - 1;
+    taut_model *other = NULL;
+    double points[SIZE * SIZE * 3];
+    taut_surface *surface = NULL;
+
+    CHECK(taut_model_new(&other) == TAUT_OK, "model");
+    for (int i = 0; i <= last; i++) {
+        const taut_surface *s = taut_model_surface(model, i);
+        const int columns = taut_basis_count(taut_surface_v(s));
+        const int count = taut_basis_count(taut_surface_u(s)) * columns;
+        memcpy(points, taut_surface_points(s), 3 * (size_t)count * sizeof(double));
+        points[3 * (columns + 1)] += i == last ? by : 0;
+        CHECK(taut_surface_new(taut_surface_name(s), taut_surface_u(s), taut_surface_v(s), points,
+                               NULL, &surface, NULL) == TAUT_OK &&
+                  taut_model_add_surface(other, surface) == TAUT_OK,
+              "surface %d", i);
+    }
+    return other;
+}
+
+static double energy_of(const taut_surface *surface)
+{
+    double energy = -1;
+    CHECK(taut_surface_bending_energy(surface, &energy) == TAUT_OK, "energy");
+    return energy;
+}
+
+/* Random rows, rectangles and offsets; neighbours across every edge, of any width. The energy of a
+ * neighbour is not above that of the surface carried on, which meets it C^infinity. */
+static void test_random(void)
+{
+    static net g;
+    double worst[4] = {0, 0, 0, 0};
+    for (int trial = 0; trial < random_trials(60); trial++) {
+        const int n = random_int(2, 9), far = trial % 6 == 0;
+        const double size = far ? 1 : random_log(1e-3, 1e3);
+        start(&g, n, random_log(0.5, 2), random_log(0.5, 2));
+        fill(&g, far ? 1e8 : 0, size);
+        const taut_biharmonic_problem problem = rows_of(&g);
+        taut_model *model = make(&problem, "rows");
+        const taut_surface *p = taut_model_surface(model, 0);
+        double slack = 0;
+        all_hold(model, &problem, 0, "rows", n, worst);
+        for (int k = 0; k < 3 * (n + 1) * (n + 1); k++) {
+            CHECK(!g.known[k / 3] || taut_surface_points(p)[k] == g.points[k],
+                  "a given point moved");
+        }
+        taut_model *wrong = moved(model, 1e-4 * size);
+        CHECK(prove(wrong, &problem, "biharmonic", &slack) == TAUT_FALSE, "n=%d: blind", n);
+        taut_model_free(wrong);
+
+        taut_biharmonic_problem next;
+        memset(&next, 0, sizeof next);
+        next.surface = p;
+        next.edge = (taut_edge)(trial % 4);
+        next.width = trial % 3 == 0 ? 0 : random_log(0.3, 3);
+        double energies[2] = {0, 0};
+        for (next.contact = 1; next.contact <= 2; next.contact++) {
+            taut_model *pair = make(&next, "neighbour");
+            all_hold(pair, &next, 1, next.contact == 1 ? "c1" : "c2", n, worst);
+            energies[next.contact - 1] = energy_of(taut_model_surface(pair, 1));
+            wrong = moved(pair, 1e-3 * size);
+            CHECK(far || prove(wrong, &next, "biharmonic", &slack) == TAUT_FALSE, "n=%d: blind", n);
+            taut_model_free(wrong);
+            taut_model_free(pair);
+        }
+        CHECK(energies[0] <= energies[1] * (1 + 1e-9), "n=%d: C^1 %g, C^2 %g", n, energies[0],
+              energies[1]);
+        taut_model_free(model);
+        end(&g);
+    }
+    for (int k = 0; k < 4; k++) {
+        CHECK(worst[k] <= 1 && (k == 1 || worst[k] > 1e-3), "claim %d: up to %.3g of the limit", k,
+              worst[k]);
+    }
+}
+
+/* A harmonic extension is biharmonic and meets the surface C^infinity: it passes all but the claim
+ * of least bending. */
+static void test_not_least(void)
+{
+    taut_surface *enneper = shape_enneper(0, 1, 0, 1);
+    taut_harmonic_extension_problem extension;
+    taut_biharmonic_problem next;
+    taut_model *carried = NULL, *pair = NULL, *least = NULL;
+    taut_surface *copy = NULL;
+    double slack = 0;
+
+    memset(&extension, 0, sizeof extension);
+    extension.surface = enneper;
+    extension.edge = TAUT_EDGE_U1;
+    memset(&next, 0, sizeof next);
+    next.surface = enneper;
+    next.edge = TAUT_EDGE_U1;
+    next.contact = 1;
+    CHECK(taut_harmonic_extension_make(&extension, NULL, &carried, NULL) == TAUT_OK, "extension");
+    CHECK(taut_model_new(&pair) == TAUT_OK, "model");
+    for (int i = 0; i < 2; i++) {
+        CHECK(taut_surface_copy(taut_model_surface(carried, i), &copy) == TAUT_OK &&
+                  taut_model_add_surface(pair, copy) == TAUT_OK,
+              "copy");
+    }
+    CHECK(prove(pair, &next, "biharmonic", &slack) == TAUT_TRUE, "%.3g", slack);
+    CHECK(prove(pair, &next, "continuity", &slack) == TAUT_TRUE, "%.3g", slack);
+    CHECK(prove(pair, &next, "least-bending", &slack) == TAUT_FALSE, "%.3g", slack);
+    least = make(&next, "enneper");
+    CHECK(energy_of(taut_model_surface(least, 1)) < 0.9 * energy_of(taut_model_surface(pair, 1)),
+          "the energy falls");
+    taut_model_free(carried);
+    taut_model_free(pair);
+    taut_model_free(least);
+    taut_surface_free(enneper);
+}
+
+/* One point, a segment, a plane; the bilinear case with its neighbours: no NaN, no refusal. */
+static void test_degenerate(void)
+{
+    static net g;
+    double worst[4] = {0, 0, 0, 0};
+    for (int kind = 0; kind < 4; kind++) {
+        start(&g, kind == 3 ? 1 : 4, 1, 2);
+        fill(&g, kind == 0 ? 1e8 : 0, kind == 0 ? 0 : 1);
+        for (int k = 0; k < (g.n + 1) * (g.n + 1); k++) {
+            for (int c = kind == 1 ? 1 : 2; (kind == 1 || kind == 2) && c < 3; c++) {
+                g.points[3 * k + c] = 0;
+            }
+        }
+        const taut_biharmonic_problem problem = rows_of(&g);
+        taut_model *model = make(&problem, "degenerate");
+        all_hold(model, &problem, 0, "degenerate", kind, worst);
+        taut_biharmonic_problem next;
+        memset(&next, 0, sizeof next);
+        next.surface = taut_model_surface(model, 0);
+        next.edge = TAUT_EDGE_V1;
+        for (next.contact = 1; next.contact <= 2; next.contact++) {
+            taut_model *pair = make(&next, "degenerate neighbour");
+            all_hold(pair, &next, 1, "degenerate neighbour", kind, worst);
+            taut_model_free(pair);
+        }
+        taut_model_free(model);
+        end(&g);
+    }
+}
+
+static void refused(const taut_biharmonic_problem *problem, taut_status wanted, const char *pattern)
+{
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_biharmonic_make(problem, NULL, &model, &error) == wanted && model == NULL, "%s",
+          pattern);
+    CHECK(strstr(error.message, pattern) != NULL, "said '%s', expected %s", error.message, pattern);
+}
+
+static void test_refusals(void)
+{
+    static net g;
+    taut_biharmonic_problem problem;
+    double points[75];
+    taut_surface *random = NULL;
+
+    start(&g, 18, 1, 1); /* 4.5e11 there */
+    problem = rows_of(&g);
+    refused(&problem, TAUT_NO_SOLUTION, "rounding");
+    end(&g);
+    start(&g, 3, 1, 1);
+    problem = rows_of(&g);
+    g.known[5] = 1;
+    refused(&problem, TAUT_BAD_INPUT, "four boundary rows");
+    g.known[5] = 0;
+    taut_basis_free(g.v);
+    g.v = shape_bezier(2, 0, 1);
+    problem = rows_of(&g);
+    for (int k = 0; k < 12; k++) {
+        g.known[k] = k / 3 == 0 || k / 3 == 3 || k % 3 != 1;
+    }
+    refused(&problem, TAUT_NO_SOLUTION, "raise the lower");
+    end(&g);
+    for (int k = 0; k < 75; k++) {
+        points[k] = random_in(-1, 1);
+    }
+    random = shape_surface(shape_bezier(4, 0, 1), shape_bezier(4, 0, 1), points, NULL);
+    memset(&problem, 0, sizeof problem);
+    problem.surface = random;
+    problem.contact = 1;
+    refused(&problem, TAUT_NO_SOLUTION, "not biharmonic");
+    problem.contact = 3;
+    refused(&problem, TAUT_BAD_INPUT, "contact of order 3");
+    problem.contact = 2;
+    problem.width = -1;
+    refused(&problem, TAUT_BAD_INPUT, "width");
+    taut_surface_free(random);
+}
+
+int main(void)
+{
+    random_seed(20261123);
+    test_masks();
+    test_harmonic();
+    test_random();
+    test_not_least();
+    test_degenerate();
+    test_refusals();
+    return check_failures != 0;
+}
