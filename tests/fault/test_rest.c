@@ -6,7 +6,9 @@
 #include "taut/join.h"
 #include "taut/measure.h"
 #include "taut/operate.h"
+#include "taut/panels.h"
 #include "taut/read.h"
+#include "taut/recognise.h"
 #include "taut/write.h"
 
 #include <stdio.h>
@@ -66,6 +68,20 @@ static taut_status join(const void *context, void **result, taut_error *error)
     (void)result;
     CHECK((status == TAUT_OK) == (found.max_gap >= 0), "the join is untouched on failure");
     return status;
+}
+
+static taut_status panels(const void *context, void **result, taut_error *error)
+{
+    static const taut_panels_options options = {.divide = {2, 3}};
+    taut_model *made = *result;
+    const taut_status status = taut_panels_of_problem(context, &options, &made, error);
+    *result = made;
+    return status;
+}
+
+static void release_model(void *model)
+{
+    taut_model_free(model);
 }
 
 static void release_record(void *record)
@@ -194,6 +210,7 @@ static const char problem_text[] =
 static void test_no_memory(const taut_surface *surface, const taut_curve *curve, taut_model *model)
 {
     double values[6 * 8];
+    taut_family_member member;
     taut_edge edge = TAUT_EDGE_U0;
     fault_arm(1000, 0);
     CHECK(taut_basis_eval(taut_curve_t(curve), 0, 0.5, 2, values) == TAUT_OK, "basis");
@@ -201,6 +218,7 @@ static void test_no_memory(const taut_surface *surface, const taut_curve *curve,
     CHECK(taut_surface_eval(surface, 0.5, 0.5, 2, values) == TAUT_OK, "surface");
     CHECK(taut_edge_of_name("v1", &edge) == TAUT_OK, "edge");
     CHECK(taut_model_set_unit(model, "in") == TAUT_OK, "unit");
+    (void)taut_surface_recognise(surface, &member, NULL); /* whatever it finds */
     CHECK(fault_counted() == 0, "%ld allocations", fault_counted());
     fault_disarm();
 }
@@ -217,6 +235,9 @@ int main(void)
     static const double points[2][3] = {{0, 0, 0}, {1, 1, 0}};
     char path[64], command[96], two[2 * sizeof problem_text + 8];
     FILE *file = NULL;
+    static const char bonnet_text[] = "{\"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.5,"
+                                      " \"sign\": \"+\", \"alpha\": 0.5, \"beta\": 0.5}";
+    taut_problem *bonnet = NULL;
     static const double flat[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0};
     taut_surface *surface = NULL, *copy = NULL, *plane = NULL;
     taut_model *model = NULL;
@@ -240,6 +261,11 @@ int main(void)
     check_call("taut_surface_new_exact", new_exact, release_surface, curve);
     check_call("taut_surface_jacobian", jacobian, NULL, plane);
     check_call("taut_join_measure", join, NULL, surface);
+    CHECK(taut_problem_read_text(bonnet_text, sizeof bonnet_text - 1, "text", &bonnet, NULL) ==
+              TAUT_OK,
+          "bonnet");
+    check_call("taut_panels_of_problem", panels, release_model, bonnet);
+    taut_problem_free(bonnet);
     check_call("taut_join_record, taut_measure_curve_record", records, release_record, curve);
     check_call("taut_record_read_text", read_record, release_record, problem_text);
     check_call("taut_problem_read", read_problem, release_problem, path);
