@@ -22,6 +22,7 @@
 extern "C" {
 #endif
 
+/* Panels around a vertex touch one cone, or the corners of a panel lie on one circle. */
 typedef enum taut_panels_kind { TAUT_PANELS_CONICAL = 0, TAUT_PANELS_CIRCULAR } taut_panels_kind;
 
 typedef struct taut_panels_options {

@@ -6,7 +6,9 @@
 #include "taut/join.h"
 #include "taut/measure.h"
 #include "taut/operate.h"
+#include "taut/panels.h"
 #include "taut/read.h"
+#include "taut/recognise.h"
 #include "taut/write.h"
 
 #include <stdio.h>
@@ -30,6 +32,29 @@ static char folder[] = "/tmp/taut-test-XXXXXX";
 MAKER(insert, taut_surface, taut_surface_insert(surface, TAUT_ALONG_U, 0.4, 2, &made, error))
 MAKER(elevate, taut_surface, taut_surface_elevate(surface, TAUT_ALONG_V, 2, &made, error))
 
+/* Rational points, some of them the double itself. */
+static taut_status new_exact(const void *context, void **result, taut_error *error)
+{
+    static const char *const exact[12] = {"1/3", NULL, "2", NULL, "-5/12"};
+    static const double points[12] = {1.0 / 3, 0, 2, 0, -5.0 / 12, 0, 1, 0, 0, 1, 1, 1};
+    taut_surface *made = *result;
+    const taut_basis *line = taut_curve_t(context);
+    const taut_status status =
+        taut_surface_new_exact("s", line, line, points, NULL, exact, &made, error);
+    *result = made;
+    return status;
+}
+
+static taut_status jacobian(const void *context, void **result, taut_error *error)
+{
+    taut_jacobian found = {.cells = -1};
+    const taut_status status = taut_surface_jacobian(context, &found);
+    (void)result;
+    (void)error;
+    CHECK((status == TAUT_OK) == (found.cells >= 0), "the Jacobian is untouched on failure");
+    return status;
+}
+
 static void release_surface(void *surface)
 {
     taut_surface_free(surface);
@@ -43,6 +68,20 @@ static taut_status join(const void *context, void **result, taut_error *error)
     (void)result;
     CHECK((status == TAUT_OK) == (found.max_gap >= 0), "the join is untouched on failure");
     return status;
+}
+
+static taut_status panels(const void *context, void **result, taut_error *error)
+{
+    static const taut_panels_options options = {.divide = {2, 3}};
+    taut_model *made = *result;
+    const taut_status status = taut_panels_of_problem(context, &options, &made, error);
+    *result = made;
+    return status;
+}
+
+static void release_model(void *model)
+{
+    taut_model_free(model);
 }
 
 static void release_record(void *record)
@@ -171,6 +210,7 @@ static const char problem_text[] =
 static void test_no_memory(const taut_surface *surface, const taut_curve *curve, taut_model *model)
 {
     double values[6 * 8];
+    taut_family_member member;
     taut_edge edge = TAUT_EDGE_U0;
     fault_arm(1000, 0);
     CHECK(taut_basis_eval(taut_curve_t(curve), 0, 0.5, 2, values) == TAUT_OK, "basis");
@@ -178,6 +218,7 @@ static void test_no_memory(const taut_surface *surface, const taut_curve *curve,
     CHECK(taut_surface_eval(surface, 0.5, 0.5, 2, values) == TAUT_OK, "surface");
     CHECK(taut_edge_of_name("v1", &edge) == TAUT_OK, "edge");
     CHECK(taut_model_set_unit(model, "in") == TAUT_OK, "unit");
+    (void)taut_surface_recognise(surface, &member, NULL); /* whatever it finds */
     CHECK(fault_counted() == 0, "%ld allocations", fault_counted());
     fault_disarm();
 }
@@ -194,12 +235,19 @@ int main(void)
     static const double points[2][3] = {{0, 0, 0}, {1, 1, 0}};
     char path[64], command[96], two[2 * sizeof problem_text + 8];
     FILE *file = NULL;
-    taut_surface *surface = NULL, *copy = NULL;
+    static const char bonnet_text[] = "{\"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.5,"
+                                      " \"sign\": \"+\", \"alpha\": 0.5, \"beta\": 0.5}";
+    taut_problem *bonnet = NULL;
+    static const double flat[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0};
+    taut_surface *surface = NULL, *copy = NULL, *plane = NULL;
     taut_model *model = NULL;
     taut_curve *curve = shape_curve(shape_bezier(1, 0, 1), &points[0][0], NULL);
 
     random_seed(20260117);
     surface = shape_random(2, 3, 1);
+    copy = shape_random(2, 2, 0);
+    CHECK(taut_surface_transform(copy, flat, &plane, NULL) == TAUT_OK, "a surface in a plane");
+    taut_surface_free(copy);
     CHECK(mkdtemp(folder) != NULL, "%s", folder);
     CHECK(taut_model_new(&model) == TAUT_OK && taut_surface_copy(surface, &copy) == TAUT_OK &&
               taut_model_add_surface(model, copy) == TAUT_OK,
@@ -210,7 +258,14 @@ int main(void)
 
     check_call("taut_surface_insert", insert, release_surface, surface);
     check_call("taut_surface_elevate", elevate, release_surface, surface);
+    check_call("taut_surface_new_exact", new_exact, release_surface, curve);
+    check_call("taut_surface_jacobian", jacobian, NULL, plane);
     check_call("taut_join_measure", join, NULL, surface);
+    CHECK(taut_problem_read_text(bonnet_text, sizeof bonnet_text - 1, "text", &bonnet, NULL) ==
+              TAUT_OK,
+          "bonnet");
+    check_call("taut_panels_of_problem", panels, release_model, bonnet);
+    taut_problem_free(bonnet);
     check_call("taut_join_record, taut_measure_curve_record", records, release_record, curve);
     check_call("taut_record_read_text", read_record, release_record, problem_text);
     check_call("taut_problem_read", read_problem, release_problem, path);
@@ -224,6 +279,7 @@ int main(void)
     test_no_memory(surface, curve, model);
     taut_model_free(model);
     taut_surface_free(surface);
+    taut_surface_free(plane);
     taut_curve_free(curve);
     CHECK(fault_live() == 0, "%ld blocks left", fault_live());
     snprintf(command, sizeof command, "rm -r %s", folder);
