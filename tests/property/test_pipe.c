@@ -1,6 +1,6 @@
 /* test_pipe.c -- pipes over random blends: the largest radius against the global radius of
- * curvature, areas and volumes against quadrature, verdicts under scaling and shifting, reversal.
- */
+ * curvature, areas and volumes against quadrature, verdicts under scaling and shifting, reversal,
+ * the choice of shape. Long because all of them share what makes and judges a random blend. */
 #include "check.h"
 
 #include "construct/pipe/bend.h"
