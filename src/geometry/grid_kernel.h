@@ -1,42 +1,33 @@
 /* grid_kernel.h -- the inner loops of grid evaluation, one table per instruction set.
  *
- * A block is a run of consecutive v parameters in one row of the grid. Its values are first made
- * component by component ("planes": double plane[component][TAUT_GRID_STRIDE]), which is how
- * they vectorise, then interleaved into the caller's array.
+ * A group is a few consecutive v parameters, as many as a kernel works on side by side. Its sums
+ * run over all basis functions that any of its points has, with zeros where a point has not.
  */
 #ifndef TAUT_GEOMETRY_GRID_KERNEL_H
 #define TAUT_GEOMETRY_GRID_KERNEL_H
 
 #include <stddef.h>
 
-enum {
-    TAUT_GRID_BLOCK = 128,  /* points in a block */
-    TAUT_GRID_STRIDE = 144, /* a plane: a block and what a last vector may overrun */
-    TAUT_GRID_PAD = 16      /* numbers past the end of a basis plane that must be readable */
-};
+enum { TAUT_GRID_GROUP_MAX = 16 };
 
-/* A run of points in one span: plane[c][from..to) from one polygon. */
-typedef struct taut_grid_run {
-    int from, to; /* within the block */
-    int first;    /* the first polygon point alive, counted from the polygon's start */
-} taut_grid_run;
+typedef struct taut_grid_group {
+    int first, local;    /* the polygon points alive somewhere in the group */
+    const double *basis; /* [order + 1][local][group]: functions and derivatives, point by point */
+} taut_grid_group;
 
 typedef struct taut_grid_ops {
     const char *name;
-    /* out[c][j] = sum_b basis[b][j] polygon[(first + b) dim + c], c = 0..dim-1, over the points of
-     * the run; up to TAUT_GRID_PAD further points may be overwritten. basis[b] starts at
-     * basis + b basis_stride. */
-    void (*accumulate)(const taut_grid_run *run, int local, int dim, const double *basis,
-                       size_t basis_stride, const double *polygon, double *out);
+    int group; /* points in a group, at most TAUT_GRID_GROUP_MAX */
     /* polygon[c] = sum_a n[a] row[a][c], c = 0..length-1; rows are row_stride apart. */
     void (*contract)(int local, const double *n, const double *rows, size_t row_stride,
                      size_t length, double *polygon);
-    /* The quotient rule in place: planes 4k + c hold (wx, wy, wz, w) of vector k on entry, planes
-     * 4k + c, c < 3, the derivatives of x on return. */
-    void (*project)(int order, int count, double *planes);
-    /* values[j][k][c] = plane[k dim + c][j], c < 3; streaming: past the caches where aligned. */
-    void (*interleave)(int vectors, int dim, int count, const double *planes, int streaming,
-                       double *values);
+    /* The points of all groups, whole groups always: sums over the polygons (one for each
+     * derivative of u, polygon_stride apart), quotient rule where dim is 4, and
+     * out[j][vector][3]; streaming: past the caches, out must be aligned to 32 bytes. */
+    void (*fill)(int order, int dim, int streaming, const taut_grid_group *groups, int count,
+                 const double *polygons, size_t polygon_stride, double *out);
+    /* Copies past the caches, wherever `to` lies. */
+    void (*copy)(size_t count, const double *from, double *to);
     /* Makes streamed stores visible to other threads. */
     void (*fence)(void);
 } taut_grid_ops;

@@ -6,11 +6,9 @@
  * clang's vector extension, which both lower to whatever the target has.
  */
 #include "geometry/grid_kernel.h"
-#include "geometry/net.h"
 #include "taut/surface.h"
 
 #include <stdint.h>
-#include <string.h>
 
 typedef double lanes __attribute__((vector_size(8 * GRID_LANES), aligned(8), may_alias));
 typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
@@ -19,75 +17,9 @@ typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
 #define LANES_OF(pointer) (*(const lanes *)(const void *)(pointer))
 #define FOUR_AT(pointer) (*(four *)(void *)(pointer))
 #define FOUR_OF(pointer) (*(const four *)(const void *)(pointer))
+#define INLINE static inline __attribute__((always_inline))
 
-/* Two vectors of points at a time, so that each polygon number is fetched once for both. */
-static void grid_accumulate4(const taut_grid_run *run, int local, const double *basis,
-                             size_t basis_stride, const double *polygon, double *out)
-{
-    const double *q = polygon + (ptrdiff_t)run->first * 4;
-    for (int j = run->from; j < run->to; j += 2 * GRID_LANES) {
-        lanes x0 = {0}, x1 = {0}, y0 = {0}, y1 = {0}, z0 = {0}, z1 = {0}, w0 = {0}, w1 = {0};
-        for (int b = 0; b < local; b++) {
-            const double *n = basis + (size_t)b * basis_stride + j;
-            const lanes n0 = LANES_OF(n), n1 = LANES_OF(n + GRID_LANES);
-            const double x = q[4 * b], y = q[4 * b + 1], z = q[4 * b + 2], w = q[4 * b + 3];
-            x0 += n0 * x;
-            x1 += n1 * x;
-            y0 += n0 * y;
-            y1 += n1 * y;
-            z0 += n0 * z;
-            z1 += n1 * z;
-            w0 += n0 * w;
-            w1 += n1 * w;
-        }
-        double *p = out + j;
-        LANES_AT(p) = x0;
-        LANES_AT(p + GRID_LANES) = x1;
-        LANES_AT(p + TAUT_GRID_STRIDE) = y0;
-        LANES_AT(p + TAUT_GRID_STRIDE + GRID_LANES) = y1;
-        LANES_AT(p + 2 * TAUT_GRID_STRIDE) = z0;
-        LANES_AT(p + 2 * TAUT_GRID_STRIDE + GRID_LANES) = z1;
-        LANES_AT(p + 3 * TAUT_GRID_STRIDE) = w0;
-        LANES_AT(p + 3 * TAUT_GRID_STRIDE + GRID_LANES) = w1;
-    }
-}
-
-static void grid_accumulate3(const taut_grid_run *run, int local, const double *basis,
-                             size_t basis_stride, const double *polygon, double *out)
-{
-    const double *q = polygon + (ptrdiff_t)run->first * 3;
-    for (int j = run->from; j < run->to; j += 2 * GRID_LANES) {
-        lanes x0 = {0}, x1 = {0}, y0 = {0}, y1 = {0}, z0 = {0}, z1 = {0};
-        for (int b = 0; b < local; b++) {
-            const double *n = basis + (size_t)b * basis_stride + j;
-            const lanes n0 = LANES_OF(n), n1 = LANES_OF(n + GRID_LANES);
-            const double x = q[3 * b], y = q[3 * b + 1], z = q[3 * b + 2];
-            x0 += n0 * x;
-            x1 += n1 * x;
-            y0 += n0 * y;
-            y1 += n1 * y;
-            z0 += n0 * z;
-            z1 += n1 * z;
-        }
-        double *p = out + j;
-        LANES_AT(p) = x0;
-        LANES_AT(p + GRID_LANES) = x1;
-        LANES_AT(p + TAUT_GRID_STRIDE) = y0;
-        LANES_AT(p + TAUT_GRID_STRIDE + GRID_LANES) = y1;
-        LANES_AT(p + 2 * TAUT_GRID_STRIDE) = z0;
-        LANES_AT(p + 2 * TAUT_GRID_STRIDE + GRID_LANES) = z1;
-    }
-}
-
-static void grid_accumulate(const taut_grid_run *run, int local, int dim, const double *basis,
-                            size_t basis_stride, const double *polygon, double *out)
-{
-    if (dim == 4) {
-        grid_accumulate4(run, local, basis, basis_stride, polygon, out);
-    } else {
-        grid_accumulate3(run, local, basis, basis_stride, polygon, out);
-    }
-}
+enum { GROUP = 2 * GRID_LANES };
 
 static void grid_contract(int local, const double *n, const double *rows, size_t row_stride,
                           size_t length, double *polygon)
@@ -109,64 +41,117 @@ static void grid_contract(int local, const double *n, const double *rows, size_t
     }
 }
 
-#define PLANE(vector, component) (planes + ((vector)*4 + (component)) * TAUT_GRID_STRIDE + j)
+/* (wx, wy, wz, w) of a vector of points; w stays unused where there are no weights. */
+typedef struct sum {
+    lanes x, y, z, w;
+} sum;
 
-/* One vector of points through the quotient rule: see taut_net_project. */
-static inline void grid_project_lanes(int order, int j, double *planes)
+INLINE void sum_add(int dim, lanes n, const double *q, sum *s)
+{
+    s->x += n * q[0];
+    s->y += n * q[1];
+    s->z += n * q[2];
+    if (dim == 4) {
+        s->w += n * q[3];
+    }
+}
+
+/* (s - a x - b y) / w, the shape of each line of the quotient rule, with 1/w given. */
+INLINE sum sum_less(sum s, lanes a, sum x, lanes b, sum y, lanes inverse)
+{
+    return (sum){.x = (s.x - a * x.x - b * y.x) * inverse,
+                 .y = (s.y - a * x.y - b * y.y) * inverse,
+                 .z = (s.z - a * x.z - b * y.z) * inverse};
+}
+
+INLINE sum sum_less_one(sum s, lanes a, sum x, lanes inverse)
+{
+    return (sum){.x = (s.x - a * x.x) * inverse,
+                 .y = (s.y - a * x.y) * inverse,
+                 .z = (s.z - a * x.z) * inverse};
+}
+
+INLINE void sum_store(sum s, int vector, double *planes)
+{
+    LANES_AT(planes + 3 * vector * GROUP) = s.x;
+    LANES_AT(planes + (3 * vector + 1) * GROUP) = s.y;
+    LANES_AT(planes + (3 * vector + 2) * GROUP) = s.z;
+}
+
+/* Positions of a group: both vectors of points together, so that each polygon number is fetched
+ * once for both. */
+INLINE void group_positions(int dim, int local, const double *basis, const double *q,
+                            double *planes)
 {
     const lanes one = (lanes){0} + 1.0;
-    const lanes inverse = one / LANES_OF(PLANE(TAUT_X, 3));
-    lanes wu = one, wv = one, wuu = one, wuv = one, wvv = one;
+    sum s = {{0}, {0}, {0}, {0}}, t = s;
 
-    if (order > 0) {
-        wu = LANES_OF(PLANE(TAUT_XU, 3)) * inverse;
-        wv = LANES_OF(PLANE(TAUT_XV, 3)) * inverse;
+    for (int b = 0; b < local; b++) {
+        sum_add(dim, LANES_OF(basis + b * GROUP), q + dim * b, &s);
+        sum_add(dim, LANES_OF(basis + b * GROUP + GRID_LANES), q + dim * b, &t);
     }
+    if (dim == 4) {
+        const lanes inverse_s = one / s.w, inverse_t = one / t.w;
+        s = (sum){.x = s.x * inverse_s, .y = s.y * inverse_s, .z = s.z * inverse_s};
+        t = (sum){.x = t.x * inverse_t, .y = t.y * inverse_t, .z = t.z * inverse_t};
+    }
+    sum_store(s, 0, planes);
+    sum_store(t, 0, planes + GRID_LANES);
+}
+
+/* One vector of points with derivatives; the sums that share a polygon are made together. The
+ * quotient rule: x_u = (X_u - w_u x) / w, x_uv = (X_uv - w_u x_v - w_v x_u - w_uv x) / w, ... */
+INLINE void group_derivatives(int order, int dim, int local, const double *basis,
+                              const double *polygons, size_t polygon_stride, double *planes)
+{
+    const lanes zero = {0}, one = zero + 1.0;
+    const double *const dv = basis + local * GROUP, *const dvv = dv + local * GROUP;
+    const double *const q = polygons, *const qu = q + polygon_stride,
+                        *const quu = qu + polygon_stride;
+    sum x = {{0}, {0}, {0}, {0}}, xv = x, xvv = x, xu = x, xuv = x, xuu = x;
+    lanes inverse = one;
+
+    for (int b = 0; b < local; b++) {
+        sum_add(dim, LANES_OF(basis + b * GROUP), q + dim * b, &x);
+        sum_add(dim, LANES_OF(dv + b * GROUP), q + dim * b, &xv);
+        if (order > 1) {
+            sum_add(dim, LANES_OF(dvv + b * GROUP), q + dim * b, &xvv);
+        }
+    }
+    const lanes wv = xv.w, twice_wv = wv + wv;
+    if (dim == 4) {
+        inverse = one / x.w;
+        x = (sum){.x = x.x * inverse, .y = x.y * inverse, .z = x.z * inverse};
+        xv = sum_less_one(xv, wv, x, inverse);
+        xvv = sum_less(xvv, xvv.w, x, twice_wv, xv, inverse);
+    }
+    sum_store(x, TAUT_X, planes);
+    sum_store(xv, TAUT_XV, planes);
     if (order > 1) {
-        wuu = LANES_OF(PLANE(TAUT_XUU, 3)) * inverse;
-        wuv = LANES_OF(PLANE(TAUT_XUV, 3)) * inverse;
-        wvv = LANES_OF(PLANE(TAUT_XVV, 3)) * inverse;
+        sum_store(xvv, TAUT_XVV, planes);
     }
-    for (int c = 0; c < 3; c++) {
-        const lanes x = LANES_OF(PLANE(TAUT_X, c)) * inverse;
-        LANES_AT(PLANE(TAUT_X, c)) = x;
-        if (order > 0) {
-            const lanes xu = LANES_OF(PLANE(TAUT_XU, c)) * inverse - wu * x;
-            const lanes xv = LANES_OF(PLANE(TAUT_XV, c)) * inverse - wv * x;
-            LANES_AT(PLANE(TAUT_XU, c)) = xu;
-            LANES_AT(PLANE(TAUT_XV, c)) = xv;
-            if (order > 1) {
-                LANES_AT(PLANE(TAUT_XUU, c)) =
-                    LANES_OF(PLANE(TAUT_XUU, c)) * inverse - 2.0 * wu * xu - wuu * x;
-                LANES_AT(PLANE(TAUT_XUV, c)) =
-                    LANES_OF(PLANE(TAUT_XUV, c)) * inverse - wu * xv - wv * xu - wuv * x;
-                LANES_AT(PLANE(TAUT_XVV, c)) =
-                    LANES_OF(PLANE(TAUT_XVV, c)) * inverse - 2.0 * wv * xv - wvv * x;
-            }
+    for (int b = 0; b < local; b++) {
+        sum_add(dim, LANES_OF(basis + b * GROUP), qu + dim * b, &xu);
+        if (order > 1) {
+            sum_add(dim, LANES_OF(dv + b * GROUP), qu + dim * b, &xuv);
         }
     }
-}
-
-#undef PLANE
-
-static void grid_project(int order, int count, double *planes)
-{
-    for (int j = 0; j < count; j += GRID_LANES) {
-        grid_project_lanes(order, j, planes);
+    const lanes wu = xu.w, twice_wu = wu + wu;
+    if (dim == 4) {
+        xu = sum_less_one(xu, wu, x, inverse);
+        xuv = sum_less(xuv, xuv.w, x, wv, xu, one);
+        xuv = sum_less_one(xuv, wu, xv, inverse);
     }
-}
-
-/* Points from..to-1, number by number. */
-static void interleave_plain(int vectors, int dim, int from, int to, const double *planes,
-                             double *values)
-{
-    for (int j = from; j < to; j++) {
-        double *out = values + (ptrdiff_t)j * vectors * 3;
-        for (int k = 0; k < vectors; k++) {
-            for (int c = 0; c < 3; c++) {
-                out[3 * k + c] = planes[(k * dim + c) * TAUT_GRID_STRIDE + j];
-            }
+    sum_store(xu, TAUT_XU, planes);
+    if (order > 1) {
+        sum_store(xuv, TAUT_XUV, planes);
+        for (int b = 0; b < local; b++) {
+            sum_add(dim, LANES_OF(basis + b * GROUP), quu + dim * b, &xuu);
         }
+        if (dim == 4) {
+            xuu = sum_less(xuu, xuu.w, x, twice_wu, xu, inverse);
+        }
+        sum_store(xuu, TAUT_XUU, planes);
     }
 }
 
@@ -175,16 +160,17 @@ static void interleave_plain(int vectors, int dim, int from, int to, const doubl
         if (streaming) {                                                                           \
             GRID_STREAM(pointer, value);                                                           \
         } else {                                                                                   \
-            FOUR_AT(pointer) = value;                                                              \
+            FOUR_AT(pointer) = (value);                                                            \
         }                                                                                          \
     } while (0)
 
+#define FOUR_LOW(a, b) __builtin_shufflevector(a, b, 0, 1, 4, 5)
+#define FOUR_HIGH(a, b) __builtin_shufflevector(a, b, 2, 3, 6, 7)
+
 /* Four points of three numbers: x0y0z0x1 y1z1x2y2 z2x3y3z3. */
-static inline void interleave_points(const double *planes, int streaming, double *out)
+INLINE void interleave_points(const double *planes, int streaming, double *out)
 {
-    const four x = FOUR_OF(planes);
-    const four y = FOUR_OF(planes + TAUT_GRID_STRIDE);
-    const four z = FOUR_OF(planes + 2 * TAUT_GRID_STRIDE);
+    const four x = FOUR_OF(planes), y = FOUR_OF(planes + GROUP), z = FOUR_OF(planes + 2 * GROUP);
     const four xy = __builtin_shufflevector(x, y, 0, 4, 1, 5); /* x0 y0 x1 y1 */
     const four yz = __builtin_shufflevector(y, z, 1, 5, 2, 6); /* y1 z1 y2 z2 */
     const four zx = __builtin_shufflevector(x, y, 3, 7, 3, 7); /* x3 y3 .. .. */
@@ -198,69 +184,133 @@ static inline void interleave_points(const double *planes, int streaming, double
 
 /* Four points of 18 numbers. Number pairs m = (2m, 2m+1) of even points (lo) and odd ones (hi)
  * are unpacked within halves; a point of 18 numbers is nine pairs, so two points are nine whole
- * vectors: pairs 01 23 45 67 of the even one, 8 with the odd one's 0, then 12 34 56 78. */
-static inline void interleave_second(const double *const plane[18], int j, int streaming,
-                                     double *out)
+ * vectors: pairs 01 23 45 67 of the even one, 8 with the odd one's 0, then 12 34 56 78. They are
+ * written in order: a streamed line that waits half full is slow. */
+INLINE void interleave_second(const double *planes, int streaming, double *out)
 {
     four lo[9], hi[9];
     for (int m = 0; m < 9; m++) {
-        const four a = FOUR_OF(plane[2 * m] + j), b = FOUR_OF(plane[2 * m + 1] + j);
+        const four a = FOUR_OF(planes + 2 * m * GROUP), b = FOUR_OF(planes + (2 * m + 1) * GROUP);
         lo[m] = __builtin_shufflevector(a, b, 0, 4, 2, 6);
         hi[m] = __builtin_shufflevector(a, b, 1, 5, 3, 7);
     }
     for (int m = 0; m < 4; m++) {
-        const four even0 = __builtin_shufflevector(lo[2 * m], lo[2 * m + 1], 0, 1, 4, 5);
-        const four even2 = __builtin_shufflevector(lo[2 * m], lo[2 * m + 1], 2, 3, 6, 7);
-        PUT(out + 4 * m, even0);
-        PUT(out + 36 + 4 * m, even2);
+        PUT(out + 4 * m, FOUR_LOW(lo[2 * m], lo[2 * m + 1]));
     }
-    const four cross0 = __builtin_shufflevector(lo[8], hi[0], 0, 1, 4, 5);
-    const four cross2 = __builtin_shufflevector(lo[8], hi[0], 2, 3, 6, 7);
-    PUT(out + 16, cross0);
-    PUT(out + 52, cross2);
+    PUT(out + 16, FOUR_LOW(lo[8], hi[0]));
     for (int m = 0; m < 4; m++) {
-        const four odd1 = __builtin_shufflevector(hi[2 * m + 1], hi[2 * m + 2], 0, 1, 4, 5);
-        const four odd3 = __builtin_shufflevector(hi[2 * m + 1], hi[2 * m + 2], 2, 3, 6, 7);
-        PUT(out + 20 + 4 * m, odd1);
-        PUT(out + 56 + 4 * m, odd3);
+        PUT(out + 20 + 4 * m, FOUR_LOW(hi[2 * m + 1], hi[2 * m + 2]));
+    }
+    for (int m = 0; m < 4; m++) {
+        PUT(out + 36 + 4 * m, FOUR_HIGH(lo[2 * m], lo[2 * m + 1]));
+    }
+    PUT(out + 52, FOUR_HIGH(lo[8], hi[0]));
+    for (int m = 0; m < 4; m++) {
+        PUT(out + 56 + 4 * m, FOUR_HIGH(hi[2 * m + 1], hi[2 * m + 2]));
     }
 }
+
+#undef FOUR_LOW
+#undef FOUR_HIGH
+#undef PUT
 
 #undef PUT
 
-/* How many points to write singly before `values` is aligned for streaming; -1 if it never is. */
-static int points_to_alignment(const double *values, int vectors)
+/* values[j][c] = plane[c][j], number by number. */
+static void interleave_plain(int numbers, const double *planes, double *out)
 {
-    for (int j = 0; j < 4; j++) {
-        if ((uintptr_t)(values + (ptrdiff_t)j * vectors * 3) % 32 == 0) {
-            return j;
+    for (int j = 0; j < GROUP; j++) {
+        for (int c = 0; c < numbers; c++) {
+            out[numbers * j + c] = planes[c * GROUP + j];
         }
     }
-    return -1;
 }
 
-static void grid_interleave(int vectors, int dim, int count, const double *planes, int streaming,
-                            double *values)
-{
-    const int head = points_to_alignment(values, vectors);
-    const int stream = streaming && head >= 0;
-    int j = stream && head < count ? head : 0;
+/* Has the polygon read again where it is used, instead of copied to the stack before the loop. */
+#define KEEP_IN_MEMORY(pointer) __asm__ volatile("" : "+r"(pointer))
 
-    interleave_plain(vectors, dim, 0, j, planes, values);
-    if (vectors == 1) {
-        for (; j + 4 <= count; j += 4) {
-            interleave_points(planes + j, stream, values + 3 * j);
+/* One group into the caller's layout. */
+INLINE void group_fill(int order, int dim, int local, const double *basis, const double *polygons,
+                       size_t polygon_stride, int streaming, double *out)
+{
+    double planes[18 * GROUP];
+    if (order == 0) {
+        group_positions(dim, local, basis, polygons, planes);
+        for (int j = 0; j < GROUP; j += 4) {
+            interleave_points(planes + j, streaming, out + 3 * j);
         }
-    } else if (vectors == 6) {
-        const double *plane[18];
-        for (int k = 0; k < 18; k++) {
-            plane[k] = planes + (k / 3 * dim + k % 3) * TAUT_GRID_STRIDE;
-        }
-        for (; j + 4 <= count; j += 4) {
-            interleave_second(plane, j, stream, values + (ptrdiff_t)18 * j);
+        return;
+    }
+    for (int j = 0; j < GROUP; j += GRID_LANES) {
+        KEEP_IN_MEMORY(polygons);
+        group_derivatives(order, dim, local, basis + j, polygons, polygon_stride, planes + j);
+    }
+    if (order == 1) {
+        interleave_plain(9, planes, out);
+        return;
+    }
+    for (int j = 0; j < GROUP; j += 4) {
+        interleave_second(planes + j, streaming, out + 18 * j);
+    }
+}
+
+/* Groups of the same kind; four functions, the cubic's, and
+ * five, where a group has a knot, are kernels of their own. */
+INLINE void fill_kind(int order, int dim, int streaming, const taut_grid_group *groups, int count,
+                      const double *polygons, size_t polygon_stride, double *out)
+{
+    for (int i = 0; i < count; i++) {
+        const taut_grid_group g = groups[i];
+        const double *q = polygons + (ptrdiff_t)g.first * dim;
+        double *to = out + (ptrdiff_t)i * GROUP * TAUT_SURFACE_VECTORS(order) * 3;
+        if (g.local == 4) {
+            group_fill(order, dim, 4, g.basis, q, polygon_stride, streaming, to);
+        } else if (g.local == 5) {
+            group_fill(order, dim, 5, g.basis, q, polygon_stride, streaming, to);
+        } else {
+            group_fill(order, dim, g.local, g.basis, q, polygon_stride, streaming, to);
         }
     }
-    interleave_plain(vectors, dim, j, count, planes, values);
+}
+
+INLINE void fill_order(int order, int dim, int streaming, const taut_grid_group *groups, int count,
+                       const double *polygons, size_t polygon_stride, double *out)
+{
+    if (dim == 4 && streaming) {
+        fill_kind(order, 4, 1, groups, count, polygons, polygon_stride, out);
+    } else if (dim == 4) {
+        fill_kind(order, 4, 0, groups, count, polygons, polygon_stride, out);
+    } else if (streaming) {
+        fill_kind(order, 3, 1, groups, count, polygons, polygon_stride, out);
+    } else {
+        fill_kind(order, 3, 0, groups, count, polygons, polygon_stride, out);
+    }
+}
+
+static void grid_fill(int order, int dim, int streaming, const taut_grid_group *groups, int count,
+                      const double *polygons, size_t polygon_stride, double *out)
+{
+    if (order == 0) {
+        fill_order(0, dim, streaming, groups, count, polygons, polygon_stride, out);
+    } else if (order == 1) {
+        fill_order(1, dim, 0, groups, count, polygons, polygon_stride, out);
+    } else {
+        fill_order(2, dim, streaming, groups, count, polygons, polygon_stride, out);
+    }
+}
+
+static void grid_copy(size_t count, const double *from, double *to)
+{
+    size_t i = 0;
+    for (; i < count && (uintptr_t)(to + i) % 32 != 0; i++) {
+        to[i] = from[i];
+    }
+    for (; i + 4 <= count; i += 4) {
+        GRID_STREAM(to + i, FOUR_OF(from + i));
+    }
+    for (; i < count; i++) {
+        to[i] = from[i];
+    }
 }
 
 static void grid_fence(void)
@@ -270,6 +320,6 @@ static void grid_fence(void)
 
 #define GRID_OPS(set)                                                                              \
     {                                                                                              \
-        .name = set, .accumulate = grid_accumulate, .contract = grid_contract,                     \
-        .project = grid_project, .interleave = grid_interleave, .fence = grid_fence,               \
+        .name = set, .group = GROUP, .contract = grid_contract, .fill = grid_fill,                 \
+        .copy = grid_copy, .fence = grid_fence,                                                    \
     }
