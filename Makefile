@@ -2,7 +2,8 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-evaluate bench-plateau format check mutants install clean help
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-evaluate bench-plateau format check mutants reproduction install deb \
+  clean help
 
 demo: build
 	@mkdir -p out
@@ -52,6 +53,13 @@ mutants:
 
 install: build
 	@cmake --install build/release
+
+reproduction: build
+	@tools/reproduction.sh
+
+deb: build
+	@tools/deps.sh check
+	@cd build/release && cpack -G DEB -B .. && rm -r ../_CPack_Packages
 
 clean:
 	@cmake -E rm -rf build out

@@ -1,4 +1,5 @@
-# What `cmake --install` puts where: headers, the shared library, taut.pc, a CMake package, the manual page.
+# What `cmake --install` puts where: headers, the shared library, taut.pc, a CMake package, manual pages, completion for
+# bash, examples; and the same as a Debian package.
 include(CMakePackageConfigHelpers)
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/include/taut DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
@@ -32,11 +33,40 @@ Cflags: -I\${includedir}
 ")
 install(FILES ${CMAKE_BINARY_DIR}/generated/taut.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-set(manual_page ${CMAKE_BINARY_DIR}/generated/taut.1)
-add_custom_command(OUTPUT ${manual_page}
-  COMMAND sh ${CMAKE_SOURCE_DIR}/tools/manual.sh $<TARGET_FILE:taut_program> > ${manual_page}.new
-  COMMAND ${CMAKE_COMMAND} -E rename ${manual_page}.new ${manual_page}
-  DEPENDS taut_program ${CMAKE_SOURCE_DIR}/tools/manual.sh VERBATIM)
-add_custom_target(manual ALL DEPENDS ${manual_page})
+# Pages and completion, made of what the program says of itself and of the reference of the documents.
+set(made ${CMAKE_BINARY_DIR}/generated)
+function(taut_made file)
+  cmake_parse_arguments(PARSE_ARGV 1 made "" "FROM" "COMMAND")
+  list(GET made_COMMAND 0 script)
+  add_custom_command(OUTPUT ${made}/${file}
+    COMMAND sh ${made_COMMAND} > ${made}/${file}.new
+    COMMAND ${CMAKE_COMMAND} -E rename ${made}/${file}.new ${made}/${file}
+    DEPENDS ${made_FROM} ${script} taut_program VERBATIM)
+endfunction()
+taut_made(taut.1 COMMAND ${CMAKE_SOURCE_DIR}/tools/manual.sh $<TARGET_FILE:taut_program>)
+taut_made(taut.bash COMMAND ${CMAKE_SOURCE_DIR}/tools/completion.sh $<TARGET_FILE:taut_program>)
+taut_made(taut.5 FROM ${CMAKE_SOURCE_DIR}/docs/format.md
+  COMMAND ${CMAKE_SOURCE_DIR}/tools/manual_documents.sh ${PROJECT_VERSION} ${CMAKE_SOURCE_DIR}/docs/format.md)
+add_custom_target(manual ALL DEPENDS ${made}/taut.1 ${made}/taut.5 ${made}/taut.bash)
 add_dependencies(product manual)
-install(FILES ${manual_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${made}/taut.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${made}/taut.5 DESTINATION ${CMAKE_INSTALL_MANDIR}/man5)
+install(FILES ${made}/taut.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME taut)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples/c DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(FILES ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+
+# A Debian package of all of it: `cpack -G DEB` in the build folder.
+set(CPACK_PACKAGE_NAME taut)
+set(CPACK_PACKAGE_CONTACT "The authors of Taut <taut@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION "Builds free-form surfaces from what bounds them, and proves what it built:
+a library with headers, and the program taut.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION math)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "pkg-config, cmake")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
+include(CPack)

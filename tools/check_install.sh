@@ -1,10 +1,12 @@
 #!/bin/sh
 # check_install.sh [BUILD] -- installs a build into an empty folder and uses it as a stranger would: the C program of the
-# README by pkg-config, the same as C++ by the CMake package, the program `taut` from where it was put.
+# README and those of examples/c by pkg-config, C++ by the CMake package, the program `taut` from where it was put, its
+# pages and its completion. Then the same files as a Debian package.
 set -eu
 cd "$(dirname "$0")/.."
 build=${1:-build/release}
 build=$(cd "$build" && pwd)
+source=$PWD
 work=$(mktemp -d)
 cleanup() {
     if [ -d "$work/modules" ]; then
@@ -29,6 +31,31 @@ cd "$work"
 gcc -std=c17 -Wall -Wextra -Wpedantic -Werror example.c $(pkg-config --cflags --libs taut) -o example
 LD_LIBRARY_PATH=$lib ./example | tee said
 grep -q 'height -0\.5$' said || { echo "check_install: the README's program says something else than the README"; exit 1; }
+
+
+fail() {
+    echo "check_install: $*"
+    exit 1
+}
+
+# Programs are linked with the name that only changes when old ones would break.
+readelf -d "$lib/libtaut.so" | grep -q 'SONAME.*\[libtaut\.so\.0\]' || fail "the soname is not libtaut.so.0"
+readelf -d example | grep -q 'NEEDED.*\[libtaut\.so\.0\]' || fail "a program does not ask for libtaut.so.0"
+
+# The three programs of examples/c, each by the line in its head.
+for program in "$source"/examples/c/*.c; do
+    cp "$program" .
+    line=$(sed -n 's/^ \* *\(cc .* -o .*\)$/\1/p' "$program")
+    [ -n "$line" ] || fail "$program does not say how it is compiled"
+    sh -c "$line -Wall -Wextra -Werror" || fail "$program: $line"
+done
+export LD_LIBRARY_PATH="$lib"
+./saddle > said && grep -q 'agrees with the formula to 14 digits' said || fail "saddle says $(cat said)"
+./film > said && [ "$(grep -c ' holds$' said)" = 2 ] && [ -s film.obj ] || fail "film says $(cat said)"
+"$prefix/bin/taut" example harmonic-rows > rows.json
+./build rows.json rows.obj rows.svg > said && grep -q 'harmonic: .* holds$' said && [ -s rows.obj ] && [ -s rows.svg ] ||
+    fail "build says $(cat said)"
+unset LD_LIBRARY_PATH
 
 mkdir cmake
 cat > cmake/CMakeLists.txt <<'END'
@@ -55,5 +82,38 @@ case $("$prefix/bin/taut" --version) in *"$version"*) ;; *) echo "check_install:
 "$prefix/bin/taut" example dirichlet-tent > problem.json
 "$prefix/bin/taut" make --quiet problem.json -o picture.png
 test -s picture.png
-grep -q '^\.SS make$' "$prefix/share/man/man1/taut.1" || { echo "check_install: no manual page"; exit 1; }
-echo "version $version, installed and used"
+
+# Each command, construction and basis has its place in the pages; bash completes commands, options and names.
+for command in $("$prefix/bin/taut" --help | sed -n 's/^  taut \([a-z]*\)  .*/\1/p'); do
+    grep -q "^\.SS $command\$" "$prefix/share/man/man1/taut.1" || fail "taut(1) has no section $command"
+done
+for construct in $(sed -n 's/.*X([a-z_0-9]*, "\([a-z-]*\)".*/\1/p' "$source/src/problem/construct_list.h"); do
+    name=$(echo "$construct" | sed 's/-/\\\\-/g')
+    grep -q "^\.SS .*$name" "$prefix/share/man/man5/taut.5" || fail "taut(5) has no section $construct"
+done
+cat > complete.bash <<'END'
+. "$1/share/bash-completion/completions/taut"
+ask() { # ask WORD...: what the last word may become
+    COMP_WORDS=("$PREFIX/bin/taut" "$@") COMP_CWORD=$#
+    _taut
+    echo "${COMPREPLY[*]}"
+}
+PREFIX=$1
+ask me
+ask make --rep
+ask example dirichlet-t
+ask make --threads ''
+END
+bash complete.bash "$prefix" > said
+printf '%s\n' measure --report dirichlet-tent '' | cmp -s - said || fail "completion offers $(cat said)"
+mv "$work/modules" "$build/modules"
+
+(cd "$build" && cpack -G DEB -B "$work/deb") > log 2>&1 || { cat log; fail "no Debian package"; }
+package=$(echo "$work"/deb/taut_*.deb)
+dpkg-deb -x "$package" "$work/root"
+(cd "$prefix" && find . ! -type d | sort) > installed
+(cd "$work/root/usr" && find . ! -type d | sort) > packaged
+cmp -s installed packaged || fail "the package holds other files than the installation: $(diff installed packaged)"
+dpkg-deb -f "$package" Depends | grep -q libc6 || fail "the package does not say what it depends on"
+"$work/root/usr/bin/taut" --version > /dev/null || fail "the packaged program does not run"
+echo "version $version, installed and used; $(basename "$package") of $(stat -c %s "$package") bytes"

@@ -32,6 +32,7 @@ check cmd:clang-format               clang-format           the formatting
 check clang:fsanitize=fuzzer,address libclang-rt-14-dev     what sanitizers and fuzzer link with
 check cmd:llvm-symbolizer-14         llvm-14                names in the sanitizers' reports
 check cmd:nm                         binutils               lists the library's symbols
+check cmd:dpkg-shlibdeps             dpkg-dev               what the Debian package depends on
 check cmd:gmsh                       gmsh                   reads STEP and IGES back
 check cmd:node                       nodejs                 runs the Khronos validator of glTF
 check cmd:npm                        npm                    fetches it

@@ -88,6 +88,7 @@ typedef struct taut_surface_measure {
     taut_jacobian jacobian; /* of planar surfaces */
 } taut_surface_measure;
 
+/* All of the above at once. TAUT_BAD_ARGUMENT (NULL, an option out of range), TAUT_NO_MEMORY. */
 TAUT_API taut_status taut_measure_surface(const taut_surface *surface,
                                           const taut_measure_options *options,
                                           taut_surface_measure *measure, taut_error *error);
@@ -98,6 +99,7 @@ typedef struct taut_curve_measure {
     double max_torsion;   /* of the absolute value; NaN where undefined everywhere */
 } taut_curve_measure;
 
+/* Errors as taut_measure_surface. The grid has so many parameters along the curve. */
 TAUT_API taut_status taut_measure_curve(const taut_curve *curve,
                                         const taut_measure_options *options,
                                         taut_curve_measure *measure, taut_error *error);

@@ -21,6 +21,11 @@ extern "C" {
 TAUT_API taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error);
 TAUT_API taut_status taut_model_read(const char *path, taut_model **model, taut_error *error);
 
+/* A file that may be either: *problem or *model is set, the other one to NULL. A document with a
+ * member "construct" is a problem. */
+TAUT_API taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,
+                                                taut_model **model, taut_error *error);
+
 /* The same from memory; `name` stands for the file in messages. Only JSON. */
 TAUT_API taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
                                             taut_problem **problem, taut_error *error);

@@ -21,6 +21,7 @@ extern "C" {
 
 typedef struct taut_record taut_record;
 
+/* What a record is; those of JSON. */
 typedef enum taut_record_kind {
     TAUT_RECORD_NULL,
     TAUT_RECORD_BOOL,

@@ -26,6 +26,7 @@ extern "C" {
     X(TAUT_INTERNAL, 6, "a fault of taut's own")                                                   \
     X(TAUT_INTERRUPTED, 130, "stopped on request")
 
+/* The names of the list above, from 0 on. */
 typedef enum taut_status {
 #define TAUT_STATUS_ENUM(name, exit_code, meaning) name,
     TAUT_STATUS_LIST(TAUT_STATUS_ENUM)

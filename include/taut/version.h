@@ -8,6 +8,7 @@
 extern "C" {
 #endif
 
+/* The version of these headers. */
 #define TAUT_VERSION_MAJOR 0
 #define TAUT_VERSION_MINOR 1
 #define TAUT_VERSION_PATCH 0

@@ -25,12 +25,15 @@ typedef struct cli_options {
     const char *title;
     const char *text_u; /* split --u T */
     const char *text_v;
+    const char *kind;   /* panels --kind */
+    const char *panels; /* panels --divide NU,NV */
     double tolerance;
     int threads;
     int grid;
     int divide;
     int quiet;
     int json;
+    int markdown;
     int flag_u; /* refine --u */
     int flag_v;
     int no_net;
@@ -203,7 +206,13 @@ const char *cli_distance(double bound, const taut_model *model, char room[CLI_DI
 void cli_label(const char *file, char *text, size_t size);
 /* Writes several models into every -o side by side; 0 or the exit code. */
 int cli_write_models(int count, const taut_model *const *models, const cli_options *options);
-/* Writes the model to every -o, or as JSON to standard output without one. 0 or the exit code. */
+/* Nonzero where the format of a path is taut's own. */
+int cli_is_json(const char *path);
+/* Writes the model to every -o, or as JSON to standard output without one; where `nurbs` is not
+ * NULL it stands for the model in JSON, within `bound` of it. 0 or the exit code. */
+int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double bound,
+                       const cli_options *options);
+/* The same with the model alone. */
 int cli_write_model(const taut_model *model, const cli_options *options);
 /* Prints a record as JSON on standard output; 0 or the exit code after one message. Frees the
  * record. */
@@ -214,6 +223,8 @@ int cli_print_text(const char *text, size_t length);
 /* A monitor that shows a progress line on a terminal once work has taken a second. */
 taut_monitor cli_monitor(int quiet);
 void cli_monitor_done(void); /* wipes the line */
-double cli_seconds(void);    /* a clock */
+/* From now on: long work is told once on standard error, also where no terminal is watching. */
+void cli_announce(const char *command);
+double cli_seconds(void); /* a clock */
 
 #endif /* TAUT_CLI_H */

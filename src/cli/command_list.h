@@ -12,6 +12,7 @@
     X(split)                                                                                       \
     X(refine)                                                                                      \
     X(convert)                                                                                     \
+    X(panels)                                                                                      \
     X(view)                                                                                        \
     X(example)                                                                                     \
     X(reproduce)                                                                                   \

@@ -1,6 +1,17 @@
 /* convert.c -- taut convert: a model into other formats. */
 #include "cli.h"
 
+/* With --tolerance, JSON holds NURBS too: the model within the tolerance of every surface's size.
+ */
+static int wants_nurbs(const cli_options *options)
+{
+    int wanted = 0;
+    for (int i = 0; i < options->output_count && options->tolerance > 0; i++) {
+        wanted |= cli_is_json(options->outputs[i]);
+    }
+    return wanted;
+}
+
 /* Reads every model and writes them side by side. */
 static int run_many(const cli_options *options)
 {
@@ -27,7 +38,8 @@ static int run_many(const cli_options *options)
 
 static int run(const cli_options *options)
 {
-    taut_model *model = NULL;
+    taut_model *model = NULL, *nurbs = NULL;
+    double bound = 0;
     taut_error error;
     int code = cli_check_outputs(options);
 
@@ -43,7 +55,13 @@ static int run(const cli_options *options)
     if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
-    code = cli_write_model(model, options);
+    if (wants_nurbs(options) &&
+        taut_model_to_nurbs(model, options->tolerance, &nurbs, &bound, &error) != TAUT_OK) {
+        code = cli_fail_in(options->files[0], &error);
+    } else {
+        code = cli_write_or_nurbs(model, nurbs, bound, options);
+    }
+    taut_model_free(nurbs);
     taut_model_free(model);
     return code;
 }
@@ -56,9 +74,9 @@ const cli_command cli_command_convert = {
     .name = "convert",
     .usage = "MODEL.json... -o FILE... [--tolerance T] [--divide N]",
     .summary = "write a model in other formats",
-    .text =
-        "The ending of FILE says the format. Several models go side by side into one figure (.svg, "
-        ".pdf,\n.png).\n",
+    .text = "The ending of FILE says the format. With --tolerance, JSON too holds NURBS, within a "
+            "distance that is\nproved and printed; without it the model itself. Several models go "
+            "side by side into one figure\n(.svg, .pdf, .png).\n",
     .files_min = 1,
     .files_max = TAUT_MODELS_MAX,
     .options = options_of_convert,

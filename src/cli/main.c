@@ -55,6 +55,9 @@ static int run(const cli_command *command, int count, char **words)
     cli_options options = {.file_count = 0};
     int code = cli_parse(command, count, words, &options);
     if (code == 0) {
+        if (!options.quiet) {
+            cli_announce(command->name);
+        }
         code = options.help ? print_command_help(command) : command->run(&options);
     }
     cli_parse_free(&options);
@@ -65,7 +68,8 @@ int main(int argc, char **argv)
 {
     const char *names[COMMAND_COUNT + 3] = {"--help", "--version"};
 
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once */
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once, */
+    signal(SIGXFSZ, SIG_IGN); /* and so is a file that grows past its limit */
     if (argc < 2) {
         return cli_misuse("no command; `taut --help` lists them");
     }

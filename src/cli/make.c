@@ -6,13 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-int cli_make_is_json(const char *path)
-{
-    taut_error error;
-    const int format = taut_format_of(path, &error);
-    return format >= 0 && strcmp(taut_format_ending(format), "json") == 0;
-}
-
 /* Stages the model in every output, and the report; 0 or the exit code. */
 static int stage(taut_outputs *outputs, const cli_options *options, cli_report *report,
                  const char **written, double *bounds)
@@ -29,7 +22,7 @@ static int stage(taut_outputs *outputs, const cli_options *options, cli_report *
         code = cli_fail(&error);
     }
     for (int i = 0; i < options->output_count && code == 0; i++) {
-        if (!holds && !cli_make_is_json(options->outputs[i])) {
+        if (!holds && !cli_is_json(options->outputs[i])) { /* nobody builds from such a picture */
             continue;
         }
         bounds[report->output_count] = (double)NAN;

@@ -15,10 +15,6 @@ typedef struct cli_made {
 int cli_make_model(const taut_problem *problem, const cli_options *options,
                    taut_workspace *workspace, const char *place, cli_made *made);
 
-/* The JSON outputs alone are written when a claim does not hold: the model can be looked at, but
- * nobody builds from a picture of a surface that is not what it should be. */
-int cli_make_is_json(const char *path);
-
 /* All the documents of a list, sharing what they have in common. 0 or the exit code. */
 int cli_make_list(const taut_problem_list *list, const cli_options *options);
 

@@ -31,7 +31,7 @@ static int no_memory(void)
 /* Does all of the list go into this one file? */
 static int holds_all(const char *path)
 {
-    return cli_make_is_json(path) && strchr(path, '%') == NULL;
+    return cli_is_json(path) && strchr(path, '%') == NULL;
 }
 
 /* The path of document i: its number, with as many digits as the last one has, for the first % or
@@ -68,7 +68,7 @@ static int stage_one(batch *b, taut_outputs *outputs, taut_write_options *chosen
         const char *path = b->options->outputs[k];
         const size_t at = first + (size_t)report->output_count;
         taut_error error;
-        if (!holds && !cli_make_is_json(path)) {
+        if (!holds && !cli_is_json(path)) {
             continue;
         }
         b->paths[at] = numbered(path, i, b->count);

@@ -1,11 +1,18 @@
-/* monitor.c -- a progress line for a person who waits: on a terminal, after one second, ten times a
- * second. A pipe sees none. */
+/* monitor.c -- for a person who waits: on a terminal a progress line, after one second, ten times a
+ * second; everywhere one line, after five seconds of work, that it may be long. */
 #include "cli.h"
 
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
+#include <string.h>
+#include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
+
+enum { PATIENCE = 5 }; /* seconds of processor time: a busy machine is no news of ours */
+
+static char notice[160]; /* what the alarm says; written before it is set */
 
 static double started, shown; /* seconds; shown 0: no line is on the screen */
 
@@ -40,6 +47,28 @@ taut_monitor cli_monitor(int quiet)
         monitor.progress = show;
     }
     return monitor;
+}
+
+static void ring(int number)
+{
+    ssize_t done = write(STDERR_FILENO, notice, strlen(notice));
+    (void)done; /* there is nobody else to tell */
+    (void)number;
+}
+
+void cli_announce(const char *command)
+{
+    const struct itimerval once = {{0, 0}, {PATIENCE, 0}};
+    struct sigaction action;
+    snprintf(notice, sizeof notice,
+             "%staut: `taut %s` has worked for %d s and may work for minutes: Ctrl-C stops it, and "
+             "leaves nothing behind\n",
+             isatty(STDERR_FILENO) ? "\r\033[K" : "", command, (int)PATIENCE);
+    memset(&action, 0, sizeof action);
+    action.sa_handler = ring;
+    action.sa_flags = SA_RESTART; /* reading and writing go on */
+    sigaction(SIGPROF, &action, NULL);
+    setitimer(ITIMER_PROF, &once, NULL);
 }
 
 void cli_monitor_done(void)

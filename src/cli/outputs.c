@@ -26,9 +26,13 @@ int cli_outputs_new(taut_outputs **outputs)
     }
     at_risk = *outputs;
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
-        struct sigaction action;
+        struct sigaction action, before;
         memset(&action, 0, sizeof action);
         action.sa_handler = interrupted;
+        if (sigaction(signals[i], NULL, &before) == 0 && signals[i] == SIGHUP &&
+            before.sa_handler == SIG_IGN) {
+            continue; /* nohup: whoever started us wants us to outlive the terminal */
+        }
         sigaction(signals[i], &action, NULL);
     }
     return 0;
@@ -114,7 +118,20 @@ const char *cli_distance(double bound, const taut_model *model, char room[CLI_DI
     return room;
 }
 
+int cli_is_json(const char *path)
+{
+    taut_error error;
+    const int format = taut_format_of(path, &error);
+    return format >= 0 && strcmp(taut_format_ending(format), "json") == 0;
+}
+
 int cli_write_model(const taut_model *model, const cli_options *options)
+{
+    return cli_write_or_nurbs(model, NULL, 0, options);
+}
+
+int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double bound,
+                       const cli_options *options)
 {
     static const char *const standard[] = {"-"};
     const char *const *paths = options->output_count > 0 ? options->outputs : standard;
@@ -129,9 +146,11 @@ int cli_write_model(const taut_model *model, const cli_options *options)
         code = cli_outputs_new(&outputs);
     }
     for (int i = 0; i < count && code == 0; i++) {
-        bounds[i] = (double)NAN;
+        const int stands_in = nurbs != NULL && cli_is_json(paths[i]);
+        bounds[i] = stands_in ? bound : (double)NAN;
         chosen.bound = &bounds[i];
-        if (taut_outputs_model(outputs, model, paths[i], &chosen, &error) != TAUT_OK) {
+        if (taut_outputs_model(outputs, stands_in ? nurbs : model, paths[i], &chosen, &error) !=
+            TAUT_OK) {
             code = cli_fail(&error);
         }
     }

@@ -77,7 +77,7 @@ static void print_value(const taut_record *value)
     }
 }
 
-static void print_members(const taut_record *record)
+void cli_members_print(const taut_record *record)
 {
     char name[64];
     for (size_t i = 0; i < taut_record_count(record); i++) {
@@ -100,10 +100,13 @@ void cli_certificate_print(const taut_certificate *certificate)
                               : claim->holds == TAUT_FALSE ? "DOES NOT HOLD"
                                                            : "undecided";
         fprintf(stderr, "  %-*s%s: %.3g, limit %.3g%s%s\n", COLUMN, claim->claim, verdict,
-                claim->residual, claim->limit, claim->where[0] != '\0' ? ", at " : "",
+                claim->residual, claim->limit,
+                claim->where[0] == '\0'          ? ""
+                : claim->holds == TAUT_UNDECIDED ? ": "
+                                                 : ", at ",
                 claim->where);
     }
-    print_members(taut_certificate_figures(certificate));
+    cli_members_print(taut_certificate_figures(certificate));
 }
 
 static void print_objects(const taut_model *model)
@@ -128,7 +131,7 @@ void cli_report_print(const cli_report *report)
 {
     fprintf(stderr, "%s\n", report->construct);
     print_objects(report->model);
-    print_members(taut_model_details(report->model));
+    cli_members_print(taut_model_details(report->model));
     cli_certificate_print(report->certificate);
     fprintf(stderr, "  %-*s", COLUMN, "time");
     print_duration("made", report->seconds_made, ", ");

@@ -25,4 +25,7 @@ void cli_certificate_record(taut_record *record, const char *key,
 /* Claims and figures of a certificate as lines of the table. */
 void cli_certificate_print(const taut_certificate *certificate);
 
+/* Numbers, texts and lists of a record as such lines. */
+void cli_members_print(const taut_record *record);
+
 #endif /* TAUT_CLI_REPORT_H */

@@ -63,7 +63,8 @@ static double printed_number(const char *word)
 }
 
 /* One row judged: added to `list` as a record. Returns whether ours is what it should be. */
-static int judge(const taut_record *row, const cli_subject *subject, taut_record *list)
+static int judge(const char *paper, const taut_record *row, const cli_subject *subject,
+                 taut_record *list)
 {
     const char *erratum = text(row, "erratum");
     const double ours = cli_quantity(subject, text(row, "quantity"));
@@ -73,10 +74,12 @@ static int judge(const taut_record *row, const cli_subject *subject, taut_record
     const int agrees = fabs(ours - right) <= tolerance;
     taut_record *out = taut_record_add_object(list, NULL);
 
+    taut_record_add_text(out, "paper", paper);
     taut_record_add_text(out, "source", text(row, "source"));
     taut_record_add_text(out, "problem", text(row, "problem"));
     taut_record_add_text(out, "quantity", text(row, "quantity"));
     taut_record_add_number(out, "printed", printed);
+    taut_record_add_text(out, "as_printed", text(row, "printed"));
     taut_record_add_number(out, "ours", ours);
     taut_record_add_number(out, "expected", right);
     taut_record_add_number(out, "tolerance", tolerance);
@@ -107,7 +110,7 @@ static taut_status reproduce(const taut_embedded *paper, taut_record *list, int 
             status = make(problem, &subject, error);
         }
         if (status == TAUT_OK) {
-            *wrong += !judge(row, &subject, list);
+            *wrong += !judge(paper->name, row, &subject, list);
         }
     }
     clear(&subject);
@@ -150,6 +153,10 @@ static int tell(const cli_options *options, taut_record *list, int wrong)
     int code = 0;
     if (options->json) {
         code = cli_print_record(list);
+    } else if (options->markdown) {
+        cli_reproduction_page(list);
+        taut_record_free(list);
+        code = cli_print_text("", 0);
     } else {
         print_table(list);
         printf("\n%zu rows, %d that should agree and do not\n", taut_record_count(list), wrong);
@@ -187,11 +194,16 @@ static int run(const cli_options *options)
     return tell(options, list, wrong);
 }
 
-static const cli_option options_of_reproduce[] = {CLI_JSON, CLI_THREADS, CLI_LAST};
+static const cli_option options_of_reproduce[] = {
+    CLI_JSON,
+    {"--markdown", CLI_FLAG, offsetof(cli_options, markdown), 0, 0, 0, NULL,
+     "print a page, with a summary of each paper first"},
+    CLI_THREADS,
+    CLI_LAST};
 
 const cli_command cli_command_reproduce = {
     .name = "reproduce",
-    .usage = "[PAPER] [--json]",
+    .usage = "[PAPER] [--json | --markdown]",
     .summary = "every number the papers print, beside ours",
     .text = "Verdicts: agrees (to half a unit of the last digit printed); erratum (the paper is "
             "wrong: ours is\n"

@@ -31,4 +31,16 @@ double cli_unnormalised_curvature(const taut_surface *surface, int samples, int 
  * panels; NaN where that is not possible. */
 double cli_cotes_point(const taut_surface *surface, int panels, int i, int j, int c);
 
+/* The judged rows as a page of Markdown on standard output. */
+void cli_reproduction_page(const taut_record *list);
+
+/* k and m of a c- or h-bezier basis. */
+double cli_basis_k(const taut_basis *basis);
+double cli_basis_m(const taut_basis *basis);
+/* How far formulas of [XuWang2006] miss the surface as printed: the index of h_2, the sign in h_42,
+ * the second component of r_v. */
+double cli_literal_index(const taut_surface *surface, double lambda);
+double cli_literal_h42(const taut_surface *surface, double lambda);
+double cli_literal_slope(const taut_surface *surface, double lambda);
+
 #endif /* TAUT_CLI_REPRODUCE_H */

@@ -17,6 +17,11 @@ static int integer(const words *w, int i)
     return i < w->count ? (int)strtol(w->word[i], NULL, 10) : 0;
 }
 
+static double real(const words *w, int i)
+{
+    return i < w->count ? strtod(w->word[i], NULL) : (double)NAN;
+}
+
 /* "x", "y", "z" as 0, 1, 2. */
 static int coordinate(const words *w, int i)
 {
@@ -79,22 +84,72 @@ static double mean_abs_mean(const cli_subject *s, const words *w)
     return measured(s, w, pick_mean_mean);
 }
 
-/* figure NAME: of the certificate */
-static double figure(const cli_subject *s, const words *w)
+static double pick_min_gaussian(const taut_surface_measure *m)
 {
-    return taut_record_number(
-        taut_record_get(taut_certificate_figures(s->certificate), w->word[1]));
+    return m->min_gaussian;
 }
 
-/* detail NAME [NAME...]: of the model */
-static double detail(const cli_subject *s, const words *w)
+static double pick_max_gaussian(const taut_surface_measure *m)
 {
-    const taut_record *at = taut_model_details(s->model);
+    return m->max_gaussian;
+}
+
+static double min_gaussian(const cli_subject *s, const words *w)
+{
+    return measured(s, w, pick_min_gaussian);
+}
+
+static double max_gaussian(const cli_subject *s, const words *w)
+{
+    return measured(s, w, pick_max_gaussian);
+}
+
+/* edge_length u0 */
+static double edge_length(const cli_subject *s, const words *w)
+{
+    const taut_measure_options options = {.grid = 2};
+    const char *edge = w->word[1];
+    taut_surface_measure measure;
+    return taut_measure_surface(surface_of(s, NULL), &options, &measure, NULL) == TAUT_OK
+               ? measure.edges[2 * (edge[0] == 'v') + (edge[1] == '1')].length
+               : (double)NAN;
+}
+
+/* gaussian U V, or gaussian NAME U V */
+static double gaussian(const cli_subject *s, const words *w)
+{
+    const int named = w->count > 3;
+    const taut_surface *surface = surface_of(s, named ? w->word[1] : NULL);
+    double x[6][3];
+    taut_forms forms;
+    if (surface == NULL || taut_surface_eval(surface, real(w, 1 + named), real(w, 2 + named), 2,
+                                             &x[0][0]) != TAUT_OK) {
+        return (double)NAN;
+    }
+    taut_forms_of((const double(*)[3])x, &forms);
+    return forms.gaussian;
+}
+
+/* The number that words 1, 2, ... lead to: members by name, items by index. */
+static double follow(const taut_record *at, const words *w)
+{
     for (int i = 1; i < w->count; i++) {
         at = taut_record_kind_of(at) == TAUT_RECORD_LIST ? taut_record_at(at, (size_t)integer(w, i))
                                                          : taut_record_get(at, w->word[i]);
     }
     return taut_record_number(at);
+}
+
+/* figure NAME [NAME...]: of the certificate */
+static double figure(const cli_subject *s, const words *w)
+{
+    return follow(taut_certificate_figures(s->certificate), w);
+}
+
+/* detail NAME [NAME...]: of the model */
+static double detail(const cli_subject *s, const words *w)
+{
+    return follow(taut_model_details(s->model), w);
 }
 
 /* count NAME [NAME...]: the items of a list, or members, in the details */
@@ -105,11 +160,6 @@ static double count_of(const cli_subject *s, const words *w)
         at = taut_record_get(at, w->word[i]);
     }
     return at != NULL ? (double)taut_record_count(at) : (double)NAN;
-}
-
-static double real(const words *w, int i)
-{
-    return i < w->count ? strtod(w->word[i], NULL) : (double)NAN;
 }
 
 /* at U V C: coordinate of the first surface */
@@ -181,6 +231,18 @@ static double curvature(const cli_subject *s, const words *w)
     return sqrt(b[0] * b[0] + b[1] * b[1] + b[2] * b[2]) / (speed * speed * speed);
 }
 
+/* function NAME I T: basis function i of a curve with one span */
+static double function(const cli_subject *s, const words *w)
+{
+    const taut_curve *curve = curve_of(s, w->word[1]);
+    const int i = integer(w, 2);
+    double values[TAUT_DEGREE_MAX + 1];
+    return curve != NULL && i >= 0 && i < taut_basis_local(taut_curve_t(curve)) &&
+                   taut_basis_eval(taut_curve_t(curve), 0, real(w, 3), 0, values) == TAUT_OK
+               ? values[i]
+               : (double)NAN;
+}
+
 static const taut_claim *claim_of(const cli_subject *s, const char *name)
 {
     for (int i = 0; i < taut_certificate_claim_count(s->certificate); i++) {
@@ -227,6 +289,46 @@ static double cotes_point(const cli_subject *s, const words *w)
                            coordinate(w, 4));
 }
 
+/* basis_k u */
+static const taut_basis *basis_of(const cli_subject *s, const words *w)
+{
+    return w->word[1][0] == 'v' ? taut_surface_v(surface_of(s, NULL))
+                                : taut_surface_u(surface_of(s, NULL));
+}
+
+static double basis_k(const cli_subject *s, const words *w)
+{
+    return cli_basis_k(basis_of(s, w));
+}
+
+static double basis_m(const cli_subject *s, const words *w)
+{
+    return cli_basis_m(basis_of(s, w));
+}
+
+static double lambda_of(const cli_subject *s)
+{
+    return taut_record_number(taut_record_get(taut_model_details(s->model), "lambda"));
+}
+
+static double literal_index(const cli_subject *s, const words *w)
+{
+    (void)w;
+    return cli_literal_index(surface_of(s, NULL), lambda_of(s));
+}
+
+static double literal_h42(const cli_subject *s, const words *w)
+{
+    (void)w;
+    return cli_literal_h42(surface_of(s, NULL), lambda_of(s));
+}
+
+static double literal_slope(const cli_subject *s, const words *w)
+{
+    (void)w;
+    return cli_literal_slope(surface_of(s, NULL), lambda_of(s));
+}
+
 static const struct {
     const char *name;
     double (*value)(const cli_subject *, const words *);
@@ -240,6 +342,7 @@ static const struct {
     {"curve_point", curve_point},
     {"curve_weight", curve_weight},
     {"curvature", curvature},
+    {"function", function},
     {"claim", claim},
     {"holds", holds},
     {"max_abs_mean", max_abs_mean},
@@ -248,6 +351,15 @@ static const struct {
     {"unnormalised_max", unnormalised_max},
     {"unnormalised_mean", unnormalised_mean},
     {"cotes_point", cotes_point},
+    {"gaussian", gaussian},
+    {"min_gaussian", min_gaussian},
+    {"max_gaussian", max_gaussian},
+    {"edge_length", edge_length},
+    {"basis_k", basis_k},
+    {"basis_m", basis_m},
+    {"literal_index", literal_index},
+    {"literal_h42", literal_h42},
+    {"literal_slope", literal_slope},
 };
 
 double cli_quantity(const cli_subject *subject, const char *quantity)

@@ -4,7 +4,8 @@
  * over one from 0 (options->colour), with their boundaries, knot lines, control nets (unless
  * no_net) and curves, and where asked for isolines, reflections and curvature combs; hidden parts
  * hidden, in an orthographic view with z up. The page is white, 1200 by 900 units: 1200 by 900
- * pixels of PNG (unless width), 600 by 450 points of SVG and PDF.
+ * pixels of PNG (unless width), 600 by 450 points of SVG and PDF. The frames of a deformation stand
+ * side by side (strip.h).
  */
 #ifndef TAUT_DRAW_FIGURE_H
 #define TAUT_DRAW_FIGURE_H

@@ -2,6 +2,7 @@
 
 #include "core/fail.h"
 #include "draw/label.h"
+#include "draw/strip.h"
 #include "draw/view.h"
 
 #include <math.h>
@@ -22,23 +23,30 @@ static int shown_of(const taut_model *model, const taut_write_options *options)
 }
 
 /* Surface after surface of one model, `of` in all. */
-static void split(const taut_model *model, taut_panes *panes)
+static taut_status split(const taut_model *model, taut_arena *arena, taut_panes *panes)
 {
+    const int is_strip = taut_strip_is(model);
     panes->of = taut_model_surface_count(model);
     panes->count = panes->of < TAUT_PANES_MAX ? panes->of : TAUT_PANES_MAX;
     for (int k = 0; k < panes->count; k++) {
         const int i = (int)((long)k * (panes->of - 1) / (panes->count > 1 ? panes->count - 1 : 1));
         panes->pane[k] = (taut_pane){
             .model = model, .surface = i, .label = taut_surface_name(taut_model_surface(model, i))};
+        if (is_strip) {
+            panes->pane[k].label = taut_strip_label(model, i, arena);
+        }
+        if (panes->pane[k].label == NULL) {
+            return TAUT_NO_MEMORY;
+        }
     }
     panes->is_one_size = 1;
+    return TAUT_OK;
 }
 
 taut_status taut_panes_new(int count, const taut_model *const *models,
                            const taut_write_options *options, taut_arena *arena, taut_panes *panes,
                            taut_error *error)
 {
-    (void)arena;
     memset(panes, 0, sizeof *panes);
     for (int i = 0; i < count; i++) {
         if (models[i] == NULL) {
@@ -50,10 +58,10 @@ taut_status taut_panes_new(int count, const taut_model *const *models,
                              options->surface);
         }
     }
-    if (count == 1 && options->side_by_side && options->surface == NULL &&
+    if (count == 1 && options->surface == NULL &&
+        (options->side_by_side || taut_strip_is(models[0])) &&
         taut_model_surface_count(models[0]) > 1) {
-        split(models[0], panes);
-        return TAUT_OK;
+        return split(models[0], arena, panes) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
     }
     panes->count = panes->of = count;
     for (int i = 0; i < count; i++) {

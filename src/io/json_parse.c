@@ -213,7 +213,9 @@ static int parse_value(parser *p, int depth, taut_json_value *value)
         return taut_json_scan_word(&p->scan, value);
     }
     if (depth == TAUT_JSON_DEPTH_MAX) {
-        return taut_json_stop(&p->scan, p->scan.at, "lists and objects are nested too deep");
+        _Static_assert(TAUT_JSON_DEPTH_MAX == 256, "the message says the limit");
+        return taut_json_stop(&p->scan, p->scan.at,
+                              "lists and objects are nested too deep: more than 256 of them");
     }
     p->scan.at++;
     return c == '[' ? parse_array(p, depth + 1, value) : parse_object(p, depth + 1, value);

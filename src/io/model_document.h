@@ -4,7 +4,15 @@
 
 #include "io/json_in.h"
 #include "io/json_out.h"
+#include "taut/construct.h"
 #include "taut/model.h"
+
+/* The problem, or the model, of a document that has been parsed; path NULL: it came from no file.
+ */
+taut_status taut_problem_of_document(const taut_json_document *root, const char *path,
+                                     taut_problem **problem, taut_error *error);
+taut_status taut_model_of_document(const taut_json_document *root, taut_model **model,
+                                   taut_error *error);
 
 /* Is the member `taut` there, and the version this reader knows? */
 taut_status taut_version_document_check(const taut_json *document, taut_error *error);

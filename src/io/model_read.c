@@ -130,8 +130,8 @@ static taut_status read_members(taut_model *model, const taut_json *document, ta
     return status;
 }
 
-/* The model of a document that has been parsed. */
-static taut_status model_of(const taut_json_document *root, taut_model **model, taut_error *error)
+taut_status taut_model_of_document(const taut_json_document *root, taut_model **model,
+                                   taut_error *error)
 {
     const taut_json document = taut_json_root(root);
     taut_model *made = NULL;
@@ -175,7 +175,7 @@ taut_status taut_model_read_text(const char *text, size_t length, const char *na
     }
     status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
     if (status == TAUT_OK) {
-        status = model_of(root, model, error);
+        status = taut_model_of_document(root, model, error);
     }
     taut_json_document_free(root);
     return status;
@@ -196,7 +196,7 @@ taut_status taut_model_read(const char *path, taut_model **model, taut_error *er
     }
     status = taut_json_load(path, &root, error);
     if (status == TAUT_OK) {
-        status = model_of(root, model, error);
+        status = taut_model_of_document(root, model, error);
     }
     taut_json_document_free(root);
     return status;

@@ -69,8 +69,8 @@ static int is_taken(const taut_outputs *outputs, const taut_staged *staged)
 }
 
 /* A new output, in the list and open. */
-static taut_status stage(taut_outputs *outputs, const char *path, taut_staged **staged,
-                         taut_error *error)
+static taut_status stage(taut_outputs *outputs, const char *path, int needs_name,
+                         taut_staged **staged, taut_error *error)
 {
     taut_staged *made = NULL;
     taut_status status = taut_staged_new(path, &made, error);
@@ -84,6 +84,7 @@ static taut_status stage(taut_outputs *outputs, const char *path, taut_staged **
         taut_staged_free(made);
         return status;
     }
+    made->needs_name = needs_name;
     made->next = atomic_load(&outputs->first);
     atomic_store(&outputs->first, made);
     status = taut_staged_open(made, error);
@@ -177,7 +178,7 @@ static taut_status write_models(taut_outputs *outputs, int count, const taut_mod
         status = taut_format_check(models[i], options, error);
     }
     if (status == TAUT_OK) {
-        status = stage(outputs, path, &staged, error);
+        status = stage(outputs, path, !together && ops->write == NULL, &staged, error);
     }
     if (status != TAUT_OK) {
         return status;
@@ -226,7 +227,7 @@ taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "an output needs a record and a path");
     }
-    status = stage(outputs, path, &staged, error);
+    status = stage(outputs, path, 0, &staged, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -246,7 +247,7 @@ taut_status taut_outputs_text(taut_outputs *outputs, const char *text, size_t le
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "an output needs a text and a path");
     }
-    status = stage(outputs, path, &staged, error);
+    status = stage(outputs, path, 0, &staged, error);
     if (status != TAUT_OK) {
         return status;
     }

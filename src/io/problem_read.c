@@ -112,6 +112,13 @@ static taut_status problem_of(const taut_json *document, const char *path, taut_
     return TAUT_OK;
 }
 
+taut_status taut_problem_of_document(const taut_json_document *root, const char *path,
+                                     taut_problem **problem, taut_error *error)
+{
+    const taut_json document = taut_json_root(root);
+    return problem_of(&document, path, problem, error);
+}
+
 taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
                                    taut_problem **problem, taut_error *error)
 {
@@ -123,8 +130,7 @@ taut_status taut_problem_read_text(const char *text, size_t length, const char *
     }
     status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
     if (status == TAUT_OK) {
-        const taut_json document = taut_json_root(root);
-        status = problem_of(&document, NULL, problem, error);
+        status = taut_problem_of_document(root, NULL, problem, error);
     }
     taut_json_document_free(root);
     return status;
@@ -140,8 +146,7 @@ taut_status taut_problem_read(const char *path, taut_problem **problem, taut_err
     }
     status = taut_json_load(path, &root, error);
     if (status == TAUT_OK) {
-        const taut_json document = taut_json_root(root);
-        status = problem_of(&document, path, problem, error);
+        status = taut_problem_of_document(root, path, problem, error);
     }
     taut_json_document_free(root);
     return status;

@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* O_TMPFILE */
 #include "io/staged.h"
 
 #include "core/fail.h"
@@ -86,17 +87,52 @@ static void take_mode(int file, const char *target)
     }
 }
 
-static taut_status open_temporary(taut_staged *staged, taut_error *error)
+/* A file without a name in the folder of `temporary`; -1 where there is no such thing. It gets its
+ * name through /proc. */
+static int open_nameless(char *temporary)
 {
-    int file = -1, reason = EEXIST;
-    for (int i = 0; i < TRIES && file < 0 && reason == EEXIST; i++) {
-        reason = name_temporary(staged->temporary);
-        if (reason == 0) {
+    char *slash = strrchr(temporary, '/');
+    const char first = slash[1];
+    int file = -1;
+    if (access("/proc/self/fd", X_OK) == 0) {
+        slash[1] = '\0';
+        file = open(temporary, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+        slash[1] = first;
+    }
+    return file;
+}
+
+/* A new file named `temporary`. Returns it, or -1 with *reason set. */
+static int open_named(taut_staged *staged, int *reason)
+{
+    int file = -1;
+    *reason = EEXIST;
+    for (int i = 0; i < TRIES && file < 0 && *reason == EEXIST; i++) {
+        *reason = name_temporary(staged->temporary);
+        if (*reason == 0) {
             staged->pending = 1; /* first, so that a signal never finds a file not known */
             file = open(staged->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            reason = file < 0 ? errno : 0;
+            *reason = file < 0 ? errno : 0;
             staged->pending = file >= 0;
         }
+    }
+    return file;
+}
+
+static taut_status open_temporary(taut_staged *staged, taut_error *error)
+{
+    int reason = 0;
+    int file = staged->needs_name ? -1 : open_nameless(staged->temporary);
+    /* kept open past the stream, as without a name nothing else holds the file */
+    const int kept = file >= 0 ? fcntl(file, F_DUPFD_CLOEXEC, 3) : -1;
+
+    if (kept >= 0) {
+        staged->nameless = kept;
+    } else {
+        if (file >= 0) {
+            close(file);
+        }
+        file = open_named(staged, &reason);
     }
     if (file < 0) {
         return taut_fail_file(error, staged->path, "write", reason);
@@ -109,6 +145,25 @@ static taut_status open_temporary(taut_staged *staged, taut_error *error)
         return taut_fail_memory(error);
     }
     return TAUT_OK;
+}
+
+/* Names the file that has none `temporary`. Returns errno, or 0. */
+static int give_name(taut_staged *staged)
+{
+    char own[SUFFIX_ROOM];
+    int reason = EEXIST;
+    snprintf(own, sizeof own, "/proc/self/fd/%d", staged->nameless);
+    for (int i = 0; i < TRIES && reason == EEXIST; i++) {
+        reason = name_temporary(staged->temporary);
+        if (reason == 0) {
+            staged->pending = 1;
+            reason = linkat(AT_FDCWD, own, AT_FDCWD, staged->temporary, AT_SYMLINK_FOLLOW) == 0
+                         ? 0
+                         : errno;
+            staged->pending = reason == 0;
+        }
+    }
+    return reason;
 }
 
 taut_status taut_staged_open(taut_staged *staged, taut_error *error)
@@ -174,8 +229,11 @@ taut_status taut_staged_place(taut_staged *staged, taut_error *error)
 {
     int reason = 0;
     if (staged->kind == TAUT_TARGET_FILE) {
-        reason = rename(staged->temporary, staged->target) == 0 ? 0 : errno;
-        staged->pending = reason != 0;
+        reason = staged->nameless > 0 ? give_name(staged) : 0;
+        if (reason == 0) {
+            reason = rename(staged->temporary, staged->target) == 0 ? 0 : errno;
+            staged->pending = reason != 0;
+        }
     } else if (staged->kind == TAUT_TARGET_STANDARD) {
         reason = send_spool(staged, stdout);
     } else {
@@ -190,6 +248,10 @@ void taut_staged_drop(taut_staged *staged)
     if (staged->file != NULL) {
         fclose(staged->file);
         staged->file = NULL;
+    }
+    if (staged->nameless > 0) {
+        close(staged->nameless);
+        staged->nameless = 0;
     }
     if (staged->pending) {
         unlink(staged->temporary);

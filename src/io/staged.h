@@ -1,6 +1,8 @@
 /* staged.h -- one output on its way: written where nobody looks, then put in its place.
  *
  * A regular file, there already or not, is written as a new file beside it and renamed over it.
+ * Where the system allows it that new file has no name until it is whole: nothing is left of it
+ * even when the process is killed.
  * Standard output, devices and pipes cannot be renamed over: what goes there is gathered in memory
  * and sent when all else has gone well.
  */
@@ -23,6 +25,8 @@ typedef struct taut_staged {
     char *temporary;               /* of a file; else NULL */
     volatile sig_atomic_t pending; /* nonzero: `temporary` may be there and is to be removed */
     int is_ready;                  /* nonzero: written whole, not yet in place */
+    int needs_name;                /* nonzero: somebody else opens `temporary` to write it */
+    int nameless;                  /* descriptor that keeps a file without a name; 0: none */
     FILE *file;                    /* while it is written */
     char *spool;                   /* what is to be sent; from open_memstream */
     size_t spool_length;

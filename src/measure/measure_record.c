@@ -1,5 +1,6 @@
 /* measure_record.c -- the documents of `taut measure --json`. A NaN is written as null. */
 #include "taut/measure.h"
+#include "taut/recognise.h"
 
 static void add_box(const double box[2][3], taut_record *record)
 {
@@ -46,6 +47,21 @@ static void add_jacobian(const taut_jacobian *jacobian, taut_record *record)
     }
 }
 
+/* Which of the minimal surfaces with planar curvature lines, or their associates, this is, if any.
+ */
+static void add_family(const taut_surface *surface, taut_record *record)
+{
+    taut_family_member member;
+    if (taut_surface_recognise(surface, &member, NULL) == TAUT_OK) {
+        taut_record *family = taut_record_add_object(record, "minimal_family");
+        taut_record_add_text(family, "surface", member.name);
+        taut_record_add_number(family, "scale", member.scale);
+        taut_record_add_number(family, "lambda", member.lambda);
+        taut_record_add_number(family, "theta", member.theta);
+        taut_record_add_number(family, "residual", member.residual);
+    }
+}
+
 void taut_measure_surface_record(const taut_surface *surface, const taut_surface_measure *measure,
                                  taut_record *record)
 {
@@ -73,6 +89,7 @@ void taut_measure_surface_record(const taut_surface *surface, const taut_surface
     child = taut_record_add_object(record, "harmonicity");
     taut_record_add_number(child, "max_abs_laplacian", measure->max_laplacian);
     add_edges(measure->edges, record);
+    add_family(surface, record);
     taut_record_add_number(record, "singular_points", (double)measure->singular_points);
     add_jacobian(&measure->jacobian, record);
 }

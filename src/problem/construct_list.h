@@ -13,9 +13,11 @@
 #define TAUT_CONSTRUCT_LIST(X)                                                                     \
     X(asymptotic, "asymptotic")                                                                    \
     X(biharmonic, "biharmonic")                                                                    \
+    X(bonnet, "bonnet")                                                                            \
     X(dirichlet, "dirichlet")                                                                      \
     X(harmonic, "harmonic")                                                                        \
     X(harmonic_extension, "harmonic-extension")                                                    \
+    X(pipe, "pipe")                                                                                \
     X(plateau, "plateau")
 
 #endif /* TAUT_CONSTRUCT_LIST_H */

@@ -1,6 +1,6 @@
-# test_reproduce.sh -- every row comes out; the JSON is whole; an unknown paper is named.
+# test_reproduce.sh -- the rows of one paper; the JSON is whole; an unknown paper is named. All papers: test_reproduction.sh.
 . "$SOURCE/tests/cli/cli.sh"
-run 0 reproduce
+run 0 reproduce dirichlet
 contains out.txt 'rows, 0 that should agree and do not'
 grep -q 'differs' out.txt && complain "$(grep differs out.txt)"
 run 0 reproduce dirichlet --json

@@ -42,7 +42,8 @@ def check(kind, path, document):
 
 # What is read satisfies the schema.
 folders = [f"{source}/tests/fuzz/corpus/documents", f"{source}/examples"]
-for path in [os.path.join(f, n) for f in folders if os.path.isdir(f) for n in sorted(os.listdir(f))]:
+for path in [os.path.join(f, n) for f in folders if os.path.isdir(f) for n in sorted(os.listdir(f))
+             if os.path.isfile(os.path.join(f, n))]:
     try:
         document = json.loads(open(path, encoding="utf-8-sig").read())
     except (ValueError, RecursionError):

@@ -9,6 +9,7 @@
 
 static atomic_long countdown = 0; /* 0: never fails; k: the k-th allocation from now does */
 static atomic_int keep_failing = 0;
+static atomic_long counted_from = 0;
 static atomic_long live = 0;
 static atomic_long refused = 0;
 
@@ -16,6 +17,7 @@ void fault_arm(long k, int and_later)
 {
     atomic_store(&refused, 0);
     atomic_store(&keep_failing, and_later);
+    atomic_store(&counted_from, k);
     atomic_store(&countdown, k);
 }
 
@@ -23,6 +25,11 @@ long fault_disarm(void)
 {
     atomic_store(&countdown, 0);
     return atomic_load(&refused);
+}
+
+long fault_counted(void)
+{
+    return atomic_load(&counted_from) - atomic_load(&countdown);
 }
 
 long fault_live(void)

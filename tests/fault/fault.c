@@ -3,9 +3,18 @@
 #include "check.h"
 #include "core/memory.h"
 
-#include <string.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 enum { ALLOCATIONS_MAX = 200000 }; /* a call that takes more is taken to hang */
+
+static long injected; /* failures so far */
+
+static void tell(void)
+{
+    printf("%ld faults injected\n", injected);
+}
 
 /* One attempt with allocation k failing; the status it returned. */
 static taut_status attempt(const fault_call *call, long k, int and_later)
@@ -17,6 +26,9 @@ static taut_status attempt(const fault_call *call, long k, int and_later)
     taut_status status = TAUT_OK;
     long refused = 0;
 
+    if (injected++ == 0) {
+        atexit(tell);
+    }
     fault_arm(k, and_later);
     status = call->call(call->context, &result, &error);
     refused = fault_disarm();
@@ -53,4 +65,34 @@ long fault_loop(const fault_call *call)
         allocations = k - 1;
     }
     return allocations;
+}
+
+/* How many allocations the call makes when none fails. */
+static long count_allocations(const fault_call *call)
+{
+    void *result = NULL;
+    taut_error error = {.status = TAUT_OK, .message = ""};
+    long count = 0;
+    fault_arm(LONG_MAX, 0);
+    const taut_status status = call->call(call->context, &result, &error);
+    count = fault_counted();
+    fault_disarm();
+    CHECK(status == TAUT_OK, "%s: status %d, %s", call->name, (int)status, error.message);
+    if (status == TAUT_OK && call->release != NULL) {
+        call->release(result);
+    }
+    return count;
+}
+
+long fault_loop_some(const fault_call *call, int most)
+{
+    const long count = count_allocations(call);
+    const long stride = count > most ? count / most + 1 : 1;
+    const int failures_before = check_failures;
+    for (long k = random_int(1, (int)stride); k <= count && check_failures == failures_before;
+         k += stride) {
+        const taut_status status = attempt(call, k, (int)(random_bits() & 1));
+        CHECK(status != TAUT_OK, "%s: allocation %ld of %ld is not made", call->name, k, count);
+    }
+    return count;
 }

@@ -24,6 +24,13 @@ typedef struct fault_call {
  * alone and once with all that follow. Failures are CHECKs (check.h). */
 long fault_loop(const fault_call *call);
 
+/* The same for a call that takes long: at most so many of its allocations are failed, spread over
+ * all of them from a random first one on (check.h's seed). */
+long fault_loop_some(const fault_call *call, int most);
+
+/* The allocations since fault_arm(k) with k > 0, the refused one among them. */
+long fault_counted(void);
+
 /* For calls that do not fit. The k-th allocation from now fails, alone or with all later ones; 0
  * stops that and gives how many were refused. */
 void fault_arm(long k, int and_later);

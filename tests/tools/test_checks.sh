@@ -20,7 +20,12 @@ fresh() {
     printf '#include "numeric/sum.h"\n/* [Known2001] */\n' > "$tree/src/certify/a.c"
     printf '#include "geometry/b.h"\n#include "basis/b.h"\n' > "$tree/src/geometry/b.c"
     printf '#include "taut/taut.h"\n#include "cli/c.h"\n#include "c.h"\n' > "$tree/src/cli/c.c"
-    printf '#include "taut/export.h"\n' > "$tree/include/taut/status.h"
+    printf '/* status.h -- what happened. */\n#include "taut/export.h"\n' > "$tree/include/taut/status.h"
+    mkdir -p "$tree/tests/fault"
+    printf '/* calls taut_known */\n' > "$tree/tests/fault/test_known.c"
+    printf 'taut_exempt it takes none\n' > "$tree/tests/fault/no_memory.txt"
+    printf '/* known.h -- functions. */\n/* Two. */\nTAUT_API taut_status taut_known(int n);\n%s\n' \
+        'TAUT_API taut_status taut_exempt(int n);' > "$tree/include/taut/known.h"
     printf '@book{Known2001,\n  title = {Known}\n}\n' > "$tree/docs/references.bib"
 }
 
@@ -43,7 +48,7 @@ catches() {
 }
 
 fresh
-for check in layers words sizes citations; do
+for check in layers words sizes citations docs faults; do
     passes $check
 done
 
@@ -80,6 +85,24 @@ passes sizes
 catches citations src/core/x.c 'Unknown1999' '/* [Unknown1999] section 3 */\n'
 catches citations docs/x.md 'Unknown1999a' 'as [Unknown1999a] has it\n'
 catches citations docs/references.bib 'more than once' '@a{Known2001,\n}\n@b{Known2001,\n}\n'
+
+catches docs include/taut/x.h 'no comment says what this is' '/* x.h */\n\nTAUT_API int taut_x(void);\n'
+catches docs include/taut/x.h 'no comment says what this is' '/* x.h */\n\ntypedef struct taut_x {\n    int a;\n} taut_x;\n'
+catches docs include/taut/x.h 'does not begin' 'int x;\n'
+catches docs src/problem/construct_list.h 'no section `x-y`' '    X(x_y, "x-y")\n'
+catches docs src/basis/basis_list.h 'no row for the basis x' '    X(x, "x")\n'
+catches docs src/cli/command_list.h 'no row for taut dig' '    X(dig)\n'
+catches docs docs/x.md 'which is not there' 'see [there](gone.md)\n'
+fresh
+printf '/* x.h */\n\n/* one */\nTAUT_API int taut_x(void);\nTAUT_API int taut_y(void);\n\nTAUT_API int taut_z(int a,\n    int b); %s\n' \
+    '/* a sum */' > "$tree/include/taut/x.h"
+printf 'see [there](#here), [me](x.md#part) and `[no](link)`\n' > "$tree/docs/x.md"
+passes docs
+
+catches faults include/taut/x.h 'taut_x: no test' '/* x.h */\nTAUT_API taut_status\ntaut_x(int n);\n'
+catches faults include/taut/x.h 'taut_x: no test' '/* x.h */\nTAUT_API void taut_x(taut_record *record);\n'
+catches faults tests/fault/no_memory.txt 'is no public function' 'taut_exempt it takes none\ntaut_gone too\n'
+catches faults tests/fault/no_memory.txt 'the reason is missing' 'taut_exempt \n'
 
 # A library that exports what it should not, and lacks what it should have.
 if command -v cc > /dev/null && command -v nm > /dev/null; then

@@ -1,0 +1,91 @@
+/* taut/pipe.h -- a curved pipe between two straight ones, tangent-plane continuous at both joints.
+ *
+ * Two round pipes of radius a have axes that need not meet. Their axes are blended by one curve
+ * with four points and three shape numbers, on the basis "ce-bezier":
+ *     P(t) = sum_i V_i B_i(t; alpha, beta, gamma),   V_0, V_1 on axis 1, V_2, V_3 on axis 2
+ * and a circle of radius a is swept along it, perpendicular to it:
+ *     X(t, phi) = P(t) + a (cos phi U(t) + sin phi W(t)),   U, W, P'/|P'| a moving frame.
+ * Pipe 1 flows along V_1 - V_0 and ends at V_0, pipe 2 starts at V_3 and flows along V_3 - V_2. The
+ * three cut neither themselves nor each other where a is below the largest radius rho of the
+ * composite axis.
+ *
+ * Source: [WangBai2018], corrected in docs/papers/pipe.md.
+ */
+#ifndef TAUT_PIPE_H
+#define TAUT_PIPE_H
+
+#include "taut/construct.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How the four points come about. */
+typedef enum taut_pipe_axis {
+    TAUT_PIPE_POLYGON = 0, /* given */
+    TAUT_PIPE_ENDS,        /* V_0 and V_3 with the directions of flow there, and handles */
+    TAUT_PIPE_FEET         /* two lines: V_1 and V_2 are the feet of their common perpendicular */
+} taut_pipe_axis;
+
+typedef struct taut_pipe_end {
+    double point[3];     /* V_0 or V_3; with TAUT_PIPE_FEET any point of the line */
+    double direction[3]; /* of flow, not zero; any length */
+    double handle;       /* |V_1 - V_0| or |V_3 - V_2|, > 0; 0: chosen */
+} taut_pipe_end;
+
+typedef enum taut_pipe_shape {
+    TAUT_PIPE_SHAPE_GIVEN = 0,
+    TAUT_PIPE_LEAST_BENDING,  /* least integral of curvature squared */
+    TAUT_PIPE_LEAST_CURVATURE /* least largest curvature */
+} taut_pipe_shape;
+
+typedef enum taut_pipe_frame {
+    TAUT_PIPE_ROTATION_MINIMIZING = 0,
+    TAUT_PIPE_FRENET /* U the normal, W the binormal; they must exist all along */
+} taut_pipe_frame;
+
+typedef struct taut_pipe_problem {
+    double radius; /* a > 0 */
+    taut_pipe_axis axis;
+    double polygon[4][3];  /* TAUT_PIPE_POLYGON: V_0 .. V_3 */
+    taut_pipe_end ends[2]; /* else */
+    taut_pipe_shape shape;
+    double alpha, beta, gamma; /* of the given shape */
+    int extended;              /* nonzero: shape numbers outside the legal box are accepted */
+    taut_pipe_frame frame;
+    double lengths[2]; /* of the straight pipes, > 0; 0: half lines, drawn three radii long */
+} taut_pipe_problem;
+
+/* Makes the model: curve `axis` (ce-bezier, exact), surfaces `blend`, `pipe1`, `pipe2`. u runs
+ * along the flow over [0, 1], v around from the frame's first vector; they share the basis of v,
+ * and their rings at the joints point by point. The blend is within options->tolerance (times the
+ * radius) of the exact tube, and exactly tangent to both cylinders, which are exact.
+ *
+ * Chosen: the shape, in alpha, gamma in (-3, 1], beta in [-3, 3], subject to radius < 0.999 rho;
+ * handles of ends, least length times bending; handles of feet, equal, the shortest with rho at
+ * least three radii (a long-radius elbow).
+ *
+ * TAUT_BAD_INPUT: numbers out of range. TAUT_BAD_ARGUMENT: a tolerance below 1e-12.
+ * TAUT_NO_SOLUTION, the message beginning with DEGENERATE_EDGE        V_0 = V_1 or V_2 = V_3
+ *     PARALLEL_AXES          no common perpendicular
+ *     PARAMETER_DOMAIN       a shape number outside the legal box, not extended
+ *     TANGENT_LOST           alpha or gamma at or below -3
+ *     NOT_REGULAR            the axis has a cusp
+ *     SELF_INTERSECT_LOCAL   the radius is not below the least radius of curvature
+ *     SELF_INTERSECT_GLOBAL  the radius is not below half the distance of two parts of the axis
+ *     FRENET_UNDEFINED       the curvature vanishes where it takes the normal along
+ * with error->limit the largest radius that would work, for SELF_INTERSECT_*. */
+TAUT_API taut_status taut_pipe_make(const taut_pipe_problem *problem,
+                                    const taut_make_options *options, taut_model **model,
+                                    taut_error *error);
+
+/* Proves it again: claims joint1, joint2, embedded, tube, and with a problem ends, and optimal
+ * where the shape was chosen (docs/pipe.md). problem may be NULL. */
+TAUT_API taut_status taut_pipe_certify(const taut_model *model, const taut_pipe_problem *problem,
+                                       const taut_certify_options *options,
+                                       taut_certificate **certificate, taut_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_PIPE_H */

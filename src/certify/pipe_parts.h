@@ -1,0 +1,39 @@
+/* pipe_parts.h -- a finished pipe taken apart, for its certificate. */
+#ifndef TAUT_CERTIFY_PIPE_PARTS_H
+#define TAUT_CERTIFY_PIPE_PARTS_H
+
+#include "certify/pipe_axis.h"
+#include "taut/pipe.h"
+
+typedef struct taut_pipe_parts {
+    const taut_surface *blend, *pipes[2];
+    const taut_curve *axis;
+    const taut_pipe_problem *problem; /* or NULL */
+    taut_pipe_line line;
+    taut_pipe_figures figures;
+    double radius;   /* the user's unit */
+    double size;     /* the largest coordinate of any control point, */
+    double sizes[3]; /* and the largest x, y, z */
+} taut_pipe_parts;
+
+/* How far rounding moves one control point against another at right angles to the axis, where both
+ * should lie along it at end `side`: coordinates that do not change along it, nor between them, are
+ * exact. */
+double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double changes[3]);
+
+/* The claims: pipe_tube.c, pipe_ends.c. Each adds one, or returns TAUT_NO_MEMORY. */
+taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
+                                  taut_certificate *certificate);
+taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
+                                 taut_certificate *certificate);
+taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate *certificate);
+taut_status taut_pipe_claim_optimal(const taut_pipe_parts *parts, taut_certificate *certificate,
+                                    taut_error *error);
+
+/* A claim about a residual that rounding makes uncertain by `noise`: it holds up to the limit, is
+ * open up to the noise, and else is false. The limit is `noise`, at most 1e-6, where `limit` is 0.
+ */
+taut_status taut_pipe_add_claim(const char *name, double residual, double limit, double noise,
+                                const char *where, taut_certificate *certificate);
+
+#endif /* TAUT_CERTIFY_PIPE_PARTS_H */

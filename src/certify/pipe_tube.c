@@ -1,0 +1,227 @@
+/* pipe_tube.c -- do the surfaces meet, and are they the tube?
+ *
+ *   joint1, joint2  along both edges of a joint: the larger of gap over radius and sine between the
+ *                   normals
+ *   tube            over all three surfaces: | distance from the axis - radius | / radius, where
+ * the axis is the curve and its tangent lines at the ends
+ */
+#include "certify/pipe_parts.h"
+#include "core/vec3.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { AROUND = 96, RING = 32, PER_SPAN = 8, NEWTON_STEPS = 6 };
+
+static double at(const taut_basis *basis, int k, int n)
+{
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    return k == n ? hi : lo + (hi - lo) * k / n;
+}
+
+/* The unit normal of two tangents, whatever their lengths; 0 where there is none. */
+static void normal_of(const double xu[3], const double xv[3], double normal[3])
+{
+    const double u = taut_norm(xu), v = taut_norm(xv);
+    double a[3], b[3], length = 0;
+    for (int k = 0; k < 3; k++) {
+        a[k] = u > 0 ? xu[k] / u : 0;
+        b[k] = v > 0 ? xv[k] / v : 0;
+    }
+    taut_cross(a, b, normal);
+    length = taut_norm(normal);
+    for (int k = 0; k < 3 && length > 0; k++) {
+        normal[k] /= length;
+    }
+}
+
+/* The sine between two unit normals; 1 where they look apart or one is missing. */
+static double sine(const double a[3], const double b[3])
+{
+    double across[3];
+    taut_cross(a, b, across);
+    return taut_dot(a, b) > 0.5 ? taut_norm(across) : 1;
+}
+
+double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double changes[3])
+{
+    const double *tangent = parts->line.tangent[side];
+    double square = 0;
+    for (int k = 0; k < 3; k++) {
+        const double rounding =
+            tangent[k] != 0 || changes[k] != 0 ? 2 * DBL_EPSILON * parts->sizes[k] : 0;
+        square += rounding * rounding * (1 - tangent[k]) * (1 + tangent[k]);
+    }
+    return sqrt(square);
+}
+
+/* An edge u0 (edge 0) or u1 of a surface, and what rounding does to its tangents across. */
+typedef struct edge {
+    const taut_surface *surface;
+    double u;
+    double sideways; /* of control points */
+    double leg;      /* times |x_u|: the distance to the next ring that makes it up */
+} edge;
+
+static edge edge_of(const taut_pipe_parts *parts, int side, const taut_surface *surface, int last)
+{
+    const taut_basis *u = taut_surface_u(surface);
+    const int nu = taut_basis_count(u), nv = taut_basis_count(taut_surface_v(surface));
+    const int spans = taut_basis_span_count(u);
+    const double *breaks = taut_basis_breaks(u), *points = taut_surface_points(surface);
+    const double *ring = points + (size_t)(last ? nu - 1 : 0) * 3 * (size_t)nv;
+    const double *next = points + (size_t)(last ? nu - 2 : 1) * 3 * (size_t)nv;
+    double changes[3] = {0, 0, 0};
+    for (int j = 0; j < 3 * nv; j++) {
+        changes[j % 3] = fmax(changes[j % 3], fabs(ring[j] - next[j]));
+    }
+    return (edge){
+        .surface = surface,
+        .u = last ? breaks[spans] : breaks[0],
+        .sideways = taut_pipe_sideways(parts, side, changes),
+        .leg = (last ? breaks[spans] - breaks[spans - 1] : breaks[1] - breaks[0]) /
+               fmax(1, taut_basis_degree(u)),
+    };
+}
+
+/* The point and the unit normal at v; returns what rounding turns the normal by: only the part of
+ * x_u at right angles to the ring holds it. */
+static double look(const edge *e, double v, double x[3], double normal[3])
+{
+    double d[3][3], around[3], across[3], length = 0;
+    taut_surface_eval(e->surface, e->u, v, 1, d[0]);
+    memcpy(x, d[0], sizeof d[0]);
+    normal_of(d[TAUT_XU], d[TAUT_XV], normal);
+    length = taut_norm(d[TAUT_XV]);
+    for (int k = 0; k < 3; k++) {
+        around[k] = length > 0 ? d[TAUT_XV][k] / length : 0;
+    }
+    taut_cross(d[TAUT_XU], around, across);
+    length = taut_norm(across) * e->leg;
+    return e->sideways > 0 || !(length > 0) ? e->sideways / length : 0;
+}
+
+taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
+                                  taut_certificate *certificate)
+{
+    const edge blend = edge_of(parts, side, parts->blend, side == 1);
+    const edge pipe = edge_of(parts, side, parts->pipes[side], side == 0);
+    const taut_basis *v = taut_surface_v(blend.surface), *w = taut_surface_v(pipe.surface);
+    char where[64] = "";
+    double worst = 0, turned = 0;
+
+    for (int k = 0; k <= AROUND; k++) {
+        double a[3], b[3], normal_a[3], normal_b[3], residual = 0;
+        turned = fmax(turned, look(&blend, at(v, k, AROUND), a, normal_a) +
+                                  look(&pipe, at(w, k, AROUND), b, normal_b));
+        residual = fmax(taut_distance(a, b) / parts->radius, sine(normal_a, normal_b));
+        if (!(residual <= worst)) {
+            worst = residual;
+            snprintf(where, sizeof where, "v = %.6g", at(v, k, AROUND));
+        }
+    }
+    return taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", worst, 0,
+                               4 * DBL_EPSILON + DBL_EPSILON * parts->size / parts->radius + turned,
+                               where, certificate);
+}
+
+/* The distance of a local point from the axis, its foot sought from parameter `t` of the curve. */
+static double from_curve(const taut_pipe_line *line, const double x[3], double t)
+{
+    const taut_pipe_piece *piece = &line->pieces[0];
+    double s = 0, d[3][3], apart[3];
+    for (int i = 0; i + 1 < line->count && t > piece->hi; i++) {
+        piece = &line->pieces[i + 1];
+    }
+    s = fmin(1, fmax(0, (t - piece->lo) / (piece->hi - piece->lo)));
+    for (int i = 0; i < NEWTON_STEPS; i++) {
+        taut_pipe_piece_eval(piece, s, 2, d);
+        taut_difference(d[0], x, apart);
+        const double slope = taut_dot(d[1], d[1]) + taut_dot(apart, d[2]);
+        const double move = slope > 0 ? taut_dot(apart, d[1]) / slope : 0;
+        s = fmin(1, fmax(0, s - move));
+        if (fabs(move) < 1e-9) { /* the distance is flat there: its error is the square of that */
+            break;
+        }
+    }
+    taut_pipe_piece_eval(piece, s, 0, d);
+    return taut_distance(d[0], x);
+}
+
+static void to_local(const taut_pipe_line *line, const double x[3], double local[3])
+{
+    for (int k = 0; k < 3; k++) {
+        local[k] = (x[k] - line->origin[k]) / line->scale;
+    }
+}
+
+/* The largest deviation gathered while surfaces are gone over. */
+typedef struct deviation {
+    double worst;
+    char where[64];
+} deviation;
+
+static void see(deviation *d, const taut_pipe_parts *parts, double distance, const char *name,
+                double u, double v)
+{
+    const double residual = fabs(distance * parts->line.scale - parts->radius) / parts->radius;
+    if (!(residual <= d->worst)) {
+        d->worst = residual;
+        snprintf(d->where, sizeof d->where, "%s, u = %.6g, v = %.6g", name, u, v);
+    }
+}
+
+static void see_blend(deviation *d, const taut_pipe_parts *parts)
+{
+    const taut_basis *u = taut_surface_u(parts->blend), *v = taut_surface_v(parts->blend);
+    const double *breaks = taut_basis_breaks(u);
+    for (int i = 0; i < taut_basis_span_count(u); i++) {
+        for (int k = 0; k <= PER_SPAN; k++) {
+            const double s = k == PER_SPAN ? breaks[i + 1]
+                                           : breaks[i] + (breaks[i + 1] - breaks[i]) * k / PER_SPAN;
+            for (int j = 0; j < RING; j++) {
+                double x[3], local[3];
+                taut_surface_eval(parts->blend, s, at(v, j, RING), 0, x);
+                to_local(&parts->line, x, local);
+                see(d, parts, from_curve(&parts->line, local, s), "blend", s, at(v, j, RING));
+            }
+        }
+    }
+}
+
+/* A straight pipe: distances from the tangent line; it must not reach past the joint. */
+static void see_pipe(deviation *d, const taut_pipe_parts *parts, int side)
+{
+    const taut_pipe_line *line = &parts->line;
+    const taut_surface *pipe = parts->pipes[side];
+    const taut_basis *u = taut_surface_u(pipe), *v = taut_surface_v(pipe);
+    const taut_pipe_piece *piece = &line->pieces[side == 0 ? 0 : line->count - 1];
+    const double *joint = piece->points[side == 0 ? 0 : piece->degree];
+    for (int k = 0; k <= PER_SPAN; k++) {
+        for (int j = 0; j < RING; j++) {
+            double x[3], local[3], foot[3], along = 0;
+            taut_surface_eval(pipe, at(u, k, PER_SPAN), at(v, j, RING), 0, x);
+            to_local(line, x, local);
+            taut_difference(local, joint, foot);
+            along = taut_dot(foot, line->tangent[side]);
+            taut_add_scaled(-along, line->tangent[side], foot);
+            see(d, parts, taut_norm(foot), side == 0 ? "pipe1" : "pipe2", at(u, k, PER_SPAN),
+                at(v, j, RING));
+        }
+    }
+}
+
+taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
+                                 taut_certificate *certificate)
+{
+    /* rounding of the control points, and of the tangent over the length of a straight pipe */
+    const double noise = 8 * DBL_EPSILON * parts->size / parts->radius;
+    deviation d = {0, ""};
+    see_blend(&d, parts);
+    *fit_error = d.worst;
+    see_pipe(&d, parts, 0);
+    see_pipe(&d, parts, 1);
+    return taut_pipe_add_claim("tube", d.worst, tolerance, tolerance + noise, d.where, certificate);
+}

@@ -1,0 +1,152 @@
+#include "construct/pipe/arc.h"
+
+#include "core/vec3.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+void taut_pipe_bernstein(int degree, const double (*c)[3], double t, double value[3],
+                         double derivative[3])
+{
+    double b[2 * TAUT_PIPE_DEGREE_MAX][3];
+    const double u = 1 - t;
+
+    assert(degree >= 0 && degree < 2 * TAUT_PIPE_DEGREE_MAX);
+    memcpy(b, c, ((size_t)degree + 1) * sizeof b[0]);
+    for (int level = degree; level > 0; level--) {
+        if (level == 1 && derivative != NULL) {
+            for (int k = 0; k < 3; k++) {
+                derivative[k] = degree * (b[1][k] - b[0][k]);
+            }
+        }
+        for (int i = 0; i < level; i++) {
+            for (int k = 0; k < 3; k++) {
+                b[i][k] = u * b[i][k] + t * b[i + 1][k];
+            }
+        }
+    }
+    if (degree == 0 && derivative != NULL) {
+        memset(derivative, 0, 3 * sizeof *derivative);
+    }
+    memcpy(value, b[0], sizeof b[0]);
+}
+
+static double binomial(int n, int k)
+{
+    double value = 1;
+    for (int i = 1; i <= k; i++) {
+        value = value * (n - k + i) / i;
+    }
+    return value;
+}
+
+/* With P' = u p + t q, p and q the polynomials of its first and of its last n - 1 coefficients,
+ * P'' = (n-1)(q - p) and so P' x P'' = (n-1) p x q: a product of Bernstein polynomials. */
+void taut_pipe_arc_finish(taut_pipe_arc *arc)
+{
+    const int n = arc->degree, m = n - 2;
+
+    assert(n >= 2 && n <= TAUT_PIPE_DEGREE_MAX);
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < 3; k++) {
+            arc->velocity[i][k] = n * (arc->points[i + 1][k] - arc->points[i][k]);
+        }
+    }
+    memset(arc->cross, 0, sizeof arc->cross);
+    for (int i = 0; i <= m; i++) {
+        for (int j = 0; j <= m; j++) {
+            double product[3];
+            taut_cross(arc->velocity[i], arc->velocity[j + 1], product);
+            taut_add_scaled((n - 1) * binomial(m, i) * binomial(m, j) / binomial(2 * m, i + j),
+                            product, arc->cross[i + j]);
+        }
+    }
+}
+
+/* out = the sum of three vectors, v double[3][3], times numbers, over d. */
+static void combine(const double *v, double a, double b, double c, double d, double out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        out[k] = (a * v[k] + b * v[3 + k] + c * v[6 + k]) / d;
+    }
+}
+
+void taut_pipe_arc_quasi(const double edges[3][3], const double shape[3], taut_pipe_arc *arc)
+{
+    const double A = 3 + shape[0], B = 3 * (1 - shape[0]), C = 3 - shape[1], D = 3 + shape[1],
+                 E = 3 * (1 - shape[2]), F = 3 + shape[2];
+    double products[3][3]; /* e1 x e2, e1 x e3, e2 x e3 */
+
+    arc->degree = 4;
+    taut_cross(edges[0], edges[1], products[0]);
+    taut_cross(edges[0], edges[2], products[1]);
+    taut_cross(edges[1], edges[2], products[2]);
+    combine(edges[0], 0, 0, 0, 1, arc->points[0]);
+    combine(edges[0], A, 0, 0, 4, arc->points[1]);
+    combine(edges[0], 6, C, 0, 6, arc->points[2]);
+    combine(edges[0], 4, 4, 1 - shape[2], 4, arc->points[3]);
+    combine(edges[0], 1, 1, 1, 1, arc->points[4]);
+    /* f1 = u^2 (Au + Bt), f2 = 2ut (Cu + Dt), f3 = t^2 (Eu + Ft) as cubics */
+    combine(edges[0], A, 0, 0, 1, arc->velocity[0]);
+    combine(edges[0], B, 2 * C, 0, 3, arc->velocity[1]);
+    combine(edges[0], 0, 2 * D, E, 3, arc->velocity[2]);
+    combine(edges[0], 0, 0, F, 1, arc->velocity[3]);
+    combine(products[0], 2 * A * C, 0, 0, 1, arc->cross[0]);
+    combine(products[0], 4 * A * D, 2 * A * E, 0, 4, arc->cross[1]);
+    combine(products[0], 2 * B * D, 3 * A * F + B * E, 2 * C * E, 6, arc->cross[2]);
+    combine(products[0], 0, 2 * B * F, 4 * C * F, 4, arc->cross[3]);
+    combine(products[0], 0, 0, 2 * D * F, 1, arc->cross[4]);
+}
+
+void taut_pipe_arc_point(const taut_pipe_arc *arc, double t, double point[3])
+{
+    taut_pipe_bernstein(arc->degree, arc->points, t, point, NULL);
+}
+
+void taut_pipe_arc_jet(const taut_pipe_arc *arc, double t, taut_pipe_jet *jet)
+{
+    taut_pipe_bernstein(arc->degree, arc->points, t, jet->point, NULL);
+    taut_pipe_bernstein(arc->degree - 1, arc->velocity, t, jet->d1, jet->d2);
+    taut_pipe_bernstein(2 * arc->degree - 4, arc->cross, t, jet->cross, NULL);
+    jet->speed = sqrt(taut_dot(jet->d1, jet->d1));
+    memset(jet->tangent, 0, sizeof jet->tangent);
+    memset(jet->turn, 0, sizeof jet->turn);
+    jet->curvature = 0;
+    if (jet->speed > 0) {
+        taut_add_scaled(1 / jet->speed, jet->d1, jet->tangent);
+        /* T' = (P' x P'') x P' / |P'|^3: no cancellation of what is parallel */
+        taut_cross(jet->cross, jet->d1, jet->turn);
+        for (int k = 0; k < 3; k++) {
+            jet->turn[k] /= jet->speed * jet->speed * jet->speed;
+        }
+        jet->curvature =
+            sqrt(taut_dot(jet->cross, jet->cross)) / (jet->speed * jet->speed * jet->speed);
+    }
+}
+
+/* De Casteljau's algorithm at hi keeps [0, hi], then at lo/hi the rest. */
+void taut_pipe_arc_piece(const taut_pipe_arc *arc, double lo, double hi, double (*points)[3])
+{
+    const int n = arc->degree;
+    double left[TAUT_PIPE_DEGREE_MAX + 1][3], work[TAUT_PIPE_DEGREE_MAX + 1][3];
+    const double t = lo / hi;
+
+    memcpy(work, arc->points, ((size_t)n + 1) * sizeof work[0]);
+    for (int level = 0; level <= n; level++) {
+        memcpy(left[level], work[0], sizeof left[0]);
+        for (int i = 0; i < n - level; i++) {
+            for (int k = 0; k < 3; k++) {
+                work[i][k] = (1 - hi) * work[i][k] + hi * work[i + 1][k];
+            }
+        }
+    }
+    for (int level = 0; level <= n; level++) {
+        memcpy(points[n - level], left[n - level], sizeof left[0]);
+        for (int i = 0; i < n - level; i++) {
+            for (int k = 0; k < 3; k++) {
+                left[i][k] = (1 - t) * left[i][k] + t * left[i + 1][k];
+            }
+        }
+    }
+}

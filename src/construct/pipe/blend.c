@@ -1,0 +1,273 @@
+#include "construct/pipe/blend.h"
+
+#include "construct/pipe/bend.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SEGMENTS_MAX = 100000, ANGLES = 16, LEVEL_MAX = 30, FRAMES_PER_UNIT = 1024 };
+
+static const double pi = 3.14159265358979323846;
+
+/* The control points of the unit circle; weights 1 and sqrt(1/2) in turns. */
+static const double circle[TAUT_PIPE_RING][2] = {{1, 0},   {1, 1},  {0, 1},  {-1, 1}, {-1, 0},
+                                                 {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
+
+/* The tube while it is cut into segments. */
+typedef struct maker {
+    const taut_pipe_arc *arc;
+    const taut_pipe_binormal *binormal;
+    double radius, tolerance;
+    double sharpest; /* parameter of the largest curvature: never stepped over unseen */
+    taut_arena *arena;
+    int count, room; /* of nodes */
+    double *t;
+    taut_pipe_normals *normals;
+} maker;
+
+static int add_node(maker *m, double t, const taut_pipe_normals *normals)
+{
+    if (m->count == m->room) {
+        const int room = m->room > 0 ? 2 * m->room : 128;
+        double *const grown_t = taut_arena_take(m->arena, (size_t)room, sizeof *grown_t);
+        taut_pipe_normals *const grown = taut_arena_take(m->arena, (size_t)room, sizeof *grown);
+        if (grown_t == NULL || grown == NULL) {
+            return 0;
+        }
+        if (m->count > 0) {
+            memcpy(grown_t, m->t, (size_t)m->count * sizeof *grown_t);
+            memcpy(grown, m->normals, (size_t)m->count * sizeof *grown);
+        }
+        m->t = grown_t;
+        m->normals = grown;
+        m->room = room;
+    }
+    m->t[m->count] = t;
+    m->normals[m->count++] = *normals;
+    return 1;
+}
+
+/* The frame at t1, carried from the one at t0. */
+static void frame_at(const maker *m, double t0, const taut_pipe_normals *before, double t1,
+                     taut_pipe_normals *normals)
+{
+    double u[3];
+    if (m->binormal != NULL) {
+        taut_pipe_frenet(m->arc, m->binormal, t1, normals);
+        return;
+    }
+    memcpy(u, before->u, sizeof u);
+    taut_pipe_carry(m->arc, t0, t1, (int)ceil(FRAMES_PER_UNIT * (t1 - t0)) + 1, u);
+    taut_pipe_bishop(m->arc, t1, u, normals);
+}
+
+static void hermite(const double x0[3], const double d0[3], const double x1[3], const double d1[3],
+                    double h, double s, double out[3])
+{
+    const double r = 1 - s;
+    for (int k = 0; k < 3; k++) {
+        out[k] = (1 + 2 * s) * r * r * x0[k] + s * r * r * h * d0[k] + s * s * (3 - 2 * s) * x1[k] -
+                 s * s * r * h * d1[k];
+    }
+}
+
+/* The largest distance of X from the tube at a fraction s of a segment, over the radius. With
+ * g = c U + s W and e its part along the tangent, the point of the axis nearest to X has moved by
+ * a e / (1 - a kappa_n), so that the distance from the axis is a sqrt(g.g - e^2 / (1 - a kappa_n)).
+ */
+static double deviation(const maker *m, double t0, const taut_pipe_normals *n0, double t1,
+                        const taut_pipe_normals *n1, double s)
+{
+    const double h = t1 - t0;
+    double u[3], w[3], most = 0;
+    taut_pipe_jet jet;
+
+    taut_pipe_arc_jet(m->arc, t0 + s * h, &jet);
+    hermite(n0->u, n0->du, n1->u, n1->du, h, s, u);
+    hermite(n0->w, n0->dw, n1->w, n1->dw, h, s, w);
+    for (int k = 0; k < ANGLES; k++) {
+        const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
+        double g[3], e = 0, turn = 0, square = 0;
+        for (int i = 0; i < 3; i++) {
+            g[i] = c * u[i] + z * w[i];
+        }
+        e = taut_dot(g, jet.tangent);
+        turn = 1 - m->radius * taut_dot(g, jet.turn) / jet.speed;
+        square = taut_dot(g, g) - e * e / fmax(turn, 1e-3);
+        most = fmax(most, fabs(sqrt(fmax(square, 0)) - 1));
+    }
+    return most;
+}
+
+static int is_close(const maker *m, double t0, const taut_pipe_normals *n0, double t1,
+                    const taut_pipe_normals *n1)
+{
+    for (int i = 1; i < 8; i++) {
+        if (!(deviation(m, t0, n0, t1, n1, i / 8.0) <= 0.8 * m->tolerance)) {
+            return 0;
+        }
+    }
+    return !(m->sharpest > t0 && m->sharpest < t1) ||
+           deviation(m, t0, n0, t1, n1, (m->sharpest - t0) / (t1 - t0)) <= 0.8 * m->tolerance;
+}
+
+/* From the first end to the last in dyadic steps: halved until close, doubled again where the place
+ * allows it. */
+static taut_status cut(maker *m)
+{
+    taut_pipe_normals here, next;
+    int level = 2;
+    double t = 0;
+
+    if (m->binormal != NULL) {
+        taut_pipe_frenet(m->arc, m->binormal, 0, &here);
+    } else {
+        taut_pipe_jet jet;
+        double u[3];
+        taut_pipe_arc_jet(m->arc, 0, &jet);
+        taut_pipe_first_normal(jet.tangent, u);
+        taut_pipe_bishop(m->arc, 0, u, &here);
+    }
+    if (!add_node(m, 0, &here)) {
+        return TAUT_NO_MEMORY;
+    }
+    while (t < 1) {
+        const double h = ldexp(1, -level);
+        frame_at(m, t, &here, t + h, &next);
+        if (!is_close(m, t, &here, t + h, &next)) {
+            if (++level > LEVEL_MAX) {
+                return TAUT_NO_SOLUTION;
+            }
+            continue;
+        }
+        t += h;
+        here = next;
+        if (m->count > SEGMENTS_MAX) {
+            return TAUT_NO_SOLUTION;
+        }
+        if (!add_node(m, t, &here)) {
+            return TAUT_NO_MEMORY;
+        }
+        /* a step of twice the length must begin at a multiple of itself */
+        if (level > 2 && fmod(t, 2 * h) == 0) {
+            level--;
+        }
+    }
+    return TAUT_OK;
+}
+
+/* The cubic Hermite interpolant as a Bezier polygon of degree n. */
+static void elevate(const double x0[3], const double d0[3], const double x1[3], const double d1[3],
+                    double h, int n, double (*out)[3])
+{
+    for (int k = 0; k < 3; k++) {
+        out[0][k] = x0[k];
+        out[1][k] = x0[k] + h * d0[k] / 3;
+        out[2][k] = x1[k] - h * d1[k] / 3;
+        out[3][k] = x1[k];
+        for (int degree = 4; degree <= n; degree++) {
+            out[degree][k] = out[degree - 1][k];
+            for (int i = degree - 1; i > 0; i--) {
+                const double part = (double)i / degree;
+                out[i][k] = part * out[i - 1][k] + (1 - part) * out[i][k];
+            }
+        }
+    }
+}
+
+/* The rings of one segment: all n + 1 of them. */
+static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
+{
+    const int n = m->arc->degree;
+    const taut_pipe_normals *n0 = &m->normals[i], *n1 = &m->normals[i + 1];
+    const double h = m->t[i + 1] - m->t[i];
+    double p[TAUT_PIPE_DEGREE_MAX + 1][3], u[TAUT_PIPE_DEGREE_MAX + 1][3],
+        w[TAUT_PIPE_DEGREE_MAX + 1][3];
+
+    taut_pipe_arc_piece(m->arc, m->t[i], m->t[i + 1], p);
+    elevate(n0->u, n0->du, n1->u, n1->du, h, n, u);
+    elevate(n0->w, n0->dw, n1->w, n1->dw, h, n, w);
+    for (int row = 0; row <= n; row++) {
+        for (int j = 0; j < TAUT_PIPE_RING; j++) {
+            for (int k = 0; k < 3; k++) {
+                out[row][j][k] =
+                    p[row][k] + m->radius * (circle[j][0] * u[row][k] + circle[j][1] * w[row][k]);
+            }
+        }
+    }
+}
+
+taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double tolerance,
+                                 const taut_pipe_binormal *binormal, taut_arena *arena,
+                                 taut_pipe_blend *blend)
+{
+    maker m = {
+        .arc = arc, .binormal = binormal, .radius = radius, .tolerance = tolerance, .arena = arena};
+    const int n = arc->degree;
+    double ring[TAUT_PIPE_DEGREE_MAX + 1][TAUT_PIPE_RING][3];
+    double(*points)[TAUT_PIPE_RING][3] = NULL;
+    taut_pipe_bend bend;
+    taut_status status = TAUT_OK;
+
+    taut_pipe_bend_extremes(arc, 200, &bend);
+    m.sharpest = bend.curvature_at;
+    status = cut(&m);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    blend->segments = m.count - 1;
+    blend->rows = (n - 1) * blend->segments + 2;
+    blend->breaks = m.t;
+    points = taut_arena_take(arena, (size_t)blend->rows, sizeof *points);
+    if (points == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < blend->segments; i++) {
+        rings(&m, i, ring);
+        /* the pieces meet C^1: of the points at an inner break none is left in a B-spline whose
+         * knots there are n - 1 fold */
+        memcpy(points[(n - 1) * i + (i > 0)], ring[i > 0], (size_t)(n - (i > 0)) * sizeof ring[0]);
+    }
+    memcpy(points[blend->rows - 1], ring[n], sizeof ring[0]);
+    blend->points = &points[0][0][0];
+    return TAUT_OK;
+}
+
+taut_status taut_pipe_basis_u(const taut_pipe_arc *arc, const taut_pipe_blend *blend,
+                              taut_arena *arena, taut_basis **u, taut_error *error)
+{
+    const int n = arc->degree;
+    const int count = blend->rows + n + 1;
+    double *knots = taut_arena_take(arena, (size_t)count, sizeof *knots);
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = n, .knot_count = count, .knots = knots};
+    int k = 0;
+
+    if (knots == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int i = 0; i <= blend->segments; i++) {
+        const int times = i == 0 || i == blend->segments ? n + 1 : n - 1;
+        for (int j = 0; j < times; j++) {
+            knots[k++] = blend->breaks[i];
+        }
+    }
+    return taut_basis_new(&spec, blend->rows, u, error);
+}
+
+taut_status taut_pipe_basis_v(taut_basis **v, taut_error *error)
+{
+    static const double knots[] = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1};
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = 2, .knot_count = TAUT_PIPE_RING + 3, .knots = knots};
+    return taut_basis_new(&spec, TAUT_PIPE_RING, v, error);
+}
+
+void taut_pipe_weights(int rows, double *weights)
+{
+    for (int i = 0; i < rows * TAUT_PIPE_RING; i++) {
+        weights[i] = i % TAUT_PIPE_RING % 2 == 0 ? 1 : sqrt(0.5);
+    }
+}

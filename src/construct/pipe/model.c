@@ -1,0 +1,216 @@
+#include "construct/pipe/model.h"
+
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* What the surfaces share while they are made. */
+typedef struct maker {
+    const taut_pipe_task *task;
+    const taut_pipe_blend *blend;
+    taut_basis *u, *line, *v; /* of the blend, of the straight pipes, of all rings */
+    double *points;           /* double[rows][TAUT_PIPE_RING][3], absolute */
+    double *weights;          /* double[rows][TAUT_PIPE_RING] */
+    taut_model *model;
+} maker;
+
+static taut_status add(maker *m, const char *name, const taut_basis *u, const double *points,
+                       taut_error *error)
+{
+    taut_surface *surface = NULL;
+    taut_status status = taut_surface_new(name, u, m->v, points, m->weights, &surface, error);
+    if (status == TAUT_OK && taut_model_add_surface(m->model, surface) != TAUT_OK) {
+        taut_surface_free(surface);
+        status = taut_fail_memory(error);
+    }
+    return status;
+}
+
+/* Straight pipe `side`: the ring of the blend, and the same moved along the axis. */
+static taut_status add_straight(maker *m, int side, taut_error *error)
+{
+    const taut_pipe_task *task = m->task;
+    const double *const ring =
+        m->points + (side == 0 ? 0 : (size_t)(m->blend->rows - 1) * TAUT_PIPE_RING * 3);
+    const double length =
+        task->problem->lengths[side] > 0 ? task->problem->lengths[side] : 3 * task->problem->radius;
+    double points[2][TAUT_PIPE_RING][3];
+    taut_pipe_jet jet;
+
+    taut_pipe_arc_jet(&task->arc, side, &jet);
+    memcpy(points[side == 0], ring, sizeof points[0]);
+    for (int j = 0; j < TAUT_PIPE_RING; j++) {
+        for (int k = 0; k < 3; k++) {
+            points[side][j][k] = ring[3 * j + k] + (side == 0 ? -length : length) * jet.tangent[k];
+        }
+    }
+    return add(m, side == 0 ? "pipe1" : "pipe2", m->line, &points[0][0][0], error);
+}
+
+static taut_status add_axis(maker *m, taut_error *error)
+{
+    const double *shape = m->task->shape;
+    const taut_basis_spec spec = {
+        .type = "ce-bezier", .alpha = shape[0], .beta = shape[1], .gamma = shape[2]};
+    taut_basis *t = NULL;
+    taut_curve *curve = NULL;
+    taut_status status = taut_basis_new(&spec, 4, &t, error);
+    if (status == TAUT_OK) {
+        status = taut_curve_new("axis", t, &m->task->polygon[0][0], NULL, &curve, error);
+    }
+    if (status == TAUT_OK && taut_model_add_curve(m->model, curve) != TAUT_OK) {
+        taut_curve_free(curve);
+        status = taut_fail_memory(error);
+    }
+    taut_basis_free(t);
+    return status;
+}
+
+static taut_status bases(maker *m, taut_error *error)
+{
+    const taut_basis_spec line = {.type = "bezier", .degree = 1};
+    taut_status status = taut_pipe_basis_u(&m->task->arc, m->blend, m->task->arena, &m->u, error);
+    if (status == TAUT_OK) {
+        status = taut_basis_new(&line, 2, &m->line, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_basis_v(&m->v, error);
+    }
+    return status;
+}
+
+static taut_status fill(maker *m, taut_error *error)
+{
+    const size_t count = (size_t)m->blend->rows * TAUT_PIPE_RING;
+    m->points = taut_arena_take(m->task->arena, 3 * count, sizeof *m->points);
+    m->weights = taut_arena_take(m->task->arena, count, sizeof *m->weights);
+    if (m->points == NULL || m->weights == NULL || taut_model_new(&m->model) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (size_t i = 0; i < 3 * count; i++) {
+        m->points[i] = m->task->polygon[0][i % 3] + m->task->scale * m->blend->points[i];
+    }
+    taut_pipe_weights(m->blend->rows, m->weights);
+    return TAUT_OK;
+}
+
+taut_status taut_pipe_to_model(const taut_pipe_task *task, const taut_pipe_blend *blend,
+                               taut_model **model, taut_error *error)
+{
+    maker m = {.task = task, .blend = blend};
+    taut_status status = bases(&m, error);
+
+    if (status == TAUT_OK) {
+        status = fill(&m, error);
+    }
+    if (status == TAUT_OK) {
+        status = add(&m, "blend", m.u, m.points, error);
+    }
+    for (int side = 0; side < 2 && status == TAUT_OK; side++) {
+        status = add_straight(&m, side, error);
+    }
+    if (status == TAUT_OK) {
+        status = add_axis(&m, error);
+    }
+    taut_basis_free(m.u);
+    taut_basis_free(m.line);
+    taut_basis_free(m.v);
+    if (status != TAUT_OK) {
+        taut_model_free(m.model);
+        return status;
+    }
+    *model = m.model;
+    return TAUT_OK;
+}
+
+/* The coefficients of t^4, t^3, ... of P - V_0, one list per coordinate ([WangBai2018] section
+ * 3.2): for reading, never for evaluation. */
+static void add_power(const taut_pipe_task *task, taut_record *details)
+{
+    static const char *const names[] = {"x", "y", "z"};
+    taut_record *power = taut_record_add_object(details, "power");
+    const double a = task->shape[0], b = task->shape[1], c = task->shape[2];
+    for (int k = 0; k < 3; k++) {
+        const double e1 = task->scale * task->edges[0][k], e2 = task->scale * task->edges[1][k],
+                     e3 = task->scale * task->edges[2][k];
+        /* P' = f1 e1 + f2 e2 + f3 e3 (section 2.3), integrated */
+        const double values[5] = {
+            -a * e1 - b * e2 + c * e3,
+            (1 + 3 * a) * e1 + 2 * (b - 1) * e2 + (1 - c) * e3,
+            -3 * (1 + a) * e1 + (3 - b) * e2,
+            (3 + a) * e1,
+            0,
+        };
+        taut_record_add_numbers(power, names[k], 5, values);
+    }
+}
+
+static void add_warnings(const taut_pipe_task *task, taut_record *details)
+{
+    static const char *const names[] = {"alpha", "beta", "gamma"};
+    taut_record *warnings = NULL;
+    for (int k = 0; k < 3; k++) {
+        if (fabs(task->shape[k]) > (k == 1 ? 3 : 1) && !(k != 1 && task->shape[k] < 0)) {
+            char text[128];
+            snprintf(text, sizeof text,
+                     "%s is %g, outside [-3, %d]: the axis may leave the hull of its polygon",
+                     names[k], task->shape[k], k == 1 ? 3 : 1);
+            warnings = warnings != NULL ? warnings : taut_record_add_list(details, "warnings");
+            taut_record_add_text(warnings, NULL, text);
+        }
+    }
+}
+
+taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend *blend)
+{
+    const taut_pipe_problem *p = task->problem;
+    taut_record *details = taut_record_new(), *list = NULL;
+
+    taut_record_add_number(details, "radius", p->radius);
+    list = taut_record_add_list(details, "polygon");
+    for (int i = 0; i < 4; i++) {
+        taut_record_add_numbers(list, NULL, 3, task->polygon[i]);
+    }
+    list = taut_record_add_object(details, "shape");
+    taut_record_add_number(list, "alpha", task->shape[0]);
+    taut_record_add_number(list, "beta", task->shape[1]);
+    taut_record_add_number(list, "gamma", task->shape[2]);
+    list = taut_record_add_list(details, "handles");
+    for (int side = 0; side < 2; side++) {
+        taut_record_add_number(list, NULL, task->scale * task->handles[side]);
+    }
+    taut_record_add_text(details, "domain", p->extended ? "extended" : "strict");
+    taut_record_add_text(details, "frame",
+                         p->frame == TAUT_PIPE_FRENET ? "frenet" : "rotation-minimizing");
+    list = taut_record_add_list(details, "pipe_lengths");
+    for (int side = 0; side < 2; side++) {
+        if (p->lengths[side] > 0) {
+            taut_record_add_number(list, NULL, p->lengths[side]);
+        } else {
+            taut_record_add_null(list, NULL);
+        }
+    }
+    if (task->chose_shape) {
+        taut_record_add_text(details, "chosen_shape",
+                             p->shape == TAUT_PIPE_LEAST_CURVATURE ? "curvature" : "bending");
+    }
+    if (task->evaluations > 0) {
+        taut_record_add_number(details, "evaluations", task->evaluations);
+    }
+    taut_record_add_number(details, "segments", blend->segments);
+    taut_record_add_bool(details, "turns_less_than_pi", task->reach.shortcut);
+    list = taut_record_add_list(details, "quartic");
+    for (int i = 0; i <= task->arc.degree; i++) {
+        double q[3];
+        for (int k = 0; k < 3; k++) {
+            q[k] = task->polygon[0][k] + task->scale * task->arc.points[i][k];
+        }
+        taut_record_add_numbers(list, NULL, 3, q);
+    }
+    add_power(task, details);
+    add_warnings(task, details);
+    return details;
+}

@@ -1,0 +1,190 @@
+/* pipe.c -- construct `pipe`: check, choose, judge, sweep ([WangBai2018] section 5).
+ *
+ *   1  the numbers, in local coordinates                                     begin.c
+ *   2  handles and shape numbers that are not given                          choose.c
+ *   3  the axis: its quartic, its bends, its largest radius                  arc.c bend.c reach.c
+ *   4  refusals, in this order: NOT_REGULAR, SELF_INTERSECT_LOCAL, SELF_INTERSECT_GLOBAL
+ *   5  frames along it, and the tube as NURBS                                frame.c blend.c
+ *   6  the model                                                             model.c
+ */
+#include "taut/pipe.h"
+
+#include "construct/construct_ops.h"
+#include "construct/pipe/blend.h"
+#include "construct/pipe/model.h"
+#include "construct/pipe/task.h"
+#include "core/fail.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const double tolerance_default = 1e-6, tolerance_min = 1e-12;
+
+/* The axis of the polygon and shape that were settled, and what can be said about it. */
+static void analyse(taut_pipe_task *task)
+{
+    const taut_pipe_composite composite = {
+        .count = 1, .arcs = &task->arc, .tails = {task->tails[0], task->tails[1]}};
+    taut_pipe_arc_quasi((const double(*)[3])task->edges, task->shape, &task->arc);
+    taut_pipe_bend_extremes(&task->arc, 2 * TAUT_PIPE_REACH_SAMPLES, &task->bend);
+    if (!taut_pipe_bend_is_cusp(&task->bend)) {
+        taut_pipe_reach_of(&composite, task->reach_scratch, &task->reach);
+    }
+}
+
+/* Where on the composite axis, in words. */
+static void place_of(const taut_pipe_task *task, double at, char *text, size_t size)
+{
+    const double scale = task->scale;
+    if (at < 0) {
+        snprintf(text, size, "pipe 1, %.6g before its end", -at * scale);
+    } else {
+        snprintf(text, size, "%.6g along the axis", at * scale);
+    }
+}
+
+static taut_status judge(const taut_pipe_task *task, taut_error *error)
+{
+    const double a = task->problem->radius, rho = task->reach.radius * task->scale;
+    char from[64], to[64];
+
+    if (taut_pipe_bend_is_cusp(&task->bend)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/shape", task->bend.least_speed, 0,
+                         "NOT_REGULAR: the axis has a cusp at t = %.6g; other shape numbers or "
+                         "shorter handles avoid it",
+                         task->bend.least_speed_at);
+    }
+    if (!(task->radius * task->reach.curvature < 1)) {
+        return taut_fail(
+            error, TAUT_NO_SOLUTION, "/radius", a, rho,
+            "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
+            "curvature %.12g, at t = %.6g; the largest radius that would work is below "
+            "%.12g",
+            a, task->scale / task->reach.curvature, task->reach.curvature_at, rho);
+    }
+    if (!(task->radius < task->reach.radius)) {
+        place_of(task, task->reach.binding[0], from, sizeof from);
+        place_of(task, task->reach.binding[1], to, sizeof to);
+        return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
+                         "SELF_INTERSECT_GLOBAL: the pipe touches itself (%s; %s); the largest "
+                         "radius that would work is below %.12g",
+                         from, to, rho);
+    }
+    return TAUT_OK;
+}
+
+/* Can Frenet's frame be carried along? */
+static taut_status check_frenet(const taut_pipe_task *task, taut_pipe_binormal *binormal,
+                                taut_error *error)
+{
+    const double limit = 1e-9; /* the binormal would turn through pi within 1e-9 of the axis */
+    taut_pipe_binormal_of(&task->arc, binormal);
+    if (!(binormal->least > 0) && task->bend.curvature == 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+                         "FRENET_UNDEFINED: the axis is straight and has no normal; use "
+                         "\"rotation-minimizing\"");
+    }
+    if (!(binormal->least > limit)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", binormal->least, limit,
+                         "FRENET_UNDEFINED: the curvature vanishes at t = %.6g, where the normal "
+                         "turns over; use \"rotation-minimizing\"",
+                         binormal->least_at);
+    }
+    return TAUT_OK;
+}
+
+static taut_status sweep(taut_pipe_task *task, double tolerance, taut_pipe_blend *blend,
+                         taut_error *error)
+{
+    taut_pipe_binormal binormal;
+    const int frenet = task->problem->frame == TAUT_PIPE_FRENET;
+    taut_status status = frenet ? check_frenet(task, &binormal, error) : TAUT_OK;
+
+    if (status == TAUT_OK) {
+        status = taut_pipe_blend_make(&task->arc, task->radius, tolerance,
+                                      frenet ? &binormal : NULL, task->arena, blend);
+        if (status == TAUT_NO_SOLUTION) {
+            status = taut_fail(error, status, "", tolerance, taut_none,
+                               "the tube needs more than 100000 segments for a tolerance of %g: "
+                               "ask for less, or for a smaller radius",
+                               tolerance);
+        } else if (status != TAUT_OK) {
+            status = taut_fail_memory(error);
+        }
+    }
+    return status;
+}
+
+static taut_status run(taut_pipe_task *task, double tolerance, taut_model **model,
+                       taut_error *error)
+{
+    taut_pipe_blend blend;
+    taut_status status = taut_pipe_begin(task, error);
+
+    if (status == TAUT_OK) {
+        status = taut_pipe_choose_handles(task, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_settle(task, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_choose_shape(task, error);
+    }
+    if (status == TAUT_OK) {
+        analyse(task);
+        status = judge(task, error);
+    }
+    if (status == TAUT_OK) {
+        status = sweep(task, tolerance, &blend, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_to_model(task, &blend, model, error);
+    }
+    if (status == TAUT_OK) {
+        taut_record *const details = taut_pipe_details(task, &blend);
+        taut_model_set_details(*model, details);
+        status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    }
+    return status;
+}
+
+taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_options *options,
+                           taut_model **model, taut_error *error)
+{
+    const double asked = options != NULL ? options->tolerance : 0;
+    const double tolerance = asked > 0 ? asked : tolerance_default;
+    taut_pipe_task task = {.problem = problem};
+    taut_model *made = NULL;
+    taut_status status = TAUT_OK;
+
+    if (problem == NULL || model == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_pipe_make needs a problem and a place for the model");
+    }
+    if (!(tolerance >= tolerance_min && isfinite(tolerance))) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, tolerance, tolerance_min,
+                         "a tolerance of %g is below what rounding leaves: 1e-12 of the radius",
+                         tolerance);
+    }
+    task.arena = taut_arena_new();
+    if (task.arena != NULL) {
+        task.reach_scratch = taut_arena_take(task.arena, TAUT_PIPE_REACH_ROOM(1), sizeof(double));
+    }
+    status = task.reach_scratch != NULL ? run(&task, fmin(tolerance, 0.1), &made, error)
+                                        : taut_fail_memory(error);
+    taut_arena_free(task.arena);
+    if (status != TAUT_OK) {
+        taut_model_free(made);
+        return status;
+    }
+    *model = made;
+    return TAUT_OK;
+}
+
+static taut_status make(const void *data, const taut_make_options *options, taut_model **model,
+                        taut_error *error)
+{
+    return taut_pipe_make(data, options, model, error);
+}
+
+const taut_construct_ops taut_construct_pipe = {.make = make};

@@ -1,0 +1,83 @@
+# test_pipe.sh -- pipes from documents: what is made, what is refused and how.
+. "$SOURCE/tests/cli/cli.sh"
+
+example=$SOURCE/examples
+
+# The paper's pipe, in its extended domain, with a warning; proved again with and without the problem.
+run 0 make "$example/pipe-paper.json" -o paper.json --report r.json
+contains err.txt 'embedded +holds: 0\.519'
+contains err.txt 'largest radius +1\.9259107226'
+contains r.json '"warnings"'
+contains paper.json '"name": "blend"'
+contains paper.json '"type": "ce-bezier"'
+run 0 certify paper.json "$example/pipe-paper.json"
+run 0 certify paper.json --json
+contains out.txt '"joint_curvature"'
+run 0 eval paper.json --at 0,0
+contains out.txt 'point +6 +0 +0'
+run 0 join paper.json pipe1.u1 paper.json blend.u0
+contains out.txt 'g_order +1'
+run 1 certify paper.json "$example/pipe-cubic.json"
+contains err.txt 'ends +DOES NOT HOLD'
+
+# Chosen: shape, handles, feet.
+run 0 make "$example/pipe-auto.json" -o auto.json
+contains err.txt 'optimal +holds'
+contains err.txt 'bending +0\.7127017852'
+run 0 make "$example/pipe-feet.json" -o feet.json
+contains err.txt 'handles'
+run 0 make "$example/pipe-directed.json" -o directed.json -o directed.obj
+contains err.txt 'ends +holds'
+
+# What does not exist: 4, with what would mend it.
+edit() { sed "$1" "$example/pipe-paper.json" > edited.json; }
+edit 's/"extended"/"strict"/'
+refused 4 '/shape/alpha: PARAMETER_DOMAIN' make edited.json -o no.json
+absent no.json
+edit 's/"alpha": 3/"alpha": -3/'
+refused 4 '/shape/alpha: TANGENT_LOST' make edited.json
+edit 's/"radius": 1/"radius": 2/'
+refused 4 '/radius: SELF_INTERSECT_LOCAL.*1\.9259107226' make edited.json
+edit 's/\[5, 2, 0\]/[5, 0, 0]/'
+refused 4 '/polygon/1: DEGENERATE_EDGE' make edited.json
+sed 's/"shape"/"frame": "frenet", "shape"/' "$example/pipe-offset.json" > edited.json
+refused 4 '/frame: FRENET_UNDEFINED' make edited.json
+sed 's/\[0, 0\.6, 0\.8\]/[1, 0, 0]/' "$example/pipe-feet.json" > edited.json
+refused 4 '/axes: PARALLEL_AXES' make edited.json
+
+# The document is wrong: 3, with the pointer.
+edit 's/"radius": 1/"radius": 0/'
+refused 3 '/radius' make edited.json
+edit 's/"radius": 1/"radius": 1e200/'
+refused 3 '/radius' make edited.json
+edit 's/"gamma": 1/"delta": 1/'
+refused 3 '/shape/delta.*nearest' make edited.json
+edit 's/, "gamma": 1//'
+refused 3 '/shape/gamma' make edited.json
+edit 's/"domain": "extended"/"domain": "open"/'
+refused 3 '/domain' make edited.json
+edit 's/"domain": "extended"/"pipe_lengths": [1, -2]/'
+refused 3 '/pipe_lengths/1' make edited.json
+edit 's/"domain": "extended"/"pipe_lengths": [1]/'
+refused 3 '/pipe_lengths' make edited.json
+edit 's/"domain": "extended"/"axes": []/'
+refused 3 'more than one' make edited.json
+edit 's/"polygon"/"polygons"/'
+refused 3 'polygon' make edited.json
+edit 's/\[5, 0, 0\], //'
+refused 3 '/polygon' make edited.json
+sed 's/"direction": \[0, 1, 0\]/"direction": [0, 0, 0]/' "$example/pipe-directed.json" > edited.json
+refused 3 '/to/direction' make edited.json
+sed 's/"shape": "auto"/"shape": "automatic"/' "$example/pipe-directed.json" > edited.json
+refused 3 '/shape' make edited.json
+sed 's/"to"/"too"/' "$example/pipe-directed.json" > edited.json
+refused 3 'too' make edited.json
+refused 2 'tolerance' make "$example/pipe-paper.json" --tolerance 1e-16
+
+# A coarser tolerance takes fewer segments; what lies outside the pipes' range is refused.
+run 0 make "$example/pipe-paper.json" --tolerance 1e-2 -o coarse.json
+contains err.txt 'segments +[4-9]$'
+run 0 convert paper.json -o paper.glb
+[ -s paper.glb ] || complain "no mesh"
+
+finish

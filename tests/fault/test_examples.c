@@ -1,0 +1,137 @@
+/* test_examples.c -- every construction, by its smallest example: its document read, its model
+ * made, proved and written when memory runs out. A construction that is new is in here by its
+ * examples. */
+#include "check.h"
+#include "cli/embedded_files.h"
+#include "fault.h"
+
+#include "taut/construct.h"
+#include "taut/read.h"
+#include "taut/write.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { MOST = 400 };                    /* allocations failed of a quick call */
+static const double seconds_each = 0.7; /* for the failures of one call */
+
+typedef struct subject {
+    const taut_embedded *file;
+    const taut_problem *problem;
+    const taut_model *model;
+} subject;
+
+static taut_status read_problem(const void *context, void **result, taut_error *error)
+{
+    const subject *s = context;
+    taut_problem *problem = *result;
+    const taut_status status =
+        taut_problem_read_text(s->file->text, s->file->length, s->file->name, &problem, error);
+    *result = problem;
+    return status;
+}
+
+static void release_problem(void *problem)
+{
+    taut_problem_free(problem);
+}
+
+static taut_status make(const void *context, void **result, taut_error *error)
+{
+    const subject *s = context;
+    taut_model *model = *result;
+    const taut_status status = taut_make(s->problem, NULL, &model, error);
+    *result = model;
+    return status;
+}
+
+static void release_model(void *model)
+{
+    taut_model_free(model);
+}
+
+static taut_status certify(const void *context, void **result, taut_error *error)
+{
+    const subject *s = context;
+    taut_certificate *certificate = *result;
+    const taut_status status = taut_certify(s->model, s->problem, NULL, &certificate, error);
+    *result = certificate;
+    return status;
+}
+
+static void release_certificate(void *certificate)
+{
+    taut_certificate_free(certificate);
+}
+
+/* Fails the allocations of one call, as many as its time allows. */
+static void run(const char *name, const char *what,
+                taut_status (*call)(const void *, void **, taut_error *), void (*release)(void *),
+                const subject *s)
+{
+    char words[96];
+    void *made = NULL;
+    taut_error error = {.status = TAUT_OK, .message = ""};
+    const clock_t begin = clock();
+    const taut_status status = call(s, &made, &error);
+    const double took = (double)(clock() - begin) / CLOCKS_PER_SEC;
+    const int most = took * MOST > seconds_each ? 1 + (int)(seconds_each / took) : MOST;
+    snprintf(words, sizeof words, "%.40s, %.40s", name, what);
+    CHECK(status == TAUT_OK, "%s: %s %s", words, error.where, error.message);
+    if (status == TAUT_OK) {
+        release(made);
+        const fault_call described = {words, call, release, s};
+        const long count = fault_loop_some(&described, most);
+        CHECK(count > 3, "%s: only %ld allocations", words, count);
+        printf("%-44s %6ld allocations\n", words, count);
+    }
+}
+
+/* The example of a construction with the shortest text; NULL if there is none. */
+static const taut_embedded *smallest(const char *construct)
+{
+    const taut_embedded *best = NULL;
+    for (const taut_embedded *file = taut_examples; file->name != NULL; file++) {
+        taut_problem *problem = NULL;
+        if ((best == NULL || file->length < best->length) &&
+            taut_problem_read_text(file->text, file->length, file->name, &problem, NULL) ==
+                TAUT_OK) {
+            best = strcmp(taut_problem_construct(problem), construct) == 0 ? file : best;
+        }
+        taut_problem_free(problem);
+    }
+    return best;
+}
+
+static void test_construct(const char *construct)
+{
+    subject s = {smallest(construct), NULL, NULL};
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+    CHECK(s.file != NULL, "%s has no example", construct);
+    if (s.file == NULL) {
+        return;
+    }
+    run(construct, "taut_problem_read_text", read_problem, release_problem, &s);
+    CHECK(taut_problem_read_text(s.file->text, s.file->length, "", &problem, NULL) == TAUT_OK, "%s",
+          construct);
+    s.problem = problem;
+    run(construct, "taut_make", make, release_model, &s);
+    CHECK(taut_make(problem, NULL, &model, NULL) == TAUT_OK, "%s", construct);
+    s.model = model;
+    run(construct, "taut_certify", certify, release_certificate, &s);
+    taut_model_free(model);
+    taut_problem_free(problem);
+}
+
+int main(void)
+{
+    random_seed(20260116);
+    CHECK(taut_construct_count() > 0, "constructions");
+    for (int i = 0; i < taut_construct_count(); i++) {
+        test_construct(taut_construct_name(i));
+    }
+    CHECK(fault_live() == 0, "%ld blocks left", fault_live());
+    return check_failures != 0;
+}

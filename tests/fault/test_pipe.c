@@ -1,0 +1,86 @@
+/* test_pipe.c -- the construction `pipe` and its proof when memory runs out. */
+#include "check.h"
+#include "fault.h"
+
+#include "taut/pipe.h"
+
+static void release_model(void *model)
+{
+    taut_model_free(model);
+}
+
+static void release_certificate(void *certificate)
+{
+    taut_certificate_free(certificate);
+}
+
+static const taut_make_options coarse = {.tolerance = 1e-2};
+
+static taut_status make(const void *context, void **result, taut_error *error)
+{
+    taut_model *model = *result;
+    const taut_status status = taut_pipe_make(context, &coarse, &model, error);
+    *result = model;
+    return status;
+}
+
+typedef struct proof {
+    const taut_model *model;
+    const taut_pipe_problem *problem;
+} proof;
+
+static taut_status prove(const void *context, void **result, taut_error *error)
+{
+    const proof *p = context;
+    taut_certificate *certificate = *result;
+    const taut_certify_options options = {.tolerance = 1e-2};
+    const taut_status status =
+        taut_pipe_certify(p->model, p->problem, &options, &certificate, error);
+    *result = certificate;
+    return status;
+}
+
+/* The neighbours of a chosen shape are many and alike: the first allocations will do. */
+static void prove_choice(const taut_model *model, const taut_pipe_problem *problem)
+{
+    taut_pipe_problem chosen = *problem;
+    chosen.shape = TAUT_PIPE_LEAST_CURVATURE;
+    for (long k = 1; k <= 90; k++) {
+        const long live = fault_live();
+        taut_certificate *certificate = NULL;
+        taut_error error = {.status = TAUT_OK};
+        fault_arm(k, k % 2 == 0);
+        const taut_status status = taut_pipe_certify(model, &chosen, NULL, &certificate, &error);
+        fault_disarm();
+        CHECK(status == TAUT_NO_MEMORY && error.status == TAUT_NO_MEMORY && certificate == NULL,
+              "allocation %ld", k);
+        CHECK(fault_live() == live, "allocation %ld leaks", k);
+    }
+}
+
+int main(void)
+{
+    taut_pipe_problem problem = {
+        .radius = 1,
+        .polygon = {{5, 0, 0}, {5, 2, 0}, {0, 6, 0}, {0, 6, 3}},
+        .alpha = 3,
+        .beta = 2,
+        .gamma = 1,
+        .extended = 1,
+    };
+    taut_model *model = NULL;
+    const fault_call call = {"pipe", make, release_model, &problem};
+    CHECK(fault_loop(&call) > 40, "a pipe takes memory");
+    CHECK(taut_pipe_make(&problem, &coarse, &model, NULL) == TAUT_OK, "made");
+    const proof context = {model, &problem};
+    const fault_call certify = {"certificate", prove, release_certificate, &context};
+    CHECK(model == NULL || fault_loop(&certify) > 20, "the proof takes memory");
+    prove_choice(model, &problem);
+    problem.frame = TAUT_PIPE_FRENET;
+    problem.lengths[0] = 5;
+    problem.polygon[3][2] = 9;
+    const fault_call frenet = {"frenet", make, release_model, &problem};
+    CHECK(fault_loop(&frenet) > 40, "a pipe takes memory");
+    taut_model_free(model);
+    return check_failures != 0;
+}

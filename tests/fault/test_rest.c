@@ -1,0 +1,287 @@
+/* test_rest.c -- the public calls that no other file of this folder makes, when memory runs out. */
+#include "check.h"
+#include "fault.h"
+#include "shapes.h"
+
+#include "taut/join.h"
+#include "taut/measure.h"
+#include "taut/operate.h"
+#include "taut/panels.h"
+#include "taut/read.h"
+#include "taut/recognise.h"
+#include "taut/write.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char folder[] = "/tmp/taut-test-XXXXXX";
+
+/* A call that makes something of a surface. */
+#define MAKER(name, type, expression)                                                              \
+    static taut_status name(const void *context, void **result, taut_error *error)                 \
+    {                                                                                              \
+        const taut_surface *surface = context;                                                     \
+        type *made = *result;                                                                      \
+        const taut_status status = expression;                                                     \
+        *result = made;                                                                            \
+        return status;                                                                             \
+    }
+
+MAKER(insert, taut_surface, taut_surface_insert(surface, TAUT_ALONG_U, 0.4, 2, &made, error))
+MAKER(elevate, taut_surface, taut_surface_elevate(surface, TAUT_ALONG_V, 2, &made, error))
+
+/* Rational points, some of them the double itself. */
+static taut_status new_exact(const void *context, void **result, taut_error *error)
+{
+    static const char *const exact[12] = {"1/3", NULL, "2", NULL, "-5/12"};
+    static const double points[12] = {1.0 / 3, 0, 2, 0, -5.0 / 12, 0, 1, 0, 0, 1, 1, 1};
+    taut_surface *made = *result;
+    const taut_basis *line = taut_curve_t(context);
+    const taut_status status =
+        taut_surface_new_exact("s", line, line, points, NULL, exact, &made, error);
+    *result = made;
+    return status;
+}
+
+static taut_status jacobian(const void *context, void **result, taut_error *error)
+{
+    taut_jacobian found = {.cells = -1};
+    const taut_status status = taut_surface_jacobian(context, &found);
+    (void)result;
+    (void)error;
+    CHECK((status == TAUT_OK) == (found.cells >= 0), "the Jacobian is untouched on failure");
+    return status;
+}
+
+static void release_surface(void *surface)
+{
+    taut_surface_free(surface);
+}
+
+static taut_status join(const void *context, void **result, taut_error *error)
+{
+    taut_join found = {.max_gap = -1};
+    const taut_status status =
+        taut_join_measure(context, TAUT_EDGE_U0, context, TAUT_EDGE_U1, &found, error);
+    (void)result;
+    CHECK((status == TAUT_OK) == (found.max_gap >= 0), "the join is untouched on failure");
+    return status;
+}
+
+static taut_status panels(const void *context, void **result, taut_error *error)
+{
+    static const taut_panels_options options = {.divide = {2, 3}};
+    taut_model *made = *result;
+    const taut_status status = taut_panels_of_problem(context, &options, &made, error);
+    *result = made;
+    return status;
+}
+
+static void release_model(void *model)
+{
+    taut_model_free(model);
+}
+
+static void release_record(void *record)
+{
+    taut_record_free(record);
+}
+
+/* A list of what the two measuring calls print. */
+static taut_status records(const void *context, void **result, taut_error *error)
+{
+    static const taut_join found = {.one_surface = 1};
+    static const taut_curve_measure measure = {.length = 1};
+    taut_record *list = taut_record_new_list();
+    (void)error;
+    taut_join_record(&found, taut_record_add_object(list, NULL));
+    taut_measure_curve_record(context, &measure, taut_record_add_object(list, NULL));
+    if (taut_record_status(list) != TAUT_OK) {
+        taut_record_free(list);
+        return TAUT_NO_MEMORY;
+    }
+    *result = list;
+    return TAUT_OK;
+}
+
+static taut_status read_record(const void *context, void **result, taut_error *error)
+{
+    taut_record *record = *result;
+    const taut_status status =
+        taut_record_read_text(context, strlen(context), "text", &record, error);
+    *result = record;
+    return status;
+}
+
+static taut_status read_problem(const void *context, void **result, taut_error *error)
+{
+    taut_problem *problem = *result;
+    const taut_status status = taut_problem_read(context, &problem, error);
+    *result = problem;
+    return status;
+}
+
+static void release_problem(void *problem)
+{
+    taut_problem_free(problem);
+}
+
+static taut_status read_list(const void *context, void **result, taut_error *error)
+{
+    taut_problem_list *list = *result;
+    const taut_status status = taut_problem_list_read(context, &list, error);
+    *result = list;
+    return status;
+}
+
+/* Twice the same problem, as a list. */
+static taut_status read_list_text(const void *context, void **result, taut_error *error)
+{
+    taut_problem_list *list = *result;
+    const taut_status status =
+        taut_problem_list_read_text(context, strlen(context), "text", &list, error);
+    *result = list;
+    return status;
+}
+
+static void release_list(void *list)
+{
+    taut_problem_list_free(list);
+}
+
+/* A text in a file; after a failure the file is not there. */
+static taut_status write_text(const void *context, void **result, taut_error *error)
+{
+    taut_outputs *outputs = NULL;
+    char path[64];
+    taut_status status = taut_outputs_new(&outputs);
+    (void)result;
+    snprintf(path, sizeof path, "%s/t.txt", folder);
+    if (status == TAUT_OK) {
+        status = taut_outputs_text(outputs, context, strlen(context), path, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_outputs_commit(outputs, error);
+    }
+    taut_outputs_free(outputs);
+    CHECK((unlink(path) == 0) == (status == TAUT_OK), "a text that is there after all, or not");
+    return status;
+}
+
+static taut_status write_model(const void *context, void **result, taut_error *error)
+{
+    char path[64];
+    snprintf(path, sizeof path, "%s/m.stl", folder);
+    const taut_status status = taut_model_write(context, path, NULL, error);
+    (void)result;
+    CHECK((unlink(path) == 0) == (status == TAUT_OK), "a model that is there after all, or not");
+    return status;
+}
+
+/* One model beside itself, in one figure. */
+static taut_status write_models(const void *context, void **result, taut_error *error)
+{
+    const taut_model *const models[2] = {context, context};
+    const taut_write_options options = {.divide = 1};
+    taut_outputs *outputs = NULL;
+    char path[64];
+    taut_status status = taut_outputs_new(&outputs);
+    (void)result;
+    snprintf(path, sizeof path, "%s/two.svg", folder);
+    if (status == TAUT_OK) {
+        status = taut_outputs_models(outputs, 2, models, path, &options, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_outputs_commit(outputs, error);
+    }
+    taut_outputs_free(outputs);
+    CHECK((unlink(path) == 0) == (status == TAUT_OK), "a figure that is there after all, or not");
+    return status;
+}
+
+static const char problem_text[] =
+    "{\"taut\": 1, \"construct\": \"dirichlet\", \"u\": {\"type\": \"bezier\", \"degree\": 1},\n"
+    " \"v\": {\"type\": \"bezier\", \"degree\": 1},\n"
+    " \"points\": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], null]]}\n";
+
+/* What tests/fault/no_memory.txt says takes none. */
+static void test_no_memory(const taut_surface *surface, const taut_curve *curve, taut_model *model)
+{
+    double values[6 * 8];
+    taut_family_member member;
+    taut_edge edge = TAUT_EDGE_U0;
+    fault_arm(1000, 0);
+    CHECK(taut_basis_eval(taut_curve_t(curve), 0, 0.5, 2, values) == TAUT_OK, "basis");
+    CHECK(taut_curve_eval(curve, 0.5, 2, values) == TAUT_OK, "curve");
+    CHECK(taut_surface_eval(surface, 0.5, 0.5, 2, values) == TAUT_OK, "surface");
+    CHECK(taut_edge_of_name("v1", &edge) == TAUT_OK, "edge");
+    CHECK(taut_model_set_unit(model, "in") == TAUT_OK, "unit");
+    (void)taut_surface_recognise(surface, &member, NULL); /* whatever it finds */
+    CHECK(fault_counted() == 0, "%ld allocations", fault_counted());
+    fault_disarm();
+}
+
+static void check_call(const char *name, taut_status (*call)(const void *, void **, taut_error *),
+                       void (*release)(void *), const void *context)
+{
+    const fault_call described = {name, call, release, context};
+    CHECK(fault_loop(&described) > 0, "%s takes memory", name);
+}
+
+int main(void)
+{
+    static const double points[2][3] = {{0, 0, 0}, {1, 1, 0}};
+    char path[64], command[96], two[2 * sizeof problem_text + 8];
+    FILE *file = NULL;
+    static const char bonnet_text[] = "{\"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.5,"
+                                      " \"sign\": \"+\", \"alpha\": 0.5, \"beta\": 0.5}";
+    taut_problem *bonnet = NULL;
+    static const double flat[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0};
+    taut_surface *surface = NULL, *copy = NULL, *plane = NULL;
+    taut_model *model = NULL;
+    taut_curve *curve = shape_curve(shape_bezier(1, 0, 1), &points[0][0], NULL);
+
+    random_seed(20260117);
+    surface = shape_random(2, 3, 1);
+    copy = shape_random(2, 2, 0);
+    CHECK(taut_surface_transform(copy, flat, &plane, NULL) == TAUT_OK, "a surface in a plane");
+    taut_surface_free(copy);
+    CHECK(mkdtemp(folder) != NULL, "%s", folder);
+    CHECK(taut_model_new(&model) == TAUT_OK && taut_surface_copy(surface, &copy) == TAUT_OK &&
+              taut_model_add_surface(model, copy) == TAUT_OK,
+          "model");
+    snprintf(path, sizeof path, "%s/problem.json", folder);
+    file = fopen(path, "w");
+    CHECK(file != NULL && fputs(problem_text, file) >= 0 && fclose(file) == 0, "%s", path);
+
+    check_call("taut_surface_insert", insert, release_surface, surface);
+    check_call("taut_surface_elevate", elevate, release_surface, surface);
+    check_call("taut_surface_new_exact", new_exact, release_surface, curve);
+    check_call("taut_surface_jacobian", jacobian, NULL, plane);
+    check_call("taut_join_measure", join, NULL, surface);
+    CHECK(taut_problem_read_text(bonnet_text, sizeof bonnet_text - 1, "text", &bonnet, NULL) ==
+              TAUT_OK,
+          "bonnet");
+    check_call("taut_panels_of_problem", panels, release_model, bonnet);
+    taut_problem_free(bonnet);
+    check_call("taut_join_record, taut_measure_curve_record", records, release_record, curve);
+    check_call("taut_record_read_text", read_record, release_record, problem_text);
+    check_call("taut_problem_read", read_problem, release_problem, path);
+    check_call("taut_problem_list_read", read_list, release_list, path);
+    snprintf(two, sizeof two, "[%s, %s]", problem_text, problem_text);
+    check_call("taut_problem_list_read_text", read_list_text, release_list, two);
+    check_call("taut_outputs_text", write_text, NULL, problem_text);
+    check_call("taut_model_write", write_model, NULL, model);
+    check_call("taut_outputs_models", write_models, NULL, model);
+
+    test_no_memory(surface, curve, model);
+    taut_model_free(model);
+    taut_surface_free(surface);
+    taut_surface_free(plane);
+    taut_curve_free(curve);
+    CHECK(fault_live() == 0, "%ld blocks left", fault_live());
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    return system(command) != 0 || check_failures != 0;
+}

@@ -1,0 +1,457 @@
+/* test_pipe.c -- pipes over random blends: the largest radius against the global radius of
+ * curvature, areas and volumes against quadrature, verdicts under scaling and shifting, reversal,
+ * the choice of shape. Long because all of them share what makes and judges a random blend. */
+#include "check.h"
+
+#include "core/vec3.h"
+#include "numeric/quadrature.h"
+#include "taut/taut.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+static double figure(const taut_certificate *certificate, const char *name)
+{
+    return taut_record_number(taut_record_get(taut_certificate_figures(certificate), name));
+}
+
+/* Ends anywhere with any directions; or loops that come back beside where they began,
+ * near themselves or their straight pipes. */
+static taut_pipe_problem random_blend(int loop)
+{
+    taut_pipe_problem problem = {.radius = 1e-3, .axis = TAUT_PIPE_ENDS};
+    taut_pipe_end *const from = &problem.ends[0], *const to = &problem.ends[1];
+    for (int side = 0; side < 2; side++) {
+        for (int k = 0; k < 3; k++) {
+            problem.ends[side].point[k] = random_in(-1, 1);
+            problem.ends[side].direction[k] = random_in(-1, 1);
+        }
+        problem.ends[side].handle = loop ? random_in(1.5, 3) : random_in(0.3, 3);
+        problem.lengths[side] = random_int(0, 1) == 0 ? random_in(0.5, 4) : 0;
+    }
+    if (loop) { /* at right angles, more or less: a round loop */
+        const double part =
+            taut_dot(from->direction, to->direction) / taut_dot(from->direction, from->direction);
+        taut_add_scaled(-part + random_in(-0.3, 0.3), from->direction, to->direction);
+        for (int k = 0; k < 3; k++) {
+            to->point[k] = from->point[k] + random_in(-0.2, 0.2);
+        }
+    }
+    problem.alpha = loop ? random_in(-0.5, 1) : random_in(-2, 1);
+    problem.beta = loop ? random_in(-1, 1) : random_in(-3, 3);
+    problem.gamma = loop ? random_in(-0.5, 1) : random_in(-2, 1);
+    return problem;
+}
+
+/* The composite axis of a problem as the test sees it: polynomials evaluated by the basis. */
+typedef struct axis {
+    const taut_curve *curve;
+    double ends[2][3], leave[2][3]; /* where the straight pipes begin, and where they go */
+    double lengths[2];              /* at most so far: all contacts are nearer */
+    double *run;                    /* arc lengths along the blend, double[STEPS + 1] */
+    double near; /* pairs nearer along the axis are left out: two arcs of curvature up to kappa
+                  * touch no tangent ball of radius 1 / kappa within pi / kappa */
+} axis;
+
+enum { ON_PIPE_1, ON_BLEND, ON_PIPE_2, STEPS = 1000 };
+
+/* Point and derivatives at parameter t in [0, 1] of one of the three parts. */
+static void evaluate(const axis *a, int part, double t, double x[3][3])
+{
+    memset(x, 0, 9 * sizeof(double));
+    if (part == ON_BLEND) {
+        taut_curve_eval(a->curve, t, 2, &x[0][0]);
+        return;
+    }
+    const int side = part == ON_PIPE_2;
+    for (int k = 0; k < 3; k++) {
+        x[1][k] = a->lengths[side] * a->leave[side][k];
+        x[0][k] = a->ends[side][k] + t * x[1][k];
+    }
+}
+
+/* Arc length from the start of the blend, negative on pipe 1. */
+static double position(const axis *a, int part, double t)
+{
+    const int i = (int)fmin(STEPS - 1, t * STEPS);
+    return part == ON_PIPE_1   ? -t * a->lengths[0]
+           : part == ON_PIPE_2 ? a->run[STEPS] + t * a->lengths[1]
+                               : a->run[i] + (t * STEPS - i) * (a->run[i + 1] - a->run[i]);
+}
+
+static axis axis_of(const taut_curve *curve, const taut_pipe_problem *problem)
+{
+    axis a = {.curve = curve, .run = calloc(STEPS + 1, sizeof(double))};
+    for (int i = 0; i < STEPS; i++) {
+        double x[2][3], y[2][3];
+        taut_curve_eval(curve, (double)i / STEPS, 0, x[0]);
+        taut_curve_eval(curve, (i + 1.0) / STEPS, 0, y[0]);
+        a.run[i + 1] = a.run[i] + taut_distance(x[0], y[0]);
+    }
+    for (int side = 0; side < 2; side++) {
+        double x[2][3];
+        taut_curve_eval(curve, side, 1, &x[0][0]);
+        memcpy(a.ends[side], x[0], sizeof x[0]);
+        const double speed = taut_norm(x[1]);
+        for (int k = 0; k < 3; k++) {
+            a.leave[side][k] = (side == 0 ? -x[1][k] : x[1][k]) / speed;
+        }
+        a.lengths[side] = problem->lengths[side] > 0 ? problem->lengths[side] : 40;
+    }
+    return a;
+}
+
+/* |x - y|^2 / (2 dist(y, tangent line at x)): the radius of the circle through y that touches the
+ * axis at x ([GonzalezMaddocks1999]). Large where y is on the line. */
+static double circle(const double x[3][3], const double y[3])
+{
+    double d[3], across[3];
+    taut_difference(y, x[0], d);
+    taut_cross(d, x[1], across);
+    const double distance = taut_norm(across) / taut_norm(x[1]), square = taut_dot(d, d);
+    return distance > 1e-9 * sqrt(square) ? square / (2 * distance) : (double)INFINITY;
+}
+
+static double circle_at(const axis *a, const int part[2], const double t[2])
+{
+    double x[3][3], y[3][3];
+    evaluate(a, part[0], t[0], x);
+    evaluate(a, part[1], t[1], y);
+    return circle((const double(*)[3])x, y[0]);
+}
+
+/* Steps along the axes of the parameter square, halved when none goes down. */
+static double descend(const axis *a, const int part[2], const double start[2], double step)
+{
+    double t[2] = {start[0], start[1]}, best = circle_at(a, part, t);
+    for (int rounds = 0; step > 1e-10 && rounds < 4000; rounds++) {
+        int better = 0;
+        for (int k = 0; k < 8; k++) {
+            static const int moves[8][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
+                                            {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
+            const double next[2] = {fmin(1, fmax(0, t[0] + step * moves[k][0])),
+                                    fmin(1, fmax(0, t[1] + step * moves[k][1]))};
+            if (fabs(position(a, part[0], next[0]) - position(a, part[1], next[1])) < a->near) {
+                continue;
+            }
+            const double value = circle_at(a, part, next);
+            if (value < best) {
+                best = value;
+                memcpy(t, next, sizeof t);
+                better = 1;
+                break;
+            }
+        }
+        step *= better ? 1.5 : 0.5;
+    }
+    return best;
+}
+
+static double radius_of_curvature(const axis *a, double t)
+{
+    double x[3][3], across[3];
+    evaluate(a, ON_BLEND, t, x);
+    taut_cross(x[1], x[2], across);
+    return pow(taut_norm(x[1]), 3) / taut_norm(across);
+}
+
+static double least_radius_of_curvature(const axis *a)
+{
+    enum { N = 2000 };
+    double best = INFINITY, at = 0;
+    for (int i = 0; i <= N; i++) {
+        const double r = radius_of_curvature(a, (double)i / N);
+        at = r < best ? (double)i / N : at;
+        best = fmin(best, r);
+    }
+    double lo = fmax(0, at - 1.0 / N), hi = fmin(1, at + 1.0 / N);
+    for (int i = 0; i < 100; i++) {
+        const double left = (2 * lo + hi) / 3, right = (lo + 2 * hi) / 3;
+        *(radius_of_curvature(a, left) < radius_of_curvature(a, right) ? &hi : &lo) =
+            radius_of_curvature(a, left) < radius_of_curvature(a, right) ? right : left;
+    }
+    return fmin(best, radius_of_curvature(a, 0.5 * (lo + hi)));
+}
+
+/* The infimum over all pairs of points: a grid on the blend and both pipes, the best of each pair
+ * of parts made exact. Free ends by the distance to them: half of it binds ([WangBai2018] 4.4). */
+static double global_radius(axis *a, const taut_pipe_problem *problem)
+{
+    enum { N = 120, KEPT = 4 };
+    static double grid[3][N + 1][3][3];
+    double best = least_radius_of_curvature(a);
+    const double local = best;
+    for (int i = 0; i < 3 * (N + 1); i++) {
+        evaluate(a, i / (N + 1), (double)(i % (N + 1)) / N, grid[i / (N + 1)][i % (N + 1)]);
+    }
+    a->near = 0.5 * best;
+    for (int p = 0; p < 9; p++) {
+        const int part[2] = {p / 3, p % 3};
+        double kept[KEPT], at[KEPT][2];
+        int count = 0;
+        for (int i = 0; i <= N; i++) {
+            for (int j = 0; j <= N; j++) {
+                double value = 0;
+                int slot = 0;
+                if (fabs(position(a, part[0], (double)i / N) -
+                         position(a, part[1], (double)j / N)) < a->near) {
+                    continue;
+                }
+                value = circle((const double(*)[3])grid[part[0]][i], grid[part[1]][j][0]);
+                for (slot = count; slot > 0 && value < kept[slot - 1]; slot--) {
+                    if (slot < KEPT) {
+                        kept[slot] = kept[slot - 1];
+                        memcpy(at[slot], at[slot - 1], sizeof at[slot]);
+                    }
+                }
+                if (slot < KEPT) {
+                    kept[slot] = value;
+                    at[slot][0] = (double)i / N;
+                    at[slot][1] = (double)j / N;
+                    count = count < KEPT ? count + 1 : count;
+                }
+            }
+        }
+        for (int k = 0; k < count; k++) {
+            best = fmin(best, descend(a, part, at[k], 0.5 / N));
+        }
+    }
+    /* free ends: distances to all points farther along the axis than pi times the local radius */
+    for (int side = 0; side < 2; side++) {
+        double end[3][3], length = 0, before[3];
+        if (!(problem->lengths[side] > 0)) {
+            continue;
+        }
+        evaluate(a, side == 0 ? ON_PIPE_1 : ON_PIPE_2, 1, end);
+        memcpy(before, end[0], sizeof before);
+        for (int i = 0; i <= 3 * 4000; i++) { /* from the free end through all parts */
+            const int part = side == 0 ? i / 4001 : 2 - i / 4001;
+            double t = (i - 4001 * (i / 4001)) / 4000.0, x[3][3];
+            if (part == (side == 0 ? ON_PIPE_1 : ON_PIPE_2) || (part == ON_BLEND && side == 1)) {
+                t = 1 - t;
+            }
+            evaluate(a, part, fmin(1, fmax(0, t)), x);
+            length += taut_distance(x[0], before);
+            memcpy(before, x[0], sizeof before);
+            if (length >= pi * local) {
+                best = fmin(best, 0.5 * taut_distance(x[0], end[0]));
+            }
+        }
+    }
+    return best;
+}
+
+/* Construction, certificate and the global radius agree; the construction's comes out of its
+ * refusal of a radius that is too large. */
+static void test_largest_radius(void)
+{
+    int by_distance = 0, compared = 0;
+    for (int trial = 0; trial < random_trials(16); trial++) {
+        taut_pipe_problem problem = random_blend(trial % 3 > 0);
+        taut_model *model = NULL;
+        taut_certificate *certificate = NULL;
+        taut_error error = {.message = ""};
+        const taut_make_options coarse = {.tolerance = 1e-2};
+        if (taut_pipe_make(&problem, &coarse, &model, NULL) != TAUT_OK) {
+            continue; /* too sharp even for a thousandth */
+        }
+        CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proof");
+        const double rho = figure(certificate, "largest_radius");
+        axis a = axis_of(taut_model_curve(model, 0), &problem);
+        const double reference = global_radius(&a, &problem);
+        free(a.run);
+        /* free ends are sampled, 1e-3 apart at most along the axis: quadratic at a minimum */
+        const double tolerance = problem.lengths[0] + problem.lengths[1] > 0 ? 2e-5 : 2e-7;
+        CHECK_NEAR(rho, reference, tolerance * reference, "trial %d", trial);
+        by_distance +=
+            strcmp(
+                taut_record_text(taut_record_get(taut_certificate_figures(certificate), "binding")),
+                "distance") == 0;
+        compared++;
+        problem.radius = 1.001 * rho;
+        taut_model *none = NULL;
+        CHECK(taut_pipe_make(&problem, &coarse, &none, &error) == TAUT_NO_SOLUTION, "trial %d",
+              trial);
+        CHECK_NEAR(error.limit, rho, 1e-9 * rho, "trial %d: %s", trial, error.message);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+    CHECK(compared > 2 && (by_distance > 3 || compared < 12), "%d pairs bind of %d", by_distance,
+          compared);
+}
+
+/* The integrals of 1 and of X . n / 3 over the blend, by Gauss's rule on every span. */
+static void integrate(const taut_surface *surface, double *area, double *volume)
+{
+    enum { G = 8 };
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    double nodes[G], weights[G];
+    taut_gauss_rule(G, nodes, weights);
+    *area = *volume = 0;
+    for (int i = 0; i < taut_basis_span_count(u); i++) {
+        for (int j = 0; j < taut_basis_span_count(v); j++) {
+            const double *bu = taut_basis_breaks(u) + i, *bv = taut_basis_breaks(v) + j;
+            for (int k = 0; k < G * G; k++) {
+                double x[3][3], normal[3];
+                const double w =
+                    0.25 * (bu[1] - bu[0]) * (bv[1] - bv[0]) * weights[k / G] * weights[k % G];
+                taut_surface_eval(surface, bu[0] + (bu[1] - bu[0]) * 0.5 * (1 + nodes[k / G]),
+                                  bv[0] + (bv[1] - bv[0]) * 0.5 * (1 + nodes[k % G]), 1, x[0]);
+                taut_cross(x[TAUT_XU], x[TAUT_XV], normal);
+                *area += w * taut_norm(normal);
+                *volume += w * taut_dot(x[0], normal) / 3;
+            }
+        }
+    }
+}
+
+/* Pappus: 2 pi a L and pi a^2 L, against the surface made to 1e-11, ends closed by discs. */
+static void test_pappus(void)
+{
+    for (int trial = 0; trial < random_trials(3); trial++) {
+        const taut_make_options fine = {.tolerance = 1e-11};
+        const taut_certify_options proof = {.tolerance = 1e-11};
+        taut_pipe_problem problem = random_blend(trial % 3 > 0);
+        taut_model *model = NULL;
+        taut_certificate *certificate = NULL;
+        double area = 0, volume = 0;
+        problem.lengths[0] = problem.lengths[1] = 0;
+        problem.shape = TAUT_PIPE_LEAST_CURVATURE;
+        problem.radius = 0.05;
+        problem.frame = trial % 2 == 0 ? TAUT_PIPE_FRENET : TAUT_PIPE_ROTATION_MINIMIZING;
+        if (taut_pipe_make(&problem, &fine, &model, NULL) != TAUT_OK) {
+            continue;
+        }
+        problem.shape = TAUT_PIPE_SHAPE_GIVEN; /* what is proved here is the tube */
+        CHECK(taut_pipe_certify(model, &problem, &proof, &certificate, NULL) == TAUT_OK, "proof");
+        integrate(taut_model_surface(model, 0), &area, &volume);
+        volume = -volume;                      /* x_u x x_v points inwards */
+        for (int side = 0; side < 2; side++) { /* discs look back at V_0, on at V_3 */
+            double x[2][3];
+            taut_curve_eval(taut_model_curve(model, 0), side, 1, &x[0][0]);
+            volume += (side == 0 ? -1 : 1) * taut_dot(x[0], x[1]) / taut_norm(x[1]) * pi * 0.05 *
+                      0.05 / 3;
+        }
+        CHECK_NEAR(area, figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
+        CHECK_NEAR(volume, figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
+        CHECK(figure(certificate, "fit_error") <= 1e-11, "trial %d", trial);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+}
+
+/* The same pipe, x -> scale x + shift. */
+static taut_pipe_problem moved(const taut_pipe_problem *problem, double scale, double shift)
+{
+    taut_pipe_problem other = *problem;
+    other.radius *= scale;
+    for (int side = 0; side < 2; side++) {
+        for (int k = 0; k < 3; k++) {
+            other.ends[side].point[k] = scale * other.ends[side].point[k] + shift;
+        }
+        other.ends[side].handle *= scale;
+        other.lengths[side] *= scale;
+    }
+    return other;
+}
+
+/* In millimetres, micrometres or metres, at the origin or a kilometre away: the verdict is one. */
+static void test_scale_and_shift(void)
+{
+    static const double moves[][2] = {{1e-3, 0}, {1e3, 0},   {1e-3, 1e6},
+                                      {1, 1e9},  {1e-80, 0}, {1e80, 0}};
+    for (int trial = 0; trial < random_trials(4); trial++) {
+        taut_pipe_problem problem = random_blend(trial % 3 > 0);
+        taut_error error = {.message = ""};
+        taut_model *model = NULL;
+        problem.radius = 1e4; /* refused, with the largest */
+        if (taut_pipe_make(&problem, NULL, &model, &error) != TAUT_NO_SOLUTION) {
+            CHECK(0, "a radius of 10 km");
+            continue;
+        }
+        const double rho = error.limit;
+        if (!(rho > 0.01)) {
+            continue;
+        }
+        for (size_t i = 0; i < sizeof moves / sizeof moves[0]; i++) {
+            for (int above = 0; above < 2; above++) {
+                taut_certificate *certificate = NULL;
+                const taut_make_options coarse = {.tolerance = 1e-3};
+                const taut_certify_options proof = {.tolerance = 1e-3};
+                problem.radius = above ? 1.0001 * rho : 0.9999 * rho;
+                taut_pipe_problem other = moved(&problem, moves[i][0], moves[i][1]);
+                const taut_status status = taut_pipe_make(&other, &coarse, &model, &error);
+                CHECK(status == (above ? TAUT_NO_SOLUTION : TAUT_OK), "trial %d, move %zu: %s",
+                      trial, i, error.message);
+                if (status != TAUT_OK) {
+                    CHECK_NEAR(error.limit / moves[i][0], rho, 2e-5 * rho, "trial %d, move %zu",
+                               trial, i);
+                    continue;
+                }
+                CHECK(taut_pipe_certify(model, &other, &proof, &certificate, NULL) == TAUT_OK,
+                      "proof");
+                for (int k = 0; k < taut_certificate_claim_count(certificate); k++) {
+                    const taut_claim *claim = taut_certificate_claim(certificate, k);
+                    CHECK(claim->holds != TAUT_FALSE, "trial %d, move %zu: %s %g, limit %g, %s",
+                          trial, i, claim->claim, claim->residual, claim->limit, claim->where);
+                }
+                CHECK(taut_certificate_claim(certificate, 2)->holds == TAUT_TRUE, "embedded");
+                taut_certificate_free(certificate);
+                taut_model_free(model);
+                model = NULL;
+            }
+        }
+    }
+}
+
+/* A pipe that flows the other way is the same pipe. */
+static void test_reversal(void)
+{
+    for (int trial = 0; trial < random_trials(8); trial++) {
+        taut_pipe_problem problem = random_blend(trial % 3 > 0), back = problem;
+        taut_model *models[2] = {NULL, NULL};
+        taut_certificate *certificates[2] = {NULL, NULL};
+        const taut_make_options coarse = {.tolerance = 1e-2};
+        for (int side = 0; side < 2; side++) {
+            back.ends[side] = problem.ends[1 - side];
+            back.lengths[side] = problem.lengths[1 - side];
+            for (int k = 0; k < 3; k++) {
+                back.ends[side].direction[k] *= -1;
+            }
+        }
+        back.alpha = problem.gamma;
+        back.beta = -problem.beta;
+        back.gamma = problem.alpha;
+        const taut_status first = taut_pipe_make(&problem, &coarse, &models[0], NULL);
+        CHECK(taut_pipe_make(&back, &coarse, &models[1], NULL) == first, "trial %d", trial);
+        if (first == TAUT_OK) {
+            static const char *const names[] = {"length",         "max_curvature",
+                                                "largest_radius", "total_curvature",
+                                                "total_torsion",  "bending"};
+            CHECK(taut_pipe_certify(models[0], NULL, NULL, &certificates[0], NULL) == TAUT_OK &&
+                      taut_pipe_certify(models[1], NULL, NULL, &certificates[1], NULL) == TAUT_OK,
+                  "proofs");
+            for (int k = 0; k < 6; k++) {
+                const double a = figure(certificates[0], names[k]);
+                CHECK_NEAR(figure(certificates[1], names[k]), a, 1e-9 * (1 + fabs(a)),
+                           "trial %d: %s", trial, names[k]);
+            }
+        }
+        for (int k = 0; k < 2; k++) {
+            taut_certificate_free(certificates[k]);
+            taut_model_free(models[k]);
+        }
+    }
+}
+
+int main(void)
+{
+    random_seed(20261122);
+    test_largest_radius();
+    test_pappus();
+    test_scale_and_shift();
+    test_reversal();
+    return check_failures != 0;
+}

@@ -1,0 +1,175 @@
+/* test_pipe.c -- every claim about a pipe fails on a model perturbed by ten times its limit, and
+ * figures come from the model alone. */
+#include "check.h"
+
+#include "core/vec3.h"
+#include "taut/taut.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* What is changed in a copy of a model: point `index` of surface or curve `name` by `move`. */
+typedef struct change {
+    const char *name;
+    int index; /* of the point; -1: none */
+    double move[3];
+    double shape[3]; /* added to the shape numbers of the axis */
+} change;
+
+static void add_surface(const taut_surface *surface, const change *c, taut_model *model)
+{
+    const int count =
+        taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
+    double *points = malloc(3 * (size_t)count * sizeof *points);
+    taut_surface *copy = NULL;
+    memcpy(points, taut_surface_points(surface), 3 * (size_t)count * sizeof *points);
+    if (strcmp(c->name, taut_surface_name(surface)) == 0) {
+        for (int k = 0; k < 3; k++) {
+            points[3 * (c->index < 0 ? count + c->index : c->index) + k] += c->move[k];
+        }
+    }
+    CHECK(taut_surface_new(taut_surface_name(surface), taut_surface_u(surface),
+                           taut_surface_v(surface), points, taut_surface_weights(surface), &copy,
+                           NULL) == TAUT_OK &&
+              taut_model_add_surface(model, copy) == TAUT_OK,
+          "copy");
+    free(points);
+}
+
+static taut_model *changed(const taut_model *model, const change *c)
+{
+    const taut_curve *axis = taut_model_curve(model, 0);
+    taut_model *copy = NULL;
+    taut_curve *curve = NULL;
+    taut_basis *basis = NULL;
+    taut_basis_spec spec;
+    double points[12];
+    CHECK(taut_model_new(&copy) == TAUT_OK, "model");
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        add_surface(taut_model_surface(model, i), c, copy);
+    }
+    taut_basis_spec_of(taut_curve_t(axis), &spec);
+    spec.alpha += c->shape[0];
+    spec.beta += c->shape[1];
+    spec.gamma += c->shape[2];
+    memcpy(points, taut_curve_points(axis), sizeof points);
+    for (int k = 0; k < 3 && strcmp(c->name, "axis") == 0; k++) {
+        points[3 * c->index + k] += c->move[k];
+    }
+    CHECK(taut_basis_new(&spec, 4, &basis, NULL) == TAUT_OK &&
+              taut_curve_new("axis", basis, points, NULL, &curve, NULL) == TAUT_OK &&
+              taut_model_add_curve(copy, curve) == TAUT_OK,
+          "axis");
+    taut_basis_free(basis);
+    return copy;
+}
+
+static const taut_claim *claim_of(const taut_certificate *certificate, const char *name)
+{
+    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+        if (strcmp(taut_certificate_claim(certificate, i)->claim, name) == 0) {
+            return taut_certificate_claim(certificate, i);
+        }
+    }
+    CHECK(0, "no claim %s", name);
+    return NULL;
+}
+
+/* The claim holds on the model, and not on the changed one. */
+static void must_fail(const taut_model *model, const taut_pipe_problem *problem, const change *c,
+                      const char *name)
+{
+    taut_certificate *before = NULL, *after = NULL;
+    taut_model *other = changed(model, c);
+    CHECK(taut_pipe_certify(model, problem, NULL, &before, NULL) == TAUT_OK, "%s", name);
+    CHECK(taut_pipe_certify(other, problem, NULL, &after, NULL) == TAUT_OK, "%s", name);
+    const taut_claim *good = claim_of(before, name), *bad = claim_of(after, name);
+    CHECK(good->holds == TAUT_TRUE, "%s holds: %g, limit %g", name, good->residual, good->limit);
+    CHECK(bad->holds == TAUT_FALSE, "%s fails: %g, limit %g", name, bad->residual, bad->limit);
+    taut_certificate_free(before);
+    taut_certificate_free(after);
+    taut_model_free(other);
+}
+
+static taut_pipe_problem skew(void)
+{
+    const taut_pipe_problem problem = {
+        .radius = 1,
+        .axis = TAUT_PIPE_ENDS,
+        .ends = {{{0.1, 0.2, 0.3}, {1, 2, 3}, 5}, {{9, 3, 1}, {1, -1, 0.5}, 6}},
+        .shape = TAUT_PIPE_LEAST_BENDING,
+    };
+    return problem;
+}
+
+static void test_claims(void)
+{
+    const taut_pipe_problem problem = skew();
+    taut_model *model = NULL;
+    taut_certificate *certificate = NULL;
+    CHECK(taut_pipe_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
+    CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proved");
+    const double joint1 = 10 * claim_of(certificate, "joint1")->limit;
+    const double joint2 = 10 * claim_of(certificate, "joint2")->limit;
+    const double ends = 10 * claim_of(certificate, "ends")->limit;
+    const change gap1 = {.name = "pipe1", .index = 9 + 3, .move = {joint1, joint1, joint1}};
+    const change gap2 = {.name = "pipe2", .index = 6, .move = {joint2, joint2, joint2}};
+    const change tilt = {.name = "blend", .index = 9 + 2, .move = {joint1, -joint1, joint1}};
+    const change bulge = {.name = "blend", .index = 9 * 40 + 4, .move = {2e-5, 2e-5, 2e-5}};
+    const change narrow = {.name = "pipe2", .index = -2, .move = {2e-5, -2e-5, 2e-5}};
+    const change start = {.name = "axis", .index = 0, .move = {ends, -ends, ends}};
+    const change shape = {.name = "", .index = 0, .shape = {-0.02, 0.05, 0}};
+    must_fail(model, &problem, &gap1, "joint1");
+    must_fail(model, &problem, &gap2, "joint2");
+    must_fail(model, &problem, &tilt, "joint1");
+    must_fail(model, &problem, &bulge, "tube");
+    must_fail(model, &problem, &narrow, "tube");
+    must_fail(model, &problem, &start, "ends");
+    must_fail(model, &problem, &shape, "optimal");
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+}
+
+/* The verdict turns at the largest radius, and is told as a ratio. */
+static void test_embedded(void)
+{
+    taut_pipe_problem problem = skew();
+    taut_model *model = NULL;
+    taut_certificate *certificate = NULL;
+    problem.shape = TAUT_PIPE_SHAPE_GIVEN;
+    CHECK(taut_pipe_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
+    CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proved");
+    const double rho = taut_record_number(
+        taut_record_get(taut_certificate_figures(certificate), "largest_radius"));
+    CHECK_NEAR(claim_of(certificate, "embedded")->residual, 1 / rho, 1e-15, "ratio");
+    taut_certificate_free(certificate);
+    for (int above = 0; above < 2; above++) {
+        problem.radius = above ? rho * (1 + 1e-9) : rho * (1 - 1e-9);
+        certificate = NULL;
+        CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proved");
+        CHECK(claim_of(certificate, "embedded")->holds == (above ? TAUT_FALSE : TAUT_TRUE), "%d",
+              above);
+        CHECK(claim_of(certificate, "tube")->holds == TAUT_FALSE, "another radius");
+        taut_certificate_free(certificate);
+    }
+    taut_model_free(model);
+}
+
+static void test_refusals(void)
+{
+    taut_model *model = NULL;
+    taut_certificate *certificate = NULL;
+    CHECK(taut_model_new(&model) == TAUT_OK, "model");
+    CHECK(taut_pipe_certify(model, NULL, NULL, &certificate, NULL) == TAUT_BAD_INPUT, "no pipe");
+    CHECK(taut_pipe_certify(NULL, NULL, NULL, &certificate, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(certificate == NULL, "untouched");
+    taut_model_free(model);
+}
+
+int main(void)
+{
+    test_claims();
+    test_embedded();
+    test_refusals();
+    return check_failures != 0;
+}

@@ -1,0 +1,203 @@
+/* test_panels.c -- conical panels lie in the surface's own tangent planes, circular vertices are
+ * those of the published formula, both have the angles they are named for; and what is refused. */
+#include "check.h"
+
+#include "taut/panels.h"
+
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+static const double *vertices(const taut_model *panels)
+{
+    return taut_surface_points(taut_model_surface(panels, 0));
+}
+
+static double detail(const taut_model *panels, const char *name)
+{
+    return taut_record_number(taut_record_get(taut_model_details(panels), name));
+}
+
+static taut_bonnet_problem random_problem(void)
+{
+    taut_bonnet_problem p = {.sign = random_int(0, 1) ? 1 : -1,
+                             .alpha = random_in(0.5, 2.5),
+                             .beta = random_in(0.5, 2),
+                             .theta = random_int(0, 3) == 0 ? pi : 0,
+                             .start = {random_in(-2, 1), random_in(-2, 1)},
+                             .bspline = random_int(0, 1)};
+    const double lambdas[] = {0, 0.9, random_in(0, 0.9)};
+    p.lambda[0] = p.lambda[1] = lambdas[random_int(0, 2)];
+    if (random_int(0, 2) == 0) {
+        p.normalize = 1;
+        p.sign = -1;
+        p.bspline = 0;
+        p.alpha = random_in(0.5, 1.5);
+        if (random_int(0, 1)) {
+            p.lambda[0] = p.lambda[1] = random_int(0, 1) ? 1 : 1 - random_log(1e-12, 0.1);
+        }
+    }
+    p.segments[0] = p.bspline ? random_int(1, 3) : 1;
+    p.segments[1] = p.bspline ? random_int(1, 3) : 1;
+    return p;
+}
+
+/* Panel (i, j) in the tangent plane at the middle of its parameters; distances over the size. */
+static void in_tangent_planes(const taut_surface *surface, const taut_model *panels,
+                              const int divide[2], int trial)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const int nv = divide[1] + 1;
+    for (int k = 0; k < divide[0] * divide[1]; k++) {
+        const int i = k / divide[1], j = k % divide[1];
+        const double a = (taut_basis_hi(u) - taut_basis_lo(u)) / divide[0];
+        const double b = (taut_basis_hi(v) - taut_basis_lo(v)) / divide[1];
+        double x[3][3], n[3], length = 0, size = 0, farthest = 0;
+        taut_surface_eval(surface, taut_basis_lo(u) + (i + 0.5) * a,
+                          taut_basis_lo(v) + (j + 0.5) * b, 1, &x[0][0]);
+        for (int c = 0; c < 3; c++) {
+            const int d = (c + 1) % 3, e = (c + 2) % 3;
+            n[c] = x[1][d] * x[2][e] - x[1][e] * x[2][d];
+            length = hypot(length, n[c]);
+        }
+        for (int corner = 0; corner < 4; corner++) {
+            const double *p = vertices(panels) + 3 * ((i + corner / 2) * nv + j + corner % 2);
+            double apart = 0, away = 0;
+            for (int c = 0; c < 3; c++) {
+                apart += n[c] / length * (p[c] - x[0][c]);
+                away = hypot(away, p[c] - x[0][c]);
+                size = fmax(size, fabs(p[c]));
+            }
+            farthest = fmax(farthest, fabs(apart));
+            size = fmax(size, away);
+        }
+        /* normals from the net are good to the rounding of points over a cell's share of them */
+        CHECK(farthest <= 1e-12 * size, "trial %d panel %d %d: %g of %g", trial, i, j, farthest,
+              size);
+    }
+}
+
+/* [(lambda n sin a + s sin u cosh v)/w, ...] up to a translation. */
+static void by_formula(const taut_bonnet_problem *p, const taut_model *panels, const int divide[2],
+                       int trial)
+{
+    const double l = p->lambda[0], w = sqrt((1 - l) * (1 + l)), s = p->sign;
+    const double a = p->alpha * p->segments[0] / divide[0];
+    const double b = p->beta * p->segments[1] / divide[1], side = cos(p->theta);
+    double offset[3] = {0, 0, 0}, size = 0;
+    for (int k = 0; k < (divide[0] + 1) * (divide[1] + 1); k++) {
+        const int n = k / (divide[1] + 1), m = k % (divide[1] + 1);
+        const double u = p->start[0] + n * a, v = p->start[1] + m * b;
+        const double x[3] = {(l * n * sin(a) + s * sin(u) * cosh(v)) / w,
+                             (m * sinh(b) + s * l * cos(u) * sinh(v)) / w, s * cos(u) * cosh(v)};
+        for (int c = 0; c < 3; c++) {
+            const double apart = vertices(panels)[3 * k + c] - side * x[c];
+            size = fmax(size, fabs(x[c]) + (c < 2 ? (fabs(u) + fabs(v)) / w : 0));
+            offset[c] = k == 0 ? apart : offset[c];
+            CHECK_NEAR(apart, offset[c], 1e-14 * size, "trial %d vertex %d %d", trial, n, m);
+        }
+    }
+}
+
+static void test_panels(void)
+{
+    for (int trial = 0; trial < random_trials(150); trial++) {
+        const taut_bonnet_problem p = random_problem();
+        taut_panels_options o = {.kind = TAUT_PANELS_CONICAL,
+                                 .divide = {random_int(8, 20), random_int(8, 20)}};
+        taut_model *model = NULL, *panels = NULL, *again = NULL;
+        taut_error error = {.message = ""};
+        o.divide[0] *= p.segments[0];
+        o.divide[1] *= p.segments[1];
+        CHECK(taut_bonnet_make(&p, NULL, &model, &error) == TAUT_OK, "%s", error.message);
+        CHECK(taut_panels_of_bonnet(&p, &o, &panels, &error) == TAUT_OK, "trial %d: %s", trial,
+              error.message);
+        if (panels != NULL) {
+            in_tangent_planes(taut_model_surface(model, 0), panels, o.divide, trial);
+            /* rounding of coordinates over panels of a hundredth of the size */
+            CHECK(detail(panels, "planarity") < 1e-12, "trial %d: %g", trial,
+                  detail(panels, "planarity"));
+            CHECK(detail(panels, "balance") < 1e-10, "trial %d: %g", trial,
+                  detail(panels, "balance"));
+        }
+        taut_model_free(panels);
+        panels = NULL;
+        o.kind = TAUT_PANELS_CIRCULAR;
+        CHECK(taut_panels_of_bonnet(&p, &o, &panels, &error) == TAUT_OK, "trial %d: %s", trial,
+              error.message);
+        CHECK(detail(panels, "planarity") < 1e-12 && detail(panels, "circle") < 1e-10,
+              "trial %d: %g %g", trial, detail(panels, "planarity"), detail(panels, "circle"));
+        if (!p.normalize) {
+            by_formula(&p, panels, o.divide, trial);
+            CHECK(taut_panels_of_model(model, &o, &again, &error) == TAUT_OK, "trial %d: %s", trial,
+                  error.message);
+            for (int k = 0; again != NULL && k < 3 * (o.divide[0] + 1) * (o.divide[1] + 1); k++) {
+                CHECK_NEAR(vertices(again)[k], vertices(panels)[k],
+                           1e-10 * (1 + fabs(vertices(panels)[k])), "trial %d, %d", trial, k);
+            }
+        }
+        taut_model_free(again);
+        taut_model_free(panels);
+        taut_model_free(model);
+    }
+}
+
+/* Halving the steps leaves a quarter of the distance. */
+static void test_order(void)
+{
+    const taut_bonnet_problem p = {
+        .lambda = {0.4, 0.4}, .sign = 1, .alpha = 2, .beta = 1.5, .start = {0.2, -0.5}};
+    for (int kind = 0; kind < 2; kind++) {
+        double last = 0;
+        for (int n = 16; n <= 64; n *= 2) {
+            const taut_panels_options o = {.kind = (taut_panels_kind)kind, .divide = {n, n}};
+            taut_model *panels = NULL;
+            CHECK(taut_panels_of_bonnet(&p, &o, &panels, NULL) == TAUT_OK, "%d", n);
+            const double distance = detail(panels, "distance");
+            CHECK(n == 16 || fabs(last / distance - 4) < 0.1, "kind %d, %d: %g after %g", kind, n,
+                  distance, last);
+            last = distance;
+            taut_model_free(panels);
+        }
+    }
+}
+
+static taut_status refused(taut_bonnet_problem p, int nu, int nv)
+{
+    const taut_panels_options o = {.kind = TAUT_PANELS_CONICAL, .divide = {nu, nv}};
+    taut_model *panels = NULL;
+    taut_error error;
+    const taut_status status = taut_panels_of_bonnet(&p, &o, &panels, &error);
+    CHECK(panels == NULL && (status == TAUT_OK || error.message[0] != '\0'), "untouched");
+    return status;
+}
+
+static void test_refusals(void)
+{
+    const taut_bonnet_problem p = {.lambda = {0.4, 0.4}, .sign = 1, .alpha = 2, .beta = 1.5};
+    taut_bonnet_problem q = p;
+    q.theta = 0.3;
+    CHECK(refused(q, 8, 8) == TAUT_NO_SOLUTION, "theta");
+    q = p;
+    q.alpha = pi;
+    CHECK(refused(q, 1, 8) == TAUT_NO_SOLUTION, "a step of pi");
+    q.lambda[0] = q.lambda[1] = 0.99;
+    q.sign = -1;
+    q.alpha = 2;
+    CHECK(refused(q, 2, 1) == TAUT_NO_SOLUTION, "steps too large");
+    q.lambda[0] = 2;
+    CHECK(refused(q, 8, 8) == TAUT_NO_SOLUTION, "no such surface");
+    CHECK(refused(p, 999999, 999999) == TAUT_BAD_INPUT, "too many");
+    CHECK(refused(p, -1, 8) == TAUT_BAD_ARGUMENT, "negative");
+    CHECK(taut_panels_of_model(NULL, NULL, NULL, NULL) == TAUT_BAD_ARGUMENT, "nothing");
+    CHECK(taut_panels_of_problem(NULL, NULL, NULL, NULL) == TAUT_BAD_ARGUMENT, "nothing");
+}
+
+int main(void)
+{
+    random_seed(20261123);
+    test_panels();
+    test_order();
+    test_refusals();
+    return check_failures != 0;
+}

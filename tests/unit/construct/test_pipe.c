@@ -1,0 +1,299 @@
+/* test_pipe.c -- construct `pipe` through its public header: rings and normals at the joints,
+ * degenerate geometry, refusals. */
+#include "check.h"
+
+#include "core/vec3.h"
+#include "taut/taut.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static taut_pipe_problem paper(double alpha, double beta, double gamma)
+{
+    const taut_pipe_problem problem = {
+        .radius = 1,
+        .polygon = {{5, 0, 0}, {5, 2, 0}, {0, 6, 0}, {0, 6, 3}},
+        .alpha = alpha,
+        .beta = beta,
+        .gamma = gamma,
+    };
+    return problem;
+}
+
+static taut_pipe_problem planar(const double polygon[4][3], double radius)
+{
+    taut_pipe_problem problem = {.radius = radius};
+    memcpy(problem.polygon, polygon, sizeof problem.polygon);
+    return problem;
+}
+
+/* Made and proved: its certificate, or NULL with a failure told. */
+static taut_certificate *proved(const taut_pipe_problem *problem, const char *name,
+                                taut_model **model)
+{
+    taut_error error = {.message = ""};
+    taut_certificate *certificate = NULL;
+    const taut_status status = taut_pipe_make(problem, NULL, model, &error);
+    CHECK(status == TAUT_OK, "%s: %s %s", name, error.where, error.message);
+    if (status == TAUT_OK) {
+        CHECK(taut_pipe_certify(*model, problem, NULL, &certificate, &error) == TAUT_OK, "%s: %s",
+              name, error.message);
+        for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+            const taut_claim *claim = taut_certificate_claim(certificate, i);
+            CHECK(claim->holds == TAUT_TRUE && claim->residual <= claim->limit,
+                  "%s: %s %g, limit %g, %s", name, claim->claim, claim->residual, claim->limit,
+                  claim->where);
+        }
+    }
+    return certificate;
+}
+
+static double figure(const taut_certificate *certificate, const char *name)
+{
+    return taut_record_number(taut_record_get(taut_certificate_figures(certificate), name));
+}
+
+/* Must be refused with this word at the start, and *model untouched. */
+static taut_error refused(const taut_pipe_problem *problem, taut_status wanted, const char *word)
+{
+    taut_error error = {.message = ""};
+    taut_model *model = NULL;
+    const taut_status status = taut_pipe_make(problem, NULL, &model, &error);
+    CHECK(status == wanted && model == NULL, "%s: %s: %s", word, taut_status_text(status),
+          error.message);
+    CHECK(strncmp(error.message, word, strlen(word)) == 0, "%s: %s", word, error.message);
+    taut_model_free(model);
+    return error;
+}
+
+/* Rings on the cylinders and normals radial to 1e-14; pipe1.u1 is blend.u0 point by point. */
+static void test_joints(void)
+{
+    taut_pipe_problem problem = paper(1, 2, 1);
+    taut_model *model = NULL;
+    taut_certificate *certificate = proved(&problem, "paper", &model);
+    const taut_surface *blend = taut_model_surface(model, 0);
+    for (int side = 0; side < 2; side++) {
+        const double *joint = problem.polygon[side == 0 ? 0 : 3];
+        const taut_surface *pipe = taut_model_surface(model, 1 + side);
+        CHECK(strcmp(taut_surface_name(pipe), side == 0 ? "pipe1" : "pipe2") == 0, "names");
+        for (int k = 0; k <= 64; k++) {
+            double a[3][3], b[3][3], radial[3], normal[3], across[3];
+            taut_surface_eval(blend, side, k / 64.0, 1, a[0]);
+            taut_surface_eval(pipe, 1 - side, k / 64.0, 1, b[0]);
+            taut_difference(a[0], joint, radial);
+            taut_cross(a[TAUT_XU], a[TAUT_XV], normal);
+            taut_cross(radial, normal, across);
+            CHECK_NEAR(taut_norm(radial), 1, 1e-14, "ring %d at %d", side, k);
+            CHECK(fabs(radial[side == 0 ? 1 : 2]) < 1e-14, "ring %d at %d in its plane", side, k);
+            CHECK(taut_norm(across) / taut_norm(normal) < 1e-14, "normal %d at %d: %g", side, k,
+                  taut_norm(across) / taut_norm(normal));
+            CHECK(taut_distance(a[0], b[0]) <= 4e-15, "gap %d at %d", side, k);
+        }
+    }
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+}
+
+/* [WangBai2018] section 3.3. */
+static void test_degenerate_geometry(void)
+{
+    static const double line[4][3] = {{0, 0, 0}, {1, 2, 2}, {2, 4, 4}, {4, 8, 8}};
+    static const double offset[4][3] = {{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {12, 4, 0}};
+    static const double elbow[4][3] = {{0, 0, 0}, {5, 0, 0}, {5, 0, 0}, {5, 5, 0}};
+    static const double parallel[4][3] = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {4, 2, 0}};
+    static const double uturn[4][3] = {{0, 0, 0}, {4, 0, 0}, {4, 6, 0}, {0, 6, 0}};
+    static const struct {
+        const char *name;
+        const double (*polygon)[3];
+        double curvature[2]; /* at the ends; -1: not 0 */
+    } cases[] = {{"line", line, {0, 0}},
+                 {"offset", offset, {-1, -1}},
+                 {"elbow", elbow, {0, 0}},
+                 {"parallel edges", parallel, {0, -1}},
+                 {"turn back", uturn, {-1, -1}}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const taut_pipe_problem problem = planar(cases[i].polygon, 0.5);
+        taut_model *model = NULL;
+        taut_certificate *certificate = proved(&problem, cases[i].name, &model);
+        const taut_record *ends =
+            taut_record_get(taut_certificate_figures(certificate), "joint_curvature");
+        for (int side = 0; side < 2; side++) {
+            const double found = taut_record_number(taut_record_at(ends, (size_t)side));
+            CHECK(cases[i].curvature[side] < 0 ? found > 0.01 : fabs(found) < 1e-15, "%s: %g",
+                  cases[i].name, found);
+        }
+        CHECK(fabs(figure(certificate, "total_torsion")) < 1e-13, "%s is plane", cases[i].name);
+        if (i == 0) {
+            CHECK_NEAR(figure(certificate, "length"), 12, 1e-13, "line");
+            CHECK(taut_record_kind_of(taut_record_get(taut_certificate_figures(certificate),
+                                                      "largest_radius")) == TAUT_RECORD_NULL,
+                  "a line takes any radius");
+        }
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+}
+
+static void test_refusals(void)
+{
+    static const double cusp[4][3] = {{0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}};
+    static const double offset[4][3] = {{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {12, 4, 0}};
+    static const double line[4][3] = {{0, 0, 0}, {1, 2, 2}, {2, 4, 4}, {4, 8, 8}};
+    static const double uturn[4][3] = {{0, 0, 0}, {40, 0, 0}, {40, 6, 0}, {0, 6, 0}};
+    taut_pipe_problem problem = paper(0, 0, 0);
+    problem.polygon[1][1] = 0;
+    (void)refused(&problem, TAUT_NO_SOLUTION, "DEGENERATE_EDGE");
+    problem = paper(0, 0, 0);
+    problem.lengths[1] = 1e-20;
+    (void)refused(&problem, TAUT_NO_SOLUTION, "TOO_SMALL");
+    problem = paper(3, 2, 1);
+    (void)refused(&problem, TAUT_NO_SOLUTION, "PARAMETER_DOMAIN");
+    problem = paper(0, -3.5, 0);
+    (void)refused(&problem, TAUT_NO_SOLUTION, "PARAMETER_DOMAIN");
+    problem = paper(0, 0, 1.5);
+    (void)refused(&problem, TAUT_NO_SOLUTION, "PARAMETER_DOMAIN");
+    problem = paper(-3, 0, 0);
+    (void)refused(&problem, TAUT_NO_SOLUTION, "TANGENT_LOST");
+    problem = paper(0, 0, -4);
+    problem.extended = 1;
+    (void)refused(&problem, TAUT_NO_SOLUTION, "TANGENT_LOST");
+    problem = planar(cusp, 0.01);
+    (void)refused(&problem, TAUT_NO_SOLUTION, "NOT_REGULAR");
+    problem = paper(0, 0, 0);
+    problem.radius = 1.3;
+    const taut_error local = refused(&problem, TAUT_NO_SOLUTION, "SELF_INTERSECT_LOCAL");
+    CHECK_NEAR(local.limit, 1.2, 1e-9, "1 / 0.8333333333"); /* [WangBai2018] section 6 */
+    problem = planar(uturn, 3.5);
+    problem.alpha = problem.gamma = 1;
+    problem.axis = TAUT_PIPE_POLYGON;
+    problem.radius = 3.2;
+    const taut_error both = refused(&problem, TAUT_NO_SOLUTION, "SELF_INTERSECT");
+    CHECK(both.limit <= 3 + 1e-12, "two half lines 6 apart: %g", both.limit);
+    problem = planar(offset, 0.5);
+    problem.frame = TAUT_PIPE_FRENET;
+    (void)refused(&problem, TAUT_NO_SOLUTION, "FRENET_UNDEFINED");
+    problem = planar(line, 0.5);
+    problem.frame = TAUT_PIPE_FRENET;
+    (void)refused(&problem, TAUT_NO_SOLUTION, "FRENET_UNDEFINED");
+    problem = (taut_pipe_problem){.radius = 1,
+                                  .axis = TAUT_PIPE_FEET,
+                                  .ends = {{{0, 0, 0}, {1, 0, 0}, 1}, {{0, 9, 0}, {-2, 0, 0}, 1}}};
+    (void)refused(&problem, TAUT_NO_SOLUTION, "PARALLEL_AXES");
+}
+
+/* Two axes that cross at a distance of 1, far from the blend's own bends. */
+static void test_global_refusal(void)
+{
+    taut_pipe_problem problem = {
+        .radius = 1,
+        .polygon = {{0, 0, 0}, {30, 0, 0}, {0, 30, 1}, {0, -30, 1}},
+    };
+    const taut_error error = refused(&problem, TAUT_NO_SOLUTION, "SELF_INTERSECT_GLOBAL");
+    taut_model *model = NULL;
+    CHECK(error.limit < 1 && error.limit > 0, "%g", error.limit);
+    problem.radius = 0.99 * error.limit;
+    taut_certificate *certificate = proved(&problem, "below the limit", &model);
+    CHECK_NEAR(figure(certificate, "largest_radius"), error.limit, 1e-9 * error.limit, "both");
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+}
+
+static void test_bad_numbers(void)
+{
+    const double bad[] = {0, -1, (double)NAN, (double)INFINITY, 1e-200, 1e200};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        taut_pipe_problem problem = paper(0, 0, 0);
+        problem.radius = bad[i];
+        (void)refused(&problem, TAUT_BAD_INPUT, "found");
+        problem = paper(0, 0, 0);
+        problem.lengths[1] = bad[i];
+        if (bad[i] != 0) {
+            (void)refused(&problem, TAUT_BAD_INPUT, "found");
+        }
+    }
+    taut_pipe_problem problem = paper(0, 0, (double)NAN);
+    (void)refused(&problem, TAUT_BAD_INPUT, "PARAMETER_DOMAIN");
+    problem = paper(0, 0, 0);
+    problem.polygon[2][1] = (double)NAN;
+    (void)refused(&problem, TAUT_BAD_INPUT, "a coordinate");
+    problem.axis = TAUT_PIPE_ENDS;
+    problem.ends[0].direction[0] = 1;
+    (void)refused(&problem, TAUT_BAD_INPUT, "the direction is zero");
+    problem.ends[1].direction[0] = (double)INFINITY;
+    (void)refused(&problem, TAUT_BAD_INPUT, "a coordinate");
+    problem.ends[1].direction[0] = 1;
+    problem.ends[0].handle = -1;
+    (void)refused(&problem, TAUT_BAD_INPUT, "found");
+    taut_model *model = NULL;
+    const taut_make_options options = {.tolerance = 1e-15};
+    problem = paper(0, 0, 0);
+    CHECK(taut_pipe_make(&problem, &options, &model, NULL) == TAUT_BAD_ARGUMENT, "tolerance");
+    CHECK(taut_pipe_make(NULL, NULL, &model, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+}
+
+/* Frames, tolerances, lengths, handles: each made and proved. */
+static void test_choices(void)
+{
+    taut_pipe_problem problem = paper(1, 3, 1);
+    taut_model *model = NULL;
+    problem.frame = TAUT_PIPE_FRENET;
+    problem.lengths[0] = 7;
+    taut_certificate *certificate = proved(&problem, "frenet", &model);
+    taut_certificate_free(certificate);
+    certificate = NULL;
+    /* from the model alone */
+    CHECK(taut_pipe_certify(model, NULL, NULL, &certificate, NULL) == TAUT_OK &&
+              taut_certificate_holds(certificate) == TAUT_TRUE,
+          "without the problem");
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+
+    /* Frenet's frame turning fast at the joint: x_u nearly along the ring */
+    problem = paper(1, 0, 1);
+    problem.polygon[2][1] = 1e-7;
+    problem.polygon[2][2] = 0;
+    problem.frame = TAUT_PIPE_FRENET;
+    problem.radius = 0.5;
+    certificate = proved(&problem, "twisted frenet", &model);
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+
+    problem = (taut_pipe_problem){
+        .radius = 1,
+        .axis = TAUT_PIPE_FEET,
+        .ends = {{{0, 0, 0}, {1, 0, 0}, 0}, {{0, 0, 3}, {0, 1, 0}, 0}},
+    };
+    certificate = proved(&problem, "feet", &model);
+    /* the shortest equal handles with a largest radius of three radii */
+    CHECK_NEAR(figure(certificate, "largest_radius"), 3, 1e-5, "long-radius elbow");
+    const double *points = taut_curve_points(taut_model_curve(model, 0));
+    CHECK(points[3] == 0 && points[4] == 0 && points[6] == 0 && points[8] == 3, "the feet");
+    CHECK(points[0] == -points[10], "equal handles");
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+
+    problem = (taut_pipe_problem){
+        .radius = 1,
+        .axis = TAUT_PIPE_ENDS,
+        .ends = {{{0, 0, 0}, {2, 0, 0}, 0}, {{9, 0, 0}, {3, 0, 0}, 0}},
+        .shape = TAUT_PIPE_LEAST_BENDING,
+    };
+    certificate = proved(&problem, "straight on", &model);
+    points = taut_curve_points(taut_model_curve(model, 0));
+    CHECK_NEAR(points[3], 3, 1e-14, "a third of the way");
+    CHECK(figure(certificate, "max_curvature") == 0, "straight");
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+}
+
+int main(void)
+{
+    test_joints();
+    test_degenerate_geometry();
+    test_refusals();
+    test_global_refusal();
+    test_bad_numbers();
+    test_choices();
+    return check_failures != 0;
+}
