@@ -59,6 +59,14 @@ static taut_status check_legs(const taut_quad *quad, int c, taut_error *error)
     double a[3], b[3], normal[3], sine = 0.0;
     taut_quad_leg(quad, m[0].edge, m[0].end, a);
     taut_quad_leg(quad, m[1].edge, m[1].end, b);
+    for (int k = 0; k < 2; k++) {
+        if (!(taut_norm(k == 0 ? a : b) > 0)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "/curves", 0.0, taut_none,
+                             "the control point of %s beside corner %s lies on it: the curve has "
+                             "no leg there",
+                             taut_asymptotic_edge_name(m[k].edge), taut_asymptotic_corner_name(c));
+        }
+    }
     taut_cross(a, b, normal);
     sine = taut_norm(normal) / (taut_norm(a) * taut_norm(b));
     if (!(sine >= least_sine)) {
