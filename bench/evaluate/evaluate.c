@@ -2,7 +2,8 @@
  *
  * One rational bicubic surface of 20 x 20 points, 1000 x 1000 parameters, one thread each;
  * position, and position with first and second derivatives. Rounds are interleaved and the best of
- * each is kept. Every result is compared with taut's. Prints a table, or JSON with --json.
+ * each is kept; grids, which take a few milliseconds, alternate six times in each round. Every
+ * result is compared with taut's. Prints a table, or JSON with --json.
  */
 #include "machine.h"
 #include "peer.h"
@@ -14,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { N = 20, ROUNDS = 5, ROWS = 5 };
+enum { N = 20, ROUNDS = 5, ROWS = 5, GRIDS = 6 };
 
 typedef struct row {
     const char *name;
@@ -124,14 +125,17 @@ int main(int argc, char **argv)
         for (int o = 0; o < 2; o++) {
             const int order = 2 * o;
             const size_t count = points * (size_t)TAUT_SURFACE_VECTORS(order) * 3;
-            keep(&rows[0], o, taut_grid(surface, &task, order, 1, ours, &wall), ours, ours, count);
-            one_thread = order == 2 ? fmin(one_thread, wall) : one_thread;
-            if (order == 2) {
+            for (int again = 0; again < GRIDS; again++) {
+                keep(&rows[0], o, taut_grid(surface, &task, order, 1, ours, &wall), ours, ours,
+                     count);
+                one_thread = order == 2 ? fmin(one_thread, wall) : one_thread;
+                keep(&rows[2], o, peer_sisl_grid(&task, order, theirs), ours, theirs, count);
+            }
+            for (int again = 0; order == 2 && again < GRIDS; again++) {
                 taut_grid(surface, &task, order, 2, ours, &wall);
                 two_threads = fmin(two_threads, wall);
             }
             keep(&rows[1], o, taut_point(surface, &task, order, theirs), ours, theirs, count);
-            keep(&rows[2], o, peer_sisl_grid(&task, order, theirs), ours, theirs, count);
             keep(&rows[3], o, peer_sisl_point(&task, order, theirs), ours, theirs, count);
             keep(&rows[4], o, peer_occt_cached(&task, order, theirs), ours, theirs, count);
         }
