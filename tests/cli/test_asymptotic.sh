@@ -33,6 +33,16 @@ contains err.txt 'branch +-\+-\+'
 sed 's/\("v0": {.*"points": \[\)\(\[[^]]*\]\), *\[[^]]*\]\(.*"v1":\)/\1\2, \2\3/' curves.json > legless.json
 refused 4 'curves: the control point of v0 beside corner u0v0 lies on it' make legless.json -o legless-made.json
 
+# Numbers whose products leave the range of double are refused by name, not by what becomes of them.
+sed 's/\("v0": {.*"points": \[\)\[[^]]*\], *\[[^]]*\]\(.*"v1":\)/\1[1, 0, 0], [1e300, 0, 1]\2/' curves.json > huge.json
+refused 3 'curves: a control point of v0 has a coordinate of 1e\+300' make huge.json -o huge-made.json
+for member in legs curvature weights; do
+    case $member in legs) value='[[0, 1e300, 1], [0, 0.2, -0.1]]' ;; curvature) value='[1e-300, 1]' ;; *) value='[1e300, 1]' ;; esac
+    tr -d '\n' < "$example/asymptotic-1.json" |
+        sed 's/\("v0": *{[^}]*"'$member'": *\)\(\[\[[^]]*\], *\[[^]]*\]\]\|\[[^]]*\]\)/\1'"$value"'/' > extreme.json
+    refused 3 "edges/v0/$member: .*1e-30" make extreme.json -o extreme-made.json
+done
+
 # Example 3 is singular: refused with the place, or built and said.
 sed 's/, *"singular": "report"//; s/"singular": "report"/"branch": "lowest"/' "$example/asymptotic-3.json" > three.json
 refused 4 'edge v0 is singular at parameter 0\.811599' make three.json -o c.json

@@ -61,6 +61,23 @@ static taut_status check_size(const double *corners, const double center[3], con
     return TAUT_OK;
 }
 
+static taut_status check_points(const taut_quad *quad, taut_error *error)
+{
+    for (int e = 0; e < 4; e++) {
+        for (int j = 0; j <= quad->degree; j++) {
+            const double *const p = quad->edges[e].points[j];
+            const double far = fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]));
+            if (!(far <= most_size)) {
+                return taut_fail(error, TAUT_BAD_INPUT, "/curves", far, most_size,
+                                 "a control point of %s has a coordinate of %.3g, expected %.0e at "
+                                 "the most",
+                                 taut_asymptotic_edge_name(e), far, most_size);
+            }
+        }
+    }
+    return TAUT_OK;
+}
+
 /* Moves the quadrilateral there. */
 static void center_quad(work *w)
 {
@@ -90,6 +107,9 @@ static taut_status take_curves(const taut_asymptotic_problem *problem, work *w, 
         }
         center_of(&corners[0][0], center);
         status = check_size(&corners[0][0], center, "/curves", &size, error);
+    }
+    if (status == TAUT_OK) {
+        status = check_points(&w->quad, error);
     }
     if (status == TAUT_OK) {
         taut_curve_rule_fill(w->quad.degree, TAUT_CURVE_FINE, &rule);

@@ -13,6 +13,14 @@ static const double least_sine = 1e-6;
 /* Straight data is given in decimals: a leg may leave the chord by its rounding. */
 static const double off_chord = 1e-12;
 
+/* Conditions are products of up to eight of these: what lies beyond leaves the range of double. */
+static const double most = 1e30;
+
+static int is_beyond(double x)
+{
+    return x > 0 && !(x <= most && x >= 1 / most);
+}
+
 static int finite_all(int count, const double *x)
 {
     for (int i = 0; i < count; i++) {
@@ -39,6 +47,9 @@ static taut_status check_edge(const taut_asymptotic_problem *problem, int e, tau
         if (!(edge->weights[k] > 0) || !isfinite(edge->weights[k])) {
             return bad(error, where, edge->weights[k], "weights must be positive numbers");
         }
+        if (is_beyond(edge->weights[k])) {
+            return bad(error, where, edge->weights[k], "weights must lie between 1e-30 and 1e30");
+        }
     }
     (void)snprintf(where, sizeof where, "/edges/%s/legs", taut_asymptotic_edge_name(e));
     if (!finite_all(3 * legs, &edge->legs[0][0])) {
@@ -48,12 +59,20 @@ static taut_status check_edge(const taut_asymptotic_problem *problem, int e, tau
         if (!(taut_norm(edge->legs[k]) > 0)) {
             return bad(error, where, 0.0, "a leg must not have length zero");
         }
+        if (is_beyond(taut_norm(edge->legs[k]))) {
+            return bad(error, where, taut_norm(edge->legs[k]),
+                       "the length of a leg must lie between 1e-30 and 1e30");
+        }
     }
     (void)snprintf(where, sizeof where, "/edges/%s/curvature", taut_asymptotic_edge_name(e));
     for (int k = 0; k < 2 && problem->degree > 3; k++) {
         const double curvature = edge->curvature[k];
         if (!(curvature >= 0) || !isfinite(curvature)) {
             return bad(error, where, curvature, "end curvatures must not be negative");
+        }
+        if (is_beyond(curvature)) {
+            return bad(error, where, curvature,
+                       "end curvatures must be 0 or lie between 1e-30 and 1e30");
         }
         if ((curvature > 0) != (edge->curvature[1 - k] > 0)) {
             return bad(error, where, 0.0,
