@@ -234,21 +234,46 @@ static int step_off(taut_walk *w)
     return 0;
 }
 
+/* Raises theta to where B is definite, to a tenth: with mu the least curvature over the metric
+ * operator that is theta = -mu / (1 - mu), and far above it inverse iterations see all directions
+ * alike. TAUT_NO_SOLUTION: there is none. */
+static taut_status find_definite(taut_walk *w)
+{
+    double below = -1, gain = 0;
+    taut_status status = TAUT_NO_SOLUTION;
+
+    for (int tries = 0; status == TAUT_NO_SOLUTION && tries < 40 && below < 1; tries++) {
+        if (tries > 0) {
+            below = w->theta;
+            raise_theta(w, tries);
+        }
+        scatter(w, w->right);
+        status = taut_film_solver_solve(w->solver, w->theta, 0.05, w->right, w->step, &gain);
+    }
+    for (double above = w->theta; status == TAUT_OK && below >= 0 && above > 1.1 * below + 1e-9;) {
+        w->theta = 0.5 * (below + above);
+        status = taut_film_solver_solve(w->solver, w->theta, 0.05, w->right, w->step, &gain);
+        if (status == TAUT_NO_SOLUTION) {
+            below = w->theta;
+            status = TAUT_OK;
+        } else {
+            above = w->theta;
+        }
+        w->theta = above;
+    }
+    return status;
+}
+
 /* At a net where the gradient vanishes: a minimum, or a saddle to be left. *at_rest: stay. */
 static taut_status check_minimum(taut_walk *w, int *at_rest, taut_error *error)
 {
     const double before = w->theta, normal = taut_film_solver_parts(w->solver) == 1 ? 0 : slack;
-    double gain = 0, curvature = 0;
+    double curvature = 0;
     taut_status status = TAUT_OK;
 
     *at_rest = 1;
-    scatter(w, w->right);
     w->theta = normal;
-    status = taut_film_solver_solve(w->solver, w->theta, 0.05, w->right, w->step, &gain);
-    for (int tries = 1; status == TAUT_NO_SOLUTION && tries < 40 && w->theta < 1; tries++) {
-        raise_theta(w, tries);
-        status = taut_film_solver_solve(w->solver, w->theta, 0.05, w->right, w->step, &gain);
-    }
+    status = find_definite(w);
     if (status == TAUT_OK && w->theta > normal) {
         curvature = least_curvature(w);
         if (curvature < -slack) {
