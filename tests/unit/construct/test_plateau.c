@@ -272,73 +272,6 @@ static void test_fine_nets(void)
     }
 }
 
-/* Enneper's surface (u - u^3/3 + u v^2, -v - u^2 v + v^3/3, u^2 - v^2) over [-a, a]^2, its boundary
- * on n x n cubic points: harmonic, so the Dirichlet surface is it. */
-static test_problem enneper(int n, double a)
-{
-    test_problem net = problem_new(basis_uniform(3, n), basis_uniform(3, n));
-    for (int at = 0; at < n * n; at++) {
-        const int m[2] = {at / n, at % n};
-        double one[2], two[2], three[2];
-        for (int c = 0; c < 2; c++) { /* blossoms of t, t^2, t^3 at three knots in a row */
-            double s[3];
-            for (int k = 0; k < 3; k++) {
-                s[k] = a * (2 * fmin(1, fmax(0, (double)(m[c] + k - 2) / (n - 3))) - 1);
-            }
-            one[c] = (s[0] + s[1] + s[2]) / 3;
-            two[c] = (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]) / 3;
-            three[c] = s[0] * s[1] * s[2];
-        }
-        if (m[0] % (n - 1) == 0 || m[1] % (n - 1) == 0) {
-            set(&net, m[0], m[1], one[0] - three[0] / 3 + one[0] * two[1],
-                -one[1] - two[0] * one[1] + three[1] / 3, two[0] - two[1]);
-        }
-    }
-    return net;
-}
-
-/* iint (1 + u^2 + v^2)^2 over [-a, a]^2 */
-static double enneper_area(double a)
-{
-    const double b = a * a;
-    return 4 * b * (1 + 4 * b / 3 + 2 * b * b / 5 + 2 * b * b / 9);
-}
-
-/* There is nothing left to gain on a small patch. */
-static void test_enneper(void)
-{
-    test_problem net = enneper(4, 0.5);
-    const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
-    CHECK_NEAR(area_of(&problem, "Enneper"), enneper_area(0.5), 1e-14, "Enneper");
-    problem_free(&net);
-}
-
-/* A minimal surface whose normals fill more than half of the sphere, here |(u, v)| < 1, is
- * stationary and no minimum: a start there is left for less area. Within that disc it stays where
- * it is. */
-static void test_saddle(void)
-{
-    static const double sizes[2] = {0.7, 1};
-    for (int k = 0; k < 4; k++) {
-        test_problem net = enneper(7, sizes[k / 2]);
-        const taut_plateau_problem problem = plateau_of(&net, (taut_plateau_method)(k % 2));
-        const double known = enneper_area(sizes[k / 2]);
-        taut_model *model = NULL;
-        taut_error error = {0};
-        CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%d: %s", k,
-              error.message);
-        const double area = model != NULL ? proved_area(model, &problem, "saddle") : nan("");
-        if (k / 2 == 0) {
-            CHECK_NEAR(area, known, 1e-13 * known, "stable, method %d", k % 2);
-        } else {
-            CHECK(area < known * (1 - 1e-3), "unstable, method %d: %.12g of %.12g", k % 2, area,
-                  known);
-        }
-        taut_model_free(model);
-        problem_free(&net);
-    }
-}
-
 /* The area never rises from one iteration to the next, but by the 1e-11 of it that two rules of
  * quadrature may differ where nodes are added. */
 static void test_monotone(void)
@@ -460,8 +393,6 @@ int main(void)
     test_examples();
     test_limits();
     test_fine_nets();
-    test_enneper();
-    test_saddle();
     test_monotone();
     test_refine();
     test_tolerance_area();
