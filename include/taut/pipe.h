@@ -44,6 +44,11 @@ typedef enum taut_pipe_frame {
     TAUT_PIPE_FRENET /* U the normal, W the binormal; they must exist all along */
 } taut_pipe_frame;
 
+typedef enum taut_pipe_joint {
+    TAUT_PIPE_TANGENT = 0,    /* "g1": the quartic of the basis "ce-bezier" */
+    TAUT_PIPE_CURVATURE_JOINT /* "g2": a quintic with three points on either axis */
+} taut_pipe_joint;
+
 typedef struct taut_pipe_problem {
     double radius; /* a > 0 */
     taut_pipe_axis axis;
@@ -53,6 +58,7 @@ typedef struct taut_pipe_problem {
     double alpha, beta, gamma; /* of the given shape */
     int extended;              /* nonzero: shape numbers outside the legal box are accepted */
     taut_pipe_frame frame;
+    taut_pipe_joint joint;
     double lengths[2]; /* of the straight pipes, > 0; 0: half lines, drawn three radii long */
 } taut_pipe_problem;
 
@@ -65,21 +71,27 @@ typedef struct taut_pipe_problem {
  * handles of ends, least length times bending; handles of feet, equal, the shortest with rho at
  * least three radii (a long-radius elbow).
  *
+ * With TAUT_PIPE_CURVATURE_JOINT the axis is the quintic Bezier curve of V_0, Q_1, V_1, V_2, Q_4,
+ * V_3, Q_1 = V_0 + (3 + alpha)/4 (V_1 - V_0),   Q_4 = V_3 - (3 + gamma)/4 (V_3 - V_2) without
+ * curvature at its ends, so that blend and cylinders have equal curvatures at the joints; beta is
+ * 0.
+ *
  * TAUT_BAD_INPUT: numbers out of range. TAUT_BAD_ARGUMENT: a tolerance below 1e-12.
  * TAUT_NO_SOLUTION, the message beginning with DEGENERATE_EDGE        V_0 = V_1 or V_2 = V_3
  *     PARALLEL_AXES          no common perpendicular
- *     PARAMETER_DOMAIN       a shape number outside the legal box, not extended
+ *     PARAMETER_DOMAIN       a shape number outside the legal box, not extended; beta with "g2"
  *     TANGENT_LOST           alpha or gamma at or below -3
  *     NOT_REGULAR            the axis has a cusp
  *     SELF_INTERSECT_LOCAL   the radius is not below the least radius of curvature
  *     SELF_INTERSECT_GLOBAL  the radius is not below half the distance of two parts of the axis
- *     FRENET_UNDEFINED       the curvature vanishes where it takes the normal along
+ *     FRENET_UNDEFINED       the curvature vanishes where it takes the normal along; also with "g2"
  * with error->limit the largest radius that would work, for SELF_INTERSECT_*. */
 TAUT_API taut_status taut_pipe_make(const taut_pipe_problem *problem,
                                     const taut_make_options *options, taut_model **model,
                                     taut_error *error);
 
-/* Proves it again: claims joint1, joint2, embedded, tube, and with a problem ends, and optimal
+/* Proves it again: claims joint1, joint2, embedded, tube, for "g2" curvature1 and
+ * curvature2, and with a problem ends, and optimal
  * where the shape was chosen (docs/pipe.md). problem may be NULL. */
 TAUT_API taut_status taut_pipe_certify(const taut_model *model, const taut_pipe_problem *problem,
                                        const taut_certify_options *options,

@@ -9,6 +9,9 @@ typedef struct taut_pipe_parts {
     const taut_surface *blend, *pipes[2];
     const taut_curve *axis;
     const taut_pipe_problem *problem; /* or NULL */
+    int quintic;                      /* nonzero: a quintic with three points on either end edge */
+    double polygon[4][3];             /* V_0 .. V_3 of the axis, */
+    double shape[3];                  /* and its shape numbers */
     taut_pipe_line line;
     taut_pipe_figures figures;
     double radius;   /* the user's unit */
@@ -21,9 +24,18 @@ typedef struct taut_pipe_parts {
  * exact. */
 double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double changes[3]);
 
-/* The claims: pipe_tube.c, pipe_ends.c. Each adds one, or returns TAUT_NO_MEMORY. */
+/* quintic, polygon and shape from the axis; TAUT_BAD_INPUT for an axis of another kind. */
+taut_status taut_pipe_read_axis(taut_pipe_parts *parts, taut_error *error);
+/* The axis with other shape numbers. */
+taut_status taut_pipe_axis_with(const taut_pipe_parts *parts, const double shape[3],
+                                taut_curve **curve, taut_error *error);
+
+/* The claims: pipe_tube.c, pipe_curvature.c, pipe_ends.c. Each adds one, or returns TAUT_NO_MEMORY.
+ */
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
                                   taut_certificate *certificate);
+taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
+                                      taut_certificate *certificate);
 taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
                                  taut_certificate *certificate);
 taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate *certificate);

@@ -5,12 +5,13 @@
 
 #include <string.h>
 
-static const char *const members[] = {"radius", "polygon", "from",  "to",           "axes",
-                                      "shape",  "domain",  "frame", "pipe_lengths", NULL};
+static const char *const members[] = {"radius", "polygon", "from",         "to",    "axes", "shape",
+                                      "domain", "frame",   "pipe_lengths", "joint", NULL};
 static const char *const end_members[] = {"point", "direction", "handle", NULL};
 static const char *const shape_members[] = {"alpha", "beta", "gamma", "auto", NULL};
 static const char *const goal_words[] = {"bending", "curvature", NULL};
 static const char *const domain_words[] = {"strict", "extended", NULL};
+static const char *const joint_words[] = {"g1", "g2", NULL};
 static const char *const frame_words[] = {"rotation-minimizing", "frenet", NULL};
 
 /* A member that is one of a few words; `value` stays as it is where it is missing. */
@@ -128,7 +129,9 @@ static taut_status read_shape(const taut_json *document, taut_pipe_problem *data
     data->shape = TAUT_PIPE_SHAPE_GIVEN;
     for (int k = 0; k < 3 && status == TAUT_OK; k++) {
         const taut_json number = taut_json_member(&at, shape_members[k]);
-        status = taut_json_number(&number, numbers[k], error);
+        if (k != 1 || number.value != NULL || data->joint == TAUT_PIPE_TANGENT) {
+            status = taut_json_number(&number, numbers[k], error);
+        }
     }
     return status;
 }
@@ -154,7 +157,7 @@ static taut_status pipe_read(const taut_json *document, taut_problem *problem, t
 {
     taut_pipe_problem *const data = taut_arena_take(problem->arena, 1, sizeof *data);
     const taut_json radius = taut_json_member(document, "radius");
-    int frame = TAUT_PIPE_ROTATION_MINIMIZING;
+    int frame = TAUT_PIPE_ROTATION_MINIMIZING, joint = TAUT_PIPE_TANGENT;
     taut_status status =
         data != NULL ? read_positive(&radius, &data->radius, error) : taut_fail_memory(error);
 
@@ -162,6 +165,10 @@ static taut_status pipe_read(const taut_json *document, taut_problem *problem, t
         status = read_axis(document, data, error);
     }
     if (status == TAUT_OK) {
+        status = read_word(document, "joint", joint_words, &joint, error);
+    }
+    if (status == TAUT_OK) {
+        data->joint = (taut_pipe_joint)joint;
         status = read_shape(document, data, error);
     }
     if (status == TAUT_OK) {

@@ -29,6 +29,19 @@ contains err.txt 'handles'
 run 0 make "$example/pipe-directed.json" -o directed.json -o directed.obj
 contains err.txt 'ends +holds'
 
+# Joints of equal curvature: no beta, no Frenet frame.
+run 0 make "$example/pipe-g2.json" -o g2.json
+contains err.txt 'curvature2 +holds'
+contains g2.json '"joint": "g2"'
+sed 's/"shape": "auto"/"shape": { "alpha": 0, "gamma": 0 }/' "$example/pipe-g2.json" > edited.json
+run 0 make edited.json
+sed 's/"shape": "auto"/"shape": { "alpha": 0, "beta": 1, "gamma": 0 }/' "$example/pipe-g2.json" > edited.json
+refused 4 '/shape/beta: PARAMETER_DOMAIN' make edited.json
+sed 's/"g2"/"g2", "frame": "frenet"/' "$example/pipe-g2.json" > edited.json
+refused 4 '/frame: FRENET_UNDEFINED' make edited.json
+sed 's/"g2"/"g3"/' "$example/pipe-g2.json" > edited.json
+refused 3 '/joint' make edited.json
+
 # What does not exist: 4, with what would mend it.
 edit() { sed "$1" "$example/pipe-paper.json" > edited.json; }
 edit 's/"extended"/"strict"/'

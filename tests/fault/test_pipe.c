@@ -81,6 +81,11 @@ int main(void)
     problem.polygon[3][2] = 9;
     const fault_call frenet = {"frenet", make, release_model, &problem};
     CHECK(fault_loop(&frenet) > 40, "a pipe takes memory");
+    problem.frame = TAUT_PIPE_ROTATION_MINIMIZING;
+    problem.joint = TAUT_PIPE_CURVATURE_JOINT;
+    problem.alpha = problem.beta = 0;
+    const fault_call quintic = {"quintic", make, release_model, &problem};
+    CHECK(fault_loop(&quintic) > 40, "a pipe takes memory");
     taut_model_free(model);
     return check_failures != 0;
 }

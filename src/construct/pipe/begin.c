@@ -73,6 +73,12 @@ static taut_status check_shape(const taut_pipe_problem *p, taut_error *error)
                              "PARAMETER_DOMAIN: %s is %g, expected at most 1000 in size",
                              names[k] + 7, shape[k]);
         }
+        if (k == 1 && p->joint == TAUT_PIPE_CURVATURE_JOINT && shape[k] != 0) {
+            return taut_fail(error, TAUT_NO_SOLUTION, names[k], shape[k], 0,
+                             "PARAMETER_DOMAIN: beta is %.17g, but has no part in a \"g2\" joint: "
+                             "leave it out",
+                             shape[k]);
+        }
         if (k != 1 && shape[k] <= low) {
             return taut_fail(error, TAUT_NO_SOLUTION, names[k], shape[k], low,
                              "TANGENT_LOST: %s is %.17g; at -3 the axis stands still at the joint, "
@@ -224,6 +230,16 @@ void taut_pipe_edges(const taut_pipe_task *task, const double handles[2], double
         if (task->problem->axis == TAUT_PIPE_ENDS) {
             edges[1][k] -= edges[0][k] + edges[2][k];
         }
+    }
+}
+
+void taut_pipe_arc_of(const taut_pipe_task *task, const double edges[3][3], const double shape[3],
+                      taut_pipe_arc *arc)
+{
+    if (task->problem->joint == TAUT_PIPE_CURVATURE_JOINT) {
+        taut_pipe_arc_quintic(edges, shape, arc);
+    } else {
+        taut_pipe_arc_quasi(edges, shape, arc);
     }
 }
 

@@ -63,14 +63,45 @@ static void frame_at(const maker *m, double t0, const taut_pipe_normals *before,
     taut_pipe_bishop(m->arc, t1, u, normals);
 }
 
-static void hermite(const double x0[3], const double d0[3], const double x1[3], const double d1[3],
-                    double h, double s, double out[3])
+/* Hermite's interpolant on a segment of length h, as a Bezier polygon: cubic, and quintic with
+ * second derivatives where the axis has that degree anyway. Returns its degree. */
+static int interpolant(const maker *m, const double x[2][3], const double d1[2][3],
+                       const double d2[2][3], double h, double (*out)[3])
 {
-    const double r = 1 - s;
+    const int n = m->binormal == NULL && m->arc->degree >= 5 ? 5 : 3;
     for (int k = 0; k < 3; k++) {
-        out[k] = (1 + 2 * s) * r * r * x0[k] + s * r * r * h * d0[k] + s * s * (3 - 2 * s) * x1[k] -
-                 s * s * r * h * d1[k];
+        out[0][k] = x[0][k];
+        out[1][k] = x[0][k] + h * d1[0][k] / n;
+        out[n - 1][k] = x[1][k] - h * d1[1][k] / n;
+        out[n][k] = x[1][k];
+        if (n == 5) {
+            out[2][k] = x[0][k] + 2 * h * d1[0][k] / 5 + h * h * d2[0][k] / 20;
+            out[3][k] = x[1][k] - 2 * h * d1[1][k] / 5 + h * h * d2[1][k] / 20;
+        }
     }
+    return n;
+}
+
+/* Of both vectors of the frame. */
+static int interpolants(const maker *m, const taut_pipe_normals *n0, const taut_pipe_normals *n1,
+                        double h, double (*u)[3], double (*w)[3])
+{
+    double x[2][3], d1[2][3], d2[2][3];
+    memcpy(x[0], n0->u, sizeof x[0]);
+    memcpy(x[1], n1->u, sizeof x[1]);
+    memcpy(d1[0], n0->du, sizeof d1[0]);
+    memcpy(d1[1], n1->du, sizeof d1[1]);
+    memcpy(d2[0], n0->ddu, sizeof d2[0]);
+    memcpy(d2[1], n1->ddu, sizeof d2[1]);
+    interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, (const double(*)[3])d2, h, u);
+    memcpy(x[0], n0->w, sizeof x[0]);
+    memcpy(x[1], n1->w, sizeof x[1]);
+    memcpy(d1[0], n0->dw, sizeof d1[0]);
+    memcpy(d1[1], n1->dw, sizeof d1[1]);
+    memcpy(d2[0], n0->ddw, sizeof d2[0]);
+    memcpy(d2[1], n1->ddw, sizeof d2[1]);
+    return interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, (const double(*)[3])d2, h,
+                       w);
 }
 
 /* The largest distance of X from the tube at a fraction s of a segment, over the radius. With
@@ -82,11 +113,13 @@ static double deviation(const maker *m, double t0, const taut_pipe_normals *n0, 
 {
     const double h = t1 - t0;
     double u[3], w[3], most = 0;
+    double polygon_u[TAUT_PIPE_DEGREE_MAX + 1][3], polygon_w[TAUT_PIPE_DEGREE_MAX + 1][3];
+    const int degree = interpolants(m, n0, n1, h, polygon_u, polygon_w);
     taut_pipe_jet jet;
 
     taut_pipe_arc_jet(m->arc, t0 + s * h, &jet);
-    hermite(n0->u, n0->du, n1->u, n1->du, h, s, u);
-    hermite(n0->w, n0->dw, n1->w, n1->dw, h, s, w);
+    taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, u, NULL);
+    taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
     for (int k = 0; k < ANGLES; k++) {
         const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
         double g[3], e = 0, turn = 0, square = 0;
@@ -158,16 +191,11 @@ static taut_status cut(maker *m)
     return TAUT_OK;
 }
 
-/* The cubic Hermite interpolant as a Bezier polygon of degree n. */
-static void elevate(const double x0[3], const double d0[3], const double x1[3], const double d1[3],
-                    double h, int n, double (*out)[3])
+/* A Bezier polygon of degree `from` as one of degree n. */
+static void elevate(int from, int n, double (*out)[3])
 {
-    for (int k = 0; k < 3; k++) {
-        out[0][k] = x0[k];
-        out[1][k] = x0[k] + h * d0[k] / 3;
-        out[2][k] = x1[k] - h * d1[k] / 3;
-        out[3][k] = x1[k];
-        for (int degree = 4; degree <= n; degree++) {
+    for (int degree = from + 1; degree <= n; degree++) {
+        for (int k = 0; k < 3; k++) {
             out[degree][k] = out[degree - 1][k];
             for (int i = degree - 1; i > 0; i--) {
                 const double part = (double)i / degree;
@@ -185,10 +213,12 @@ static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
     const double h = m->t[i + 1] - m->t[i];
     double p[TAUT_PIPE_DEGREE_MAX + 1][3], u[TAUT_PIPE_DEGREE_MAX + 1][3],
         w[TAUT_PIPE_DEGREE_MAX + 1][3];
+    int degree = 0;
 
     taut_pipe_arc_piece(m->arc, m->t[i], m->t[i + 1], p);
-    elevate(n0->u, n0->du, n1->u, n1->du, h, n, u);
-    elevate(n0->w, n0->dw, n1->w, n1->dw, h, n, w);
+    degree = interpolants(m, n0, n1, h, u, w);
+    elevate(degree, n, u);
+    elevate(degree, n, w);
     for (int row = 0; row <= n; row++) {
         for (int j = 0; j < TAUT_PIPE_RING; j++) {
             for (int k = 0; k < 3; k++) {

@@ -18,7 +18,9 @@ typedef struct taut_pipe_blend {
 /* X = P + a (c U + s W): (c, s) the rational quadratic circle, U and W cubic Hermite interpolants
  * of the frame with its exact derivatives ([WangBai2018] section 10.8). At the ends U and W are
  * unit and normal and their derivatives along the tangent (or turning about it), so the tangent
- * planes there are exactly those of the cylinders. As many segments as bring the distance from the
+ * planes there are exactly those of the cylinders. About arcs of degree 5 and more the interpolants
+ * are quintic, with second derivatives: where the arc has no curvature at its ends, the curvatures
+ * are those of the cylinders too. As many segments as bring the distance from the
  * exact tube below `tolerance` times the radius.
  * binormal: Frenet frames; NULL: rotation-minimising ones. TAUT_NO_MEMORY, or TAUT_NO_SOLUTION when
  * it would take more than 100,000 segments; the arena owns what is made. */

@@ -25,7 +25,7 @@ static void analyse(taut_pipe_task *task)
 {
     const taut_pipe_composite composite = {
         .count = 1, .arcs = &task->arc, .tails = {task->tails[0], task->tails[1]}};
-    taut_pipe_arc_quasi((const double(*)[3])task->edges, task->shape, &task->arc);
+    taut_pipe_arc_of(task, (const double(*)[3])task->edges, task->shape, &task->arc);
     taut_pipe_bend_extremes(&task->arc, 2 * TAUT_PIPE_REACH_SAMPLES, &task->bend);
     if (!taut_pipe_bend_is_cusp(&task->bend)) {
         taut_pipe_reach_of(&composite, task->reach_scratch, &task->reach);
@@ -78,6 +78,11 @@ static taut_status check_frenet(const taut_pipe_task *task, taut_pipe_binormal *
                                 taut_error *error)
 {
     const double limit = 1e-9; /* the binormal would turn through pi within 1e-9 of the axis */
+    if (task->problem->joint == TAUT_PIPE_CURVATURE_JOINT) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+                         "FRENET_UNDEFINED: a \"g2\" joint has no curvature, and so no normal; use "
+                         "\"rotation-minimizing\"");
+    }
     taut_pipe_binormal_of(&task->arc, binormal);
     if (!(binormal->least > 0) && task->bend.curvature == 0) {
         return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
