@@ -49,8 +49,14 @@ typedef enum taut_pipe_joint {
     TAUT_PIPE_CURVATURE_JOINT /* "g2": a quintic with three points on either axis */
 } taut_pipe_joint;
 
+typedef struct taut_pipe_section {
+    double a, b;         /* semi-axes, > 0; a of both sections 0: round, by the radius */
+    double direction[3]; /* of a; its part across the axis counts */
+} taut_pipe_section;
+
 typedef struct taut_pipe_problem {
-    double radius; /* a > 0 */
+    double radius;                 /* a > 0; not used with sections */
+    taut_pipe_section sections[2]; /* at V_0 and V_3 */
     taut_pipe_axis axis;
     double polygon[4][3];  /* TAUT_PIPE_POLYGON: V_0 .. V_3 */
     taut_pipe_end ends[2]; /* else */
@@ -76,11 +82,17 @@ typedef struct taut_pipe_problem {
  * curvature at its ends, so that blend and cylinders have equal curvatures at the joints; beta is
  * 0.
  *
+ * With sections the pipes are elliptic: the ellipse is carried along by the rotation-minimising
+ * frame and turned by t^2 (3 - 2 t) (with TAUT_PIPE_CURVATURE_JOINT t^3 (10 - 15 t + 6 t^2)) of the
+ * angle that is left, at most a right one. The circle around the larger is what must not cut
+ * itself.
+ *
  * TAUT_BAD_INPUT: numbers out of range. TAUT_BAD_ARGUMENT: a tolerance below 1e-12.
  * TAUT_NO_SOLUTION, the message beginning with DEGENERATE_EDGE        V_0 = V_1 or V_2 = V_3
  *     PARALLEL_AXES          no common perpendicular
  *     PARAMETER_DOMAIN       a shape number outside the legal box, not extended; beta with "g2"
  *     TANGENT_LOST           alpha or gamma at or below -3
+ *     SECTION_ALONG          the direction of a section is along the axis
  *     NOT_REGULAR            the axis has a cusp
  *     SELF_INTERSECT_LOCAL   the radius is not below the least radius of curvature
  *     SELF_INTERSECT_GLOBAL  the radius is not below half the distance of two parts of the axis

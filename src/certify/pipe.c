@@ -143,8 +143,13 @@ static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
     taut_record_add_number(figures, "total_torsion", f->torsion);
     taut_record_add_number(figures, "bending", f->bending / scale);
     taut_record_add_number(figures, "largest_radius", f->rho * scale);
-    taut_record_add_number(figures, "area", 2 * pi * a * length);
-    taut_record_add_number(figures, "volume", pi * a * a * length);
+    if (parts->sections[0].a > 0) {
+        taut_record_add_number(figures, "volume", taut_pipe_section_volume(parts));
+        taut_record_add_number(figures, "section_turn", parts->turn);
+    } else {
+        taut_record_add_number(figures, "area", 2 * pi * a * length);
+        taut_record_add_number(figures, "volume", pi * a * a * length);
+    }
     taut_record_add_numbers(figures, "joint_curvature", 2, ends);
     list = taut_record_add_list(figures, "joint_jump");
     for (int side = 0; side < 2; side++) { /* of the principal curvatures, the largest */
@@ -212,7 +217,8 @@ static taut_status certify(const taut_model *model, const void *data,
     if (status == TAUT_OK) {
         parts.line.flat = parts.quintic;
         find_data(model, data, &parts);
-        if (!(parts.radius > 0)) {
+        status = taut_pipe_read_sections(model, &parts);
+        if (status == TAUT_OK && !(parts.radius > 0)) {
             status = taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0", parts.radius, 0,
                                "the blend begins on its own axis: it has no radius");
         }

@@ -60,7 +60,9 @@ static double noise_of(const taut_pipe_parts *parts, int side)
         changes[j % 3] = fmax(changes[j % 3], fabs(ring[j] - next[j]));
     }
     rounding = fmax(taut_pipe_sideways(parts, side, changes), DBL_EPSILON * parts->radius);
-    return 8 * DBL_EPSILON + 8 * rounding * parts->radius / (leg * leg);
+    /* curvatures of flat ellipses are as much larger, in units of 1 / radius */
+    return (8 * DBL_EPSILON + 8 * rounding * parts->radius / (leg * leg)) * parts->flatness *
+           parts->flatness;
 }
 
 taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,

@@ -123,12 +123,16 @@ taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
         }
     }
     return taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", worst, 0,
-                               4 * DBL_EPSILON + DBL_EPSILON * parts->size / parts->radius + turned,
+                               (4 * DBL_EPSILON + DBL_EPSILON * parts->size / parts->radius) *
+                                       parts->flatness * parts->flatness +
+                                   turned,
                                where, certificate);
 }
 
-/* The distance of a local point from the axis, its foot sought from parameter `t` of the curve. */
-static double from_curve(const taut_pipe_line *line, const double x[3], double t)
+/* The foot of a local point on the axis, sought from parameter `t` of the curve, and the way from
+ * it. */
+static void from_curve(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
+                       double *at_s, double offset[3])
 {
     const taut_pipe_piece *piece = &line->pieces[0];
     double s = 0, d[3][3], apart[3];
@@ -147,7 +151,9 @@ static double from_curve(const taut_pipe_line *line, const double x[3], double t
         }
     }
     taut_pipe_piece_eval(piece, s, 0, d);
-    return taut_distance(d[0], x);
+    *at_piece = (int)(piece - line->pieces);
+    *at_s = s;
+    taut_difference(x, d[0], offset);
 }
 
 static void to_local(const taut_pipe_line *line, const double x[3], double local[3])
@@ -163,10 +169,14 @@ typedef struct deviation {
     char where[64];
 } deviation;
 
-static void see(deviation *d, const taut_pipe_parts *parts, double distance, const char *name,
-                double u, double v)
+/* A place: its way from the axis, at s of a piece. */
+static void see(deviation *d, const taut_pipe_parts *parts, int piece, double s,
+                const double offset[3], const char *name, double u, double v)
 {
-    const double residual = fabs(distance * parts->line.scale - parts->radius) / parts->radius;
+    const double residual =
+        parts->sections[0].a > 0
+            ? taut_pipe_section_miss(parts, piece, s, offset)
+            : fabs(taut_norm(offset) * parts->line.scale - parts->radius) / parts->radius;
     if (!(residual <= d->worst)) {
         d->worst = residual;
         snprintf(d->where, sizeof d->where, "%s, u = %.6g, v = %.6g", name, u, v);
@@ -182,10 +192,12 @@ static void see_blend(deviation *d, const taut_pipe_parts *parts)
             const double s = k == PER_SPAN ? breaks[i + 1]
                                            : breaks[i] + (breaks[i + 1] - breaks[i]) * k / PER_SPAN;
             for (int j = 0; j < RING; j++) {
-                double x[3], local[3];
+                double x[3], local[3], offset[3], foot = 0;
+                int piece = 0;
                 taut_surface_eval(parts->blend, s, at(v, j, RING), 0, x);
                 to_local(&parts->line, x, local);
-                see(d, parts, from_curve(&parts->line, local, s), "blend", s, at(v, j, RING));
+                from_curve(&parts->line, local, s, &piece, &foot, offset);
+                see(d, parts, piece, foot, offset, "blend", s, at(v, j, RING));
             }
         }
     }
@@ -207,8 +219,8 @@ static void see_pipe(deviation *d, const taut_pipe_parts *parts, int side)
             taut_difference(local, joint, foot);
             along = taut_dot(foot, line->tangent[side]);
             taut_add_scaled(-along, line->tangent[side], foot);
-            see(d, parts, taut_norm(foot), side == 0 ? "pipe1" : "pipe2", at(u, k, PER_SPAN),
-                at(v, j, RING));
+            see(d, parts, side == 0 ? 0 : line->count - 1, side, foot,
+                side == 0 ? "pipe1" : "pipe2", at(u, k, PER_SPAN), at(v, j, RING));
         }
     }
 }

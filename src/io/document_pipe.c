@@ -5,8 +5,10 @@
 
 #include <string.h>
 
-static const char *const members[] = {"radius", "polygon", "from",         "to",    "axes", "shape",
-                                      "domain", "frame",   "pipe_lengths", "joint", NULL};
+static const char *const members[] = {"radius",       "polygon", "from",     "to",
+                                      "axes",         "shape",   "domain",   "frame",
+                                      "pipe_lengths", "joint",   "sections", NULL};
+static const char *const section_members[] = {"a", "b", "direction", NULL};
 static const char *const end_members[] = {"point", "direction", "handle", NULL};
 static const char *const shape_members[] = {"alpha", "beta", "gamma", "auto", NULL};
 static const char *const goal_words[] = {"bending", "curvature", NULL};
@@ -153,13 +155,46 @@ static taut_status read_lengths(const taut_json *document, taut_pipe_problem *da
     return status;
 }
 
+/* `radius`, or two `sections`. */
+static taut_status read_sections(const taut_json *document, taut_pipe_problem *data,
+                                 taut_error *error)
+{
+    const taut_json radius = taut_json_member(document, "radius");
+    const taut_json at = taut_json_member(document, "sections");
+    size_t count = 0;
+    taut_status status = TAUT_OK;
+    if (at.value == NULL) {
+        return read_positive(&radius, &data->radius, error);
+    }
+    if (radius.value != NULL) {
+        return taut_json_fail(&at, error, taut_none, taut_none,
+                              "found \"sections\" beside \"radius\", expected one of them");
+    }
+    status = taut_json_array(&at, 2, 2, "sections, of pipe 1 and pipe 2", &count, error);
+    for (size_t i = 0; i < 2 && status == TAUT_OK; i++) {
+        const taut_json item = taut_json_item(&at, i);
+        const taut_json a = taut_json_member(&item, "a"), b = taut_json_member(&item, "b");
+        const taut_json direction = taut_json_member(&item, "direction");
+        status = taut_json_object(&item, section_members, error);
+        if (status == TAUT_OK) {
+            status = read_positive(&a, &data->sections[i].a, error);
+        }
+        if (status == TAUT_OK) {
+            status = read_positive(&b, &data->sections[i].b, error);
+        }
+        if (status == TAUT_OK) {
+            status = taut_json_numbers(&direction, 3, data->sections[i].direction, error);
+        }
+    }
+    return status;
+}
+
 static taut_status pipe_read(const taut_json *document, taut_problem *problem, taut_error *error)
 {
     taut_pipe_problem *const data = taut_arena_take(problem->arena, 1, sizeof *data);
-    const taut_json radius = taut_json_member(document, "radius");
     int frame = TAUT_PIPE_ROTATION_MINIMIZING, joint = TAUT_PIPE_TANGENT;
     taut_status status =
-        data != NULL ? read_positive(&radius, &data->radius, error) : taut_fail_memory(error);
+        data != NULL ? read_sections(document, data, error) : taut_fail_memory(error);
 
     if (status == TAUT_OK) {
         status = read_axis(document, data, error);

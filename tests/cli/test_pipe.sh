@@ -42,6 +42,17 @@ refused 4 '/frame: FRENET_UNDEFINED' make edited.json
 sed 's/"g2"/"g3"/' "$example/pipe-g2.json" > edited.json
 refused 3 '/joint' make edited.json
 
+# Elliptic ends.
+run 0 make "$example/pipe-elliptic.json" -o elliptic.json
+contains err.txt 'section turn +-1\.265'
+run 0 certify elliptic.json "$example/pipe-elliptic.json"
+sed 's/"b": 8, //' "$example/pipe-elliptic.json" > edited.json
+refused 3 '/sections/0/b' make edited.json
+sed 's/"sections"/"radius": 3, "sections"/' "$example/pipe-elliptic.json" > edited.json
+refused 3 '/sections.*radius' make edited.json
+sed 's/"direction": \[0, 0, 1\]/"direction": [2, 0, 0]/' "$example/pipe-elliptic.json" > edited.json
+refused 4 '/sections/0/direction: SECTION_ALONG' make edited.json
+
 # What does not exist: 4, with what would mend it.
 edit() { sed "$1" "$example/pipe-paper.json" > edited.json; }
 edit 's/"extended"/"strict"/'

@@ -87,5 +87,15 @@ int main(void)
     const fault_call quintic = {"quintic", make, release_model, &problem};
     CHECK(fault_loop(&quintic) > 40, "a pipe takes memory");
     taut_model_free(model);
+    model = NULL;
+    problem.sections[0] = (taut_pipe_section){0.5, 0.3, {1, 0, 1}};
+    problem.sections[1] = (taut_pipe_section){0.4, 0.4, {1, 0, 0}};
+    const fault_call elliptic = {"sections", make, release_model, &problem};
+    CHECK(fault_loop(&elliptic) > 40, "a pipe takes memory");
+    CHECK(taut_pipe_make(&problem, &coarse, &model, NULL) == TAUT_OK, "made");
+    const proof with_sections = {model, &problem};
+    const fault_call ellipses = {"ellipses", prove, release_certificate, &with_sections};
+    CHECK(model == NULL || fault_loop(&ellipses) > 20, "the proof takes memory");
+    taut_model_free(model);
     return check_failures != 0;
 }

@@ -19,6 +19,7 @@ static const double circle[TAUT_PIPE_RING][2] = {{1, 0},   {1, 1},  {0, 1},  {-1
 typedef struct maker {
     const taut_pipe_arc *arc;
     const taut_pipe_binormal *binormal;
+    const taut_pipe_ellipse *ellipse; /* or NULL: round */
     double radius, tolerance;
     double sharpest; /* parameter of the largest curvature: never stepped over unseen */
     taut_arena *arena;
@@ -49,18 +50,21 @@ static int add_node(maker *m, double t, const taut_pipe_normals *normals)
     return 1;
 }
 
-/* The frame at t1, carried from the one at t0. */
-static void frame_at(const maker *m, double t0, const taut_pipe_normals *before, double t1,
-                     taut_pipe_normals *normals)
+/* The frame at t1, or the axes of the ellipse there; u is carried from t0. */
+static void frame_at(const maker *m, double t0, double t1, double u[3], taut_pipe_normals *normals)
 {
-    double u[3];
+    taut_pipe_normals frame;
     if (m->binormal != NULL) {
         taut_pipe_frenet(m->arc, m->binormal, t1, normals);
         return;
     }
-    memcpy(u, before->u, sizeof u);
-    taut_pipe_carry(m->arc, t0, t1, (int)ceil(FRAMES_PER_UNIT * (t1 - t0)) + 1, u);
-    taut_pipe_bishop(m->arc, t1, u, normals);
+    if (t1 > t0) {
+        taut_pipe_carry(m->arc, t0, t1, (int)ceil(FRAMES_PER_UNIT * (t1 - t0)) + 1, u);
+    }
+    taut_pipe_bishop(m->arc, t1, u, m->ellipse != NULL ? &frame : normals);
+    if (m->ellipse != NULL) {
+        taut_pipe_ellipse_at(m->ellipse, m->arc, t1, &frame, normals);
+    }
 }
 
 /* Hermite's interpolant on a segment of length h, as a Bezier polygon: cubic, and quintic with
@@ -134,15 +138,46 @@ static double deviation(const maker *m, double t0, const taut_pipe_normals *n0, 
     return most;
 }
 
-static int is_close(const maker *m, double t0, const taut_pipe_normals *n0, double t1,
-                    const taut_pipe_normals *n1)
+/* The same of elliptic sections: no point of X is farther from the ellipse than from the one that
+ * has its angle there. u is carried to t0. */
+static double elliptic_deviation(const maker *m, double t0, const double carried[3],
+                                 const taut_pipe_normals *n0, double t1,
+                                 const taut_pipe_normals *n1, double s)
+{
+    const double h = t1 - t0;
+    double u[3], w[3], at[3], most = 0;
+    double polygon_u[TAUT_PIPE_DEGREE_MAX + 1][3], polygon_w[TAUT_PIPE_DEGREE_MAX + 1][3];
+    const int degree = interpolants(m, n0, n1, h, polygon_u, polygon_w);
+    taut_pipe_normals exact;
+
+    memcpy(at, carried, sizeof at);
+    frame_at(m, t0, t0 + s * h, at, &exact);
+    taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, u, NULL);
+    taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
+    taut_difference(u, exact.u, u);
+    taut_difference(w, exact.w, w);
+    for (int k = 0; k < ANGLES; k++) {
+        const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
+        double apart[3] = {0, 0, 0};
+        taut_add_scaled(c, u, apart);
+        taut_add_scaled(z, w, apart);
+        most = fmax(most, taut_norm(apart));
+    }
+    return most;
+}
+
+static int is_close(const maker *m, double t0, const double carried[3], const taut_pipe_normals *n0,
+                    double t1, const taut_pipe_normals *n1)
 {
     for (int i = 1; i < 8; i++) {
-        if (!(deviation(m, t0, n0, t1, n1, i / 8.0) <= 0.8 * m->tolerance)) {
+        const double found = m->ellipse != NULL
+                                 ? elliptic_deviation(m, t0, carried, n0, t1, n1, i / 8.0)
+                                 : deviation(m, t0, n0, t1, n1, i / 8.0);
+        if (!(found <= 0.8 * m->tolerance)) {
             return 0;
         }
     }
-    return !(m->sharpest > t0 && m->sharpest < t1) ||
+    return m->ellipse != NULL || !(m->sharpest > t0 && m->sharpest < t1) ||
            deviation(m, t0, n0, t1, n1, (m->sharpest - t0) / (t1 - t0)) <= 0.8 * m->tolerance;
 }
 
@@ -151,25 +186,24 @@ static int is_close(const maker *m, double t0, const taut_pipe_normals *n0, doub
 static taut_status cut(maker *m)
 {
     taut_pipe_normals here, next;
+    taut_pipe_jet jet;
     int level = 2;
-    double t = 0;
+    double t = 0, u[3], carried[3];
 
-    if (m->binormal != NULL) {
-        taut_pipe_frenet(m->arc, m->binormal, 0, &here);
-    } else {
-        taut_pipe_jet jet;
-        double u[3];
-        taut_pipe_arc_jet(m->arc, 0, &jet);
-        taut_pipe_first_normal(jet.tangent, u);
-        taut_pipe_bishop(m->arc, 0, u, &here);
+    taut_pipe_arc_jet(m->arc, 0, &jet);
+    taut_pipe_first_normal(jet.tangent, u);
+    if (m->ellipse != NULL) {
+        memcpy(u, m->ellipse->first, sizeof u);
     }
+    frame_at(m, 0, 0, u, &here);
     if (!add_node(m, 0, &here)) {
         return TAUT_NO_MEMORY;
     }
     while (t < 1) {
         const double h = ldexp(1, -level);
-        frame_at(m, t, &here, t + h, &next);
-        if (!is_close(m, t, &here, t + h, &next)) {
+        memcpy(carried, u, sizeof carried);
+        frame_at(m, t, t + h, carried, &next);
+        if (!is_close(m, t, u, &here, t + h, &next)) {
             if (++level > LEVEL_MAX) {
                 return TAUT_NO_SOLUTION;
             }
@@ -177,6 +211,7 @@ static taut_status cut(maker *m)
         }
         t += h;
         here = next;
+        memcpy(u, carried, sizeof u);
         if (m->count > SEGMENTS_MAX) {
             return TAUT_NO_SOLUTION;
         }
@@ -230,11 +265,16 @@ static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
 }
 
 taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double tolerance,
-                                 const taut_pipe_binormal *binormal, taut_arena *arena,
+                                 const taut_pipe_binormal *binormal,
+                                 const taut_pipe_ellipse *ellipse, taut_arena *arena,
                                  taut_pipe_blend *blend)
 {
-    maker m = {
-        .arc = arc, .binormal = binormal, .radius = radius, .tolerance = tolerance, .arena = arena};
+    maker m = {.arc = arc,
+               .binormal = binormal,
+               .ellipse = ellipse,
+               .radius = radius,
+               .tolerance = tolerance,
+               .arena = arena};
     const int n = arc->degree;
     double ring[TAUT_PIPE_DEGREE_MAX + 1][TAUT_PIPE_RING][3];
     double(*points)[TAUT_PIPE_RING][3] = NULL;

@@ -206,6 +206,13 @@ taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend
     taut_record_add_text(details, "joint", p->joint == TAUT_PIPE_TANGENT ? "g1" : "g2");
     taut_record_add_text(details, "frame",
                          p->frame == TAUT_PIPE_FRENET ? "frenet" : "rotation-minimizing");
+    for (int side = 0; side < 2 && p->sections[0].a > 0; side++) {
+        list = side == 0 ? taut_record_add_list(details, "sections") : list;
+        taut_record *const section = taut_record_add_object(list, NULL);
+        taut_record_add_number(section, "a", p->sections[side].a);
+        taut_record_add_number(section, "b", p->sections[side].b);
+        taut_record_add_numbers(section, "direction", 3, p->sections[side].direction);
+    }
     list = taut_record_add_list(details, "pipe_lengths");
     for (int side = 0; side < 2; side++) {
         if (p->lengths[side] > 0) {

@@ -98,16 +98,46 @@ static taut_status check_frenet(const taut_pipe_task *task, taut_pipe_binormal *
     return TAUT_OK;
 }
 
+/* The ellipse to carry along. */
+static taut_status find_ellipse(const taut_pipe_task *task, taut_pipe_ellipse *ellipse,
+                                taut_error *error)
+{
+    const taut_pipe_problem *p = task->problem;
+    const double *const directions[2] = {p->sections[0].direction, p->sections[1].direction};
+    int side = 0;
+    if (p->frame == TAUT_PIPE_FRENET) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+                         "FRENET_UNDEFINED: sections have frames of their own; use "
+                         "\"rotation-minimizing\"");
+    }
+    for (int i = 0; i < 2; i++) {
+        ellipse->a[i] = p->sections[i].a / p->radius;
+        ellipse->b[i] = p->sections[i].b / p->radius;
+    }
+    ellipse->smooth = p->joint == TAUT_PIPE_CURVATURE_JOINT;
+    if (!taut_pipe_ellipse_turn(&task->arc, directions, ellipse, &side)) {
+        return taut_fail(
+            error, TAUT_NO_SOLUTION, side == 0 ? "/sections/0/direction" : "/sections/1/direction",
+            0, 0, "SECTION_ALONG: the direction is along the axis there; give one across it");
+    }
+    return TAUT_OK;
+}
+
 static taut_status sweep(taut_pipe_task *task, double tolerance, taut_pipe_blend *blend,
                          taut_error *error)
 {
     taut_pipe_binormal binormal;
+    taut_pipe_ellipse ellipse;
     const int frenet = task->problem->frame == TAUT_PIPE_FRENET;
-    taut_status status = frenet ? check_frenet(task, &binormal, error) : TAUT_OK;
+    const int elliptic = task->problem->sections[0].a != 0;
+    taut_status status = elliptic ? find_ellipse(task, &ellipse, error)
+                         : frenet ? check_frenet(task, &binormal, error)
+                                  : TAUT_OK;
 
     if (status == TAUT_OK) {
-        status = taut_pipe_blend_make(&task->arc, task->radius, tolerance,
-                                      frenet ? &binormal : NULL, task->arena, blend);
+        status =
+            taut_pipe_blend_make(&task->arc, task->radius, tolerance, frenet ? &binormal : NULL,
+                                 elliptic ? &ellipse : NULL, task->arena, blend);
         if (status == TAUT_NO_SOLUTION) {
             status = taut_fail(error, status, "", tolerance, taut_none,
                                "the tube needs more than 100000 segments for a tolerance of %g: "
@@ -158,7 +188,8 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
 {
     const double asked = options != NULL ? options->tolerance : 0;
     const double tolerance = asked > 0 ? asked : tolerance_default;
-    taut_pipe_task task = {.problem = problem};
+    taut_pipe_problem round; /* with the circle around its sections */
+    taut_pipe_task task = {.problem = &round};
     taut_model *made = NULL;
     taut_status status = TAUT_OK;
 
@@ -170,6 +201,11 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, tolerance, tolerance_min,
                          "a tolerance of %g is below what rounding leaves: 1e-12 of the radius",
                          tolerance);
+    }
+    round = *problem;
+    if (problem->sections[0].a != 0 || problem->sections[1].a != 0) {
+        round.radius = fmax(fmax(problem->sections[0].a, problem->sections[0].b),
+                            fmax(problem->sections[1].a, problem->sections[1].b));
     }
     task.arena = taut_arena_new();
     if (task.arena != NULL) {
