@@ -57,6 +57,8 @@ typedef struct taut_pipe_section {
 typedef struct taut_pipe_problem {
     double radius;                 /* a > 0; not used with sections */
     taut_pipe_section sections[2]; /* at V_0 and V_3 */
+    double radii[2];               /* > 0, round pipes of unlike radii; 0, 0: not so */
+    int naive;                     /* nonzero: radii by the naive sweep, not the canal surface */
     taut_pipe_axis axis;
     double polygon[4][3];  /* TAUT_PIPE_POLYGON: V_0 .. V_3 */
     taut_pipe_end ends[2]; /* else */
@@ -87,6 +89,10 @@ typedef struct taut_pipe_problem {
  * angle that is left, at most a right one. The circle around the larger is what must not cut
  * itself.
  *
+ * With radii the blend is a canal surface, the envelope of spheres of radius r(t) = r_1 + (r_2 -
+ * r_1) t^2 (3 - 2 t) about P(t); or the naive sweep of circles of that radius across the axis,
+ * which is another surface. The tube of the larger radius is what must not cut itself.
+ *
  * TAUT_BAD_INPUT: numbers out of range. TAUT_BAD_ARGUMENT: a tolerance below 1e-12.
  * TAUT_NO_SOLUTION, the message beginning with DEGENERATE_EDGE        V_0 = V_1 or V_2 = V_3
  *     PARALLEL_AXES          no common perpendicular
@@ -94,6 +100,9 @@ typedef struct taut_pipe_problem {
  *     TANGENT_LOST           alpha or gamma at or below -3
  *     SECTION_ALONG          the direction of a section is along the axis
  *     NOT_REGULAR            the axis has a cusp
+ *     CANAL_NOT_REAL         the radius changes as fast as the axis runs
+ *     CANAL_NOT_REGULAR      the spheres' envelope has a crease
+ *     CANAL_JOINT            a canal surface with "g2"
  *     SELF_INTERSECT_LOCAL   the radius is not below the least radius of curvature
  *     SELF_INTERSECT_GLOBAL  the radius is not below half the distance of two parts of the axis
  *     FRENET_UNDEFINED       the curvature vanishes where it takes the normal along; also with "g2"

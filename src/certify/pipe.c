@@ -143,7 +143,12 @@ static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
     taut_record_add_number(figures, "total_torsion", f->torsion);
     taut_record_add_number(figures, "bending", f->bending / scale);
     taut_record_add_number(figures, "largest_radius", f->rho * scale);
-    if (parts->sections[0].a > 0) {
+    if (parts->canal) {
+        double measures[2];
+        taut_pipe_canal_measures(parts, &measures[0], &measures[1]);
+        taut_record_add_number(figures, "area", measures[0]);
+        taut_record_add_number(figures, "volume", measures[1]);
+    } else if (parts->sections[0].a > 0) {
         taut_record_add_number(figures, "volume", taut_pipe_section_volume(parts));
         taut_record_add_number(figures, "section_turn", parts->turn);
     } else {

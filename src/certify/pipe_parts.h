@@ -17,6 +17,7 @@ typedef struct taut_pipe_parts {
     double radius; /* the user's unit; with sections, of the circle around the larger */
     taut_pipe_section sections[2]; /* a of the first 0: round */
     double flatness;               /* the largest semi-axis over the smallest; 1 for round ones */
+    int canal;                     /* nonzero: sections are of a canal surface, a = b = r */
     double turn;                   /* psi at the end */
     double (*frames)[3];           /* U along the pieces (pipe_section.c) */
     double size;                   /* the largest coordinate of any control point, */
@@ -42,6 +43,13 @@ double taut_pipe_section_miss(const taut_pipe_parts *parts, int piece, double s,
                               const double offset[3]);
 /* pi times the integral of a b along the axis. */
 double taut_pipe_section_volume(const taut_pipe_parts *parts);
+
+/* How far a point (local) is from the canal surface, over the radius: |x - P(t)| - r(t) at its
+ * least, sought from t; *convex is how it bends there, over |P'|^2 / |x - P|, 0 on a crease. */
+double taut_pipe_canal_miss(const taut_pipe_parts *parts, const double x[3], double t,
+                            double *convex);
+/* Area and volume by their closed forms. */
+void taut_pipe_canal_measures(const taut_pipe_parts *parts, double *area, double *volume);
 
 /* The claims: pipe_tube.c, pipe_curvature.c, pipe_ends.c. Each adds one, or returns TAUT_NO_MEMORY.
  */

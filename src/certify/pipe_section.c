@@ -70,7 +70,26 @@ static void across(const double direction[3], const double tangent[3], double ou
 static void find_sections(const taut_model *model, taut_pipe_parts *parts)
 {
     const taut_record *list = taut_record_get(taut_model_details(model), "sections");
+    const taut_record *radii = taut_record_get(taut_model_details(model), "radii");
+    const char *surface = taut_record_text(taut_record_get(taut_model_details(model), "surface"));
+    const int told_canal = radii != NULL && surface != NULL && strcmp(surface, "canal") == 0;
     for (int side = 0; side < 2; side++) {
+        const double r = parts->problem != NULL ? parts->problem->radii[side]
+                         : radii != NULL ? taut_record_number(taut_record_at(radii, (size_t)side))
+                                         : 0;
+        if (r > 0) { /* circles: any direction across will do */
+            const double *tangent = parts->line.tangent[side];
+            taut_pipe_section *s = &parts->sections[side];
+            int least = 0;
+            for (int k = 1; k < 3; k++) {
+                least = fabs(tangent[k]) < fabs(tangent[least]) ? k : least;
+            }
+            *s = (taut_pipe_section){.a = r, .b = r};
+            s->direction[least] = 1;
+            parts->canal = parts->problem != NULL ? !parts->problem->naive : told_canal;
+        }
+    }
+    for (int side = 0; side < 2 && parts->sections[side].a == 0; side++) {
         taut_pipe_section *s = &parts->sections[side];
         const taut_record *told = taut_record_at(list, (size_t)side);
         if (parts->problem != NULL) {

@@ -5,9 +5,10 @@
 
 #include <string.h>
 
-static const char *const members[] = {"radius",       "polygon", "from",     "to",
-                                      "axes",         "shape",   "domain",   "frame",
-                                      "pipe_lengths", "joint",   "sections", NULL};
+static const char *const members[] = {
+    "radius", "polygon",      "from",  "to",       "axes",  "shape",   "domain",
+    "frame",  "pipe_lengths", "joint", "sections", "radii", "surface", NULL};
+static const char *const surface_words[] = {"canal", "naive-sweep", NULL};
 static const char *const section_members[] = {"a", "b", "direction", NULL};
 static const char *const end_members[] = {"point", "direction", "handle", NULL};
 static const char *const shape_members[] = {"alpha", "beta", "gamma", "auto", NULL};
@@ -155,20 +156,32 @@ static taut_status read_lengths(const taut_json *document, taut_pipe_problem *da
     return status;
 }
 
-/* `radius`, or two `sections`. */
+/* `radius`, two `radii`, or two `sections`. */
 static taut_status read_sections(const taut_json *document, taut_pipe_problem *data,
                                  taut_error *error)
 {
     const taut_json radius = taut_json_member(document, "radius");
     const taut_json at = taut_json_member(document, "sections");
+    const taut_json radii = taut_json_member(document, "radii");
     size_t count = 0;
     taut_status status = TAUT_OK;
+    if ((radius.value != NULL) + (at.value != NULL) + (radii.value != NULL) > 1) {
+        return taut_json_fail(document, error, taut_none, taut_none,
+                              "found more than one of \"radius\", \"radii\" and \"sections\", "
+                              "expected one: how wide the pipes are");
+    }
+    if (radii.value != NULL) {
+        status = taut_json_array(&radii, 2, 2, "radii, of pipe 1 and pipe 2", &count, error);
+        for (size_t i = 0; i < 2 && status == TAUT_OK; i++) {
+            const taut_json item = taut_json_item(&radii, i);
+            status = read_positive(&item, &data->radii[i], error);
+        }
+        return status == TAUT_OK
+                   ? read_word(document, "surface", surface_words, &data->naive, error)
+                   : status;
+    }
     if (at.value == NULL) {
         return read_positive(&radius, &data->radius, error);
-    }
-    if (radius.value != NULL) {
-        return taut_json_fail(&at, error, taut_none, taut_none,
-                              "found \"sections\" beside \"radius\", expected one of them");
     }
     status = taut_json_array(&at, 2, 2, "sections, of pipe 1 and pipe 2", &count, error);
     for (size_t i = 0; i < 2 && status == TAUT_OK; i++) {

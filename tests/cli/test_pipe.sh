@@ -49,9 +49,23 @@ run 0 certify elliptic.json "$example/pipe-elliptic.json"
 sed 's/"b": 8, //' "$example/pipe-elliptic.json" > edited.json
 refused 3 '/sections/0/b' make edited.json
 sed 's/"sections"/"radius": 3, "sections"/' "$example/pipe-elliptic.json" > edited.json
-refused 3 '/sections.*radius' make edited.json
+refused 3 'more than one' make edited.json
 sed 's/"direction": \[0, 0, 1\]/"direction": [2, 0, 0]/' "$example/pipe-elliptic.json" > edited.json
 refused 4 '/sections/0/direction: SECTION_ALONG' make edited.json
+
+# Two radii.
+run 0 make "$example/pipe-canal.json" -o canal.json
+contains err.txt 'regular +holds'
+contains err.txt 'graph +holds'
+run 0 certify canal.json "$example/pipe-canal.json"
+sed 's/"radii"/"surface": "naive-sweep", "radii"/' "$example/pipe-canal.json" > edited.json
+run 0 make edited.json -o naive.json
+contains naive.json '"surface": "naive-sweep"'
+run 1 certify naive.json "$example/pipe-canal.json"
+sed 's/"radii"/"joint": "g2", "radii"/' "$example/pipe-canal.json" > edited.json
+refused 4 '/joint: CANAL_JOINT' make edited.json
+sed 's/"radii": \[20, 8\]/"radii": [20]/' "$example/pipe-canal.json" > edited.json
+refused 3 '/radii' make edited.json
 
 # What does not exist: 4, with what would mend it.
 edit() { sed "$1" "$example/pipe-paper.json" > edited.json; }

@@ -97,5 +97,17 @@ int main(void)
     const fault_call ellipses = {"ellipses", prove, release_certificate, &with_sections};
     CHECK(model == NULL || fault_loop(&ellipses) > 20, "the proof takes memory");
     taut_model_free(model);
+    model = NULL;
+    problem.sections[0].a = problem.sections[1].a = 0;
+    problem.joint = TAUT_PIPE_TANGENT;
+    problem.radii[0] = 0.5;
+    problem.radii[1] = 0.3;
+    const fault_call canal = {"canal", make, release_model, &problem};
+    CHECK(fault_loop(&canal) > 40, "a pipe takes memory");
+    CHECK(taut_pipe_make(&problem, &coarse, &model, NULL) == TAUT_OK, "made");
+    const proof with_radii = {model, &problem};
+    const fault_call spheres = {"spheres", prove, release_certificate, &with_radii};
+    CHECK(model == NULL || fault_loop(&spheres) > 20, "the proof takes memory");
+    taut_model_free(model);
     return check_failures != 0;
 }

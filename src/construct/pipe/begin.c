@@ -224,8 +224,16 @@ taut_status taut_pipe_begin(taut_pipe_task *task, taut_error *error)
 {
     const taut_pipe_problem *p = task->problem;
     const int elliptic = p->sections[0].a != 0 || p->sections[1].a != 0;
-    taut_status status = elliptic ? TAUT_OK : check_length(p->radius, "/radius", error);
+    const int unlike = p->radii[0] != 0 || p->radii[1] != 0;
+    taut_status status = elliptic || unlike ? TAUT_OK : check_length(p->radius, "/radius", error);
 
+    for (int side = 0; side < 2 && status == TAUT_OK && unlike; side++) {
+        status = check_length(p->radii[side], side == 0 ? "/radii/0" : "/radii/1", error);
+    }
+    if (status == TAUT_OK && elliptic && unlike) {
+        status = taut_fail(error, TAUT_BAD_INPUT, "/radii", taut_none, taut_none,
+                           "found radii beside sections, expected one of them");
+    }
     for (int side = 0; side < 2 && status == TAUT_OK && elliptic; side++) {
         status =
             check_section(&p->sections[side], side == 0 ? "/sections/0" : "/sections/1", error);
@@ -293,16 +301,16 @@ static taut_status check_sizes(const taut_pipe_task *task, taut_error *error)
 {
     const taut_pipe_problem *p = task->problem;
     const taut_pipe_section *s = p->sections;
-    const double sizes[] = {p->radius, p->lengths[0], p->lengths[1], s[0].a,
-                            s[0].b,    s[1].a,        s[1].b};
+    const double sizes[] = {p->radius, p->lengths[0], p->lengths[1], s[0].a,     s[0].b,
+                            s[1].a,    s[1].b,        p->radii[0],   p->radii[1]};
     static const char *const names[] = {"/radius",       "/pipe_lengths/0", "/pipe_lengths/1",
                                         "/sections/0/a", "/sections/0/b",   "/sections/1/a",
-                                        "/sections/1/b"};
+                                        "/sections/1/b", "/radii/0",        "/radii/1"};
     double least = 0;
     for (int i = 0; i < 4; i++) {
         least = fmax(least, 0x1p-44 * largest(task->polygon[i]));
     }
-    for (int i = 0; i < 7; i++) {
+    for (int i = 0; i < 9; i++) {
         if (sizes[i] > 0 && sizes[i] < least) {
             return taut_fail(error, TAUT_NO_SOLUTION, names[i], sizes[i], least,
                              "TOO_SMALL: %.6g is lost in the rounding of coordinates of this size; "

@@ -108,6 +108,21 @@ static int interpolants(const maker *m, const taut_pipe_normals *n0, const taut_
                        w);
 }
 
+/* How far back the circles of a canal surface are; 0 for others. Returns the degree. */
+static int offsets(const maker *m, const taut_pipe_normals *n0, const taut_pipe_normals *n1,
+                   double h, double (*c)[3])
+{
+    double x[2][3] = {{0, 0, 0}, {0, 0, 0}}, d1[2][3] = {{0, 0, 0}, {0, 0, 0}};
+    const double none[2][3] = {{0, 0, 0}, {0, 0, 0}};
+    if (m->ellipse != NULL && m->ellipse->canal > 0) {
+        memcpy(x[0], n0->c, sizeof x[0]);
+        memcpy(x[1], n1->c, sizeof x[1]);
+        memcpy(d1[0], n0->dc, sizeof d1[0]);
+        memcpy(d1[1], n1->dc, sizeof d1[1]);
+    }
+    return interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, none, h, c);
+}
+
 /* The largest distance of X from the tube at a fraction s of a segment, over the radius. With
  * g = c U + s W and e its part along the tangent, the point of the axis nearest to X has moved by
  * a e / (1 - a kappa_n), so that the distance from the axis is a sqrt(g.g - e^2 / (1 - a kappa_n)).
@@ -145,7 +160,7 @@ static double elliptic_deviation(const maker *m, double t0, const double carried
                                  const taut_pipe_normals *n1, double s)
 {
     const double h = t1 - t0;
-    double u[3], w[3], at[3], most = 0;
+    double u[3], w[3], at[3], back[3] = {0, 0, 0}, most = 0;
     double polygon_u[TAUT_PIPE_DEGREE_MAX + 1][3], polygon_w[TAUT_PIPE_DEGREE_MAX + 1][3];
     const int degree = interpolants(m, n0, n1, h, polygon_u, polygon_w);
     taut_pipe_normals exact;
@@ -156,9 +171,14 @@ static double elliptic_deviation(const maker *m, double t0, const double carried
     taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
     taut_difference(u, exact.u, u);
     taut_difference(w, exact.w, w);
+    if (m->ellipse->canal > 0) {
+        offsets(m, n0, n1, h, polygon_u);
+        taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, back, NULL);
+        taut_difference(back, exact.c, back);
+    }
     for (int k = 0; k < ANGLES; k++) {
         const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
-        double apart[3] = {0, 0, 0};
+        double apart[3] = {back[0], back[1], back[2]};
         taut_add_scaled(c, u, apart);
         taut_add_scaled(z, w, apart);
         most = fmax(most, taut_norm(apart));
@@ -247,18 +267,20 @@ static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
     const taut_pipe_normals *n0 = &m->normals[i], *n1 = &m->normals[i + 1];
     const double h = m->t[i + 1] - m->t[i];
     double p[TAUT_PIPE_DEGREE_MAX + 1][3], u[TAUT_PIPE_DEGREE_MAX + 1][3],
-        w[TAUT_PIPE_DEGREE_MAX + 1][3];
+        w[TAUT_PIPE_DEGREE_MAX + 1][3], c[TAUT_PIPE_DEGREE_MAX + 1][3];
     int degree = 0;
 
     taut_pipe_arc_piece(m->arc, m->t[i], m->t[i + 1], p);
     degree = interpolants(m, n0, n1, h, u, w);
     elevate(degree, n, u);
     elevate(degree, n, w);
+    offsets(m, n0, n1, h, c);
+    elevate(degree, n, c);
     for (int row = 0; row <= n; row++) {
         for (int j = 0; j < TAUT_PIPE_RING; j++) {
             for (int k = 0; k < 3; k++) {
-                out[row][j][k] =
-                    p[row][k] + m->radius * (circle[j][0] * u[row][k] + circle[j][1] * w[row][k]);
+                out[row][j][k] = p[row][k] + m->radius * (c[row][k] + circle[j][0] * u[row][k] +
+                                                          circle[j][1] * w[row][k]);
             }
         }
     }

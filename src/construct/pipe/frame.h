@@ -8,6 +8,7 @@ typedef struct taut_pipe_normals {
     double u[3], du[3];    /* first vector and its derivative by t */
     double w[3], dw[3];    /* tangent x u */
     double ddu[3], ddw[3]; /* second derivatives, of rotation-minimising ones */
+    double c[3], dc[3];    /* of canal surfaces: how far back the circle is */
 } taut_pipe_normals;
 
 /* The coordinate axis with the smallest component in `tangent`, made normal to it; the lowest of

@@ -213,6 +213,10 @@ taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend
         taut_record_add_number(section, "b", p->sections[side].b);
         taut_record_add_numbers(section, "direction", 3, p->sections[side].direction);
     }
+    if (p->radii[0] > 0) {
+        taut_record_add_numbers(details, "radii", 2, p->radii);
+        taut_record_add_text(details, "surface", p->naive ? "naive-sweep" : "canal");
+    }
     list = taut_record_add_list(details, "pipe_lengths");
     for (int side = 0; side < 2; side++) {
         if (p->lengths[side] > 0) {

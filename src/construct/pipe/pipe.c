@@ -115,10 +115,58 @@ static taut_status find_ellipse(const taut_pipe_task *task, taut_pipe_ellipse *e
         ellipse->b[i] = p->sections[i].b / p->radius;
     }
     ellipse->smooth = p->joint == TAUT_PIPE_CURVATURE_JOINT;
+    ellipse->canal = 0;
     if (!taut_pipe_ellipse_turn(&task->arc, directions, ellipse, &side)) {
         return taut_fail(
             error, TAUT_NO_SOLUTION, side == 0 ? "/sections/0/direction" : "/sections/1/direction",
             0, 0, "SECTION_ALONG: the direction is along the axis there; give one across it");
+    }
+    return TAUT_OK;
+}
+
+/* Round sections of unlike radii: circles swept naively, or a canal surface that is real and
+ * regular. */
+static taut_status find_canal(const taut_pipe_task *task, taut_pipe_ellipse *ellipse,
+                              taut_error *error)
+{
+    const double least = 1e-3; /* of 1: what is left is a crease but for rounding */
+    const taut_pipe_problem *p = task->problem;
+    taut_pipe_canal_room room;
+    taut_pipe_jet jet;
+
+    if (p->joint == TAUT_PIPE_CURVATURE_JOINT && !p->naive) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/joint", taut_none, taut_none,
+                         "CANAL_JOINT: a canal surface is joined with \"g1\"; use that, or "
+                         "\"surface\": \"naive-sweep\"");
+    }
+    if (p->frame == TAUT_PIPE_FRENET) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+                         "FRENET_UNDEFINED: radii have frames of their own; use "
+                         "\"rotation-minimizing\"");
+    }
+    *ellipse = (taut_pipe_ellipse){.smooth = p->joint == TAUT_PIPE_CURVATURE_JOINT};
+    for (int i = 0; i < 2; i++) {
+        ellipse->a[i] = ellipse->b[i] = p->radii[i] / p->radius;
+    }
+    taut_pipe_arc_jet(&task->arc, 0, &jet);
+    taut_pipe_first_normal(jet.tangent, ellipse->first);
+    if (p->naive) {
+        return TAUT_OK;
+    }
+    ellipse->canal = task->radius;
+    taut_pipe_canal_room_of(ellipse, &task->arc, &room);
+    if (!(room.real > least)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/radii", room.real, least,
+                         "CANAL_NOT_REAL: the radius changes as fast as the axis runs at t = %.6g, "
+                         "so that no envelope is there; radii nearer to each other, ends farther "
+                         "apart or longer handles give one",
+                         room.real_at);
+    }
+    if (!(room.regular > least)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/radii", room.regular, least,
+                         "CANAL_NOT_REGULAR: the envelope has a crease at t = %.6g; smaller radii, "
+                         "nearer to each other, or ends farther apart avoid it",
+                         room.regular_at);
     }
     return TAUT_OK;
 }
@@ -129,10 +177,12 @@ static taut_status sweep(taut_pipe_task *task, double tolerance, taut_pipe_blend
     taut_pipe_binormal binormal;
     taut_pipe_ellipse ellipse;
     const int frenet = task->problem->frame == TAUT_PIPE_FRENET;
-    const int elliptic = task->problem->sections[0].a != 0;
-    taut_status status = elliptic ? find_ellipse(task, &ellipse, error)
-                         : frenet ? check_frenet(task, &binormal, error)
-                                  : TAUT_OK;
+    const int canal = task->problem->radii[0] != 0;
+    const int elliptic = canal || task->problem->sections[0].a != 0;
+    taut_status status = canal      ? find_canal(task, &ellipse, error)
+                         : elliptic ? find_ellipse(task, &ellipse, error)
+                         : frenet   ? check_frenet(task, &binormal, error)
+                                    : TAUT_OK;
 
     if (status == TAUT_OK) {
         status =
@@ -206,6 +256,9 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
     if (problem->sections[0].a != 0 || problem->sections[1].a != 0) {
         round.radius = fmax(fmax(problem->sections[0].a, problem->sections[0].b),
                             fmax(problem->sections[1].a, problem->sections[1].b));
+    }
+    if (problem->radii[0] != 0 || problem->radii[1] != 0) {
+        round.radius = fmax(problem->radii[0], problem->radii[1]);
     }
     task.arena = taut_arena_new();
     if (task.arena != NULL) {

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { STEPS = 4096 };
+enum { STEPS = 4096, SAMPLES = 2000 };
 
 static const double pi = 3.14159265358979323846;
 
@@ -30,6 +30,55 @@ static void scale(const double ends[2], const double s[3], const double e[3], co
     }
 }
 
+/* With q = P' . P'', v = |P'| and w = r_s^2 = r'^2 / v^2,
+ *     c = -(r r' / v^2) P',   rho = r sqrt(1 - w),   rho U and rho W with U' = -(U . T') T */
+static void canal_at(const taut_pipe_ellipse *canal, const taut_pipe_jet *jet, const double s[3],
+                     const taut_pipe_normals *frame, taut_pipe_normals *out)
+{
+    const double change = canal->canal * (canal->a[1] - canal->a[0]);
+    const double r = canal->canal * canal->a[0] + change * s[0], r1 = change * s[1];
+    const double r2 = change * s[2], v2 = jet->speed * jet->speed, q = taut_dot(jet->d1, jet->d2);
+    const double w = r1 * r1 / v2, w1 = 2 * r1 * r2 / v2 - 2 * r1 * r1 * q / (v2 * v2);
+    const double root = sqrt(fmax(1 - w, 1e-12));
+    const double rho = r * root / canal->canal, g = r * r1 / v2 / canal->canal;
+    const double rho1 = (r1 * root - 0.5 * r * w1 / root) / canal->canal;
+    const double g1 = ((r1 * r1 + r * r2) / v2 - 2 * r * r1 * q / (v2 * v2)) / canal->canal;
+    for (int k = 0; k < 3; k++) {
+        out->c[k] = -g * jet->d1[k];
+        out->dc[k] = -g1 * jet->d1[k] - g * jet->d2[k];
+        out->u[k] = rho * frame->u[k];
+        out->w[k] = rho * frame->w[k];
+        out->du[k] = rho1 * frame->u[k] + rho * frame->du[k];
+        out->dw[k] = rho1 * frame->w[k] + rho * frame->dw[k];
+    }
+}
+
+/* r_ss = (r'' - r' q / v^2) / v^2 */
+void taut_pipe_canal_room_of(const taut_pipe_ellipse *canal, const taut_pipe_arc *arc,
+                             taut_pipe_canal_room *room)
+{
+    *room = (taut_pipe_canal_room){.real = INFINITY, .regular = INFINITY};
+    for (int i = 0; i <= SAMPLES; i++) {
+        const double t = (double)i / SAMPLES, change = canal->canal * (canal->a[1] - canal->a[0]);
+        double s[3];
+        taut_pipe_jet jet;
+        taut_pipe_arc_jet(arc, t, &jet);
+        step_at(canal->smooth, t, s);
+        const double v2 = jet.speed * jet.speed, r = canal->canal * canal->a[0] + change * s[0];
+        const double rs = change * s[1] / jet.speed;
+        const double rss = (change * s[2] - change * s[1] * taut_dot(jet.d1, jet.d2) / v2) / v2;
+        const double left = 1 - rs * rs - r * rss - r * jet.curvature * sqrt(fmax(1 - rs * rs, 0));
+        if (1 - fabs(rs) < room->real) {
+            room->real = 1 - fabs(rs);
+            room->real_at = t;
+        }
+        if (left < room->regular) {
+            room->regular = left;
+            room->regular_at = t;
+        }
+    }
+}
+
 /* E_1' = psi' E_2 - (E_1 . T') T, E_2' = -psi' E_1 - (E_2 . T') T, and once more. */
 void taut_pipe_ellipse_at(const taut_pipe_ellipse *ellipse, const taut_pipe_arc *arc, double t,
                           const taut_pipe_normals *frame, taut_pipe_normals *section)
@@ -39,6 +88,10 @@ void taut_pipe_ellipse_at(const taut_pipe_ellipse *ellipse, const taut_pipe_arc 
 
     taut_pipe_arc_jet(arc, t, &jet);
     step_at(ellipse->smooth, t, s);
+    if (ellipse->canal > 0) {
+        canal_at(ellipse, &jet, s, frame, section);
+        return;
+    }
     const double c = cos(ellipse->turn * s[0]), z = sin(ellipse->turn * s[0]);
     const double rate[2] = {ellipse->turn * s[1], -ellipse->turn * s[1]};
     const double rate1[2] = {ellipse->turn * s[2], -ellipse->turn * s[2]};
