@@ -27,7 +27,7 @@ fuzz_one() { # fuzz_one TARGET SECONDS
     mkdir -p "$work/found"
     [ -e "tests/fuzz/$1.dict" ] && options+=("-dict=tests/fuzz/$1.dict")
     [ "$1" = problems ] && [ "$2" -ge 300 ] && seeds+=(examples) # some take seconds under the sanitizers
-    if "build/sanitize/fuzz/fuzz-$1" "${options[@]}" -max_total_time="$2" -timeout=25 -rss_limit_mb=3000 -max_len=8192 \
+    if "build/sanitize/fuzz/fuzz-$1" "${options[@]}" -max_total_time="$2" -timeout=100 -rss_limit_mb=3000 -max_len=8192 \
         -artifact_prefix="$work/" "$work/found" "tests/fuzz/corpus/$1" "${seeds[@]}" > "$work/log" 2>&1; then
         printf '%-12s %s\n' "$1" "$(tail -n 1 "$work/log")"
     else

@@ -34,6 +34,8 @@ typedef struct taut_basis_ops {
                         value like any other for some (ce-bezier's shape numbers) */
     unsigned allows; /* members that may be given besides */
     int weights;     /* rational weights allowed */
+    int layers;      /* e^t and e^-t are among the functions: layers of width 1 at the ends of long
+                        spans */
     /* Is the spec legal? Fills the shape. `functions` as in taut_basis_new. Members present, degree
      * within its limit and all numbers finite have been checked already. */
     taut_status (*plan)(const taut_basis_spec *spec, int functions, taut_basis_shape *shape,

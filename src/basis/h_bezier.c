@@ -47,6 +47,7 @@ const taut_basis_ops taut_basis_h_bezier = {
     .needs = TAUT_MEMBER_BETA,
     .allows = TAUT_MEMBER_RANGE,
     .weights = 0,
+    .layers = 1,
     .plan = h_bezier_plan,
     .fill = h_bezier_fill,
     .eval = h_bezier_eval,

@@ -53,6 +53,7 @@ const taut_basis_ops taut_basis_h_bspline = {
     .needs = TAUT_MEMBER_BETA | TAUT_MEMBER_SEGMENTS,
     .allows = TAUT_MEMBER_RANGE,
     .weights = 0,
+    .layers = 1,
     .plan = h_bspline_plan,
     .fill = h_bspline_fill,
     .eval = h_bspline_eval,

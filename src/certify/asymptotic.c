@@ -8,7 +8,7 @@
  *     positive-weights  least weight of the patch
  *
  * Limits are `factor` times what rounding of the control points explains (docs/asymptotic.md), and
- * never above 1e-6.
+ * never above 1e-6, of `asymptotic` 1e-6 over the size: what lies between is undecided.
  */
 #include "certify/asymptotic_parts.h"
 #include "certify/certify_ops.h"
@@ -102,19 +102,54 @@ static taut_status add(taut_certificate *certificate, const char *name, double r
     return taut_certificate_add(certificate, &claim);
 }
 
+/* A claim on what is at most `bound`, held against what rounding explains but no more than `most`;
+ * open where rounding explains more than that. */
+static taut_status add_within(taut_certificate *certificate, const char *name, double residual,
+                              double bound, double noise, double most, const char *where)
+{
+    const double limit = fmin(noise, most);
+    const int open = bound > limit && bound <= noise;
+    const taut_claim claim = {name, residual, limit,
+                              bound <= limit ? TAUT_TRUE
+                              : open         ? TAUT_UNDECIDED
+                                             : TAUT_FALSE,
+                              open ? "the rounding of points so far from the origin hides it"
+                                   : where};
+    return taut_certificate_add(certificate, &claim);
+}
+
 static taut_status add_boundary(const taut_asymptotic_model *parts,
                                 const taut_asymptotic_problem *problem,
                                 taut_certificate *certificate)
 {
     char where[TAUT_PLACE_TEXT];
-    double distance = 0.0, noise = 0.0, limit = 0.0;
+    double distance = 0.0, noise = 0.0;
     taut_boundary_distance(parts, problem, &distance, &noise, where);
-    limit = fmin(factor * noise, limit_most);
-    return add(certificate, "boundary", distance, limit, distance <= limit, where);
+    return add_within(certificate, "boundary", distance, distance, factor * noise, limit_most,
+                      where);
+}
+
+/* The largest extent of the curves' corners: a curvature is compared with one over it. */
+static double size_of(const taut_asymptotic_model *parts)
+{
+    double size = 0.0;
+    for (int d = 0; d < 3; d++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int k = 0; k < 8; k++) {
+            const taut_curve *const curve = parts->curves[k / 2];
+            const int last = taut_basis_count(taut_curve_t(curve)) - 1;
+            const double x = taut_curve_points(curve)[3 * (k % 2) * last + d];
+            low = fmin(low, x);
+            high = fmax(high, x);
+        }
+        size = fmax(size, high - low);
+    }
+    return size > 0 ? size : 1.0;
 }
 
 /* `asymptotic` and `osculating`, over all edges. */
-static taut_status add_edges(const taut_edge_proof proofs[4], taut_certificate *certificate)
+static taut_status add_edges(const taut_edge_proof proofs[4], double size,
+                             taut_certificate *certificate)
 {
     char where[2][TAUT_PLACE_TEXT] = {"", ""};
     double bound = 0.0, noise = 0.0, noise_sine = 0.0, sine = 0.0;
@@ -128,16 +163,15 @@ static taut_status add_edges(const taut_edge_proof proofs[4], taut_certificate *
         worst_sine = proofs[e].osculating > proofs[worst_sine].osculating ? e : worst_sine;
     }
     sine = fmax(proofs[worst_sine].osculating, 0.0);
-    noise = fmin(factor * noise, limit_most);
-    noise_sine = fmin(factor * noise_sine, limit_most);
     (void)snprintf(where[0], TAUT_PLACE_TEXT, "%s, t = %.2f; on no edge above %.3g",
                    taut_asymptotic_edge_name(worst), proofs[worst].at, bound);
     (void)snprintf(where[1], TAUT_PLACE_TEXT, "%s, t = %.2f", taut_asymptotic_edge_name(worst_sine),
                    proofs[worst_sine].sine_at);
-    status = add(certificate, "asymptotic", proofs[worst].sampled, noise, bound <= noise, where[0]);
-    return status == TAUT_OK
-               ? add(certificate, "osculating", sine, noise_sine, sine <= noise_sine, where[1])
-               : status;
+    status = add_within(certificate, "asymptotic", proofs[worst].sampled, bound, factor * noise,
+                        limit_most / size, where[0]);
+    return status == TAUT_OK ? add_within(certificate, "osculating", sine, sine,
+                                          factor * noise_sine, limit_most, where[1])
+                             : status;
 }
 
 static taut_status add_regular(const taut_asymptotic_model *parts, int threads,
@@ -227,7 +261,7 @@ static taut_status certify(const taut_model *model, const void *data,
         status = add_boundary(&parts, data, certificate);
     }
     if (status == TAUT_OK) {
-        status = add_edges(proofs, certificate);
+        status = add_edges(proofs, size_of(&parts), certificate);
     }
     if (status == TAUT_OK) {
         status = add_regular(&parts, options->threads, certificate);

@@ -90,7 +90,7 @@ static taut_status axis_new(const taut_basis *basis, int lines, const double *su
         const double width = panels->hi[panel] - panels->lo[panel];
         a->t[k] = t < breaks[span + 1] ? t : breaks[span]; /* the span of t must be this one */
         a->weights[k] = 0.5 * weight[k % nodes] * (width / a->length);
-        a->roundings[k] = taut_basis_local(basis) * fabs(t) / (breaks[span + 1] - breaks[span]);
+        a->roundings[k] = taut_basis_local(basis) * fabs(t) / taut_panels_finest(basis, span);
     }
     taut_panels_free(panels);
     if (status == TAUT_OK) {

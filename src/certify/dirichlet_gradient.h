@@ -18,7 +18,8 @@ typedef struct taut_dirichlet_gradient {
                     * and parameters in doubles leaves:
                     *     iint |phi_u| (sum |phi_u,st| |P_st| + rho |x_u|) + the same in v,
                     *     rho = |u| (k/du + |w_u|/w) + |v| (h/dv + |w_v|/w)
-                    * points as stored, not centred; k, h functions alive, du, dv widths of spans */
+                    * points as stored, not centred; k, h functions alive, du, dv widths of spans
+                    * (at most 1 on hyperbolic bases, whose layers are as wide) */
     double halves[2]; /* iint |x_u|^2, iint |x_v|^2, in squares of the unit */
     double area;      /* in squares of the unit; 0 of the Dirichlet energy's gradient */
     int unit;         /* the unit is 2 to this power */

@@ -15,31 +15,42 @@ static void factors(int n, int i, double f[5])
     f[4] = a2;
 }
 
-/* sum_k f[k] p[i + 2 - k], points outside the net left out; p strides `stride` points. */
+/* sum_k f[k] (p[i + 2 - k] s - mean), s = 2^-unit, points outside the net left out; p strides
+ * `stride` points. */
 static double apply(const double f[5], int n, int i, const double *points, long first, long stride,
-                    int c, double mean)
+                    int c, int unit, double mean)
 {
     double sum = 0;
     for (int k = 0; k < 5; k++) {
         const int at = i + 2 - k;
         if (at >= 0 && at <= n && f[k] != 0) {
-            sum += f[k] * (points[3 * (first + at * stride) + c] - mean);
+            sum += f[k] * (ldexp(points[3 * (first + at * stride) + c], -unit) - mean);
         }
     }
     return sum;
 }
 
-/* The mean point, and the largest coordinate about it. */
-static double size_about_mean(const double *points, long count, double mean[3])
+/* 2^unit is within a factor 2 of the largest coordinate. */
+static int unit_of(const double *points, long count)
+{
+    double largest = 0;
+    for (long k = 0; k < 3 * count; k++) {
+        largest = fmax(largest, fabs(points[k]));
+    }
+    return largest > 0 ? ilogb(largest) : 0;
+}
+
+/* The mean point, and the largest coordinate about it, over 2^unit. */
+static double size_about_mean(const double *points, long count, int unit, double mean[3])
 {
     double size = 0;
     for (int c = 0; c < 3; c++) {
         mean[c] = 0;
         for (long k = 0; k < count; k++) {
-            mean[c] += points[3 * k + c] / (double)count;
+            mean[c] += ldexp(points[3 * k + c], -unit) / (double)count;
         }
         for (long k = 0; k < count; k++) {
-            size = fmax(size, fabs(points[3 * k + c] - mean[c]));
+            size = fmax(size, fabs(ldexp(points[3 * k + c], -unit) - mean[c]));
         }
     }
     return size;
@@ -56,8 +67,8 @@ void taut_certify_laplacian(int n, int m, double wu, double wv, const double *ne
             factors(m, j, fv);
             for (int c = 0; c < 3; c++) {
                 laplacian[3 * (i * (m + 1) + j) + c] =
-                    wu * apply(fu, n, i, net, j, m + 1, c, 0) +
-                    wv * apply(fv, m, j, net, (long)i * (m + 1), 1, c, 0);
+                    wu * apply(fu, n, i, net, j, m + 1, c, 0, 0) +
+                    wv * apply(fv, m, j, net, (long)i * (m + 1), 1, c, 0, 0);
             }
         }
     }
@@ -73,7 +84,8 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
     const double *points = taut_surface_points(surface);
     taut_harmonic_residual found = {0, 0, 0, 1, 0, 0};
     double mean[3];
-    const double size = size_about_mean(points, (long)(n + 1) * (m + 1), mean);
+    const int unit = unit_of(points, (long)(n + 1) * (m + 1));
+    const double size = size_about_mean(points, (long)(n + 1) * (m + 1), unit, mean);
 
     for (int i = 0; i <= n; i++) {
         double fu[5];
@@ -82,8 +94,9 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
             double fv[5];
             factors(m, j, fv);
             for (int c = 0; c < 3; c++) {
-                const double along_u = apply(fu, n, i, points, j, m + 1, c, mean[c]);
-                const double along_v = apply(fv, m, j, points, (long)i * (m + 1), 1, c, mean[c]);
+                const double along_u = apply(fu, n, i, points, j, m + 1, c, unit, mean[c]);
+                const double along_v =
+                    apply(fv, m, j, points, (long)i * (m + 1), 1, c, unit, mean[c]);
                 const double r = fabs(wu * along_u + wv * along_v);
                 if (!(r <= found.largest)) {
                     found.largest = r;
@@ -94,9 +107,10 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
         }
     }
     for (long k = 0; size > 0 && k < 3L * (n + 1) * (m + 1); k++) {
-        found.reach = fmax(found.reach, fabs(points[k]) / size);
+        found.reach = fmax(found.reach, ldexp(fabs(points[k]), -unit) / size);
     }
-    found.size = size;
     found.scaled = size > 0 ? found.largest / (fmax(wu * n * n, wv * m * m) * size) : 0;
+    found.size = ldexp(size, unit);
+    found.largest = ldexp(found.largest, unit);
     return found;
 }

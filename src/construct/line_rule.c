@@ -19,7 +19,6 @@ static void place_nodes(const taut_basis *basis, const taut_panels *panels, int 
                         int *spans, taut_line_rule *rule)
 {
     double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
-    const double *breaks = taut_basis_breaks(basis);
     const double length = taut_basis_hi(basis) - taut_basis_lo(basis);
 
     taut_gauss_rule(nodes, node, weight);
@@ -29,7 +28,7 @@ static void place_nodes(const taut_basis *basis, const taut_panels *panels, int 
         t[i] = taut_panels_at(panels, k, node[g]);
         spans[i] = span;
         rule->weights[i] = 0.5 * weight[g] * ((panels->hi[k] - panels->lo[k]) / length);
-        rule->roundings[i] = fabs(t[i]) / (breaks[span + 1] - breaks[span]);
+        rule->roundings[i] = fabs(t[i]) / taut_panels_finest(basis, span);
     }
 }
 

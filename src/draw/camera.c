@@ -73,6 +73,21 @@ void taut_camera_normalise(const taut_camera *camera, const double point[3], dou
     }
 }
 
+int taut_camera_is_far(const taut_camera *camera, size_t count, const double *points)
+{
+    static const double far = 3 + 1e-9; /* the polygon of a symmetric parabola reaches 3 */
+    for (size_t i = 0; i < count; i++) {
+        const double *p = points + 3 * i;
+        double at[3];
+        taut_camera_normalise(camera, p, at);
+        if (isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]) &&
+            !(fabs(at[0]) <= far && fabs(at[1]) <= far && fabs(at[2]) <= far)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 void taut_camera_see(taut_camera *camera, size_t count, const double *points)
 {
     for (size_t i = 0; i < count; i++) {

@@ -26,6 +26,9 @@ void taut_camera_init(taut_camera *camera);
 void taut_camera_include(taut_camera *camera, size_t count, const double *points);
 /* Ends the widening. 0 if there was no finite point. */
 int taut_camera_settle(taut_camera *camera);
+/* Does a point lie outside the cube three times as large as the settled box, about its centre? A
+ * net that does would leave the surface a corner of the page. Points that are not finite do not. */
+int taut_camera_is_far(const taut_camera *camera, size_t count, const double *points);
 /* Angles in degrees. Forgets what was seen. */
 void taut_camera_aim(taut_camera *camera, double azimuth, double elevation);
 /* Widens what is to be seen on the page. */

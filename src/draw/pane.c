@@ -110,27 +110,69 @@ taut_status taut_pane_sample(taut_pane *pane, const taut_write_options *options,
     return status == TAUT_OK && options->combs ? sample_combs(pane, arena) : status;
 }
 
-void taut_pane_visit(const taut_pane *pane, const taut_write_options *options, taut_camera *camera,
-                     void (*visit)(taut_camera *, size_t, const double *))
+/* The net of sheet i, or, from sheet_count on, the polygon of a curve. */
+typedef struct net {
+    int nu, nv;
+    const double *points;
+} net;
+
+static net net_of(const taut_pane *pane, int i)
 {
-    const int net = !options->no_net;
+    if (i < pane->sheet_count) {
+        const taut_surface *s = pane->sheets[i].surface;
+        return (net){net_u(s), net_v(s), taut_surface_points(s)};
+    }
+    const taut_curve *c = pane->curves[i - pane->sheet_count].curve;
+    return (net){1, taut_basis_count(taut_curve_t(c)), taut_curve_points(c)};
+}
+
+static size_t size_of(net n)
+{
+    return (size_t)n.nu * (size_t)n.nv;
+}
+
+static int draws(const taut_pane *pane, const taut_write_options *options, int i)
+{
+    const net n = net_of(pane, i);
+    return !options->no_net && !taut_camera_is_far(&pane->core, size_of(n), n.points);
+}
+
+int taut_pane_nets(const taut_pane *pane, const taut_write_options *options)
+{
+    return options->no_net ? 0 : pane->sheet_count + pane->curve_count;
+}
+
+int taut_pane_far_nets(const taut_pane *pane, const taut_write_options *options)
+{
+    int far = 0;
+    for (int i = 0; i < taut_pane_nets(pane, options); i++) {
+        far += !draws(pane, options, i);
+    }
+    return far;
+}
+
+void taut_pane_visit_core(const taut_pane *pane, taut_camera *camera,
+                          void (*visit)(taut_camera *, size_t, const double *))
+{
     for (int i = 0; i < pane->sheet_count; i++) {
         const taut_sheet *s = &pane->sheets[i];
         visit(camera, (size_t)s->u.count * (size_t)s->v.count, s->points);
-        if (net) {
-            visit(camera, (size_t)net_u(s->surface) * (size_t)net_v(s->surface),
-                  taut_surface_points(s->surface));
-        }
         if (pane->combs != NULL) {
             visit(camera, (size_t)4 * TAUT_COMB_TEETH, &pane->combs[i].tip[0][0][0]);
         }
     }
     for (int i = 0; i < pane->curve_count; i++) {
-        const taut_polyline *line = &pane->curves[i];
-        visit(camera, line->count, line->points);
-        if (net) {
-            visit(camera, (size_t)taut_basis_count(taut_curve_t(line->curve)),
-                  taut_curve_points(line->curve));
+        visit(camera, pane->curves[i].count, pane->curves[i].points);
+    }
+}
+
+void taut_pane_visit_nets(const taut_pane *pane, const taut_write_options *options,
+                          taut_camera *camera, void (*visit)(taut_camera *, size_t, const double *))
+{
+    for (int i = 0; i < taut_pane_nets(pane, options); i++) {
+        const net n = net_of(pane, i);
+        if (draws(pane, options, i)) {
+            visit(camera, size_of(n), n.points);
         }
     }
 }
@@ -155,10 +197,11 @@ taut_status taut_pane_add_cells(taut_pane *pane, const taut_write_options *optio
 
 /* Knot lines say nothing beside a net so dense that it lies in the surface, and little beside other
  * lines. */
-static int has_knot_lines(const taut_write_options *options, const taut_surface *s)
+static int has_knot_lines(const taut_pane *pane, const taut_write_options *options, int i)
 {
+    const taut_surface *s = pane->sheets[i].surface;
     return options->isolines == 0 && options->reflections == 0 &&
-           (options->no_net || taut_parts_net_is_whole(net_u(s), net_v(s)));
+           (!draws(pane, options, i) || taut_parts_net_is_whole(net_u(s), net_v(s)));
 }
 
 static taut_status add_isolines(const taut_pane *pane, const taut_write_options *options, int i,
@@ -181,7 +224,7 @@ static taut_status add_lines(const taut_pane *pane, const taut_write_options *op
     const taut_surface *s = sheet->surface;
     taut_status status = taut_parts_silhouette(sheet, pane->pages[i], arena, scene);
 
-    if (status == TAUT_OK && has_knot_lines(options, s)) {
+    if (status == TAUT_OK && has_knot_lines(pane, options, i)) {
         const taut_ink ink = taut_colour_plain(pane->surface >= 0 ? 0 : i);
         status = taut_parts_outline(sheet, pane->pages[i], 0, ink, arena, scene);
     }
@@ -191,7 +234,7 @@ static taut_status add_lines(const taut_pane *pane, const taut_write_options *op
     if (status == TAUT_OK && pane->combs != NULL && pane->comb_scale > 0) {
         status = taut_combs_add(&pane->combs[i], &pane->camera, scene);
     }
-    if (status == TAUT_OK && !options->no_net) {
+    if (status == TAUT_OK && draws(pane, options, i)) {
         status =
             taut_parts_net(net_u(s), net_v(s), taut_surface_points(s), &pane->camera, arena, scene);
     }
@@ -216,25 +259,21 @@ taut_status taut_pane_add_lines(taut_pane *pane, const taut_write_options *optio
 taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *options,
                                  taut_arena *arena, taut_scene *scene)
 {
-    const int net = !options->no_net;
     taut_status status = TAUT_OK;
     for (int i = 0; i < pane->curve_count && status == TAUT_OK; i++) {
         const taut_polyline *line = &pane->curves[i];
         status = taut_parts_curve(line->count, line->points, &pane->camera, taut_colour_curve(i),
                                   arena, scene);
-        if (status == TAUT_OK && net) {
+        if (status == TAUT_OK && draws(pane, options, pane->sheet_count + i)) {
             status = taut_parts_net(1, taut_basis_count(taut_curve_t(line->curve)),
                                     taut_curve_points(line->curve), &pane->camera, arena, scene);
         }
     }
-    for (int i = 0; i < pane->sheet_count && net; i++) {
-        const taut_surface *s = pane->sheets[i].surface;
-        taut_parts_net_points(net_u(s), net_v(s), taut_surface_points(s), &pane->camera, scene);
-    }
-    for (int i = 0; i < pane->curve_count && net; i++) {
-        const taut_curve *c = pane->curves[i].curve;
-        taut_parts_net_points(1, taut_basis_count(taut_curve_t(c)), taut_curve_points(c),
-                              &pane->camera, scene);
+    for (int i = 0; i < taut_pane_nets(pane, options); i++) {
+        const net n = net_of(pane, i);
+        if (draws(pane, options, i)) {
+            taut_parts_net_points(n.nu, n.nv, n.points, &pane->camera, scene);
+        }
     }
     return status == TAUT_OK ? scene->status : status;
 }

@@ -24,7 +24,8 @@ typedef struct taut_pane {
     taut_combs *combs; /* [sheet_count], or NULL */
     double comb_scale, comb_most;
     taut_polyline *curves;
-    double **pages; /* [sheet_count] the sheets' points on the page */
+    double **pages;   /* [sheet_count] the sheets' points on the page */
+    taut_camera core; /* the box of surfaces, curves and combs: nets far beyond are left out */
     taut_camera camera;
 } taut_pane;
 
@@ -33,9 +34,15 @@ int taut_pane_shows(const taut_pane *pane, const taut_write_options *options, in
 /* Samples what the pane shows, in about `cells` cells a surface, `most` at the most. */
 taut_status taut_pane_sample(taut_pane *pane, const taut_write_options *options, int cells,
                              int most, int along, taut_arena *arena);
-/* visit(camera, count, points) for all that is drawn, nets and combs included. */
-void taut_pane_visit(const taut_pane *pane, const taut_write_options *options, taut_camera *camera,
-                     void (*visit)(taut_camera *, size_t, const double *));
+/* visit(camera, count, points) for surfaces, curves and combs, and for the nets that are drawn. */
+void taut_pane_visit_core(const taut_pane *pane, taut_camera *camera,
+                          void (*visit)(taut_camera *, size_t, const double *));
+void taut_pane_visit_nets(const taut_pane *pane, const taut_write_options *options,
+                          taut_camera *camera,
+                          void (*visit)(taut_camera *, size_t, const double *));
+/* How many nets the pane leaves out as they lie far beyond its core, and how many there are. */
+int taut_pane_far_nets(const taut_pane *pane, const taut_write_options *options);
+int taut_pane_nets(const taut_pane *pane, const taut_write_options *options);
 
 /* In this order, each for every pane before the next: cells; lines; curves and points of nets.
  * limit: the range of the colours. */

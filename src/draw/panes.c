@@ -130,27 +130,44 @@ static void share_combs(taut_panes *panes)
     }
 }
 
-/* The box of the world: of each pane, or, at one size, of all. */
-static int settle(taut_panes *panes, const taut_write_options *options)
+/* Settles a box for each pane, or, at one size, one of all. 0 where one is empty. */
+static int settle_boxes(taut_panes *panes, taut_camera *box[])
 {
-    taut_camera all;
-    taut_camera_init(&all);
+    taut_camera *all = box[0];
+    for (int i = 1; i < panes->count && panes->is_one_size; i++) {
+        if (box[i]->low[0] <= box[i]->high[0]) {
+            taut_camera_include(all, 1, box[i]->low);
+            taut_camera_include(all, 1, box[i]->high);
+        }
+    }
     for (int i = 0; i < panes->count; i++) {
-        taut_pane *pane = &panes->pane[i];
-        taut_camera_init(&pane->camera);
-        taut_pane_visit(pane, options, panes->is_one_size ? &all : &pane->camera,
-                        taut_camera_include);
-        if (!panes->is_one_size && !taut_camera_settle(&pane->camera)) {
+        if (i > 0 && panes->is_one_size) {
+            *box[i] = *all;
+        } else if (!taut_camera_settle(box[i])) {
             return 0;
         }
     }
-    if (panes->is_one_size && !taut_camera_settle(&all)) {
+    return 1;
+}
+
+/* The box of the world: first without nets, to see which of them are far beyond it. */
+static int settle(taut_panes *panes, const taut_write_options *options)
+{
+    taut_camera *core[TAUT_PANES_MAX], *whole[TAUT_PANES_MAX];
+    for (int i = 0; i < panes->count; i++) {
+        core[i] = &panes->pane[i].core;
+        whole[i] = &panes->pane[i].camera;
+        taut_camera_init(core[i]);
+        taut_pane_visit_core(&panes->pane[i], core[i], taut_camera_include);
+    }
+    if (!settle_boxes(panes, core)) {
         return 0;
     }
-    for (int i = 0; i < panes->count && panes->is_one_size; i++) {
-        panes->pane[i].camera = all;
+    for (int i = 0; i < panes->count; i++) {
+        *whole[i] = *core[i];
+        taut_pane_visit_nets(&panes->pane[i], options, whole[i], taut_camera_include);
     }
-    return 1;
+    return settle_boxes(panes, whole);
 }
 
 int taut_panes_aim(taut_panes *panes, const taut_write_options *options, const double page[4])
@@ -172,7 +189,8 @@ int taut_panes_aim(taut_panes *panes, const taut_write_options *options, const d
         for (int i = 0; i < panes->count; i++) {
             taut_camera *camera = &panes->pane[i].camera;
             taut_camera_aim(camera, view[0], view[1]);
-            taut_pane_visit(&panes->pane[i], options, camera, taut_camera_see);
+            taut_pane_visit_core(&panes->pane[i], camera, taut_camera_see);
+            taut_pane_visit_nets(&panes->pane[i], options, camera, taut_camera_see);
             if (camera->seen[0][0] > camera->seen[1][0]) { /* a surface of no finite point */
                 static const double nothing[3] = {0, 0, 0};
                 taut_camera_see(camera, 1, nothing);
@@ -199,9 +217,20 @@ void taut_panes_note(const taut_panes *panes, const taut_write_options *options,
     const char *unit = taut_model_unit(panes->pane[0].model);
     char text[160], number[48];
 
+    int far = 0, nets = 0;
+
     note[0] = '\0';
     if (panes->of > panes->count) {
         snprintf(text, sizeof text, "%d of %d surfaces", panes->count, panes->of);
+        append(note, size, text);
+    }
+    for (int i = 0; i < panes->count; i++) {
+        far += taut_pane_far_nets(&panes->pane[i], options);
+        nets += taut_pane_nets(&panes->pane[i], options);
+    }
+    if (far > 0) {
+        snprintf(text, sizeof text, "%d of %d control nets left out: they reach far beyond", far,
+                 nets);
         append(note, size, text);
     }
     if (options->isolines > 0 && options->colour != TAUT_COLOUR_PLAIN) {

@@ -38,7 +38,7 @@ static taut_status gram_alloc(const taut_basis *basis, taut_gram *gram)
     gram->length = taut_basis_hi(basis) - taut_basis_lo(basis);
     for (int k = 0; k < taut_basis_span_count(basis); k++) {
         const double largest = fmax(fabs(breaks[k]), fabs(breaks[k + 1]));
-        gram->roundings = fmax(gram->roundings, 1 + largest / (breaks[k + 1] - breaks[k]));
+        gram->roundings = fmax(gram->roundings, 1 + largest / taut_panels_finest(basis, k));
     }
     status = taut_band_init(n, width, &gram->mass);
     if (status == TAUT_OK) {

@@ -1,11 +1,13 @@
 #include "geometry/panels.h"
 
+#include "basis/basis_ops.h"
 #include "core/memory.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { DEPTH_MAX = 24 }; /* a pole nearer than 2^-24 of its span is no longer resolved */
+static const double layer_width = 4;
 
 /* What is asked about, and the panels so far; `room` of them fit. */
 typedef struct cutting {
@@ -56,6 +58,14 @@ static int varies(const cutting *c, int span, double lo, double hi)
     return 0;
 }
 
+/* Is [lo, hi] long against the exponentials in it? They fade towards the middle of the span: there
+ * a panel may be as wide as it is far from the nearer end. */
+static int has_layer(const taut_basis *basis, int span, double lo, double hi)
+{
+    const double *ends = taut_basis_breaks(basis) + span;
+    return basis->ops->layers && hi - lo > fmax(layer_width, fmin(lo - ends[0], ends[1] - hi));
+}
+
 static taut_status add(cutting *c, int span, double lo, double hi)
 {
     taut_panels *p = c->panels;
@@ -90,9 +100,10 @@ static taut_status cut(cutting *c, int span)
     ends[0] = breaks[span + 1];
     while (status == TAUT_OK && depth >= 0) {
         const double hi = ends[depth], middle = lo + 0.5 * (hi - lo);
-        if (c->weights != NULL && depth < DEPTH_MAX && middle > lo && middle < hi &&
+        if (depth < DEPTH_MAX && middle > lo && middle < hi &&
             hi - lo > ldexp(breaks[span + 1] - breaks[span], -DEPTH_MAX) &&
-            varies(c, span, lo, hi)) {
+            (has_layer(c->basis, span, lo, hi) ||
+             (c->weights != NULL && varies(c, span, lo, hi)))) {
             ends[++depth] = middle;
         } else {
             status = add(c, span, lo, hi);
@@ -101,6 +112,12 @@ static taut_status cut(cutting *c, int span)
         }
     }
     return status;
+}
+
+double taut_panels_finest(const taut_basis *basis, int span)
+{
+    const double *ends = taut_basis_breaks(basis) + span;
+    return basis->ops->layers ? fmin(ends[1] - ends[0], 1) : ends[1] - ends[0];
 }
 
 taut_status taut_panels_new(const taut_basis *basis, int lines, const double *weights, size_t step,

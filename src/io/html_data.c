@@ -1,45 +1,15 @@
 #include "io/html_data.h"
 
-#include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "draw/colour.h"
-#include "draw/parts.h"
-#include "draw/view.h"
-#include "io/format.h"
-#include "io/html_sample.h"
+#include "io/html_page.h"
 #include "io/json_out.h"
 #include "io/model_document.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-/* Vertices: of one surface, of all of a small model, of each of many, of all in the end; points of
- * nets; curves. 300 000 vertices are about 6 MB of page. */
-enum {
-    ONE_MAX = 10000,
-    SMALL_ALL = 30000,
-    EACH_MIN = 1500,
-    ALL_MAX = 300000,
-    NET_MAX = 60000,
-    NET_ONE = 33 * 33, /* more lines than that hide the surface */
-    CURVES_MAX = 200,
-    ALONG = 96,
-    VIEWED = 16
-};
-
-typedef struct page {
-    const taut_model *model;
-    const taut_write_options *options;
-    taut_arena *arena;
-    int count, left_out, curve_count;
-    taut_page_surface *surfaces;
-    taut_camera box;
-    double limits[TAUT_PAGE_FIELDS];
-    int cut[TAUT_PAGE_FIELDS];
-    double view[2];
-} page;
 
 static int net_u(const taut_surface *s)
 {
@@ -49,111 +19,6 @@ static int net_u(const taut_surface *s)
 static int net_v(const taut_surface *s)
 {
     return taut_basis_count(taut_surface_v(s));
-}
-
-static int clamp(int x, int low, int high)
-{
-    return x < low ? low : x > high ? high : x;
-}
-
-static taut_status sample(page *p)
-{
-    const int all = taut_model_surface_count(p->model);
-    const taut_monitor *monitor = &p->options->monitor;
-    taut_status status = TAUT_OK;
-    int wanted = 0;
-
-    for (int i = 0; i < all; i++) {
-        wanted += taut_format_wants(p->model, p->options, i);
-    }
-    p->count = clamp(wanted, 0, ALL_MAX / 64);
-    p->left_out = wanted - p->count;
-    p->surfaces = taut_arena_take(p->arena, (size_t)p->count, sizeof *p->surfaces);
-    if (p->surfaces == NULL) {
-        return TAUT_NO_MEMORY;
-    }
-    const int share = p->count > 0 ? clamp(SMALL_ALL / p->count, EACH_MIN, ONE_MAX) : 0;
-    const int each = p->count > 0 ? clamp(share, 16, ALL_MAX / p->count) : 0;
-    for (int i = 0, k = 0; i < all && k < p->count && status == TAUT_OK; i++) {
-        if (taut_format_wants(p->model, p->options, i)) {
-            status = taut_page_sample(taut_model_surface(p->model, i), each, p->options->divide,
-                                      clamp(NET_MAX / p->count, 9, NET_ONE), p->options->threads,
-                                      p->arena, &p->surfaces[k++]);
-            if (status == TAUT_OK && monitor->progress != NULL &&
-                monitor->progress(monitor->context, (double)k / p->count, "sampling") != 0) {
-                status = TAUT_INTERRUPTED;
-            }
-        }
-    }
-    p->curve_count =
-        p->options->surface == NULL ? clamp(taut_model_curve_count(p->model), 0, CURVES_MAX) : 0;
-    return status;
-}
-
-/* The box of all that is shown. 0 where nothing is finite. */
-static int choose_box(page *p)
-{
-    taut_camera_init(&p->box);
-    for (int i = 0; i < p->count; i++) {
-        const taut_page_surface *s = &p->surfaces[i];
-        taut_camera_include(&p->box, (size_t)s->u.count * (size_t)s->v.count, s->points);
-        taut_camera_include(&p->box, (size_t)net_u(s->surface) * (size_t)net_v(s->surface),
-                            taut_surface_points(s->surface));
-    }
-    for (int i = 0; i < p->curve_count; i++) {
-        const taut_curve *c = taut_model_curve(p->model, i);
-        taut_camera_include(&p->box, (size_t)taut_basis_count(taut_curve_t(c)),
-                            taut_curve_points(c));
-    }
-    return taut_camera_settle(&p->box);
-}
-
-/* The scale of each field over all surfaces, as in figures (draw/colour.h). */
-static taut_status choose_limits(page *p)
-{
-    const double noise[TAUT_PAGE_FIELDS] = {1e-9 / p->box.half, 1e-9 / p->box.half / p->box.half,
-                                            1e-9};
-    size_t count = 0;
-    double *values = NULL;
-
-    for (int i = 0; i < p->count; i++) {
-        count += (size_t)p->surfaces[i].u.count * (size_t)p->surfaces[i].v.count;
-    }
-    values = taut_arena_take(p->arena, count, sizeof *values);
-    for (int k = 0; values != NULL && k < TAUT_PAGE_FIELDS; k++) {
-        size_t at = 0;
-        for (int i = 0; i < p->count; i++) {
-            const taut_page_surface *s = &p->surfaces[i];
-            const size_t own = (size_t)s->u.count * (size_t)s->v.count;
-            memcpy(values + at, s->fields[k], own * sizeof *values);
-            at += own;
-        }
-        p->limits[k] =
-            taut_colour_limit(count, values, fmin(fmax(noise[k], 1e-290), 1e290), &p->cut[k]);
-    }
-    return values != NULL ? TAUT_OK : TAUT_NO_MEMORY;
-}
-
-/* As a figure would be looked at. */
-static taut_status choose_view(page *p)
-{
-    static const taut_write_options plain;
-    taut_sheet sheets[VIEWED];
-    const int count = clamp(p->count, 0, VIEWED);
-    taut_status status = TAUT_OK;
-
-    memset(sheets, 0, sizeof sheets);
-    memcpy(p->view, p->options->view, sizeof p->view);
-    if (p->options->has_view) {
-        return TAUT_OK;
-    }
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
-        status = taut_sheet_new(p->surfaces[i].surface, 400, 4000, &plain, p->arena, &sheets[i]);
-    }
-    if (status == TAUT_OK) {
-        taut_view_choose(&p->box, count, sheets, p->view);
-    }
-    return status;
 }
 
 /* 16-bit numbers, low byte first, as base64. */
@@ -203,11 +68,13 @@ static void put_text(taut_json_out *out, const char *key, const char *text)
     taut_json_put_text(out, text);
 }
 
-/* The points that are kept of a net. */
-static void put_net(taut_json_out *out, const page *p, int nu, int nv, const int every[2],
-                    const double *points, scratch s)
+/* The points that are kept of a net: none where it is left out. */
+static void put_net(taut_json_out *out, const taut_page_model *p, int nu, int nv,
+                    const int every[2], const double *points, scratch s)
 {
-    const int rows = taut_page_kept(nu, every[0]), columns = taut_page_kept(nv, every[1]);
+    const int far = taut_camera_is_far(&p->core, (size_t)nu * (size_t)nv, points);
+    const int rows = far ? 0 : taut_page_kept(nu, every[0]);
+    const int columns = far ? 0 : taut_page_kept(nv, every[1]);
     for (int i = 0; i < rows; i++) {
         for (int j = 0; j < columns; j++) {
             const size_t from = (size_t)taut_page_kept_at(nu, every[0], i) * (size_t)nv +
@@ -255,7 +122,8 @@ static void put_basis(taut_json_out *out, const char *key, const taut_basis *bas
     put_text(out, key, text);
 }
 
-static taut_status put_surface(taut_json_out *out, const page *p, const taut_page_surface *s)
+static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
+                               const taut_page_surface *s)
 {
     static const char *const names[TAUT_PAGE_FIELDS] = {"H", "K", "I"};
     const taut_surface *surface = s->surface;
@@ -292,20 +160,21 @@ static taut_status put_surface(taut_json_out *out, const page *p, const taut_pag
     return TAUT_OK;
 }
 
-static taut_status put_curve(taut_json_out *out, const page *p, const taut_curve *curve)
+static taut_status put_curve(taut_json_out *out, const taut_page_model *p,
+                             const taut_page_curve *line)
 {
+    const taut_curve *curve = line->curve;
     const int points = taut_basis_count(taut_curve_t(curve));
-    const int every[2] = {1, (points + ALONG - 1) / ALONG};
-    size_t count = 0;
-    double *at = NULL;
-    taut_status status = taut_parts_sample_curve(curve, ALONG, p->arena, &count, &at);
-    const scratch room = scratch_new(p->arena, 3 * (count > ALONG + 2 ? count : ALONG + 2));
+    const int every[2] = {1, (points + TAUT_PAGE_ALONG - 1) / TAUT_PAGE_ALONG};
+    const size_t count = line->count;
+    const scratch room =
+        scratch_new(p->arena, 3 * (count > TAUT_PAGE_ALONG + 2 ? count : TAUT_PAGE_ALONG + 2));
 
-    if (status != TAUT_OK || room.shorts == NULL || room.text == NULL) {
-        return status != TAUT_OK ? status : TAUT_NO_MEMORY;
+    if (room.shorts == NULL || room.text == NULL) {
+        return TAUT_NO_MEMORY;
     }
     for (size_t i = 0; i < count; i++) {
-        taut_page_point(&p->box, at + 3 * i, room.shorts + 3 * i);
+        taut_page_point(&p->box, line->points + 3 * i, room.shorts + 3 * i);
     }
     taut_json_open(out, '{');
     put_text(out, "name", taut_curve_name(curve));
@@ -316,7 +185,7 @@ static taut_status put_curve(taut_json_out *out, const page *p, const taut_curve
 }
 
 /* What the page does not show, in sentences for people. */
-static void put_dropped(taut_json_out *out, const page *p)
+static void put_dropped(taut_json_out *out, const taut_page_model *p)
 {
     const int curves = p->options->surface == NULL ? taut_model_curve_count(p->model) : 0;
     const taut_page_surface *first = p->count > 0 ? &p->surfaces[0] : NULL;
@@ -345,6 +214,13 @@ static void put_dropped(taut_json_out *out, const page *p)
         snprintf(text, sizeof text, "Of the control net one point in %d is kept each way.", every);
         taut_json_put_text(out, text);
     }
+    if (p->far_nets > 0) {
+        snprintf(text, sizeof text,
+                 "%d of %d control nets left out: they reach more than three times as far as the "
+                 "surfaces and curves.",
+                 p->far_nets, p->count + p->curve_count);
+        taut_json_put_text(out, text);
+    }
     if (curves > p->curve_count) {
         snprintf(text, sizeof text, "The last %d curves are left out.", curves - p->curve_count);
         taut_json_put_text(out, text);
@@ -367,7 +243,7 @@ static void put_map(taut_json_out *out)
 
 /* Frames of one deformation: several surfaces of one shape of net and one kind of basis, which
  * `details` counts as frames or gives a list of parameters for, one each. */
-static int is_frames(const page *p)
+static int is_frames(const taut_page_model *p)
 {
     const taut_record *details = taut_model_details(p->model);
     const taut_record *frames = taut_record_get(details, "frames");
@@ -378,7 +254,7 @@ static int is_frames(const page *p)
     return p->count > 1 && (counted || p->options->side_by_side);
 }
 
-static void put_head(taut_json_out *out, const page *p)
+static void put_head(taut_json_out *out, const taut_page_model *p)
 {
     const taut_certificate *certificate = taut_model_certificate(p->model);
     put_text(out, "title", p->options->title != NULL ? p->options->title : "");
@@ -409,7 +285,7 @@ static void put_head(taut_json_out *out, const page *p)
     }
 }
 
-static taut_status put_page(const page *p, char **text, size_t *length)
+static taut_status put_page(const taut_page_model *p, char **text, size_t *length)
 {
     taut_json_out out = taut_json_out_to(NULL);
     taut_status status = TAUT_OK, ended = TAUT_OK;
@@ -425,7 +301,7 @@ static taut_status put_page(const page *p, char **text, size_t *length)
     taut_json_key(&out, "curves");
     taut_json_open(&out, '[');
     for (int i = 0; i < p->curve_count && status == TAUT_OK; i++) {
-        status = put_curve(&out, p, taut_model_curve(p->model, i));
+        status = put_curve(&out, p, &p->curves[i]);
     }
     taut_json_close(&out, ']');
     taut_json_close(&out, '}');
@@ -442,25 +318,16 @@ static taut_status put_page(const page *p, char **text, size_t *length)
 taut_status taut_html_data(const taut_model *model, const taut_write_options *options, char **text,
                            size_t *length, taut_error *error)
 {
-    page p = {.model = model, .options = options, .arena = taut_arena_new()};
-    taut_status status = p.arena != NULL ? sample(&p) : TAUT_NO_MEMORY;
+    taut_page_model p = {.model = model, .options = options, .arena = taut_arena_new()};
+    taut_status status = p.arena != NULL ? taut_page_prepare(&p, error) : taut_fail_memory(error);
 
-    if (status == TAUT_OK && !choose_box(&p)) {
-        taut_arena_free(p.arena);
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, 0, 1,
-                         "there is nothing to show: no surface or curve has a finite point");
-    }
-    if (status == TAUT_OK) {
-        status = choose_limits(&p);
-    }
-    if (status == TAUT_OK) {
-        status = choose_view(&p);
-    }
     if (status == TAUT_OK) {
         status = put_page(&p, text, length);
+        if (status != TAUT_OK) {
+            status = taut_fail(error, status, NULL, taut_none, taut_none, "%s",
+                               taut_status_text(status));
+        }
     }
     taut_arena_free(p.arena);
-    return status == TAUT_OK ? TAUT_OK
-                             : taut_fail(error, status, NULL, taut_none, taut_none, "%s",
-                                         taut_status_text(status));
+    return status;
 }

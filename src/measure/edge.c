@@ -101,7 +101,9 @@ taut_status taut_edge_measure_of(const taut_surface *surface, int edge, int grid
         status = normals != NULL ? normals_along(surface, edge, along, normals) : TAUT_NO_MEMORY;
     }
     if (status == TAUT_OK) {
-        measure->length = taut_line_length(&line);
+        status = taut_line_length(&line, &measure->length);
+    }
+    if (status == TAUT_OK) {
         extremes_along(&line, along, normals, ldexp(measure->length, -line.scale), measure);
     }
     taut_free(normals);

@@ -21,33 +21,38 @@ void taut_job_gather(const taut_job *job, taut_sum *value, taut_sum *error, doub
 
 static void fill_block(taut_job *job, taut_bench *bench, int direction, int from, int to)
 {
-    const double *breaks = taut_basis_breaks(job->cells.basis[direction]);
+    const taut_panels *p = job->panels[direction];
     const int levels = job->integrand->exact ? 1 : 2;
     for (int level = 0; level < levels; level++) {
         for (int s = from; s < to; s++) {
-            taut_rule_fill(&job->rules.at[TAUT_WHOLE][direction][level], &job->cells, direction, s,
-                           breaks[s], breaks[s + 1], job->integrand->order,
+            taut_rule_fill(&job->rules.at[TAUT_WHOLE][direction][level], &job->cells, direction,
+                           p->span[s], p->lo[s], p->hi[s], job->integrand->order,
                            &bench->block[direction][level][s - from]);
         }
     }
 }
 
-static void first_cell(taut_job *job, taut_bench *bench, int su, int sv, int a, int b,
+taut_rectangle taut_job_cell(const taut_job *job, int i, int j)
+{
+    const taut_panels *u = job->panels[0], *v = job->panels[1];
+    return (taut_rectangle){{u->span[i], v->span[j]}, {u->lo[i], v->lo[j]}, {u->hi[i], v->hi[j]}};
+}
+
+/* The cell of panels i, j, the a-th and b-th of the block. */
+static void first_cell(taut_job *job, taut_bench *bench, int i, int j, int a, int b,
                        taut_share *share)
 {
-    const double *bu = taut_basis_breaks(job->cells.basis[0]);
-    const double *bv = taut_basis_breaks(job->cells.basis[1]);
-    const taut_rectangle r = {{su, sv}, {bu[su], bv[sv]}, {bu[su + 1], bv[sv + 1]}};
+    const taut_rectangle r = taut_job_cell(job, i, j);
     const int exact = job->integrand->exact;
     const taut_nodes *first[2] = {&bench->block[0][0][a], &bench->block[1][0][b]};
     const taut_nodes *second[2] = {exact ? NULL : &bench->block[0][1][a],
                                    exact ? NULL : &bench->block[1][1][b]};
     double value[TAUT_FIELDS_MAX], error[TAUT_FIELDS_MAX];
 
-    taut_cell_load(&job->cells, su, sv, &bench->cell);
+    taut_cell_load(&job->cells, r.span[0], r.span[1], &bench->cell);
     const int good = taut_cell_try(job, bench, TAUT_WHOLE, &r, first, second, NULL, value, error);
     taut_share_take(share, good, 2 * job->integrand->count, value, error);
-    job->hard[(size_t)su * (size_t)job->spans[1] + (size_t)sv] = !good;
+    job->hard[(size_t)i * (size_t)job->panels[1]->count + (size_t)j] = !good;
 }
 
 static void first_task(void *context, int worker, long task)
@@ -61,12 +66,13 @@ static void first_task(void *context, int worker, long task)
     from[0] = (int)(task / job->blocks[1]) * job->side;
     from[1] = (int)(task % job->blocks[1]) * job->side;
     for (int d = 0; d < 2; d++) {
-        to[d] = job->spans[d] - from[d] < job->side ? job->spans[d] : from[d] + job->side;
+        const int count = job->panels[d]->count;
+        to[d] = count - from[d] < job->side ? count : from[d] + job->side;
         fill_block(job, bench, d, from[d], to[d]);
     }
-    for (int su = from[0]; su < to[0]; su++) {
-        for (int sv = from[1]; sv < to[1]; sv++) {
-            first_cell(job, bench, su, sv, su - from[0], sv - from[1], share);
+    for (int i = from[0]; i < to[0]; i++) {
+        for (int j = from[1]; j < to[1]; j++) {
+            first_cell(job, bench, i, j, i - from[0], j - from[1], share);
         }
     }
 }
@@ -127,14 +133,16 @@ static taut_status job_init(const taut_surface *surface, int threads, taut_job *
     job->side = 256 / (job->cells.local[0] * job->cells.local[1]);
     job->side = job->side > TAUT_BLOCK ? TAUT_BLOCK : job->side < 1 ? 1 : job->side;
     for (int d = 0; d < 2; d++) {
-        job->spans[d] = taut_basis_span_count(job->cells.basis[d]);
-        job->blocks[d] = (job->spans[d] + job->side - 1) / job->side;
+        if (taut_panels_new(job->cells.basis[d], 1, NULL, 1, 0, &job->panels[d]) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+        job->blocks[d] = (job->panels[d]->count + job->side - 1) / job->side;
     }
     job->share_count = (long)job->blocks[0] * job->blocks[1];
     job->worker_count = taut_parallel_workers(threads, 1L << 30);
     job->benches = taut_alloc_zero((size_t)job->worker_count, sizeof *job->benches);
     job->shares = taut_alloc((size_t)job->share_count, sizeof *job->shares);
-    job->hard = taut_alloc_zero((size_t)job->spans[0] * (size_t)job->spans[1], 1);
+    job->hard = taut_alloc_zero((size_t)job->panels[0]->count * (size_t)job->panels[1]->count, 1);
     if (job->benches == NULL || job->shares == NULL || job->hard == NULL) {
         return TAUT_NO_MEMORY;
     }
@@ -151,6 +159,9 @@ static void job_free(taut_job *job)
     for (int w = 0; job->benches != NULL && w < job->worker_count; w++) {
         taut_cell_work_free(&job->benches[w].cell);
         taut_free(job->benches[w].numbers);
+    }
+    for (int d = 0; d < 2; d++) {
+        taut_panels_free(job->panels[d]);
     }
     taut_free(job->benches);
     taut_free(job->shares);

@@ -2,12 +2,13 @@
 #ifndef TAUT_MEASURE_INTEGRATE_JOB_H
 #define TAUT_MEASURE_INTEGRATE_JOB_H
 
+#include "geometry/panels.h"
 #include "measure/absolute.h"
 #include "measure/integrate.h"
 #include "measure/rules.h"
 #include "numeric/sum.h"
 
-enum { TAUT_BLOCK = 16 }; /* spans per side of a task of the first pass */
+enum { TAUT_BLOCK = 16 }; /* panels per side of a task of the first pass */
 
 /* A part of a cell that resists. */
 typedef struct taut_rectangle {
@@ -27,7 +28,7 @@ typedef struct taut_bench {
     taut_cell_work cell;
     taut_nodes nodes[2];                /* made for one cell */
     double *samples[3];                 /* [samples u][samples v] */
-    taut_nodes block[2][2][TAUT_BLOCK]; /* [direction][level 0, 1][span of the block] */
+    taut_nodes block[2][2][TAUT_BLOCK]; /* [direction][level 0, 1][panel of the block] */
     double *numbers;                    /* behind all of them */
 } taut_bench;
 
@@ -35,14 +36,14 @@ typedef struct taut_job {
     taut_cells cells;
     const taut_integrand *integrand;
     taut_rules rules;
-    int spans[2];
-    int side; /* spans per side of a block */
+    taut_panels *panels[2]; /* the spans, long ones of hyperbolic bases cut: a cell is a pair */
+    int side;               /* panels per side of a block */
     int blocks[2];
     int worker_count;
     taut_bench *benches; /* [worker_count] */
     taut_share *shares;  /* [tasks] */
     long share_count;
-    unsigned char *hard;    /* [spans u][spans v], first pass */
+    unsigned char *hard;    /* [panels u][panels v], first pass */
     taut_rectangle *active; /* rounds */
     unsigned char *split;
     long active_count;
@@ -85,6 +86,9 @@ void taut_cell_turns(const taut_job *job, taut_bench *bench, int ladder, const t
 /* Takes the cell's numbers into the share: for good, or as pending. */
 void taut_share_take(taut_share *share, int is_good, int count, const double *value,
                      const double *error);
+
+/* The cell of panels i in u and j in v. */
+taut_rectangle taut_job_cell(const taut_job *job, int i, int j);
 
 /* Adds up the shares in their order; *pending is replaced. */
 void taut_job_gather(const taut_job *job, taut_sum *value, taut_sum *error, double *pending);

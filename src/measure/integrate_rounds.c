@@ -52,9 +52,8 @@ static void round_task(void *context, int worker, long task)
 /* The cells that the first pass left, in order. */
 static taut_status collect(taut_job *job)
 {
-    const double *bu = taut_basis_breaks(job->cells.basis[0]);
-    const double *bv = taut_basis_breaks(job->cells.basis[1]);
-    const size_t cells = (size_t)job->spans[0] * (size_t)job->spans[1];
+    const size_t columns = (size_t)job->panels[1]->count;
+    const size_t cells = (size_t)job->panels[0]->count * columns;
     long count = 0;
 
     for (size_t i = 0; i < cells; i++) {
@@ -65,10 +64,9 @@ static taut_status collect(taut_job *job)
         return TAUT_NO_MEMORY;
     }
     for (size_t i = 0; i < cells; i++) {
-        const int su = (int)(i / (size_t)job->spans[1]), sv = (int)(i % (size_t)job->spans[1]);
         if (job->hard[i]) {
             job->active[job->active_count++] =
-                (taut_rectangle){{su, sv}, {bu[su], bv[sv]}, {bu[su + 1], bv[sv + 1]}};
+                taut_job_cell(job, (int)(i / columns), (int)(i % columns));
         }
     }
     return TAUT_OK;

@@ -1,6 +1,7 @@
 #include "measure/line.h"
 
 #include "core/memory.h"
+#include "geometry/panels.h"
 #include "measure/scaling.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
@@ -172,17 +173,18 @@ static double speed_integral(const taut_line *line, int span, double lo, double 
     return sum * ldexp(half, -line->shift);
 }
 
-/* int |x'| over one span: two rules until they agree, else halves. Where x' = 0 one piece a level
+/* int |x'| over one panel: two rules until they agree, else halves. Where x' = 0 one piece a level
  * is left, whose share falls fourfold. `floor` is what may be neglected. */
-static double span_length(const taut_line *line, int span, const rule rules[2], double floor)
+static double panel_length(const taut_line *line, const taut_panels *panels, int k,
+                           const rule rules[2], double floor)
 {
-    const double *breaks = taut_basis_breaks(line->basis);
+    const int span = panels->span[k];
     double lo[DEPTH_MAX + 1], hi[DEPTH_MAX + 1];
     taut_sum sum = {0, 0};
     int depth = 0;
 
-    lo[0] = breaks[span];
-    hi[0] = breaks[span + 1];
+    lo[0] = panels->lo[k];
+    hi[0] = panels->hi[k];
     while (depth >= 0) {
         const double a = speed_integral(line, span, lo[depth], hi[depth], &rules[0]);
         const double b = speed_integral(line, span, lo[depth], hi[depth], &rules[1]);
@@ -200,20 +202,27 @@ static double span_length(const taut_line *line, int span, const rule rules[2], 
     return taut_sum_total(&sum);
 }
 
-double taut_line_length(const taut_line *line)
+taut_status taut_line_length(const taut_line *line, double *length)
 {
     const int local = taut_basis_local(line->basis);
+    taut_panels *panels = NULL;
     rule rules[2];
     taut_sum sum = {0, 0};
+
+    if (taut_panels_new(line->basis, 1, NULL, 1, 0, &panels) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
 
     for (int r = 0; r < 2; r++) {
         rules[r].count = (local < 4 ? 4 : local) + 2 * r;
         taut_gauss_rule(rules[r].count, rules[r].nodes, rules[r].weights);
     }
-    for (int span = 0; span < taut_basis_span_count(line->basis); span++) {
-        taut_sum_add(&sum, span_length(line, span, rules, DBL_EPSILON / 16));
+    for (int k = 0; k < panels->count; k++) {
+        taut_sum_add(&sum, panel_length(line, panels, k, rules, DBL_EPSILON / 16));
     }
-    return ldexp(taut_sum_total(&sum), line->scale);
+    taut_panels_free(panels);
+    *length = ldexp(taut_sum_total(&sum), line->scale);
+    return TAUT_OK;
 }
 
 /* Curvature. */

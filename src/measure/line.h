@@ -26,8 +26,8 @@ void taut_line_free(taut_line *line);
  * not NULL: how large derivative k could be for the part of the net alive there. */
 void taut_line_eval(const taut_line *line, int span, double t, int order, double *d, double *bound);
 
-/* In the unit of the points; good to 1e-12 relative. */
-double taut_line_length(const taut_line *line);
+/* In the unit of the points; good to 1e-12 relative. TAUT_NO_MEMORY. */
+taut_status taut_line_length(const taut_line *line, double *length);
 
 /* At one parameter, scaled. */
 typedef struct taut_bend {

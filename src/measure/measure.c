@@ -114,6 +114,7 @@ taut_status taut_measure_curve(const taut_curve *curve, const taut_measure_optio
     taut_measure_options settled;
     taut_line line = {.net = NULL};
     taut_lines *lines = NULL;
+    double length = 0;
     taut_status status = TAUT_OK;
 
     if (curve == NULL || measure == NULL) {
@@ -129,7 +130,9 @@ taut_status taut_measure_curve(const taut_curve *curve, const taut_measure_optio
         status = taut_lines_new(taut_curve_t(curve), settled.grid, 0, &lines);
     }
     if (status == TAUT_OK) {
-        const double length = taut_line_length(&line);
+        status = taut_line_length(&line, &length);
+    }
+    if (status == TAUT_OK) {
         const double curvature = taut_line_curvature(&line, lines);
         measure->length = length;
         measure->max_curvature = ldexp(curvature, -line.scale);

@@ -29,6 +29,10 @@ contains err.txt 'boundary +DOES NOT HOLD'
 run 0 make curves.json -o b.json
 contains err.txt 'branch +-\+-\+'
 
+# A curve whose second control point lies on its first has no direction there.
+sed 's/\("v0": {.*"points": \[\)\(\[[^]]*\]\), *\[[^]]*\]\(.*"v1":\)/\1\2, \2\3/' curves.json > legless.json
+refused 4 'curves: the control point of v0 beside corner u0v0 lies on it' make legless.json -o legless-made.json
+
 # Example 3 is singular: refused with the place, or built and said.
 sed 's/, *"singular": "report"//; s/"singular": "report"/"branch": "lowest"/' "$example/asymptotic-3.json" > three.json
 refused 4 'edge v0 is singular at parameter 0\.811599' make three.json -o c.json

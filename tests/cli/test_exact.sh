@@ -57,6 +57,11 @@ for edge in u0 v0 v1; do
     contains err.txt 'harmonic +holds: 0, limit 0'
 done
 
+# What is not harmonic to the last digit is not carried on.
+sed 's|"16/45"|0.35555555555555557|' problem.json > decimal.json
+refused 4 'surface: not harmonic in rational arithmetic: .* not 0; coordinates written as texts' make decimal.json --exact -o d.json
+absent d.json
+
 # A digit changed is noticed, where doubles would not.
 sed 's|"32/45"|"32000000000000000000001/45000000000000000000000"|' p.json > wrong.json
 run 0 certify wrong.json

@@ -92,6 +92,9 @@ static void try(request *r)
 
 int main(void)
 {
+    static const double exactly[9][3] = {{0, 0, 0},     {0, 0.5, 0},  {0, 1, -1}, {0.5, 0, 0},
+                                         {0.5, 0.5, 0}, {0.5, 1, -1}, {1, 0, 1},  {1, 0.5, 1},
+                                         {1, 1, 0}}; /* u, v, u^2 - v^2 */
     static const char *const texts[12] = {"1/3", NULL, "2/7", "5", "-1/9"};
     double points[48];
     unsigned char rows[16], four[16];
@@ -99,7 +102,9 @@ int main(void)
     taut_surface *enneper = shape_enneper(0, 1, 0, 1);
     taut_model *whole = NULL;
     taut_harmonic_problem two, derivative, fit;
-    taut_harmonic_extension_problem c1, g1;
+    taut_surface *saddle =
+        shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, 0, 1), &exactly[0][0], NULL);
+    taut_harmonic_extension_problem c1, g1, rational;
     taut_biharmonic_problem boundary, neighbour;
 
     random_seed(20261125);
@@ -124,7 +129,8 @@ int main(void)
     memset(&c1, 0, sizeof c1);
     c1.surface = enneper;
     c1.edge = TAUT_EDGE_V0;
-    g1 = c1;
+    g1 = rational = c1;
+    rational.surface = saddle;
     g1.contact = TAUT_CONTACT_G1;
     g1.c = 2;
     memset(&boundary, 0, sizeof boundary);
@@ -149,7 +155,7 @@ int main(void)
         {"an extension", TAUT_CONSTRUCT_INDEX_harmonic_extension, &c1, {.exact = 0}, NULL},
         {"an extension in rationals",
          TAUT_CONSTRUCT_INDEX_harmonic_extension,
-         &c1,
+         &rational,
          {.exact = 1},
          NULL},
         {"a neighbour", TAUT_CONSTRUCT_INDEX_harmonic_extension, &g1, {.exact = 0}, NULL},
@@ -167,6 +173,7 @@ int main(void)
     CHECK(fault_loop(&cut) > 5, "a cut takes memory");
     taut_model_free(whole);
     taut_surface_free(enneper);
+    taut_surface_free(saddle);
     taut_basis_free(u);
     taut_basis_free(v);
     CHECK(fault_live() == 0, "%ld blocks left", fault_live());

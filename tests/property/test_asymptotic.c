@@ -62,7 +62,8 @@ static int check_net(const lelieuvre *net, const taut_asymptotic_problem *proble
     if (status != TAUT_OK) {
         return 0;
     }
-    asymptotic_check_claims(model, problem, what);
+    /* only the boundary is the net's: nets bend so much that the patch between may fold */
+    asymptotic_check_claims_or_fold(model, problem, what);
     for (int e = 0; e < 4; e++) {
         const taut_record *edge = taut_record_get(
             taut_record_get(taut_model_details(model), "edges"), taut_asymptotic_edge_name(e));
@@ -281,6 +282,56 @@ static void test_similarity(void)
     taut_model_free(first);
 }
 
+/* Other units of length, and an origin 1e8 away: the same energies, and a patch whose claims hold
+ * or, where the rounding of its points hides them, are undecided. Units no double can work with are
+ * refused by name. */
+static void test_units(void)
+{
+    static const double units[6][2] = {{1e-9, 0}, {1e9, 0}, {1e-19, 0},
+                                       {1e19, 0}, {1, 1e8}, {1, -1e4}};
+    for (int k = 0; k < 6; k++) {
+        const double s = units[k][0];
+        taut_asymptotic_problem problem = asymptotic_example(1, "-+-+");
+        taut_certificate *certificate = NULL;
+        taut_model *model = NULL;
+        char what[48];
+        for (int j = 0; j < 12; j++) {
+            problem.corners[j / 3][j % 3] = s * problem.corners[j / 3][j % 3] + units[k][1];
+            problem.edges[j / 3].legs[0][j % 3] *= s;
+            problem.edges[j / 3].legs[1][j % 3] *= s;
+        }
+        for (int j = 0; j < 8; j++) {
+            problem.edges[j / 2].curvature[j % 2] /= s;
+        }
+        (void)snprintf(what, sizeof what, "unit %g, origin %g", s, units[k][1]);
+        model = asymptotic_make(&problem, what);
+        CHECK_NEAR(detail(model, "curve_energy") / (s * s), 4.563279376292, 1e-7, "%s", what);
+        CHECK(taut_asymptotic_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "%s",
+              what);
+        for (int c = 0; c < taut_certificate_claim_count(certificate); c++) {
+            const taut_claim *const claim = taut_certificate_claim(certificate, c);
+            CHECK(claim->holds == TAUT_TRUE ||
+                      (units[k][1] == 1e8 && claim->holds == TAUT_UNDECIDED),
+                  "%s: %s %g, limit %g, at %s", what, claim->claim, claim->residual, claim->limit,
+                  claim->where);
+        }
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+    for (int k = 0; k < 4; k++) {
+        const double s = k == 0 ? 1e-22 : k == 1 ? 1e22 : k == 2 ? 1e-200 : 1e200;
+        taut_asymptotic_problem problem = asymptotic_example(1, "-+-+");
+        taut_error error = {.message = ""};
+        taut_model *model = NULL;
+        for (int j = 0; j < 12; j++) {
+            problem.corners[j / 3][j % 3] *= s;
+        }
+        CHECK(taut_asymptotic_make(&problem, NULL, &model, &error) == TAUT_BAD_INPUT &&
+                  strstr(error.message, "another unit of length") != NULL,
+              "unit %g: %s", s, error.message);
+    }
+}
+
 /* Degrees above 5: everything that was asked for is met, on both kinds of patch, and the curves are
  * quintics raised: their sixth differences in homogeneous coordinates vanish. */
 static void test_degrees(void)
@@ -362,6 +413,7 @@ int main(void)
     test_four_lines();
     test_random_corner_data();
     test_similarity();
+    test_units();
     test_degrees();
     test_given_curves();
     test_free_all();

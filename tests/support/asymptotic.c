@@ -1,8 +1,10 @@
 #include "asymptotic.h"
 
 #include "check.h"
+#include "core/vec3.h"
 
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 static const int text_order[4] = {TAUT_ASYMPTOTIC_V0, TAUT_ASYMPTOTIC_V1, TAUT_ASYMPTOTIC_U0,
@@ -126,17 +128,54 @@ const taut_claim *asymptotic_claim(const taut_certificate *certificate, const ch
     return NULL;
 }
 
-void asymptotic_check_claims(const taut_model *model, const taut_asymptotic_problem *problem,
-                             const char *what)
+/* `regular` found false names a place: there the patch indeed has no normal, by differences of
+ * points; a singular point is met to the root of the step. */
+static void check_singular(const taut_model *model, const taut_claim *claim, const char *what)
+{
+    const taut_surface *patch = taut_model_surface(model, 0);
+    const double h = 1e-4;
+    double u = 0, v = 0, x[4][3], side[2][3], normal[3];
+    CHECK(sscanf(claim->where, "u = %lf, v = %lf", &u, &v) == 2, "%s: %s", what, claim->where);
+    u = fmin(fmax(u, h), 1 - h);
+    v = fmin(fmax(v, h), 1 - h);
+    for (int k = 0; k < 4; k++) {
+        const double du = k == 0 ? -h : k == 1 ? h : 0, dv = k == 2 ? -h : k == 3 ? h : 0;
+        CHECK(taut_surface_eval(patch, u + du, v + dv, 0, x[k]) == TAUT_OK, "%s", what);
+    }
+    taut_difference(x[1], x[0], side[0]);
+    taut_difference(x[3], x[2], side[1]);
+    taut_cross(side[0], side[1], normal);
+    CHECK_NEAR(taut_norm(normal) / (taut_norm(side[0]) * taut_norm(side[1])), 0.0, 1e-2, "%s at %s",
+               what, claim->where);
+}
+
+static void check_claims(const taut_model *model, const taut_asymptotic_problem *problem, int folds,
+                         const char *what)
 {
     taut_certificate *certificate = asymptotic_certify(model, problem, what);
     CHECK(taut_certificate_claim_count(certificate) == 5, "%s: five claims", what);
     for (int k = 0; k < taut_certificate_claim_count(certificate); k++) {
         const taut_claim *claim = taut_certificate_claim(certificate, k);
+        if (folds && claim->holds == TAUT_FALSE && strcmp(claim->claim, "regular") == 0) {
+            check_singular(model, claim, what);
+            continue;
+        }
         CHECK(claim->holds == TAUT_TRUE, "%s: %s %g, limit %g, at %s", what, claim->claim,
               claim->residual, claim->limit, claim->where);
     }
     taut_certificate_free(certificate);
+}
+
+void asymptotic_check_claims(const taut_model *model, const taut_asymptotic_problem *problem,
+                             const char *what)
+{
+    check_claims(model, problem, 0, what);
+}
+
+void asymptotic_check_claims_or_fold(const taut_model *model,
+                                     const taut_asymptotic_problem *problem, const char *what)
+{
+    check_claims(model, problem, 1, what);
 }
 
 taut_curve *asymptotic_curve(const char *name, int n, const double *points, const double *weights)

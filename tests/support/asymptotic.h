@@ -24,6 +24,9 @@ const taut_claim *asymptotic_claim(const taut_certificate *certificate, const ch
 /* CHECKs that all claims hold. */
 void asymptotic_check_claims(const taut_model *model, const taut_asymptotic_problem *problem,
                              const char *what);
+/* The same where the inside may fold: then `regular` is false, at a place without a normal. */
+void asymptotic_check_claims_or_fold(const taut_model *model,
+                                     const taut_asymptotic_problem *problem, const char *what);
 
 /* A bezier curve of degree n from control points and weights (or NULL). */
 taut_curve *asymptotic_curve(const char *name, int n, const double *points, const double *weights);

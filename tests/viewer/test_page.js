@@ -154,6 +154,21 @@ async function testLarge(browser) {
     await page.close();
 }
 
+/* A net that reaches far beyond its surface is left out, said, and frames nothing: the surface fills the picture as it does
+ * with a net that is near. */
+async function testFarNet(browser) {
+    const basis = { type: 'bezier', degree: 2 };
+    const points = [-1, 0, 1].map((x) => [-1, 0, 1].map((y) => [x, y, x === 0 && y === 0 ? 1e6 : 0]));
+    const weights = [[1, 1, 1], [1, 1e-9, 1], [1, 1, 1]];
+    const page = await Page.open(browser, makePage('far', { taut: 1, surfaces: [{ name: 'far', u: basis, v: basis, points, weights }] }), 800, 420);
+    await page.until(drawn);
+    check((await page.evaluate('document.getElementById("dropped").textContent')).includes('1 of 1 control nets left out'), 'a net far away is not said to be left out');
+    check(inked(snap(await page.picture('#stage'), 'far-net')) > 0.2, 'a net far away makes the surface small');
+    await page.click('#net');
+    quiet(page, 'a net far away');
+    await page.close();
+}
+
 async function main() {
     const browser = new Browser(process.env.CHROMIUM || 'chromium');
     try {
@@ -161,6 +176,7 @@ async function main() {
         await testFrames(browser);
         await testPhone(browser);
         await testLarge(browser);
+        await testFarNet(browser);
     } finally {
         await browser.close();
     }

@@ -12,6 +12,7 @@
 #include "core/fail.h"
 #include "core/vec3.h"
 
+#include <math.h>
 #include <string.h>
 
 /* All that one call holds; lives in its arena. */
@@ -26,22 +27,97 @@ typedef struct work {
     double curve_energy, patch_energy;
 } work;
 
-static taut_status find_quad(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
-                             work *w, taut_error *error)
+/* The mean of the corners: problems are moved so that it is the origin, as products of coordinates
+ * then lose nothing to a far one. */
+static void center_of(const double *corners, double center[3])
+{
+    memset(center, 0, 3 * sizeof *center);
+    for (int c = 0; c < 4; c++) {
+        taut_add_scaled(0.25, corners + 3 * c, center);
+    }
+}
+
+/* Torsions, energies and their derivatives are products of up to eight lengths: beyond these they
+ * leave the range of double. */
+static const double least_size = 1e-20, most_size = 1e20;
+
+/* The largest distance of a corner from their mean along an axis. Corners that are not finite are
+ * told elsewhere. */
+static taut_status check_size(const double *corners, const double center[3], const char *where,
+                              double *size, taut_error *error)
+{
+    *size = 0.0;
+    for (int k = 0; k < 12; k++) {
+        *size = fmax(*size, fabs(corners[k] - center[k % 3]));
+    }
+    if (isfinite(center[0]) && isfinite(center[1]) && isfinite(center[2]) && *size > 0 &&
+        !(*size >= least_size && *size <= most_size)) {
+        return taut_fail(
+            error, TAUT_BAD_INPUT, where, *size, taut_none,
+            "the corners lie %.3g from their mean, expected %.0e to %.0e: take another "
+            "unit of length",
+            *size, least_size, most_size);
+    }
+    return TAUT_OK;
+}
+
+/* Moves the quadrilateral there. */
+static void center_quad(work *w)
+{
+    double corners[4][3], moved[3];
+    for (int c = 0; c < 4; c++) {
+        const taut_quad_meeting *const m = taut_quad_corner[c];
+        memcpy(corners[c], taut_quad_point(&w->quad, m->edge, m->end, 0), sizeof corners[c]);
+    }
+    center_of(&corners[0][0], moved);
+    for (int e = 0; e < 4; e++) {
+        for (int j = 0; j <= w->quad.degree; j++) {
+            taut_add_scaled(-1.0, moved, w->quad.edges[e].points[j]);
+        }
+    }
+    taut_add_scaled(1.0, moved, w->center);
+}
+
+static taut_status take_curves(const taut_asymptotic_problem *problem, work *w, taut_error *error)
 {
     taut_curve_rule rule;
-    taut_status status = TAUT_OK;
-    int chosen = 0;
-    if (problem->curves[0] != NULL || problem->curves[1] != NULL || problem->curves[2] != NULL ||
-        problem->curves[3] != NULL) {
-        status = taut_quad_of_curves(problem->curves, &w->quad, error);
-        if (status == TAUT_OK) {
-            taut_curve_rule_fill(w->quad.degree, TAUT_CURVE_FINE, &rule);
-            w->curve_energy = taut_quad_energy(&rule, &w->quad);
+    double corners[4][3], center[3], size = 0.0;
+    taut_status status = taut_quad_of_curves(problem->curves, &w->quad, error);
+    if (status == TAUT_OK) {
+        for (int c = 0; c < 4; c++) {
+            const taut_quad_meeting *const m = taut_quad_corner[c];
+            memcpy(corners[c], taut_quad_point(&w->quad, m->edge, m->end, 0), sizeof corners[c]);
         }
-        return status;
+        center_of(&corners[0][0], center);
+        status = check_size(&corners[0][0], center, "/curves", &size, error);
     }
-    status = taut_branches_find(problem, monitor, &w->branches, error);
+    if (status == TAUT_OK) {
+        taut_curve_rule_fill(w->quad.degree, TAUT_CURVE_FINE, &rule);
+        w->curve_energy = taut_quad_energy(&rule, &w->quad);
+    }
+    return status;
+}
+
+/* Algorithm 1, about the mean of the corners where that is far away. */
+static taut_status find_curves(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
+                               work *w, taut_error *error)
+{
+    taut_asymptotic_problem moved = *problem;
+    double center[3], size = 0.0;
+    int chosen = 0;
+    taut_status status = TAUT_OK;
+    center_of(&problem->corners[0][0], center);
+    status = check_size(&problem->corners[0][0], center, "/corners", &size, error);
+    if (status == TAUT_OK &&
+        fmax(fmax(fabs(center[0]), fabs(center[1])), fabs(center[2])) > 8.0 * size) {
+        memcpy(w->center, center, sizeof center);
+        for (int c = 0; c < 4; c++) {
+            taut_add_scaled(-1.0, center, moved.corners[c]);
+        }
+    }
+    if (status == TAUT_OK) {
+        status = taut_branches_find(&moved, monitor, &w->branches, error);
+    }
     if (status == TAUT_OK) {
         status = taut_branch_choose(problem, &w->branches, &chosen, error);
     }
@@ -52,20 +128,13 @@ static taut_status find_quad(const taut_asymptotic_problem *problem, const taut_
     return status;
 }
 
-/* Moves the quadrilateral so that the mean of its corners is the origin: products of coordinates
- * then lose nothing to a far origin. */
-static void center_quad(work *w)
+static taut_status find_quad(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
+                             work *w, taut_error *error)
 {
+    const int given = problem->curves[0] != NULL || problem->curves[1] != NULL ||
+                      problem->curves[2] != NULL || problem->curves[3] != NULL;
     memset(w->center, 0, sizeof w->center);
-    for (int c = 0; c < 4; c++) {
-        const taut_quad_meeting *const m = taut_quad_corner[c];
-        taut_add_scaled(0.25, taut_quad_point(&w->quad, m->edge, m->end, 0), w->center);
-    }
-    for (int e = 0; e < 4; e++) {
-        for (int j = 0; j <= w->quad.degree; j++) {
-            taut_add_scaled(-1.0, w->center, w->quad.edges[e].points[j]);
-        }
-    }
+    return given ? take_curves(problem, w, error) : find_curves(problem, monitor, w, error);
 }
 
 /* (C4): an edge whose beta changes sign is singular where it vanishes. */

@@ -59,6 +59,14 @@ static taut_status check_legs(const taut_quad *quad, int c, taut_error *error)
     double a[3], b[3], normal[3], sine = 0.0;
     taut_quad_leg(quad, m[0].edge, m[0].end, a);
     taut_quad_leg(quad, m[1].edge, m[1].end, b);
+    for (int k = 0; k < 2; k++) {
+        if (!(taut_norm(k == 0 ? a : b) > 0)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "/curves", 0.0, taut_none,
+                             "the control point of %s beside corner %s lies on it: the curve has "
+                             "no leg there",
+                             taut_asymptotic_edge_name(m[k].edge), taut_asymptotic_corner_name(c));
+        }
+    }
     taut_cross(a, b, normal);
     sine = taut_norm(normal) / (taut_norm(a) * taut_norm(b));
     if (!(sine >= least_sine)) {
@@ -174,6 +182,28 @@ static void factors_text(const taut_quad *quad, double factors[4][TAUT_QUAD_POIN
     }
 }
 
+/* The same of the torsion t: of the determinant of the first three differences, which close to an
+ * inflection is as small as the square of the height, and twice of the height below it. */
+static double torsion_rounding(const taut_quad *quad, int edge, int end, double t)
+{
+    const int n = quad->degree;
+    const double factor =
+        (n - 2.0) / n * taut_quad_weight(quad, edge, end, 0) *
+        taut_quad_weight(quad, edge, end, 3) /
+        (taut_quad_weight(quad, edge, end, 1) * taut_quad_weight(quad, edge, end, 2));
+    double d[3][3], size[3], normal[3];
+    for (int j = 0; j < 3; j++) {
+        taut_difference(taut_quad_point(quad, edge, end, j + 1),
+                        taut_quad_point(quad, edge, end, 0), d[j]);
+        size[j] = taut_norm(d[j]);
+    }
+    taut_cross(d[0], d[1], normal);
+    return 2 * rounding(quad, edge, end) * fabs(t) +
+           16 * DBL_EPSILON * taut_quad_reach(quad) * fabs(factor) *
+               (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]) /
+               taut_dot(normal, normal);
+}
+
 /* (C3) */
 static taut_status check_torsion(const taut_quad *quad, int c, taut_error *error)
 {
@@ -182,18 +212,18 @@ static taut_status check_torsion(const taut_quad *quad, int c, taut_error *error
     const double t1 = taut_quad_torsion(quad, m[1].edge, m[1].end);
     const double size = fmax(fabs(t0), fabs(t1));
     const double scale = taut_quad_size(quad);
-    const double match =
-        torsion_match + rounding(quad, m[0].edge, m[0].end) + rounding(quad, m[1].edge, m[1].end);
+    const double match = torsion_match * size + torsion_rounding(quad, m[0].edge, m[0].end, t0) +
+                         torsion_rounding(quad, m[1].edge, m[1].end, t1);
     double factors[4][TAUT_QUAD_POINTS];
     char text[200] = " none";
     /* torsions that are nothing but rounding next to the size are equal */
-    if (fabs(t0 + t1) <= match * size || size * scale <= 1e-12) {
+    if (fabs(t0 + t1) <= match || size * scale <= 1e-12) {
         return TAUT_OK;
     }
     if (nearest_weights(quad, factors)) {
         factors_text(quad, factors, text, sizeof text);
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "", t0 + t1, match * size,
+    return taut_fail(error, TAUT_NO_SOLUTION, "", t0 + t1, match,
                      "the torsions of %s and %s at corner %s are %.9g and %.9g: they must be "
                      "opposite; nearest factors on inner weights:%s",
                      taut_asymptotic_edge_name(m[0].edge), taut_asymptotic_edge_name(m[1].edge),

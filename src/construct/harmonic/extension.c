@@ -12,6 +12,7 @@
 #include "construct/harmonic/lidstone.h"
 #include "construct/harmonic/neighbour.h"
 #include "core/arena.h"
+#include "core/exact.h"
 #include "core/fail.h"
 #include "taut/harmonic.h"
 
@@ -102,6 +103,31 @@ static taut_status check_problem(const taut_harmonic_extension_problem *problem,
                          "bad parameter: c is %.17g, expected a positive number", problem->c);
     }
     return TAUT_OK;
+}
+
+/* Rational arithmetic carries on what is given to the last digit: an error of rounding there would
+ * stand in both other surfaces. */
+static taut_status check_exact(const taut_surface *surface, taut_error *error)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const double sides[2] = {taut_basis_hi(u) - taut_basis_lo(u),
+                             taut_basis_hi(v) - taut_basis_lo(v)};
+    const taut_exact_numbers net = {taut_surface_points(surface), taut_surface_exact(surface)};
+    const taut_exact_ops *ops = NULL;
+    double residual = 0;
+    taut_status status = taut_exact_load(&ops, error);
+
+    if (status == TAUT_OK &&
+        !ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, sides, &residual)) {
+        return taut_fail_memory(error);
+    }
+    if (status == TAUT_OK && residual > 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", residual, 0,
+                         "not harmonic in rational arithmetic: the surface's residual is %.3g, "
+                         "not 0; coordinates written as texts such as \"3/4\" are not rounded",
+                         residual);
+    }
+    return status;
 }
 
 static taut_status fill_model(const taut_neighbour *e,
@@ -198,6 +224,9 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
                                "most %.0e over its own rectangle",
                                residual, limit);
         }
+    }
+    if (status == TAUT_OK && exact) {
+        status = check_exact(e.surface, error);
     }
     if (status == TAUT_OK) {
         status = fill_model(&e, problem, exact, made, error);

@@ -2,6 +2,7 @@
 
 #include "core/exact.h"
 #include "core/fail.h"
+#include "taut/limits.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,6 +27,16 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
     e->across = taut_basis_hi(e->turned ? v : u) - taut_basis_lo(e->turned ? v : u);
     e->along = taut_basis_hi(e->turned ? u : v) - taut_basis_lo(e->turned ? u : v);
     e->ratio = width > 0 ? width / e->across : 1;
+    const taut_basis *across = e->turned ? v : u;
+    const double lo = taut_basis_lo(across), hi = taut_basis_hi(across);
+    const double reach = (1 + e->ratio) * e->across;
+    const double edge = e->reversed ? lo : hi, end = e->reversed ? hi - reach : lo + reach;
+    if (end == edge || !(fabs(end) <= TAUT_PARAMETER_MAX)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/width", width, taut_none,
+                         "bad parameter: the width %.17g from the edge at %.17g leads to %.17g, "
+                         "expected another parameter, at most %g in absolute value",
+                         width, edge, end, TAUT_PARAMETER_MAX);
+    }
     const size_t count = (size_t)(e->n + 1) * (size_t)(e->m + 1);
     e->frame = taut_frame_of(count, points, NULL);
     e->net = taut_arena_take(e->arena, 3 * count, sizeof(double));

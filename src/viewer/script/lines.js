@@ -73,11 +73,14 @@ void main() {
     });
 }
 
-/* A net of nu by nv points, or a polygon when nu is 1. */
+/* A net of nu by nv points, a polygon when nu is 1, or nothing where it is left out. */
 function netObject(net) {
     const points = unpackPoints(net.points);
     const pairs = [];
     const group = new THREE.Group();
+    if (net.nu === 0) {
+        return group;
+    }
     for (let i = 0; i < net.nu; i++) {
         addPolyline(pairs, points, row(i, net.nv));
     }

@@ -323,6 +323,45 @@ static void test_gradient(void)
     }
 }
 
+/* Long segments of a hyperbolic spline: slopes live in layers of width 1 at the knots. What is
+ * found is the least surface (the certificate has rules of its own), and as N_0 = O(1 / beta),
+ * beta times the energy tends to a constant: by D(2 beta) / D(beta) = 1/2 + O(1 / beta). */
+static void test_layers(void)
+{
+    double before = 0;
+    for (double beta = 175; beta <= 700; beta *= 2) {
+        const taut_basis_spec spec = {.type = "h-bspline", .beta = beta, .segments = 2};
+        taut_basis *u = NULL, *v = NULL;
+        double energy = 0;
+        CHECK(taut_basis_new(&spec, 5, &u, NULL) == TAUT_OK, "beta=%g", beta);
+        CHECK(taut_basis_new(&spec, 5, &v, NULL) == TAUT_OK, "beta=%g", beta);
+        test_problem problem = problem_new(u, v);
+        random_seed(20260305);
+        problem_random_boundary(&problem);
+        taut_model *model = problem_make(&problem, NULL);
+        taut_dirichlet_gradient gradient;
+        taut_certificate *certificate = certify(model, &problem);
+        CHECK(taut_certificate_holds(certificate) == TAUT_TRUE, "beta=%g: residual %g, limit %g",
+              beta, claim_of(certificate, "stationary")->residual,
+              claim_of(certificate, "stationary")->limit);
+        CHECK(taut_surface_dirichlet_energy(taut_model_surface(model, 0), &energy) == TAUT_OK,
+              "beta=%g", beta);
+        CHECK(taut_dirichlet_gradient_new(taut_model_surface(model, 0), 1, 40, &gradient) ==
+                  TAUT_OK,
+              "beta=%g", beta);
+        CHECK_NEAR(ldexp(gradient.halves[0] + gradient.halves[1], 2 * gradient.unit) / 2, energy,
+                   1e-10 * energy, "beta=%g", beta);
+        if (before > 0) {
+            CHECK_NEAR(energy / before, 0.5, 2 / beta, "beta=%g", beta);
+        }
+        before = energy;
+        taut_dirichlet_gradient_clear(&gradient);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+        problem_free(&problem);
+    }
+}
+
 static void test_refusals(void)
 {
     test_problem problem = problem_example(1), other = problem_example(2);
@@ -355,6 +394,7 @@ int main(void)
     test_far_away();
     test_sizes();
     test_gradient();
+    test_layers();
     test_refusals();
     return check_failures != 0;
 }

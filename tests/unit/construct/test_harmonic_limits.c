@@ -58,8 +58,9 @@ static void check_proof(const taut_model *model, int construct, const void *data
     taut_problem_free(problem);
 }
 
-static const char *const kinds[] = {"far away", "one point", "collapsed rows", "one row a point",
-                                    "a plane",  "a line",    "tiny",           "huge"};
+static const char *const kinds[] = {
+    "far away", "one point", "collapsed rows", "one row a point", "a plane",
+    "a line",   "tiny",      "huge",           "next to overflow"};
 
 static void place(net *g, int kind)
 {
@@ -71,7 +72,7 @@ static void place(net *g, int kind)
         x = kind == 2 ? (row == 0 ? 1 : 3) + c : x;
         x = kind == 3 && row == 0 ? c : x;
         x = (kind == 4 && c == 2) || (kind == 5 && c > 0) ? 0 : x;
-        g->points[k] = kind == 6 ? 1e-280 * x : kind == 7 ? 1e280 * x : x;
+        g->points[k] = kind == 6 ? 1e-280 * x : kind == 7 ? 1e280 * x : kind == 8 ? 3e307 * x : x;
     }
 }
 
@@ -79,8 +80,8 @@ static void place(net *g, int kind)
 static void test_degenerate(void)
 {
     static net g;
-    for (int kind = 0; kind < 8; kind++) {
-        for (int m = 1; m <= 7; m++) {
+    for (int kind = 0; kind < 9; kind++) {
+        for (int m = 1; m <= (kind == 8 ? 3 : 7); m++) {
             taut_harmonic_problem problem = start(&g, m % 2 != 0 ? m : m + 1, m);
             taut_harmonic_extension_problem extension;
             taut_model *model = NULL, *pair = NULL;
@@ -98,7 +99,7 @@ static void test_degenerate(void)
             memset(&extension, 0, sizeof extension);
             extension.surface = taut_model_surface(model, 0);
             extension.edge = (taut_edge)(m % 4);
-            CHECK(kind == 7 ||
+            CHECK(kind >= 7 ||
                       taut_harmonic_extension_make(&extension, NULL, &pair, &error) == TAUT_OK,
                   "%s m=%d: %s", kinds[kind], m, error.message);
             if (pair != NULL) {
@@ -179,6 +180,12 @@ static void test_refusals(void)
     extension.width = -1;
     refused(taut_harmonic_extension_make(&extension, NULL, &model, &error), TAUT_BAD_INPUT, &error,
             "bad parameter");
+    for (int k = 0; k < 2; k++) { /* lost in the edge's parameter, or beyond all parameters */
+        extension.width = k == 0 ? 1e-300 : 1e300;
+        refused(taut_harmonic_extension_make(&extension, NULL, &model, &error), TAUT_BAD_INPUT,
+                &error, "bad parameter: the width");
+        CHECK(strcmp(error.where, "/width") == 0, "%s", error.where);
+    }
     taut_surface_free(random);
     for (int k = 0; k < 48; k++) {
         g.points[k] = random_in(-1, 1);

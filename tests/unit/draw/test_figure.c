@@ -376,6 +376,51 @@ static void test_options(void)
     taut_model_free(c);
 }
 
+/* From the least to the largest number that follows the text. */
+static double extent(const char *svg, const char *text)
+{
+    double low = 1e9, high = -1e9;
+    for (const char *at = svg; (at = strstr(at, text)) != NULL; at++) {
+        const double x = strtod(at + strlen(text), NULL);
+        low = fmin(low, x);
+        high = fmax(high, x);
+    }
+    return high - low;
+}
+
+/* A net is drawn while its middle point is near, and left out of picture and frame, with a word
+ * about it, where that is far: the surface takes the page. It does not follow the point, whose
+ * weight is next to nothing. */
+static void test_far_net(void)
+{
+    static const double reach[3] = {1.5, 2.9, 1e6};
+    for (int k = 0; k < 3; k++) {
+        double points[9][3], weights[9];
+        size_t size = 0;
+        char *svg = NULL, *bare = NULL;
+        taut_model *model = NULL;
+        for (int i = 0; i < 9; i++) {
+            points[i][0] = i / 3 - 1.0;
+            points[i][1] = i % 3 - 1.0;
+            points[i][2] = 0;
+            weights[i] = i == 4 ? 1e-9 : 1;
+        }
+        points[4][0] = reach[k];
+        model = model_of(patch("far", 2, &points[0][0], weights));
+        svg = draw(model, &(taut_write_options){.divide = 4}, "svg", &size, TAUT_OK);
+        bare = draw(model, &(taut_write_options){.divide = 4, .no_net = 1}, "svg", &size, TAUT_OK);
+        CHECK((strstr(svg, "1 of 1 control nets left out") != NULL) == (k == 2), "reach %g",
+              reach[k]);
+        CHECK((strstr(svg, "<circle") != NULL) == (k < 2), "reach %g: points", reach[k]);
+        CHECK(strstr(bare, "left out") == NULL, "reach %g: not asked for", reach[k]);
+        CHECK(k < 2 || extent(svg, " d=\"M") == extent(bare, " d=\"M"),
+              "reach %g: the frame is the surface's", reach[k]);
+        free(svg);
+        free(bare);
+        taut_model_free(model);
+    }
+}
+
 static void test_full_device(void)
 {
     taut_model *model = model_of(enneper());
@@ -402,6 +447,7 @@ int main(void)
     test_degenerate();
     test_refusals();
     test_options();
+    test_far_net();
     test_full_device();
     return check_failures != 0;
 }

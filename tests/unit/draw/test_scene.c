@@ -112,12 +112,17 @@ static void add_sheet(taut_scene *scene, const sheet *s)
     }
 }
 
-/* Is (x, y) beside a sheet but within a unit of it? Cells reach 0.35 units over their border. */
+/* Is (x, y) beside a sheet but within a unit of it? Cells reach 0.35 units over their border. All
+ * around, and at shares of the unit: beside a corner a sheet lies in few directions only. */
 static int at_border(const sheet *s, double x, double y)
 {
-    return !isfinite(depth_by_ray(s, x, y)) &&
-           (isfinite(depth_by_ray(s, x + 1, y)) || isfinite(depth_by_ray(s, x - 1, y)) ||
-            isfinite(depth_by_ray(s, x, y + 1)) || isfinite(depth_by_ray(s, x, y - 1)));
+    const int inside = isfinite(depth_by_ray(s, x, y));
+    int near = 0;
+    for (int k = 0; k < 64 && !inside && !near; k++) {
+        const double angle = k % 16 * 0.39269908169872414, r = 0.25 * (1 + k / 16);
+        near = isfinite(depth_by_ray(s, x + r * cos(angle), y + r * sin(angle)));
+    }
+    return near;
 }
 
 /* The colour of the sheet that a ray meets first, 0 if none, -1 at a border. */

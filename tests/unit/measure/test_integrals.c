@@ -265,6 +265,45 @@ static void test_zero_line(void)
     }
 }
 
+/* (N_0(u), v, 0) on one segment of an h-bspline: N_0 = (sinh s - s) / (2 b (cosh b - 1)), s = b - u
+ * ([XuWang2006] section 4), falls from N_0(0) to 0 within a layer of width 1, so
+ *     area = N_0(0) b,   length of v0 = N_0(0),
+ *     iint x_u^2 = (3 b / 2 + sinh(2 b) / 4 - 2 sinh b) / (4 b (cosh b - 1)^2),
+ * here with numerators and denominators divided by e^(2 b). */
+static void test_layer(void)
+{
+    static const double lengths[] = {3, 30, 100, 200, 300, 700};
+    for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++) {
+        const double b = lengths[k], e = exp(-b);
+        const taut_basis_spec spec = {.type = "h-bspline", .beta = b, .segments = 1};
+        const double top = 0.5 * (1 - e * e) - b * e, bottom = 0.5 * (1 + e * e) - e;
+        const double drop = top / (2 * b * bottom);
+        const double bend = (1.5 * b * e * e + (1 - e * e * e * e) / 8 - e * (1 - e * e)) /
+                            (4 * b * bottom * bottom);
+        double points[4][4][3] = {{{0}}};
+        for (int i = 0; i < 4; i++) {
+            for (int j = 0; j < 4; j++) {
+                points[i][j][0] = i == 0;
+                points[i][j][1] = (j - 1) * b;
+            }
+        }
+        double energy = 0;
+        taut_surface *s = shape_surface(shape_basis(&spec), shape_basis(&spec), points[0][0], NULL);
+        const taut_surface_measure m = measured(s);
+        CHECK_NEAR(m.area, drop * b, 1e-10 * drop * b, "b=%g", b);
+        CHECK_NEAR(m.edges[2].length, drop, 1e-11 * drop, "b=%g", b);
+        taut_surface_free(s);
+
+        for (int i = 0; i < 16; i++) {
+            points[i / 4][i % 4][1] = 0;
+        }
+        s = shape_surface(shape_basis(&spec), shape_basis(&spec), points[0][0], NULL);
+        CHECK(taut_surface_dirichlet_energy(s, &energy) == TAUT_OK, "b=%g", b);
+        CHECK_NEAR(2 * energy, bend, 1e-10 * bend, "b=%g", b);
+        taut_surface_free(s);
+    }
+}
+
 static void test_refusals(void)
 {
     taut_surface *s = shape_saddle(1);
@@ -296,6 +335,7 @@ int main(void)
     test_corner();
     test_zero_line();
     test_degenerate();
+    test_layer();
     test_refusals();
     return check_failures != 0;
 }
