@@ -44,8 +44,21 @@ typedef enum taut_pipe_frame {
     TAUT_PIPE_FRENET /* U the normal, W the binormal; they must exist all along */
 } taut_pipe_frame;
 
+typedef enum taut_pipe_joint {
+    TAUT_PIPE_TANGENT = 0,    /* "g1": the quartic of the basis "ce-bezier" */
+    TAUT_PIPE_CURVATURE_JOINT /* "g2": a quintic with three points on either axis */
+} taut_pipe_joint;
+
+typedef struct taut_pipe_section {
+    double a, b;         /* semi-axes, > 0; a of both sections 0: round, by the radius */
+    double direction[3]; /* of a; its part across the axis counts */
+} taut_pipe_section;
+
 typedef struct taut_pipe_problem {
-    double radius; /* a > 0 */
+    double radius;                 /* a > 0; not used with sections */
+    taut_pipe_section sections[2]; /* at V_0 and V_3 */
+    double radii[2];               /* > 0, round pipes of unlike radii; 0, 0: not so */
+    int naive;                     /* nonzero: radii by the naive sweep, not the canal surface */
     taut_pipe_axis axis;
     double polygon[4][3];  /* TAUT_PIPE_POLYGON: V_0 .. V_3 */
     taut_pipe_end ends[2]; /* else */
@@ -53,6 +66,7 @@ typedef struct taut_pipe_problem {
     double alpha, beta, gamma; /* of the given shape */
     int extended;              /* nonzero: shape numbers outside the legal box are accepted */
     taut_pipe_frame frame;
+    taut_pipe_joint joint;
     double lengths[2]; /* of the straight pipes, > 0; 0: half lines, drawn three radii long */
 } taut_pipe_problem;
 
@@ -65,21 +79,40 @@ typedef struct taut_pipe_problem {
  * handles of ends, least length times bending; handles of feet, equal, the shortest with rho at
  * least three radii (a long-radius elbow).
  *
+ * With TAUT_PIPE_CURVATURE_JOINT the axis is the quintic Bezier curve of V_0, Q_1, V_1, V_2, Q_4,
+ * V_3, Q_1 = V_0 + (3 + alpha)/4 (V_1 - V_0),   Q_4 = V_3 - (3 + gamma)/4 (V_3 - V_2) without
+ * curvature at its ends, so that blend and cylinders have equal curvatures at the joints; beta is
+ * 0.
+ *
+ * With sections the pipes are elliptic: the ellipse is carried along by the rotation-minimising
+ * frame and turned by t^2 (3 - 2 t) (with TAUT_PIPE_CURVATURE_JOINT t^3 (10 - 15 t + 6 t^2)) of the
+ * angle that is left, at most a right one. The circle around the larger is what must not cut
+ * itself.
+ *
+ * With radii the blend is a canal surface, the envelope of spheres of radius r(t) = r_1 + (r_2 -
+ * r_1) t^2 (3 - 2 t) about P(t); or the naive sweep of circles of that radius across the axis,
+ * which is another surface. The tube of the larger radius is what must not cut itself.
+ *
  * TAUT_BAD_INPUT: numbers out of range. TAUT_BAD_ARGUMENT: a tolerance below 1e-12.
  * TAUT_NO_SOLUTION, the message beginning with DEGENERATE_EDGE        V_0 = V_1 or V_2 = V_3
  *     PARALLEL_AXES          no common perpendicular
- *     PARAMETER_DOMAIN       a shape number outside the legal box, not extended
+ *     PARAMETER_DOMAIN       a shape number outside the legal box, not extended; beta with "g2"
  *     TANGENT_LOST           alpha or gamma at or below -3
+ *     SECTION_ALONG          the direction of a section is along the axis
  *     NOT_REGULAR            the axis has a cusp
+ *     CANAL_NOT_REAL         the radius changes as fast as the axis runs
+ *     CANAL_NOT_REGULAR      the spheres' envelope has a crease
+ *     CANAL_JOINT            a canal surface with "g2"
  *     SELF_INTERSECT_LOCAL   the radius is not below the least radius of curvature
  *     SELF_INTERSECT_GLOBAL  the radius is not below half the distance of two parts of the axis
- *     FRENET_UNDEFINED       the curvature vanishes where it takes the normal along
+ *     FRENET_UNDEFINED       the curvature vanishes where it takes the normal along; also with "g2"
  * with error->limit the largest radius that would work, for SELF_INTERSECT_*. */
 TAUT_API taut_status taut_pipe_make(const taut_pipe_problem *problem,
                                     const taut_make_options *options, taut_model **model,
                                     taut_error *error);
 
-/* Proves it again: claims joint1, joint2, embedded, tube, and with a problem ends, and optimal
+/* Proves it again: claims joint1, joint2, embedded, tube, for "g2" curvature1 and
+ * curvature2, and with a problem ends, and optimal
  * where the shape was chosen (docs/pipe.md). problem may be NULL. */
 TAUT_API taut_status taut_pipe_certify(const taut_model *model, const taut_pipe_problem *problem,
                                        const taut_certify_options *options,

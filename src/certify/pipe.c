@@ -1,6 +1,7 @@
 /* pipe.c -- the certificate of `pipe`: from the finished surfaces and their axis alone.
  *
  *     joint1, joint2  the blend meets the straight pipes, with equal normals    pipe_tube.c
+ *     curvature1, -2  equal principal curvatures; about a quintic      pipe_curvature.c
  *     embedded        radius over the largest radius of the composite axis      pipe_reach.c
  *     tube            the surfaces are at the radius from the axis              pipe_tube.c
  *     ends            the axis starts and ends as asked; with a problem         pipe_ends.c
@@ -71,11 +72,7 @@ static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, t
             error, TAUT_BAD_INPUT, "", taut_none, taut_none,
             "a pipe has surfaces \"blend\", \"pipe1\", \"pipe2\" and a curve \"axis\"");
     }
-    if (strcmp(taut_basis_type(taut_curve_t(parts->axis)), "ce-bezier") != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/curves/0/t/type", taut_none, taut_none,
-                         "the axis of a pipe is on a basis of type \"ce-bezier\"");
-    }
-    return TAUT_OK;
+    return taut_pipe_read_axis(parts, error);
 }
 
 static void see_sizes(const taut_surface *surface, taut_pipe_parts *parts)
@@ -146,8 +143,18 @@ static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
     taut_record_add_number(figures, "total_torsion", f->torsion);
     taut_record_add_number(figures, "bending", f->bending / scale);
     taut_record_add_number(figures, "largest_radius", f->rho * scale);
-    taut_record_add_number(figures, "area", 2 * pi * a * length);
-    taut_record_add_number(figures, "volume", pi * a * a * length);
+    if (parts->canal) {
+        double measures[2];
+        taut_pipe_canal_measures(parts, &measures[0], &measures[1]);
+        taut_record_add_number(figures, "area", measures[0]);
+        taut_record_add_number(figures, "volume", measures[1]);
+    } else if (parts->sections[0].a > 0) {
+        taut_record_add_number(figures, "volume", taut_pipe_section_volume(parts));
+        taut_record_add_number(figures, "section_turn", parts->turn);
+    } else {
+        taut_record_add_number(figures, "area", 2 * pi * a * length);
+        taut_record_add_number(figures, "volume", pi * a * a * length);
+    }
     taut_record_add_numbers(figures, "joint_curvature", 2, ends);
     list = taut_record_add_list(figures, "joint_jump");
     for (int side = 0; side < 2; side++) { /* of the principal curvatures, the largest */
@@ -172,6 +179,9 @@ static taut_status claims(taut_pipe_parts *parts, const taut_certify_options *op
 
     for (int side = 0; side < 2 && status == TAUT_OK; side++) {
         status = taut_pipe_claim_joint(parts, side, certificate);
+    }
+    for (int side = 0; side < 2 && status == TAUT_OK && parts->quintic; side++) {
+        status = taut_pipe_claim_curvature(parts, side, certificate);
     }
     if (status == TAUT_OK) {
         status = claim_embedded(parts, certificate);
@@ -210,8 +220,10 @@ static taut_status certify(const taut_model *model, const void *data,
     }
     status = taut_pipe_line_of(parts.axis, arena, &parts.line, error);
     if (status == TAUT_OK) {
+        parts.line.flat = parts.quintic;
         find_data(model, data, &parts);
-        if (!(parts.radius > 0)) {
+        status = taut_pipe_read_sections(model, &parts);
+        if (status == TAUT_OK && !(parts.radius > 0)) {
             status = taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0", parts.radius, 0,
                                "the blend begins on its own axis: it has no radius");
         }

@@ -146,8 +146,52 @@ taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_p
     return status;
 }
 
+/* K = P' x P'' of a quintic without curvature at its ends is t (1 - t) C(t), C of degree 4:
+ *     C_i = K_{i+1} (6 over i+1) / (4 over i),
+ *     K_k = sum over i + j = k of (4 i-th by j-th) binomials p'_i x p'_{j+1} / (6 over k) */
+static void binormal_of(const taut_pipe_piece *piece, double c[5][3])
+{
+    static const double three[4] = {1, 3, 3, 1}, four[5] = {1, 4, 6, 4, 1};
+    double legs[5][3];
+    memset(c, 0, 15 * sizeof(double));
+    for (int i = 0; i < 5; i++) {
+        taut_difference(piece->points[i + 1], piece->points[i], legs[i]);
+    }
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            double product[3];
+            taut_cross(legs[i], legs[j + 1], product);
+            if (i + j > 0 && i + j < 6) {
+                taut_add_scaled(100 * three[i] * three[j] / four[i + j - 1], product, c[i + j - 1]);
+            }
+        }
+    }
+}
+
+/* Torsion from a binormal C(t) of any length: -det(C', C, T) / C . C, which needs no division by
+ * what vanishes at the ends. */
+static double flat_torsion(const double (*c)[3], double t, const double tangent[3])
+{
+    double b[5][3], slope[3], square = 0;
+    memcpy(b, c, sizeof b);
+    for (int level = 4; level > 1; level--) {
+        for (int i = 0; i < level; i++) {
+            for (int k = 0; k < 3; k++) {
+                b[i][k] += t * (b[i + 1][k] - b[i][k]);
+            }
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        slope[k] = 4 * (b[1][k] - b[0][k]);
+        b[0][k] += t * (b[1][k] - b[0][k]);
+    }
+    square = taut_dot(b[0], b[0]);
+    return square > 0 ? -taut_det(slope, b[0], tangent) / square : 0;
+}
+
 /* Length, turning, torsion and bending per unit of parameter. */
-static void integrands(const taut_pipe_piece *piece, int planar, double t, double out[INTEGRALS])
+static void integrands(const taut_pipe_piece *piece, int planar, const double (*binormal)[3],
+                       double t, double out[INTEGRALS])
 {
     double d[4][3], cross[3], speed = 0, square = 0;
     taut_pipe_piece_eval(piece, t, 3, d);
@@ -161,7 +205,12 @@ static void integrands(const taut_pipe_piece *piece, int planar, double t, doubl
         out[1] = curvature * speed;
         out[3] = curvature * curvature * speed;
     }
-    if (square > 0 && !planar) {
+    if (binormal != NULL && speed > 0 && !planar) {
+        for (int k = 0; k < 3; k++) {
+            d[1][k] /= speed;
+        }
+        out[2] = flat_torsion(binormal, t, d[1]);
+    } else if (square > 0 && !planar) {
         out[2] = taut_dot(cross, d[3]) / square * speed;
     }
 }
@@ -169,7 +218,8 @@ static void integrands(const taut_pipe_piece *piece, int planar, double t, doubl
 /* One piece under quadrature. */
 typedef struct quadrature {
     const taut_pipe_piece *piece;
-    int planar;
+    int planar, flat;
+    double binormal[5][3]; /* of a flat one */
     double nodes[GAUSS], weights[GAUSS];
     double size[INTEGRALS]; /* what errors are measured against */
     taut_sum sums[INTEGRALS];
@@ -181,7 +231,8 @@ static void gauss(const quadrature *q, double lo, double hi, double out[INTEGRAL
     memset(out, 0, INTEGRALS * sizeof *out);
     for (int i = 0; i < GAUSS; i++) {
         double value[INTEGRALS];
-        integrands(q->piece, q->planar, 0.5 * (lo + hi) + 0.5 * (hi - lo) * q->nodes[i], value);
+        integrands(q->piece, q->planar, q->flat ? (const double(*)[3])q->binormal : NULL,
+                   0.5 * (lo + hi) + 0.5 * (hi - lo) * q->nodes[i], value);
         for (int k = 0; k < INTEGRALS; k++) {
             out[k] += 0.5 * (hi - lo) * q->weights[i] * value[k];
         }
@@ -265,6 +316,10 @@ void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures)
     for (int i = 0; i < line->count; i++) {
         q.piece = &line->pieces[i];
         q.planar = is_planar(line, q.piece);
+        q.flat = line->flat;
+        if (q.flat) {
+            binormal_of(q.piece, q.binormal);
+        }
         integrate_piece(&q, figures);
     }
     figures->ends[0] = taut_pipe_piece_curvature(&line->pieces[0], 0);

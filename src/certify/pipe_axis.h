@@ -34,6 +34,7 @@ typedef struct taut_pipe_line {
     double origin[3], scale; /* x = origin + scale * local */
     double noise;            /* how far rounding of the coordinates moves a local one */
     double tangent[2][3];    /* unit, at either end */
+    int flat;                /* nonzero: one quintic that has no curvature at its ends */
     double lengths[2];       /* local, of the straight pipes; INFINITY: half lines */
 } taut_pipe_line;
 

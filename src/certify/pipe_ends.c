@@ -38,11 +38,12 @@ static double from_line(const double x[3], const double p[3], const double d[3])
     return taut_norm(w);
 }
 
-static double ends_residual(const taut_pipe_parts *parts, const double *shape)
+static double ends_residual(const taut_pipe_parts *parts)
 {
+    const double *shape = parts->shape;
     const taut_pipe_problem *p = parts->problem;
-    const double *points = taut_curve_points(parts->axis);
-    double worst = 0;
+    const double *points = &parts->polygon[0][0];
+    double worst = parts->quintic == (p->joint == TAUT_PIPE_CURVATURE_JOINT) ? 0 : 1;
     for (int i = 0; i < 4 && p->axis == TAUT_PIPE_POLYGON; i++) {
         worst = fmax(worst, taut_distance(points + 3 * i, p->polygon[i]) / parts->radius);
     }
@@ -71,11 +72,15 @@ static double ends_residual(const taut_pipe_parts *parts, const double *shape)
 static double ends_noise(const taut_pipe_parts *parts)
 {
     const taut_pipe_problem *p = parts->problem;
-    const double *points = taut_curve_points(parts->axis);
+    const double *points = &parts->polygon[0][0];
     const double none[3] = {0, 0, 0};
-    double noise = 2 * DBL_EPSILON, far = 0, sine = 1;
+    double noise = 2 * DBL_EPSILON, far = 0, sine = 1, shape = 0;
+    for (int side = 0; side < 2 && parts->quintic; side++) { /* shape numbers, read off points */
+        shape += 16 * DBL_EPSILON *
+                 (1 + parts->size / taut_distance(points + 6 * side, points + 6 * side + 3));
+    }
     if (p->axis == TAUT_PIPE_POLYGON) {
-        return 0;
+        return shape;
     }
     for (int side = 0; side < 2; side++) {
         noise += taut_pipe_sideways(parts, side, none) /
@@ -95,24 +100,12 @@ static double ends_noise(const taut_pipe_parts *parts)
         sine = fmax(taut_norm(n), 1e-9);
         noise += 4 * DBL_EPSILON * far / (parts->radius * sine);
     }
-    return noise;
-}
-
-static void shape_of(const taut_curve *axis, double shape[3])
-{
-    taut_basis_spec spec;
-    taut_basis_spec_of(taut_curve_t(axis), &spec);
-    shape[0] = spec.alpha;
-    shape[1] = spec.beta;
-    shape[2] = spec.gamma;
+    return noise + shape;
 }
 
 taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate *certificate)
 {
-    double shape[3];
-    shape_of(parts->axis, shape);
-    return taut_pipe_add_claim("ends", ends_residual(parts, shape), 0, ends_noise(parts), "",
-                               certificate);
+    return taut_pipe_add_claim("ends", ends_residual(parts), 0, ends_noise(parts), "", certificate);
 }
 
 /* The goal about a curve, and whether the pipe has room there: asked only where the goal is below
@@ -149,18 +142,12 @@ static taut_status judge(const taut_pipe_parts *parts, taut_pipe_line *line, dou
 static taut_status goal_of(const taut_pipe_parts *parts, const double shape[3], double bound,
                            double *goal, taut_error *error)
 {
-    const taut_basis_spec spec = {
-        .type = "ce-bezier", .alpha = shape[0], .beta = shape[1], .gamma = shape[2]};
     taut_arena *const arena = taut_arena_new();
-    taut_basis *basis = NULL;
     taut_curve *curve = NULL;
     taut_pipe_line line;
     taut_status status =
-        arena != NULL ? taut_basis_new(&spec, 4, &basis, error) : taut_fail_memory(error);
+        arena != NULL ? taut_pipe_axis_with(parts, shape, &curve, error) : taut_fail_memory(error);
 
-    if (status == TAUT_OK) {
-        status = taut_curve_new("", basis, taut_curve_points(parts->axis), NULL, &curve, error);
-    }
     if (status == TAUT_OK) {
         status = taut_pipe_line_of(curve, arena, &line, error);
     }
@@ -168,7 +155,6 @@ static taut_status goal_of(const taut_pipe_parts *parts, const double shape[3], 
         status = judge(parts, &line, bound, goal);
     }
     taut_curve_free(curve);
-    taut_basis_free(basis);
     taut_arena_free(arena);
     return status;
 }
@@ -195,15 +181,14 @@ taut_status taut_pipe_claim_optimal(const taut_pipe_parts *parts, taut_certifica
 {
     static const double steps[] = {1.0 / 64, 1.0 / 4096};
     const double limit = 1e-13; /* rounding of the quadrature: a few hundred terms */
-    double shape[3], here = 0, saved = 0;
+    const double *shape = parts->shape;
+    double here = 0, saved = 0;
     char where[96] = "";
-    taut_status status = TAUT_OK;
+    taut_status status = goal_of(parts, shape, 0, &here, error);
 
-    shape_of(parts->axis, shape);
-    status = goal_of(parts, shape, 0, &here, error);
     for (int i = 0; i < 54 && status == TAUT_OK && here > 0; i++) {
         double other[3], there = 0;
-        if (!neighbour(shape, i % 27, steps[i / 27], other)) {
+        if (!neighbour(shape, i % 27, steps[i / 27], other) || (parts->quintic && other[1] != 0)) {
             continue;
         }
         status = goal_of(parts, other, here, &there, error);

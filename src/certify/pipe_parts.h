@@ -9,11 +9,19 @@ typedef struct taut_pipe_parts {
     const taut_surface *blend, *pipes[2];
     const taut_curve *axis;
     const taut_pipe_problem *problem; /* or NULL */
+    int quintic;                      /* nonzero: a quintic with three points on either end edge */
+    double polygon[4][3];             /* V_0 .. V_3 of the axis, */
+    double shape[3];                  /* and its shape numbers */
     taut_pipe_line line;
     taut_pipe_figures figures;
-    double radius;   /* the user's unit */
-    double size;     /* the largest coordinate of any control point, */
-    double sizes[3]; /* and the largest x, y, z */
+    double radius; /* the user's unit; with sections, of the circle around the larger */
+    taut_pipe_section sections[2]; /* a of the first 0: round */
+    double flatness;               /* the largest semi-axis over the smallest; 1 for round ones */
+    int canal;                     /* nonzero: sections are of a canal surface, a = b = r */
+    double turn;                   /* psi at the end */
+    double (*frames)[3];           /* U along the pieces (pipe_section.c) */
+    double size;                   /* the largest coordinate of any control point, */
+    double sizes[3];               /* and the largest x, y, z */
 } taut_pipe_parts;
 
 /* How far rounding moves one control point against another at right angles to the axis, where both
@@ -21,9 +29,34 @@ typedef struct taut_pipe_parts {
  * exact. */
 double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double changes[3]);
 
-/* The claims: pipe_tube.c, pipe_ends.c. Each adds one, or returns TAUT_NO_MEMORY. */
+/* quintic, polygon and shape from the axis; TAUT_BAD_INPUT for an axis of another kind. */
+taut_status taut_pipe_read_axis(taut_pipe_parts *parts, taut_error *error);
+/* The axis with other shape numbers. */
+taut_status taut_pipe_axis_with(const taut_pipe_parts *parts, const double shape[3],
+                                taut_curve **curve, taut_error *error);
+
+/* sections, flatness, turn and frames; radius, where there are sections. TAUT_NO_MEMORY. */
+taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *parts);
+/* How far a point is from the ellipse at parameter s of a piece, over the radius; `offset` is where
+ * it is from the axis there, local. */
+double taut_pipe_section_miss(const taut_pipe_parts *parts, int piece, double s,
+                              const double offset[3]);
+/* pi times the integral of a b along the axis. */
+double taut_pipe_section_volume(const taut_pipe_parts *parts);
+
+/* How far a point (local) is from the canal surface, over the radius: |x - P(t)| - r(t) at its
+ * least, sought from t; *convex is how it bends there, over |P'|^2 / |x - P|, 0 on a crease. */
+double taut_pipe_canal_miss(const taut_pipe_parts *parts, const double x[3], double t,
+                            double *convex);
+/* Area and volume by their closed forms. */
+void taut_pipe_canal_measures(const taut_pipe_parts *parts, double *area, double *volume);
+
+/* The claims: pipe_tube.c, pipe_curvature.c, pipe_ends.c. Each adds one, or returns TAUT_NO_MEMORY.
+ */
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
                                   taut_certificate *certificate);
+taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
+                                      taut_certificate *certificate);
 taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
                                  taut_certificate *certificate);
 taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate *certificate);

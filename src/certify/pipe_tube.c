@@ -123,12 +123,16 @@ taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
         }
     }
     return taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", worst, 0,
-                               4 * DBL_EPSILON + DBL_EPSILON * parts->size / parts->radius + turned,
+                               (4 * DBL_EPSILON + DBL_EPSILON * parts->size / parts->radius) *
+                                       parts->flatness * parts->flatness +
+                                   turned,
                                where, certificate);
 }
 
-/* The distance of a local point from the axis, its foot sought from parameter `t` of the curve. */
-static double from_curve(const taut_pipe_line *line, const double x[3], double t)
+/* The foot of a local point on the axis, sought from parameter `t` of the curve, and the way from
+ * it. */
+static void from_curve(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
+                       double *at_s, double offset[3])
 {
     const taut_pipe_piece *piece = &line->pieces[0];
     double s = 0, d[3][3], apart[3];
@@ -147,7 +151,9 @@ static double from_curve(const taut_pipe_line *line, const double x[3], double t
         }
     }
     taut_pipe_piece_eval(piece, s, 0, d);
-    return taut_distance(d[0], x);
+    *at_piece = (int)(piece - line->pieces);
+    *at_s = s;
+    taut_difference(x, d[0], offset);
 }
 
 static void to_local(const taut_pipe_line *line, const double x[3], double local[3])
@@ -159,14 +165,34 @@ static void to_local(const taut_pipe_line *line, const double x[3], double local
 
 /* The largest deviation gathered while surfaces are gone over. */
 typedef struct deviation {
-    double worst;
+    double worst, convex, graph; /* of canal surfaces: the least */
     char where[64];
 } deviation;
 
-static void see(deviation *d, const taut_pipe_parts *parts, double distance, const char *name,
-                double u, double v)
+/* A place: its way from the axis, at s of a piece. */
+/* A place on the blend of a canal surface: from the spheres, and whether its normal, that of the
+ * sphere, looks away from the axis: where it does everywhere, the surface is a graph over the tube.
+ */
+static void see_canal(deviation *d, const taut_pipe_parts *parts, const double x[3], double t,
+                      const double offset[3], const double normal[3], double v)
 {
-    const double residual = fabs(distance * parts->line.scale - parts->radius) / parts->radius;
+    double convex = 0;
+    const double residual = taut_pipe_canal_miss(parts, x, t, &convex);
+    d->convex = fmin(d->convex, convex);
+    d->graph = fmin(d->graph, fabs(taut_dot(normal, offset)) / taut_norm(offset));
+    if (!(residual <= d->worst)) {
+        d->worst = residual;
+        snprintf(d->where, sizeof d->where, "blend, u = %.6g, v = %.6g", t, v);
+    }
+}
+
+static void see(deviation *d, const taut_pipe_parts *parts, int piece, double s,
+                const double offset[3], const char *name, double u, double v)
+{
+    const double residual =
+        parts->sections[0].a > 0
+            ? taut_pipe_section_miss(parts, piece, s, offset)
+            : fabs(taut_norm(offset) * parts->line.scale - parts->radius) / parts->radius;
     if (!(residual <= d->worst)) {
         d->worst = residual;
         snprintf(d->where, sizeof d->where, "%s, u = %.6g, v = %.6g", name, u, v);
@@ -182,10 +208,17 @@ static void see_blend(deviation *d, const taut_pipe_parts *parts)
             const double s = k == PER_SPAN ? breaks[i + 1]
                                            : breaks[i] + (breaks[i + 1] - breaks[i]) * k / PER_SPAN;
             for (int j = 0; j < RING; j++) {
-                double x[3], local[3];
-                taut_surface_eval(parts->blend, s, at(v, j, RING), 0, x);
-                to_local(&parts->line, x, local);
-                see(d, parts, from_curve(&parts->line, local, s), "blend", s, at(v, j, RING));
+                double x[3][3], local[3], offset[3], normal[3], foot = 0;
+                int piece = 0;
+                taut_surface_eval(parts->blend, s, at(v, j, RING), 1, x[0]);
+                to_local(&parts->line, x[0], local);
+                from_curve(&parts->line, local, s, &piece, &foot, offset);
+                if (parts->canal) {
+                    normal_of(x[TAUT_XU], x[TAUT_XV], normal);
+                    see_canal(d, parts, local, s, offset, normal, at(v, j, RING));
+                    continue;
+                }
+                see(d, parts, piece, foot, offset, "blend", s, at(v, j, RING));
             }
         }
     }
@@ -207,10 +240,21 @@ static void see_pipe(deviation *d, const taut_pipe_parts *parts, int side)
             taut_difference(local, joint, foot);
             along = taut_dot(foot, line->tangent[side]);
             taut_add_scaled(-along, line->tangent[side], foot);
-            see(d, parts, taut_norm(foot), side == 0 ? "pipe1" : "pipe2", at(u, k, PER_SPAN),
-                at(v, j, RING));
+            see(d, parts, side == 0 ? 0 : line->count - 1, side, foot,
+                side == 0 ? "pipe1" : "pipe2", at(u, k, PER_SPAN), at(v, j, RING));
         }
     }
+}
+
+/* A claim about the least value of something that must stay positive. */
+static taut_status claim_above(const char *name, double value, taut_certificate *certificate)
+{
+    const taut_claim claim = {.claim = name,
+                              .residual = value,
+                              .limit = 1e-6,
+                              .holds = value > 1e-6 ? TAUT_TRUE : TAUT_FALSE,
+                              .where = ""};
+    return taut_certificate_add(certificate, &claim);
 }
 
 taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
@@ -218,10 +262,16 @@ taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance,
 {
     /* rounding of the control points, and of the tangent over the length of a straight pipe */
     const double noise = 8 * DBL_EPSILON * parts->size / parts->radius;
-    deviation d = {0, ""};
+    deviation d = {.worst = 0, .convex = INFINITY, .graph = INFINITY, .where = ""};
+    taut_status status = TAUT_OK;
     see_blend(&d, parts);
     *fit_error = d.worst;
     see_pipe(&d, parts, 0);
     see_pipe(&d, parts, 1);
-    return taut_pipe_add_claim("tube", d.worst, tolerance, tolerance + noise, d.where, certificate);
+    status =
+        taut_pipe_add_claim("tube", d.worst, tolerance, tolerance + noise, d.where, certificate);
+    if (status == TAUT_OK && parts->canal) {
+        status = claim_above("regular", d.convex, certificate);
+    }
+    return status == TAUT_OK && parts->canal ? claim_above("graph", d.graph, certificate) : status;
 }

@@ -40,6 +40,13 @@ static double forcing(const taut_walk *w)
     return fmin(0.1, fmax(1e-6, w->first_norm > 0 ? w->here.residual / w->first_norm : 0.1));
 }
 
+/* Has this descent cost what it may? Steps are as long as they are: films that fold need more Gauss
+ * points, shorter steps and more of both. */
+static int is_spent(const taut_walk *w)
+{
+    return w->descent->work + w->film->work - w->first_work > w->descent->work_max;
+}
+
 /* The step at the first theta that leaves B positive definite. */
 static taut_status find_step(taut_walk *w)
 {
@@ -49,7 +56,7 @@ static taut_status find_step(taut_walk *w)
     for (size_t i = 0; i < w->size; i++) {
         w->right[i] = -w->right[i];
     }
-    for (int tries = 1; tries < 40; tries++) {
+    for (int tries = 1; tries < 40 && (tries == 1 || !is_spent(w)); tries++) {
         status =
             taut_film_solver_solve(w->solver, w->theta, forcing(w), w->right, w->step, &w->model);
         if (status != TAUT_NO_SOLUTION || w->theta >= 1) {
@@ -85,7 +92,8 @@ static int is_good(taut_walk *w)
     const double area = w->here.value.area, gain = area - w->there.value.area;
     const double ratio = gain / w->model;
 
-    if (w->there.value.least < w->barrier) {
+    w->is_barred = w->there.value.least < w->barrier;
+    if (w->is_barred) {
         return 0;
     }
     if (fmax(w->model, gain) > blind * area) {
@@ -141,7 +149,7 @@ static taut_status advance(taut_walk *w, int *at_rest)
 {
     const double least = taut_film_solver_floor(w->solver);
 
-    for (int tries = 1; tries < 60; tries++) {
+    for (int tries = 1; tries < 60 && !is_spent(w); tries++) {
         const taut_status status = find_step(w);
         if (status != TAUT_OK) {
             return status == TAUT_NO_SOLUTION ? TAUT_CHECK_FAILED : status;
@@ -226,21 +234,46 @@ static int step_off(taut_walk *w)
     return 0;
 }
 
+/* Raises theta to where B is definite, to a tenth: with mu the least curvature over the metric
+ * operator that is theta = -mu / (1 - mu), and far above it inverse iterations see all directions
+ * alike. TAUT_NO_SOLUTION: there is none. */
+static taut_status find_definite(taut_walk *w)
+{
+    double below = -1, gain = 0;
+    taut_status status = TAUT_NO_SOLUTION;
+
+    for (int tries = 0; status == TAUT_NO_SOLUTION && tries < 40 && below < 1; tries++) {
+        if (tries > 0) {
+            below = w->theta;
+            raise_theta(w, tries);
+        }
+        scatter(w, w->right);
+        status = taut_film_solver_solve(w->solver, w->theta, 0.05, w->right, w->step, &gain);
+    }
+    for (double above = w->theta; status == TAUT_OK && below >= 0 && above > 1.1 * below + 1e-9;) {
+        w->theta = 0.5 * (below + above);
+        status = taut_film_solver_solve(w->solver, w->theta, 0.05, w->right, w->step, &gain);
+        if (status == TAUT_NO_SOLUTION) {
+            below = w->theta;
+            status = TAUT_OK;
+        } else {
+            above = w->theta;
+        }
+        w->theta = above;
+    }
+    return status;
+}
+
 /* At a net where the gradient vanishes: a minimum, or a saddle to be left. *at_rest: stay. */
 static taut_status check_minimum(taut_walk *w, int *at_rest, taut_error *error)
 {
     const double before = w->theta, normal = taut_film_solver_parts(w->solver) == 1 ? 0 : slack;
-    double gain = 0, curvature = 0;
+    double curvature = 0;
     taut_status status = TAUT_OK;
 
     *at_rest = 1;
-    scatter(w, w->right);
     w->theta = normal;
-    status = taut_film_solver_solve(w->solver, w->theta, 0.05, w->right, w->step, &gain);
-    for (int tries = 1; status == TAUT_NO_SOLUTION && tries < 40 && w->theta < 1; tries++) {
-        raise_theta(w, tries);
-        status = taut_film_solver_solve(w->solver, w->theta, 0.05, w->right, w->step, &gain);
-    }
+    status = find_definite(w);
     if (status == TAUT_OK && w->theta > normal) {
         curvature = least_curvature(w);
         if (curvature < -slack) {
@@ -269,11 +302,7 @@ static taut_status check_film(const taut_walk *w, taut_error *error)
                          "it was; make the points of that edge known",
                          area / w->start_area);
     }
-    if (d->monitor->progress != NULL &&
-        d->monitor->progress(d->monitor->context, taut_none, "least area") != 0) {
-        return taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped on request");
-    }
-    return TAUT_OK;
+    return taut_film_solver_report(w->solver);
 }
 
 static taut_status give_up(const taut_walk *w, const char *why, taut_error *error)
@@ -285,12 +314,13 @@ static taut_status give_up(const taut_walk *w, const char *why, taut_error *erro
                          "be no least area; make the points of that edge known",
                          why, w->here.residual);
     }
-    if (w->here.value.least < 1.5 * w->barrier) {
+    if (w->is_barred || w->here.value.least < 1.5 * w->barrier) {
         return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->here.value.least, w->barrier,
                          "the film wants to fold: after %d iterations its smallest area element is "
-                         "%.2g of the mean; take the method \"normal\", or fewer points, or give "
-                         "points inside",
-                         d->iterations, w->here.value.least);
+                         "%.2g of the mean; take %sfewer points, or give points inside",
+                         d->iterations, w->here.value.least,
+                         taut_film_solver_parts(w->solver) == 1 ? ""
+                                                                : "the method \"normal\", or ");
     }
     return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->here.residual, d->tolerance,
                      "%s after %d iterations: the residual is %.3g, expected at most %.3g; the "
@@ -318,6 +348,7 @@ static taut_status descend(taut_walk *w, taut_error *error)
     w->start_area = w->here.value.area;
     w->barrier = fmin(unfolded, 0.5 * w->here.value.least);
     w->model = 0;
+    w->first_work = w->film->work;
     while (status == TAUT_OK && !at_rest) {
         status = check_film(w, error);
         if (status != TAUT_OK) {
@@ -338,7 +369,9 @@ static taut_status descend(taut_walk *w, taut_error *error)
             status = check_minimum(w, &at_rest, error);
         }
         if (status == TAUT_CHECK_FAILED) {
-            return give_up(w, "no step lowers the area any more", error);
+            return give_up(
+                w, is_spent(w) ? "the work allowed was done" : "no step lowers the area any more",
+                error);
         }
     }
     return status;
@@ -354,7 +387,11 @@ taut_status taut_film_descend(taut_film *film, taut_film_solver *solver, taut_de
         status = descend(&w, error);
         if (status == TAUT_OK) {
             taut_walk_polish(&w);
+        } else if (status == TAUT_INTERRUPTED) {
+            status = taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none,
+                               "stopped on request");
         }
+        descent->work += film->work - w.first_work;
         descent->area = w.here.value.area;
         descent->residual = w.here.residual;
         descent->gain = w.here.value.area > 0 ? w.model / w.here.value.area : 0;

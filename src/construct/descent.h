@@ -11,18 +11,18 @@
 #define TAUT_CONSTRUCT_DESCENT_H
 
 #include "construct/film_solver.h"
-#include "taut/monitor.h"
 
 typedef struct taut_descent {
     /* given */
     double tolerance;
     int max_iterations;
     int has_free_edge;
-    const taut_monitor *monitor;
     double *areas; /* [areas_max]: after each iteration, or NULL */
     int areas_max;
-    /* found; iterations is added to */
+    double work_max; /* flops, about: more are not spent on the way */
+    /* found; iterations and work are added to */
     int iterations;
+    double work;
     int areas_count;
     double area;
     double residual; /* largest derivative along an unknown over the largest in the net */

@@ -21,10 +21,12 @@ typedef struct taut_walk {
     double *right, *step, *image, *turn; /* unknowns */
     double *move, *bend;                 /* nets */
     double theta, model, first_norm, start_area;
-    double barrier; /* no step may take the smallest area element, over the mean, below this */
-    double fence;   /* B was last seen indefinite at this theta; forgotten by and by */
+    double first_work; /* of the film, before */
+    double barrier;    /* no step may take the smallest area element, over the mean, below this */
+    double fence;      /* B was last seen indefinite at this theta; forgotten by and by */
     double past[TAUT_WALK_PAST];
     int steps, flat_steps;
+    int is_barred; /* the last step tried went below the barrier */
 } taut_walk;
 
 /* The net to start from becomes here's, and stays the caller's. TAUT_NO_MEMORY. */

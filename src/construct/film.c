@@ -293,11 +293,18 @@ taut_status taut_film_new(const taut_basis *u, const taut_basis *v, const double
     return TAUT_OK;
 }
 
+/* At each point 6 numbers from the functions alive along v, and what is made of them. */
+double taut_film_cost(const taut_film *film)
+{
+    return 12.0 * (film->v.local + 4) * film->u.count * film->v.count;
+}
+
 taut_film_value taut_film_area(taut_film *film, const double *net)
 {
     taut_film_value value = {0, INFINITY};
     taut_sum sum = {0, 0};
 
+    film->work += taut_film_cost(film);
     net = weigh(film, net);
     for (int line = 0; line < film->u.count; line++) {
         contract(film, line, net);
@@ -349,6 +356,7 @@ taut_film_value taut_film_gradient(taut_film *film, const double *net, double *g
     taut_sum sum = {0, 0};
     double *state = film->state;
 
+    film->work += 2 * taut_film_cost(film);
     net = weigh(film, net);
     memset(gradient, 0, (size_t)film->nu * width * sizeof(double));
     for (int line = 0; line < film->u.count; line++) {
@@ -394,6 +402,7 @@ void taut_film_product(taut_film *film, double theta, const double *direction, d
     const size_t width = 3 * (size_t)film->nv;
     const double *state = film->state, *net = weigh(film, direction);
 
+    film->work += 2 * taut_film_cost(film);
     memset(product, 0, (size_t)film->nu * width * sizeof(double));
     for (int line = 0; line < film->u.count; line++) {
         contract(film, line, net);

@@ -47,6 +47,7 @@ typedef struct taut_film {
     double *net;      /* [nu][nv][3]: points times weights, or NULL */
     double *polygons; /* [2][nv][3] */
     double *spread;   /* [2][nv][3] */
+    double work;      /* about so many flops were spent on it, its factors included */
 } taut_film;
 
 /* What a net is worth. */
@@ -65,6 +66,9 @@ taut_film_value taut_film_area(taut_film *film, const double *net);
 /* The same, with gradient double[nu][nv][3] at every point, known ones too; the operators below are
  * those of this net from now on. */
 taut_film_value taut_film_gradient(taut_film *film, const double *net, double *gradient);
+
+/* About so many flops: one look at the area of a net. */
+double taut_film_cost(const taut_film *film);
 
 /* product = B direction, nets double[nu][nv][3], apart. */
 void taut_film_product(taut_film *film, double theta, const double *direction, double *product);

@@ -56,16 +56,31 @@ static int half_width(const taut_film *film, const int *index)
     return widest;
 }
 
+/* Of a banded matrix of three unknowns a point, numbered along the shorter side. */
+static double half_band(const taut_film *film, const taut_pattern *pattern)
+{
+    return pattern->rows < pattern->columns ? 3.0 * film->v.local * pattern->rows
+                                            : 3.0 * film->u.local * pattern->columns;
+}
+
+double taut_film_band_assembly_cost(const taut_film *film)
+{
+    const double meeting = (double)film->u.local * film->v.local;
+    return 13 * meeting * meeting * film->u.count * film->v.count; /* half of all pairs */
+}
+
+double taut_film_band_factor_cost(const taut_film *film, const taut_pattern *pattern)
+{
+    const double width = half_band(film, pattern);
+    return 3.0 * (double)pattern->unknowns * width * width;
+}
+
 int taut_film_band_pays(const taut_film *film, const taut_pattern *pattern)
 {
-    const double shorter = pattern->rows < pattern->columns ? pattern->rows : pattern->columns;
-    const double reach = pattern->rows < pattern->columns ? film->v.local : film->u.local;
-    const double n = 3.0 * (double)pattern->unknowns, width = 3 * reach * shorter;
-    const double meeting = (double)film->u.local * film->v.local;
-    const double points = (double)film->u.count * film->v.count;
+    const double numbers = 3.0 * (double)pattern->unknowns * half_band(film, pattern);
 
-    /* the factors in flops and numbers, the assembly in flops */
-    return n * width * width <= 3e9 && n * width <= 2e7 && points * meeting * meeting <= 1e9;
+    return taut_film_band_factor_cost(film, pattern) <= 3e9 && numbers <= 2e7 &&
+           taut_film_band_assembly_cost(film) <= 1.3e10;
 }
 
 void taut_film_band_free(taut_film_band *band)

@@ -20,6 +20,10 @@ typedef struct taut_film_band taut_film_band;
 /* Is a factorisation worth its cost for this film? */
 int taut_film_band_pays(const taut_film *film, const taut_pattern *pattern);
 
+/* About so many flops: one assembly, and one factorisation. */
+double taut_film_band_assembly_cost(const taut_film *film);
+double taut_film_band_factor_cost(const taut_film *film, const taut_pattern *pattern);
+
 /* The pattern is borrowed. TAUT_NO_MEMORY. */
 taut_status taut_film_band_new(const taut_film *film, const taut_pattern *pattern,
                                taut_film_band **band);

@@ -1,6 +1,7 @@
 #include "construct/film_solver.h"
 
 #include "construct/film_band.h"
+#include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "numeric/tensor_solver.h"
@@ -8,11 +9,16 @@
 #include <assert.h>
 #include <string.h>
 
-enum { ROUNDS_MAX = 400 }; /* products of one solve: a step cut short is still one downhill */
+enum {
+    PRODUCTS = 30,    /* of a step, as a rule */
+    REPORTED = 16,    /* from one report to the next */
+    ROUNDS_MAX = 400, /* products of one solve: a step cut short is still one downhill */
+};
 
 struct taut_film_solver {
     taut_film *film;
     const taut_pattern *pattern;
+    const taut_monitor *monitor;
     const double *directions;
     int parts;
     size_t size; /* of a vector of unknowns */
@@ -44,6 +50,22 @@ const char *taut_film_solver_name(const taut_film_solver *solver)
 int taut_film_solver_products(const taut_film_solver *solver)
 {
     return solver->products;
+}
+
+double taut_film_solver_step_cost(const taut_film_solver *solver)
+{
+    const double look = taut_film_cost(solver->film);
+    return solver->band != NULL ? taut_film_band_factor_cost(solver->film, solver->pattern) +
+                                      taut_film_band_assembly_cost(solver->film) + 8 * look
+                                : 2 * PRODUCTS * look;
+}
+
+taut_status taut_film_solver_report(const taut_film_solver *solver)
+{
+    const taut_monitor *m = solver->monitor;
+    return m->progress != NULL && m->progress(m->context, taut_none, "least area") != 0
+               ? TAUT_INTERRUPTED
+               : TAUT_OK;
 }
 
 void taut_film_solver_free(taut_film_solver *solver)
@@ -121,7 +143,8 @@ static taut_status alloc(taut_film_solver *solver)
 
 taut_status taut_film_solver_new(taut_film *film, const taut_dirichlet_form *form,
                                  const taut_pattern *pattern, const double *directions,
-                                 double aspect, taut_film_solver **solver)
+                                 double aspect, const taut_monitor *monitor,
+                                 taut_film_solver **solver)
 {
     taut_film_solver *made = taut_alloc_zero(1, sizeof *made);
     taut_status status = TAUT_OK;
@@ -130,6 +153,7 @@ taut_status taut_film_solver_new(taut_film *film, const taut_dirichlet_form *for
         return TAUT_NO_MEMORY;
     }
     made->film = film;
+    made->monitor = monitor;
     made->pattern = pattern;
     made->directions = directions;
     made->parts = directions != NULL ? 1 : 3;
@@ -264,6 +288,9 @@ static taut_status conjugate_gradients(taut_film_solver *solver, double theta, d
     enough = forcing * forcing * rho;
     for (int k = 0; status == TAUT_OK && k < ROUNDS_MAX && rho > enough; k++) {
         status = iterate(solver, theta, z, &rho);
+        if (status == TAUT_OK && k % REPORTED == REPORTED - 1) {
+            status = taut_film_solver_report(solver);
+        }
     }
     *model = 0;
     for (size_t i = 0; i < solver->size; i++) {
@@ -283,8 +310,10 @@ taut_status taut_film_solver_solve(taut_film_solver *solver, double theta, doubl
     if (!solver->is_assembled) {
         taut_film_band_assemble(solver->band, solver->film);
         solver->is_assembled = 1;
+        solver->film->work += taut_film_band_assembly_cost(solver->film);
     }
     status = taut_film_band_factor(solver->band, theta);
+    solver->film->work += taut_film_band_factor_cost(solver->film, solver->pattern);
     solver->products++;
     if (status == TAUT_OK) {
         memcpy(z, b, solver->size * sizeof(double));

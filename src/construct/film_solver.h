@@ -13,6 +13,7 @@
 #include "construct/dirichlet_form.h"
 #include "construct/film.h"
 #include "construct/pattern.h"
+#include "taut/monitor.h"
 
 typedef struct taut_film_solver taut_film_solver;
 
@@ -21,8 +22,12 @@ typedef struct taut_film_solver taut_film_solver;
  * are not safely positive definite. */
 taut_status taut_film_solver_new(taut_film *film, const taut_dirichlet_form *form,
                                  const taut_pattern *pattern, const double *directions,
-                                 double aspect, taut_film_solver **solver);
+                                 double aspect, const taut_monitor *monitor,
+                                 taut_film_solver **solver);
 void taut_film_solver_free(taut_film_solver *solver); /* NULL is fine */
+
+/* Tells the monitor that work goes on; TAUT_INTERRUPTED when it asks to stop. */
+taut_status taut_film_solver_report(const taut_film_solver *solver);
 
 /* 1 for "normal", 3 for "full". */
 int taut_film_solver_parts(const taut_film_solver *solver);
@@ -32,6 +37,9 @@ double taut_film_solver_floor(const taut_film_solver *solver);
 const char *taut_film_solver_name(const taut_film_solver *solver);
 int taut_film_solver_products(const taut_film_solver *solver);
 
+/* About so many flops: one step. */
+double taut_film_solver_step_cost(const taut_film_solver *solver);
+
 /* z from a net of gradients, and the move of the points that z is. */
 void taut_film_solver_reduce(const taut_film_solver *solver, const double *net, double *z);
 void taut_film_solver_expand(const taut_film_solver *solver, const double *z, double *net);
@@ -40,8 +48,8 @@ void taut_film_solver_expand(const taut_film_solver *solver, const double *z, do
 void taut_film_solver_renew(taut_film_solver *solver);
 
 /* z = B^-1 b, to |b - B z| <= forcing |b| in the norm of the preconditioner (factors: exactly).
- * *model = b.z - 1/2 z.B z, what the quadratic model says is gained. TAUT_OK, or TAUT_NO_SOLUTION
- * when B has shown itself not positive definite. */
+ * *model = b.z - 1/2 z.B z, what the quadratic model says is gained. TAUT_OK, TAUT_INTERRUPTED,
+ * or TAUT_NO_SOLUTION when B has shown itself not positive definite. */
 taut_status taut_film_solver_solve(taut_film_solver *solver, double theta, double forcing,
                                    const double *b, double *z, double *model);
 

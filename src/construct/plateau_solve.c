@@ -29,9 +29,17 @@ static const double tolerance_default = 1e-10;
 static const int extras[RULES] = {2, 4, 6, 9, 13, 19, 28, 42, 63, 95};
 /* Two rules agree when their areas do to this. */
 static const double agreement = 2e-14;
+/* Rules that draw near a smooth integral change it by much less each time; not so where it is
+ * rough.
+ */
+static const double rough = 0.2, rough_points = 5e3;
 static const double points_max = 3e7; /* Gauss points of one film */
 /* Residuals that agree to this, by rules of so many points that more cost little. */
 static const double sharp = 4e-15, sharp_points = 2e4;
+
+/* What a film may cost, in flops: seconds of work, or so many of the first steps if that is more.
+ */
+static const double work_least = 2e10, steps_worth = 200;
 
 /* What is being made. */
 typedef struct work {
@@ -51,6 +59,7 @@ typedef struct work {
     taut_descent descent;
     const char *solver;
     int rule, products;
+    int is_rough; /* no rule settles on the first net */
 } work;
 
 static void work_clear(work *w)
@@ -131,17 +140,26 @@ static taut_status film_with(work *w, int rule, taut_film **film, int *is_last, 
                : taut_fail_memory(error);
 }
 
+static double points_of(const taut_film *film)
+{
+    return (double)film->u.count * film->v.count;
+}
+
 /* Raises the rule until the next one gives the same area of the net; the film is the coarser of
- * the two. *area is what the finer one gives. */
+ * the two. *area is what the finer one gives. Before the first descent the rule is not raised on
+ * and on for a net with points that have no tangent plane: no rule settles there, and the film may
+ * come without them. */
 static taut_status find_rule(work *w, const double *net, double *area, taut_error *error)
 {
+    const int is_first = w->descent.work_max == 0;
+    double change = INFINITY;
     int is_last = 0;
     taut_status status = TAUT_OK;
 
     if (w->film == NULL) {
         status = film_with(w, w->rule, &w->film, &is_last, error);
     }
-    for (int settled = 0; status == TAUT_OK && !settled;) {
+    for (int settled = 0; status == TAUT_OK && !settled && !w->is_rough;) {
         const double before = taut_film_area(w->film, net).area;
         taut_film *finer = NULL;
         *area = before;
@@ -150,10 +168,14 @@ static taut_status find_rule(work *w, const double *net, double *area, taut_erro
         }
         status = film_with(w, w->rule + 1, &finer, &is_last, error);
         if (status == TAUT_OK) {
+            const double earlier = change;
             *area = taut_film_area(finer, net).area;
-            settled = fabs(*area - before) <= agreement * *area;
+            change = fabs(*area - before);
+            settled = change <= agreement * *area;
+            w->is_rough = !settled && is_first && change > rough * earlier &&
+                          points_of(w->film) > rough_points;
         }
-        if (status == TAUT_OK && !settled) {
+        if (status == TAUT_OK && !settled && !w->is_rough) {
             taut_film_free(w->film);
             w->film = finer;
             w->rule++;
@@ -190,11 +212,15 @@ static int has_free_edge(const taut_pattern *p)
 static taut_status descend(work *w, taut_error *error)
 {
     taut_film_solver *solver = NULL;
-    taut_status status =
-        taut_film_solver_new(w->film, &w->form, &w->pattern, w->directions, w->aspect, &solver);
+    taut_status status = taut_film_solver_new(w->film, &w->form, &w->pattern, w->directions,
+                                              w->aspect, &w->options->monitor, &solver);
 
     if (status == TAUT_OK) {
         w->solver = taut_film_solver_name(solver);
+        if (w->descent.work_max == 0) {
+            w->descent.work_max =
+                fmax(work_least, steps_worth * taut_film_solver_step_cost(solver));
+        }
         status = taut_film_descend(w->film, solver, &w->descent, w->net, error);
         w->products += taut_film_solver_products(solver);
     } else {
@@ -257,7 +283,7 @@ static taut_status sharpen(work *w, taut_error *error)
     taut_status status = TAUT_OK;
 
     for (int settled = 0; status == TAUT_OK && !settled;) {
-        const double points = (double)w->film->u.count * w->film->v.count;
+        const double points = points_of(w->film);
         taut_film *finer = NULL;
         double residual = 0;
         int is_last = 0;
@@ -282,6 +308,37 @@ static taut_status sharpen(work *w, taut_error *error)
     return status;
 }
 
+/* Descends, and again with more nodes where they turn out to matter. A film that came from a rough
+ * net and finds no rest may find it with more of them, while that is not too much work. */
+static taut_status descend_by_rules(work *w, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    double area = 0;
+
+    for (int rule = -1; status == TAUT_OK && rule != w->rule;) {
+        const int was_rough = w->is_rough;
+        rule = w->rule;
+        w->is_rough = 0;
+        status = descend(w, error);
+        if (status == TAUT_OK) {
+            status = find_rule(w, w->net, &area, error);
+        } else if (status == TAUT_NOT_CONVERGED && was_rough && rule + 1 < RULES &&
+                   w->descent.work < w->descent.work_max &&
+                   w->descent.iterations < w->descent.max_iterations) {
+            int is_last = 0;
+            taut_film *finer = NULL;
+            status = film_with(w, rule + 1, &finer, &is_last, error);
+            if (status == TAUT_OK) {
+                taut_film_free(w->film);
+                w->film = finer;
+                w->rule++;
+                w->is_rough = !is_last;
+            }
+        }
+    }
+    return status;
+}
+
 /* Fills points double[nu][nv][3]. */
 static taut_status solve(work *w, double *points, taut_error *error)
 {
@@ -299,12 +356,8 @@ static taut_status solve(work *w, double *points, taut_error *error)
         status = find_rule(w, w->net, &area, error);
     }
     w->descent.has_free_edge = has_free_edge(&w->pattern);
-    for (int rule = -1; status == TAUT_OK && rule != w->rule;) {
-        rule = w->rule;
-        status = descend(w, error);
-        if (status == TAUT_OK) {
-            status = find_rule(w, w->net, &area, error);
-        }
+    if (status == TAUT_OK) {
+        status = descend_by_rules(w, error);
     }
     if (status == TAUT_OK && w->directions == NULL) { /* "normal" stops at the tolerance */
         status = sharpen(w, error);
@@ -415,7 +468,6 @@ taut_status taut_plateau_solve(const taut_plateau_problem *problem,
     w.descent.tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;
     w.descent.max_iterations =
         problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS_DEFAULT;
-    w.descent.monitor = &w.options->monitor;
     status = taut_dirichlet_make(&problem->net, w.options, &w.first, error);
     if (status == TAUT_OK) {
         status = work_new(&w, error);

@@ -5,12 +5,16 @@
 
 #include <string.h>
 
-static const char *const members[] = {"radius", "polygon", "from",  "to",           "axes",
-                                      "shape",  "domain",  "frame", "pipe_lengths", NULL};
+static const char *const members[] = {
+    "radius", "polygon",      "from",  "to",       "axes",  "shape",   "domain",
+    "frame",  "pipe_lengths", "joint", "sections", "radii", "surface", NULL};
+static const char *const surface_words[] = {"canal", "naive-sweep", NULL};
+static const char *const section_members[] = {"a", "b", "direction", NULL};
 static const char *const end_members[] = {"point", "direction", "handle", NULL};
 static const char *const shape_members[] = {"alpha", "beta", "gamma", "auto", NULL};
 static const char *const goal_words[] = {"bending", "curvature", NULL};
 static const char *const domain_words[] = {"strict", "extended", NULL};
+static const char *const joint_words[] = {"g1", "g2", NULL};
 static const char *const frame_words[] = {"rotation-minimizing", "frenet", NULL};
 
 /* A member that is one of a few words; `value` stays as it is where it is missing. */
@@ -128,7 +132,9 @@ static taut_status read_shape(const taut_json *document, taut_pipe_problem *data
     data->shape = TAUT_PIPE_SHAPE_GIVEN;
     for (int k = 0; k < 3 && status == TAUT_OK; k++) {
         const taut_json number = taut_json_member(&at, shape_members[k]);
-        status = taut_json_number(&number, numbers[k], error);
+        if (k != 1 || number.value != NULL || data->joint == TAUT_PIPE_TANGENT) {
+            status = taut_json_number(&number, numbers[k], error);
+        }
     }
     return status;
 }
@@ -150,18 +156,67 @@ static taut_status read_lengths(const taut_json *document, taut_pipe_problem *da
     return status;
 }
 
+/* `radius`, two `radii`, or two `sections`. */
+static taut_status read_sections(const taut_json *document, taut_pipe_problem *data,
+                                 taut_error *error)
+{
+    const taut_json radius = taut_json_member(document, "radius");
+    const taut_json at = taut_json_member(document, "sections");
+    const taut_json radii = taut_json_member(document, "radii");
+    size_t count = 0;
+    taut_status status = TAUT_OK;
+    if ((radius.value != NULL) + (at.value != NULL) + (radii.value != NULL) > 1) {
+        return taut_json_fail(document, error, taut_none, taut_none,
+                              "found more than one of \"radius\", \"radii\" and \"sections\", "
+                              "expected one: how wide the pipes are");
+    }
+    if (radii.value != NULL) {
+        status = taut_json_array(&radii, 2, 2, "radii, of pipe 1 and pipe 2", &count, error);
+        for (size_t i = 0; i < 2 && status == TAUT_OK; i++) {
+            const taut_json item = taut_json_item(&radii, i);
+            status = read_positive(&item, &data->radii[i], error);
+        }
+        return status == TAUT_OK
+                   ? read_word(document, "surface", surface_words, &data->naive, error)
+                   : status;
+    }
+    if (at.value == NULL) {
+        return read_positive(&radius, &data->radius, error);
+    }
+    status = taut_json_array(&at, 2, 2, "sections, of pipe 1 and pipe 2", &count, error);
+    for (size_t i = 0; i < 2 && status == TAUT_OK; i++) {
+        const taut_json item = taut_json_item(&at, i);
+        const taut_json a = taut_json_member(&item, "a"), b = taut_json_member(&item, "b");
+        const taut_json direction = taut_json_member(&item, "direction");
+        status = taut_json_object(&item, section_members, error);
+        if (status == TAUT_OK) {
+            status = read_positive(&a, &data->sections[i].a, error);
+        }
+        if (status == TAUT_OK) {
+            status = read_positive(&b, &data->sections[i].b, error);
+        }
+        if (status == TAUT_OK) {
+            status = taut_json_numbers(&direction, 3, data->sections[i].direction, error);
+        }
+    }
+    return status;
+}
+
 static taut_status pipe_read(const taut_json *document, taut_problem *problem, taut_error *error)
 {
     taut_pipe_problem *const data = taut_arena_take(problem->arena, 1, sizeof *data);
-    const taut_json radius = taut_json_member(document, "radius");
-    int frame = TAUT_PIPE_ROTATION_MINIMIZING;
+    int frame = TAUT_PIPE_ROTATION_MINIMIZING, joint = TAUT_PIPE_TANGENT;
     taut_status status =
-        data != NULL ? read_positive(&radius, &data->radius, error) : taut_fail_memory(error);
+        data != NULL ? read_sections(document, data, error) : taut_fail_memory(error);
 
     if (status == TAUT_OK) {
         status = read_axis(document, data, error);
     }
     if (status == TAUT_OK) {
+        status = read_word(document, "joint", joint_words, &joint, error);
+    }
+    if (status == TAUT_OK) {
+        data->joint = (taut_pipe_joint)joint;
         status = read_shape(document, data, error);
     }
     if (status == TAUT_OK) {

@@ -29,6 +29,44 @@ contains err.txt 'handles'
 run 0 make "$example/pipe-directed.json" -o directed.json -o directed.obj
 contains err.txt 'ends +holds'
 
+# Joints of equal curvature: no beta, no Frenet frame.
+run 0 make "$example/pipe-g2.json" -o g2.json
+contains err.txt 'curvature2 +holds'
+contains g2.json '"joint": "g2"'
+sed 's/"shape": "auto"/"shape": { "alpha": 0, "gamma": 0 }/' "$example/pipe-g2.json" > edited.json
+run 0 make edited.json
+sed 's/"shape": "auto"/"shape": { "alpha": 0, "beta": 1, "gamma": 0 }/' "$example/pipe-g2.json" > edited.json
+refused 4 '/shape/beta: PARAMETER_DOMAIN' make edited.json
+sed 's/"g2"/"g2", "frame": "frenet"/' "$example/pipe-g2.json" > edited.json
+refused 4 '/frame: FRENET_UNDEFINED' make edited.json
+sed 's/"g2"/"g3"/' "$example/pipe-g2.json" > edited.json
+refused 3 '/joint' make edited.json
+
+# Elliptic ends.
+run 0 make "$example/pipe-elliptic.json" -o elliptic.json
+contains err.txt 'section turn +-1\.265'
+run 0 certify elliptic.json "$example/pipe-elliptic.json"
+sed 's/"b": 8, //' "$example/pipe-elliptic.json" > edited.json
+refused 3 '/sections/0/b' make edited.json
+sed 's/"sections"/"radius": 3, "sections"/' "$example/pipe-elliptic.json" > edited.json
+refused 3 'more than one' make edited.json
+sed 's/"direction": \[0, 0, 1\]/"direction": [2, 0, 0]/' "$example/pipe-elliptic.json" > edited.json
+refused 4 '/sections/0/direction: SECTION_ALONG' make edited.json
+
+# Two radii.
+run 0 make "$example/pipe-canal.json" -o canal.json
+contains err.txt 'regular +holds'
+contains err.txt 'graph +holds'
+run 0 certify canal.json "$example/pipe-canal.json"
+sed 's/"radii"/"surface": "naive-sweep", "radii"/' "$example/pipe-canal.json" > edited.json
+run 0 make edited.json -o naive.json
+contains naive.json '"surface": "naive-sweep"'
+run 1 certify naive.json "$example/pipe-canal.json"
+sed 's/"radii"/"joint": "g2", "radii"/' "$example/pipe-canal.json" > edited.json
+refused 4 '/joint: CANAL_JOINT' make edited.json
+sed 's/"radii": \[20, 8\]/"radii": [20]/' "$example/pipe-canal.json" > edited.json
+refused 3 '/radii' make edited.json
+
 # What does not exist: 4, with what would mend it.
 edit() { sed "$1" "$example/pipe-paper.json" > edited.json; }
 edit 's/"extended"/"strict"/'

@@ -62,6 +62,43 @@ static void prove_plane(void)
     problem_free(&net);
 }
 
+/* A straight edge of the unit square, its middle raised. */
+static taut_curve *edge(double x0, double y0, double x1, double y1, double middle)
+{
+    const double points[9] = {x0, y0, 0, 0.5 * (x0 + x1), 0.5 * (y0 + y1), middle, x1, y1, 0};
+    taut_basis *t = basis_uniform(2, 3);
+    taut_curve *curve = NULL;
+    CHECK(taut_curve_new("edge", t, points, NULL, &curve, NULL) == TAUT_OK, "an edge");
+    taut_basis_free(t);
+    return curve;
+}
+
+/* Between curves, on finer spaces, and to a tolerance of the area: some of many allocations. */
+static void test_spaces(void)
+{
+    static const char *const names[] = {"curves", "refine", "tolerance_area"};
+    taut_curve *curves[4] = {edge(0, 0, 0, 1, 0.2), edge(1, 0, 1, 1, 0.1), edge(0, 0, 1, 0, -0.1),
+                             edge(0, 1, 1, 1, -0.2)};
+    for (int kind = 0; kind < 3; kind++) {
+        test_problem net = problem_example(1);
+        taut_plateau_problem problem;
+        memset(&problem, 0, sizeof problem);
+        problem.net = net.data;
+        for (int k = 0; k < 4 && kind == 0; k++) {
+            problem.curves[k] = curves[k];
+        }
+        problem.method = TAUT_PLATEAU_NORMAL;
+        problem.refine = kind == 1;
+        problem.tolerance_area = kind == 2 ? 0.02 : 0;
+        const fault_call call = {names[kind], make, release_model, &problem};
+        CHECK(fault_loop_some(&call, 60) > 60, "%s takes memory", names[kind]);
+        problem_free(&net);
+    }
+    for (int k = 0; k < 4; k++) {
+        taut_curve_free(curves[k]);
+    }
+}
+
 int main(void)
 {
     static const char *const names[] = {"full", "normal", "weights"};
@@ -79,6 +116,7 @@ int main(void)
         CHECK(fault_loop(&call) > 10, "%s takes memory", names[kind]);
         problem_free(&net);
     }
+    test_spaces();
     prove_plane();
     CHECK(fault_live() == 0, "%ld blocks left", fault_live());
     return check_failures != 0;

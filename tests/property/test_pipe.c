@@ -1,6 +1,6 @@
 /* test_pipe.c -- pipes over random blends: the largest radius against the global radius of
- * curvature, areas and volumes against quadrature, verdicts under scaling and shifting, reversal,
- * the choice of shape. Long because all of them share what makes and judges a random blend. */
+ * curvature, areas and volumes against quadrature, verdicts under scaling and shifting, reversal.
+ */
 #include "check.h"
 
 #include "core/vec3.h"
@@ -42,6 +42,10 @@ static taut_pipe_problem random_blend(int loop)
     problem.alpha = loop ? random_in(-0.5, 1) : random_in(-2, 1);
     problem.beta = loop ? random_in(-1, 1) : random_in(-3, 3);
     problem.gamma = loop ? random_in(-0.5, 1) : random_in(-2, 1);
+    if (random_int(0, 2) == 0) {
+        problem.joint = TAUT_PIPE_CURVATURE_JOINT;
+        problem.beta = 0;
+    }
     return problem;
 }
 
@@ -320,6 +324,8 @@ static void test_pappus(void)
         problem.lengths[0] = problem.lengths[1] = 0;
         problem.shape = TAUT_PIPE_LEAST_CURVATURE;
         problem.radius = 0.05;
+        problem.joint = trial % 2 == 0 ? TAUT_PIPE_TANGENT : TAUT_PIPE_CURVATURE_JOINT;
+        problem.beta = 0;
         problem.frame = trial % 2 == 0 ? TAUT_PIPE_FRENET : TAUT_PIPE_ROTATION_MINIMIZING;
         if (taut_pipe_make(&problem, &fine, &model, NULL) != TAUT_OK) {
             continue;
@@ -396,8 +402,9 @@ static void test_scale_and_shift(void)
                     const taut_claim *claim = taut_certificate_claim(certificate, k);
                     CHECK(claim->holds != TAUT_FALSE, "trial %d, move %zu: %s %g, limit %g, %s",
                           trial, i, claim->claim, claim->residual, claim->limit, claim->where);
+                    CHECK(claim->holds == TAUT_TRUE || strcmp(claim->claim, "embedded") != 0,
+                          "trial %d, move %zu: embedded", trial, i);
                 }
-                CHECK(taut_certificate_claim(certificate, 2)->holds == TAUT_TRUE, "embedded");
                 taut_certificate_free(certificate);
                 taut_model_free(model);
                 model = NULL;

@@ -99,6 +99,42 @@ void taut_pipe_arc_quasi(const double edges[3][3], const double shape[3], taut_p
     combine(products[0], 0, 0, 2 * D * F, 1, arc->cross[4]);
 }
 
+void taut_pipe_arc_quintic(const double edges[3][3], const double shape[3], taut_pipe_arc *arc)
+{
+    const double first = (3 + shape[0]) / 4, last = (3 + shape[2]) / 4;
+    /* P' by the edges, and the points */
+    const double legs[5][3] = {{5 * first, 0, 0},
+                               {5 * (1 - first), 0, 0},
+                               {0, 5, 0},
+                               {0, 0, 5 * (1 - last)},
+                               {0, 0, 5 * last}};
+    const double places[6][3] = {{0, 0, 0}, {first, 0, 0},    {1, 0, 0},
+                                 {1, 1, 0}, {1, 1, 1 - last}, {1, 1, 1}};
+    double products[3][3]; /* e1 x e2, e1 x e3, e2 x e3 */
+
+    arc->degree = 5;
+    taut_cross(edges[0], edges[1], products[0]);
+    taut_cross(edges[0], edges[2], products[1]);
+    taut_cross(edges[1], edges[2], products[2]);
+    for (int i = 0; i <= 5; i++) {
+        combine(edges[0], places[i][0], places[i][1], places[i][2], 1, arc->points[i]);
+    }
+    memset(arc->cross, 0, sizeof arc->cross);
+    for (int i = 0; i < 5; i++) {
+        combine(edges[0], legs[i][0], legs[i][1], legs[i][2], 1, arc->velocity[i]);
+    }
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            const double *a = legs[i], *b = legs[j + 1];
+            const double weight = 4 * binomial(3, i) * binomial(3, j) / binomial(6, i + j);
+            double product[3];
+            combine(products[0], a[0] * b[1] - a[1] * b[0], a[0] * b[2] - a[2] * b[0],
+                    a[1] * b[2] - a[2] * b[1], 1, product);
+            taut_add_scaled(weight, product, arc->cross[i + j]);
+        }
+    }
+}
+
 void taut_pipe_arc_point(const taut_pipe_arc *arc, double t, double point[3])
 {
     taut_pipe_bernstein(arc->degree, arc->points, t, point, NULL);
@@ -106,12 +142,15 @@ void taut_pipe_arc_point(const taut_pipe_arc *arc, double t, double point[3])
 
 void taut_pipe_arc_jet(const taut_pipe_arc *arc, double t, taut_pipe_jet *jet)
 {
+    double cross1[3], more[3];
+
     taut_pipe_bernstein(arc->degree, arc->points, t, jet->point, NULL);
     taut_pipe_bernstein(arc->degree - 1, arc->velocity, t, jet->d1, jet->d2);
-    taut_pipe_bernstein(2 * arc->degree - 4, arc->cross, t, jet->cross, NULL);
+    taut_pipe_bernstein(2 * arc->degree - 4, arc->cross, t, jet->cross, cross1);
     jet->speed = sqrt(taut_dot(jet->d1, jet->d1));
     memset(jet->tangent, 0, sizeof jet->tangent);
     memset(jet->turn, 0, sizeof jet->turn);
+    memset(jet->bent, 0, sizeof jet->bent);
     jet->curvature = 0;
     if (jet->speed > 0) {
         taut_add_scaled(1 / jet->speed, jet->d1, jet->tangent);
@@ -119,6 +158,14 @@ void taut_pipe_arc_jet(const taut_pipe_arc *arc, double t, taut_pipe_jet *jet)
         taut_cross(jet->cross, jet->d1, jet->turn);
         for (int k = 0; k < 3; k++) {
             jet->turn[k] /= jet->speed * jet->speed * jet->speed;
+        }
+        /* T'' = (K' x P' + K x P'') / |P'|^3 - 3 (P' . P'') / |P'|^2 T', K = P' x P'' */
+        taut_cross(cross1, jet->d1, jet->bent);
+        taut_cross(jet->cross, jet->d2, more);
+        for (int k = 0; k < 3; k++) {
+            jet->bent[k] =
+                (jet->bent[k] + more[k]) / (jet->speed * jet->speed * jet->speed) -
+                3 * taut_dot(jet->d1, jet->d2) / (jet->speed * jet->speed) * jet->turn[k];
         }
         jet->curvature =
             sqrt(taut_dot(jet->cross, jet->cross)) / (jet->speed * jet->speed * jet->speed);

@@ -21,6 +21,10 @@ void taut_pipe_arc_finish(taut_pipe_arc *arc);
 /* The quartic of a CE-Bezier curve with edges e_i from the origin ([WangBai2018] 2.2), P' and
  * P' x P'' in the product form of 2.3, which has no cancellation in the legal box. */
 void taut_pipe_arc_quasi(const double edges[3][3], const double shape[3], taut_pipe_arc *arc);
+/* The quintic with three points on either end edge, q_1 and q_4 at parts (3 + alpha) / 4 and
+ * (3 + gamma) / 4 of them, which has no curvature at its ends ([WangBai2018] section 10.4); beta is
+ * not used. Products of parallel edges are exactly 0. */
+void taut_pipe_arc_quintic(const double edges[3][3], const double shape[3], taut_pipe_arc *arc);
 
 /* sum_i c_i B[degree,i](t) by de Casteljau's algorithm, and its derivative (NULL: not wanted). */
 void taut_pipe_bernstein(int degree, const double (*c)[3], double t, double value[3],
@@ -33,6 +37,7 @@ typedef struct taut_pipe_jet {
     double speed;    /* |P'| */
     double tangent[3];
     double turn[3];   /* dT/dt */
+    double bent[3];   /* d^2 T/dt^2 */
     double curvature; /* 0 where the speed is */
 } taut_pipe_jet;
 

@@ -73,6 +73,12 @@ static taut_status check_shape(const taut_pipe_problem *p, taut_error *error)
                              "PARAMETER_DOMAIN: %s is %g, expected at most 1000 in size",
                              names[k] + 7, shape[k]);
         }
+        if (k == 1 && p->joint == TAUT_PIPE_CURVATURE_JOINT && shape[k] != 0) {
+            return taut_fail(error, TAUT_NO_SOLUTION, names[k], shape[k], 0,
+                             "PARAMETER_DOMAIN: beta is %.17g, but has no part in a \"g2\" joint: "
+                             "leave it out",
+                             shape[k]);
+        }
         if (k != 1 && shape[k] <= low) {
             return taut_fail(error, TAUT_NO_SOLUTION, names[k], shape[k], low,
                              "TANGENT_LOST: %s is %.17g; at -3 the axis stands still at the joint, "
@@ -191,10 +197,47 @@ static void localise(taut_pipe_task *task)
     task->shape[2] = p->gamma;
 }
 
+static taut_status check_section(const taut_pipe_section *section, const char *where,
+                                 taut_error *error)
+{
+    char place[48];
+    taut_status status = TAUT_OK;
+
+    snprintf(place, sizeof place, "%s/a", where);
+    status = check_length(section->a, place, error);
+    snprintf(place, sizeof place, "%s/b", where);
+    if (status == TAUT_OK) {
+        status = check_length(section->b, place, error);
+    }
+    snprintf(place, sizeof place, "%s/direction", where);
+    if (status == TAUT_OK) {
+        status = check_point(section->direction, place, error);
+    }
+    if (status == TAUT_OK && !(taut_norm(section->direction) >= length_min)) {
+        return taut_fail(error, TAUT_BAD_INPUT, place, 0, 0,
+                         "the direction is zero: where does the semi-axis a point?");
+    }
+    return status;
+}
+
 taut_status taut_pipe_begin(taut_pipe_task *task, taut_error *error)
 {
     const taut_pipe_problem *p = task->problem;
-    taut_status status = check_length(p->radius, "/radius", error);
+    const int elliptic = p->sections[0].a != 0 || p->sections[1].a != 0;
+    const int unlike = p->radii[0] != 0 || p->radii[1] != 0;
+    taut_status status = elliptic || unlike ? TAUT_OK : check_length(p->radius, "/radius", error);
+
+    for (int side = 0; side < 2 && status == TAUT_OK && unlike; side++) {
+        status = check_length(p->radii[side], side == 0 ? "/radii/0" : "/radii/1", error);
+    }
+    if (status == TAUT_OK && elliptic && unlike) {
+        status = taut_fail(error, TAUT_BAD_INPUT, "/radii", taut_none, taut_none,
+                           "found radii beside sections, expected one of them");
+    }
+    for (int side = 0; side < 2 && status == TAUT_OK && elliptic; side++) {
+        status =
+            check_section(&p->sections[side], side == 0 ? "/sections/0" : "/sections/1", error);
+    }
 
     for (int side = 0; side < 2 && status == TAUT_OK; side++) {
         if (p->lengths[side] != 0) {
@@ -227,6 +270,16 @@ void taut_pipe_edges(const taut_pipe_task *task, const double handles[2], double
     }
 }
 
+void taut_pipe_arc_of(const taut_pipe_task *task, const double edges[3][3], const double shape[3],
+                      taut_pipe_arc *arc)
+{
+    if (task->problem->joint == TAUT_PIPE_CURVATURE_JOINT) {
+        taut_pipe_arc_quintic(edges, shape, arc);
+    } else {
+        taut_pipe_arc_quasi(edges, shape, arc);
+    }
+}
+
 /* V_1 = V_0 + h_1 d_1, V_2 = V_3 - h_2 d_2; or V_0 = V_1 - h_1 d_1, V_3 = V_2 + h_2 d_2. */
 static void place_polygon(taut_pipe_task *task)
 {
@@ -247,13 +300,17 @@ static void place_polygon(taut_pipe_task *task)
 static taut_status check_sizes(const taut_pipe_task *task, taut_error *error)
 {
     const taut_pipe_problem *p = task->problem;
-    const double sizes[] = {p->radius, p->lengths[0], p->lengths[1]};
-    static const char *const names[] = {"/radius", "/pipe_lengths/0", "/pipe_lengths/1"};
+    const taut_pipe_section *s = p->sections;
+    const double sizes[] = {p->radius, p->lengths[0], p->lengths[1], s[0].a,     s[0].b,
+                            s[1].a,    s[1].b,        p->radii[0],   p->radii[1]};
+    static const char *const names[] = {"/radius",       "/pipe_lengths/0", "/pipe_lengths/1",
+                                        "/sections/0/a", "/sections/0/b",   "/sections/1/a",
+                                        "/sections/1/b", "/radii/0",        "/radii/1"};
     double least = 0;
     for (int i = 0; i < 4; i++) {
         least = fmax(least, 0x1p-44 * largest(task->polygon[i]));
     }
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 9; i++) {
         if (sizes[i] > 0 && sizes[i] < least) {
             return taut_fail(error, TAUT_NO_SOLUTION, names[i], sizes[i], least,
                              "TOO_SMALL: %.6g is lost in the rounding of coordinates of this size; "

@@ -19,6 +19,7 @@ static const double circle[TAUT_PIPE_RING][2] = {{1, 0},   {1, 1},  {0, 1},  {-1
 typedef struct maker {
     const taut_pipe_arc *arc;
     const taut_pipe_binormal *binormal;
+    const taut_pipe_ellipse *ellipse; /* or NULL: round */
     double radius, tolerance;
     double sharpest; /* parameter of the largest curvature: never stepped over unseen */
     taut_arena *arena;
@@ -49,28 +50,77 @@ static int add_node(maker *m, double t, const taut_pipe_normals *normals)
     return 1;
 }
 
-/* The frame at t1, carried from the one at t0. */
-static void frame_at(const maker *m, double t0, const taut_pipe_normals *before, double t1,
-                     taut_pipe_normals *normals)
+/* The frame at t1, or the axes of the ellipse there; u is carried from t0. */
+static void frame_at(const maker *m, double t0, double t1, double u[3], taut_pipe_normals *normals)
 {
-    double u[3];
+    taut_pipe_normals frame;
     if (m->binormal != NULL) {
         taut_pipe_frenet(m->arc, m->binormal, t1, normals);
         return;
     }
-    memcpy(u, before->u, sizeof u);
-    taut_pipe_carry(m->arc, t0, t1, (int)ceil(FRAMES_PER_UNIT * (t1 - t0)) + 1, u);
-    taut_pipe_bishop(m->arc, t1, u, normals);
+    if (t1 > t0) {
+        taut_pipe_carry(m->arc, t0, t1, (int)ceil(FRAMES_PER_UNIT * (t1 - t0)) + 1, u);
+    }
+    taut_pipe_bishop(m->arc, t1, u, m->ellipse != NULL ? &frame : normals);
+    if (m->ellipse != NULL) {
+        taut_pipe_ellipse_at(m->ellipse, m->arc, t1, &frame, normals);
+    }
 }
 
-static void hermite(const double x0[3], const double d0[3], const double x1[3], const double d1[3],
-                    double h, double s, double out[3])
+/* Hermite's interpolant on a segment of length h, as a Bezier polygon: cubic, and quintic with
+ * second derivatives where the axis has that degree anyway. Returns its degree. */
+static int interpolant(const maker *m, const double x[2][3], const double d1[2][3],
+                       const double d2[2][3], double h, double (*out)[3])
 {
-    const double r = 1 - s;
+    const int n = m->binormal == NULL && m->arc->degree >= 5 ? 5 : 3;
     for (int k = 0; k < 3; k++) {
-        out[k] = (1 + 2 * s) * r * r * x0[k] + s * r * r * h * d0[k] + s * s * (3 - 2 * s) * x1[k] -
-                 s * s * r * h * d1[k];
+        out[0][k] = x[0][k];
+        out[1][k] = x[0][k] + h * d1[0][k] / n;
+        out[n - 1][k] = x[1][k] - h * d1[1][k] / n;
+        out[n][k] = x[1][k];
+        if (n == 5) {
+            out[2][k] = x[0][k] + 2 * h * d1[0][k] / 5 + h * h * d2[0][k] / 20;
+            out[3][k] = x[1][k] - 2 * h * d1[1][k] / 5 + h * h * d2[1][k] / 20;
+        }
     }
+    return n;
+}
+
+/* Of both vectors of the frame. */
+static int interpolants(const maker *m, const taut_pipe_normals *n0, const taut_pipe_normals *n1,
+                        double h, double (*u)[3], double (*w)[3])
+{
+    double x[2][3], d1[2][3], d2[2][3];
+    memcpy(x[0], n0->u, sizeof x[0]);
+    memcpy(x[1], n1->u, sizeof x[1]);
+    memcpy(d1[0], n0->du, sizeof d1[0]);
+    memcpy(d1[1], n1->du, sizeof d1[1]);
+    memcpy(d2[0], n0->ddu, sizeof d2[0]);
+    memcpy(d2[1], n1->ddu, sizeof d2[1]);
+    interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, (const double(*)[3])d2, h, u);
+    memcpy(x[0], n0->w, sizeof x[0]);
+    memcpy(x[1], n1->w, sizeof x[1]);
+    memcpy(d1[0], n0->dw, sizeof d1[0]);
+    memcpy(d1[1], n1->dw, sizeof d1[1]);
+    memcpy(d2[0], n0->ddw, sizeof d2[0]);
+    memcpy(d2[1], n1->ddw, sizeof d2[1]);
+    return interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, (const double(*)[3])d2, h,
+                       w);
+}
+
+/* How far back the circles of a canal surface are; 0 for others. Returns the degree. */
+static int offsets(const maker *m, const taut_pipe_normals *n0, const taut_pipe_normals *n1,
+                   double h, double (*c)[3])
+{
+    double x[2][3] = {{0, 0, 0}, {0, 0, 0}}, d1[2][3] = {{0, 0, 0}, {0, 0, 0}};
+    const double none[2][3] = {{0, 0, 0}, {0, 0, 0}};
+    if (m->ellipse != NULL && m->ellipse->canal > 0) {
+        memcpy(x[0], n0->c, sizeof x[0]);
+        memcpy(x[1], n1->c, sizeof x[1]);
+        memcpy(d1[0], n0->dc, sizeof d1[0]);
+        memcpy(d1[1], n1->dc, sizeof d1[1]);
+    }
+    return interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, none, h, c);
 }
 
 /* The largest distance of X from the tube at a fraction s of a segment, over the radius. With
@@ -82,11 +132,13 @@ static double deviation(const maker *m, double t0, const taut_pipe_normals *n0, 
 {
     const double h = t1 - t0;
     double u[3], w[3], most = 0;
+    double polygon_u[TAUT_PIPE_DEGREE_MAX + 1][3], polygon_w[TAUT_PIPE_DEGREE_MAX + 1][3];
+    const int degree = interpolants(m, n0, n1, h, polygon_u, polygon_w);
     taut_pipe_jet jet;
 
     taut_pipe_arc_jet(m->arc, t0 + s * h, &jet);
-    hermite(n0->u, n0->du, n1->u, n1->du, h, s, u);
-    hermite(n0->w, n0->dw, n1->w, n1->dw, h, s, w);
+    taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, u, NULL);
+    taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
     for (int k = 0; k < ANGLES; k++) {
         const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
         double g[3], e = 0, turn = 0, square = 0;
@@ -101,15 +153,51 @@ static double deviation(const maker *m, double t0, const taut_pipe_normals *n0, 
     return most;
 }
 
-static int is_close(const maker *m, double t0, const taut_pipe_normals *n0, double t1,
-                    const taut_pipe_normals *n1)
+/* The same of elliptic sections: no point of X is farther from the ellipse than from the one that
+ * has its angle there. u is carried to t0. */
+static double elliptic_deviation(const maker *m, double t0, const double carried[3],
+                                 const taut_pipe_normals *n0, double t1,
+                                 const taut_pipe_normals *n1, double s)
+{
+    const double h = t1 - t0;
+    double u[3], w[3], at[3], back[3] = {0, 0, 0}, most = 0;
+    double polygon_u[TAUT_PIPE_DEGREE_MAX + 1][3], polygon_w[TAUT_PIPE_DEGREE_MAX + 1][3];
+    const int degree = interpolants(m, n0, n1, h, polygon_u, polygon_w);
+    taut_pipe_normals exact;
+
+    memcpy(at, carried, sizeof at);
+    frame_at(m, t0, t0 + s * h, at, &exact);
+    taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, u, NULL);
+    taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
+    taut_difference(u, exact.u, u);
+    taut_difference(w, exact.w, w);
+    if (m->ellipse->canal > 0) {
+        offsets(m, n0, n1, h, polygon_u);
+        taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, back, NULL);
+        taut_difference(back, exact.c, back);
+    }
+    for (int k = 0; k < ANGLES; k++) {
+        const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
+        double apart[3] = {back[0], back[1], back[2]};
+        taut_add_scaled(c, u, apart);
+        taut_add_scaled(z, w, apart);
+        most = fmax(most, taut_norm(apart));
+    }
+    return most;
+}
+
+static int is_close(const maker *m, double t0, const double carried[3], const taut_pipe_normals *n0,
+                    double t1, const taut_pipe_normals *n1)
 {
     for (int i = 1; i < 8; i++) {
-        if (!(deviation(m, t0, n0, t1, n1, i / 8.0) <= 0.8 * m->tolerance)) {
+        const double found = m->ellipse != NULL
+                                 ? elliptic_deviation(m, t0, carried, n0, t1, n1, i / 8.0)
+                                 : deviation(m, t0, n0, t1, n1, i / 8.0);
+        if (!(found <= 0.8 * m->tolerance)) {
             return 0;
         }
     }
-    return !(m->sharpest > t0 && m->sharpest < t1) ||
+    return m->ellipse != NULL || !(m->sharpest > t0 && m->sharpest < t1) ||
            deviation(m, t0, n0, t1, n1, (m->sharpest - t0) / (t1 - t0)) <= 0.8 * m->tolerance;
 }
 
@@ -118,25 +206,24 @@ static int is_close(const maker *m, double t0, const taut_pipe_normals *n0, doub
 static taut_status cut(maker *m)
 {
     taut_pipe_normals here, next;
+    taut_pipe_jet jet;
     int level = 2;
-    double t = 0;
+    double t = 0, u[3], carried[3];
 
-    if (m->binormal != NULL) {
-        taut_pipe_frenet(m->arc, m->binormal, 0, &here);
-    } else {
-        taut_pipe_jet jet;
-        double u[3];
-        taut_pipe_arc_jet(m->arc, 0, &jet);
-        taut_pipe_first_normal(jet.tangent, u);
-        taut_pipe_bishop(m->arc, 0, u, &here);
+    taut_pipe_arc_jet(m->arc, 0, &jet);
+    taut_pipe_first_normal(jet.tangent, u);
+    if (m->ellipse != NULL) {
+        memcpy(u, m->ellipse->first, sizeof u);
     }
+    frame_at(m, 0, 0, u, &here);
     if (!add_node(m, 0, &here)) {
         return TAUT_NO_MEMORY;
     }
     while (t < 1) {
         const double h = ldexp(1, -level);
-        frame_at(m, t, &here, t + h, &next);
-        if (!is_close(m, t, &here, t + h, &next)) {
+        memcpy(carried, u, sizeof carried);
+        frame_at(m, t, t + h, carried, &next);
+        if (!is_close(m, t, u, &here, t + h, &next)) {
             if (++level > LEVEL_MAX) {
                 return TAUT_NO_SOLUTION;
             }
@@ -144,6 +231,7 @@ static taut_status cut(maker *m)
         }
         t += h;
         here = next;
+        memcpy(u, carried, sizeof u);
         if (m->count > SEGMENTS_MAX) {
             return TAUT_NO_SOLUTION;
         }
@@ -158,16 +246,11 @@ static taut_status cut(maker *m)
     return TAUT_OK;
 }
 
-/* The cubic Hermite interpolant as a Bezier polygon of degree n. */
-static void elevate(const double x0[3], const double d0[3], const double x1[3], const double d1[3],
-                    double h, int n, double (*out)[3])
+/* A Bezier polygon of degree `from` as one of degree n. */
+static void elevate(int from, int n, double (*out)[3])
 {
-    for (int k = 0; k < 3; k++) {
-        out[0][k] = x0[k];
-        out[1][k] = x0[k] + h * d0[k] / 3;
-        out[2][k] = x1[k] - h * d1[k] / 3;
-        out[3][k] = x1[k];
-        for (int degree = 4; degree <= n; degree++) {
+    for (int degree = from + 1; degree <= n; degree++) {
+        for (int k = 0; k < 3; k++) {
             out[degree][k] = out[degree - 1][k];
             for (int i = degree - 1; i > 0; i--) {
                 const double part = (double)i / degree;
@@ -184,27 +267,36 @@ static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
     const taut_pipe_normals *n0 = &m->normals[i], *n1 = &m->normals[i + 1];
     const double h = m->t[i + 1] - m->t[i];
     double p[TAUT_PIPE_DEGREE_MAX + 1][3], u[TAUT_PIPE_DEGREE_MAX + 1][3],
-        w[TAUT_PIPE_DEGREE_MAX + 1][3];
+        w[TAUT_PIPE_DEGREE_MAX + 1][3], c[TAUT_PIPE_DEGREE_MAX + 1][3];
+    int degree = 0;
 
     taut_pipe_arc_piece(m->arc, m->t[i], m->t[i + 1], p);
-    elevate(n0->u, n0->du, n1->u, n1->du, h, n, u);
-    elevate(n0->w, n0->dw, n1->w, n1->dw, h, n, w);
+    degree = interpolants(m, n0, n1, h, u, w);
+    elevate(degree, n, u);
+    elevate(degree, n, w);
+    offsets(m, n0, n1, h, c);
+    elevate(degree, n, c);
     for (int row = 0; row <= n; row++) {
         for (int j = 0; j < TAUT_PIPE_RING; j++) {
             for (int k = 0; k < 3; k++) {
-                out[row][j][k] =
-                    p[row][k] + m->radius * (circle[j][0] * u[row][k] + circle[j][1] * w[row][k]);
+                out[row][j][k] = p[row][k] + m->radius * (c[row][k] + circle[j][0] * u[row][k] +
+                                                          circle[j][1] * w[row][k]);
             }
         }
     }
 }
 
 taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double tolerance,
-                                 const taut_pipe_binormal *binormal, taut_arena *arena,
+                                 const taut_pipe_binormal *binormal,
+                                 const taut_pipe_ellipse *ellipse, taut_arena *arena,
                                  taut_pipe_blend *blend)
 {
-    maker m = {
-        .arc = arc, .binormal = binormal, .radius = radius, .tolerance = tolerance, .arena = arena};
+    maker m = {.arc = arc,
+               .binormal = binormal,
+               .ellipse = ellipse,
+               .radius = radius,
+               .tolerance = tolerance,
+               .arena = arena};
     const int n = arc->degree;
     double ring[TAUT_PIPE_DEGREE_MAX + 1][TAUT_PIPE_RING][3];
     double(*points)[TAUT_PIPE_RING][3] = NULL;

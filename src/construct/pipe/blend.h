@@ -2,7 +2,7 @@
 #ifndef TAUT_PIPE_BLEND_H
 #define TAUT_PIPE_BLEND_H
 
-#include "construct/pipe/frame.h"
+#include "construct/pipe/section.h"
 #include "core/arena.h"
 #include "taut/basis.h"
 
@@ -18,12 +18,16 @@ typedef struct taut_pipe_blend {
 /* X = P + a (c U + s W): (c, s) the rational quadratic circle, U and W cubic Hermite interpolants
  * of the frame with its exact derivatives ([WangBai2018] section 10.8). At the ends U and W are
  * unit and normal and their derivatives along the tangent (or turning about it), so the tangent
- * planes there are exactly those of the cylinders. As many segments as bring the distance from the
+ * planes there are exactly those of the cylinders. About arcs of degree 5 and more the interpolants
+ * are quintic, with second derivatives: where the arc has no curvature at its ends, the curvatures
+ * are those of the cylinders too. As many segments as bring the distance from the
  * exact tube below `tolerance` times the radius.
- * binormal: Frenet frames; NULL: rotation-minimising ones. TAUT_NO_MEMORY, or TAUT_NO_SOLUTION when
- * it would take more than 100,000 segments; the arena owns what is made. */
+ * binormal: Frenet frames; NULL: rotation-minimising ones. ellipse: NULL for round sections.
+ * TAUT_NO_MEMORY, or TAUT_NO_SOLUTION when it would take more than 100,000 segments; the arena owns
+ * what is made. */
 taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double tolerance,
-                                 const taut_pipe_binormal *binormal, taut_arena *arena,
+                                 const taut_pipe_binormal *binormal,
+                                 const taut_pipe_ellipse *ellipse, taut_arena *arena,
                                  taut_pipe_blend *blend);
 
 /* The bases: of the blend along u, and of all rings along v. */

@@ -42,7 +42,7 @@ double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const dou
     taut_pipe_bend bend;
     double room = 0, value = 0;
 
-    taut_pipe_arc_quasi(edges, shape, &arc);
+    taut_pipe_arc_of(task, edges, shape, &arc);
     taut_pipe_bend_extremes(&arc, SAMPLES, &bend);
     if (taut_pipe_bend_is_cusp(&bend)) {
         return 1e100 * infeasible;
@@ -228,7 +228,7 @@ static double room_of(taut_pipe_task *task, const double handles[2])
     const taut_pipe_composite composite = {
         .count = 1, .arcs = &arc, .tails = {task->tails[0], task->tails[1]}, .samples = SAMPLES};
     taut_pipe_edges(task, handles, edges);
-    taut_pipe_arc_quasi((const double(*)[3])edges, task->shape, &arc);
+    taut_pipe_arc_of(task, (const double(*)[3])edges, task->shape, &arc);
     taut_pipe_reach_of(&composite, task->reach_scratch, &reach);
     return reach.radius / task->radius;
 }

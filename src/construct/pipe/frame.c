@@ -98,6 +98,10 @@ void taut_pipe_bishop(const taut_pipe_arc *arc, double t, const double u[3],
     for (int k = 0; k < 3; k++) {
         normals->du[k] = -taut_dot(normals->u, jet.turn) * jet.tangent[k];
         normals->dw[k] = -taut_dot(normals->w, jet.turn) * jet.tangent[k];
+        normals->ddu[k] = -taut_dot(normals->u, jet.bent) * jet.tangent[k] -
+                          taut_dot(normals->u, jet.turn) * jet.turn[k];
+        normals->ddw[k] = -taut_dot(normals->w, jet.bent) * jet.tangent[k] -
+                          taut_dot(normals->w, jet.turn) * jet.turn[k];
     }
 }
 

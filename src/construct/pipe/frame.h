@@ -5,8 +5,10 @@
 #include "construct/pipe/arc.h"
 
 typedef struct taut_pipe_normals {
-    double u[3], du[3]; /* first vector and its derivative by t */
-    double w[3], dw[3]; /* tangent x u */
+    double u[3], du[3];    /* first vector and its derivative by t */
+    double w[3], dw[3];    /* tangent x u */
+    double ddu[3], ddw[3]; /* second derivatives, of rotation-minimising ones */
+    double c[3], dc[3];    /* of canal surfaces: how far back the circle is */
 } taut_pipe_normals;
 
 /* The coordinate axis with the smallest component in `tangent`, made normal to it; the lowest of
@@ -24,7 +26,7 @@ int taut_pipe_reflect(const double x0[3], const double t0[3], const double r0[3]
 void taut_pipe_carry(const taut_pipe_arc *arc, double from, double to, int steps, double u[3]);
 
 /* The rotation-minimising normals at t, where u is known: derivatives are along the tangent,
- *     u' = -(u . T') T,   w' = -(w . T') T */
+ *     u' = -(u . T') T,   u'' = -(u . T'') T - (u . T') T',   w alike */
 void taut_pipe_bishop(const taut_pipe_arc *arc, double t, const double u[3],
                       taut_pipe_normals *normals);
 

@@ -50,16 +50,36 @@ static taut_status add_straight(maker *m, int side, taut_error *error)
     return add(m, side == 0 ? "pipe1" : "pipe2", m->line, &points[0][0][0], error);
 }
 
+/* The six points of a quintic: those of the polygon, and one inside either end edge. */
+static void quintic_points(const taut_pipe_task *task, double points[6][3])
+{
+    static const int places[4] = {0, 2, 3, 5};
+    const double first = (3 + task->shape[0]) / 4, last = (3 + task->shape[2]) / 4;
+    for (int i = 0; i < 4; i++) {
+        memcpy(points[places[i]], task->polygon[i], sizeof points[0]);
+    }
+    for (int k = 0; k < 3; k++) {
+        points[1][k] = task->polygon[0][k] + first * (task->polygon[1][k] - task->polygon[0][k]);
+        points[4][k] = task->polygon[3][k] - last * (task->polygon[3][k] - task->polygon[2][k]);
+    }
+}
+
 static taut_status add_axis(maker *m, taut_error *error)
 {
     const double *shape = m->task->shape;
-    const taut_basis_spec spec = {
+    const int quintic = m->task->problem->joint == TAUT_PIPE_CURVATURE_JOINT;
+    const taut_basis_spec quasi = {
         .type = "ce-bezier", .alpha = shape[0], .beta = shape[1], .gamma = shape[2]};
+    const taut_basis_spec bezier = {.type = "bezier", .degree = 5};
+    double points[6][3];
     taut_basis *t = NULL;
     taut_curve *curve = NULL;
-    taut_status status = taut_basis_new(&spec, 4, &t, error);
+    taut_status status =
+        quintic ? taut_basis_new(&bezier, 6, &t, error) : taut_basis_new(&quasi, 4, &t, error);
     if (status == TAUT_OK) {
-        status = taut_curve_new("axis", t, &m->task->polygon[0][0], NULL, &curve, error);
+        quintic_points(m->task, points);
+        status = taut_curve_new("axis", t, quintic ? &points[0][0] : &m->task->polygon[0][0], NULL,
+                                &curve, error);
     }
     if (status == TAUT_OK && taut_model_add_curve(m->model, curve) != TAUT_OK) {
         taut_curve_free(curve);
@@ -183,8 +203,20 @@ taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend
         taut_record_add_number(list, NULL, task->scale * task->handles[side]);
     }
     taut_record_add_text(details, "domain", p->extended ? "extended" : "strict");
+    taut_record_add_text(details, "joint", p->joint == TAUT_PIPE_TANGENT ? "g1" : "g2");
     taut_record_add_text(details, "frame",
                          p->frame == TAUT_PIPE_FRENET ? "frenet" : "rotation-minimizing");
+    for (int side = 0; side < 2 && p->sections[0].a > 0; side++) {
+        list = side == 0 ? taut_record_add_list(details, "sections") : list;
+        taut_record *const section = taut_record_add_object(list, NULL);
+        taut_record_add_number(section, "a", p->sections[side].a);
+        taut_record_add_number(section, "b", p->sections[side].b);
+        taut_record_add_numbers(section, "direction", 3, p->sections[side].direction);
+    }
+    if (p->radii[0] > 0) {
+        taut_record_add_numbers(details, "radii", 2, p->radii);
+        taut_record_add_text(details, "surface", p->naive ? "naive-sweep" : "canal");
+    }
     list = taut_record_add_list(details, "pipe_lengths");
     for (int side = 0; side < 2; side++) {
         if (p->lengths[side] > 0) {
@@ -202,7 +234,7 @@ taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend
     }
     taut_record_add_number(details, "segments", blend->segments);
     taut_record_add_bool(details, "turns_less_than_pi", task->reach.shortcut);
-    list = taut_record_add_list(details, "quartic");
+    list = taut_record_add_list(details, task->arc.degree == 5 ? "quintic" : "quartic");
     for (int i = 0; i <= task->arc.degree; i++) {
         double q[3];
         for (int k = 0; k < 3; k++) {
@@ -210,7 +242,9 @@ taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend
         }
         taut_record_add_numbers(list, NULL, 3, q);
     }
-    add_power(task, details);
+    if (p->joint == TAUT_PIPE_TANGENT) {
+        add_power(task, details);
+    }
     add_warnings(task, details);
     return details;
 }

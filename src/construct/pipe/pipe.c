@@ -25,7 +25,7 @@ static void analyse(taut_pipe_task *task)
 {
     const taut_pipe_composite composite = {
         .count = 1, .arcs = &task->arc, .tails = {task->tails[0], task->tails[1]}};
-    taut_pipe_arc_quasi((const double(*)[3])task->edges, task->shape, &task->arc);
+    taut_pipe_arc_of(task, (const double(*)[3])task->edges, task->shape, &task->arc);
     taut_pipe_bend_extremes(&task->arc, 2 * TAUT_PIPE_REACH_SAMPLES, &task->bend);
     if (!taut_pipe_bend_is_cusp(&task->bend)) {
         taut_pipe_reach_of(&composite, task->reach_scratch, &task->reach);
@@ -78,6 +78,11 @@ static taut_status check_frenet(const taut_pipe_task *task, taut_pipe_binormal *
                                 taut_error *error)
 {
     const double limit = 1e-9; /* the binormal would turn through pi within 1e-9 of the axis */
+    if (task->problem->joint == TAUT_PIPE_CURVATURE_JOINT) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+                         "FRENET_UNDEFINED: a \"g2\" joint has no curvature, and so no normal; use "
+                         "\"rotation-minimizing\"");
+    }
     taut_pipe_binormal_of(&task->arc, binormal);
     if (!(binormal->least > 0) && task->bend.curvature == 0) {
         return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
@@ -93,16 +98,96 @@ static taut_status check_frenet(const taut_pipe_task *task, taut_pipe_binormal *
     return TAUT_OK;
 }
 
+/* The ellipse to carry along. */
+static taut_status find_ellipse(const taut_pipe_task *task, taut_pipe_ellipse *ellipse,
+                                taut_error *error)
+{
+    const taut_pipe_problem *p = task->problem;
+    const double *const directions[2] = {p->sections[0].direction, p->sections[1].direction};
+    int side = 0;
+    if (p->frame == TAUT_PIPE_FRENET) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+                         "FRENET_UNDEFINED: sections have frames of their own; use "
+                         "\"rotation-minimizing\"");
+    }
+    for (int i = 0; i < 2; i++) {
+        ellipse->a[i] = p->sections[i].a / p->radius;
+        ellipse->b[i] = p->sections[i].b / p->radius;
+    }
+    ellipse->smooth = p->joint == TAUT_PIPE_CURVATURE_JOINT;
+    ellipse->canal = 0;
+    if (!taut_pipe_ellipse_turn(&task->arc, directions, ellipse, &side)) {
+        return taut_fail(
+            error, TAUT_NO_SOLUTION, side == 0 ? "/sections/0/direction" : "/sections/1/direction",
+            0, 0, "SECTION_ALONG: the direction is along the axis there; give one across it");
+    }
+    return TAUT_OK;
+}
+
+/* Round sections of unlike radii: circles swept naively, or a canal surface that is real and
+ * regular. */
+static taut_status find_canal(const taut_pipe_task *task, taut_pipe_ellipse *ellipse,
+                              taut_error *error)
+{
+    const double least = 1e-3; /* of 1: what is left is a crease but for rounding */
+    const taut_pipe_problem *p = task->problem;
+    taut_pipe_canal_room room;
+    taut_pipe_jet jet;
+
+    if (p->joint == TAUT_PIPE_CURVATURE_JOINT && !p->naive) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/joint", taut_none, taut_none,
+                         "CANAL_JOINT: a canal surface is joined with \"g1\"; use that, or "
+                         "\"surface\": \"naive-sweep\"");
+    }
+    if (p->frame == TAUT_PIPE_FRENET) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+                         "FRENET_UNDEFINED: radii have frames of their own; use "
+                         "\"rotation-minimizing\"");
+    }
+    *ellipse = (taut_pipe_ellipse){.smooth = p->joint == TAUT_PIPE_CURVATURE_JOINT};
+    for (int i = 0; i < 2; i++) {
+        ellipse->a[i] = ellipse->b[i] = p->radii[i] / p->radius;
+    }
+    taut_pipe_arc_jet(&task->arc, 0, &jet);
+    taut_pipe_first_normal(jet.tangent, ellipse->first);
+    if (p->naive) {
+        return TAUT_OK;
+    }
+    ellipse->canal = task->radius;
+    taut_pipe_canal_room_of(ellipse, &task->arc, &room);
+    if (!(room.real > least)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/radii", room.real, least,
+                         "CANAL_NOT_REAL: the radius changes as fast as the axis runs at t = %.6g, "
+                         "so that no envelope is there; radii nearer to each other, ends farther "
+                         "apart or longer handles give one",
+                         room.real_at);
+    }
+    if (!(room.regular > least)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/radii", room.regular, least,
+                         "CANAL_NOT_REGULAR: the envelope has a crease at t = %.6g; smaller radii, "
+                         "nearer to each other, or ends farther apart avoid it",
+                         room.regular_at);
+    }
+    return TAUT_OK;
+}
+
 static taut_status sweep(taut_pipe_task *task, double tolerance, taut_pipe_blend *blend,
                          taut_error *error)
 {
     taut_pipe_binormal binormal;
+    taut_pipe_ellipse ellipse;
     const int frenet = task->problem->frame == TAUT_PIPE_FRENET;
-    taut_status status = frenet ? check_frenet(task, &binormal, error) : TAUT_OK;
+    const int canal = task->problem->radii[0] != 0;
+    const int elliptic = canal || task->problem->sections[0].a != 0;
+    taut_status status = canal      ? find_canal(task, &ellipse, error)
+                         : elliptic ? find_ellipse(task, &ellipse, error)
+                         : frenet   ? check_frenet(task, &binormal, error)
+                                    : TAUT_OK;
 
     if (status == TAUT_OK) {
-        status = taut_pipe_blend_make(&task->arc, task->radius, tolerance,
-                                      frenet ? &binormal : NULL, task->arena, blend);
+        status =
+            taut_pipe_blend_make(&task->arc, task->radius, tolerance, frenet ? &binormal : NULL,
+                                 elliptic ? &ellipse : NULL, task->arena, blend);
         if (status == TAUT_NO_SOLUTION) {
             status = taut_fail(error, status, "", tolerance, taut_none,
                                "the tube needs more than 100000 segments for a tolerance of %g: "
@@ -153,7 +238,8 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
 {
     const double asked = options != NULL ? options->tolerance : 0;
     const double tolerance = asked > 0 ? asked : tolerance_default;
-    taut_pipe_task task = {.problem = problem};
+    taut_pipe_problem round; /* with the circle around its sections */
+    taut_pipe_task task = {.problem = &round};
     taut_model *made = NULL;
     taut_status status = TAUT_OK;
 
@@ -165,6 +251,14 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, tolerance, tolerance_min,
                          "a tolerance of %g is below what rounding leaves: 1e-12 of the radius",
                          tolerance);
+    }
+    round = *problem;
+    if (problem->sections[0].a != 0 || problem->sections[1].a != 0) {
+        round.radius = fmax(fmax(problem->sections[0].a, problem->sections[0].b),
+                            fmax(problem->sections[1].a, problem->sections[1].b));
+    }
+    if (problem->radii[0] != 0 || problem->radii[1] != 0) {
+        round.radius = fmax(problem->radii[0], problem->radii[1]);
     }
     task.arena = taut_arena_new();
     if (task.arena != NULL) {

@@ -41,6 +41,9 @@ void taut_pipe_edges(const taut_pipe_task *task, const double handles[2], double
 /* Handles that are not given (choose_handles.c), shape numbers that are not (choose_shape.c). */
 taut_status taut_pipe_choose_handles(taut_pipe_task *task, taut_error *error);
 taut_status taut_pipe_choose_shape(taut_pipe_task *task, taut_error *error);
+/* The arc with these edges and shape numbers, of the kind the joints ask for. */
+void taut_pipe_arc_of(const taut_pipe_task *task, const double edges[3][3], const double shape[3],
+                      taut_pipe_arc *arc);
 /* The polygon from handles, and the local edges from the polygon. */
 taut_status taut_pipe_settle(taut_pipe_task *task, taut_error *error);
 
