@@ -121,10 +121,11 @@ static void add_node(fit *f, double t, double weight, const double ends[2][3])
     }
     for (int a = 0; a < taut_basis_local(f->test); a++) {
         const int k = other + a - f->offset;
-        double *row = f->rows + (size_t)k * (size_t)width;
+        double *row = NULL;
         if (k < 0 || k >= f->unknowns) {
             continue;
         }
+        row = f->rows + (size_t)k * (size_t)width;
         for (int b = 0; b < taut_basis_local(f->basis); b++) {
             const int j = first + b - 1;
             if (j >= 0 && j < f->unknowns) {
