@@ -97,7 +97,11 @@ static int parameter_length(iges_scan *s, const char *text, int room)
     }
     length = (int)taut_cad_number(text + blanks, (size_t)(room - blanks), "EeDd", &is_huge);
     if (length > 0 && blanks + length < room && text[blanks + length] == 'H') {
-        s->skip = number_in(text + blanks, length);
+        const long characters = number_in(text + blanks, length);
+        if (characters < 0) {
+            return -1;
+        }
+        s->skip = characters;
         length++;
     } else {
         while (blanks + length < room && text[blanks + length] == ' ') {

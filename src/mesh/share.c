@@ -1,5 +1,5 @@
 /* share.c -- in a chain every direction is seen as [0, 1], mirrored where it lies the other way.
- * Breaks of different members that differ by less than CLOSE are one; the cells between two breaks
+ * Breaks of different members that differ by less than near_enough are one; the cells between two breaks
  * are counted for each member on its own span there, and the largest count is taken by all. */
 #include "mesh/share.h"
 
@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double close = 1e-9; /* moves a point of an edge by 1e-9 of its length, or so */
+static const double near_enough = 1e-9; /* moves a point of an edge by 1e-9 of its length, or so */
 static const double narrow = 1e-7;
 
 static double cells_of(const taut_chains *chains, double width, double bending)
@@ -114,7 +114,7 @@ static int gather_breaks(taut_chains *chains, int root)
     }
     qsort(chains->breaks, count, sizeof *chains->breaks, by_size);
     for (size_t i = 1; i < count; i++) {
-        if (chains->breaks[i] - chains->breaks[kept] > close) {
+        if (chains->breaks[i] - chains->breaks[kept] > near_enough) {
             chains->breaks[++kept] = chains->breaks[i];
         }
     }
@@ -140,7 +140,7 @@ static double step(walk *at, int k)
     if (k == 0 || k == at->count - 1) {
         return k == 0 ? breaks[0] : breaks[spans];
     }
-    if (at->span + 1 < spans && fabs(share - ahead) <= 2 * close) {
+    if (at->span + 1 < spans && fabs(share - ahead) <= 2 * near_enough) {
         return breaks[++at->span];
     }
     return breaks[0] + share * (breaks[spans] - breaks[0]);
