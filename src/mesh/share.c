@@ -1,6 +1,7 @@
 /* share.c -- in a chain every direction is seen as [0, 1], mirrored where it lies the other way.
- * Breaks of different members that differ by less than near_enough are one; the cells between two breaks
- * are counted for each member on its own span there, and the largest count is taken by all. */
+ * Breaks of different members that differ by less than near_enough are one; the cells between two
+ * breaks are counted for each member on its own span there, and the largest count is taken by all.
+ */
 #include "mesh/share.h"
 
 #include "mesh/lines.h"
