@@ -91,7 +91,7 @@ TAUT_API taut_status taut_surface_transform(const taut_surface *surface, const d
                                             taut_surface **moved, taut_error *error);
 
 /* The same on bspline bases. Polynomial directions are exact. On c- and h- directions quintic C^2
- * Hermite interpolants stand in, on so many equal panels that the distance between points of
+ * Hermite interpolants stand in, on panels so narrow that the distance between points of
  * equal parameters is proved below `tolerance` (> 0, a length). *bound, if not NULL, is the proved
  * distance, rounding included; 0 where all is exact.
  * TAUT_BAD_ARGUMENT: the tolerance is below what rounding leaves (error->limit says what).
