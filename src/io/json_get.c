@@ -58,7 +58,7 @@ taut_status taut_json_array(const taut_json *at, size_t least, size_t most, cons
         return taut_json_expected(at, error, "an array of at most %zu %s", most, items);
     }
     if (least == 1) {
-        return taut_json_expected(at, error, "an array of %s, not empty", items);
+        return taut_json_expected(at, error, "an array of %s, one at least", items);
     }
     if (least > 0) {
         return taut_json_expected(at, error, "an array of at least %zu %s", least, items);
