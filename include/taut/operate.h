@@ -123,6 +123,11 @@ TAUT_API taut_status taut_model_split_exact(const taut_model *model, const char 
 TAUT_API taut_status taut_model_refine(const taut_model *model, const char *name, int along_u,
                                        int along_v, taut_model **refined, taut_error *error);
 
+/* Every span of every surface and curve, or of those named, on its own: on bezier, c-bezier or
+ * h-bezier bases (a ce-bezier as its quartic bezier); names as above. */
+TAUT_API taut_status taut_model_pieces(const taut_model *model, const char *name,
+                                       taut_model **pieces, taut_error *error);
+
 /* Every surface and curve as NURBS, each within `tolerance` times its own size: the diagonal of the
  * box around its points on a 17 by 17 grid. *bound, if not NULL, is the largest proved distance, a
  * length. */

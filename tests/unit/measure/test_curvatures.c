@@ -5,6 +5,9 @@
 
 #include "taut/measure.h"
 
+#include <stddef.h>
+#include <string.h>
+
 static const double pi = 3.14159265358979323846;
 
 enum { GRID = 9, COUNT_MAX = 12 };
@@ -81,12 +84,24 @@ typedef struct closed_form {
 
 typedef closed_form (*closed)(double u, double v, double size);
 
+/* Bit for bit, but for what pads a struct. */
+static int same(int count, const taut_forms *a, const taut_forms *b)
+{
+    int equal = 1;
+    for (int i = 0; i < count; i++) {
+        equal &= memcmp(&a[i], &b[i], offsetof(taut_forms, regular)) == 0;
+        equal &= a[i].regular == b[i].regular;
+    }
+    return equal;
+}
+
 /* H and K on a grid within `tolerance` of the largest curvature squared there. */
 static void check_grid(taut_surface *s, closed form, double size, double tolerance,
                        const char *what)
 {
     const taut_basis *u = taut_surface_u(s), *v = taut_surface_v(s);
-    double at[2][GRID], values[GRID][GRID][6][3];
+    static taut_forms all[3][GRID][GRID];
+    double at[2][GRID];
     for (int i = 0; i < GRID; i++) {
         const double part = i / (GRID - 1.0);
         at[0][i] = i == GRID - 1 ? taut_basis_hi(u)
@@ -94,15 +109,19 @@ static void check_grid(taut_surface *s, closed form, double size, double toleran
         at[1][i] = i == GRID - 1 ? taut_basis_hi(v)
                                  : taut_basis_lo(v) + part * (taut_basis_hi(v) - taut_basis_lo(v));
     }
-    CHECK(taut_surface_eval_grid(s, GRID, at[0], GRID, at[1], 2, 1, &values[0][0][0][0]) == TAUT_OK,
-          "%s", what);
+    for (int threads = 1; threads <= 3; threads++) {
+        CHECK(taut_surface_forms_grid(s, GRID, at[0], GRID, at[1], threads,
+                                      &all[threads - 1][0][0]) == TAUT_OK,
+              "%s", what);
+    }
+    CHECK(same(GRID * GRID, all[0][0], all[1][0]) && same(GRID * GRID, all[0][0], all[2][0]),
+          "the same for any number of threads");
     for (int i = 0; i < GRID; i++) {
         for (int j = 0; j < GRID; j++) {
             const closed_form expected = form(at[0][i], at[1][j], size);
             const double k = expected.gaussian, h = expected.mean;
             const double largest = fabs(h) + sqrt(fmax(0, h * h - k)); /* principal curvature */
-            taut_forms forms;
-            taut_forms_of((const double(*)[3])values[i][j], &forms);
+            const taut_forms forms = all[0][i][j];
             CHECK(forms.regular, "%s at %g, %g", what, at[0][i], at[1][j]);
             CHECK_NEAR(forms.mean, h, tolerance * largest, "%s: H at %g, %g", what, at[0][i],
                        at[1][j]);
@@ -171,10 +190,48 @@ static void test_polynomials(void)
     }
 }
 
+/* Many rows on many threads, each as the point by itself; what is out of range is refused. */
+static void test_grid(void)
+{
+    enum { ROWS = 131, COLUMNS = 7 };
+    taut_surface *s = shape_enneper(0, 1, 0, 1);
+    double u[ROWS], v[COLUMNS];
+    static taut_forms forms[ROWS][COLUMNS], again[ROWS][COLUMNS];
+    for (int i = 0; i < ROWS; i++) {
+        u[i] = i / (ROWS - 1.0);
+    }
+    for (int j = 0; j < COLUMNS; j++) {
+        v[j] = j / (COLUMNS - 1.0);
+    }
+    CHECK(taut_surface_forms_grid(s, ROWS, u, COLUMNS, v, 0, &forms[0][0]) == TAUT_OK, "one");
+    CHECK(taut_surface_forms_grid(s, ROWS, u, COLUMNS, v, 8, &again[0][0]) == TAUT_OK, "eight");
+    CHECK(same(ROWS * COLUMNS, forms[0], again[0]), "the same for any number of threads");
+    for (int i = 0; i < ROWS; i++) {
+        for (int j = 0; j < COLUMNS; j++) {
+            double x[6][3];
+            taut_forms one;
+            CHECK(taut_surface_eval(s, u[i], v[j], 2, &x[0][0]) == TAUT_OK, "%d %d", i, j);
+            taut_forms_of((const double(*)[3])x, &one);
+            CHECK_NEAR(forms[i][j].gaussian, one.gaussian, 1e-13, "%d %d", i, j);
+            CHECK_NEAR(forms[i][j].normal[0], one.normal[0], 1e-14, "%d %d", i, j);
+        }
+    }
+    CHECK(taut_surface_forms_grid(s, 0, u, COLUMNS, v, 1, &again[0][0]) == TAUT_OK, "empty");
+    u[ROWS - 1] = 1.01;
+    CHECK(taut_surface_forms_grid(s, ROWS, u, COLUMNS, v, 1, &again[0][0]) == TAUT_BAD_ARGUMENT,
+          "out of range");
+    CHECK(taut_surface_forms_grid(NULL, ROWS, u, COLUMNS, v, 1, &again[0][0]) == TAUT_BAD_ARGUMENT,
+          "NULL");
+    CHECK(taut_surface_forms_grid(s, 1, u, -1, v, 1, &again[0][0]) == TAUT_BAD_ARGUMENT, "count");
+    CHECK(same(ROWS * COLUMNS, forms[0], again[0]), "outputs are untouched on failure");
+    taut_surface_free(s);
+}
+
 int main(void)
 {
     random_seed(20260716);
     test_minimal_surfaces();
     test_polynomials();
+    test_grid();
     return check_failures != 0;
 }
