@@ -111,6 +111,21 @@ static void test_never_committed(void)
     empty_folder();
 }
 
+/* A target that turned into a folder cannot be replaced: the file has its passing name by then, and
+ * loses it again. */
+static void test_target_became_folder(void)
+{
+    taut_outputs *outputs = new_outputs();
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
+    CHECK(mkdir(in_folder("a"), 0700) == 0, "mkdir");
+    CHECK(taut_outputs_commit(outputs, &error) == TAUT_IO, "commit");
+    CHECK(strstr(error.message, in_folder("a")) != NULL, "\"%s\"", error.message);
+    taut_outputs_free(outputs);
+    CHECK(entries() == 1, "%d entries", entries());
+    CHECK(rmdir(in_folder("a")) == 0, "rmdir");
+}
+
 /* A device that is full is found before any file appears. */
 static void test_full_device(void)
 {
@@ -337,6 +352,7 @@ int main(void)
     }
     test_together();
     test_never_committed();
+    test_target_became_folder();
     test_full_device();
     test_no_space();
     test_refused_paths();
