@@ -88,8 +88,9 @@ static double net_size(const taut_lattice *lattice)
 static taut_status below_rounding(double tolerance, double least, taut_error *error)
 {
     return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, tolerance, least,
-                     "tolerance %g is below what rounding leaves; ask for %g at least", tolerance,
-                     least);
+                     "a distance of %g is below what rounding leaves; ask for a distance of %g at "
+                     "least",
+                     tolerance, least);
 }
 
 /* Rows sum to 1, so that no work is lost on tolerances far below what rounding leaves; and no sum

@@ -240,6 +240,40 @@ static void test_to_nurbs(void)
     taut_model_free(model);
 }
 
+/* The tolerance is one of size, whatever the unit; beyond what squares hold there is a refusal. */
+static void test_to_nurbs_of_any_size(void)
+{
+    const double sizes[] = {1e-300, 1e-150, 1, 1e150, 1e250};
+    for (int n = 0; n < 5; n++) {
+        const taut_basis_spec layered = {.type = "h-bezier", .beta = 300};
+        const double matrix[12] = {sizes[n], 0, 0, 0, 0, sizes[n], 0, 0, 0, 0, sizes[n], 0};
+        taut_model *model = NULL, *scaled = NULL, *nurbs = NULL;
+        taut_surface *surface = NULL;
+        taut_error error = {.message = ""};
+        double bound = -1;
+        CHECK(taut_model_new(&model) == TAUT_OK && taut_model_new(&scaled) == TAUT_OK, "model");
+        add_surface(model, "a", layered, cubic);
+        CHECK(taut_surface_transform(taut_model_surface(model, 0), matrix, &surface, NULL) ==
+                  TAUT_OK,
+              "scaled");
+        CHECK(taut_model_add_surface(scaled, surface) == TAUT_OK, "scaled");
+        const taut_status status = taut_model_to_nurbs(scaled, 1e-6, &nurbs, &bound, &error);
+        if (sizes[n] > 1e200) {
+            CHECK(status == TAUT_NO_SOLUTION && strcmp(error.where, "/surfaces/0/points") == 0,
+                  "%s: %s", error.where, error.message);
+        } else {
+            CHECK(status == TAUT_OK, "size %g: %s", sizes[n], error.message);
+            CHECK(bound > 1e-8 * sizes[n] && bound < 1e-5 * sizes[n], "size %g: %g", sizes[n],
+                  bound);
+            CHECK(taut_basis_span_count(taut_surface_u(taut_model_surface(nurbs, 0))) > 10,
+                  "size %g", sizes[n]);
+        }
+        taut_model_free(nurbs);
+        taut_model_free(scaled);
+        taut_model_free(model);
+    }
+}
+
 int main(void)
 {
     random_seed(20260106);
@@ -249,5 +283,6 @@ int main(void)
     test_refine();
     test_long_names();
     test_to_nurbs();
+    test_to_nurbs_of_any_size();
     return check_failures != 0;
 }
