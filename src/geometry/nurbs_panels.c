@@ -25,6 +25,7 @@ typedef struct cutting {
     double *points; /* [lines][4][3] */
     double *ends;   /* [room + 1] */
     int room, count;
+    int most; /* panels of the side that are allowed */
 } cutting;
 
 static double distance_on(const cutting *c, double lo, double hi)
@@ -73,9 +74,10 @@ static taut_status march(cutting *c, double lo, double hi, double share, double 
 
     while (status == TAUT_OK && lo < hi) {
         width = widest(c, lo, hi, width, share);
-        if (c->count >= PANELS_MAX || !(lo + width > lo)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, NULL, c->count, PANELS_MAX,
-                             "a NURBS so near needs more than %d knots: ask for a larger tolerance",
+        if (c->count >= c->most || !(lo + width > lo)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, NULL, c->count, c->most,
+                             "a NURBS so near needs more than %d spans one way, more than fit: ask "
+                             "for a larger tolerance",
                              c->count);
         }
         status = c->count < c->room ? TAUT_OK : more_room(c, error);
@@ -200,11 +202,22 @@ static taut_status fill_panels(taut_side *s, taut_error *error)
     return TAUT_OK;
 }
 
+/* As many panels as leave the spline of both sides within the limits, the other one having at least
+ * one panel per piece: so no work is spent on what would be refused. */
+static int most_panels(const taut_side *other)
+{
+    const int across = other->basis == NULL ? 1
+                       : other->exact       ? taut_basis_count(other->basis)
+                                            : 3 * other->pieces.count + 3;
+    const int fit = (TAUT_POINTS_MAX / across - 3) / 3;
+    return fit < PANELS_MAX ? fit : PANELS_MAX;
+}
+
 taut_status taut_nurbs_cut(const taut_lattice *whole, int direction, taut_side *s,
                            const taut_side *other, double share, taut_error *error)
 {
     const size_t pieces = (size_t)s->pieces.count;
-    cutting c = {.side = s, .room = s->pieces.count};
+    cutting c = {.side = s, .room = s->pieces.count, .most = most_panels(other)};
     taut_status status = TAUT_OK;
 
     taut_free(s->panels);
