@@ -51,11 +51,11 @@ static taut_status complete_g1(const taut_neighbour *e,
                                double *amplification, taut_error *error)
 {
     const int n = e->n, m = e->m;
-    const double ratio = e->ratio * e->across / e->along;
+    const taut_wide ratio = (taut_wide)e->ratio * e->across / e->along;
     const double limit = fmax(1e-10, 4 * ldexp(DBL_EPSILON, m) * taut_frame_reach(&e->frame));
     double *cross = taut_arena_take(e->arena, 3 * (size_t)(m + 1), sizeof(double));
-    double *scratch =
-        taut_arena_take(e->arena, 4 * (size_t)(n + 1) * (size_t)(m + 1), sizeof(double));
+    taut_wide *scratch =
+        taut_arena_take(e->arena, 4 * (size_t)(n + 1) * (size_t)(m + 1), sizeof *scratch);
     double top[3];
 
     if (cross == NULL || scratch == NULL) {
@@ -78,7 +78,8 @@ static taut_status complete_g1(const taut_neighbour *e,
                          "here (the top difference is %.6g)",
                          m, defect * e->frame.size);
     }
-    taut_harmonic_from_derivative(n, m, ratio * ratio, e->net + 3 * n * (m + 1), cross, out);
+    taut_harmonic_from_derivative(n, m, ratio * ratio, e->net + 3 * n * (m + 1), 1, cross, scratch,
+                                  out);
     *amplification = taut_harmonic_derivative_amplification(n, m, ratio * ratio, scratch);
     return TAUT_OK;
 }
