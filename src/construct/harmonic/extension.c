@@ -158,10 +158,10 @@ static taut_status fill_model(const taut_neighbour *e,
     }
     if (status == TAUT_OK) {
         memcpy(next, e->net + 3 * e->n * (e->m + 1), (size_t)(3 * (e->m + 1)) * sizeof(double));
-        status = taut_neighbour_surface(e, "extension", next, 1, e->ratio, &surfaces[1], error);
+        status = taut_neighbour_surface(e, "extension", next, 0, &surfaces[1], error);
     }
     if (status == TAUT_OK && !g1) {
-        status = taut_neighbour_surface(e, "h", merged, 0, 1 + e->ratio, &surfaces[2], error);
+        status = taut_neighbour_surface(e, "h", merged, 1, &surfaces[2], error);
     }
     for (int i = 1; i < 3 && exact && status == TAUT_OK; i++) {
         status = taut_neighbour_exact(e->surface, e->arena, &surfaces[i], error);

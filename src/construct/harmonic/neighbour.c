@@ -38,6 +38,9 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
                          width, edge, end, TAUT_PARAMETER_MAX);
     }
     const size_t count = (size_t)(e->n + 1) * (size_t)(e->m + 1);
+    e->here = edge;
+    e->end = end;
+    e->ratio = fabs(end - edge) / e->across; /* of the parameters that there are */
     e->frame = taut_frame_of(count, points, NULL);
     e->net = taut_arena_take(e->arena, 3 * count, sizeof(double));
     if (e->net == NULL) {
@@ -141,8 +144,7 @@ void taut_neighbour_extrapolate(const taut_neighbour *e, int merged, double *out
 }
 
 taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, double *net,
-                                   double start, double length, taut_surface **surface,
-                                   taut_error *error)
+                                   int merged, taut_surface **surface, taut_error *error)
 {
     const taut_surface *given = e->surface;
     const taut_basis *across = e->turned ? taut_surface_v(given) : taut_surface_u(given);
@@ -166,13 +168,14 @@ taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, do
     }
     for (int j = 0; j <= e->m; j++) { /* the line it shares with the given surface, bit for bit */
         memcpy(points + 3 * index_of(e, columns, 0, j),
-               taut_surface_points(given) + 3 * index_of(e, columns, start > 0 ? e->n : 0, j),
+               taut_surface_points(given) + 3 * index_of(e, columns, merged ? 0 : e->n, j),
                3 * sizeof(double));
     }
     taut_basis_spec_of(across, &spec);
     spec.has_range = 1;
-    spec.range[0] = e->reversed ? (hi - (start + length) * e->across) : start > 0 ? hi : lo;
-    spec.range[1] = e->reversed ? (start > 0 ? lo : hi) : lo + (start + length) * e->across;
+    const double near = !merged ? e->here : e->reversed ? hi : lo;
+    spec.range[0] = e->reversed ? e->end : near;
+    spec.range[1] = e->reversed ? near : e->end;
     status = taut_basis_new(&spec, e->n + 1, &basis, error);
     if (status == TAUT_OK) {
         status = taut_surface_new(name, e->turned ? taut_surface_u(given) : basis,

@@ -15,6 +15,7 @@ typedef struct taut_neighbour {
     int n, m;             /* degrees across the edge and along it */
     double across, along; /* parameter widths */
     double ratio;         /* width of what lies beyond over that of the surface */
+    double here, end;     /* the parameters of the shared edge and of the far one beyond */
     taut_frame frame;
     double *net; /* double[n+1][m+1][3], in the frame */
 } taut_neighbour;
@@ -41,10 +42,8 @@ void taut_neighbour_extrapolate(const taut_neighbour *e, int merged, double *out
 taut_status taut_neighbour_exact(const taut_surface *surface, taut_arena *arena,
                                  taut_surface **beyond, taut_error *error);
 
-/* A surface from a turned net whose first row lies `start` (in widths of the given surface) from
- * its first edge and which is `length` widths long; `net` leaves the frame. */
+/* A surface from a turned net that taut_neighbour_extrapolate gives; `net` leaves the frame. */
 taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, double *net,
-                                   double start, double length, taut_surface **surface,
-                                   taut_error *error);
+                                   int merged, taut_surface **surface, taut_error *error);
 
 #endif /* TAUT_HARMONIC_NEIGHBOUR_H */
