@@ -111,15 +111,15 @@ static taut_status check_problem(const taut_harmonic_extension_problem *problem,
 static taut_status check_exact(const taut_surface *surface, taut_error *error)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    const double sides[2] = {taut_basis_hi(u) - taut_basis_lo(u),
-                             taut_basis_hi(v) - taut_basis_lo(v)};
+    const double rectangle[4] = {taut_basis_lo(u), taut_basis_hi(u), taut_basis_lo(v),
+                                 taut_basis_hi(v)};
     const taut_exact_numbers net = {taut_surface_points(surface), taut_surface_exact(surface)};
     const taut_exact_ops *ops = NULL;
     double residual = 0;
     taut_status status = taut_exact_load(&ops, error);
 
     if (status == TAUT_OK &&
-        !ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, sides, &residual)) {
+        !ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, rectangle, &residual)) {
         return taut_fail_memory(error);
     }
     if (status == TAUT_OK && residual > 0) {
