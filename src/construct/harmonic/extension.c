@@ -97,6 +97,11 @@ static taut_status check_problem(const taut_harmonic_extension_problem *problem,
     if (status != TAUT_OK) {
         return status;
     }
+    if (problem->neighbour != NULL && (problem->width > 0 || problem->contact != TAUT_CONTACT_C1)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/neighbour", taut_none, taut_none,
+                         "found \"neighbour\" beside \"width\" or contact \"g1\": it has a width, "
+                         "and must be the surface carried on");
+    }
     if (problem->contact == TAUT_CONTACT_G1 &&
         !(problem->c > 0 && isfinite(problem->c) && isfinite(problem->alpha) &&
           isfinite(problem->beta))) {
@@ -166,6 +171,9 @@ static taut_status fill_model(const taut_neighbour *e,
     for (int i = 1; i < 3 && exact && status == TAUT_OK; i++) {
         status = taut_neighbour_exact(e->surface, e->arena, &surfaces[i], error);
     }
+    if (status == TAUT_OK && e->other != NULL) {
+        status = taut_neighbour_compare(e, surfaces[1], exact, error);
+    }
     for (int i = 0; i < 3; i++) {
         if (status == TAUT_OK && surfaces[i] != NULL) {
             status = taut_model_add_surface(model, surfaces[i]);
@@ -191,7 +199,7 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
                                          taut_error *error)
 {
     taut_neighbour e = {.surface = NULL};
-    double *scratch = NULL;
+    double *scratch = NULL, width = problem != NULL ? problem->width : 0;
     taut_model *made = NULL;
     const int exact = options != NULL && options->exact;
     taut_status status = check_problem(problem, error);
@@ -205,11 +213,15 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
     }
     e.surface = problem->surface;
     e.edge = problem->edge;
+    e.other = problem->neighbour;
     e.arena = taut_arena_new();
     status =
         e.arena != NULL && taut_model_new(&made) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    if (status == TAUT_OK && e.other != NULL) {
+        status = taut_neighbour_match(&e, &width, error);
+    }
     if (status == TAUT_OK) {
-        status = taut_neighbour_turn(&e, problem->width, error);
+        status = taut_neighbour_turn(&e, width, error);
     }
     if (status == TAUT_OK) {
         scratch =

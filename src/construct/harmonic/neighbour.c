@@ -30,7 +30,8 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
     const taut_basis *across = e->turned ? v : u;
     const double lo = taut_basis_lo(across), hi = taut_basis_hi(across);
     const double reach = (1 + e->ratio) * e->across;
-    const double edge = e->reversed ? lo : hi, end = e->reversed ? hi - reach : lo + reach;
+    const double edge = e->reversed ? lo : hi;
+    const double end = taut_neighbour_end(e, edge, e->reversed ? hi - reach : lo + reach);
     if (end == edge || !(fabs(end) <= TAUT_PARAMETER_MAX)) {
         return taut_fail(error, TAUT_BAD_INPUT, "/width", width, taut_none,
                          "bad parameter: the width %.17g from the edge at %.17g leads to %.17g, "
