@@ -33,3 +33,21 @@ int taut_near_zero(const taut_basis *basis, taut_basis **moved)
     taut_free(knots);
     return status != TAUT_NO_MEMORY;
 }
+
+int taut_surface_near_zero(const taut_surface *surface, taut_surface **moved)
+{
+    taut_basis *u = NULL, *v = NULL;
+    int done =
+        taut_near_zero(taut_surface_u(surface), &u) && taut_near_zero(taut_surface_v(surface), &v);
+
+    *moved = NULL;
+    if (done && (u != NULL || v != NULL)) {
+        done =
+            taut_surface_new(taut_surface_name(surface), u != NULL ? u : taut_surface_u(surface),
+                             v != NULL ? v : taut_surface_v(surface), taut_surface_points(surface),
+                             taut_surface_weights(surface), moved, NULL) == TAUT_OK;
+    }
+    taut_basis_free(u);
+    taut_basis_free(v);
+    return done;
+}

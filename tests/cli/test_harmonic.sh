@@ -79,6 +79,16 @@ printf '{"taut": 1, "construct": "harmonic-extension", "edge": "u1", "width": 0.
 run 0 make problem.json -o extended.json
 contains err.txt 'harmonic +holds'
 
+# Biharmonic neighbours too are of least bending there.
+sed 's/"u": {[^}]*}/"u": {"type": "bezier", "degree": 4, "range": [10000000, 10000001]}/' "$SOURCE/examples/biharmonic-c1.json" > far.json
+grep -q 10000001 far.json || complain "the example has another form"
+for contact in c1 c2; do
+    sed 's/"contact": "[^"]*"/"contact": "'$contact'"/' far.json > problem.json
+    run 0 make problem.json -o neighbour.json
+    contains err.txt 'least-bending +holds'
+    run 0 certify neighbour.json
+done
+
 # The amplification is told of data from a derivative, rationally completed or not, and of biharmonic neighbours.
 run 0 make "$SOURCE/examples/harmonic-derivative.json" -o d.json
 grep amplification err.txt > rounded
