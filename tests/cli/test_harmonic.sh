@@ -89,6 +89,19 @@ for contact in c1 c2; do
     run 0 certify neighbour.json
 done
 
+# The nearest surface to four rows is as near there; and numbers so small that doubles have few digits for them are no failure.
+sed 's/"u": *{[^}]*}/"u": {"type": "bezier", "degree": 4, "range": [10000000.125, 10000001]}/' "$SOURCE/examples/harmonic-fit.json" > far.json
+grep -q 10000001 far.json || complain "the example has another form"
+run 0 make far.json -o fit.json
+contains err.txt 'nearest +holds'
+cat > small.json <<'JSON'
+{ "taut": 1, "construct": "harmonic", "u": { "type": "bezier", "degree": 3 }, "v": { "type": "bezier", "degree": 3 },
+  "points": [[[-3e-310, 7.1e-311, 0], [2.3e-310, 1e-310, 5e-324], [1.9e-310, -4.7e-310, 0], [0, 1e-310, 1e-310]],
+             [null, null, null, null], [null, null, null, null],
+             [[9e-311, 0, 0], [4.3e-310, 1e-311, 0], [-1.25e-310, 0, 2e-310], [3e-310, 1.3e-311, -9.9e-311]]] }
+JSON
+run 0 make small.json -o small.out.json
+
 # The amplification is told of data from a derivative, rationally completed or not, and of biharmonic neighbours.
 run 0 make "$SOURCE/examples/harmonic-derivative.json" -o d.json
 grep amplification err.txt > rounded
