@@ -62,8 +62,8 @@ static void test_which(void)
     static const struct {
         double lo, hi;
         int moves;
-    } cases[] = {{0, 1, 0},        {-1, 1, 0},  {0.5, 2, 0}, {1, 2, 1},
-                 {-2, -1, 1},      {-3, -1, 0}, {-1, 0, 0},  {0x1p40, 0x1p40 + 3, 1},
+    } cases[] = {{0, 1, 0},      {-1, 1, 0},  {0.5, 2, 0}, {1, 2, 1},
+                 {-2, -1, 1},    {-3, -1, 0}, {-1, 0, 0},  {0x1p40, 0x1p40 + 3, 1},
                  {1e59, 2e59, 1}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         taut_basis *basis = shape_bezier(2, cases[i].lo, cases[i].hi), *moved = NULL;
