@@ -144,7 +144,8 @@ static double settle(int count, const double *lo, const double *hi, taut_pipe_ob
             !step_aside(count, lo, hi, 1.0 / 4096, f, s, best, &least)) {
             break;
         }
-        least = taut_pipe_search(count, lo, hi, f, s, best, &s->task->evaluations);
+        least = taut_pipe_search(count, lo, hi, s->goal == TAUT_PIPE_CURVATURE, f, s, best,
+                                 &s->task->evaluations);
     }
     return least;
 }
@@ -184,8 +185,8 @@ static void search_from_grid(int count, const double *lo, const double *hi, cons
     s->task->evaluations += cells;
     for (int k = 0; k < kept; k++) {
         s->bound = INFINITY;
-        const double value =
-            taut_pipe_search(count, lo, hi, f, s, starts[k], &s->task->evaluations);
+        const double value = taut_pipe_search(count, lo, hi, s->goal == TAUT_PIPE_CURVATURE, f, s,
+                                              starts[k], &s->task->evaluations);
         if (value < least) {
             least = value;
             memcpy(best, starts[k], (size_t)count * sizeof *best);
