@@ -106,13 +106,22 @@ static double largest_curvature(const taut_asymptotic_model *model, int edge)
     return most;
 }
 
-/* A curve whose curvature is nothing but rounding: no b, no angle. */
+/* A curve whose curvature, or whose points' distance from the chord, is nothing but rounding: no b,
+ * no angle. */
 static int is_straight(const taut_asymptotic_model *model, int edge, double most)
 {
-    double chord[2][4][3];
-    (void)taut_curve_eval(model->curves[edge], 0.0, 0, &chord[0][0][0]);
-    (void)taut_curve_eval(model->curves[edge], 1.0, 0, &chord[1][0][0]);
-    return most * taut_distance(chord[0][0], chord[1][0]) <= 1e-10;
+    const double *const p = taut_curve_points(model->curves[edge]);
+    const int last = taut_basis_count(taut_curve_t(model->curves[edge])) - 1;
+    double chord[3], off = 0.0;
+    taut_difference(p + 3 * last, p, chord);
+    for (int j = 1; j < last; j++) {
+        double arm[3], normal[3];
+        taut_difference(p + 3 * j, p, arm);
+        taut_cross(chord, arm, normal);
+        off = fmax(off, taut_norm(normal));
+    }
+    return most * taut_norm(chord) <= 1e-10 ||
+           off <= 4 * DBL_EPSILON * model->curve_size * taut_norm(chord);
 }
 
 static void add_sample(const taut_asymptotic_model *model, int edge, double t,

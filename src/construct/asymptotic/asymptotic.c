@@ -12,6 +12,7 @@
 #include "core/fail.h"
 #include "core/vec3.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -40,15 +41,27 @@ static void center_of(const double *corners, double center[3])
 /* Torsions, energies and their derivatives are products of up to eight lengths: beyond these they
  * leave the range of double. */
 static const double least_size = 1e-20, most_size = 1e20;
+/* Coordinates are rounded by 2^-53 of themselves. Where that is more than this share of the size,
+ * no claim on the patch could be decided: the certificate's limits end there. */
+static const double most_rounding = 1e-6;
 
 /* The largest distance of a corner from their mean along an axis. Corners that are not finite are
  * told elsewhere. */
 static taut_status check_size(const double *corners, const double center[3], const char *where,
                               double *size, taut_error *error)
 {
+    double far = 0.0;
     *size = 0.0;
     for (int k = 0; k < 12; k++) {
         *size = fmax(*size, fabs(corners[k] - center[k % 3]));
+        far = fmax(far, fabs(corners[k]));
+    }
+    if (isfinite(far) && *size > 0 && 0.5 * DBL_EPSILON * far > most_rounding * *size) {
+        return taut_fail(error, TAUT_BAD_INPUT, where, 0.5 * DBL_EPSILON * far / *size,
+                         most_rounding,
+                         "coordinates of %.3g hold the corners, %.3g from their mean, to %.1e of "
+                         "that only, expected %.0e at the most: move the origin nearer",
+                         far, *size, 0.5 * DBL_EPSILON * far / *size, most_rounding);
     }
     if (isfinite(center[0]) && isfinite(center[1]) && isfinite(center[2]) && *size > 0 &&
         !(*size >= least_size && *size <= most_size)) {

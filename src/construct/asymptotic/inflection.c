@@ -5,9 +5,10 @@
 
 #include <string.h>
 
-/* |q| at its least over its largest coefficient: q is a product of data, known to some 1e-15, and a
- * curve whose data is given to ten digits still has its inflection. */
-static const double zero_cut = 1e-10;
+/* |q| at its least over its largest coefficient: q is a product of differences of the data, known
+ * to some times the data's rounding, and a curve whose data is given to ten digits still has its
+ * inflection. */
+static const double zero_cut = 1e-10, zero_factor = 64.0;
 enum { LENGTH = TAUT_POLY_MAX + 1, SAMPLES_PER_DEGREE = 8, BISECTIONS = 60 };
 
 /* q.q' at t: half the derivative of |q|^2. */
@@ -69,14 +70,15 @@ static double largest_coefficient(int degree, double (*q)[3])
     return most;
 }
 
-int taut_inflections_remove(int degree, double (*q)[3], double *at)
+int taut_inflections_remove(int degree, double rounding, double (*q)[3], double *at)
 {
+    const double cut = zero_cut + zero_factor * rounding;
     int left = degree, count = 0;
     double work[LENGTH][3];
     while (left > 0) {
         const double place = least_place(left, q);
         int k = count;
-        if (!(length_at(left, q, place) <= zero_cut * largest_coefficient(left, q))) {
+        if (!(length_at(left, q, place) <= cut * largest_coefficient(left, q))) {
             break;
         }
         taut_poly_deflate(left, 3, &q[0][0], place, &work[0][0]);

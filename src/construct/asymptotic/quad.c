@@ -4,6 +4,7 @@
 #include "core/fail.h"
 #include "core/vec3.h"
 
+#include <float.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -100,7 +101,7 @@ double taut_quad_size(const taut_quad *quad)
     return size;
 }
 
-double taut_quad_reach(const taut_quad *quad)
+double taut_quad_rounding(const taut_quad *quad)
 {
     double reach = 0.0;
     for (int a = 0; a < 4; a++) {
@@ -108,13 +109,14 @@ double taut_quad_reach(const taut_quad *quad)
             reach = fmax(reach, taut_norm(quad->edges[a].points[j]));
         }
     }
-    return reach;
+    return fmax(quad->rounding, 0.5 * DBL_EPSILON * reach);
 }
 
 /* Is every control point on the chord, up to rounding of the coordinates? */
 static int is_straight(const taut_quad *quad, int edge)
 {
     const taut_quad_edge *const e = &quad->edges[edge];
+    const double rounding = 4 * taut_quad_rounding(quad);
     double chord[3], reach = 0.0, off = 0.0;
     taut_difference(e->points[quad->degree], e->points[0], chord);
     for (int j = 1; j < quad->degree; j++) {
@@ -124,7 +126,7 @@ static int is_straight(const taut_quad *quad, int edge)
         off = fmax(off, taut_norm(normal));
         reach = fmax(reach, taut_norm(d));
     }
-    return off <= 1e-13 * taut_norm(chord) * fmax(reach, taut_norm(chord));
+    return off <= taut_norm(chord) * (1e-13 * fmax(reach, taut_norm(chord)) + rounding);
 }
 
 /* Raises a curve of degree p to n: degree elevation of the homogeneous coefficients. */
@@ -199,15 +201,15 @@ static taut_status common_degree(const taut_curve *const curves[4], int *degree,
 /* Do the two edges at each corner share its point and its weight? */
 static taut_status check_closed(const taut_quad *quad, taut_error *error)
 {
-    const double size = taut_quad_size(quad);
+    const double most = 1e-12 * taut_quad_size(quad) + 4 * taut_quad_rounding(quad);
     for (int c = 0; c < 4; c++) {
         const taut_quad_meeting *const m = taut_quad_corner[c];
         const double gap = taut_distance(taut_quad_point(quad, m[0].edge, m[0].end, 0),
                                          taut_quad_point(quad, m[1].edge, m[1].end, 0));
         const double w0 = taut_quad_weight(quad, m[0].edge, m[0].end, 0);
         const double w1 = taut_quad_weight(quad, m[1].edge, m[1].end, 0);
-        if (!(gap <= 1e-12 * size)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/curves", gap, 1e-12 * size,
+        if (!(gap <= most)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "/curves", gap, most,
                              "curves %s and %s do not meet at corner %s: the gap is %.3g",
                              edge_names[m[0].edge], edge_names[m[1].edge], corner_names[c], gap);
         }
@@ -228,9 +230,11 @@ taut_status taut_quad_of_curves(const taut_curve *const curves[4], taut_quad *qu
     if (status != TAUT_OK) {
         return status;
     }
+    quad->rounding = 0.0;
     for (int a = 0; a < 4; a++) {
         take_curve(curves[a], quad->degree, &quad->edges[a]);
         quad->edges[a].straight = is_straight(quad, a);
     }
+    quad->rounding = taut_quad_rounding(quad);
     return check_closed(quad, error);
 }

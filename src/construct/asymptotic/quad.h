@@ -21,6 +21,7 @@ typedef struct taut_quad_edge {
 typedef struct taut_quad {
     int degree; /* n */
     taut_quad_edge edges[4];
+    double rounding; /* of the coordinates as they were given; 0 where they were not */
 } taut_quad;
 
 /* At end `end` of edge `edge` the other edge there, its end, and the corner. */
@@ -48,8 +49,9 @@ double taut_quad_torsion(const taut_quad *quad, int edge, int end);
 
 /* Largest distance between two control points. */
 double taut_quad_size(const taut_quad *quad);
-/* Largest distance of a control point from the origin: what rounding of coordinates goes by. */
-double taut_quad_reach(const taut_quad *quad);
+/* The rounding of a coordinate: 2^-53 of the largest distance of a control point from the origin,
+ * or what it was where the points were given. */
+double taut_quad_rounding(const taut_quad *quad);
 
 /* Raises all four curves to degree n. */
 void taut_quad_raise(taut_quad *quad, int n);
