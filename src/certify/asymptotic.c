@@ -113,8 +113,7 @@ static taut_status add_within(taut_certificate *certificate, const char *name, d
                               bound <= limit ? TAUT_TRUE
                               : open         ? TAUT_UNDECIDED
                                              : TAUT_FALSE,
-                              open ? "the rounding of points so far from the origin hides it"
-                                   : where};
+                              open ? "the rounding of the points hides it" : where};
     return taut_certificate_add(certificate, &claim);
 }
 

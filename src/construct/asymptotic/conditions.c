@@ -90,13 +90,15 @@ static taut_status check_plane(const taut_quad *quad, int c, taut_error *error)
     taut_cross(leg[0], leg[1], normal);
     for (int k = 0; k < 2; k++) {
         const taut_quad_meeting *const m = &taut_quad_corner[c][k];
-        double d1[3], d2[3], bend[3], off = 0.0;
+        double arm[3], bend[3], off = 0.0;
         if (quad->edges[m->edge].straight) {
             continue;
         }
-        taut_quad_end(quad, m->edge, m->end, d1, d2);
-        taut_cross(d1, d2, bend);
-        if (!(taut_norm(bend) > least_bend * taut_norm(d1) * taut_norm(d2))) {
+        /* of points, not of derivatives, in which weights cancel */
+        taut_difference(taut_quad_point(quad, m->edge, m->end, 2),
+                        taut_quad_point(quad, m->edge, m->end, 0), arm);
+        taut_cross(leg[k], arm, bend);
+        if (!(taut_norm(bend) > least_bend * taut_norm(leg[k]) * taut_norm(arm))) {
             return taut_fail(error, TAUT_NO_SOLUTION, "", taut_norm(bend), taut_none,
                              "edge %s has curvature 0 at corner %s and is not straight: it has no "
                              "osculating plane there",

@@ -9,6 +9,9 @@
  * to some times the data's rounding, and a curve whose data is given to ten digits still has its
  * inflection. */
 static const double zero_cut = 1e-10, zero_factor = 64.0;
+/* And over what is summed there, sum |q_j| B_j: where that is as small as |q| itself nothing
+ * cancels, and a small q is no zero. */
+static const double cancels = 1e-6;
 enum { LENGTH = TAUT_POLY_MAX + 1, SAMPLES_PER_DEGREE = 8, BISECTIONS = 60 };
 
 /* q.q' at t: half the derivative of |q|^2. */
@@ -61,6 +64,16 @@ static double least_place(int degree, double (*q)[3])
     return best;
 }
 
+static double summed_at(int degree, double (*q)[3], double t)
+{
+    double lengths[LENGTH], sum = 0.0;
+    for (int j = 0; j <= degree; j++) {
+        lengths[j] = taut_norm(q[j]);
+    }
+    taut_poly_eval(degree, 1, lengths, t, &sum);
+    return sum;
+}
+
 static double largest_coefficient(int degree, double (*q)[3])
 {
     double most = 0.0;
@@ -78,7 +91,8 @@ int taut_inflections_remove(int degree, double rounding, double (*q)[3], double 
     while (left > 0) {
         const double place = least_place(left, q);
         int k = count;
-        if (!(length_at(left, q, place) <= cut * largest_coefficient(left, q))) {
+        if (!(length_at(left, q, place) <=
+              fmin(cut * largest_coefficient(left, q), cancels * summed_at(left, q, place)))) {
             break;
         }
         taut_poly_deflate(left, 3, &q[0][0], place, &work[0][0]);

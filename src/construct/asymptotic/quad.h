@@ -40,9 +40,6 @@ void taut_quad_leg(const taut_quad *quad, int edge, int end, double leg[3]);
 const double *taut_quad_point(const taut_quad *quad, int edge, int end, int step);
 double taut_quad_weight(const taut_quad *quad, int edge, int end, int step);
 
-/* Derivatives of order 1 and 2 of an edge at its end. */
-void taut_quad_end(const taut_quad *quad, int edge, int end, double d1[3], double d2[3]);
-
 /* Signed torsion tau = det(r', r'', r''') / |r' x r''|^2 at an end, from control points:
  *     (n-2)/n  w0 w3 / (w1 w2)  det(D0, D0^2, D0^3) / |D0 x D0^2|^2                             */
 double taut_quad_torsion(const taut_quad *quad, int edge, int end);
@@ -55,6 +52,10 @@ double taut_quad_rounding(const taut_quad *quad);
 
 /* Raises all four curves to degree n. */
 void taut_quad_raise(taut_quad *quad, int n);
+
+/* Do the two edges at each corner share its point and its weight? TAUT_NO_SOLUTION names the
+ * corner, and the curves that would have to be reversed where that is all there is to it. */
+taut_status taut_quad_check_closed(const taut_quad *quad, taut_error *error);
 
 /* The quadrilateral of given curves: closed, end weights equal, raised to a common degree of at
  * least 3. TAUT_NO_SOLUTION or TAUT_BAD_INPUT say why not. */

@@ -153,6 +153,35 @@ static void test_claims_fail(void)
     taut_model_free(model);
 }
 
+/* Example 1 at 1e6 from the origin in every direction, where points are rounded by 1e-10: what is
+ * wrong by ten thousand times that is told all the same. */
+static void test_far_claims_fail(void)
+{
+    static const struct {
+        const char *claim;
+        change what;
+    } cases[] = {{"boundary", {6, 0, 2, 1e-6}},
+                 {"asymptotic", {6, 1, 2, 1e-6}},
+                 {"asymptotic", {1, 7, 2, 1e-6}},
+                 {"osculating", {12, 5, 2, 1e-6}}};
+    taut_asymptotic_problem problem = asymptotic_example(1, "-+-+");
+    taut_model *model = NULL;
+    for (int k = 0; k < 12; k++) {
+        problem.corners[k / 3][k % 3] += 1e6;
+    }
+    model = asymptotic_make(&problem, "example 1, far");
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        taut_model *wrong = changed(model, &cases[k].what);
+        taut_certificate *certificate = asymptotic_certify(wrong, &problem, "far and wrong");
+        CHECK(holds(model, &problem, cases[k].claim), "%s holds to begin with", cases[k].claim);
+        CHECK(asymptotic_claim(certificate, cases[k].claim)->holds == TAUT_FALSE,
+              "%s is not false, case %zu", cases[k].claim, k);
+        taut_certificate_free(certificate);
+        taut_model_free(wrong);
+    }
+    taut_model_free(model);
+}
+
 /* The problem's data wrong, each by ten times the limit: `boundary` tells. */
 static void test_boundary_reads_the_problem(void)
 {
@@ -245,6 +274,7 @@ int main(void)
     random_seed(7);
     test_identity();
     test_claims_fail();
+    test_far_claims_fail();
     test_boundary_reads_the_problem();
     test_singular();
     test_limits();
