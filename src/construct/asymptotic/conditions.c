@@ -179,7 +179,7 @@ static void factors_text(const taut_quad *quad, double factors[4][TAUT_QUAD_POIN
     for (int e = 0; e < 4 && used < size; e++) {
         used += (size_t)snprintf(text + used, size - used, " %s", taut_asymptotic_edge_name(e));
         for (int j = 0; j < quad->degree - 1 && used < size; j++) {
-            used += (size_t)snprintf(text + used, size - used, " %.5g", factors[e][j]);
+            used += (size_t)snprintf(text + used, size - used, " %.15g", factors[e][j]);
         }
     }
 }
@@ -218,7 +218,7 @@ static taut_status check_torsion(const taut_quad *quad, int c, taut_error *error
                          taut_quad_torsion_rounding(quad, m[0].edge, m[0].end, t0) +
                          taut_quad_torsion_rounding(quad, m[1].edge, m[1].end, t1);
     double factors[4][TAUT_QUAD_POINTS];
-    char text[200] = " none";
+    char text[600] = " none";
     /* torsions that are nothing but rounding next to the size are equal */
     if (fabs(t0 + t1) <= match || size * scale <= 1e-12) {
         return TAUT_OK;
