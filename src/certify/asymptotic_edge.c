@@ -124,11 +124,28 @@ static int is_straight(const taut_asymptotic_model *model, int edge, double most
            off <= 4 * DBL_EPSILON * model->curve_size * taut_norm(chord);
 }
 
+/* The larger end weight over W(t). */
+static double weight_ratio(const taut_curve *curve, double t)
+{
+    const int n = taut_basis_count(taut_curve_t(curve)) - 1;
+    const double *const w = taut_curve_weights(curve);
+    double values[TAUT_DEGREE_MAX + 1], sum = 0.0;
+    if (w == NULL) {
+        return 1.0;
+    }
+    (void)taut_basis_eval(taut_curve_t(curve), 0, t, 0, values);
+    for (int j = 0; j <= n; j++) {
+        sum += w[j] * values[j];
+    }
+    return fmax(w[0], w[n]) / sum;
+}
+
 static void add_sample(const taut_asymptotic_model *model, int edge, double t,
                        const taut_identity *identity, double most, taut_edge_proof *proof)
 {
+    const taut_edge_data data = taut_edge_data_of(model, edge);
     sample s;
-    double b[3], angle[3], k_n = 0.0, k = 0.0, sine = 0.0;
+    double b[3], angle[3], k_n = 0.0, k = 0.0, sine = 0.0, tilt = 0.0;
     take(model, edge, t, &s);
     proof->least_sine = fmin(proof->least_sine, s.sine);
     if (!(s.sine > (proof->covered < 1.0 ? singular_cut : normal_cut))) {
@@ -142,11 +159,15 @@ static void add_sample(const taut_asymptotic_model *model, int edge, double t,
     }
     proof->noise = fmax(proof->noise, noise_of(model, edge, t, &s));
     k = curvature(&s, b);
+    tilt = weight_ratio(model->curves[edge], t) * taut_edge_data_at(&data, identity->degree[3], t) /
+           (taut_norm(s.across) * s.sine);
+    proof->given = fmax(proof->given, k * tilt);
     if (proof->osculating < 0 || !(k > inflection_cut * most)) {
         return;
     }
     taut_cross(s.normal, b, angle);
     sine = taut_norm(angle) / (taut_norm(s.normal) * taut_norm(b));
+    proof->given_sine = fmax(proof->given_sine, tilt);
     proof->noise_sine = fmax(proof->noise_sine, noise_of(model, edge, t, &s) / k);
     if (sine > proof->osculating) {
         proof->osculating = sine;
