@@ -201,6 +201,44 @@ static void test_far_nets(void)
     asymptotic_free_curves(&problem);
 }
 
+/* All weights of a net times one number are the same curves: the claims hold, also of numbers near
+ * the ends of double. Weights that far from those at the corners are refused by name. */
+static void test_weight_scales(void)
+{
+    const lelieuvre net = lelieuvre_random(2);
+    for (int power = -300; power <= 300; power += 150) {
+        taut_asymptotic_problem problem = lelieuvre_problem(&net);
+        const double w = pow(10, power);
+        taut_error error = {.message = ""};
+        taut_model *model = NULL;
+        char what[32];
+        (void)snprintf(what, sizeof what, "weights 1e%d", power);
+        for (int e = 0; e < 4; e++) {
+            const taut_curve *const from = problem.curves[e];
+            const double weights[4] = {w, w, w, w};
+            problem.curves[e] =
+                asymptotic_curve(taut_curve_name(from), 3, taut_curve_points(from), weights);
+            taut_curve_free((taut_curve *)(size_t)from);
+        }
+        model = asymptotic_make(&problem, what);
+        if (model != NULL) {
+            asymptotic_check_claims_or_fold(model, &problem, what);
+        }
+        taut_model_free(model);
+        model = NULL;
+        if (power != 0) {
+            const taut_curve *const from = problem.curves[0];
+            const double weights[4] = {w, 1, 1, w};
+            problem.curves[0] = asymptotic_curve("v0", 3, taut_curve_points(from), weights);
+            taut_curve_free((taut_curve *)(size_t)from);
+            CHECK(taut_asymptotic_make(&problem, NULL, &model, &error) == TAUT_BAD_INPUT &&
+                      strstr(error.message, "of those at the corners") != NULL,
+                  "%s: %s", what, error.message);
+        }
+        asymptotic_free_curves(&problem);
+    }
+}
+
 /* z = xy - x^3/3: the curves y = x^2/2 + c are asymptotic cubics, the lines x = const its rulings.
  * Both patches lie with the surface's tangent planes on the boundary. */
 static void test_ruled(void)
@@ -290,6 +328,7 @@ int main(void)
     test_nets();
     test_flat_edges();
     test_far_nets();
+    test_weight_scales();
     test_ruled();
     test_four_lines();
     return check_failures != 0;
