@@ -1,5 +1,6 @@
 #include "construct/asymptotic/corner_data.h"
 
+#include "construct/asymptotic/end_weights.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -100,12 +101,6 @@ static taut_status check_corners(const taut_asymptotic_problem *problem, taut_er
     return TAUT_OK;
 }
 
-/* End weight of an edge: the first or the last it gives. */
-static double end_weight(const taut_asymptotic_problem *problem, int edge, int end)
-{
-    return problem->edges[edge].weights[end == 0 ? 0 : problem->degree == 3 ? 3 : 1];
-}
-
 taut_status taut_corner_check(const taut_asymptotic_problem *problem, taut_error *error)
 {
     taut_status status = TAUT_OK;
@@ -119,20 +114,7 @@ taut_status taut_corner_check(const taut_asymptotic_problem *problem, taut_error
     if (status == TAUT_OK) {
         status = check_corners(problem, error);
     }
-    for (int c = 0; c < 4 && status == TAUT_OK; c++) {
-        const taut_quad_meeting *const m = taut_quad_corner[c];
-        const double w0 = end_weight(problem, m[0].edge, m[0].end);
-        const double w1 = end_weight(problem, m[1].edge, m[1].end);
-        if (!(fabs(w0 - w1) <= 1e-12 * fmax(w0, w1))) {
-            status = taut_fail(error, TAUT_NO_SOLUTION, "/edges", w0 / w1, 1.0,
-                               "the end weights of %s and %s differ at corner %s (%.6g and %.6g): "
-                               "make them equal",
-                               taut_asymptotic_edge_name(m[0].edge),
-                               taut_asymptotic_edge_name(m[1].edge), taut_asymptotic_corner_name(c),
-                               w0, w1);
-        }
-    }
-    return status;
+    return status == TAUT_OK ? taut_end_weights_of_data(problem, error) : status;
 }
 
 /* A straight edge's legs must point along its chord and be shorter than it. */
@@ -169,7 +151,7 @@ static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, taut
         memcpy(edge->leg[k], leg, sizeof edge->leg[k]);
         memcpy(edge->partner[k], other, sizeof edge->partner[k]);
         taut_cross(leg, other, edge->normal[k]);
-        edge->weight[k] = end_weight(problem, e, k);
+        edge->weight[k] = taut_corner_end_weight(problem, e, k);
         edge->curvature[k] = problem->edges[e].curvature[k];
         sine = taut_norm(edge->normal[k]) / (taut_norm(leg) * taut_norm(other));
         if (!(sine >= least_sine)) {
