@@ -161,8 +161,10 @@ static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, taut
                              taut_asymptotic_edge_name(e), taut_asymptotic_edge_name(f->edge),
                              taut_asymptotic_corner_name(f->corner));
         }
-        edge->bend[k] = log((n - 1.0) / n * edge->weight[k]) + log(taut_norm(edge->normal[k])) -
-                        log(edge->curvature[k]) - 3 * log(taut_norm(leg));
+        /* a logarithm of numbers without unit: far from 1 it would keep fewer digits of them */
+        edge->bend[k] = log((n - 1.0) / n * edge->weight[k] *
+                            (taut_norm(edge->normal[k]) / taut_dot(leg, leg)) /
+                            (edge->curvature[k] * taut_norm(leg)));
     }
     edge->straight = edge->curvature[0] == 0.0;
     return edge->straight ? check_straight(edge, e, error) : TAUT_OK;

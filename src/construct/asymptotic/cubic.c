@@ -239,17 +239,18 @@ static double best_scale(const cubic *c, const taut_curve_rule *rule, int chain)
     double linear = 0.0, square = 0.0;
     for (int e = 0; e < 4; e++) {
         taut_quad_edge made;
+        const double step = taut_distance(c->edges[e].first, c->edges[e].chord_end);
         double slope[2], by_point[TAUT_QUAD_POINTS][3], by_log[TAUT_QUAD_POINTS];
         if (c->edges[e].chain != chain) {
             continue;
         }
         for (int s = 0; s < 2; s++) {
-            place(c, e, s, &made);
+            place(c, e, s * step, &made);
             (void)taut_curve_energy(rule, &made, by_point, by_log);
             slope[s] = taut_dot(by_point[2], c->edges[e].direction);
         }
         linear += c->edges[e].scale * slope[0];
-        square += c->edges[e].scale * c->edges[e].scale * (slope[1] - slope[0]);
+        square += c->edges[e].scale * c->edges[e].scale * (slope[1] - slope[0]) / step;
     }
     return -linear / square;
 }

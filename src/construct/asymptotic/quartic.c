@@ -16,13 +16,14 @@ static const double planar_cut = 1e-12; /* relative: a torsion's numerator that 
 static const int epsilon[4] = {1, -1, -1, 1};
 
 /* (4.1): A_0 + lambda a_0 + mu c_0 = A_1 + nu c_1 + rho a_1, its least-norm solution and its null
- * vector, with each column scaled to length 1 so that the units of the legs do not matter. */
+ * vector, with each column scaled to length 1, and p to the chord's, so that units do not matter.
+ */
 static taut_status fill_line(const taut_corner_edge *edge, int e, taut_quartic_line *line,
                              taut_error *error)
 {
     const double *const columns[4] = {edge->leg[0], edge->partner[0], edge->partner[1],
                                       edge->leg[1]};
-    double a[12], b[3], x[4], null[16], length[4], pivot = 0.0;
+    double a[12], b[3], x[4], null[16], length[4], chord = 0.0, pivot = 0.0;
     for (int k = 0; k < 4; k++) {
         length[k] = taut_norm(columns[k]);
         for (int i = 0; i < 3; i++) {
@@ -36,12 +37,13 @@ static taut_status fill_line(const taut_corner_edge *edge, int e, taut_quartic_l
                          "of its legs or of the legs it meets",
                          taut_asymptotic_edge_name(e));
     }
+    chord = taut_norm(b);
     for (int k = 0; k < 4; k++) {
         line->at[k] = x[k] / length[k];
-        line->along[k] = fabs(null[k]) > ratio_cut ? null[k] / length[k] : 0.0;
+        line->along[k] = fabs(null[k]) > ratio_cut ? null[k] * chord / length[k] : 0.0;
     }
     pivot = fabs(line->at[1] * line->along[2] - line->at[2] * line->along[1]);
-    line->same_ratio = pivot <= ratio_cut * taut_norm(b) / (length[1] * length[2]) ||
+    line->same_ratio = pivot <= ratio_cut * chord * chord / (length[1] * length[2]) ||
                        (line->along[1] == 0.0 && line->along[2] == 0.0);
     return TAUT_OK;
 }
