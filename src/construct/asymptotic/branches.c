@@ -125,8 +125,9 @@ static void raise_branches(const taut_corner_data *data, taut_branches *branches
     }
 }
 
-taut_status taut_branches_find(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
-                               taut_branches *branches, taut_error *error)
+taut_status taut_branches_find(const taut_asymptotic_problem *problem, double rounding,
+                               const taut_monitor *monitor, taut_branches *branches,
+                               taut_error *error)
 {
     const taut_family *family = NULL;
     taut_corner_data *data = NULL;
@@ -136,7 +137,7 @@ taut_status taut_branches_find(const taut_asymptotic_problem *problem, const tau
     branches->count = 0;
     branches->closing = TAUT_CLOSING_NONE;
     if (problem->degree == 3) {
-        return taut_cubic_find(problem, branches, error);
+        return taut_cubic_find(problem, rounding, branches, error);
     }
     status = taut_corner_check(problem, error);
     if (status != TAUT_OK) {
@@ -148,7 +149,7 @@ taut_status taut_branches_find(const taut_asymptotic_problem *problem, const tau
     if (data == NULL || room == NULL) {
         status = taut_fail_memory(error);
     } else {
-        status = taut_corner_data_fill(problem, data, error);
+        status = taut_corner_data_fill(problem, rounding, data, error);
     }
     if (status == TAUT_OK) {
         status = find_with(family, data, room, monitor, branches, error);

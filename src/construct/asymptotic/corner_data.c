@@ -118,7 +118,8 @@ taut_status taut_corner_check(const taut_asymptotic_problem *problem, taut_error
 }
 
 /* A straight edge's legs must point along its chord and be shorter than it. */
-static taut_status check_straight(const taut_corner_edge *edge, int e, taut_error *error)
+static taut_status check_straight(const taut_corner_edge *edge, int e, double rounding,
+                                  taut_error *error)
 {
     double chord[3];
     taut_difference(edge->point[1], edge->point[0], chord);
@@ -126,8 +127,8 @@ static taut_status check_straight(const taut_corner_edge *edge, int e, taut_erro
         const double length = taut_norm(chord), along = taut_dot(edge->leg[k], chord) / length;
         double normal[3];
         taut_cross(edge->leg[k], chord, normal);
-        if (taut_norm(normal) > off_chord * length * taut_norm(edge->leg[k]) || !(along > 0) ||
-            !(along < length)) {
+        if (taut_norm(normal) > (off_chord * length + 4 * rounding) * taut_norm(edge->leg[k]) ||
+            !(along > 0) || !(along < length)) {
             return taut_fail(error, TAUT_NO_SOLUTION, "/edges",
                              taut_norm(normal) / (length * taut_norm(edge->leg[k])), off_chord,
                              "edge %s has curvature 0 at its ends, but leg %d does not lie along "
@@ -138,8 +139,8 @@ static taut_status check_straight(const taut_corner_edge *edge, int e, taut_erro
     return TAUT_OK;
 }
 
-static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, taut_corner_edge *edge,
-                             taut_error *error)
+static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, double rounding,
+                             taut_corner_edge *edge, taut_error *error)
 {
     const int n = problem->degree < 5 ? problem->degree : 5;
     for (int k = 0; k < 2; k++) {
@@ -167,18 +168,19 @@ static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, taut
                             (edge->curvature[k] * taut_norm(leg)));
     }
     edge->straight = edge->curvature[0] == 0.0;
-    return edge->straight ? check_straight(edge, e, error) : TAUT_OK;
+    return edge->straight ? check_straight(edge, e, rounding, error) : TAUT_OK;
 }
 
-taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, taut_corner_data *data,
-                                  taut_error *error)
+taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, double rounding,
+                                  taut_corner_data *data, taut_error *error)
 {
     taut_status status = taut_corner_check(problem, error);
     data->degree = problem->degree < 5 ? problem->degree : 5;
     data->raised = problem->degree;
     data->size = 0.0;
+    data->rounding = rounding;
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
-        status = fill_edge(problem, e, &data->edges[e], error);
+        status = fill_edge(problem, e, rounding, &data->edges[e], error);
         data->size = fmax(data->size, taut_distance(problem->corners[0], problem->corners[e]));
     }
     if (status == TAUT_OK) {

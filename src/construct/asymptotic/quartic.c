@@ -18,8 +18,8 @@ static const int epsilon[4] = {1, -1, -1, 1};
 /* (4.1): A_0 + lambda a_0 + mu c_0 = A_1 + nu c_1 + rho a_1, its least-norm solution and its null
  * vector, with each column scaled to length 1, and p to the chord's, so that units do not matter.
  */
-static taut_status fill_line(const taut_corner_edge *edge, int e, taut_quartic_line *line,
-                             taut_error *error)
+static taut_status fill_line(const taut_corner_edge *edge, int e, double rounding,
+                             taut_quartic_line *line, taut_error *error)
 {
     const double *const columns[4] = {edge->leg[0], edge->partner[0], edge->partner[1],
                                       edge->leg[1]};
@@ -43,8 +43,9 @@ static taut_status fill_line(const taut_corner_edge *edge, int e, taut_quartic_l
         line->along[k] = fabs(null[k]) > ratio_cut ? null[k] * chord / length[k] : 0.0;
     }
     pivot = fabs(line->at[1] * line->along[2] - line->at[2] * line->along[1]);
-    line->same_ratio = pivot <= ratio_cut * chord * chord / (length[1] * length[2]) ||
-                       (line->along[1] == 0.0 && line->along[2] == 0.0);
+    line->same_ratio =
+        pivot <= (ratio_cut * chord + 32 * rounding) * chord / (length[1] * length[2]) ||
+        (line->along[1] == 0.0 && line->along[2] == 0.0);
     return TAUT_OK;
 }
 
@@ -116,10 +117,25 @@ taut_status taut_closing_fail(const taut_corner_data *data, double gap, taut_err
                      exp(gap), exp(fabs(gap) / 8), text);
 }
 
+/* What rounding of the corners leaves of the closing condition: each torsion has the height of a
+ * point over a plane as a factor, and mu, nu where they are fixed follow from the chord. */
+static double closing_noise(const taut_corner_edge *edge, const taut_quartic_line *line,
+                            double rounding)
+{
+    double sum = 0.0;
+    for (int k = 0; k < 2; k++) {
+        sum += taut_norm(edge->normal[k]) / fabs(line->torsion[k]);
+        if (line->along[1] == 0.0 && line->along[2] == 0.0) {
+            sum += 2 / (fabs(line->at[1 + k]) * taut_norm(edge->partner[k]));
+        }
+    }
+    return 32 * rounding * sum;
+}
+
 static taut_status fill_closing(taut_quartic *quartic, taut_error *error)
 {
     int varies = 0;
-    double constant = 0.0, total = 0.0;
+    double constant = 0.0, total = 0.0, noise = 0.0;
     if (!quartic->ring) {
         quartic->closing = TAUT_CLOSING_NONE;
         return TAUT_OK;
@@ -129,13 +145,14 @@ static taut_status fill_closing(taut_quartic *quartic, taut_error *error)
         const double ratio = torsion_ratio(&quartic->data->edges[e], line);
         const int k = fabs(line->along[1]) > 0 || fabs(line->along[2]) > 0;
         const double mu = k ? line->along[1] : line->at[1], nu = k ? line->along[2] : line->at[2];
+        noise += closing_noise(&quartic->data->edges[e], line, quartic->data->rounding);
         constant += epsilon[e] * ratio;
         varies = varies || !line->same_ratio;
         total += line->same_ratio ? epsilon[e] * 2 * log(fabs(nu / mu)) : 0.0;
     }
     quartic->closing_constant = constant;
     quartic->closing = varies ? TAUT_CLOSING_CONSTRAINT : TAUT_CLOSING_IDENTITY;
-    if (!varies && !(fabs(constant + total) <= closing_cut)) {
+    if (!varies && !(fabs(constant + total) <= closing_cut + noise)) {
         return taut_closing_fail(quartic->data, constant + total, error);
     }
     return TAUT_OK;
@@ -150,7 +167,7 @@ taut_status taut_quartic_fill(const taut_corner_data *data, taut_quartic *quarti
     memcpy(quartic->closing_signs, epsilon, sizeof epsilon);
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
         if (!data->edges[e].straight) {
-            status = fill_line(&data->edges[e], e, &quartic->lines[e], error);
+            status = fill_line(&data->edges[e], e, data->rounding, &quartic->lines[e], error);
             fill_torsions(&data->edges[e], &quartic->lines[e]);
         }
     }

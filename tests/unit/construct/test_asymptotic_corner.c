@@ -87,7 +87,7 @@ static void test_quartic_gradient(void)
         taut_error error = {.message = ""};
         double x[8], gradient[8], value = 0.0, unused[8];
         uint64_t noise = (uint64_t)trial + 1;
-        CHECK(taut_corner_data_fill(&problem, &data, &error) == TAUT_OK, "%s", error.message);
+        CHECK(taut_corner_data_fill(&problem, 0.0, &data, &error) == TAUT_OK, "%s", error.message);
         CHECK(taut_quartic_fill(&data, &quartic, &error) == TAUT_OK, "%s", error.message);
         taut_quartic_plan(&quartic, signs, &s);
         s.rule = &data.fine;
