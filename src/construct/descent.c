@@ -83,7 +83,8 @@ static int is_slow(const taut_walk *w)
     const double before = w->past[w->steps % TAUT_WALK_PAST];
 
     return w->steps >= TAUT_WALK_PAST && w->here.residual <= flat_residual &&
-           w->theta <= small_theta && before - area <= slow * w->descent->tolerance * area;
+           w->theta <= fmax(small_theta, taut_film_solver_floor(w->solver)) &&
+           before - area <= slow * w->descent->tolerance * area;
 }
 
 /* Did the step keep what its model promised? Changes theta by how well it did. */

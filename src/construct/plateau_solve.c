@@ -12,6 +12,8 @@
 #include "construct/plateau_solve.h"
 
 #include "construct/descent.h"
+#include "construct/film_band.h"
+#include "construct/plateau_approach.h"
 #include "construct/plateau_directions.h"
 #include "construct/scaling.h"
 #include "core/fail.h"
@@ -208,6 +210,13 @@ static int has_free_edge(const taut_pattern *p)
     return found;
 }
 
+/* Is it worth while to come near along normals first (construct/plateau_approach.h)? */
+static int is_large(const work *w)
+{
+    return w->directions == NULL && w->problem->start == NULL && !w->descent.has_free_edge &&
+           !w->is_rough && !taut_film_band_pays(w->film, &w->pattern);
+}
+
 /* Descends with the film of the moment. */
 static taut_status descend(work *w, taut_error *error)
 {
@@ -356,6 +365,13 @@ static taut_status solve(work *w, double *points, taut_error *error)
         status = find_rule(w, w->net, &area, error);
     }
     w->descent.has_free_edge = has_free_edge(&w->pattern);
+    if (status == TAUT_OK && is_large(w)) {
+        w->descent.work_max = work_least;
+        status =
+            taut_plateau_approach(w->film, &w->form, &w->pattern, w->surface, w->aspect,
+                                  &w->options->monitor, &w->descent, w->net, &w->products, error);
+        w->descent.work_max = 0;
+    }
     if (status == TAUT_OK) {
         status = descend_by_rules(w, error);
     }
