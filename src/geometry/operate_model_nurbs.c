@@ -17,8 +17,7 @@ static void grow(double box[2][3], const double *x)
 
 static double diagonal(double box[2][3])
 {
-    return sqrt(pow(box[1][0] - box[0][0], 2) + pow(box[1][1] - box[0][1], 2) +
-                pow(box[1][2] - box[0][2], 2));
+    return hypot(hypot(box[1][0] - box[0][0], box[1][1] - box[0][1]), box[1][2] - box[0][2]);
 }
 
 enum { SAMPLES = 17 };

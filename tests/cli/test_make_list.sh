@@ -54,7 +54,7 @@ printf '[%s, { "taut": 1, "construct": "dirichlet", "u": { "type": "bezier", "de
   "points": [[null, null], [null, null]] }]\n' "$(problem 1)" > list.json
 refused 4 'list\.json: /1/points: no point of the net is known' make list.json -o all.json -o m.obj
 printf '[]' > list.json
-refused 3 'found an array of 0' make list.json -o all.json
+refused 3 'found an empty array' make list.json -o all.json
 printf '[[%s]]' "$(problem 1)" > list.json
 refused 3 '/0: found an array' make list.json -o all.json
 list 1 2 > list.json
