@@ -51,6 +51,34 @@ double taut_pipe_canal_miss(const taut_pipe_parts *parts, const double x[3], dou
 /* Area and volume by their closed forms. */
 void taut_pipe_canal_measures(const taut_pipe_parts *parts, double *area, double *volume);
 
+/* Two surfaces at the end `side` of the blend and its straight pipe, as a claim that is made: the
+ * residual, what rounding leaves of it, and where. */
+typedef struct taut_pipe_meeting {
+    double residual, noise;
+    char where[64];
+} taut_pipe_meeting;
+
+/* The larger of gap over radius and sine between the normals; jumps of principal curvatures. */
+void taut_pipe_meet(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
+void taut_pipe_meet_curved(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
+
+/* The foot of a local point on the axis, sought from parameter `t` of the curve, and the way from
+ * it. */
+void taut_pipe_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
+                    double *at_s, double offset[3]);
+void taut_pipe_to_local(const taut_pipe_line *line, const double x[3], double local[3]);
+
+/* Surface and curve of a name, or NULL. */
+const taut_surface *taut_pipe_surface(const taut_model *model, const char *name);
+const taut_curve *taut_pipe_curve(const taut_model *model, const char *name);
+/* sizes, of one more surface. */
+void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts);
+/* Is this the model of a run? Its certificate. */
+int taut_pipe_is_run(const taut_model *model);
+taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_problem *problem,
+                                  const taut_certify_options *options,
+                                  taut_certificate *certificate, taut_error *error);
+
 /* The claims: pipe_tube.c, pipe_curvature.c, pipe_ends.c. Each adds one, or returns TAUT_NO_MEMORY.
  */
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
@@ -59,6 +87,9 @@ taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
                                       taut_certificate *certificate);
 taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
                                  taut_certificate *certificate);
+/* `caps`, where there are any, over the free ends of the first and the last surface. */
+taut_status taut_pipe_claim_caps(const taut_model *model, const taut_pipe_parts *parts,
+                                 const taut_surface *const ends[2], taut_certificate *certificate);
 taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate *certificate);
 taut_status taut_pipe_claim_optimal(const taut_pipe_parts *parts, taut_certificate *certificate,
                                     taut_error *error);
