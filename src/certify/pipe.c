@@ -151,8 +151,11 @@ static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
         taut_record_add_number(figures, "area", measures[0]);
         taut_record_add_number(figures, "volume", measures[1]);
     } else if (parts->sections[0].a > 0) {
+        taut_record_add_number(figures, "area", taut_pipe_section_area(parts));
         taut_record_add_number(figures, "volume", taut_pipe_section_volume(parts));
-        taut_record_add_number(figures, "section_turn", parts->turn);
+        if (!parts->unlike) {
+            taut_record_add_number(figures, "section_turn", parts->turn);
+        }
     } else {
         taut_record_add_number(figures, "area", 2 * pi * a * length);
         taut_record_add_number(figures, "volume", pi * a * a * length);

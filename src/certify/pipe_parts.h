@@ -17,6 +17,7 @@ typedef struct taut_pipe_parts {
     double radius; /* the user's unit; with sections, of the circle around the larger */
     taut_pipe_section sections[2]; /* a of the first 0: round */
     double flatness;               /* the largest semi-axis over the smallest; 1 for round ones */
+    int unlike;                    /* nonzero: sections are circles of unlike radii */
     int canal;                     /* nonzero: sections are of a canal surface, a = b = r */
     double turn;                   /* psi at the end */
     double (*frames)[3];           /* U along the pieces (pipe_section.c) */
@@ -41,8 +42,12 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
  * it is from the axis there, local. */
 double taut_pipe_section_miss(const taut_pipe_parts *parts, int piece, double s,
                               const double offset[3]);
-/* pi times the integral of a b along the axis. */
+/* pi times the integral of a b along the axis; the area, by quadrature both ways. */
 double taut_pipe_section_volume(const taut_pipe_parts *parts);
+double taut_pipe_section_area(const taut_pipe_parts *parts);
+/* U, W and dT/ds at parameter s of a piece. */
+void taut_pipe_section_frame(const taut_pipe_parts *parts, int piece, double s, double u[3],
+                             double w[3], double turn[3]);
 
 /* How far a point (local) is from the canal surface, over the radius: |x - P(t)| - r(t) at its
  * least, sought from t; *convex is how it bends there, over |P'|^2 / |x - P|, 0 on a crease. */

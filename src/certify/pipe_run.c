@@ -121,6 +121,18 @@ static taut_pipe_parts joint_of(const taut_pipe_run_parts *run, int i, int *side
     return joint;
 }
 
+/* What rounding of blend `next` adds to the jump of curvatures from blend i. */
+static double noise_of_other(const taut_pipe_run_parts *run, int i, int next)
+{
+    taut_pipe_parts joint = run->parts;
+    taut_pipe_meeting m;
+    joint.blend = run->surfaces[next];
+    joint.pipes[0] = run->surfaces[i];
+    taut_pipe_run_tangent(run, next, 0, joint.line.tangent[0]);
+    taut_pipe_meet_curved(&joint, 0, &m);
+    return m.noise;
+}
+
 /* The joint that is worst against what rounding explains. */
 static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
                                 taut_certificate *certificate)
@@ -137,6 +149,9 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
         int side = 0;
         const taut_pipe_parts joint = joint_of(run, i, &side);
         (curved ? taut_pipe_meet_curved : taut_pipe_meet)(&joint, side, &m);
+        if (curved && side == 1 && taut_pipe_is_blend(run, next)) { /* both are rounded */
+            m.noise += noise_of_other(run, i, next);
+        }
         if (!curved) {
             m.residual = fmax(m.residual, gap * line->scale / run->parts.radius);
         }

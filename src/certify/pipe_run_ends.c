@@ -103,9 +103,6 @@ taut_status taut_pipe_claim_run_ends(const taut_pipe_run_parts *run, taut_certif
     int i = 0, blends = 0;
     char where[48] = "";
 
-    if (p->axis == TAUT_PIPE_CORNERS && p->closed) { /* begin at a corner that turns */
-        (void)next_leg(p, &i);
-    }
     leg before = {.from = NULL}, after = {.from = NULL};
     for (int k = 0; k < run->count && !single; k++) {
         if (!taut_pipe_is_blend(run, k)) {

@@ -146,7 +146,9 @@ static void refine_pair(axis *a, const int arc[2], const double start[2])
 
 static double sample_distance(const axis *a, int i, int j)
 {
-    return taut_distance(a->samples[i], a->samples[j]);
+    double d[3];
+    taut_difference(a->samples[i], a->samples[j], d);
+    return sqrt(taut_dot(d, d)); /* at unit size nothing overflows, and what vanishes is 0 */
 }
 
 /* Is pair (i, j) no farther than its neighbours on the grid? */
@@ -176,6 +178,45 @@ static double longest_step(const axis *a, int k)
     return longest;
 }
 
+/* No curvature at all: a line run through evenly. */
+static int is_line(const taut_pipe_arc *arc)
+{
+    double most = 0;
+    for (int i = 0; i < 3 * (2 * arc->degree - 3); i++) {
+        most = fmax(most, fabs(arc->cross[i / 3][i % 3]));
+    }
+    return arc->degree == 2 && most == 0;
+}
+
+/* Two lines: their distance is least inside both, or at an end of one, at the foot on the other. */
+static void line_with_line(axis *a, int k, int l)
+{
+    const taut_pipe_arc *p = &a->composite->arcs[k], *q = &a->composite->arcs[l];
+    double d[3], e[3], w[3], places[5][2];
+    taut_difference(p->points[2], p->points[0], d);
+    taut_difference(q->points[2], q->points[0], e);
+    taut_difference(q->points[0], p->points[0], w);
+    const double dd = taut_dot(d, d), de = taut_dot(d, e), ee = taut_dot(e, e);
+    const double dw = taut_dot(d, w), ew = taut_dot(e, w), det = dd * ee - de * de;
+    places[0][0] = det > 0 ? clamp((dw * ee - de * ew) / det, 0, 1) : 0;
+    places[0][1] = clamp((places[0][0] * de - ew) / ee, 0, 1);
+    for (int end = 0; end < 2; end++) {
+        places[1 + end][0] = end;
+        places[1 + end][1] = clamp((end * de - ew) / ee, 0, 1);
+        places[3 + end][0] = clamp((end * de + dw) / dd, 0, 1);
+        places[3 + end][1] = end;
+    }
+    for (int i = 0; i < 5; i++) {
+        const double from = length_at(a, k, places[i][0]), to = length_at(a, l, places[i][1]);
+        double apart[3] = {w[0], w[1], w[2]};
+        taut_add_scaled(places[i][1], e, apart);
+        taut_add_scaled(-places[i][0], d, apart);
+        if (separation(a, from, to) >= a->apart) {
+            offer(a, taut_norm(apart), from, to);
+        }
+    }
+}
+
 static void arc_with_arc(axis *a, int k, int l)
 {
     const int row = a->per_arc + 1, arc[2] = {k, l};
@@ -183,6 +224,12 @@ static void arc_with_arc(axis *a, int k, int l)
     const double slack = longest_step(a, k) + longest_step(a, l);
     const double gap = taut_distance(a->balls[k], a->balls[l]) - a->balls[k][3] - a->balls[l][3];
     if (gap >= a->best) {
+        return;
+    }
+    if (is_line(&a->composite->arcs[k]) && is_line(&a->composite->arcs[l])) {
+        if (k != l) {
+            line_with_line(a, k, l);
+        }
         return;
     }
     for (int i = k * row; i < (k + 1) * row; i++) {
