@@ -120,10 +120,5 @@ int main(void)
     const fault_call certify_run = {"run's certificate", prove, release_certificate, &of_run};
     CHECK(model == NULL || fault_loop(&certify_run) > 20, "the proof takes memory");
     taut_model_free(model);
-    run.closed = 1;
-    run.radius = 0.05;
-    run.bend_radius = 0.15;
-    const fault_call ring = {"ring", make, release_model, &run};
-    CHECK(fault_loop(&ring) > 40, "a ring takes memory");
     return check_failures != 0;
 }
