@@ -17,7 +17,7 @@ layers=("$@")
 # A child that ends by _exit would lose its counts.
 mkdir -p "$build"
 cat > "$build/count_at_exit.h" <<'END'
-#include <unistd.h>
+extern void _exit(int) __attribute__((noreturn));
 extern void __gcov_dump(void);
 static inline __attribute__((noreturn, unused)) void count_and_exit(int code)
 {
@@ -27,7 +27,7 @@ static inline __attribute__((noreturn, unused)) void count_and_exit(int code)
 #define _exit(code) count_and_exit(code)
 END
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
-    -DCMAKE_C_FLAGS="-O1 --coverage -fprofile-update=atomic -D_GNU_SOURCE= -include $build/count_at_exit.h" \
+    -DCMAKE_C_FLAGS="-O1 --coverage -fprofile-update=atomic -include $build/count_at_exit.h" \
     > "$build.log" 2>&1 && cmake --build "$build" >> "$build.log" 2>&1 || { tail -n 20 "$build.log"; exit 1; }
 find "$build" -name '*.gcda' -delete
 ctest --test-dir "$build" -E '^tools/' -j "$(nproc)" > "$build/tests.log" 2>&1 || sed -n '/tests FAILED/,$p' "$build/tests.log"

@@ -1,11 +1,11 @@
 #!/bin/bash
-# fuzz.sh [SECONDS [TARGET...]] -- runs the fuzz targets of build/sanitize (or those named) for so long in all (default 150 s of the
+# fuzz.sh [SECONDS [TARGET...]] -- runs the fuzz targets of build/sanitize (or those named) for so long in all (default 300 s of the
 # clock, by FUZZ_SECONDS): as many at a time as there are processors, each its share, from its committed corpus and what was found
 # before; `problems` in longer runs also from the examples. An input that crashes is kept in build/fuzz/<target>/, to be added to
 # tests/fuzz/corpus/<target>/ with the mend.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-total=${1:-${FUZZ_SECONDS:-150}}
+total=${1:-${FUZZ_SECONDS:-300}}
 shift
 targets=("$@")
 if [ ${#targets[@]} -eq 0 ]; then

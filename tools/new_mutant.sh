@@ -1,5 +1,6 @@
 #!/bin/sh
 # new_mutant.sh NAME CAUGHT-BY WHAT -- keeps the uncommitted change of src/ as tests/mutants/NAME.patch and undoes it.
+# It must compile without a warning: what a compiler notices needs no test.
 set -eu
 cd "$(dirname "$0")/.."
 if [ $# -ne 3 ] || git diff --quiet -- src; then

@@ -69,8 +69,8 @@ static int is_taken(const taut_outputs *outputs, const taut_staged *staged)
 }
 
 /* A new output, in the list and open. */
-static taut_status stage(taut_outputs *outputs, const char *path, int needs_name,
-                         taut_staged **staged, taut_error *error)
+static taut_status stage(taut_outputs *outputs, const char *path, taut_staged **staged,
+                         taut_error *error)
 {
     taut_staged *made = NULL;
     taut_status status = taut_staged_new(path, &made, error);
@@ -84,7 +84,6 @@ static taut_status stage(taut_outputs *outputs, const char *path, int needs_name
         taut_staged_free(made);
         return status;
     }
-    made->needs_name = needs_name;
     made->next = atomic_load(&outputs->first);
     atomic_store(&outputs->first, made);
     status = taut_staged_open(made, error);
@@ -116,12 +115,13 @@ static taut_status write_by_path(taut_staged *staged, const taut_format_ops *ops
                                  const taut_model *model, const taut_write_options *options,
                                  taut_error *error)
 {
+    char own[TAUT_STAGED_ROOM];
     if (staged->kind != TAUT_TARGET_FILE) {
         return taut_fail(error, TAUT_IO, NULL, taut_none, taut_none,
                          "%.200s is no regular file: this format can be written to nothing else",
                          staged->path);
     }
-    return ops->write_path(model, options, staged->temporary, error);
+    return ops->write_path(model, options, taut_staged_path(staged, own), error);
 }
 
 /* The format of the path; NULL, and then *error says so. */
@@ -178,7 +178,7 @@ static taut_status write_models(taut_outputs *outputs, int count, const taut_mod
         status = taut_format_check(models[i], options, error);
     }
     if (status == TAUT_OK) {
-        status = stage(outputs, path, !together && ops->write == NULL, &staged, error);
+        status = stage(outputs, path, &staged, error);
     }
     if (status != TAUT_OK) {
         return status;
@@ -227,7 +227,7 @@ taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "an output needs a record and a path");
     }
-    status = stage(outputs, path, 0, &staged, error);
+    status = stage(outputs, path, &staged, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -247,7 +247,7 @@ taut_status taut_outputs_text(taut_outputs *outputs, const char *text, size_t le
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
                          "an output needs a text and a path");
     }
-    status = stage(outputs, path, 0, &staged, error);
+    status = stage(outputs, path, &staged, error);
     if (status != TAUT_OK) {
         return status;
     }

@@ -122,7 +122,7 @@ static int open_named(taut_staged *staged, int *reason)
 static taut_status open_temporary(taut_staged *staged, taut_error *error)
 {
     int reason = 0;
-    int file = staged->needs_name ? -1 : open_nameless(staged->temporary);
+    int file = open_nameless(staged->temporary);
     /* kept open past the stream, as without a name nothing else holds the file */
     const int kept = file >= 0 ? fcntl(file, F_DUPFD_CLOEXEC, 3) : -1;
 
@@ -147,12 +147,21 @@ static taut_status open_temporary(taut_staged *staged, taut_error *error)
     return TAUT_OK;
 }
 
+const char *taut_staged_path(const taut_staged *staged, char own[TAUT_STAGED_ROOM])
+{
+    if (staged->nameless <= 0) {
+        return staged->temporary;
+    }
+    snprintf(own, TAUT_STAGED_ROOM, "/proc/self/fd/%d", staged->nameless);
+    return own;
+}
+
 /* Names the file that has none `temporary`. Returns errno, or 0. */
 static int give_name(taut_staged *staged)
 {
-    char own[SUFFIX_ROOM];
+    char room[TAUT_STAGED_ROOM];
+    const char *own = taut_staged_path(staged, room);
     int reason = EEXIST;
-    snprintf(own, sizeof own, "/proc/self/fd/%d", staged->nameless);
     for (int i = 0; i < TRIES && reason == EEXIST; i++) {
         reason = name_temporary(staged->temporary);
         if (reason == 0) {

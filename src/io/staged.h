@@ -17,6 +17,8 @@
 
 typedef enum taut_target { TAUT_TARGET_FILE, TAUT_TARGET_DEVICE, TAUT_TARGET_STANDARD } taut_target;
 
+enum { TAUT_STAGED_ROOM = 32 };
+
 typedef struct taut_staged {
     struct taut_staged *next;
     taut_target kind;
@@ -25,7 +27,6 @@ typedef struct taut_staged {
     char *temporary;               /* of a file; else NULL */
     volatile sig_atomic_t pending; /* nonzero: `temporary` may be there and is to be removed */
     int is_ready;                  /* nonzero: written whole, not yet in place */
-    int needs_name;                /* nonzero: somebody else opens `temporary` to write it */
     int nameless;                  /* descriptor that keeps a file without a name; 0: none */
     FILE *file;                    /* while it is written */
     char *spool;                   /* what is to be sent; from open_memstream */
@@ -36,6 +37,9 @@ typedef struct taut_staged {
 taut_status taut_staged_new(const char *path, taut_staged **staged, taut_error *error);
 /* Makes the temporary file, or the spool: staged->file is open. */
 taut_status taut_staged_open(taut_staged *staged, taut_error *error);
+/* Where somebody else may open the new file of a TAUT_TARGET_FILE to write it, in this process or a
+ * child of it: its temporary name, or a path in `own` while it has none. */
+const char *taut_staged_path(const taut_staged *staged, char own[TAUT_STAGED_ROOM]);
 /* Closes it; from here on it is ready. Errors of writing are seen here at the latest. */
 taut_status taut_staged_close(taut_staged *staged, taut_error *error);
 /* Puts it in its place. */

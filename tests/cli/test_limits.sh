@@ -66,6 +66,9 @@ curve "$line" > line.json
 refused 2 '2 to 20000$' measure line.json --grid 20001
 refused 2 '1 to 256$' measure line.json --threads 257
 refused 2 '1 to 1000$' convert line.json -o x.obj --divide 1001
+refused 2 '1 to 100$' convert line.json -o x.svg --isolines 101
+refused 2 '1 to 100$' convert line.json -o x.svg --reflections 101
+refused 2 '16 to 2400$' convert line.json -o x.svg --width 2401
 refused 2 'from 1e-14 to 1$' convert line.json -o x.obj --tolerance 1e-15
 # shellcheck disable=SC2046
 refused 2 'more than 4096 times' eval line.json $(awk 'BEGIN { for (i = 0; i <= 4096; i++) printf "--at 0 " }')

@@ -58,9 +58,9 @@ refused 5 'nowhere' make problem.json --quiet -o old/model.json -o nowhere/model
 [ "$(cat old/model.json)" = old ] || complain "a file was replaced although another could not be written"
 
 # Stopped half way: one output is written but not yet in place, the next waits for a reader who never comes.
-stop() { # stop SIGNAL EXPECTED-EXIT
+stop() { # stop SIGNAL EXPECTED-EXIT SECOND-OUTPUT
     mkfifo slow.ply
-    "$TAUT" make problem.json --quiet -o first.json -o second.obj -o slow.ply 2> err.txt &
+    "$TAUT" make problem.json --quiet -o first.json -o "$3" -o slow.ply 2> err.txt &
     pid=$!
     tries=0
     # both outputs are being written when it holds two files without a name, or two with a hidden one
@@ -75,14 +75,15 @@ stop() { # stop SIGNAL EXPECTED-EXIT
     code=$?
     [ $code = "$2" ] || complain "SIG$1: exit $code, expected $2"
     rm -f slow.ply
-    absent first.json second.obj
+    absent first.json "$3"
 }
-stop INT 130
-stop TERM 143
-stop HUP 129
+stop INT 130 second.obj
+stop TERM 143 second.obj
+stop HUP 129 second.obj
 
 # Even where no handler can run nothing is left, if the system has files without a name.
 if python3 -c 'import os; os.open(".", os.O_TMPFILE | os.O_WRONLY)' 2> /dev/null; then
-    stop KILL 137
+    stop KILL 137 second.obj
+    "$TAUT" make problem.json --quiet -o whole.step 2> /dev/null && stop KILL 137 second.step # another library writes it
 fi
 finish

@@ -111,6 +111,21 @@ static void test_never_committed(void)
     empty_folder();
 }
 
+/* A target that turned into a folder cannot be replaced: the file has its passing name by then, and
+ * loses it again. */
+static void test_target_became_folder(void)
+{
+    taut_outputs *outputs = new_outputs();
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
+    CHECK(mkdir(in_folder("a"), 0700) == 0, "mkdir");
+    CHECK(taut_outputs_commit(outputs, &error) == TAUT_IO, "commit");
+    CHECK(strstr(error.message, in_folder("a")) != NULL, "\"%s\"", error.message);
+    taut_outputs_free(outputs);
+    CHECK(entries() == 1, "%d entries", entries());
+    CHECK(rmdir(in_folder("a")) == 0, "rmdir");
+}
+
 /* A device that is full is found before any file appears. */
 static void test_full_device(void)
 {
@@ -244,25 +259,20 @@ static void test_standard_output(void)
     empty_folder();
 }
 
+/* Open at both ends and never waiting, so that a fifo nothing is written to fails at once. */
 static void test_fifo(void)
 {
     char found[16] = "";
-    pid_t child = 0;
-    FILE *file = NULL;
+    taut_outputs *outputs = new_outputs();
+    int file = -1;
     CHECK(mkfifo(in_folder("fifo"), 0600) == 0, "fifo");
-    child = fork();
-    if (child == 0) {
-        taut_outputs *outputs = new_outputs();
-        const int good = put(outputs, "through", in_folder("fifo")) == TAUT_OK &&
-                         taut_outputs_commit(outputs, NULL) == TAUT_OK;
-        taut_outputs_free(outputs);
-        _exit(good ? 0 : 1);
-    }
-    file = fopen(in_folder("fifo"), "r");
-    CHECK(fgets(found, sizeof found, file) != NULL && strcmp(found, "through") == 0, "\"%s\"",
+    file = open(in_folder("fifo"), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    CHECK(file >= 0 && put(outputs, "through", in_folder("fifo")) == TAUT_OK, "put");
+    CHECK(taut_outputs_commit(outputs, NULL) == TAUT_OK, "commit");
+    CHECK(read(file, found, sizeof found - 1) == 7 && strcmp(found, "through") == 0, "\"%s\"",
           found);
-    fclose(file);
-    waitpid(child, NULL, 0);
+    taut_outputs_free(outputs);
+    close(file);
     empty_folder();
 }
 
@@ -337,6 +347,7 @@ int main(void)
     }
     test_together();
     test_never_committed();
+    test_target_became_folder();
     test_full_device();
     test_no_space();
     test_refused_paths();
