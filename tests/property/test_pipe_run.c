@@ -324,8 +324,7 @@ static void test_joints(void)
               joints->residual, joints->where);
         CHECK(r.problem.joint == TAUT_PIPE_TANGENT ||
                   (curvatures->residual < 1e-13 && curvatures->holds == TAUT_TRUE),
-              "trial %d: %g %s", trial, curvatures != NULL ? curvatures->residual : 0,
-              curvatures != NULL ? curvatures->where : "");
+              "trial %d: %g %s", trial, curvatures->residual, curvatures->where);
         CHECK(pipe_claim(certificate, "ends")->holds == TAUT_TRUE, "trial %d: %g", trial,
               pipe_claim(certificate, "ends")->residual);
         taut_certificate_free(certificate);
@@ -385,6 +384,9 @@ static void test_holonomy(void)
         double d[LEGS][3], u[3] = {0, 0, 0}, w[3], start[3];
         random_run(2, &r);
         taut_model *model = made(&r, 1e-2);
+        if (model == NULL) {
+            continue;
+        }
         const int count = r.problem.leg_count;
         for (int i = 0; i < count; i++) {
             taut_difference(r.legs[(i + 1) % count].from, r.legs[i].from, d[i]);
@@ -419,6 +421,9 @@ static void test_scale_and_shift(void)
         random_run(3 - trial % 4, &r);
         taut_model *model = made(&r, 1e-2);
         taut_certificate *here = pipe_proved(model, &r.problem, 1e-2);
+        if (model == NULL || here == NULL) {
+            continue;
+        }
         for (size_t i = 0; i < sizeof moves / sizeof moves[0]; i++) {
             const double scale = moves[i][0];
             other = r;
@@ -438,7 +443,7 @@ static void test_scale_and_shift(void)
                            (trial % 4 == 0 ? 1e-4 : 2e-8) * value, "trial %d, move %zu: %s", trial,
                            i, names[k]);
             }
-            for (int k = 0; k < taut_certificate_claim_count(there); k++) {
+            for (int k = 0; there != NULL && k < taut_certificate_claim_count(there); k++) {
                 const taut_claim *claim = taut_certificate_claim(there, k);
                 CHECK(claim->holds != TAUT_FALSE, "trial %d, move %zu: %s %g, limit %g", trial, i,
                       claim->claim, claim->residual, claim->limit);

@@ -39,26 +39,29 @@ taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, co
 
 double pipe_figure(const taut_certificate *certificate, const char *name)
 {
-    return taut_record_number(taut_record_get(taut_certificate_figures(certificate), name));
+    return certificate != NULL
+               ? taut_record_number(taut_record_get(taut_certificate_figures(certificate), name))
+               : (double)NAN;
 }
 
 const taut_claim *pipe_claim(const taut_certificate *certificate, const char *name)
 {
-    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+    static const taut_claim missing = {
+        .claim = "", .residual = INFINITY, .holds = TAUT_UNDECIDED, .where = "missing"};
+    for (int i = 0; certificate != NULL && i < taut_certificate_claim_count(certificate); i++) {
         const taut_claim *claim = taut_certificate_claim(certificate, i);
         if (strcmp(claim->claim, name) == 0) {
             return claim;
         }
     }
-    return NULL;
+    return &missing;
 }
 
 taut_verdict pipe_verdict(const taut_model *model, const taut_pipe_problem *problem,
                           const char *name)
 {
     taut_certificate *certificate = pipe_proved(model, problem, 1e-6);
-    const taut_claim *claim = pipe_claim(certificate, name);
-    const taut_verdict holds = claim != NULL ? claim->holds : TAUT_UNDECIDED;
+    const taut_verdict holds = pipe_claim(certificate, name)->holds;
     taut_certificate_free(certificate);
     return holds;
 }

@@ -13,7 +13,7 @@ taut_certificate *pipe_proved(const taut_model *model, const taut_pipe_problem *
 taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, const char *words);
 
 double pipe_figure(const taut_certificate *certificate, const char *name);
-/* NULL where there is no such claim. */
+/* An undecided one where there is no such claim. */
 const taut_claim *pipe_claim(const taut_certificate *certificate, const char *name);
 /* Of a model made to 1e-6; TAUT_UNDECIDED where there is no such claim. */
 taut_verdict pipe_verdict(const taut_model *model, const taut_pipe_problem *problem,

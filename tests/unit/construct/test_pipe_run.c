@@ -26,7 +26,7 @@ static taut_pipe_problem run_of(taut_pipe_axis axis, const taut_pipe_leg *legs, 
 static void names_are(const taut_model *model, const char *const *names)
 {
     int i = 0;
-    for (; names[i] != NULL; i++) {
+    for (; model != NULL && names[i] != NULL; i++) {
         const taut_surface *surface = taut_model_surface(model, i);
         char axis[64];
         CHECK(surface != NULL && strcmp(taut_surface_name(surface), names[i]) == 0, "%s is there",
@@ -36,13 +36,13 @@ static void names_are(const taut_model *model, const char *const *names)
                   strcmp(taut_curve_name(taut_model_curve(model, i)), axis) == 0,
               "%s is there", axis);
     }
-    CHECK(taut_model_surface_count(model) == i, "%d surfaces", taut_model_surface_count(model));
+    CHECK(model != NULL && taut_model_surface_count(model) == i, "%d surfaces", i);
 }
 
 static void all_hold(const taut_model *model, const taut_pipe_problem *problem, const char *what)
 {
     taut_certificate *certificate = pipe_proved(model, problem, 1e-6);
-    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+    for (int i = 0; certificate != NULL && i < taut_certificate_claim_count(certificate); i++) {
         const taut_claim *claim = taut_certificate_claim(certificate, i);
         CHECK(claim->holds == TAUT_TRUE, "%s: %s, %g, limit %g, %s", what, claim->claim,
               claim->residual, claim->limit, claim->where);
@@ -108,7 +108,7 @@ static void test_bend_radius(void)
         problem.bend_radius = error.limit; /* the leg is used up: no straight pipe between */
         problem.radius = 0.1 * error.limit;
         model = pipe_made(&problem, 1e-6);
-        CHECK(taut_model_surface_count(model) == 4, "elbow on elbow");
+        CHECK(model != NULL && taut_model_surface_count(model) == 4, "elbow on elbow");
         if (problem.joint == TAUT_PIPE_TANGENT) { /* else rounding counts over the first rings */
             all_hold(model, &problem, "elbow on elbow");
         }
@@ -230,13 +230,38 @@ static void test_false_claims(void)
     taut_model_free(model);
 }
 
+/* A free end that comes near the side of another pipe is a point of the axis like any other. */
+static void test_free_end(void)
+{
+    const taut_pipe_leg hook[] = {{.from = {0, 0, 0}},
+                                  {.from = {4, 0, 0}},
+                                  {.from = {4, 4, 0}},
+                                  {.from = {2, 4, 0}},
+                                  {.from = {2, 0.5, 0}}};
+    taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, hook, 5);
+    problem.bend_radius = 0.6;
+    taut_model *model = pipe_made(&problem, 1e-3);
+    taut_certificate *certificate = pipe_proved(model, &problem, 1e-3);
+    CHECK_NEAR(pipe_figure(certificate, "largest_radius"), 0.25, 1e-12, "half the way to the side");
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+    problem.radius = 0.26;
+    const taut_error error = pipe_refused(&problem, TAUT_NO_SOLUTION, "SELF_INTERSECT_GLOBAL");
+    CHECK_NEAR(error.limit, 0.25, 1e-12, "half the way to the side");
+    CHECK(strstr(error.message, "pipe1") != NULL && strstr(error.message, "pipe4") != NULL, "%s",
+          error.message);
+}
+
 /* Every edge between two welded vertices lies in two triangles that run through it oppositely:
  * closed; and what they enclose. */
 static double enclosed(const taut_model *model, const char *what)
 {
     const taut_mesh_options options = {.tolerance = 2e-3};
     taut_mesh *mesh = NULL;
-    CHECK(taut_mesh_new(model, &options, &mesh, NULL) == TAUT_OK, "%s: mesh", what);
+    if (model == NULL || taut_mesh_new(model, &options, &mesh, NULL) != TAUT_OK) {
+        CHECK(0, "%s: no mesh", what);
+        return 0;
+    }
     const size_t count = taut_mesh_vertex_count(mesh);
     const uint32_t *weld = taut_mesh_welded(mesh), *triangles = taut_mesh_triangles(mesh);
     int *next = calloc(8 * count, sizeof *next);
@@ -311,6 +336,7 @@ int main(void)
     test_refusals();
     test_bad_numbers();
     test_false_claims();
+    test_free_end();
     test_meshes();
     return check_failures != 0;
 }
