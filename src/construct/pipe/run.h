@@ -23,6 +23,7 @@ typedef struct taut_pipe_elbow {
     taut_pipe_problem problem;
     taut_pipe_task task;
     char name[24];
+    double cosine;   /* of its turn, at a corner */
     double first[3]; /* the frame's vector at its start, */
     double turn;     /* and the angle it turns about the rotation-minimising one on the way */
     taut_pipe_blend blend;

@@ -16,6 +16,7 @@
 /* Sine of a turn that is none; over the radius, a straight pipe that is none, and what is left of a
  * leg when its elbows take all of it. */
 static const double turns_not = 1e-9, no_length = 1e-6, nothing_left = 1e-8;
+static const double same_turn = 1e-12; /* of its cosine */
 static const double bend_of_corners = 3;
 static const double unit_radius = 0x1p-20; /* of an elbow with handles of 1, to choose its shape */
 
@@ -235,12 +236,22 @@ static void join_legs(taut_pipe_run *run, int *places)
     run->elbow_count = kept - (run->closed ? 0 : 1);
 }
 
-/* The elbow with handles of 1: its shape, chosen or given, and its largest curvature. */
+static void take_shape(taut_pipe_elbow *e, const double shape[3])
+{
+    e->problem.shape = TAUT_PIPE_SHAPE_GIVEN;
+    e->problem.alpha = shape[0];
+    e->problem.beta = shape[1];
+    e->problem.gamma = shape[2];
+}
+
+/* The elbow with handles of 1: its shape, given, chosen, or that of an earlier one with the same
+ * turn, and its largest curvature. */
 static taut_status try_elbow(taut_pipe_run *run, int i, double *curvature, taut_error *error)
 {
     taut_pipe_elbow *const e = &run->elbows[i];
     const double *a = run->straights[i].direction;
     const double *b = run->straights[(i + 1) % run->straight_count].direction;
+    const double cosine = taut_dot(a, b);
     taut_status status = TAUT_OK;
     begin_elbow(run, i);
     e->problem.axis = TAUT_PIPE_POLYGON;
@@ -250,7 +261,13 @@ static taut_status try_elbow(taut_pipe_run *run, int i, double *curvature, taut_
         e->problem.polygon[0][k] = -a[k];
         e->problem.polygon[3][k] = b[k];
     }
+    for (int j = 0; j < i && e->problem.shape != TAUT_PIPE_SHAPE_GIVEN; j++) {
+        if (fabs(run->elbows[j].cosine - cosine) <= same_turn) {
+            take_shape(e, run->elbows[j].task.shape);
+        }
+    }
     status = settle(run, e, NULL, error);
+    e->cosine = cosine;
     *curvature = e->task.bend.curvature / e->task.scale;
     return status;
 }
@@ -282,10 +299,7 @@ static taut_status place_elbow(taut_pipe_run *run, int i, double handle, const d
     taut_status status = TAUT_OK;
     begin_elbow(run, i);
     e->problem.axis = TAUT_PIPE_POLYGON;
-    e->problem.shape = TAUT_PIPE_SHAPE_GIVEN;
-    e->problem.alpha = shape[0];
-    e->problem.beta = shape[1];
-    e->problem.gamma = shape[2];
+    take_shape(e, shape);
     for (int k = 0; k < 3; k++) {
         a->to[k] = corner[k] - handle * a->direction[k];
         e->problem.polygon[1][k] = e->problem.polygon[2][k] = corner[k];
