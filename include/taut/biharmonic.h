@@ -34,7 +34,8 @@ typedef struct taut_biharmonic_problem {
 } taut_biharmonic_problem;
 
 /* From rows: one surface; details: amplification. A neighbour: the given surface and `extension`,
- * each with its rectangle; details: contact ("c1", "c2"), free (numbers chosen, a coordinate).
+ * each with its rectangle; details: contact ("c1", "c2"), free (numbers chosen, a coordinate),
+ * amplification (of rounding in the rows that meet).
  * TAUT_BAD_INPUT: not the boundary, other bases. TAUT_NO_SOLUTION: unequal degrees, a surface that
  * is not biharmonic, degrees (from 18 on a square) whose rows let rounding grow past 1e11. */
 TAUT_API taut_status taut_biharmonic_make(const taut_biharmonic_problem *problem,

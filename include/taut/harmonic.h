@@ -62,13 +62,17 @@ typedef enum taut_contact {
 typedef struct taut_harmonic_extension_problem {
     const taut_surface *surface; /* bezier bases, no weights, harmonic to 1e-10 of section 3 A */
     taut_edge edge;
-    double width; /* in parameter length; 0: that of the given surface */
+    double width;                  /* in parameter length; 0: that of the given surface */
+    const taut_surface *neighbour; /* NULL, or the other piece of one surface, which is to be merged
+                                    * with the first: u and v run as they do there, its range may
+                                    * begin anywhere. No width and contact c1 then */
     taut_contact contact;
     double c, alpha, beta; /* contact g1: c > 0; v runs from 0 to 1 along the edge */
 } taut_harmonic_extension_problem;
 
 /* The model holds the given surface, `extension`, and (contact c1) the merged one, `h`; each
- * carries its rectangle. details: amplification. */
+ * carries its rectangle. details: amplification. TAUT_NO_SOLUTION: not harmonic; `neighbour` is not
+ * the same surface (found: the gap). */
 TAUT_API taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *problem,
                                                   const taut_make_options *options,
                                                   taut_model **model, taut_error *error);

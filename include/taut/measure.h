@@ -33,6 +33,14 @@ typedef struct taut_forms {
  * W <= 2^-40 of what its factors and the rounding of the derivatives allow to be told from 0. */
 TAUT_API void taut_forms_of(const double values[6][3], taut_forms *forms);
 
+/* The forms at every point of a grid, forms[nu][nv] at (u[i], v[j]), the same for any number of
+ * threads; arguments and statuses as taut_surface_eval_grid, from the right at inner knots.
+ * Derivatives are sums of differences of points, so that H and K keep their digits far from the
+ * origin. */
+TAUT_API taut_status taut_surface_forms_grid(const taut_surface *surface, int nu, const double *u,
+                                             int nv, const double *v, int threads,
+                                             taut_forms *forms);
+
 /* Zero means default everywhere. */
 typedef struct taut_measure_options {
     int grid;    /* extremes over grid x grid parameters; 0: 101; 2..TAUT_GRID_MAX */

@@ -91,7 +91,7 @@ TAUT_API taut_status taut_surface_transform(const taut_surface *surface, const d
                                             taut_surface **moved, taut_error *error);
 
 /* The same on bspline bases. Polynomial directions are exact. On c- and h- directions quintic C^2
- * Hermite interpolants stand in, on so many equal panels that the distance between points of
+ * Hermite interpolants stand in, on panels so narrow that the distance between points of
  * equal parameters is proved below `tolerance` (> 0, a length). *bound, if not NULL, is the proved
  * distance, rounding included; 0 where all is exact.
  * TAUT_BAD_ARGUMENT: the tolerance is below what rounding leaves (error->limit says what).
@@ -122,6 +122,11 @@ TAUT_API taut_status taut_model_split_exact(const taut_model *model, const char 
  * say (neither: both); curves when named, or where there are no surfaces. */
 TAUT_API taut_status taut_model_refine(const taut_model *model, const char *name, int along_u,
                                        int along_v, taut_model **refined, taut_error *error);
+
+/* Every span of every surface and curve, or of those named, on its own: on bezier, c-bezier or
+ * h-bezier bases (a ce-bezier as its quartic bezier); names as above. */
+TAUT_API taut_status taut_model_pieces(const taut_model *model, const char *name,
+                                       taut_model **pieces, taut_error *error);
 
 /* Every surface and curve as NURBS, each within `tolerance` times its own size: the diagonal of the
  * box around its points on a 17 by 17 grid. *bound, if not NULL, is the largest proved distance, a

@@ -44,6 +44,9 @@ typedef struct taut_basis_ops {
     void (*fill)(taut_basis *basis);
     /* values[k][a], k = 0..order, a = 0..local-1, at t of the closed span. */
     void (*eval)(const taut_basis *basis, int span, double t, int order, double *values);
+    /* t[i], i < count: the coefficients of the function t, sum t[i] N_i(t) = t. NULL where it is
+     * not among the functions. */
+    void (*linear)(const taut_basis *basis, double *t);
     const struct taut_change_ops *changes; /* splitting, refining and so on */
 } taut_basis_ops;
 

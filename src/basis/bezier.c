@@ -40,6 +40,15 @@ static void bezier_eval(const taut_basis *basis, int span, double t, int order, 
     }
 }
 
+static void bezier_linear(const taut_basis *basis, double *t)
+{
+    const double lo = basis->breaks[0], hi = basis->breaks[1];
+    const int degree = basis->shape.degree;
+    for (int i = 0; i <= degree; i++) {
+        t[i] = i == degree ? hi : lo + (hi - lo) * i / degree;
+    }
+}
+
 const taut_basis_ops taut_basis_bezier = {
     .type = "bezier",
     .needs = TAUT_MEMBER_DEGREE,
@@ -48,5 +57,6 @@ const taut_basis_ops taut_basis_bezier = {
     .plan = bezier_plan,
     .fill = bezier_fill,
     .eval = bezier_eval,
+    .linear = bezier_linear,
     .changes = &taut_changes_bezier,
 };

@@ -115,13 +115,14 @@ static taut_status bezier_rerange(const taut_basis *basis, double lo, double hi,
     return taut_change_select(&spec, 0, 0, 0, change, error);
 }
 
-static taut_status bezier_to_bspline(const taut_basis *basis, int panels, taut_change **change,
-                                     taut_error *error)
+static taut_status bezier_to_bspline(const taut_basis *basis, int panels, const double *ends,
+                                     taut_change **change, taut_error *error)
 {
     taut_basis *bspline = NULL;
     taut_status status = taut_bspline_of_bezier(basis, &bspline, error);
 
     (void)panels;
+    (void)ends;
     if (status == TAUT_OK) {
         status = taut_change_select(&bspline->spec, 0, 0, 0, change, error);
     }

@@ -228,6 +228,18 @@ static void bspline_eval(const taut_basis *basis, int span, double t, int order,
     }
 }
 
+/* The means of the inner knots, t_(i+1) .. t_(i+p). */
+static void bspline_linear(const taut_basis *basis, double *t)
+{
+    const int p = basis->shape.degree;
+    for (int i = 0; i < basis->shape.count; i++) {
+        t[i] = 0;
+        for (int k = 1; k <= p; k++) {
+            t[i] += basis->knots[i + k] / p;
+        }
+    }
+}
+
 const taut_basis_ops taut_basis_bspline = {
     .type = "bspline",
     .needs = TAUT_MEMBER_DEGREE,
@@ -236,5 +248,6 @@ const taut_basis_ops taut_basis_bspline = {
     .plan = bspline_plan,
     .fill = bspline_fill,
     .eval = bspline_eval,
+    .linear = bspline_linear,
     .changes = &taut_changes_bspline,
 };

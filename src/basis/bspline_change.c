@@ -241,10 +241,11 @@ static taut_status bspline_rerange(const taut_basis *basis, double lo, double hi
     return moved(basis, lo, hi, 0, change, error);
 }
 
-static taut_status bspline_to_bspline(const taut_basis *basis, int panels, taut_change **change,
-                                      taut_error *error)
+static taut_status bspline_to_bspline(const taut_basis *basis, int panels, const double *ends,
+                                      taut_change **change, taut_error *error)
 {
     (void)panels;
+    (void)ends;
     return taut_change_select(&basis->spec, basis->shape.count, 0, 0, change, error);
 }
 

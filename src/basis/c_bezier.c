@@ -50,5 +50,6 @@ const taut_basis_ops taut_basis_c_bezier = {
     .plan = c_bezier_plan,
     .fill = c_bezier_fill,
     .eval = c_bezier_eval,
+    .linear = taut_quasi_bezier_linear,
     .changes = &taut_changes_c_bezier,
 };

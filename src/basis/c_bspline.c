@@ -56,5 +56,6 @@ const taut_basis_ops taut_basis_c_bspline = {
     .plan = c_bspline_plan,
     .fill = c_bspline_fill,
     .eval = c_bspline_eval,
+    .linear = taut_quasi_bspline_linear,
     .changes = &taut_changes_c_bspline,
 };

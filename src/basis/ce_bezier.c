@@ -78,5 +78,6 @@ const taut_basis_ops taut_basis_ce_bezier = {
     .plan = ce_bezier_plan,
     .fill = ce_bezier_fill,
     .eval = ce_bezier_eval,
+    .linear = NULL,
     .changes = &taut_changes_ce_bezier,
 };

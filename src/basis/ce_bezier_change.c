@@ -134,14 +134,14 @@ static taut_status ce_bezier_rerange(const taut_basis *basis, double lo, double 
     return finish(status, form, step, change, error);
 }
 
-static taut_status ce_bezier_to_bspline(const taut_basis *basis, int panels, taut_change **change,
-                                        taut_error *error)
+static taut_status ce_bezier_to_bspline(const taut_basis *basis, int panels, const double *ends,
+                                        taut_change **change, taut_error *error)
 {
     taut_change *form = NULL, *step = NULL;
     taut_status status = quartic(basis, &form, error);
 
     if (status == TAUT_OK) {
-        status = form->to->ops->changes->to_bspline(form->to, panels, &step, error);
+        status = form->to->ops->changes->to_bspline(form->to, panels, ends, &step, error);
     }
     return finish(status, form, step, change, error);
 }

@@ -51,5 +51,6 @@ const taut_basis_ops taut_basis_h_bezier = {
     .plan = h_bezier_plan,
     .fill = h_bezier_fill,
     .eval = h_bezier_eval,
+    .linear = taut_quasi_bezier_linear,
     .changes = &taut_changes_h_bezier,
 };

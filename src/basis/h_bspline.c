@@ -57,5 +57,6 @@ const taut_basis_ops taut_basis_h_bspline = {
     .plan = h_bspline_plan,
     .fill = h_bspline_fill,
     .eval = h_bspline_eval,
+    .linear = taut_quasi_bspline_linear,
     .changes = &taut_changes_h_bspline,
 };

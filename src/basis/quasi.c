@@ -241,3 +241,25 @@ void taut_quasi_bspline_eval(const taut_quasi_kind *kind, const taut_basis *basi
         values[4 + 2] += 1 / segment.length;
     }
 }
+
+/* 0, k, a - k, a ([XuWang2006] section 3). */
+void taut_quasi_bezier_linear(const taut_basis *basis, double *t)
+{
+    const double k = taut_quasi_segment_of(basis).k;
+    t[0] = basis->breaks[0];
+    t[1] = basis->breaks[0] + k;
+    t[2] = basis->breaks[1] - k;
+    t[3] = basis->breaks[1];
+}
+
+/* The knots, and one more at either end (ibid. section 4). */
+void taut_quasi_bspline_linear(const taut_basis *basis, double *t)
+{
+    const double length = taut_quasi_segment_of(basis).length;
+    const int last = basis->shape.count - 1;
+    for (int i = 1; i < last; i++) {
+        t[i] = basis->breaks[i - 1];
+    }
+    t[0] = basis->breaks[0] - length;
+    t[last] = basis->breaks[basis->shape.span_count] + length;
+}

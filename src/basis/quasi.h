@@ -46,4 +46,8 @@ void taut_quasi_bezier_eval(const taut_quasi_kind *kind, const taut_basis *basis
 void taut_quasi_bspline_eval(const taut_quasi_kind *kind, const taut_basis *basis, int span,
                              double t, int order, double *values);
 
+/* As taut_basis_ops.linear. */
+void taut_quasi_bezier_linear(const taut_basis *basis, double *t);
+void taut_quasi_bspline_linear(const taut_basis *basis, double *t);
+
 #endif /* TAUT_BASIS_QUASI_H */

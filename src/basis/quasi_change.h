@@ -22,8 +22,8 @@ taut_status taut_quasi_bezier_pieces(const taut_basis *basis, taut_change_list *
 taut_status taut_quasi_reverse(const taut_basis *basis, taut_change **change, taut_error *error);
 taut_status taut_quasi_rerange(const taut_basis *basis, double lo, double hi, taut_change **change,
                                taut_error *error);
-taut_status taut_quasi_to_bspline(const taut_basis *basis, int panels, taut_change **change,
-                                  taut_error *error);
+taut_status taut_quasi_to_bspline(const taut_basis *basis, int panels, const double *ends,
+                                  taut_change **change, taut_error *error);
 
 /* y'' = -y, or y'' = y: |y(t)| <= at |y(m)| + slope |y'(m)| for |t - m| <= reach. */
 void taut_quasi_c_growth(double reach, double *at, double *slope);

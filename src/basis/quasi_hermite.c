@@ -1,5 +1,5 @@
 /* quasi_hermite.c -- a quintic C^2 B-spline that meets a c- or h- basis with two derivatives at the
- * ends of equal panels.
+ * ends of panels.
  *
  * All inner knots are triple. The coefficient with knots x, x, x, x+y, x+z is the blossom of the
  * osculating parabola at x:
@@ -12,35 +12,26 @@
 
 #include <math.h>
 
-/* End number k of panels: panel ends split each span evenly, breaks are met exactly. */
-static double panel_end(const taut_basis *basis, int panels, int k)
-{
-    const int span = k / panels;
-    const int inner = k % panels;
-    const double lo = basis->breaks[span];
-    return inner == 0 ? lo : lo + (basis->breaks[span + 1] - lo) * ((double)inner / panels);
-}
-
 /* knots[0 .. 3 N + 8]: six at each end, three at each of the N - 1 inner panel ends. */
-static void fill_knots(const taut_basis *basis, int panels, int total, double *knots)
+static void fill_knots(int panels, const double *ends, double *knots)
 {
     int n = 0;
-    for (int k = 0; k <= total; k++) {
-        const double x = panel_end(basis, panels, k);
-        const int times = k == 0 || k == total ? 6 : 3;
+    for (int k = 0; k <= panels; k++) {
+        const int times = k == 0 || k == panels ? 6 : 3;
         for (int i = 0; i < times; i++) {
-            knots[n++] = x;
+            knots[n++] = ends[k];
         }
     }
 }
 
 /* The three coefficients at panel end k. */
-static void fill_rows(const taut_basis *basis, int panels, int total, int k, taut_change *change)
+static void fill_rows(const taut_basis *basis, int panels, const double *ends, int k,
+                      taut_change *change)
 {
-    const int span = k == total ? basis->shape.span_count - 1 : k / panels;
-    const double x = panel_end(basis, panels, k);
-    const double before = k > 0 ? panel_end(basis, panels, k - 1) - x : 0;
-    const double after = k < total ? panel_end(basis, panels, k + 1) - x : 0;
+    const double x = ends[k];
+    const int span = taut_basis_span(basis, x);
+    const double before = k > 0 ? ends[k - 1] - x : 0;
+    const double after = k < panels ? ends[k + 1] - x : 0;
     const double y[3] = {before, before, after};
     const double z[3] = {before, after, after};
     double u[3 * 4];
@@ -55,30 +46,28 @@ static void fill_rows(const taut_basis *basis, int panels, int total, int k, tau
     }
 }
 
-taut_status taut_quasi_to_bspline(const taut_basis *basis, int panels, taut_change **change,
-                                  taut_error *error)
+taut_status taut_quasi_to_bspline(const taut_basis *basis, int panels, const double *ends,
+                                  taut_change **change, taut_error *error)
 {
-    const double wanted = (double)panels * basis->shape.span_count;
     taut_basis_spec spec = {.type = "bspline", .degree = 5};
     taut_status status = TAUT_OK;
     double *knots = NULL;
 
-    if (panels < 1 || 3 * wanted + 3 > TAUT_COUNT_MAX) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, 3 * wanted + 3, TAUT_COUNT_MAX,
-                         "a spline of %.0f functions, expected at most %d", 3 * wanted + 3,
-                         TAUT_COUNT_MAX);
+    if (panels < 1 || panels > (TAUT_COUNT_MAX - 3) / 3) {
+        return taut_fail(error, TAUT_NO_SOLUTION, NULL, panels, (TAUT_COUNT_MAX - 3) / 3,
+                         "a spline of %d panels, expected at most %d", panels,
+                         (TAUT_COUNT_MAX - 3) / 3);
     }
-    const int total = panels * basis->shape.span_count;
-    spec.knot_count = 3 * total + 9;
+    spec.knot_count = 3 * panels + 9;
     knots = taut_alloc((size_t)spec.knot_count, sizeof(double));
     if (knots == NULL) {
         return taut_fail_memory(error);
     }
-    fill_knots(basis, panels, total, knots);
+    fill_knots(panels, ends, knots);
     spec.knots = knots;
     status = taut_change_new(&spec, 0, 4, change, error);
-    for (int k = 0; status == TAUT_OK && k <= total; k++) {
-        fill_rows(basis, panels, total, k, *change);
+    for (int k = 0; status == TAUT_OK && k <= panels; k++) {
+        fill_rows(basis, panels, ends, k, *change);
     }
     taut_free(knots);
     return status;

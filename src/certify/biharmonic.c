@@ -17,6 +17,7 @@
 #include "certify/harmonic_residual.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "measure/near_zero.h"
 #include "taut/limits.h"
 #include "taut/measure.h"
 
@@ -210,8 +211,15 @@ static taut_status add_continuity(const taut_surface *p, const taut_surface *q, 
 static taut_status add_bending(const taut_surface *q, taut_edge edge, int contact,
                                taut_certificate *certificate)
 {
-    const taut_bending_slope slope = taut_bending_slope_of(q, opposite(edge), contact);
+    taut_surface *moved = NULL; /* second derivatives want parameters with all their digits */
+    taut_bending_slope slope;
     char where[96];
+
+    if (!taut_surface_near_zero(q, &moved)) {
+        return TAUT_NO_MEMORY;
+    }
+    slope = taut_bending_slope_of(moved != NULL ? moved : q, opposite(edge), contact);
+    taut_surface_free(moved);
     snprintf(where, sizeof where, "along derivative %d across times power %d along", slope.order,
              slope.power);
     return taut_harmonic_add_claim("least-bending", slope.residual, slope.noise, where,

@@ -60,13 +60,13 @@ static taut_status add_exact(const taut_model *model, taut_certificate *certific
     for (int k = 0; k < taut_model_surface_count(model) && status == TAUT_OK; k++) {
         const taut_surface *surface = taut_model_surface(model, k);
         const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-        const double sides[2] = {taut_basis_hi(u) - taut_basis_lo(u),
-                                 taut_basis_hi(v) - taut_basis_lo(v)};
+        const double rectangle[4] = {taut_basis_lo(u), taut_basis_hi(u), taut_basis_lo(v),
+                                     taut_basis_hi(v)};
         const taut_exact_numbers net = {taut_surface_points(surface), taut_surface_exact(surface)};
         const taut_harmonic_residual rounded = taut_harmonic_residual_of(surface, 0);
         const double scale = rounded.scaled > 0 ? rounded.scaled / rounded.largest : 1;
         double largest = 0;
-        if (!ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, sides, &largest)) {
+        if (!ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, rectangle, &largest)) {
             return TAUT_NO_MEMORY;
         }
         if (largest * scale > worst) {

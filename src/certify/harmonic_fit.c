@@ -22,8 +22,9 @@ typedef struct fit {
     double half[2];
 } fit;
 
-/* Point on side 0..3 (u0, u1, v0, v1) of the rows at share t, by de Casteljau's triangle. */
-static void given_at(const fit *f, int side, double t, double x[3])
+/* Point on side 0..3 (u0, u1, v0, v1) of a net at share t, by de Casteljau's triangle: shares have
+ * their digits wherever the range lies. */
+static void side_at(const fit *f, const double *points, int side, double t, double x[3])
 {
     const int d = side < 2 ? f->m : f->n, columns = f->m + 1;
     const int first = side == 1 ? f->n * columns : side == 3 ? f->m : 0;
@@ -32,7 +33,7 @@ static void given_at(const fit *f, int side, double t, double x[3])
 
     for (int c = 0; c < 3; c++) {
         for (int i = 0; i <= d; i++) {
-            line[i] = f->problem->points[3 * (first + i * stride) + c];
+            line[i] = points[3 * (first + i * stride) + c];
         }
         for (int k = d; k > 0; k--) {
             for (int i = 0; i < k; i++) {
@@ -46,15 +47,10 @@ static void given_at(const fit *f, int side, double t, double x[3])
 /* The surface there less the rows. */
 static void apart_at(const fit *f, int side, double t, double d[3])
 {
-    const taut_basis *u = taut_surface_u(f->surface), *v = taut_surface_v(f->surface);
-    const taut_basis *along = side < 2 ? v : u, *across = side < 2 ? u : v;
-    const double lo = taut_basis_lo(along), hi = taut_basis_hi(along);
-    const double at = fmin(hi, fmax(lo, (1 - t) * lo + t * hi));
-    const double held = side % 2 == 0 ? taut_basis_lo(across) : taut_basis_hi(across);
     double x[3];
 
-    given_at(f, side, t, d);
-    (void)taut_surface_eval(f->surface, side < 2 ? held : at, side < 2 ? at : held, 0, x);
+    side_at(f, f->problem->points, side, t, d);
+    side_at(f, taut_surface_points(f->surface), side, t, x);
     for (int c = 0; c < 3; c++) {
         d[c] = x[c] - d[c];
     }

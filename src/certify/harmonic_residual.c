@@ -1,5 +1,6 @@
 #include "certify/harmonic_residual.h"
 
+#include <float.h>
 #include <math.h>
 
 /* The five factors of relation (2) at index i of degree n: of points i+2, i+1, i, i-1, i-2. They
@@ -107,7 +108,7 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
         }
     }
     for (long k = 0; size > 0 && k < 3L * (n + 1) * (m + 1); k++) {
-        found.reach = fmax(found.reach, ldexp(fabs(points[k]), -unit) / size);
+        found.reach = fmax(found.reach, ldexp(fmax(fabs(points[k]), DBL_MIN), -unit) / size);
     }
     found.scaled = size > 0 ? found.largest / (fmax(wu * n * n, wv * m * m) * size) : 0;
     found.size = ldexp(size, unit);

@@ -39,6 +39,7 @@ typedef struct cli_options {
     int no_net;
     int exact;
     int short_knots;
+    int pieces;
     int isolines;
     int reflections;
     int combs;

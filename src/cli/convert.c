@@ -36,11 +36,26 @@ static int run_many(const cli_options *options)
     return code;
 }
 
+/* The model, or with --pieces its spans. */
+static taut_status read_model(const cli_options *options, taut_model **model, taut_error *error)
+{
+    taut_model *whole = NULL;
+    taut_status status = taut_model_read(options->files[0], &whole, error);
+    if (status != TAUT_OK || !options->pieces) {
+        *model = whole;
+        return status;
+    }
+    status = taut_model_pieces(whole, options->surface, model, error);
+    taut_model_free(whole);
+    return status;
+}
+
 static int run(const cli_options *options)
 {
     taut_model *model = NULL, *nurbs = NULL;
     double bound = 0;
     taut_error error;
+    cli_options all = *options; /* pieces have names of their own */
     int code = cli_check_outputs(options);
 
     if (code == 0 && options->output_count == 0) {
@@ -49,34 +64,47 @@ static int run(const cli_options *options)
     if (code != 0) {
         return code;
     }
+    if (options->file_count > 1 && options->pieces) {
+        return cli_misuse("--pieces takes one model at a time");
+    }
     if (options->file_count > 1) {
         return run_many(options);
     }
-    if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
+    if (read_model(options, &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
+    all.surface = options->pieces ? NULL : options->surface;
     if (wants_nurbs(options) &&
         taut_model_to_nurbs(model, options->tolerance, &nurbs, &bound, &error) != TAUT_OK) {
         code = cli_fail_in(options->files[0], &error);
     } else {
-        code = cli_write_or_nurbs(model, nurbs, bound, options);
+        code = cli_write_or_nurbs(model, nurbs, bound, &all);
     }
     taut_model_free(nurbs);
     taut_model_free(model);
     return code;
 }
 
-static const cli_option options_of_convert[] = {CLI_OUTPUT,  CLI_TOLERANCE, CLI_DIVIDE,
-                                                CLI_SURFACE, CLI_FIGURE,    CLI_SHORT_KNOTS,
-                                                CLI_THREADS, CLI_LAST};
+static const cli_option options_of_convert[] = {
+    CLI_OUTPUT,
+    CLI_TOLERANCE,
+    CLI_DIVIDE,
+    {"--pieces", CLI_FLAG, offsetof(cli_options, pieces), 0, 0, 0, NULL,
+     "every knot span on its own, on bezier, c-bezier or h-bezier bases"},
+    CLI_SURFACE,
+    CLI_FIGURE,
+    CLI_SHORT_KNOTS,
+    CLI_THREADS,
+    CLI_LAST};
 
 const cli_command cli_command_convert = {
     .name = "convert",
-    .usage = "MODEL.json... -o FILE... [--tolerance T] [--divide N]",
+    .usage = "MODEL.json... -o FILE... [--tolerance T] [--divide N] [--pieces]",
     .summary = "write a model in other formats",
     .text = "The ending of FILE says the format. With --tolerance, JSON too holds NURBS, within a "
             "distance that is\nproved and printed; without it the model itself. Several models go "
-            "side by side into one figure\n(.svg, .pdf, .png).\n",
+            "side by side into one figure\n(.svg, .pdf, .png). With --pieces a spline comes as its "
+            "Bezier patches, a ce-bezier\nas its quartic bezier.\n",
     .files_min = 1,
     .files_max = TAUT_MODELS_MAX,
     .options = options_of_convert,

@@ -4,6 +4,7 @@
 
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define CLI_DECLARE(identifier) extern const cli_command cli_command_##identifier;
@@ -46,7 +47,11 @@ static int print_command_help(const cli_command *command)
 
 static int print_version(void)
 {
+    const char *wanted = getenv("TAUT_KERNEL");
     printf("taut %s, %s kernels\n", taut_version(), taut_kernel_in_use());
+    if (wanted != NULL && strcmp(wanted, taut_kernel_in_use()) != 0) {
+        printf("TAUT_KERNEL=%.40s is none of this processor's: baseline, avx2, avx512\n", wanted);
+    }
     return cli_print_text("", 0);
 }
 

@@ -28,17 +28,24 @@ static int no_memory(void)
     return cli_fail(&error);
 }
 
+/* The % of a file's name that its number takes the place of, or NULL; folders keep theirs. */
+static const char *percent_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return strchr(slash != NULL ? slash : path, '%');
+}
+
 /* Does all of the list go into this one file? */
 static int holds_all(const char *path)
 {
-    return cli_is_json(path) && strchr(path, '%') == NULL;
+    return cli_is_json(path) && percent_of(path) == NULL;
 }
 
 /* The path of document i: its number, with as many digits as the last one has, for the first % or
  * before the ending. The caller's; NULL: no memory. */
 static char *numbered(const char *path, int i, int count)
 {
-    const char *percent = strchr(path, '%'), *dot = strrchr(path, '.');
+    const char *percent = percent_of(path);
     const size_t room = strlen(path) + 16;
     const int digits = snprintf(NULL, 0, "%d", count - 1);
     char *made = malloc(room);
@@ -47,8 +54,10 @@ static char *numbered(const char *path, int i, int count)
     }
     if (percent != NULL) {
         snprintf(made, room, "%.*s%0*d%s", (int)(percent - path), path, digits, i, percent + 1);
-    } else {
-        snprintf(made, room, "%.*s-%0*d%s", (int)(dot - path), path, digits, i, dot);
+    } else { /* the ending, which may have a dot of its own, says the format */
+        const char *ending = taut_format_ending(taut_format_of(path, NULL));
+        const int stem = (int)(strlen(path) - strlen(ending)) - 1;
+        snprintf(made, room, "%.*s-%0*d%s", stem, path, digits, i, path + stem);
     }
     return made;
 }

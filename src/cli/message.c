@@ -15,9 +15,12 @@ int cli_fail(const taut_error *error)
 
 int cli_fail_in(const char *file, const taut_error *error)
 {
+    const char *name = strcmp(file, "-") == 0 ? "standard input" : file;
+    const size_t length = strlen(name);
     taut_error placed = *error;
-    if (error->where[0] == '\0' || error->where[0] == '/') {
-        const char *name = strcmp(file, "-") == 0 ? "standard input" : file;
+    /* a pointer begins like the name of a file that is absolute */
+    const int names_file = strncmp(error->where, name, length) == 0 && error->where[length] == ':';
+    if (error->where[0] == '\0' || (error->where[0] == '/' && !names_file)) {
         snprintf(placed.where, sizeof placed.where, "%.100s%s%.80s", name,
                  error->where[0] != '\0' ? ": " : "", error->where);
     }

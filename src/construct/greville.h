@@ -4,9 +4,9 @@
 
 #include "taut/basis.h"
 
-/* t double[count] in the closed range: i / degree of the way (bezier), the mean of the inner knots
- * t_(i+1) .. t_(i+degree) of function i (bspline), and the centroid int t N_i / int N_i of the
- * others, whose points have no such mean. TAUT_NO_MEMORY. */
-taut_status taut_greville(const taut_basis *basis, double *t);
+/* t double[count]: the coefficients of the function t, sum t[i] N_i(t) = t, where they lie in the
+ * closed range, else the end they lie beyond (the outermost points of c- and h-bsplines); evenly
+ * spread where t is not among the functions (ce-bezier). */
+void taut_greville(const taut_basis *basis, double *t);
 
 #endif /* TAUT_CONSTRUCT_GREVILLE_H */

@@ -56,12 +56,8 @@ taut_status taut_plateau_directions(const taut_surface *surface, double *directi
     taut_status status = u != NULL && v != NULL && jets != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 
     if (status == TAUT_OK) {
-        status = taut_greville(taut_surface_u(surface), u);
-    }
-    if (status == TAUT_OK) {
-        status = taut_greville(taut_surface_v(surface), v);
-    }
-    if (status == TAUT_OK) {
+        taut_greville(taut_surface_u(surface), u);
+        taut_greville(taut_surface_v(surface), v);
         status = taut_surface_eval_grid(surface, nu, u, nv, v, 1, 1, jets);
     }
     if (status == TAUT_OK) {

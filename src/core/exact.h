@@ -25,10 +25,10 @@ typedef struct taut_exact_memory {
 
 /* What to complete a harmonic net from ([NiWang2015] sections 2.4, 2.5). */
 typedef struct taut_exact_lines {
-    int n, m;             /* degrees across the lines and along them */
-    double across, along; /* sides of the rectangle */
-    int from_derivative;  /* the second line is dx/du, by parameter length */
-    int corner_missing;   /* the last point of the second line is to be found */
+    int n, m;                   /* degrees across the lines and along them */
+    double across[2], along[2]; /* ranges: their lengths are differences that no double holds */
+    int from_derivative;        /* the second line is dx/du, by parameter length */
+    int corner_missing;         /* the last point of the second line is to be found */
     int even; /* what to do when lines of even degree do not agree: 0 nothing, 1 move that
                * last point, 2 move both lines least, 3 raise n */
     taut_exact_numbers line[2]; /* [m+1][3] */
@@ -51,9 +51,9 @@ typedef struct taut_exact_ops {
     /* The same polynomial over another range of u (or v): range = {lo, hi, from, to}. */
     int (*rerange)(int n, int m, const taut_exact_numbers *net, int along_v, const double range[4],
                    const taut_exact_memory *memory, taut_exact_net *out);
-    /* max |R_ij| of relation (2) over the rectangle of these sides, rounded: 0 only where it is 0.
-     */
-    int (*residual)(int n, int m, const taut_exact_numbers *net, const double sides[2],
+    /* max |R_ij| of relation (2) over the rectangle {u lo, u hi, v lo, v hi}, rounded: 0 only where
+     * it is 0. */
+    int (*residual)(int n, int m, const taut_exact_numbers *net, const double rectangle[4],
                     double *largest);
 } taut_exact_ops;
 

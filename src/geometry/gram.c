@@ -91,7 +91,8 @@ static void add_square(taut_band *band, int first, int local, const double *x)
 /* Distances between neighbouring knots of a polynomial spline, new; NULL for other bases. What is
  * near a knot is taken from these and not from parameters, which far from 0 are rounded to more
  * than the lengths are. Lengths that mirror to within the rounding of the knots, as those of i/n
- * do, are made to mirror exactly. TAUT_OK or TAUT_NO_MEMORY. */
+ * do, are made to mirror exactly, unless that moves one by more than 2^-40 of itself: short spans
+ * beside an end far from 0 are what the knots say they are. TAUT_OK or TAUT_NO_MEMORY. */
 static taut_status knot_lengths(const taut_basis *basis, double **lengths)
 {
     *lengths = NULL;
@@ -108,7 +109,8 @@ static taut_status knot_lengths(const taut_basis *basis, double **lengths)
     }
     for (int i = 0; i < count; i++) {
         length[i] = t[i + 1] - t[i];
-        mirrors = mirrors && fabs(length[i] - (t[count - i] - t[count - 1 - i])) <= rounding;
+        mirrors = mirrors && fabs(length[i] - (t[count - i] - t[count - 1 - i])) <=
+                                 fmin(rounding, 0x1p-40 * length[i]);
     }
     for (int i = 0; i < count / 2 && mirrors; i++) {
         length[i] = length[count - 1 - i] = 0.5 * (length[i] + length[count - 1 - i]);

@@ -5,6 +5,7 @@
 #include "core/fail.h"
 #include "geometry/lattice.h"
 #include "geometry/operate_change.h"
+#include "geometry/operate_model.h"
 #include "geometry/operate_points.h"
 
 #include <string.h>
@@ -32,8 +33,7 @@ static int has_name(const taut_model *model, const char *name, int but)
     return 0;
 }
 
-/* How many dashes keep names of `pieces` pieces of object i apart from all others. */
-static int dashes_for(const taut_model *from, int i, int pieces, const taut_model *so_far)
+int taut_operate_dashes(const taut_model *from, int i, int pieces, const taut_model *so_far)
 {
     int dashes = 1;
     for (int n = 0; n < pieces && dashes < 32; n++) {
@@ -47,7 +47,8 @@ static int dashes_for(const taut_model *from, int i, int pieces, const taut_mode
     return dashes;
 }
 
-static taut_status copy_surface(const taut_surface *surface, taut_model *to, taut_error *error)
+taut_status taut_operate_copy_surface(const taut_surface *surface, taut_model *to,
+                                      taut_error *error)
 {
     taut_surface *copy = NULL;
     if (taut_surface_copy(surface, &copy) != TAUT_OK) {
@@ -56,7 +57,7 @@ static taut_status copy_surface(const taut_surface *surface, taut_model *to, tau
     return taut_operate_add_surface(to, copy, error);
 }
 
-static taut_status copy_curve(const taut_curve *curve, taut_model *to, taut_error *error)
+taut_status taut_operate_copy_curve(const taut_curve *curve, taut_model *to, taut_error *error)
 {
     taut_curve *copy = NULL;
     if (taut_curve_copy(curve, &copy) != TAUT_OK) {
@@ -72,7 +73,7 @@ static taut_status split_surface(const taut_model *model, int i, int direction, 
     taut_change_list list = {0, NULL};
     taut_status status =
         taut_operate_split(taut_surface_along(surface, direction), t, &list, error);
-    const int dashes = dashes_for(model, i, list.count, to);
+    const int dashes = taut_operate_dashes(model, i, list.count, to);
 
     for (int n = 0; status == TAUT_OK && n < list.count; n++) {
         char name[TAUT_NAME_MAX + 1];
@@ -93,7 +94,8 @@ static taut_status split_curve(const taut_model *model, int i, double t, taut_mo
     const taut_curve *curve = taut_model_curve(model, i);
     taut_change_list list = {0, NULL};
     taut_status status = taut_operate_split(taut_curve_t(curve), t, &list, error);
-    const int dashes = dashes_for(model, taut_model_surface_count(model) + i, list.count, to);
+    const int dashes =
+        taut_operate_dashes(model, taut_model_surface_count(model) + i, list.count, to);
 
     for (int n = 0; status == TAUT_OK && n < list.count; n++) {
         char name[TAUT_NAME_MAX + 1];
@@ -108,8 +110,7 @@ static taut_status split_curve(const taut_model *model, int i, double t, taut_mo
     return taut_operate_placed(status, "curves", i, error);
 }
 
-/* Is there anything to work on? */
-static taut_status check_named(const taut_model *model, const char *name, taut_error *error)
+taut_status taut_operate_named(const taut_model *model, const char *name, taut_error *error)
 {
     if (name != NULL && !has_name(model, name, -1)) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
@@ -148,7 +149,7 @@ taut_status taut_model_split(const taut_model *model, const char *name, int dire
         (direction != TAUT_ALONG_U && direction != TAUT_ALONG_V)) {
         return taut_operate_null(error);
     }
-    status = check_named(model, name, error);
+    status = taut_operate_named(model, name, error);
     if (status == TAUT_OK) {
         status = taut_operate_begin(model, &made, error);
     }
@@ -156,12 +157,13 @@ taut_status taut_model_split(const taut_model *model, const char *name, int dire
         const taut_surface *surface = taut_model_surface(model, i);
         const int cut = name == NULL || strcmp(taut_surface_name(surface), name) == 0;
         status = cut ? split_surface(model, i, direction, t, made, error)
-                     : copy_surface(surface, made, error);
+                     : taut_operate_copy_surface(surface, made, error);
     }
     for (int i = 0; status == TAUT_OK && i < taut_model_curve_count(model); i++) {
         const taut_curve *curve = taut_model_curve(model, i);
         const int cut = curve_is_cut(model, curve, name, direction, t);
-        status = cut ? split_curve(model, i, t, made, error) : copy_curve(curve, made, error);
+        status = cut ? split_curve(model, i, t, made, error)
+                     : taut_operate_copy_curve(curve, made, error);
     }
     return taut_operate_end(status, made, split);
 }
@@ -206,7 +208,7 @@ taut_status taut_model_refine(const taut_model *model, const char *name, int alo
     if (model == NULL || refined == NULL) {
         return taut_operate_null(error);
     }
-    status = check_named(model, name, error);
+    status = taut_operate_named(model, name, error);
     if (status == TAUT_OK) {
         status = taut_operate_begin(model, &made, error);
     }
@@ -214,14 +216,15 @@ taut_status taut_model_refine(const taut_model *model, const char *name, int alo
         const taut_surface *surface = taut_model_surface(model, i);
         const int asked = name == NULL || strcmp(taut_surface_name(surface), name) == 0;
         status = asked ? refine_surface(surface, along_u, along_v, made, error)
-                       : copy_surface(surface, made, error);
+                       : taut_operate_copy_surface(surface, made, error);
         status = taut_operate_placed(status, "surfaces", i, error);
     }
     for (int i = 0; status == TAUT_OK && i < taut_model_curve_count(model); i++) {
         const taut_curve *curve = taut_model_curve(model, i);
         const int asked = name != NULL ? strcmp(taut_curve_name(curve), name) == 0
                                        : taut_model_surface_count(model) == 0;
-        status = asked ? refine_curve(curve, made, error) : copy_curve(curve, made, error);
+        status =
+            asked ? refine_curve(curve, made, error) : taut_operate_copy_curve(curve, made, error);
         status = taut_operate_placed(status, "curves", i, error);
     }
     return taut_operate_end(status, made, refined);

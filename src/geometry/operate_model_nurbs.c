@@ -1,6 +1,7 @@
 /* operate_model_nurbs.c -- every surface and curve of a model as NURBS, each by its own size. */
 #include "taut/operate.h"
 
+#include "core/fail.h"
 #include "geometry/operate_change.h"
 #include "geometry/operate_points.h"
 
@@ -17,8 +18,7 @@ static void grow(double box[2][3], const double *x)
 
 static double diagonal(double box[2][3])
 {
-    return sqrt(pow(box[1][0] - box[0][0], 2) + pow(box[1][1] - box[0][1], 2) +
-                pow(box[1][2] - box[0][2], 2));
+    return hypot(hypot(box[1][0] - box[0][0], box[1][1] - box[0][1]), box[1][2] - box[0][2]);
 }
 
 enum { SAMPLES = 17 };
@@ -54,6 +54,18 @@ static double curve_size(const taut_curve *curve)
     return diagonal(box) > 0 ? diagonal(box) : 1;
 }
 
+/* A tolerance that rounding forbids was told as a length; here it is asked for over the size. */
+static taut_status over_size(taut_status status, double tolerance, double size, taut_error *error)
+{
+    if (status == TAUT_BAD_ARGUMENT && error != NULL && error->limit > 0) {
+        return taut_fail(error, status, NULL, tolerance, error->limit / size,
+                         "tolerance %g (over the size, %g) is below what rounding leaves; ask for "
+                         "%g at least",
+                         tolerance, size, error->limit / size);
+    }
+    return status;
+}
+
 taut_status taut_model_to_nurbs(const taut_model *model, double tolerance, taut_model **nurbs,
                                 double *bound, taut_error *error)
 {
@@ -68,9 +80,10 @@ taut_status taut_model_to_nurbs(const taut_model *model, double tolerance, taut_
     for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(model); i++) {
         const taut_surface *surface = taut_model_surface(model, i);
         taut_surface *converted = NULL;
+        const double size = surface_size(surface);
         double one = 0;
-        status = taut_surface_to_nurbs(surface, tolerance * surface_size(surface), &converted, &one,
-                                       error);
+        status = taut_surface_to_nurbs(surface, tolerance * size, &converted, &one, error);
+        status = over_size(status, tolerance, size, error);
         if (status == TAUT_OK) {
             status = taut_operate_add_surface(made, converted, error);
         }
@@ -80,8 +93,10 @@ taut_status taut_model_to_nurbs(const taut_model *model, double tolerance, taut_
     for (int i = 0; status == TAUT_OK && i < taut_model_curve_count(model); i++) {
         const taut_curve *curve = taut_model_curve(model, i);
         taut_curve *converted = NULL;
+        const double size = curve_size(curve);
         double one = 0;
-        status = taut_curve_to_nurbs(curve, tolerance * curve_size(curve), &converted, &one, error);
+        status = taut_curve_to_nurbs(curve, tolerance * size, &converted, &one, error);
+        status = over_size(status, tolerance, size, error);
         if (status == TAUT_OK) {
             status = taut_operate_add_curve(made, converted, error);
         }

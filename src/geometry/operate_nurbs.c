@@ -11,65 +11,53 @@
 /* Rounding of a spline's coefficients over the size of net and rows: the basis functions are good
  * to 1e-14 (taut/basis.h), four of them to a row, and as much again for the sums. */
 #define TAUT_ROUNDING 1e-13
+#define POINTS_LARGEST 1e200
 
-static int spline_count(const taut_side *s, double panels)
+static double spline_count(const taut_side *s)
 {
-    const double count = s->basis == NULL ? 1
-                         : s->exact       ? taut_basis_count(s->basis)
-                                          : 3 * panels * s->pieces.count + 3;
-    return count <= TAUT_COUNT_MAX ? (int)count : -1;
+    return s->basis == NULL ? 1
+           : s->exact       ? taut_basis_count(s->basis)
+                            : 3.0 * s->first[s->pieces.count] + 3;
 }
 
 /* Would the result be of a size that is allowed? */
-static taut_status check_size(const taut_side *u, double nu, const taut_side *v, double nv,
-                              double tolerance, taut_error *error)
+static taut_status check_size(const taut_side *u, const taut_side *v, double tolerance,
+                              taut_error *error)
 {
-    const int rows = spline_count(u, nu), columns = spline_count(v, nv);
-    if (rows < 0 || columns < 0 || (double)rows * columns > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, fmax(nu, nv), TAUT_COUNT_MAX,
-                         "a NURBS within %g needs %.3g by %.3g panels per span, more than fit: ask "
-                         "for a larger tolerance",
-                         tolerance, nu, nv);
+    const double rows = spline_count(u), columns = spline_count(v);
+    if (rows * columns > TAUT_POINTS_MAX) {
+        return taut_fail(error, TAUT_NO_SOLUTION, NULL, rows * columns, TAUT_POINTS_MAX,
+                         "a NURBS within %g needs %.0f by %.0f points, more than fit: ask for a "
+                         "larger tolerance",
+                         tolerance, rows, columns);
     }
     return TAUT_OK;
 }
 
-/* How many panels a side should have, its distance being e now and `share` wanted. */
-static double more_panels(const taut_side *s, double e, double share)
-{
-    if (s->exact || e <= share) {
-        return s->panels;
-    }
-    return fmax(s->panels + 1.0, ceil(s->panels * pow(e / share, 1.0 / 6)));
-}
-
-/* Raises the panels until the proof holds; the distance goes as their sixth power. */
+/* Panels such that the proof holds: each side for its share alone, the mixed term taking what is
+ * left; where that is not enough, smaller shares. */
 static taut_status divide_until(const taut_lattice *whole, taut_side *u, taut_side *v,
                                 double tolerance, double *bound, taut_error *error)
 {
-    const double share = u->exact || v->exact ? tolerance : 0.49 * tolerance;
-    taut_distances d = {{0, 0}, 0};
-    taut_status status = check_size(u, u->panels, v, v->panels, tolerance, error);
+    double share = u->exact || v->exact ? tolerance : 0.49 * tolerance, distance = 0;
+    taut_status status = TAUT_OK;
 
-    while (status == TAUT_OK) {
-        status = taut_nurbs_prove(whole, u, v, &d, error);
-        if (status != TAUT_OK || d.total <= tolerance) {
-            break;
+    do {
+        if (!u->exact) {
+            status = taut_nurbs_cut(whole, TAUT_ALONG_U, u, v, share, error);
         }
-        double nu = more_panels(u, d.along[0], share), nv = more_panels(v, d.along[1], share);
-        if (nu <= u->panels && nv <= v->panels) { /* the mixed term alone */
-            nu += !u->exact;
-            nv += !v->exact;
+        if (status == TAUT_OK && !v->exact) {
+            status = taut_nurbs_cut(whole, TAUT_ALONG_V, v, u, share, error);
         }
-        status = isfinite(d.total) ? check_size(u, nu, v, nv, tolerance, error)
-                                   : taut_fail(error, TAUT_NO_SOLUTION, "/points", d.total,
-                                               taut_none, "the points are too large to bound");
         if (status == TAUT_OK) {
-            u->panels = (int)nu;
-            v->panels = (int)nv;
+            status = check_size(u, v, tolerance, error);
         }
-    }
-    *bound = d.total;
+        if (status == TAUT_OK) {
+            status = taut_nurbs_prove(whole, u, v, &distance, error);
+        }
+        share *= 0.8;
+    } while (status == TAUT_OK && !(distance <= tolerance));
+    *bound = distance;
     return status;
 }
 
@@ -97,11 +85,35 @@ static double net_size(const taut_lattice *lattice)
     return largest;
 }
 
+static taut_status below_rounding(double tolerance, double least, taut_error *error)
+{
+    return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, tolerance, least,
+                     "a distance of %g is below what rounding leaves; ask for a distance of %g at "
+                     "least",
+                     tolerance, least);
+}
+
+/* Rows sum to 1, so that no work is lost on tolerances far below what rounding leaves; and no sum
+ * of the proof may overflow. */
+static taut_status check_points(double size, double tolerance, taut_error *error)
+{
+    if (!(size <= POINTS_LARGEST)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/points", size, POINTS_LARGEST,
+                         "coordinates of up to %g are too large to prove a distance; expected at "
+                         "most %g: scale them",
+                         size, POINTS_LARGEST);
+    }
+    return tolerance >= TAUT_ROUNDING * size
+               ? TAUT_OK
+               : below_rounding(tolerance, 4 * TAUT_ROUNDING * size, error);
+}
+
 static taut_status to_spline(const taut_side *s, taut_change **change, taut_error *error)
 {
     return s->basis == NULL
                ? TAUT_OK
-               : s->basis->ops->changes->to_bspline(s->basis, s->panels, change, error);
+               : s->basis->ops->changes->to_bspline(
+                     s->basis, s->exact ? 0 : s->first[s->pieces.count], s->ends, change, error);
 }
 
 /* The splines of both sides, fine enough that distance and rounding stay below the tolerance. */
@@ -110,8 +122,9 @@ static taut_status find_changes(const taut_lattice *whole, taut_side *u, taut_si
                                 taut_error *error)
 {
     const int exact = u->exact && v->exact;
+    const double size = net_size(whole);
     double left = tolerance, rounding = 0;
-    taut_status status = TAUT_OK;
+    taut_status status = exact ? TAUT_OK : check_points(size, tolerance, error);
 
     *bound = 0;
     for (int attempt = 0; status == TAUT_OK; attempt++) {
@@ -128,14 +141,12 @@ static taut_status find_changes(const taut_lattice *whole, taut_side *u, taut_si
             break;
         }
         rounding = TAUT_ROUNDING * row_norm(changes[0]) *
-                   (changes[1] != NULL ? row_norm(changes[1]) : 1) * net_size(whole);
+                   (changes[1] != NULL ? row_norm(changes[1]) : 1) * size;
         if (*bound + rounding <= tolerance) {
             break;
         }
         if (!(rounding <= tolerance / 2) || attempt > 20) {
-            status = taut_fail(error, TAUT_BAD_ARGUMENT, NULL, tolerance, 2 * rounding,
-                               "tolerance %g is below what rounding leaves; ask for %g at least",
-                               tolerance, 2 * rounding);
+            status = below_rounding(tolerance, 2 * rounding, error);
             break;
         }
         left = tolerance - rounding; /* below *bound, so that there is progress */

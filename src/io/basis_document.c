@@ -65,12 +65,17 @@ static taut_status read_type(const taut_json *at, const taut_basis_ops **ops, ta
     return TAUT_OK;
 }
 
-/* Has it members of its type only? */
+/* Has it members of its type only? What is another type's is no slip of the pen. */
 static taut_status check_members(const taut_json *at, const taut_basis_ops *ops, taut_error *error)
 {
     const char *names[MEMBER_COUNT + 2] = {"type"};
     int count = 1;
     for (int i = 0; i < MEMBER_COUNT; i++) {
+        const taut_json member = taut_json_member(at, member_table[i].name);
+        if (member.value != NULL && ((ops->needs | ops->allows) & member_table[i].bit) == 0) {
+            return taut_json_fail(&member, error, taut_none, taut_none,
+                                  "there is no such member in a basis of type \"%s\"", ops->type);
+        }
         if (((ops->needs | ops->allows) & member_table[i].bit) != 0) {
             names[count++] = member_table[i].name;
         }

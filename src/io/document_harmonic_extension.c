@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-static const char *const members[] = {"surface", "edge",  "width", "contact",
+static const char *const members[] = {"surface", "edge",  "width", "contact", "neighbour",
                                       "c",       "alpha", "beta",  NULL};
 
 static void release_surface(void *surface)
@@ -47,24 +47,39 @@ static taut_status read_contact(const taut_json *document, taut_harmonic_extensi
     return status;
 }
 
+static taut_status read_surface(const taut_json *document, const char *key, taut_arena *arena,
+                                const taut_surface **surface, taut_error *error)
+{
+    const taut_json at = taut_json_member(document, key);
+    taut_surface *read = NULL;
+    taut_status status = taut_surface_document_read(&at, &read, error);
+
+    if (status == TAUT_OK && !taut_arena_keep(arena, read, release_surface)) {
+        status = taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        *surface = read;
+    }
+    return status;
+}
+
 static taut_status extension_read(const taut_json *document, taut_problem *problem,
                                   taut_error *error)
 {
     static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
     taut_harmonic_extension_problem *data = taut_arena_take(problem->arena, 1, sizeof *data);
-    const taut_json at = taut_json_member(document, "surface");
+    const taut_json neighbour = taut_json_member(document, "neighbour");
     const taut_json edge = taut_json_member(document, "edge");
     const taut_json width = taut_json_member(document, "width");
-    taut_surface *surface = NULL;
     int word = 0;
     taut_status status =
-        data != NULL ? taut_surface_document_read(&at, &surface, error) : taut_fail_memory(error);
+        data != NULL ? read_surface(document, "surface", problem->arena, &data->surface, error)
+                     : taut_fail_memory(error);
 
-    if (status == TAUT_OK && !taut_arena_keep(problem->arena, surface, release_surface)) {
-        status = taut_fail_memory(error);
+    if (status == TAUT_OK && neighbour.value != NULL) {
+        status = read_surface(document, "neighbour", problem->arena, &data->neighbour, error);
     }
     if (status == TAUT_OK) {
-        data->surface = surface;
         status = taut_json_word(&edge, edges, &word, error);
     }
     if (status == TAUT_OK) {

@@ -48,11 +48,17 @@ taut_status taut_json_array(const taut_json *at, size_t least, size_t most, cons
         *count = size;
         return TAUT_OK;
     }
+    if (least == 1 && most == 1) {
+        return taut_json_expected(at, error, "an array of one item");
+    }
     if (least == most) {
         return taut_json_expected(at, error, "an array of %zu %s", least, items);
     }
     if (is_array && size > most) {
         return taut_json_expected(at, error, "an array of at most %zu %s", most, items);
+    }
+    if (least == 1) {
+        return taut_json_expected(at, error, "an array of %s, one at least", items);
     }
     if (least > 0) {
         return taut_json_expected(at, error, "an array of at least %zu %s", least, items);

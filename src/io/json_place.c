@@ -98,6 +98,8 @@ static void describe(const taut_json *at, char *text, size_t size)
         snprintf(text, size, "%s", number);
     } else if (kind == TAUT_JSON_STRING) {
         describe_string(taut_json_text_at(at), text, size);
+    } else if (kind == TAUT_JSON_ARRAY && taut_json_count_at(at) == 0) {
+        snprintf(text, size, "an empty array");
     } else if (kind == TAUT_JSON_ARRAY) {
         snprintf(text, size, "an array of %zu", taut_json_count_at(at));
     } else {

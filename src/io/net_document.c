@@ -39,7 +39,8 @@ taut_status taut_net_document_shape(const taut_json *points, int *rows, int *col
 
 /* A basis whose functions must be as many as the points along it. */
 static taut_status read_basis(const taut_json *object, const char *key, int functions,
-                              const char *along, taut_basis **basis, taut_error *error)
+                              const char *things, const char *where, taut_basis **basis,
+                              taut_error *error)
 {
     const taut_json at = taut_json_member(object, key);
     const taut_json points = taut_json_member(object, "points");
@@ -48,8 +49,9 @@ static taut_status read_basis(const taut_json *object, const char *key, int func
 
     if (status == TAUT_OK && taut_basis_count(made) != functions) {
         status = taut_json_fail(&points, error, functions, taut_basis_count(made),
-                                "found %d %s, expected %d, one for each function of \"%s\"",
-                                functions, along, taut_basis_count(made), key);
+                                "found %d %s%s%s, expected %d, one for each function of \"%s\"",
+                                functions, things, functions == 1 ? "" : "s", where,
+                                taut_basis_count(made), key);
         taut_basis_free(made);
         made = NULL;
     }
@@ -63,9 +65,9 @@ taut_status taut_net_document_bases(const taut_json *object, int rows, int colum
                                     taut_basis **v, taut_error *error)
 {
     taut_basis *made_u = NULL, *made_v = NULL;
-    taut_status status = read_basis(object, "u", rows, "rows", &made_u, error);
+    taut_status status = read_basis(object, "u", rows, "row", "", &made_u, error);
     if (status == TAUT_OK) {
-        status = read_basis(object, "v", columns, "points in each row", &made_v, error);
+        status = read_basis(object, "v", columns, "point", " in each row", &made_v, error);
     }
     if (status != TAUT_OK) {
         taut_basis_free(made_u);

@@ -130,8 +130,8 @@ static taut_status read_parameter(const taut_json *at, int count, taut_basis **t
     taut_status status = taut_basis_document_read(&basis_at, count, t, error);
     if (status == TAUT_OK && taut_basis_count(*t) != count) {
         status = taut_json_fail(&points_at, error, count, taut_basis_count(*t),
-                                "found %d points, expected %d, one for each function of \"t\"",
-                                count, taut_basis_count(*t));
+                                "found %d point%s, expected %d, one for each function of \"t\"",
+                                count, count == 1 ? "" : "s", taut_basis_count(*t));
     }
     return status;
 }

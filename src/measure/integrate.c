@@ -2,6 +2,7 @@
 #include "measure/integrate_job.h"
 
 #include "core/memory.h"
+#include "measure/near_zero.h"
 #include "measure/parallel.h"
 
 #include <string.h>
@@ -126,6 +127,12 @@ static int bench_init(const taut_job *job, taut_bench *bench)
 static taut_status job_init(const taut_surface *surface, int threads, taut_job *job)
 {
     taut_cells_init(surface, &job->cells);
+    for (int d = 0; d < 2; d++) {
+        if (!taut_near_zero(job->cells.basis[d], &job->moved[d])) {
+            return TAUT_NO_MEMORY;
+        }
+        job->cells.basis[d] = job->moved[d] != NULL ? job->moved[d] : job->cells.basis[d];
+    }
     if (!taut_rules_init(&job->rules, &job->cells)) {
         return TAUT_NO_MEMORY;
     }
@@ -162,6 +169,7 @@ static void job_free(taut_job *job)
     }
     for (int d = 0; d < 2; d++) {
         taut_panels_free(job->panels[d]);
+        taut_basis_free(job->moved[d]);
     }
     taut_free(job->benches);
     taut_free(job->shares);

@@ -34,6 +34,7 @@ typedef struct taut_bench {
 
 typedef struct taut_job {
     taut_cells cells;
+    taut_basis *moved[2]; /* near_zero.h; NULL: as the surface has it */
     const taut_integrand *integrand;
     taut_rules rules;
     taut_panels *panels[2]; /* the spans, long ones of hyperbolic bases cut: a cell is a pair */

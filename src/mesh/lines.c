@@ -7,7 +7,8 @@
  *
  * so that the sum is at most hu^2 (|x_uu| + r |x_uv|)/8 + hv^2 (|x_vv| + |x_uv|/r)/8, and each half
  * is given half of the tolerance T:  hu^2 = 4 T / (|x_uu| + r |x_uv|). With r = |x_u| / |x_v|, the
- * ratio of the mean speeds, cells are about as long as they are wide where the twist decides.
+ * ratio of the mean speeds over the span of u and the span of v, cells are about as long as they
+ * are wide where the twist decides, and knots that lie closer elsewhere do not matter.
  */
 #include "mesh/lines.h"
 
@@ -78,21 +79,28 @@ static double twist(const double *x)
     return length > 0 ? fabs(dot(uv, n)) / length : sqrt(dot(uv, uv));
 }
 
-/* Sums over one line of samples: the second derivatives and the speeds. */
-typedef struct line_sums {
-    double *uu, *vv, *uv; /* [v samples]: of this line */
-    double speed_u, speed_v;
-} line_sums;
+/* What is known of one span: the largest second derivative along it, and the sum of the speeds. */
+typedef struct span_facts {
+    double bend, speed;
+} span_facts;
 
-static void look_at(const double *x, int j, line_sums *sums, taut_bending *bending)
+/* And of all: twist[s][t], the largest |x_uv| where span s of u meets span t of v. */
+typedef struct facts {
+    int spans_u, spans_v;
+    span_facts *u, *v; /* [spans_u], [spans_v] */
+    double *twist;     /* [spans_u][spans_v] */
+} facts;
+
+static void look_at(const double *x, int s, int t, facts *known, taut_bending *bending)
 {
     const double u = sqrt(dot(x + 3 * TAUT_XU, x + 3 * TAUT_XU));
     const double v = sqrt(dot(x + 3 * TAUT_XV, x + 3 * TAUT_XV));
-    sums->uu[j] = across(x + 3 * TAUT_XUU, x + 3 * TAUT_XU);
-    sums->vv[j] = across(x + 3 * TAUT_XVV, x + 3 * TAUT_XV);
-    sums->uv[j] = twist(x);
-    sums->speed_u += u;
-    sums->speed_v += v;
+    double *twisted = &known->twist[(size_t)s * (size_t)known->spans_v + (size_t)t];
+    known->u[s].bend = fmax(known->u[s].bend, across(x + 3 * TAUT_XUU, x + 3 * TAUT_XU));
+    known->v[t].bend = fmax(known->v[t].bend, across(x + 3 * TAUT_XVV, x + 3 * TAUT_XV));
+    *twisted = fmax(*twisted, twist(x));
+    known->u[s].speed += u;
+    known->v[t].speed += v;
     bending->longest_u = fmax(bending->longest_u, u);
     bending->longest_v = fmax(bending->longest_v, v);
     for (int c = 0; c < 3; c++) {
@@ -101,22 +109,57 @@ static void look_at(const double *x, int j, line_sums *sums, taut_bending *bendi
     }
 }
 
-/* The maxima are kept apart until r is known: uu and its twist per u span, vv and its per v span.
- */
-typedef struct span_maxima {
-    double *uu, *uv_of_u; /* [u spans] */
-    double *vv, *uv_of_v; /* [v spans] */
-} span_maxima;
-
-static void gather_line(const line_sums *sums, int span_u, int count_v, int each_v,
-                        span_maxima *maxima)
+/* The power of two that brings the points of a surface near 1, so that no square leaves the range
+ * of doubles; 1 for a surface at the origin. */
+static double scale_of(const taut_surface *surface)
 {
-    for (int j = 0; j < count_v; j++) {
-        const int span_v = j / each_v;
-        maxima->uu[span_u] = fmax(maxima->uu[span_u], sums->uu[j]);
-        maxima->uv_of_u[span_u] = fmax(maxima->uv_of_u[span_u], sums->uv[j]);
-        maxima->vv[span_v] = fmax(maxima->vv[span_v], sums->vv[j]);
-        maxima->uv_of_v[span_v] = fmax(maxima->uv_of_v[span_v], sums->uv[j]);
+    const size_t count = 3 * (size_t)taut_basis_count(taut_surface_u(surface)) *
+                         (size_t)taut_basis_count(taut_surface_v(surface));
+    const double *points = taut_surface_points(surface);
+    double largest = 0;
+    for (size_t i = 0; i < count; i++) {
+        largest = fmax(largest, fabs(points[i]));
+    }
+    return largest > 0 ? ldexp(1, -(int)fmax(ilogb(largest), -1000)) : 1;
+}
+
+/* bending->u and v out of what is known. A pair of spans has as many samples as any other, so that
+ * the sums of the speeds, over one span and all of the other way, are the means but for a factor.
+ */
+static void conclude(const facts *known, taut_bending *bending)
+{
+    for (int s = 0; s < known->spans_u; s++) {
+        bending->u[s] = known->u[s].bend;
+    }
+    for (int t = 0; t < known->spans_v; t++) {
+        bending->v[t] = known->v[t].bend;
+    }
+    for (int s = 0; s < known->spans_u; s++) {
+        for (int t = 0; t < known->spans_v; t++) {
+            const double u = known->u[s].speed / known->spans_v;
+            const double v = known->v[t].speed / known->spans_u;
+            const double r = u > 0 && v > 0 ? u / v : 1;
+            const double twisted = known->twist[(size_t)s * (size_t)known->spans_v + (size_t)t];
+            bending->u[s] = fmax(bending->u[s], known->u[s].bend + r * twisted);
+            bending->v[t] = fmax(bending->v[t], known->v[t].bend + twisted / r);
+        }
+    }
+}
+
+/* Back to the surface's own unit. */
+static void unscale(double scale, const facts *known, taut_bending *bending)
+{
+    for (int s = 0; s < known->spans_u; s++) {
+        bending->u[s] /= scale;
+    }
+    for (int t = 0; t < known->spans_v; t++) {
+        bending->v[t] /= scale;
+    }
+    bending->longest_u /= scale;
+    bending->longest_v /= scale;
+    for (int c = 0; c < 3; c++) {
+        bending->lo[c] /= scale;
+        bending->hi[c] /= scale;
     }
 }
 
@@ -127,19 +170,21 @@ taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_a
     const int each_u = samples_per_span(u), each_v = samples_per_span(v);
     const int spans_u = taut_basis_span_count(u), spans_v = taut_basis_span_count(v);
     const int count_u = spans_u * each_u, count_v = spans_v * each_v;
+    const double scale = scale_of(surface);
     double *tu = taut_arena_take(arena, (size_t)count_u, sizeof(double));
     double *tv = taut_arena_take(arena, (size_t)count_v, sizeof(double));
     double *x = taut_arena_take(arena, (size_t)count_v, 18 * sizeof(double));
-    double *line = taut_arena_take(arena, (size_t)count_v, 3 * sizeof(double));
-    double *of_u = taut_arena_take(arena, (size_t)spans_u, 2 * sizeof(double));
-    double *of_v = taut_arena_take(arena, (size_t)spans_v, 2 * sizeof(double));
+    double *of_u = taut_arena_take(arena, (size_t)spans_u, sizeof(double));
+    double *of_v = taut_arena_take(arena, (size_t)spans_v, sizeof(double));
+    facts known = {spans_u, spans_v, taut_arena_take(arena, (size_t)spans_u, sizeof(span_facts)),
+                   taut_arena_take(arena, (size_t)spans_v, sizeof(span_facts)),
+                   taut_arena_take(arena, (size_t)spans_u * (size_t)spans_v, sizeof(double))};
     taut_status status = TAUT_OK;
 
-    if (tu == NULL || tv == NULL || x == NULL || line == NULL || of_u == NULL || of_v == NULL) {
+    if (tu == NULL || tv == NULL || x == NULL || of_u == NULL || of_v == NULL || known.u == NULL ||
+        known.v == NULL || known.twist == NULL) {
         return TAUT_NO_MEMORY;
     }
-    line_sums sums = {line, line + count_v, line + 2 * (size_t)count_v, 0, 0};
-    span_maxima maxima = {of_u, of_u + spans_u, of_v, of_v + spans_v};
     *bending = (taut_bending){
         of_u, of_v, 0, 0, {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     fill_samples(u, each_u, tu);
@@ -147,17 +192,15 @@ taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_a
     for (int i = 0; status == TAUT_OK && i < count_u; i++) {
         status = taut_surface_eval_grid(surface, 1, tu + i, count_v, tv, 2, threads, x);
         for (int j = 0; status == TAUT_OK && j < count_v; j++) {
-            look_at(x + 18 * (size_t)j, j, &sums, bending);
+            double *at = x + 18 * (size_t)j;
+            for (int c = 0; c < 18; c++) {
+                at[c] *= scale;
+            }
+            look_at(at, i / each_u, j / each_v, &known, bending);
         }
-        gather_line(&sums, i / each_u, count_v, each_v, &maxima);
     }
-    const double r = sums.speed_u > 0 && sums.speed_v > 0 ? sums.speed_u / sums.speed_v : 1;
-    for (int s = 0; s < spans_u; s++) {
-        bending->u[s] += r * maxima.uv_of_u[s];
-    }
-    for (int s = 0; s < spans_v; s++) {
-        bending->v[s] += maxima.uv_of_v[s] / r;
-    }
+    conclude(&known, bending);
+    unscale(scale, &known, bending);
     return status;
 }
 

@@ -8,7 +8,7 @@
 /* How strongly a surface bends, sampled over it. */
 typedef struct taut_bending {
     double *u;           /* [u spans]: the largest |x_uu| + r |x_uv| over each */
-    double *v;           /* [v spans]: the largest |x_vv| + |x_uv| / r */
+    double *v;           /* [v spans]: the largest |x_vv| + |x_uv| / r; r differs between spans */
     double longest_u;    /* the largest |x_u| and */
     double longest_v;    /* |x_v| */
     double lo[3], hi[3]; /* the box of the samples */

@@ -70,16 +70,16 @@ static taut_status choose_surfaces(taut_mesh *mesh, const taut_model *model, con
 /* The diagonal of the box around all. */
 static double size_of(const taut_bending *bendings, int count)
 {
-    double sum = 0;
+    double size = 0;
     for (int c = 0; c < 3; c++) {
         double lo = bendings[0].lo[c], hi = bendings[0].hi[c];
         for (int i = 1; i < count; i++) {
             lo = fmin(lo, bendings[i].lo[c]);
             hi = fmax(hi, bendings[i].hi[c]);
         }
-        sum += (hi - lo) * (hi - lo);
+        size = hypot(size, hi - lo); /* whose squares need not be doubles */
     }
-    return sqrt(sum);
+    return size;
 }
 
 /* The vertices that the wishes come to, refused where they are too many. */

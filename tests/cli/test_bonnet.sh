@@ -90,4 +90,12 @@ bonnet '"lambda": 0.5, "alpha": 1e-5, "beta": 1e-5'
 run 0 make p.json -o tiny.json
 contains err.txt 'minimal +undecided: .*warning'
 contains tiny.json '"holds": null'
+
+# A tolerance below rounding: the least one is named in the measure it is asked for in, and then works.
+bonnet '"lambda": 0.5, "alpha": 0.001, "beta": 0.001'
+run 0 make p.json -o tiny.json
+refused 2 'ask for [0-9.e-]+ at least' convert tiny.json --tolerance 1e-12 -o x.json
+absent x.json
+least=$(sed 's/.*ask for \([0-9.e-]*\) at least.*/\1/' err.txt)
+run 0 convert tiny.json --tolerance "$least" -o x.json
 finish

@@ -27,6 +27,11 @@ document 3 'd\.json' "$(awk 'BEGIN { for (i = 0; i < 100000; i++) printf "[" }')
 printf '\377\376{}' > d.json
 refused 3 'd\.json' make d.json
 
+# A file by its whole name is named once.
+printf '{"taut":1,' > d.json
+refused 3 "^taut: $work/d\\.json:1:" make "$work/d.json"
+refused 3 "^taut: $work/d\\.json:1:" measure "$work/d.json"
+
 # Members.
 document 3 'taut' '{"construct":"dirichlet"}'
 document 3 'taut' '{"taut":2,"construct":"dirichlet"}'

@@ -93,6 +93,12 @@ for name in $("$TAUT" schema); do
 done
 run 0 --version
 contains out.txt '^taut [0-9]'
+[ "$(wc -l < out.txt)" = 1 ] || [ -n "${TAUT_KERNEL:-}" ] || complain "--version says more: $(cat out.txt)"
+TAUT_KERNEL=sse9 "$TAUT" --version > out.txt
+contains out.txt '^TAUT_KERNEL=sse9 is none'
+TAUT_KERNEL=baseline "$TAUT" --version > out.txt
+contains out.txt 'baseline kernels$'
+[ "$(wc -l < out.txt)" = 1 ] || complain "the baseline is always there: $(cat out.txt)"
 for command in make certify measure eval convert example schema; do
     run 0 "$command" --help
     contains out.txt "^taut $command"

@@ -41,6 +41,17 @@ run 0 make - --quiet < list.json
 cmp -s out.txt all.json || complain "standard input gives another list"
 rm -f m-*.obj
 
+# The number goes before the whole ending, and a folder keeps its %.
+list 1 2 > list.json
+mkdir '50%'
+run 0 make list.json --quiet -o m.geomdl.json -o '50%/all.json' -o '50%/m.stl'
+for i in 0 1; do
+    contains "m-$i.geomdl.json" '"shape"'
+    [ -s "50%/m-$i.stl" ] || complain "no 50%/m-$i.stl"
+done
+[ "$(head -c 1 '50%/all.json')" = '[' ] || complain "a % in a folder makes 50%/all.json no list"
+rm -rf m-*.geomdl.json '50%'
+
 # A list of one is a list; a problem is none.
 list 3 > list.json
 run 0 make list.json --quiet -o all.json -o m.obj
@@ -54,7 +65,7 @@ printf '[%s, { "taut": 1, "construct": "dirichlet", "u": { "type": "bezier", "de
   "points": [[null, null], [null, null]] }]\n' "$(problem 1)" > list.json
 refused 4 'list\.json: /1/points: no point of the net is known' make list.json -o all.json -o m.obj
 printf '[]' > list.json
-refused 3 'found an array of 0' make list.json -o all.json
+refused 3 'found an empty array' make list.json -o all.json
 printf '[[%s]]' "$(problem 1)" > list.json
 refused 3 '/0: found an array' make list.json -o all.json
 list 1 2 > list.json

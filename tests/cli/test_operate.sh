@@ -18,6 +18,10 @@ near() { # near A B: two lists of numbers agree to 1e-14
         complain "$1 is not $2"
 }
 
+absent_word() { # absent_word FILE WORD
+    ! grep -q -- "$2" "$1" || complain "$1 holds $2"
+}
+
 run 0 split patch.json --u 0.3 -o halves.json
 near "$(at halves.json p-0 0.2,0.7)" "$(at patch.json p 0.2,0.7)"
 near "$(at halves.json p-1 0.9,0.7)" "$(at patch.json p 0.9,0.7)"
@@ -33,6 +37,21 @@ run 0 refine patch.json --u -o fine.json
 contains fine.json 'h-bezier'
 run 0 join patch.json p.u0 patch.json u1 --json
 contains out.txt '"c_order": -1'
+
+# Bezier extraction: the spans of the spline times one h-bezier piece, and the quartic.
+run 0 convert patch.json --pieces -o pieces.json
+[ "$(grep -c '"name": "p-' pieces.json)" = 2 ] || complain "two patches"
+near "$(at pieces.json p-0 0.3,1.2)" "$(at patch.json p 0.3,1.2)"
+near "$(at pieces.json p-1 0.9,0.4)" "$(at patch.json p 0.9,0.4)"
+contains pieces.json '"degree": 4'
+absent_word pieces.json 'bspline'
+absent_word pieces.json 'ce-bezier'
+run 0 convert patch.json --pieces --surface p -o pieces.json
+contains pieces.json 'ce-bezier'
+run 0 convert patch.json --pieces --tolerance 1e-6 -o pieces.json
+absent_word pieces.json 'h-bezier'
+refused 2 'one model at a time' convert patch.json patch.json --pieces -o both.svg
+refused 2 'no.*name|nothing' convert patch.json --pieces --surface q -o none.json
 
 refused 4 'p|u' split patch.json --u 1.5
 refused 4 'p|u' split patch.json --u 0

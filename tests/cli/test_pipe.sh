@@ -157,4 +157,16 @@ contains err.txt 'segments +[4-9]$'
 run 0 convert paper.json -o paper.glb
 [ -s paper.glb ] || complain "no mesh"
 
+# Where no radius and no shape works, that is what is said.
+pipe() {
+    echo "{ \"taut\": 1, \"construct\": \"pipe\", \"radius\": 1, $1 }" > p.json
+}
+pipe '"polygon": [[0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 0]], "shape": { "alpha": 0, "beta": 0, "gamma": 0 }'
+refused 4 'SELF_INTERSECT_LOCAL.*no radius would work' make p.json -o x.json
+sed 's/"radius": 1/"radius": 0.1/' p.json > edited.json
+refused 4 'SELF_INTERSECT_GLOBAL.*no radius would work' make edited.json -o x.json
+pipe '"from": { "point": [0, 0, 0], "direction": [1, 0, 0] }, "to": { "point": [10, 0, 0], "direction": [-1, 0, 0] }'
+refused 4 'NOT_REGULAR.*all shape numbers tried; move an end aside' make p.json -o x.json
+absent x.json
+
 finish

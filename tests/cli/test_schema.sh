@@ -78,6 +78,19 @@ def members(where, schema, build, command="measure"):
         if known(build(name), command) != (name != "strange"):
             complain(f"{where}: the reader and the schema differ over \"{name}\"")
 
+# A list of problems and the list of their reports are documents too; an empty list and a list in a list are none.
+problem = json.load(open(f"{source}/examples/dirichlet-bicubic.json"))
+for what, wanted in (([problem], 0), ([problem, problem], 0), ([], 3), ([[problem]], 3), ([1], 3)):
+    with open("list.json", "w") as file:
+        json.dump(what, file)
+    code, _ = run("make", "list.json", "-o", "made.json", "--report", "report.json", "--quiet")
+    if code != wanted or validators["problem"].is_valid(what) != (wanted == 0):
+        complain(f"{str(what)[:40]}: exit {code}, and the schema differs")
+    if code == 0:
+        check("report", "a list (report)", json.load(open("report.json")))
+        for model in json.load(open("made.json")):
+            check("model", "a list (made)", model)
+
 definitions = schemas["model"]["$defs"]
 members("model", schemas["model"], lambda n: {"taut": 1, n: None})
 members("surface", definitions["surface"], lambda n: {"taut": 1, "surfaces": [{n: None}]})
@@ -92,7 +105,7 @@ for name, properties in bases.items():
     members(name, {"properties": properties},
             lambda n: {"taut": 1, "curves": [{"t": {"type": name, n: name if n == "type" else None},
                                               "points": [[0, 0, 0]]}]})
-for option in schemas["problem"]["oneOf"]:
+for option in schemas["problem"]["$defs"]["problem"]["oneOf"]:
     schema = schemas["problem"]["$defs"][option["$ref"].split("/")[-1]]
     construct = schema["properties"]["construct"]["const"]
     members(construct, schema, lambda n: {"taut": 1, n: None, "construct": construct}, "make")

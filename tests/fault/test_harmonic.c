@@ -95,6 +95,9 @@ int main(void)
     static const double exactly[9][3] = {{0, 0, 0},     {0, 0.5, 0},  {0, 1, -1}, {0.5, 0, 0},
                                          {0.5, 0.5, 0}, {0.5, 1, -1}, {1, 0, 1},  {1, 0.5, 1},
                                          {1, 1, 0}}; /* u, v, u^2 - v^2 */
+    static const double below[9][3] = {{0, -1, -1},    {0, -0.5, 0}, {0, 0, 0},  {0.5, -1, -1},
+                                       {0.5, -0.5, 0}, {0.5, 0, 0},  {1, -1, 0}, {1, -0.5, 1},
+                                       {1, 0, 1}}; /* v from -1 to 0 */
     static const char *const texts[12] = {"1/3", NULL, "2/7", "5", "-1/9"};
     double points[48];
     unsigned char rows[16], four[16];
@@ -104,7 +107,9 @@ int main(void)
     taut_harmonic_problem two, derivative, fit;
     taut_surface *saddle =
         shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, 0, 1), &exactly[0][0], NULL);
-    taut_harmonic_extension_problem c1, g1, rational;
+    taut_surface *under =
+        shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, -1, 0), &below[0][0], NULL);
+    taut_harmonic_extension_problem c1, g1, rational, pieces;
     taut_biharmonic_problem boundary, neighbour;
 
     random_seed(20261125);
@@ -131,6 +136,8 @@ int main(void)
     c1.edge = TAUT_EDGE_V0;
     g1 = rational = c1;
     rational.surface = saddle;
+    pieces = rational;
+    pieces.neighbour = under;
     g1.contact = TAUT_CONTACT_G1;
     g1.c = 2;
     memset(&boundary, 0, sizeof boundary);
@@ -158,6 +165,12 @@ int main(void)
          &rational,
          {.exact = 1},
          NULL},
+        {"two pieces", TAUT_CONSTRUCT_INDEX_harmonic_extension, &pieces, {.exact = 0}, NULL},
+        {"two pieces in rationals",
+         TAUT_CONSTRUCT_INDEX_harmonic_extension,
+         &pieces,
+         {.exact = 1},
+         NULL},
         {"a neighbour", TAUT_CONSTRUCT_INDEX_harmonic_extension, &g1, {.exact = 0}, NULL},
         {"four rows", TAUT_CONSTRUCT_INDEX_biharmonic, &boundary, {.exact = 0}, NULL},
         {"a biharmonic neighbour",
@@ -172,6 +185,7 @@ int main(void)
     const fault_call cut = {"a cut in rationals", split, release_model, whole};
     CHECK(fault_loop(&cut) > 5, "a cut takes memory");
     taut_model_free(whole);
+    taut_surface_free(under);
     taut_surface_free(enneper);
     taut_surface_free(saddle);
     taut_basis_free(u);

@@ -66,6 +66,17 @@ static taut_status record_surface(const void *context, void **result, taut_error
     return TAUT_OK;
 }
 
+static taut_status forms_grid(const void *context, void **result, taut_error *error)
+{
+    static const double at[3] = {0, 0.5, 1};
+    taut_forms forms[9] = {{.e = -1}};
+    const taut_status status = taut_surface_forms_grid(context, 3, at, 3, at, 2, forms);
+    (void)result;
+    (void)error;
+    CHECK((status == TAUT_OK) == (forms[0].e >= 0), "the forms are untouched on failure");
+    return status;
+}
+
 int main(void)
 {
     static const double points[4][3] = {{0, 0, 0}, {1, 1, 0}, {2, 0, 1}, {3, 1, 1}};
@@ -84,6 +95,7 @@ int main(void)
     const fault_call calls[] = {
         {"taut_measure_surface", measure_surface, NULL, surface},
         {"a planar surface", measure_surface, NULL, planar},
+        {"taut_surface_forms_grid", forms_grid, NULL, surface},
         {"taut_measure_curve", measure_curve, NULL, curve},
         {"taut_surface_area", integrate, NULL, &integrals[0]},
         {"taut_surface_dirichlet_energy", integrate, NULL, &integrals[1]},

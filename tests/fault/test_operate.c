@@ -60,6 +60,7 @@ MAKER(transform, taut_surface, taut_surface_transform(f->surface, shear, &made, 
 MAKER(to_nurbs, taut_surface, taut_surface_to_nurbs(f->surface, 1e-2, &made, NULL, error))
 MAKER(model_split, taut_model, taut_model_split(f->model, NULL, TAUT_ALONG_U, 0.4, &made, error))
 MAKER(model_refine, taut_model, taut_model_refine(f->model, NULL, 0, 0, &made, error))
+MAKER(model_pieces, taut_model, taut_model_pieces(f->model, NULL, &made, error))
 MAKER(model_to_nurbs, taut_model, taut_model_to_nurbs(f->model, 1e-2, &made, NULL, error))
 
 /* Every type has a range of length 1 here; c- and h- have no knots to insert and no degree. */
@@ -148,6 +149,7 @@ static void test_types(int type_u, int type_v)
         {"taut_surface_to_nurbs", to_nurbs, release_surface, &f},
         {"taut_model_split", model_split, release_model, &f},
         {"taut_model_refine", model_refine, release_model, &f},
+        {"taut_model_pieces", model_pieces, release_model, &f},
         {"taut_model_to_nurbs", model_to_nurbs, release_model, &f},
     };
     const fault_call polynomial[] = {

@@ -55,6 +55,28 @@ static taut_status jacobian(const void *context, void **result, taut_error *erro
     return status;
 }
 
+static taut_status dirichlet(const void *context, void **result, taut_error *error)
+{
+    double energy = -1;
+    const taut_status status = taut_surface_dirichlet_energy(context, &energy);
+    (void)result;
+    (void)error;
+    CHECK((status == TAUT_OK) == (energy >= 0), "the energy is untouched on failure");
+    return status;
+}
+
+/* A bicubic over knots far from 0, which an integral moves. */
+static taut_surface *far_surface(void)
+{
+    static const double knots[8] = {1e7, 1e7, 1e7, 1e7, 1e7 + 1, 1e7 + 1, 1e7 + 1, 1e7 + 1};
+    const taut_basis_spec spec = {.type = "bspline", .degree = 3, .knots = knots, .knot_count = 8};
+    double points[48];
+    for (int k = 0; k < 48; k++) {
+        points[k] = random_in(-1, 1);
+    }
+    return shape_surface(shape_basis(&spec), shape_bezier(3, 1e7, 1e7 + 1), points, NULL);
+}
+
 static void release_surface(void *surface)
 {
     taut_surface_free(surface);
@@ -239,7 +261,7 @@ int main(void)
                                       " \"sign\": \"+\", \"alpha\": 0.5, \"beta\": 0.5}";
     taut_problem *bonnet = NULL;
     static const double flat[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0};
-    taut_surface *surface = NULL, *copy = NULL, *plane = NULL;
+    taut_surface *surface = NULL, *copy = NULL, *plane = NULL, *far = NULL;
     taut_model *model = NULL;
     taut_curve *curve = shape_curve(shape_bezier(1, 0, 1), &points[0][0], NULL);
 
@@ -260,6 +282,9 @@ int main(void)
     check_call("taut_surface_elevate", elevate, release_surface, surface);
     check_call("taut_surface_new_exact", new_exact, release_surface, curve);
     check_call("taut_surface_jacobian", jacobian, NULL, plane);
+    far = far_surface();
+    check_call("taut_surface_dirichlet_energy", dirichlet, NULL, far);
+    taut_surface_free(far);
     check_call("taut_join_measure", join, NULL, surface);
     CHECK(taut_problem_read_text(bonnet_text, sizeof bonnet_text - 1, "text", &bonnet, NULL) ==
               TAUT_OK,

@@ -187,7 +187,7 @@ static void test_amplification(void)
     for (int m = 1; m <= 7; m++) {
         const int n = m % 2 != 0 ? m : m + 1, count = (n + 1) * (m + 1);
         int rows[16], next[16];
-        double scratch[4 * 64];
+        taut_wide scratch[4 * 64];
         fmpz_mat_t relation;
         laplacian(n, m, 1, 1, relation);
         for (int j = 0; j <= m; j++) {

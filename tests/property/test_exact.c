@@ -31,7 +31,8 @@ static void start(net *g, int n, int m, int turned)
     memset(g, 0, sizeof *g);
     g->n = n;
     g->m = m;
-    g->u = shape_bezier(n, 0, ldexp(random_int(1, 8), -1));
+    const double lo = random_int(0, 9) / 10.0, hi = random_int(11, 29) / 10.0; /* hi - lo rounds */
+    g->u = shape_bezier(n, lo, hi);
     g->v = shape_bezier(m, -1, ldexp(random_int(1, 8), -2));
     for (int k = 0; k < 3 * (n + 1) * (m + 1); k++) {
         const int i = k / 3 / (m + 1), j = k / 3 % (m + 1);

@@ -15,8 +15,9 @@ static const char *const type_names[TYPES] = {"c-bezier", "c-bspline", "h-bezier
 
 static taut_basis *random_basis(int type)
 {
-    const double longest[TYPES] = {pi, 3, 12, 4, 1};
-    const double length = random_in(0.1, 1) * longest[type];
+    const double longest[TYPES] = {pi, 3, 300, 300, 1};
+    const double length = type == H_BEZIER || type == H_BSPLINE ? random_log(0.3, longest[type])
+                                                                : random_in(0.1, 1) * longest[type];
     taut_basis_spec spec = {.type = type_names[type]};
     taut_basis *basis = NULL;
     taut_error error = {.message = ""};
@@ -57,16 +58,42 @@ static void judge(double seen, double bound, double tolerance, double size, cons
     }
 }
 
-/* Parameter i of n, none of them a panel end for all. */
-static double sample(const taut_basis *basis, int i, int n)
+/* Some parameters within each span of a spline, and its ends. */
+typedef struct samples {
+    int count;
+    double *t;
+} samples;
+
+static samples sample(const taut_basis *spline, int per_span)
 {
-    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-    return i == n - 1 ? hi : lo + (hi - lo) * i / (n - 1);
+    const int spans = taut_basis_span_count(spline);
+    const double *breaks = taut_basis_breaks(spline);
+    samples s = {spans * per_span + 1, NULL};
+    s.t = malloc((size_t)s.count * sizeof *s.t);
+    for (int i = 0; i < s.count - 1; i++) {
+        const double *ends = breaks + i / per_span;
+        s.t[i] = ends[0] + (ends[1] - ends[0]) * (i % per_span) / per_span;
+    }
+    s.t[s.count - 1] = taut_basis_hi(spline);
+    return s;
+}
+
+static double curve_distance(const taut_curve *a, const taut_curve *spline)
+{
+    const samples s = sample(taut_curve_t(spline), 12);
+    double seen = 0;
+    for (int i = 0; i < s.count; i++) {
+        double p[3], q[3];
+        CHECK(taut_curve_eval(a, s.t[i], 0, p) == TAUT_OK, "t=%g", s.t[i]);
+        CHECK(taut_curve_eval(spline, s.t[i], 0, q) == TAUT_OK, "t=%g", s.t[i]);
+        seen = fmax(seen, distance(p, q));
+    }
+    free(s.t);
+    return seen;
 }
 
 static void test_curve(int type)
 {
-    enum { SAMPLES = 1009 };
     taut_basis *basis = random_basis(type);
     const double tolerance = random_log(1e-10, 1e-2);
     double points[3 * 16], bound = -1, seen = 0;
@@ -77,13 +104,7 @@ static void test_curve(int type)
     CHECK(taut_curve_to_nurbs(curve, tolerance, &nurbs, &bound, &error) == TAUT_OK, "%s",
           error.message);
     CHECK(strcmp(taut_basis_type(taut_curve_t(nurbs)), "bspline") == 0, "type");
-    for (int i = 0; i < SAMPLES; i++) {
-        const double t = sample(basis, i, SAMPLES);
-        double p[3], q[3];
-        taut_curve_eval(curve, t, 0, p);
-        taut_curve_eval(nurbs, t, 0, q);
-        seen = fmax(seen, distance(p, q));
-    }
+    seen = curve_distance(curve, nurbs);
     if (type == BEZIER) {
         CHECK(bound == 0 && seen < 1e-15 * 64, "exact, seen %g", seen);
     } else {
@@ -94,19 +115,21 @@ static void test_curve(int type)
     taut_curve_free(nurbs);
 }
 
-static double largest_distance(const taut_surface *a, const taut_surface *b, int samples)
+static double surface_distance(const taut_surface *a, const taut_surface *spline, int per_span)
 {
-    double seen = 0;
-    for (int i = 0; i < samples; i++) {
-        const double u = sample(taut_surface_u(a), i, samples);
-        for (int j = 0; j < samples; j++) {
-            const double v = sample(taut_surface_v(a), j, samples);
-            double p[3], q[3];
-            taut_surface_eval(a, u, v, 0, p);
-            taut_surface_eval(b, u, v, 0, q);
-            seen = fmax(seen, distance(p, q));
-        }
+    const samples u = sample(taut_surface_u(spline), per_span);
+    const samples v = sample(taut_surface_v(spline), per_span);
+    const size_t count = (size_t)u.count * (size_t)v.count;
+    double *p = malloc(3 * count * sizeof *p), *q = malloc(3 * count * sizeof *q), seen = 0;
+    CHECK(taut_surface_eval_grid(a, u.count, u.t, v.count, v.t, 0, 1, p) == TAUT_OK, "surface");
+    CHECK(taut_surface_eval_grid(spline, u.count, u.t, v.count, v.t, 0, 1, q) == TAUT_OK, "nurbs");
+    for (size_t i = 0; i < count; i++) {
+        seen = fmax(seen, distance(p + 3 * i, q + 3 * i));
     }
+    free(p);
+    free(q);
+    free(u.t);
+    free(v.t);
     return seen;
 }
 
@@ -122,7 +145,7 @@ static void test_surface(int type_u, int type_v)
     CHECK(taut_surface_to_nurbs(surface, tolerance, &nurbs, &bound, &error) == TAUT_OK, "%s",
           error.message);
     if (type_u != BEZIER || type_v != BEZIER) {
-        judge(largest_distance(surface, nurbs, 89), bound, tolerance, 1, type_names[type_u]);
+        judge(surface_distance(surface, nurbs, 4), bound, tolerance, 1, type_names[type_u]);
     }
     taut_basis_free(u);
     taut_basis_free(v);
@@ -171,7 +194,7 @@ static void test_figure_2a(void)
         double bound = 0;
         CHECK(taut_surface_to_nurbs(surface, tolerances[n], &nurbs, &bound, NULL) == TAUT_OK, "%g",
               tolerances[n]);
-        judge(largest_distance(surface, nurbs, 201), bound, tolerances[n], 1, "figure 2a");
+        judge(surface_distance(surface, nurbs, 12), bound, tolerances[n], 1, "figure 2a");
         const int found[2] = {taut_basis_span_count(taut_surface_u(nurbs)),
                               taut_basis_span_count(taut_surface_v(nurbs))};
         CHECK(found[0] <= 2 * panels[n][0] && found[1] <= 2 * panels[n][1], "%g: %d x %d",
@@ -209,6 +232,8 @@ static void test_refusals(void)
           "what it says is enough: %s", error.message);
     taut_surface_free(nurbs);
     nurbs = NULL;
+    CHECK(taut_surface_to_nurbs(surface, 1e-300, &nurbs, NULL, &error) == TAUT_BAD_ARGUMENT,
+          "far below rounding");
     CHECK(taut_surface_to_nurbs(NULL, 1, &nurbs, &bound, &error) == TAUT_BAD_ARGUMENT, "NULL");
     CHECK(nurbs == NULL && bound == 7, "outputs are untouched on failure");
     taut_surface_free(surface);
@@ -234,17 +259,56 @@ static void test_hard_lengths(void)
         CHECK(taut_curve_new("", basis, points, NULL, &curve, NULL) == TAUT_OK, "curve");
         CHECK(taut_curve_to_nurbs(curve, 1e-6, &nurbs, &bound, &error) == TAUT_OK, "%s",
               error.message);
-        for (int i = 0; i < 20011; i++) {
-            const double t = sample(basis, i, 20011);
-            double p[3], q[3];
-            taut_curve_eval(curve, t, 0, p);
-            taut_curve_eval(nurbs, t, 0, q);
-            seen = fmax(seen, distance(p, q));
-        }
+        seen = curve_distance(curve, nurbs);
         CHECK(seen <= bound && bound <= 1e-6, "%s: seen %g, proved %g", spec.type, seen, bound);
         taut_basis_free(basis);
         taut_curve_free(curve);
         taut_curve_free(nurbs);
+    }
+}
+
+/* Spans of the NURBS of one h-bezier curve of this length; *narrowest as a part of the widest. */
+static int spans_of(double beta, double tolerance, const double *points, double *narrowest)
+{
+    const taut_basis_spec spec = {.type = "h-bezier", .beta = beta};
+    taut_basis *basis = NULL;
+    taut_curve *curve = NULL, *nurbs = NULL;
+    double bound = 0, least = HUGE_VAL, most = 0;
+    CHECK(taut_basis_new(&spec, 0, &basis, NULL) == TAUT_OK, "basis");
+    CHECK(taut_curve_new("", basis, points, NULL, &curve, NULL) == TAUT_OK, "curve");
+    CHECK(taut_curve_to_nurbs(curve, tolerance, &nurbs, &bound, NULL) == TAUT_OK, "%g", beta);
+    judge(curve_distance(curve, nurbs), bound, tolerance, 1, "h-bezier");
+    const int spans = taut_basis_span_count(taut_curve_t(nurbs));
+    const double *breaks = taut_basis_breaks(taut_curve_t(nurbs));
+    for (int i = 0; i < spans; i++) {
+        least = fmin(least, breaks[i + 1] - breaks[i]);
+        most = fmax(most, breaks[i + 1] - breaks[i]);
+    }
+    *narrowest = least / most;
+    taut_basis_free(basis);
+    taut_curve_free(curve);
+    taut_curve_free(nurbs);
+    return spans;
+}
+
+/* A piece of length b has a layer at each end where |y| = c e^-s, s the distance to the end, and
+ * the widest panel there has h^6 c e^-s = 46080 tolerance; c is |P_1 - P_0| or so, near 1 here. So
+ * the layers take
+ *     2 int ds / h(s) = 12 / h(0) panels at least,     h(0) = (46080 tolerance)^(1/6),
+ * whatever b; that each panel is as narrow as its worse end wants, that the one in the middle
+ * counts too, and what c is, may cost as much again and more. */
+static void test_long_pieces_stay_small(void)
+{
+    const double points[12] = {0, 0, 0, 0.3, 1, 0, 0.6, -1, 0.5, 1, 0, 0};
+    for (double tolerance = 1e-3; tolerance > 1e-10; tolerance /= 1000) {
+        const double wanted = 12 / pow(46080 * tolerance, 1.0 / 6);
+        for (double beta = 30; beta < 700; beta *= 2.1) {
+            double narrowest = 0;
+            const int spans = spans_of(beta, tolerance, points, &narrowest);
+            CHECK(spans <= 2.5 * wanted + 3, "beta %g, %g: %d panels, %g wanted", beta, tolerance,
+                  spans, wanted);
+            CHECK(narrowest > tolerance / 100, "a sliver: %g of the widest", narrowest);
+        }
     }
 }
 
@@ -260,6 +324,7 @@ int main(void)
     test_figure_2a();
     test_refusals();
     test_hard_lengths();
+    test_long_pieces_stay_small();
     if (getenv("TAUT_TEST_SAY") != NULL) {
         printf("most pessimistic bound: %g times what was seen\n", most_pessimistic);
     }

@@ -70,6 +70,29 @@ async function testControls(browser) {
     check((await page.evaluate('document.body.innerText')).includes('not all claims hold'), 'the certificate says that it does not hold');
     check(inked(snap(await page.picture('#stage'), 'plain')) > 0.05, 'the picture is blank');
 
+    /* What is seen in the very frame in which the canvas gets another size. */
+    await page.evaluate(`(() => {
+        const stage = document.getElementById('stage');
+        let times = 0;
+        const watch = new ResizeObserver(() => {
+            if (times++ > 0) {
+                const small = document.createElement('canvas');
+                small.width = small.height = 64;
+                const ink = small.getContext('2d');
+                ink.drawImage(document.getElementById('canvas'), 0, 0, 64, 64);
+                const seen = ink.getImageData(0, 0, 64, 64).data;
+                window.inked = seen.filter((value, i) => i % 4 === 0 && value < 200 && seen[i + 3] > 0).length;
+                watch.disconnect();
+                stage.style.width = '';
+            } else {
+                requestAnimationFrame(() => { stage.style.width = stage.clientWidth - 40 + 'px'; });
+            }
+        });
+        watch.observe(stage);
+    })()`);
+    await page.until('window.inked !== undefined');
+    check(await page.evaluate('window.inked > 100'), 'the picture is gone for a frame when its size changes');
+
     for (const colour of ['H', 'K', 'I', 'plain']) {
         await mustChange(page, 'colour-' + colour, () => page.click('[name=colour][value=' + colour + ']'));
         check(await page.evaluate('document.getElementById("legend").hidden') === (colour === 'plain'), 'legend at ' + colour);

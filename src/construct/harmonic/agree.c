@@ -23,7 +23,7 @@ static void defect_of(const taut_harmonic_task *task, double delta[3])
         taut_top_difference(task->m, task->row[0], first);
     }
     for (int c = 0; c < 3; c++) {
-        delta[c] -= first[c];
+        delta[c] = task->problem->from_derivative ? task->width * delta[c] : delta[c] - first[c];
     }
 }
 

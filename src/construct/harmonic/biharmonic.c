@@ -89,6 +89,16 @@ static taut_status solve(const taut_biharmonic_problem *problem, taut_arena *are
     return TAUT_OK;
 }
 
+void taut_biharmonic_tell(double amplification, taut_record *details)
+{
+    taut_record_add_number(details, "amplification", amplification);
+    if (!(amplification < amplification_warning)) {
+        taut_record_add_text(
+            taut_record_add_list(details, "warnings"), NULL,
+            "rounding in the data grows by the amplification: expect few true digits");
+    }
+}
+
 taut_status taut_biharmonic_rows(const taut_biharmonic_problem *problem, taut_arena *arena,
                                  taut_model *model, taut_error *error)
 {
@@ -113,12 +123,7 @@ taut_status taut_biharmonic_rows(const taut_biharmonic_problem *problem, taut_ar
     }
     if (status == TAUT_OK) {
         details = taut_record_new();
-        taut_record_add_number(details, "amplification", amplification);
-        if (amplification >= amplification_warning) {
-            taut_record_add_text(
-                taut_record_add_list(details, "warnings"), NULL,
-                "rounding in the data grows by the amplification: expect few true digits");
-        }
+        taut_biharmonic_tell(amplification, details);
         taut_model_set_details(model, details);
         status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
     }

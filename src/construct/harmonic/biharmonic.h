@@ -12,4 +12,7 @@ taut_status taut_biharmonic_rows(const taut_biharmonic_problem *problem, taut_ar
 taut_status taut_biharmonic_neighbour(const taut_biharmonic_problem *problem, taut_arena *arena,
                                       taut_model *model, taut_error *error);
 
+/* The amplification, and a warning where it is large. */
+void taut_biharmonic_tell(double amplification, taut_record *details);
+
 #endif /* TAUT_HARMONIC_BIHARMONIC_H */

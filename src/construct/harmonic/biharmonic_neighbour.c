@@ -24,9 +24,11 @@ static const double biharmonic_limit = 1e-10;
 typedef struct neighbour {
     taut_neighbour given;
     int contact, n, free; /* numbers that are free, a coordinate */
+    int lines;            /* rows that are given */
+    int sides;            /* right-hand sides: three coordinates, then unit rows: 1 at a point */
     double across, along; /* of the neighbour */
     taut_space space;
-    taut_wide *fixed;  /* [3][n+1][n+1]: a net for each coordinate, with the rows */
+    taut_wide *fixed;  /* [sides][n+1][n+1]: a net for each, with the rows */
     taut_wide *moving; /* [free][n+1][n+1]: nets that leave the rows alone */
 } neighbour;
 
@@ -47,19 +49,51 @@ static void combine(const neighbour *b, const taut_wide *factors, taut_wide *to)
     }
 }
 
+/* Row k of the neighbour is sum_a share(k, a) of row n - a of the given net:
+ *     share = sum_l C(k,l) C(l,a) (-1)^a h^l,  as Delta^l q_0 = h^l nabla^l p_n  (section 2.6 (3)).
+ */
+static taut_wide share_of(taut_wide h, int k, int a)
+{
+    taut_wide sum = 0, power = 1, outer = 1; /* h^l, C(k,l) */
+    for (int l = 0; l <= k; l++) {
+        taut_wide inner = l >= a ? 1 : 0; /* C(l,a) */
+        for (int i = 0; i < a && l >= a; i++) {
+            inner = inner * (l - i) / (i + 1);
+        }
+        sum += outer * inner * power;
+        power *= h;
+        outer = outer * (k - l) / (l + 1);
+    }
+    return a % 2 != 0 ? -sum : sum;
+}
+
+/* What the rows are to be: d[rows][sides]. */
+static void fill_sides(const neighbour *b, const double *beyond, taut_wide *d)
+{
+    const int columns = b->n + 1;
+    for (int k = 0; k < b->lines * columns; k++) {
+        for (int side = 0; side < 3; side++) {
+            d[k * b->sides + side] = beyond[3 * k + side];
+        }
+        for (int a = 0; a < b->lines; a++) {
+            d[k * b->sides + 3 + a * columns + k % columns] =
+                share_of(b->given.ratio, k / columns, a);
+        }
+    }
+}
+
 /* Step 2. `beyond` double[n+1][n+1][3] has the rows that are wanted. */
 static taut_status meet_rows(neighbour *b, const double *beyond, taut_error *error)
 {
     taut_arena *arena = b->given.arena;
-    const int unknowns = b->space.count, rank = unknowns - b->free, columns = b->n + 1;
-    const int lines = b->contact < b->n ? b->contact + 1 : b->n + 1, rows = lines * columns;
+    const int unknowns = b->space.count, rank = unknowns - b->free, rows = b->lines * (b->n + 1);
     const size_t n = (size_t)unknowns, numbers = numbers_of(b);
     taut_wide *c = taut_arena_take(arena, (size_t)rows * n, sizeof *c);
-    taut_wide *d = taut_arena_take(arena, 3 * (size_t)rows, sizeof *d);
+    taut_wide *d = taut_arena_take(arena, (size_t)rows * (size_t)b->sides, sizeof *d);
     taut_wide *basis = taut_arena_take(arena, n * n, sizeof *basis);
-    taut_wide *x = taut_arena_take(arena, 3 * n, sizeof *x);
+    taut_wide *x = taut_arena_take(arena, (size_t)b->sides * n, sizeof *x);
 
-    b->fixed = taut_arena_take(arena, 3 * numbers, sizeof(taut_wide));
+    b->fixed = taut_arena_take(arena, (size_t)b->sides * numbers, sizeof(taut_wide));
     b->moving = taut_arena_take(arena, (size_t)b->free * numbers, sizeof(taut_wide));
     if (c == NULL || d == NULL || basis == NULL || x == NULL || b->fixed == NULL ||
         b->moving == NULL) {
@@ -69,12 +103,10 @@ static taut_status meet_rows(neighbour *b, const double *beyond, taut_error *err
         for (int f = 0; f < unknowns; f++) {
             c[k * unknowns + f] = b->space.nets[(size_t)f * numbers + (size_t)k];
         }
-        for (int side = 0; side < 3; side++) {
-            d[3 * k + side] = beyond[3 * k + side];
-        }
     }
-    taut_wide_constrain(rows, unknowns, rank, 3, c, d, basis, x);
-    for (int side = 0; side < 3; side++) {
+    fill_sides(b, beyond, d);
+    taut_wide_constrain(rows, unknowns, rank, b->sides, c, d, basis, x);
+    for (int side = 0; side < b->sides; side++) {
         combine(b, x + side * unknowns, b->fixed + (size_t)side * numbers);
     }
     for (int k = 0; k < b->free; k++) {
@@ -113,36 +145,47 @@ static void basis_at(int n, taut_wide t, taut_wide *b)
     }
 }
 
-/* sqrt(weight) times (P_uu, sqrt 2 P_uv, P_vv) by parameter length, of a net at a pair of nodes. */
-static void bend(const neighbour *b, const taut_wide *net, const taut_wide *bu, const taut_wide *bv,
-                 taut_wide weight, taut_wide out[3])
+/* polygons[3][n+1]: the net along the line where the functions across have the values bu, of its
+ * second derivative across, its first and itself. */
+static void lay(const neighbour *b, const taut_wide *net, const taut_wide *bu, taut_wide *polygons)
+{
+    const int size = b->n + 1;
+    memset(polygons, 0, 3 * (size_t)size * sizeof *polygons);
+    for (int order = 0; order < 3; order++) {
+        for (int i = 0; i < size; i++) {
+            for (int j = 0; j < size; j++) {
+                polygons[(2 - order) * size + j] += bu[order * size + i] * net[i * size + j];
+            }
+        }
+    }
+}
+
+/* weight times (P_uu, sqrt 2 P_uv, P_vv) by parameter length, at a point of that line; out[row] is
+ * `stride` apart. */
+static void bend(const neighbour *b, const taut_wide *polygons, const taut_wide *bv,
+                 taut_wide weight, long stride, taut_wide *out)
 {
     const int size = b->n + 1;
     taut_wide sum[3] = {0, 0, 0};
-    for (int i = 0; i < size; i++) {
-        taut_wide line[3] = {0, 0, 0};
+    for (int k = 0; k < 3; k++) {
         for (int j = 0; j < size; j++) {
-            for (int k = 0; k < 3; k++) {
-                line[k] += bv[k * size + j] * net[i * size + j];
-            }
+            sum[k] += bv[k * size + j] * polygons[k * size + j];
         }
-        sum[0] += bu[2 * size + i] * line[0];
-        sum[1] += bu[size + i] * line[1];
-        sum[2] += bu[i] * line[2];
     }
     out[0] = weight * sum[0] / ((taut_wide)b->across * b->across);
-    out[1] = weight * sqrtl(2) * sum[1] / ((taut_wide)b->across * b->along);
-    out[2] = weight * sum[2] / ((taut_wide)b->along * b->along);
+    out[stride] = weight * sqrtl(2) * sum[1] / ((taut_wide)b->across * b->along);
+    out[2 * stride] = weight * sum[2] / ((taut_wide)b->along * b->along);
 }
 
 /* Step 3: y[side][free]. */
 static taut_status relax(const neighbour *b, taut_wide *y, taut_error *error)
 {
     taut_arena *arena = b->given.arena;
-    const int nodes = b->n + 1, width = b->free + 3, size = b->n + 1;
+    const int nodes = b->n + 1, width = b->free + b->sides, size = b->n + 1;
     const size_t numbers = numbers_of(b);
     double t[TAUT_GAUSS_MAX], w[TAUT_GAUSS_MAX];
-    taut_wide *r = taut_arena_take(arena, (size_t)width * (size_t)width, sizeof *r);
+    taut_wide polygons[3 * (TAUT_SPACE_DEGREE_MAX + 1)];
+    taut_wide *r = taut_arena_take(arena, (size_t)b->free * (size_t)width, sizeof *r);
     taut_wide *block = taut_arena_take(arena, 3 * (size_t)nodes * (size_t)width, sizeof *block);
     taut_wide *table = taut_arena_take(arena, 3 * (size_t)nodes * (size_t)size, sizeof *table);
 
@@ -154,21 +197,19 @@ static taut_status relax(const neighbour *b, taut_wide *y, taut_error *error)
         basis_at(b->n, ((taut_wide)t[s] + 1) / 2, table + 3 * s * size);
     }
     for (int s = 0; s < nodes; s++) {
-        for (int q = 0; q < nodes; q++) {
-            for (int k = 0; k < width; k++) {
-                const taut_wide *net = k < b->free ? b->moving + (size_t)k * numbers
-                                                   : b->fixed + (size_t)(k - b->free) * numbers;
-                taut_wide out[3];
-                bend(b, net, table + 3 * s * size, table + 3 * q * size,
-                     sqrtl((taut_wide)w[s] * w[q]), out);
-                for (int row = 0; row < 3; row++) {
-                    block[(3 * q + row) * width + k] = out[row];
-                }
+        for (int k = 0; k < width; k++) {
+            lay(b,
+                k < b->free ? b->moving + (size_t)k * numbers
+                            : b->fixed + (size_t)(k - b->free) * numbers,
+                table + 3 * s * size, polygons);
+            for (int q = 0; q < nodes; q++) {
+                bend(b, polygons, table + 3 * q * size, sqrtl((taut_wide)w[s] * w[q]), width,
+                     block + 3 * q * width + k);
             }
         }
         taut_wide_append(b->free, width, r, 3 * nodes, block);
     }
-    for (int side = 0; side < 3; side++) {
+    for (int side = 0; side < b->sides; side++) {
         for (int k = 0; k < b->free; k++) {
             y[side * b->free + k] = -r[k * width + b->free + side];
         }
@@ -177,12 +218,37 @@ static taut_status relax(const neighbour *b, taut_wide *y, taut_error *error)
     return TAUT_OK;
 }
 
+/* Point k of the neighbour that a right-hand side leads to. */
+static taut_wide point_of(const neighbour *b, const taut_wide *y, int side, size_t k)
+{
+    const size_t numbers = numbers_of(b);
+    taut_wide sum = b->fixed[(size_t)side * numbers + k];
+    for (int f = 0; f < b->free; f++) {
+        sum += y[side * b->free + f] * b->moving[(size_t)f * numbers + k];
+    }
+    return sum;
+}
+
+/* The largest growth from the given surface's rows to the neighbour's net, in the
+ * largest-coordinate norm: all of it is linear, the unit rows are its columns. */
+static double amplification_of(const neighbour *b, const taut_wide *y)
+{
+    taut_wide most = 0;
+    for (size_t k = 0; k < numbers_of(b); k++) {
+        taut_wide sum = 0;
+        for (int side = 3; side < b->sides; side++) {
+            sum += fabsl(point_of(b, y, side, k));
+        }
+        most = fmaxl(most, sum);
+    }
+    return (double)most;
+}
+
 /* Steps 1 to 3: the net, in the frame. */
-static taut_status solve(neighbour *b, double *net, taut_error *error)
+static taut_status solve(neighbour *b, double *net, double *amplification, taut_error *error)
 {
     taut_arena *arena = b->given.arena;
-    const size_t numbers = numbers_of(b);
-    taut_wide *y = taut_arena_take(arena, 3 * (size_t)b->free, sizeof *y);
+    taut_wide *y = taut_arena_take(arena, (size_t)b->sides * (size_t)b->free, sizeof *y);
     taut_status status = y != NULL ? TAUT_OK : taut_fail_memory(error);
 
     taut_neighbour_extrapolate(&b->given, 0, net);
@@ -196,14 +262,13 @@ static taut_status solve(neighbour *b, double *net, taut_error *error)
     if (status == TAUT_OK && b->free > 0) {
         status = relax(b, y, error);
     }
-    for (size_t k = (size_t)(b->n + 1); status == TAUT_OK && k < numbers; k++) {
+    for (size_t k = (size_t)(b->n + 1); status == TAUT_OK && k < numbers_of(b); k++) {
         for (int side = 0; side < 3; side++) {
-            taut_wide sum = b->fixed[(size_t)side * numbers + k];
-            for (int f = 0; f < b->free; f++) {
-                sum += y[side * b->free + f] * b->moving[(size_t)f * numbers + k];
-            }
-            net[3 * k + (size_t)side] = (double)sum;
+            net[3 * k + (size_t)side] = (double)point_of(b, y, side, k);
         }
+    }
+    if (status == TAUT_OK) {
+        *amplification = amplification_of(b, y);
     }
     return status;
 }
@@ -234,7 +299,8 @@ static taut_status check(const taut_neighbour *given, taut_error *error)
     return TAUT_OK;
 }
 
-static taut_status add_both(const neighbour *b, double *net, taut_model *model, taut_error *error)
+static taut_status add_both(const neighbour *b, double *net, double amplification,
+                            taut_model *model, taut_error *error)
 {
     taut_surface *surfaces[2] = {NULL, NULL};
     taut_record *details = NULL;
@@ -243,8 +309,7 @@ static taut_status add_both(const neighbour *b, double *net, taut_model *model, 
                              : taut_fail_memory(error);
 
     if (status == TAUT_OK) {
-        status = taut_neighbour_surface(&b->given, "extension", net, 1, b->given.ratio,
-                                        &surfaces[1], error);
+        status = taut_neighbour_surface(&b->given, "extension", net, 0, &surfaces[1], error);
     }
     for (int i = 0; i < 2; i++) {
         if (status == TAUT_OK && taut_model_add_surface(model, surfaces[i]) == TAUT_OK) {
@@ -257,6 +322,7 @@ static taut_status add_both(const neighbour *b, double *net, taut_model *model, 
         details = taut_record_new();
         taut_record_add_text(details, "contact", b->contact == 1 ? "c1" : "c2");
         taut_record_add_number(details, "free", b->free);
+        taut_biharmonic_tell(amplification, details);
         taut_model_set_details(model, details);
         status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
     }
@@ -267,7 +333,7 @@ taut_status taut_biharmonic_neighbour(const taut_biharmonic_problem *problem, ta
                                       taut_model *model, taut_error *error)
 {
     neighbour b = {.contact = problem->contact};
-    double *net = NULL;
+    double *net = NULL, amplification = 0;
     taut_status status = taut_neighbour_check(problem->surface, problem->width, error);
 
     b.given.surface = problem->surface;
@@ -284,9 +350,11 @@ taut_status taut_biharmonic_neighbour(const taut_biharmonic_problem *problem, ta
     }
     b.n = b.given.n;
     b.free = b.contact == 1 ? 2 * (b.n - 1) : 2 * ((b.n - 1) / 2);
+    b.lines = b.contact < b.n ? b.contact + 1 : b.n + 1;
+    b.sides = 3 + b.lines * (b.n + 1);
     b.across = b.given.ratio * b.given.across;
     b.along = b.given.along;
     net = taut_arena_take(arena, 3 * numbers_of(&b), sizeof(double));
-    status = net != NULL ? solve(&b, net, error) : taut_fail_memory(error);
-    return status == TAUT_OK ? add_both(&b, net, model, error) : status;
+    status = net != NULL ? solve(&b, net, &amplification, error) : taut_fail_memory(error);
+    return status == TAUT_OK ? add_both(&b, net, amplification, model, error) : status;
 }

@@ -2,6 +2,7 @@
 #include "construct/harmonic/task.h"
 #include "core/fail.h"
 
+#include <math.h>
 #include <string.h>
 
 static double width(const taut_basis *basis)
@@ -21,7 +22,7 @@ static void set_direction(taut_harmonic_task *task, int turned)
 {
     const taut_basis *across = turned ? task->problem->v : task->problem->u;
     const taut_basis *along = turned ? task->problem->u : task->problem->v;
-    const double ratio = width(across) / width(along);
+    const taut_wide ratio = (taut_wide)width(across) / width(along);
     task->turned = turned;
     task->n = taut_basis_degree(across);
     task->m = taut_basis_degree(along);
@@ -84,7 +85,7 @@ static taut_status collect_lines(taut_harmonic_task *task, taut_error *error)
     return status;
 }
 
-/* Edge u0 and dx/du along it; the derivative is by normalised u inside. */
+/* Edge u0 and dx/du along it. */
 static taut_status collect_derivative(taut_harmonic_task *task, taut_error *error)
 {
     const taut_harmonic_problem *problem = task->problem;
@@ -97,13 +98,13 @@ static taut_status collect_derivative(taut_harmonic_task *task, taut_error *erro
         return status;
     }
     task->frame = taut_frame_of((size_t)task->m + 1, problem->edge, NULL);
+    task->width = width(problem->u);
     for (int i = 0; i < 3 * (task->m + 1); i++) {
-        task->row[1][i] *= width(problem->u);
-        size = task->row[1][i] > size    ? task->row[1][i]
-               : -task->row[1][i] > size ? -task->row[1][i]
-                                         : size;
+        size = fmax(size, fabs(task->row[1][i]) * task->width);
     }
-    task->frame.size = size > task->frame.size ? size : task->frame.size;
+    if (size > task->frame.size) {
+        task->frame.size = taut_frame_size(size);
+    }
     taut_frame_enter(&task->frame, (size_t)task->m + 1, task->row[0]);
     for (int i = 0; i < 3 * (task->m + 1); i++) {
         task->row[1][i] /= task->frame.size;

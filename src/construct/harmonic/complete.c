@@ -42,14 +42,21 @@ static void chain_step(chain *c)
 
 /* net[i][j] += scale factor[i] curve[j] */
 static void add_product(int n, int m, taut_wide scale, const taut_wide *factor,
-                        const taut_wide *points, double *net)
+                        const taut_wide *points, taut_wide *net)
 {
     for (int i = 0; i <= n; i++) {
         const taut_wide f = scale * factor[i];
         for (int c = 0; c < 3 * (m + 1); c++) {
-            double *p = net + i * 3 * (m + 1) + c;
-            *p = (double)(*p + f * points[c]);
+            net[i * 3 * (m + 1) + c] += f * points[c];
         }
+    }
+}
+
+/* The one rounding of a net. */
+static void round_net(int n, int m, const taut_wide *wide, double *net)
+{
+    for (int k = 0; k < 3 * (n + 1) * (m + 1); k++) {
+        net[k] = (double)wide[k];
     }
 }
 
@@ -72,7 +79,7 @@ static void next_factor(int d, int n, taut_wide *low, taut_wide *raised)
 
 /* The last term of even m = n, where both top derivatives are one constant: S_k, S_k'' = S_{k-1},
  * S_0 = 1, has degree 2k and not 2k + 1. */
-static void add_even_term(int m, taut_wide scale, const chain *a, const chain *b, double *net)
+static void add_even_term(int m, taut_wide scale, const chain *a, const chain *b, taut_wide *net)
 {
     taut_wide low[SIZE] = {1}, raised[SIZE] = {1};
     curve mean;
@@ -86,14 +93,14 @@ static void add_even_term(int m, taut_wide scale, const chain *a, const chain *b
     add_product(m, m, scale, raised, mean, net);
 }
 
-void taut_harmonic_from_rows(int n, int m, double mu, const double *row0, const double *row1,
-                             double *net)
+void taut_harmonic_from_rows(int n, int m, taut_wide mu, const double *row0, const double *row1,
+                             taut_wide *wide, double *net)
 {
     taut_wide low[SIZE] = {0, 1}, factor[SIZE] = {0, 1}, mirrored[SIZE];
     chain a, b;
     taut_wide scale = 1;
 
-    memset(net, 0, (size_t)(n + 1) * (size_t)(m + 1) * 3 * sizeof(double));
+    memset(wide, 0, (size_t)(n + 1) * (size_t)(m + 1) * 3 * sizeof *wide);
     chain_start(&a, m, row0);
     chain_start(&b, m, row1);
     taut_raise_degree(1, n, 1, factor); /* Lambda_0(u) = u */
@@ -101,24 +108,25 @@ void taut_harmonic_from_rows(int n, int m, double mu, const double *row0, const 
         chain_raise(&a);
         chain_raise(&b);
         if (2 * k + 1 > n) {
-            add_even_term(m, scale, &a, &b, net);
+            add_even_term(m, scale, &a, &b, wide);
             break;
         }
         if (k > 0) {
             next_factor(2 * k + 1, n, low, factor);
         }
         reverse(n, factor, mirrored);
-        add_product(n, m, scale, mirrored, a.raised, net);
-        add_product(n, m, scale, factor, b.raised, net);
+        add_product(n, m, scale, mirrored, a.raised, wide);
+        add_product(n, m, scale, factor, b.raised, wide);
         scale *= -mu;
         chain_step(&a);
         chain_step(&b);
     }
+    round_net(n, m, wide, net);
 }
 
 /* K = max_i sum_k m!/(m-2k)! (4 mu)^k (|Lambda_k(1-.)|_i + |Lambda_k|_i), exact when the
  * constrained case's last term is taken as S_k; all coefficients of one Lambda_k have one sign. */
-double taut_harmonic_rows_amplification(int n, int m, double mu)
+double taut_harmonic_rows_amplification(int n, int m, taut_wide mu)
 {
     taut_wide low[SIZE] = {0, 1}, factor[SIZE] = {0, 1}, sum[SIZE] = {0};
     taut_wide scale = 1, most = 0;
@@ -127,7 +135,7 @@ double taut_harmonic_rows_amplification(int n, int m, double mu)
     for (int k = 0; 2 * k <= m && 2 * k + 1 <= n; k++) {
         if (k > 0) {
             next_factor(2 * k + 1, n, low, factor);
-            scale *= 4 * (taut_wide)mu * (m - 2 * k + 2) * (m - 2 * k + 1);
+            scale *= 4 * mu * (m - 2 * k + 2) * (m - 2 * k + 1);
         }
         for (int i = 0; i <= n; i++) {
             sum[i] += scale * (fabsl(factor[i]) + fabsl(factor[n - i]));
@@ -139,14 +147,14 @@ double taut_harmonic_rows_amplification(int n, int m, double mu)
     return (double)most;
 }
 
-void taut_harmonic_from_derivative(int n, int m, double mu, const double *row, const double *cross,
-                                   double *net)
+static void wide_from_derivative(int n, int m, taut_wide mu, const double *row, taut_wide width,
+                                 const double *cross, taut_wide *net)
 {
     taut_wide factor[SIZE];
     chain f, g;
-    taut_wide even = 1, odd = 1; /* (-mu)^k / (2k)!, (-mu)^k / (2k+1)! */
+    taut_wide even = 1, odd = width; /* (-mu)^k / (2k)!, width (-mu)^k / (2k+1)! */
 
-    memset(net, 0, (size_t)(n + 1) * (size_t)(m + 1) * 3 * sizeof(double));
+    memset(net, 0, (size_t)(n + 1) * (size_t)(m + 1) * 3 * sizeof *net);
     chain_start(&f, m, row);
     chain_start(&g, m, cross);
     for (int k = 0; 2 * k <= m && 2 * k <= n; k++) {
@@ -158,34 +166,40 @@ void taut_harmonic_from_derivative(int n, int m, double mu, const double *row, c
             taut_power_coefficients(2 * k + 1, n, factor);
             add_product(n, m, odd, factor, g.raised, net);
         }
-        even *= -(taut_wide)mu / ((2 * k + 1) * (2 * k + 2));
-        odd *= -(taut_wide)mu / ((2 * k + 2) * (2 * k + 3));
+        even *= -mu / ((2 * k + 1) * (2 * k + 2));
+        odd *= -mu / ((2 * k + 2) * (2 * k + 3));
         chain_step(&f);
         chain_step(&g);
     }
 }
 
-/* Adds |net| of one unit vector (three of them at once, one a coordinate) to `sum`. */
-static double add_sizes(int n, int m, const double *net, double *sum)
+void taut_harmonic_from_derivative(int n, int m, taut_wide mu, const double *row, taut_wide width,
+                                   const double *cross, taut_wide *wide, double *net)
 {
-    double most = 0;
+    wide_from_derivative(n, m, mu, row, width, cross, wide);
+    round_net(n, m, wide, net);
+}
+
+/* Adds |net| of one unit vector (three of them at once, one a coordinate) to `sum`. */
+static taut_wide add_sizes(int n, int m, const taut_wide *net, taut_wide *sum)
+{
+    taut_wide most = 0;
     for (int i = 0; i < (n + 1) * (m + 1); i++) {
         for (int c = 0; c < 3; c++) {
-            sum[i] += fabs(net[3 * i + c]);
+            sum[i] += fabsl(net[3 * i + c]);
         }
-        most = fmax(most, sum[i]);
+        most = fmaxl(most, sum[i]);
     }
     return most;
 }
 
 /* The map is linear, so its norm is the largest sum of sizes over unit data: point j of row 0 (then
  * P_u = -n times it) and of row 1 (P_u = n times it). */
-double taut_harmonic_derivative_amplification(int n, int m, double mu, double *scratch)
+double taut_harmonic_derivative_amplification(int n, int m, taut_wide mu, taut_wide *scratch)
 {
-    double *net = scratch, *sum = scratch + 3 * (n + 1) * (m + 1);
-    double most = 0;
+    taut_wide *net = scratch, *sum = scratch + 3 * (n + 1) * (m + 1), most = 0;
 
-    memset(sum, 0, (size_t)(n + 1) * (size_t)(m + 1) * sizeof(double));
+    memset(sum, 0, (size_t)(n + 1) * (size_t)(m + 1) * sizeof *sum);
     for (int first = 0; first < 2 * (m + 1); first += 3) {
         double row[SIZE * 3] = {0}, cross[SIZE * 3] = {0};
         for (int c = 0; c < 3 && first + c < 2 * (m + 1); c++) {
@@ -194,8 +208,8 @@ double taut_harmonic_derivative_amplification(int n, int m, double mu, double *s
             row[3 * j + c] = next ? 0 : 1;
             cross[3 * j + c] = next ? n : -n;
         }
-        taut_harmonic_from_derivative(n, m, mu, row, cross, net);
+        wide_from_derivative(n, m, mu, row, 1, cross, net);
         most = add_sizes(n, m, net, sum);
     }
-    return most;
+    return (double)most;
 }

@@ -60,8 +60,8 @@ taut_status taut_harmonic_exact(taut_harmonic_task *task, taut_error *error)
     taut_exact_net net;
     taut_exact_lines lines = {.n = task->n,
                               .m = task->m,
-                              .across = taut_basis_hi(across) - taut_basis_lo(across),
-                              .along = taut_basis_hi(along) - taut_basis_lo(along),
+                              .across = {taut_basis_lo(across), taut_basis_hi(across)},
+                              .along = {taut_basis_lo(along), taut_basis_hi(along)},
                               .from_derivative = p->from_derivative,
                               .corner_missing = task->corner_missing,
                               .even = (int)p->even};

@@ -51,11 +51,11 @@ static taut_status complete_g1(const taut_neighbour *e,
                                double *amplification, taut_error *error)
 {
     const int n = e->n, m = e->m;
-    const double ratio = e->ratio * e->across / e->along;
+    const taut_wide ratio = (taut_wide)e->ratio * e->across / e->along;
     const double limit = fmax(1e-10, 4 * ldexp(DBL_EPSILON, m) * taut_frame_reach(&e->frame));
     double *cross = taut_arena_take(e->arena, 3 * (size_t)(m + 1), sizeof(double));
-    double *scratch =
-        taut_arena_take(e->arena, 4 * (size_t)(n + 1) * (size_t)(m + 1), sizeof(double));
+    taut_wide *scratch =
+        taut_arena_take(e->arena, 4 * (size_t)(n + 1) * (size_t)(m + 1), sizeof *scratch);
     double top[3];
 
     if (cross == NULL || scratch == NULL) {
@@ -78,7 +78,8 @@ static taut_status complete_g1(const taut_neighbour *e,
                          "here (the top difference is %.6g)",
                          m, defect * e->frame.size);
     }
-    taut_harmonic_from_derivative(n, m, ratio * ratio, e->net + 3 * n * (m + 1), cross, out);
+    taut_harmonic_from_derivative(n, m, ratio * ratio, e->net + 3 * n * (m + 1), 1, cross, scratch,
+                                  out);
     *amplification = taut_harmonic_derivative_amplification(n, m, ratio * ratio, scratch);
     return TAUT_OK;
 }
@@ -96,6 +97,11 @@ static taut_status check_problem(const taut_harmonic_extension_problem *problem,
     if (status != TAUT_OK) {
         return status;
     }
+    if (problem->neighbour != NULL && (problem->width > 0 || problem->contact != TAUT_CONTACT_C1)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/neighbour", taut_none, taut_none,
+                         "found \"neighbour\" beside \"width\" or contact \"g1\": it has a width, "
+                         "and must be the surface carried on");
+    }
     if (problem->contact == TAUT_CONTACT_G1 &&
         !(problem->c > 0 && isfinite(problem->c) && isfinite(problem->alpha) &&
           isfinite(problem->beta))) {
@@ -110,15 +116,15 @@ static taut_status check_problem(const taut_harmonic_extension_problem *problem,
 static taut_status check_exact(const taut_surface *surface, taut_error *error)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    const double sides[2] = {taut_basis_hi(u) - taut_basis_lo(u),
-                             taut_basis_hi(v) - taut_basis_lo(v)};
+    const double rectangle[4] = {taut_basis_lo(u), taut_basis_hi(u), taut_basis_lo(v),
+                                 taut_basis_hi(v)};
     const taut_exact_numbers net = {taut_surface_points(surface), taut_surface_exact(surface)};
     const taut_exact_ops *ops = NULL;
     double residual = 0;
     taut_status status = taut_exact_load(&ops, error);
 
     if (status == TAUT_OK &&
-        !ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, sides, &residual)) {
+        !ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, rectangle, &residual)) {
         return taut_fail_memory(error);
     }
     if (status == TAUT_OK && residual > 0) {
@@ -157,13 +163,16 @@ static taut_status fill_model(const taut_neighbour *e,
     }
     if (status == TAUT_OK) {
         memcpy(next, e->net + 3 * e->n * (e->m + 1), (size_t)(3 * (e->m + 1)) * sizeof(double));
-        status = taut_neighbour_surface(e, "extension", next, 1, e->ratio, &surfaces[1], error);
+        status = taut_neighbour_surface(e, "extension", next, 0, &surfaces[1], error);
     }
     if (status == TAUT_OK && !g1) {
-        status = taut_neighbour_surface(e, "h", merged, 0, 1 + e->ratio, &surfaces[2], error);
+        status = taut_neighbour_surface(e, "h", merged, 1, &surfaces[2], error);
     }
     for (int i = 1; i < 3 && exact && status == TAUT_OK; i++) {
         status = taut_neighbour_exact(e->surface, e->arena, &surfaces[i], error);
+    }
+    if (status == TAUT_OK && e->other != NULL) {
+        status = taut_neighbour_compare(e, surfaces[1], exact, error);
     }
     for (int i = 0; i < 3; i++) {
         if (status == TAUT_OK && surfaces[i] != NULL) {
@@ -190,7 +199,7 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
                                          taut_error *error)
 {
     taut_neighbour e = {.surface = NULL};
-    double *scratch = NULL;
+    double *scratch = NULL, width = problem != NULL ? problem->width : 0;
     taut_model *made = NULL;
     const int exact = options != NULL && options->exact;
     taut_status status = check_problem(problem, error);
@@ -204,11 +213,15 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
     }
     e.surface = problem->surface;
     e.edge = problem->edge;
+    e.other = problem->neighbour;
     e.arena = taut_arena_new();
     status =
         e.arena != NULL && taut_model_new(&made) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    if (status == TAUT_OK && e.other != NULL) {
+        status = taut_neighbour_match(&e, &width, error);
+    }
     if (status == TAUT_OK) {
-        status = taut_neighbour_turn(&e, problem->width, error);
+        status = taut_neighbour_turn(&e, width, error);
     }
     if (status == TAUT_OK) {
         scratch =

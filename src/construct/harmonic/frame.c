@@ -1,7 +1,20 @@
 #include "construct/harmonic/frame.h"
 
+#include <float.h>
 #include <math.h>
 
+double taut_frame_size(double size)
+{
+    int exponent = 0;
+    if (!(size > 0)) {
+        return 1;
+    }
+    (void)frexp(size, &exponent);
+    return ldexp(1, exponent < DBL_MAX_EXP ? exponent : DBL_MAX_EXP - 1);
+}
+
+/* A middle at least three times as far as the ends are from it: all points lie between half of it
+ * and twice of it, where subtraction is exact. A nearer one is left at 0. */
 taut_frame taut_frame_of(size_t count, const double *points, const unsigned char *known)
 {
     taut_frame frame = {{0, 0, 0}, 0};
@@ -14,13 +27,12 @@ taut_frame taut_frame_of(size_t count, const double *points, const unsigned char
             }
         }
         if (low <= high) {
-            frame.centre[c] = 0.5 * low + 0.5 * high;
-            frame.size = fmax(frame.size, 0.5 * high - 0.5 * low);
+            const double middle = 0.5 * low + 0.5 * high;
+            frame.centre[c] = fabs(middle) > 3 * (0.5 * high - 0.5 * low) ? middle : 0;
+            frame.size = fmax(frame.size, fmax(high - frame.centre[c], frame.centre[c] - low));
         }
     }
-    if (!(frame.size > 0)) {
-        frame.size = 1;
-    }
+    frame.size = taut_frame_size(frame.size);
     return frame;
 }
 

@@ -1,4 +1,5 @@
-/* frame.h -- data brought to unit size about its middle, and back. */
+/* frame.h -- data brought to unit size, and near to the origin where it is far, without rounding:
+ * what a completion amplifies are the numbers as they were given. */
 #ifndef TAUT_HARMONIC_FRAME_H
 #define TAUT_HARMONIC_FRAME_H
 
@@ -6,8 +7,12 @@
 
 typedef struct taut_frame {
     double centre[3];
-    double size; /* largest distance of a coordinate from the centre; 1 where all points coincide */
+    double size; /* a power of two: the largest distance of a coordinate from the centre is below it
+                  * and at least half of it; 1 where all points coincide */
 } taut_frame;
+
+/* The power of two for a largest distance. */
+double taut_frame_size(double largest);
 
 /* The frame of points[count][3], of which only those with known[i] != 0 count (NULL: all). */
 taut_frame taut_frame_of(size_t count, const double *points, const unsigned char *known);

@@ -15,19 +15,26 @@
  * square). */
 static const double amplification_limit = 1e15, amplification_warning = 5e6;
 
-static taut_status check_amplification(taut_harmonic_task *task, taut_error *error)
+/* Of the degrees that the net has in the end. */
+static taut_status measure_amplification(taut_harmonic_task *task, taut_error *error)
 {
     const int n = task->n, m = task->m;
-    if (task->problem->from_derivative) {
-        double *scratch =
-            taut_arena_take(task->arena, 4 * (size_t)(n + 1) * (size_t)(m + 1), sizeof(double));
-        if (scratch == NULL) {
-            return taut_fail_memory(error);
-        }
-        task->amplification = taut_harmonic_derivative_amplification(n, m, task->mu, scratch);
-    } else {
+    taut_wide *scratch = NULL;
+
+    if (!task->problem->from_derivative) {
         task->amplification = taut_harmonic_rows_amplification(n, m, task->mu);
+        return TAUT_OK;
     }
+    scratch = taut_arena_take(task->arena, 4 * (size_t)(n + 1) * (size_t)(m + 1), sizeof *scratch);
+    if (scratch == NULL) {
+        return taut_fail_memory(error);
+    }
+    task->amplification = taut_harmonic_derivative_amplification(n, m, task->mu, scratch);
+    return TAUT_OK;
+}
+
+static taut_status check_amplification(const taut_harmonic_task *task, taut_error *error)
+{
     if (!(task->amplification <= amplification_limit) && !task->problem->insist) {
         return taut_fail(
             error, TAUT_NO_SOLUTION, "", task->amplification, amplification_limit,
@@ -53,15 +60,18 @@ static taut_status check_degrees(const taut_harmonic_task *task, taut_error *err
 static taut_status complete(taut_harmonic_task *task, taut_error *error)
 {
     const size_t points = (size_t)(task->n + 1) * (size_t)(task->m + 1);
+    taut_wide *wide = taut_arena_take(task->arena, 3 * points, sizeof *wide);
+
     task->net = taut_arena_take(task->arena, 3 * points, sizeof(double));
-    if (task->net == NULL) {
+    if (task->net == NULL || wide == NULL) {
         return taut_fail_memory(error);
     }
     if (task->problem->from_derivative) {
-        taut_harmonic_from_derivative(task->n, task->m, task->mu, task->row[0], task->row[1],
-                                      task->net);
+        taut_harmonic_from_derivative(task->n, task->m, task->mu, task->row[0], task->width,
+                                      task->row[1], wide, task->net);
     } else {
-        taut_harmonic_from_rows(task->n, task->m, task->mu, task->row[0], task->row[1], task->net);
+        taut_harmonic_from_rows(task->n, task->m, task->mu, task->row[0], task->row[1], wide,
+                                task->net);
     }
     taut_frame_leave(&task->frame, points, task->net);
     for (size_t i = 0; i < 3 * points; i++) {
@@ -220,7 +230,10 @@ static taut_status check_problem(const taut_harmonic_problem *problem, taut_erro
 /* Rational arithmetic amplifies nothing, so that any degree will do. */
 static taut_status check_exact(taut_harmonic_task *task, taut_error *error)
 {
-    const taut_status status = taut_harmonic_exact(task, error);
+    taut_status status = taut_harmonic_exact(task, error);
+    if (status == TAUT_OK) {
+        status = measure_amplification(task, error);
+    }
     for (int i = 0; status == TAUT_OK && i < 3 * (task->n + 1) * (task->m + 1); i++) {
         if (!isfinite(task->net[i])) {
             return taut_fail(
@@ -249,13 +262,13 @@ static taut_status solve(taut_harmonic_task *task, int exact, taut_error *error)
         status = check_degrees(task, error);
     }
     if (status == TAUT_OK && exact) {
-        task->amplification = task->problem->from_derivative
-                                  ? taut_none
-                                  : taut_harmonic_rows_amplification(task->n, task->m, task->mu);
         return check_exact(task, error);
     }
     if (status == TAUT_OK) {
         status = taut_harmonic_agree(task, error);
+    }
+    if (status == TAUT_OK) {
+        status = measure_amplification(task, error);
     }
     if (status == TAUT_OK) {
         status = check_amplification(task, error);

@@ -42,16 +42,16 @@ void taut_second_derivative(int d, taut_wide *curve)
 
 void taut_top_difference(int m, const double *curve, double top[3])
 {
-    double binomial = 1; /* C(m, j), with the sign (-1)^(m-j) */
-    top[0] = top[1] = top[2] = 0;
-    if (m % 2 != 0) {
-        binomial = -1;
-    }
+    taut_wide binomial = m % 2 != 0 ? -1 : 1; /* (-1)^(m-j) C(m, j) */
+    taut_wide sum[3] = {0, 0, 0};
     for (int j = 0; j <= m; j++) {
         for (int c = 0; c < 3; c++) {
-            top[c] += binomial * curve[3 * j + c];
+            sum[c] += binomial * curve[3 * j + c];
         }
         binomial = -binomial * (m - j) / (j + 1);
+    }
+    for (int c = 0; c < 3; c++) {
+        top[c] = (double)sum[c];
     }
 }
 

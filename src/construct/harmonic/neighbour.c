@@ -30,7 +30,8 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
     const taut_basis *across = e->turned ? v : u;
     const double lo = taut_basis_lo(across), hi = taut_basis_hi(across);
     const double reach = (1 + e->ratio) * e->across;
-    const double edge = e->reversed ? lo : hi, end = e->reversed ? hi - reach : lo + reach;
+    const double edge = e->reversed ? lo : hi;
+    const double end = taut_neighbour_end(e, edge, e->reversed ? hi - reach : lo + reach);
     if (end == edge || !(fabs(end) <= TAUT_PARAMETER_MAX)) {
         return taut_fail(error, TAUT_BAD_INPUT, "/width", width, taut_none,
                          "bad parameter: the width %.17g from the edge at %.17g leads to %.17g, "
@@ -38,6 +39,9 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
                          width, edge, end, TAUT_PARAMETER_MAX);
     }
     const size_t count = (size_t)(e->n + 1) * (size_t)(e->m + 1);
+    e->here = edge;
+    e->end = end;
+    e->ratio = fabs(end - edge) / e->across; /* of the parameters that there are */
     e->frame = taut_frame_of(count, points, NULL);
     e->net = taut_arena_take(e->arena, 3 * count, sizeof(double));
     if (e->net == NULL) {
@@ -141,8 +145,7 @@ void taut_neighbour_extrapolate(const taut_neighbour *e, int merged, double *out
 }
 
 taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, double *net,
-                                   double start, double length, taut_surface **surface,
-                                   taut_error *error)
+                                   int merged, taut_surface **surface, taut_error *error)
 {
     const taut_surface *given = e->surface;
     const taut_basis *across = e->turned ? taut_surface_v(given) : taut_surface_u(given);
@@ -166,13 +169,14 @@ taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, do
     }
     for (int j = 0; j <= e->m; j++) { /* the line it shares with the given surface, bit for bit */
         memcpy(points + 3 * index_of(e, columns, 0, j),
-               taut_surface_points(given) + 3 * index_of(e, columns, start > 0 ? e->n : 0, j),
+               taut_surface_points(given) + 3 * index_of(e, columns, merged ? 0 : e->n, j),
                3 * sizeof(double));
     }
     taut_basis_spec_of(across, &spec);
     spec.has_range = 1;
-    spec.range[0] = e->reversed ? (hi - (start + length) * e->across) : start > 0 ? hi : lo;
-    spec.range[1] = e->reversed ? (start > 0 ? lo : hi) : lo + (start + length) * e->across;
+    const double near = !merged ? e->here : e->reversed ? hi : lo;
+    spec.range[0] = e->reversed ? e->end : near;
+    spec.range[1] = e->reversed ? near : e->end;
     status = taut_basis_new(&spec, e->n + 1, &basis, error);
     if (status == TAUT_OK) {
         status = taut_surface_new(name, e->turned ? taut_surface_u(given) : basis,

@@ -9,12 +9,14 @@
 typedef struct taut_neighbour {
     const taut_surface *surface; /* on bezier bases, without weights */
     taut_edge edge;
+    const taut_surface *other; /* said to be what lies beyond; NULL: none */
     taut_arena *arena;
     int turned;           /* u and v change places */
     int reversed;         /* the direction across the edge is reversed */
     int n, m;             /* degrees across the edge and along it */
     double across, along; /* parameter widths */
     double ratio;         /* width of what lies beyond over that of the surface */
+    double here, end;     /* the parameters of the shared edge and of the far one beyond */
     taut_frame frame;
     double *net; /* double[n+1][m+1][3], in the frame */
 } taut_neighbour;
@@ -24,6 +26,15 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
 
 /* TAUT_BAD_INPUT for a surface that is not polynomial on bezier bases, or a bad width. */
 taut_status taut_neighbour_check(const taut_surface *surface, double width, taut_error *error);
+
+/* merge.c. The width of `other`, or TAUT_NO_SOLUTION where its degrees are others. */
+taut_status taut_neighbour_match(const taut_neighbour *e, double *width, taut_error *error);
+/* The parameter where `other` ends if its range begins at the edge; else `end`. */
+double taut_neighbour_end(const taut_neighbour *e, double here, double end);
+/* TAUT_NO_SOLUTION with the gap where `other` has not the points of the surface beyond: to
+ * rounding, or to the last digit. */
+taut_status taut_neighbour_compare(const taut_neighbour *e, const taut_surface *beyond, int exact,
+                                   taut_error *error);
 
 /* The control points of w_u P_uu + w_v P_vv in bidegree (n, m), relation (2) of [NiWang2015]
  * section 2.2: nets double[n+1][m+1][3], not the same. */
@@ -41,10 +52,8 @@ void taut_neighbour_extrapolate(const taut_neighbour *e, int merged, double *out
 taut_status taut_neighbour_exact(const taut_surface *surface, taut_arena *arena,
                                  taut_surface **beyond, taut_error *error);
 
-/* A surface from a turned net whose first row lies `start` (in widths of the given surface) from
- * its first edge and which is `length` widths long; `net` leaves the frame. */
+/* A surface from a turned net that taut_neighbour_extrapolate gives; `net` leaves the frame. */
 taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, double *net,
-                                   double start, double length, taut_surface **surface,
-                                   taut_error *error);
+                                   int merged, taut_surface **surface, taut_error *error);
 
 #endif /* TAUT_HARMONIC_NEIGHBOUR_H */

@@ -3,18 +3,21 @@
 #define TAUT_HARMONIC_TASK_H
 
 #include "construct/harmonic/frame.h"
+#include "construct/harmonic/lidstone.h"
 #include "core/arena.h"
 #include "taut/harmonic.h"
 
 typedef struct taut_harmonic_task {
     const taut_harmonic_problem *problem;
     taut_arena *arena;
-    int turned; /* nonzero: the known lines are columns, so u and v change places in here */
-    int n;      /* degree across the known rows; may grow by one when raised */
-    int m;      /* degree along them */
-    double mu;  /* (width across / width along)^2 */
+    int turned;   /* nonzero: the known lines are columns, so u and v change places in here */
+    int n;        /* degree across the known rows; may grow by one when raised */
+    int m;        /* degree along them */
+    taut_wide mu; /* (width across / width along)^2 */
     taut_frame frame;
-    double *row[2]; /* double[m+1][3], in the frame: two rows, or a row and the derivative across */
+    double *row[2]; /* double[m+1][3], in the frame: two rows, or a row and the derivative across by
+                     * parameter length; `width` times it is that by the normalised parameter */
+    double width;
     int corner_missing;
     const char *repair;   /* "corner", "project", "raise" or NULL */
     double repair_change; /* the largest move of a given point, in the user's unit */

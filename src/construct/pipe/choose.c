@@ -24,7 +24,7 @@ enum {
     BISECTIONS = 40
 };
 
-static const double infeasible = 1e200;
+static const double infeasible = 1e200, cusped = 1e300;
 static const double pi = 3.14159265358979323846;
 
 /* The chords that count need a turn of pi between their ends, or of half that where one of them is
@@ -45,7 +45,7 @@ double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const dou
     taut_pipe_arc_of(task, edges, shape, &arc);
     taut_pipe_bend_extremes(&arc, SAMPLES, &bend);
     if (taut_pipe_bend_is_cusp(&bend)) {
-        return 1e100 * infeasible;
+        return cusped;
     }
     room = fmax(task->radius, task->bend_radius) * bend.curvature;
     taut_pipe_bend_integrals(&arc, task->panels, &bend);
@@ -144,7 +144,8 @@ static double settle(int count, const double *lo, const double *hi, taut_pipe_ob
             !step_aside(count, lo, hi, 1.0 / 4096, f, s, best, &least)) {
             break;
         }
-        least = taut_pipe_search(count, lo, hi, f, s, best, &s->task->evaluations);
+        least = taut_pipe_search(count, lo, hi, s->goal == TAUT_PIPE_CURVATURE, f, s, best,
+                                 &s->task->evaluations);
     }
     return least;
 }
@@ -152,8 +153,8 @@ static double settle(int count, const double *lo, const double *hi, taut_pipe_ob
 /* The best of a grid over the box, as starts for as many searches: points that are better than
  * those beside them come before others only by their values, which is enough for four starts. A
  * variable that makes no difference takes its value in `plain`. */
-static void search_from_grid(int count, const double *lo, const double *hi, const double *plain,
-                             taut_pipe_objective f, search *s, double *best)
+static double search_from_grid(int count, const double *lo, const double *hi, const double *plain,
+                               taut_pipe_objective f, search *s, double *best)
 {
     double starts[STARTS][TAUT_PIPE_SEARCH_MAX], values[STARTS], least = INFINITY;
     int cells = 1, kept = 0;
@@ -184,8 +185,8 @@ static void search_from_grid(int count, const double *lo, const double *hi, cons
     s->task->evaluations += cells;
     for (int k = 0; k < kept; k++) {
         s->bound = INFINITY;
-        const double value =
-            taut_pipe_search(count, lo, hi, f, s, starts[k], &s->task->evaluations);
+        const double value = taut_pipe_search(count, lo, hi, s->goal == TAUT_PIPE_CURVATURE, f, s,
+                                              starts[k], &s->task->evaluations);
         if (value < least) {
             least = value;
             memcpy(best, starts[k], (size_t)count * sizeof *best);
@@ -200,6 +201,7 @@ static void search_from_grid(int count, const double *lo, const double *hi, cons
             best[k] = kept_value;
         }
     }
+    return least;
 }
 
 taut_status taut_pipe_choose_shape(taut_pipe_task *task, taut_error *error)
@@ -208,15 +210,18 @@ taut_status taut_pipe_choose_shape(taut_pipe_task *task, taut_error *error)
     const double plain[3] = {0, 0, 0};
     search s = {.task = task};
 
-    (void)error; /* what does not fit is refused with the best there is, by whoever judges it */
     if (task->problem->shape == TAUT_PIPE_SHAPE_GIVEN) {
         return TAUT_OK;
     }
     s.goal =
         task->problem->shape == TAUT_PIPE_LEAST_CURVATURE ? TAUT_PIPE_CURVATURE : TAUT_PIPE_BENDING;
-    search_from_grid(3, lo, hi, plain, shape_merit, &s, task->shape);
+    if (search_from_grid(3, lo, hi, plain, shape_merit, &s, task->shape) >= cusped) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/shape", taut_none, taut_none,
+                         "NOT_REGULAR: the axis has a cusp with all shape numbers tried; move an "
+                         "end aside, turn a direction, or give other handles");
+    }
     task->chose_shape = 1;
-    return TAUT_OK;
+    return TAUT_OK; /* what does not fit is refused with the best there is, by whoever judges it */
 }
 
 /* The largest radius over the radius with these handles, or three times the least radius of

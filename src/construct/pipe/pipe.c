@@ -28,6 +28,18 @@ void taut_pipe_analyse(taut_pipe_task *task)
     taut_pipe_bend_extremes(&task->arc, 2 * TAUT_PIPE_REACH_SAMPLES, &task->bend);
 }
 
+/* Which radius would work, in words; none where the axis meets itself. */
+static void works(double rho, char *text, size_t size)
+{
+    if (rho > 0) {
+        snprintf(text, size, "the largest radius that would work is below %.12g", rho);
+    } else {
+        snprintf(text, size,
+                 "the axis meets itself, so that no radius would work: other points, "
+                 "shape numbers or shorter straight pipes may");
+    }
+}
+
 /* Where on the composite axis, in words. */
 static void place_of(const taut_pipe_task *task, double at, char *text, size_t size)
 {
@@ -72,20 +84,21 @@ static taut_status judge(taut_pipe_task *task, taut_error *error)
     taut_pipe_reach_of(&composite, task->reach_scratch, &task->reach);
     rho = task->reach.radius * task->scale;
     if (!(task->radius * task->reach.curvature < 1)) {
-        return taut_fail(
-            error, TAUT_NO_SOLUTION, "/radius", a, rho,
-            "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
-            "curvature %.12g, at t = %.6g; the largest radius that would work is below "
-            "%.12g",
-            a, task->scale / task->reach.curvature, task->reach.curvature_at, rho);
+        char rest[128];
+        works(rho, rest, sizeof rest);
+        return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
+                         "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
+                         "curvature %.12g, at t = %.6g; %s",
+                         a, task->scale / task->reach.curvature, task->reach.curvature_at, rest);
     }
     if (!(task->radius < task->reach.radius)) {
         place_of(task, task->reach.binding[0], from, sizeof from);
         place_of(task, task->reach.binding[1], to, sizeof to);
+        char rest[128];
+        works(rho, rest, sizeof rest);
         return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
-                         "SELF_INTERSECT_GLOBAL: the pipe touches itself (%s; %s); the largest "
-                         "radius that would work is below %.12g",
-                         from, to, rho);
+                         "SELF_INTERSECT_GLOBAL: the pipe touches itself (%s; %s); %s", from, to,
+                         rest);
     }
     return TAUT_OK;
 }

@@ -142,11 +142,22 @@ static void defect_of(const chain *c, int from_derivative, fmpq_t defect)
     fmpq_clear(first);
 }
 
+/* to - from, which as a double may be rounded. */
+static void length_of(const double range[2], fmpq_t length)
+{
+    fmpq_t from;
+    fmpq_init(from);
+    taut_rational_set_double(from, range[0]);
+    taut_rational_set_double(length, range[1]);
+    fmpq_sub(length, length, from);
+    fmpq_clear(from);
+}
+
 static void read_lines(chain *c, const taut_exact_lines *lines, int coordinate)
 {
     fmpq_t width;
     fmpq_init(width);
-    taut_rational_set_double(width, lines->across);
+    length_of(lines->across, width);
     for (int side = 0; side < 2; side++) {
         for (int j = 0; j <= c->m; j++) {
             taut_rational_set(c->line[side].x + j, &lines->line[side],
@@ -186,8 +197,8 @@ static void chain_new(chain *c, const taut_exact_lines *lines, int n)
     c->power = taut_rationals_new((long)(n + 1) * (c->m + 1));
     fmpq_init(c->mu);
     fmpq_init(along);
-    taut_rational_set_double(c->mu, lines->across);
-    taut_rational_set_double(along, lines->along);
+    length_of(lines->across, c->mu);
+    length_of(lines->along, along);
     fmpq_div(c->mu, c->mu, along);
     fmpq_mul(c->mu, c->mu, c->mu);
     fmpq_clear(along);
@@ -376,7 +387,7 @@ static void add_second(int d, int i, long stride, const fmpq_t weight, const fmp
     fmpq_clear(factor);
 }
 
-static int residual(int n, int m, const taut_exact_numbers *net, const double sides[2],
+static int residual(int n, int m, const taut_exact_numbers *net, const double rectangle[4],
                     double *largest)
 {
     const long count = 3L * (n + 1) * (m + 1), row = 3L * (m + 1);
@@ -387,7 +398,7 @@ static int residual(int n, int m, const taut_exact_numbers *net, const double si
     fmpq_init(most);
     for (int d = 0; d < 2; d++) {
         fmpq_init(weight[d]);
-        taut_rational_set_double(weight[d], sides[d]);
+        length_of(rectangle + 2 * d, weight[d]);
         fmpq_mul(weight[d], weight[d], weight[d]);
         fmpq_inv(weight[d], weight[d]);
     }

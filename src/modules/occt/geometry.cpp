@@ -1,6 +1,8 @@
 /* geometry.cpp -- between items and OpenCASCADE's B-splines. */
 #include "occt.hpp"
 
+#include <ShapeAlgo.hxx>
+#include <ShapeAlgo_AlgoContainer.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
@@ -99,4 +101,20 @@ Handle(Geom_BSplineCurve) occt_curve(const taut_cad_item &item)
     }
     return new Geom_BSplineCurve(points, weights, reals(t.values), integers(t.times),
                                  item.degree[0]);
+}
+
+/* OpenCASCADE's readers make a surface periodic whose opposite edges lie within 1e-7: that moves
+ * points of thin ones, and rounds those of rational ones. */
+class as_it_is : public ShapeAlgo_AlgoContainer
+{
+  public:
+    Handle(Geom_Surface) ConvertToPeriodic(const Handle(Geom_Surface) &) const override
+    {
+        return nullptr; /* none: the reader goes on with what it has */
+    }
+};
+
+void occt_keep_closed()
+{
+    ShapeAlgo::SetAlgoContainer(new as_it_is);
 }

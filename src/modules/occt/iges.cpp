@@ -228,6 +228,7 @@ TopoDS_Shape occt_read_iges(const taut_cad_job &job, const taut_cad_sink &sink, 
     IGESControl_Reader reader;
     const char *unit = "mm";
 
+    occt_keep_closed();
     Interface_Static::SetIVal("read.iges.bspline.continuity", 0); /* cut nothing that has a kink */
     if (reader.ReadFile(job.path) != IFSelect_RetDone) {
         throw occt_failure(TAUT_BAD_INPUT, "this is no IGES file, or a broken one");

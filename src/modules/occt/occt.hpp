@@ -28,6 +28,9 @@ class occt_failure : public std::runtime_error
 Handle(Geom_BSplineSurface) occt_surface(const taut_cad_item &item);
 Handle(Geom_BSplineCurve) occt_curve(const taut_cad_item &item);
 
+/* Closed surfaces are to be read as they are; for a reader that has been made. */
+void occt_keep_closed();
+
 /* TAUT_NO_SOLUTION for a degree that OpenCASCADE does not have. */
 void occt_check_degree(const taut_cad_item &item);
 

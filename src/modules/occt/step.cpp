@@ -157,6 +157,7 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const taut_cad_sink &sink, 
     TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
     const char *unit = "mm";
 
+    occt_keep_closed();
     if (reader.ReadFile(job.path) != IFSelect_RetDone) {
         throw occt_failure(TAUT_BAD_INPUT, "this is no STEP file, or a broken one");
     }

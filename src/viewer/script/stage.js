@@ -27,10 +27,14 @@ function draw() {
         stage.asked = true;
         requestAnimationFrame(() => {
             stage.asked = false;
-            stage.renderer.render(stage.scene, stage.camera);
-            canvas.dataset.drawn = Number(canvas.dataset.drawn || 0) + 1;
+            render();
         });
     }
+}
+
+function render() {
+    stage.renderer.render(stage.scene, stage.camera);
+    canvas.dataset.drawn = Number(canvas.dataset.drawn || 0) + 1;
 }
 
 function resize() {
@@ -228,5 +232,8 @@ function setStage() {
         stage.curves.add(group);
     });
     stage.scene.add(stage.curves);
-    new ResizeObserver(resize).observe(canvas.parentElement);
+    new ResizeObserver(() => {
+        resize();
+        render(); /* now: the canvas is white since its size was set, and this frame is about to be shown */
+    }).observe(canvas.parentElement);
 }

@@ -314,6 +314,48 @@ static void test_degenerate(void)
     }
 }
 
+static double amplification_of(const taut_model *model)
+{
+    return taut_record_number(taut_record_get(taut_model_details(model), "amplification"));
+}
+
+/* Where nothing is free the net is de Casteljau's: (1 + 2 h)^n times the rows. Else no net is
+ * larger than it says, and signs that go against each other make one that is nearly so. */
+static void test_amplification(void)
+{
+    for (int n = 1; n <= 5; n++) {
+        const double width = random_in(0.3, 1.5);
+        double most = 0, told = 0;
+        for (int trial = 0; trial < 40; trial++) {
+            taut_biharmonic_problem next = {.edge = TAUT_EDGE_U1, .width = width, .contact = 2};
+            taut_model *model = NULL, *pair = NULL;
+            net g;
+            double given = 0, beyond = 0;
+            start(&g, n, 1, 1);
+            fill(&g, 0, 1);
+            const taut_biharmonic_problem rows = rows_of(&g);
+            model = make(&rows, "rows");
+            next.surface = taut_model_surface(model, 0);
+            pair = make(&next, "neighbour");
+            told = amplification_of(pair);
+            for (int k = 0; k < 3 * (n + 1) * (n + 1); k++) {
+                const double p = fabs(taut_surface_points(next.surface)[k]);
+                given = k / 3 / (n + 1) >= n - 2 ? fmax(given, p) : given;
+                beyond = fmax(beyond, fabs(taut_surface_points(taut_model_surface(pair, 1))[k]));
+            }
+            most = fmax(most, beyond / given);
+            taut_model_free(pair);
+            taut_model_free(model);
+            end(&g);
+        }
+        CHECK(most <= told * (1 + 1e-12), "n=%d: grew %.17g, told %.17g", n, most, told);
+        CHECK(most >= 0.02 * told, "n=%d: grew %.17g, told %.17g", n, most, told);
+        if (n <= 2) {
+            CHECK_NEAR(told, pow(1 + 2 * width, n), 1e-13 * told, "n=%d", n);
+        }
+    }
+}
+
 static void refused(const taut_biharmonic_problem *problem, taut_status wanted, const char *pattern)
 {
     taut_model *model = NULL;
@@ -371,6 +413,7 @@ int main(void)
     test_random();
     test_not_least();
     test_degenerate();
+    test_amplification();
     test_refusals();
     return check_failures != 0;
 }

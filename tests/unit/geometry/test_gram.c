@@ -240,6 +240,35 @@ static void test_many_uniform_spans(void)
     }
 }
 
+/* Linear, spans that grow from 1e-6 to 1 and shrink again, so that knots mirror to their rounding
+ * and lengths do not: mass(i,i) = (h_i + h_(i+1)) / 3 L,   stiffness(i,i) = L (1/h_i + 1/h_(i+1))
+ * with the differences of the knots themselves, which are exact to a rounding. */
+static void test_nearly_mirrored(void)
+{
+    enum { SPANS = 13, COUNT = SPANS + 1 };
+    double knots[COUNT + 2] = {0};
+    for (int i = 0; i < SPANS; i++) {
+        knots[i + 2] = knots[i + 1] + pow(10, i < 7 ? i - 6 : 6 - i);
+    }
+    knots[COUNT + 1] = knots[COUNT];
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = 1, .knots = knots, .knot_count = COUNT + 2};
+    taut_basis *basis = NULL;
+    taut_gram gram;
+    CHECK(taut_basis_new(&spec, COUNT, &basis, NULL) == TAUT_OK, "basis");
+    CHECK(taut_gram_new(basis, NULL, &gram, NULL) == TAUT_OK, "gram");
+    for (int i = 1; i < COUNT - 1; i++) {
+        const double h[2] = {knots[i + 1] - knots[i], knots[i + 2] - knots[i + 1]};
+        const double mass = (h[0] + h[1]) / 3 / gram.length;
+        const double stiff = gram.length / h[0] + gram.length / h[1];
+        CHECK_NEAR(taut_band_at(&gram.mass, i, i), mass, 16 * unit_roundoff * mass, "i=%d", i);
+        CHECK_NEAR(taut_band_at(&gram.stiffness, i, i), stiff, 16 * unit_roundoff * stiff, "i=%d",
+                   i);
+    }
+    taut_gram_clear(&gram);
+    taut_basis_free(basis);
+}
+
 int main(void)
 {
     random_seed(20260301);
@@ -251,5 +280,6 @@ int main(void)
     test_hidden_bump();
     test_select();
     test_many_uniform_spans();
+    test_nearly_mirrored();
     return check_failures != 0;
 }

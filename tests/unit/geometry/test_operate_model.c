@@ -129,6 +129,44 @@ static void test_split_one(void)
     taut_model_free(model);
 }
 
+/* Two patches of "a", two of "a-0", one piece of each curve; or those of one name alone. */
+static void test_pieces(void)
+{
+    taut_model *model = mixed(), *pieces = NULL;
+    taut_error error = {.message = ""};
+    CHECK(taut_model_pieces(model, NULL, &pieces, &error) == TAUT_OK, "%s", error.message);
+    CHECK(taut_model_surface_count(pieces) == 4 && taut_model_curve_count(pieces) == 2, "all");
+    CHECK(strcmp(taut_model_unit(pieces), "cm") == 0, "unit");
+    check_distinct(pieces);
+    for (int i = 0; i < 4; i++) {
+        const taut_surface *piece = taut_model_surface(pieces, i);
+        const taut_surface *whole = taut_model_surface(model, i / 2);
+        const double u = taut_basis_lo(taut_surface_u(piece)) + 0.125;
+        const double v = taut_basis_lo(taut_surface_v(piece)) + 0.375;
+        double x[3], y[3];
+        CHECK(strstr(taut_basis_type(taut_surface_u(piece)), "bezier") != NULL, "u of %d", i);
+        CHECK(strstr(taut_basis_type(taut_surface_v(piece)), "bezier") != NULL, "v of %d", i);
+        CHECK(taut_surface_eval(piece, u, v, 0, x) == TAUT_OK, "%d", i);
+        CHECK(taut_surface_eval(whole, u, v, 0, y) == TAUT_OK, "%d", i);
+        for (int c = 0; c < 3; c++) {
+            CHECK_NEAR(x[c], y[c], 1e-14, "piece %d", i);
+        }
+    }
+    CHECK(strcmp(taut_basis_type(taut_curve_t(taut_model_curve(pieces, 0))), "bezier") == 0,
+          "a ce-bezier becomes a quartic");
+    taut_model_free(pieces);
+    pieces = NULL;
+    CHECK(taut_model_pieces(model, "a-0", &pieces, &error) == TAUT_OK, "%s", error.message);
+    CHECK(taut_model_surface_count(pieces) == 3, "one alone");
+    CHECK(name_count(pieces, "a") == 1 && name_count(pieces, "axis") == 1, "the rest is copied");
+    taut_model_free(pieces);
+    pieces = NULL;
+    CHECK(taut_model_pieces(model, "b", &pieces, &error) == TAUT_BAD_ARGUMENT, "no such name");
+    CHECK(taut_model_pieces(NULL, "b", &pieces, &error) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(pieces == NULL, "outputs are untouched on failure");
+    taut_model_free(model);
+}
+
 static void test_refine(void)
 {
     taut_model *model = mixed(), *fine = NULL, *curves = NULL;
@@ -202,13 +240,49 @@ static void test_to_nurbs(void)
     taut_model_free(model);
 }
 
+/* The tolerance is one of size, whatever the unit; beyond what squares hold there is a refusal. */
+static void test_to_nurbs_of_any_size(void)
+{
+    const double sizes[] = {1e-300, 1e-150, 1, 1e150, 1e250};
+    for (int n = 0; n < 5; n++) {
+        const taut_basis_spec layered = {.type = "h-bezier", .beta = 300};
+        const double matrix[12] = {sizes[n], 0, 0, 0, 0, sizes[n], 0, 0, 0, 0, sizes[n], 0};
+        taut_model *model = NULL, *scaled = NULL, *nurbs = NULL;
+        taut_surface *surface = NULL;
+        taut_error error = {.message = ""};
+        double bound = -1;
+        CHECK(taut_model_new(&model) == TAUT_OK && taut_model_new(&scaled) == TAUT_OK, "model");
+        add_surface(model, "a", layered, cubic);
+        CHECK(taut_surface_transform(taut_model_surface(model, 0), matrix, &surface, NULL) ==
+                  TAUT_OK,
+              "scaled");
+        CHECK(taut_model_add_surface(scaled, surface) == TAUT_OK, "scaled");
+        const taut_status status = taut_model_to_nurbs(scaled, 1e-6, &nurbs, &bound, &error);
+        if (sizes[n] > 1e200) {
+            CHECK(status == TAUT_NO_SOLUTION && strcmp(error.where, "/surfaces/0/points") == 0,
+                  "%s: %s", error.where, error.message);
+        } else {
+            CHECK(status == TAUT_OK, "size %g: %s", sizes[n], error.message);
+            CHECK(bound > 1e-8 * sizes[n] && bound < 1e-5 * sizes[n], "size %g: %g", sizes[n],
+                  bound);
+            CHECK(taut_basis_span_count(taut_surface_u(taut_model_surface(nurbs, 0))) > 10,
+                  "size %g", sizes[n]);
+        }
+        taut_model_free(nurbs);
+        taut_model_free(scaled);
+        taut_model_free(model);
+    }
+}
+
 int main(void)
 {
     random_seed(20260106);
     test_split_all();
     test_split_one();
+    test_pieces();
     test_refine();
     test_long_names();
     test_to_nurbs();
+    test_to_nurbs_of_any_size();
     return check_failures != 0;
 }

@@ -96,6 +96,43 @@ static void test_round_trip(void)
     }
 }
 
+/* Surfaces whose opposite edges meet, or lie nearer than what CAD takes for one, rational or not:
+ * every bit as well. */
+static void test_closed(void)
+{
+    for (int trial = 0; trial < 8; trial++) {
+        const double gap = trial < 4 ? 0 : random_log(1e-12, 5e-8);
+        const taut_basis_spec spec = {.type = "bspline", .degree = 2, .count = 6};
+        const char *path = in_folder(endings[trial % 2]);
+        double *points = numbers_in(6 * 6 * 3, -10, 10), *weights = numbers_in(6 * 6, 0.1, 3);
+        taut_surface *surface = NULL;
+        taut_model *model = NULL, *back = NULL;
+        taut_basis *basis = NULL;
+        double bound = -1;
+        for (int i = 0; i < 6; i++) {
+            for (int k = 0; k < 3; k++) {
+                points[(i * 6 + 5) * 3 + k] = points[i * 6 * 3 + k] + gap;
+            }
+            weights[i * 6 + 5] = weights[i * 6];
+        }
+        CHECK(taut_model_new(&model) == TAUT_OK &&
+                  taut_basis_new(&spec, 0, &basis, NULL) == TAUT_OK &&
+                  taut_surface_new("closed", basis, basis, points, trial % 4 < 2 ? weights : NULL,
+                                   &surface, NULL) == TAUT_OK &&
+                  taut_model_add_surface(model, surface) == TAUT_OK,
+              "trial %d", trial);
+        back = written_and_read(model, path, 0, &bound);
+        if (back != NULL) {
+            check_same(back, model, path);
+        }
+        taut_model_free(model);
+        taut_model_free(back);
+        taut_basis_free(basis);
+        free(points);
+        free(weights);
+    }
+}
+
 /* The surfaces of a model at the same parameters lie no farther apart than the bound. */
 static void check_distance(const taut_surface *exact, const taut_surface *near, double bound,
                            const char *path)
@@ -404,6 +441,7 @@ static int is_there(void)
 static void test_all(void)
 {
     test_round_trip();
+    test_closed();
     test_bound();
     test_same_bytes();
     test_degree();

@@ -60,7 +60,7 @@ static const refusal problems[] = {
     {"\xc3\xa9", "doc:1:1", "not JSON"},
     /* the root */
     {"3", "", "found 3, expected an object"},
-    {"[]", "", "found an array of 0, expected an object"},
+    {"[]", "", "found an empty array, expected an object"},
     {"null", "", "found null, expected an object"},
     {"{}", "/construct", "found nothing, expected the name of a construction"},
     {"{\"taut\": 1}", "/construct", "found nothing"},
@@ -79,8 +79,9 @@ static const refusal problems[] = {
     /* the net */
     {"{" HEAD BASES "\"aspect\": 1}", "/points", "found nothing, expected an array"},
     {"{" HEAD BASES "\"points\": {}}", "/points", "found an object"},
-    {"{" HEAD BASES "\"points\": []}", "/points", "found an array of 0"},
-    {"{" HEAD BASES "\"points\": [[]]}", "/points/0", "found an array of 0"},
+    {"{" HEAD BASES "\"points\": []}", "/points",
+     "found an empty array, expected an array of rows of points, one at least"},
+    {"{" HEAD BASES "\"points\": [[]]}", "/points/0", "found an empty array"},
     {"{" HEAD BASES "\"points\": [3]}", "/points/0", "found 3"},
     {"{" HEAD BASES "\"points\": [[null,null],[null]]}", "/points/1", "an array of 2 points"},
     {"{" HEAD BASES "\"points\": [[null,null],[null,null,null]]}", "/points/1",
@@ -135,7 +136,10 @@ static const refusal problems[] = {
      "/u/degre", "nearest one known is \"degree\""},
     {"{" HEAD "\"u\": {\"type\": \"bezier\", \"degree\": 1, \"knots\": [0]}, \"v\": " QUAD
      ", \"points\": " NET "}",
-     "/u/knots", "no such member"},
+     "/u/knots", "there is no such member in a basis of type \"bezier\""},
+    {"{" HEAD "\"u\": {\"type\": \"h-bezier\", \"alpha\": 1}, \"v\": " QUAD ", \"points\": " NET
+     "}",
+     "/u/alpha", "there is no such member in a basis of type \"h-bezier\""},
     {"{" HEAD "\"u\": {\"type\": \"bezier\", \"degree\": 1, \"range\": [1, 1]}, \"v\": " QUAD
      ", \"points\": " NET "}",
      "/u/range", "expected two increasing numbers"},
@@ -167,7 +171,7 @@ static const refusal problems[] = {
 
 /* Read as models. */
 static const refusal models[] = {
-    {"[]", "", "found an array of 0, expected an object"},
+    {"[]", "", "found an empty array, expected an object"},
     {"{}", "/taut", "found nothing, expected 1"},
     {"{\"taut\": 1, \"surface\": []}", "/surface", "nearest one known is \"surfaces\""},
     {"{\"taut\": 1, \"construct\": \"dirichlet\"}", "/construct", "this is a problem"},
@@ -187,7 +191,7 @@ static const refusal models[] = {
     {"{\"taut\": 1, \"curves\": [{\"points\": [[0,0,0]]}]}", "/curves/0/t", "found nothing"},
     {"{\"taut\": 1, \"curves\": [{\"t\": " QUAD "}]}", "/curves/0/points", "found nothing"},
     {"{\"taut\": 1, \"curves\": [{\"t\": " QUAD ", \"points\": [[0,0,0]]}]}", "/curves/0/points",
-     "found 1 points, expected 2"},
+     "found 1 point, expected 2"},
     {"{\"taut\": 1, \"curves\": [{\"t\": " QUAD ", \"points\": [[0,0,0],[1]]}]}",
      "/curves/0/points/1", "found an array of 1"},
     {"{\"taut\": 1, \"curves\": [{\"t\": " QUAD

@@ -337,6 +337,78 @@ static void test_refusals(void)
     taut_model_free(none);
 }
 
+/* A surface of degree 1 is made of the same bilinear pieces whatever its knots, and needs the same
+ * vertices: knots graded over six decades at either end cost no more than uniform ones. */
+static void test_graded_knots(void)
+{
+    enum { SPANS = 11, COUNT = SPANS + 1 };
+    size_t counts[3] = {0, 0, 0};
+    double points[COUNT * COUNT][3];
+    for (int i = 0; i < COUNT * COUNT; i++) {
+        points[i][0] = i / COUNT;
+        points[i][1] = i % COUNT;
+        points[i][2] = random_in(-1, 1);
+    }
+    for (int k = 0; k < 3; k++) {
+        double knots[COUNT + 2] = {0};
+        for (int i = 0; i < SPANS; i++) {
+            knots[i + 2] = knots[i + 1] + ldexp(1, k == 0 ? 0 : k == 1 ? 2 * i : -2 * i);
+        }
+        knots[COUNT + 1] = knots[COUNT];
+        const taut_basis_spec spec = {
+            .type = "bspline", .degree = 1, .knots = knots, .knot_count = COUNT + 2};
+        taut_basis *basis = NULL;
+        taut_surface *surface = NULL;
+        taut_mesh *mesh = NULL;
+        CHECK(taut_basis_new(&spec, 0, &basis, NULL) == TAUT_OK, "basis %d", k);
+        CHECK(taut_surface_new("", basis, basis, &points[0][0], NULL, &surface, NULL) == TAUT_OK,
+              "surface %d", k);
+        taut_model *model = model_of(surface);
+        CHECK(taut_mesh_new(model, NULL, &mesh, NULL) == TAUT_OK, "mesh %d", k);
+        counts[k] = mesh != NULL ? taut_mesh_vertex_count(mesh) : 0;
+        taut_mesh_free(mesh);
+        taut_model_free(model);
+        taut_basis_free(basis);
+    }
+    /* one cell a span more or less, where rounding decides */
+    CHECK(counts[0] > 0 && counts[1] <= counts[0] + counts[0] / 5 &&
+              counts[2] <= counts[0] + counts[0] / 5,
+          "%zu %zu %zu", counts[0], counts[1], counts[2]);
+}
+
+/* Scaling by a power of two changes no vertex but by that power, near the ends of the range too. */
+static void test_extreme_sizes(void)
+{
+    static const int powers[] = {-900, -520, 340, 500};
+    for (int k = 0; k < 4; k++) {
+        taut_mesh *meshes[2] = {NULL, NULL};
+        taut_surface *surface = hills("hills", 3, 6, 0.7);
+        double points[36][3];
+        for (int i = 0; i < 36; i++) {
+            for (int c = 0; c < 3; c++) {
+                points[i][c] = ldexp(taut_surface_points(surface)[3 * i + c], powers[k]);
+            }
+        }
+        taut_surface *large = NULL;
+        CHECK(taut_surface_new("hills", taut_surface_u(surface), taut_surface_v(surface),
+                               &points[0][0], NULL, &large, NULL) == TAUT_OK,
+              "2^%d", powers[k]);
+        taut_model *models[2] = {model_of(surface), model_of(large)};
+        for (int m = 0; m < 2; m++) {
+            taut_error error = {TAUT_OK, 0, 0, "", ""};
+            CHECK(taut_mesh_new(models[m], NULL, &meshes[m], &error) == TAUT_OK, "2^%d: %s",
+                  powers[k], error.message);
+        }
+        CHECK(meshes[0] != NULL && meshes[1] != NULL &&
+                  taut_mesh_vertex_count(meshes[0]) == taut_mesh_vertex_count(meshes[1]),
+              "2^%d", powers[k]);
+        for (int m = 0; m < 2; m++) {
+            taut_mesh_free(meshes[m]);
+            taut_model_free(models[m]);
+        }
+    }
+}
+
 int main(void)
 {
     random_seed(20240614);
@@ -346,5 +418,7 @@ int main(void)
     test_degenerate();
     test_many_surfaces();
     test_refusals();
+    test_graded_knots();
+    test_extreme_sizes();
     return check_failures != 0;
 }
