@@ -36,7 +36,7 @@ double bench_run(const char *const *arguments, const char *output)
                                                          : -1;
 }
 
-double bench_evolver(const char *file, int levels, double *seconds)
+double bench_evolver(const char *file, int degree, int levels, double *seconds)
 {
     char folder[] = "/tmp/bench-plateau-XXXXXX", commands[64], option[80], output[64], film[64],
          dump[72], line[256];
@@ -59,6 +59,9 @@ double bench_evolver(const char *file, int levels, double *seconds)
     fputs("quiet\nM 2\nr\ng 5\n", script);
     for (int k = 1; k < levels; k++) {
         fputs("r; g 2; hessian_seek\n", script);
+    }
+    if (degree > 2) {
+        fprintf(script, "lagrange %d\n", degree);
     }
     fputs("hessian_seek; hessian; hessian\nprintf \"area %.15g\\n\", total_area\nq\nq\n", script);
     fclose(script);

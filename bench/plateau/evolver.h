@@ -6,8 +6,9 @@
  * children, or -1. */
 double bench_run(const char *const *arguments, const char *output);
 
-/* The area that Evolver finds for a surface file after `levels` refinements, quadratic elements and
- * Newton steps; CPU seconds in *seconds. NaN if it does not say. */
-double bench_evolver(const char *file, int levels, double *seconds);
+/* The area that Evolver finds for a surface file after `levels` refinements, with Newton steps, on
+ * quadratic elements and at last on Lagrange elements of the degree given where it is above 2;
+ * CPU seconds in *seconds. NaN if it does not say. */
+double bench_evolver(const char *file, int degree, int levels, double *seconds);
 
 #endif /* TAUT_BENCH_EVOLVER_H */

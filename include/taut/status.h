@@ -39,7 +39,7 @@ typedef struct taut_error {
     double found;      /* the quantity that failed, NaN if none */
     double limit;      /* what it had to stay within, NaN if none */
     char where[192];   /* "" or a JSON pointer such as "/points/1/2", or file:line:column */
-    char message[320]; /* one sentence: which condition, and what would mend it */
+    char message[768]; /* one sentence: which condition, and what would mend it */
 } taut_error;
 
 /* The meaning of a status; never NULL, also for values that are none. */

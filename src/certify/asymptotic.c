@@ -103,18 +103,23 @@ static taut_status add(taut_certificate *certificate, const char *name, double r
 }
 
 /* A claim on what is at most `bound`, held against what rounding explains but no more than `most`;
- * open where rounding explains more than that. */
+ * open where rounding explains more than that, or the data does: what the curves leave any patch.
+ */
 static taut_status add_within(taut_certificate *certificate, const char *name, double residual,
-                              double bound, double noise, double most, const char *where)
+                              double bound, double noise, double data, double most,
+                              const char *where)
 {
     const double limit = fmin(noise, most);
-    const int open = bound > limit && bound <= noise;
+    const int hidden = bound > limit && bound <= noise;
+    const int open = bound > limit && bound <= noise + data;
     const taut_claim claim = {name, residual, limit,
                               bound <= limit ? TAUT_TRUE
                               : open         ? TAUT_UNDECIDED
                                              : TAUT_FALSE,
-                              open ? "the rounding of points so far from the origin hides it"
-                                   : where};
+                              hidden ? "the rounding of the points hides it"
+                              : open
+                                  ? "the curves' planes and torsions at the corners agree no better"
+                                  : where};
     return taut_certificate_add(certificate, &claim);
 }
 
@@ -125,7 +130,7 @@ static taut_status add_boundary(const taut_asymptotic_model *parts,
     char where[TAUT_PLACE_TEXT];
     double distance = 0.0, noise = 0.0;
     taut_boundary_distance(parts, problem, &distance, &noise, where);
-    return add_within(certificate, "boundary", distance, distance, factor * noise, limit_most,
+    return add_within(certificate, "boundary", distance, distance, factor * noise, 0.0, limit_most,
                       where);
 }
 
@@ -152,13 +157,15 @@ static taut_status add_edges(const taut_edge_proof proofs[4], double size,
                              taut_certificate *certificate)
 {
     char where[2][TAUT_PLACE_TEXT] = {"", ""};
-    double bound = 0.0, noise = 0.0, noise_sine = 0.0, sine = 0.0;
+    double bound = 0.0, noise = 0.0, noise_sine = 0.0, sine = 0.0, given = 0.0, given_sine = 0.0;
     int worst = 0, worst_sine = 0;
     taut_status status = TAUT_OK;
     for (int e = 0; e < 4; e++) {
         bound = fmax(bound, proofs[e].bound);
         noise = fmax(noise, proofs[e].noise);
         noise_sine = fmax(noise_sine, proofs[e].noise_sine);
+        given = fmax(given, proofs[e].given);
+        given_sine = fmax(given_sine, proofs[e].given_sine);
         worst = proofs[e].sampled > proofs[worst].sampled ? e : worst;
         worst_sine = proofs[e].osculating > proofs[worst_sine].osculating ? e : worst_sine;
     }
@@ -168,10 +175,12 @@ static taut_status add_edges(const taut_edge_proof proofs[4], double size,
     (void)snprintf(where[1], TAUT_PLACE_TEXT, "%s, t = %.2f", taut_asymptotic_edge_name(worst_sine),
                    proofs[worst_sine].sine_at);
     status = add_within(certificate, "asymptotic", proofs[worst].sampled, bound, factor * noise,
-                        limit_most / size, where[0]);
-    return status == TAUT_OK ? add_within(certificate, "osculating", sine, sine,
-                                          factor * noise_sine, limit_most, where[1])
-                             : status;
+                        factor * given, limit_most / size, where[0]);
+    if (status == TAUT_OK) {
+        status = add_within(certificate, "osculating", sine, sine, factor * noise_sine,
+                            factor * given_sine, limit_most, where[1]);
+    }
+    return status;
 }
 
 static taut_status add_regular(const taut_asymptotic_model *parts, int threads,

@@ -55,25 +55,29 @@ static void compare_curves(const taut_asymptotic_model *model,
 
 static const int corner_of_edge[4][2] = {{0, 1}, {0, 2}, {2, 3}, {1, 3}};
 
-/* The end curvature: |r' x r''| / |r'|^3. With p, q the weights of the next two points over that of
- * the end,  r' = n p (P1 - P0)  and  r'' = n (n - 1) q (P2 - P0) - 2 n p (n p - 1) (P1 - P0): a
- * rounding error r of the points moves r' by 2 n p r, r'' by 2 (n (n - 1) q + 2 n p |n p - 1|) r;
- * the cross product of the two is short where they are nearly parallel. */
+/* The end curvature from differences of control points ([PieglTiller1997] 4.3), as derivatives in
+ * homogeneous form cancel where the second weight is small:
+ *     k = (n-1)/n w_0 w_2 / w_1^2  |D_1 x D_2| / |D_1|^3,   D_j = P_j - P_0.
+ * A rounding error r of the points moves each D_j by 2 r, and so k, relative to itself, by
+ *     2 r (3 / |D_1| + (|D_1| + |D_2|) / |D_1 x D_2|).                                       */
 static void compare_curvature(const taut_asymptotic_model *model,
                               const taut_asymptotic_problem *problem, int e, int end, tally *t)
 {
-    const double n = problem->degree, given = problem->edges[e].curvature[end];
+    const int n = problem->degree, at = end ? n : 0, step = end ? -1 : 1;
+    const double given = problem->edges[e].curvature[end];
     const double r = 0.5 * DBL_EPSILON * model->curve_size;
+    const double *const p = taut_curve_points(model->curves[e]);
     const double *const w = taut_curve_weights(model->curves[e]);
-    const int at = end ? problem->degree : 0, step = end ? -1 : 1;
-    const double p = w ? w[at + step] / w[at] : 1.0, q = w ? w[at + 2 * step] / w[at] : 1.0;
-    const double first = 2 * n * p, second = 2 * n * (n - 1) * q + 4 * n * p * fabs(n * p - 1);
-    double c[3][3], b[3], speed = 0.0, noise = 0.0;
-    (void)taut_curve_eval(model->curves[e], end, 2, &c[0][0]);
-    taut_cross(c[1], c[2], b);
-    speed = taut_norm(c[1]);
-    noise = r * (3 * first / speed + (second * speed + first * taut_norm(c[2])) / taut_norm(b));
-    take(t, fabs(taut_norm(b) / (speed * speed * speed) - given) / given, noise, "curvature",
+    const double factor = (n - 1.0) / n * w[at] * w[at + 2 * step] / (w[at + step] * w[at + step]);
+    double d[2][3], normal[3], first = 0.0, area = 0.0;
+    for (int j = 1; j <= 2; j++) {
+        taut_difference(p + 3 * (at + j * step), p + 3 * at, d[j - 1]);
+    }
+    taut_cross(d[0], d[1], normal);
+    first = taut_norm(d[0]);
+    area = taut_norm(normal);
+    take(t, fabs(factor * area / (first * first * first) - given) / given,
+         2 * r * (3 / first + (first + taut_norm(d[1])) / area), "curvature",
          taut_asymptotic_edge_name(e));
 }
 

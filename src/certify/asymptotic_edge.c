@@ -106,20 +106,46 @@ static double largest_curvature(const taut_asymptotic_model *model, int edge)
     return most;
 }
 
-/* A curve whose curvature is nothing but rounding: no b, no angle. */
+/* A curve whose curvature, or whose points' distance from the chord, is nothing but rounding: no b,
+ * no angle. */
 static int is_straight(const taut_asymptotic_model *model, int edge, double most)
 {
-    double chord[2][4][3];
-    (void)taut_curve_eval(model->curves[edge], 0.0, 0, &chord[0][0][0]);
-    (void)taut_curve_eval(model->curves[edge], 1.0, 0, &chord[1][0][0]);
-    return most * taut_distance(chord[0][0], chord[1][0]) <= 1e-10;
+    const double *const p = taut_curve_points(model->curves[edge]);
+    const int last = taut_basis_count(taut_curve_t(model->curves[edge])) - 1;
+    double chord[3], off = 0.0;
+    taut_difference(p + 3 * last, p, chord);
+    for (int j = 1; j < last; j++) {
+        double arm[3], normal[3];
+        taut_difference(p + 3 * j, p, arm);
+        taut_cross(chord, arm, normal);
+        off = fmax(off, taut_norm(normal));
+    }
+    return most * taut_norm(chord) <= 1e-10 ||
+           off <= 4 * DBL_EPSILON * model->curve_size * taut_norm(chord);
+}
+
+/* The larger end weight over W(t). */
+static double weight_ratio(const taut_curve *curve, double t)
+{
+    const int n = taut_basis_count(taut_curve_t(curve)) - 1;
+    const double *const w = taut_curve_weights(curve);
+    double values[TAUT_DEGREE_MAX + 1], sum = 0.0;
+    if (w == NULL) {
+        return 1.0;
+    }
+    (void)taut_basis_eval(taut_curve_t(curve), 0, t, 0, values);
+    for (int j = 0; j <= n; j++) {
+        sum += w[j] * values[j];
+    }
+    return fmax(w[0], w[n]) / sum;
 }
 
 static void add_sample(const taut_asymptotic_model *model, int edge, double t,
                        const taut_identity *identity, double most, taut_edge_proof *proof)
 {
+    const taut_edge_data data = taut_edge_data_of(model, edge);
     sample s;
-    double b[3], angle[3], k_n = 0.0, k = 0.0, sine = 0.0;
+    double b[3], angle[3], k_n = 0.0, k = 0.0, sine = 0.0, tilt = 0.0;
     take(model, edge, t, &s);
     proof->least_sine = fmin(proof->least_sine, s.sine);
     if (!(s.sine > (proof->covered < 1.0 ? singular_cut : normal_cut))) {
@@ -133,11 +159,15 @@ static void add_sample(const taut_asymptotic_model *model, int edge, double t,
     }
     proof->noise = fmax(proof->noise, noise_of(model, edge, t, &s));
     k = curvature(&s, b);
+    tilt = weight_ratio(model->curves[edge], t) * taut_edge_data_at(&data, identity->degree[3], t) /
+           (taut_norm(s.across) * s.sine);
+    proof->given = fmax(proof->given, k * tilt);
     if (proof->osculating < 0 || !(k > inflection_cut * most)) {
         return;
     }
     taut_cross(s.normal, b, angle);
     sine = taut_norm(angle) / (taut_norm(s.normal) * taut_norm(b));
+    proof->given_sine = fmax(proof->given_sine, tilt);
     proof->noise_sine = fmax(proof->noise_sine, noise_of(model, edge, t, &s) / k);
     if (sine > proof->osculating) {
         proof->osculating = sine;

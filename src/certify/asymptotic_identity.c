@@ -13,7 +13,8 @@ typedef struct wide {
     taut_double *c;
 } wide;
 
-/* The rows of the net along an edge, homogeneous. */
+/* The rows of the net along an edge, homogeneous, about the net's first point: k_n is the same from
+ * any origin, and the products of coordinates then lose nothing to a far one. */
 typedef struct rows {
     int along, across;        /* degrees */
     taut_double *edge, *next; /* [along + 1][4] */
@@ -100,8 +101,8 @@ static void take_rows(const taut_surface *surface, int edge, pool *from, rows *r
             const long at = with_u ? (long)k * nv + held : (long)held * nv + k;
             const double w = weights != NULL ? weights[at] : 1.0;
             for (int d = 0; d < 3; d++) {
-                row[4 * k + d] =
-                    taut_double_multiply(taut_double_of(w), taut_double_of(points[3 * at + d]));
+                row[4 * k + d] = taut_double_multiply(
+                    taut_double_of(w), taut_double_sum(points[3 * at + d], -points[d]));
             }
             row[4 * k + 3] = taut_double_of(w);
         }

@@ -25,10 +25,20 @@ typedef struct taut_edge_proof {
     double least_sine; /* between R_u and R_v at the samples */
     double noise;      /* k_n that rounding of the control points explains */
     double noise_sine; /* the same over the curvature there: of the sine */
-    double at;         /* of the largest k_n */
-    double sine_at;    /* of the largest sine */
-    int singular;      /* samples at which the surface has no normal */
+    double given, given_sine; /* the same that the curves alone explain, by how well they meet */
+    double at;                /* of the largest k_n */
+    double sine_at;           /* of the largest sine */
+    int singular;             /* samples at which the surface has no normal */
 } taut_edge_proof;
+
+/* What the curves at the two ends of an edge leave between R_c and the osculating plane: parts that
+ * go with the first and second Bernstein function from there. */
+typedef struct taut_edge_data {
+    double plane[2], twist[2];
+} taut_edge_data;
+taut_edge_data taut_edge_data_of(const taut_asymptotic_model *model, int edge);
+/* The length off the plane at t for a patch of degree m along the edge, end weights 1 over W. */
+double taut_edge_data_at(const taut_edge_data *data, int m, double t);
 
 /* TAUT_NO_MEMORY. */
 taut_status taut_edge_prove(const taut_asymptotic_model *model, int edge, taut_edge_proof *proof);

@@ -225,10 +225,13 @@ static void point_sums(const work *w, int k, double sums[6])
     const double *n = taut_table_row(table, k, 0), *d = taut_table_row(table, k, 1);
 
     memset(sums, 0, 6 * sizeof(double));
-    for (size_t b = 0; b < (size_t)table->local; b++) {
+    sums[0] = w->weights == NULL;
+    for (size_t b = 0; w->weights != NULL && b < (size_t)table->local; b++) {
         sums[0] += n[b] * p[b];
         sums[1] += n[b] * p[nv + b];
         sums[2] += d[b] * p[b];
+    }
+    for (size_t b = 0; b < (size_t)table->local; b++) {
         sums[3] += n[b] * p[2 * nv + b];
         sums[4] += n[b] * p[3 * nv + b];
         sums[5] += fabs(d[b]) * p[2 * nv + b];
@@ -303,8 +306,11 @@ static void gather_point(const work *w, int k, double out[3][CHANNELS])
     for (int b = 0; b < table->local; b++) {
         const double slopes[CHANNELS] = {d[b], d[b], d[b], fabs(d[b])};
         for (int c = 0; c < CHANNELS; c++) {
-            still[c] += slopes[c] * out[1][c] - n[b] * out[2][c];
+            still[c] += slopes[c] * out[1][c];
             along[c] += n[b] * out[0][c];
+        }
+        for (int c = 0; w->weights != NULL && c < CHANNELS; c++) {
+            still[c] -= n[b] * out[2][c];
         }
         still += CHANNELS;
         along += CHANNELS;

@@ -26,14 +26,14 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
+#include "measure/mean.h"
 #include "numeric/quadrature.h"
-#include "taut/measure.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { ROUNDINGS = 8 };
+enum { ROUNDINGS = 8, GRID = 101 /* as taut_measure_surface */ };
 static const double unit_roundoff = 0x1p-53;
 static const double many = 4e4; /* Gauss points */
 static const double largest_limit = 1e-6, tolerance_default = 1e-10, flat = 1e-15;
@@ -302,18 +302,18 @@ static taut_status add_stationary(const request *r, const finding *found, int is
 static taut_status add_figures(const request *r, const taut_certify_options *options,
                                taut_certificate *certificate, taut_error *error)
 {
-    const taut_measure_options chosen = {.threads = options->threads};
-    taut_surface_measure measure;
+    const int threads = options->threads > 0 ? options->threads : 1;
+    taut_mean_figures measure;
     taut_record *figures = NULL;
-    taut_status status = taut_measure_surface(r->surface, &chosen, &measure, error);
+    taut_status status = taut_mean_figures_of(r->surface, GRID, threads, &measure);
 
     if (status != TAUT_OK) {
-        return status;
+        return taut_fail_memory(error);
     }
     figures = taut_record_new();
     taut_record_add_number(figures, "area", measure.area);
-    taut_record_add_number(figures, "mean_abs_mean_curvature", measure.mean_abs_mean);
-    taut_record_add_number(figures, "max_abs_mean_curvature", measure.max_abs_mean);
+    taut_record_add_number(figures, "mean_abs_mean_curvature", measure.mean_abs);
+    taut_record_add_number(figures, "max_abs_mean_curvature", measure.max_abs);
     status = taut_record_status(figures);
     taut_certificate_set_figures(certificate, figures);
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);

@@ -40,6 +40,14 @@ static int is_short(const taut_record *object)
     return count <= 3;
 }
 
+/* Rows of points, which no line holds. */
+static int is_table(const taut_record *list)
+{
+    const taut_record *row = taut_record_at(list, 0);
+    return taut_record_kind_of(row) == TAUT_RECORD_LIST &&
+           taut_record_kind_of(taut_record_at(row, 0)) == TAUT_RECORD_LIST;
+}
+
 static void print_value(const taut_record *value)
 {
     char name[64];
@@ -54,6 +62,10 @@ static void print_value(const taut_record *value)
         fprintf(stderr, "%s", taut_record_bool(value) ? "yes" : "no");
         break;
     case TAUT_RECORD_LIST:
+        if (is_table(value)) {
+            fprintf(stderr, "(%zu rows, in the report)", taut_record_count(value));
+            break;
+        }
         for (size_t i = 0; i < taut_record_count(value) && i < 6; i++) {
             fprintf(stderr, "%s", i > 0 ? ", " : "");
             print_value(taut_record_at(value, i));

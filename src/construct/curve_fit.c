@@ -19,6 +19,7 @@ typedef struct fit {
     int count, unknowns, offset; /* offset: of the first test function that is used */
     int panels;
     double *breaks;         /* [panels + 1] in the basis's range */
+    double *samples;        /* [panels * NODES][3]: of the curve */
     double *triangle, *row; /* (unknowns + 3) columns */
     double *rows;           /* [unknowns][unknowns + 3] */
 } fit;
@@ -69,7 +70,8 @@ static taut_status merge_breaks(fit *f)
         }
     }
     f->panels = count - 1;
-    return TAUT_OK;
+    f->samples = taut_alloc((size_t)f->panels * NODES, 3 * sizeof(double));
+    return f->samples != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
 /* The basis without its first and its last inner knot; NULL, and TAUT_OK, where it has not two. */
@@ -102,18 +104,17 @@ static taut_status test_basis(const taut_basis *basis, taut_basis **test)
     return status;
 }
 
-/* Adds what node t gives to the moments. */
-static void add_node(fit *f, double t, double weight, const double ends[2][3])
+/* Adds what node t gives to the moments; x, the curve's point there, is spoilt. */
+static void add_node(fit *f, double t, double weight, const double ends[2][3], double x[3])
 {
-    double n[LOCAL], m[LOCAL], x[3];
+    double n[LOCAL], m[LOCAL];
     const int span = taut_basis_span(f->basis, t), first = taut_basis_first(f->basis, span);
     const int tested = taut_basis_span(f->test, t), other = taut_basis_first(f->test, tested);
-    const int width = f->unknowns + 3;
+    const int width = f->unknowns + 3, local = taut_basis_local(f->basis);
 
     taut_basis_eval(f->basis, span, t, 0, n);
     taut_basis_eval(f->test, tested, t, 0, m);
-    evaluate(f, t, x);
-    for (int b = 0; b < taut_basis_local(f->basis); b++) {
+    for (int b = 0; b < local; b++) {
         const int j = first + b;
         if (j == 0 || j == f->count - 1) {
             taut_add_scaled(-n[b], ends[j > 0], x);
@@ -126,7 +127,7 @@ static void add_node(fit *f, double t, double weight, const double ends[2][3])
             continue;
         }
         row = f->rows + (size_t)k * (size_t)width;
-        for (int b = 0; b < taut_basis_local(f->basis); b++) {
+        for (int b = 0; b < local; b++) {
             const int j = first + b - 1;
             if (j >= 0 && j < f->unknowns) {
                 row[j] += weight * m[a] * n[b];
@@ -146,14 +147,17 @@ static void for_nodes(fit *f, const double ends[2][3], const double *points, dou
     for (int k = 0; k < f->panels * NODES; k++) {
         const double lo = f->breaks[k / NODES], hi = f->breaks[k / NODES + 1];
         const double t = lo + (hi - lo) * (0.5 + 0.5 * node[k % NODES]);
+        double n[LOCAL], x[3];
         if (points == NULL) {
-            add_node(f, t, weight[k % NODES] * (hi - lo), ends);
+            evaluate(f, t, f->samples + 3 * (size_t)k);
+        }
+        memcpy(x, f->samples + 3 * (size_t)k, sizeof x);
+        if (points == NULL) {
+            add_node(f, t, weight[k % NODES] * (hi - lo), ends, x);
             continue;
         }
-        double n[LOCAL], x[3];
         const int span = taut_basis_span(f->basis, t), first = taut_basis_first(f->basis, span);
         taut_basis_eval(f->basis, span, t, 0, n);
-        evaluate(f, t, x);
         for (int b = 0; b < taut_basis_local(f->basis); b++) {
             taut_add_scaled(-n[b], points + 3 * (first + b), x);
         }
@@ -215,8 +219,10 @@ taut_status taut_curve_fit(const taut_curve *curve, const taut_basis *basis,
     if (status == TAUT_OK) {
         status = alloc(&f);
     }
-    if (status == TAUT_OK && f.unknowns > 0) {
+    if (status == TAUT_OK) {
         for_nodes(&f, ends, NULL, NULL);
+    }
+    if (status == TAUT_OK && f.unknowns > 0) {
         status = solve(&f, points);
     }
     if (status == TAUT_OK) {
@@ -226,6 +232,7 @@ taut_status taut_curve_fit(const taut_curve *curve, const taut_basis *basis,
     }
     taut_basis_free(test);
     taut_free(f.breaks);
+    taut_free(f.samples);
     taut_free(f.triangle);
     taut_free(f.row);
     taut_free(f.rows);

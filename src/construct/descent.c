@@ -83,7 +83,8 @@ static int is_slow(const taut_walk *w)
     const double before = w->past[w->steps % TAUT_WALK_PAST];
 
     return w->steps >= TAUT_WALK_PAST && w->here.residual <= flat_residual &&
-           w->theta <= small_theta && before - area <= slow * w->descent->tolerance * area;
+           w->theta <= fmax(small_theta, taut_film_solver_floor(w->solver)) &&
+           before - area <= slow * w->descent->tolerance * area;
 }
 
 /* Did the step keep what its model promised? Changes theta by how well it did. */
@@ -305,9 +306,20 @@ static taut_status check_film(const taut_walk *w, taut_error *error)
     return taut_film_solver_report(w->solver);
 }
 
+/* Does all of the net move, the area hardly? Then *lost is what five steps take from it. */
+static int is_creeping(const taut_walk *w, double *lost)
+{
+    const double area = w->here.value.area, before = w->past[w->steps % TAUT_WALK_PAST];
+
+    *lost = w->steps >= TAUT_WALK_PAST ? (before - area) / area : 0;
+    return taut_film_solver_parts(w->solver) > 1 && *lost > slow * w->descent->tolerance &&
+           *lost < 1e-7;
+}
+
 static taut_status give_up(const taut_walk *w, const char *why, taut_error *error)
 {
     const taut_descent *d = w->descent;
+    double lost = 0;
     if (d->has_free_edge) {
         return taut_fail(error, TAUT_NO_SOLUTION, "/points", w->here.residual, d->tolerance,
                          "with a free edge the film finds no rest (%s, residual %.3g): there may "
@@ -315,12 +327,21 @@ static taut_status give_up(const taut_walk *w, const char *why, taut_error *erro
                          why, w->here.residual);
     }
     if (w->is_barred || w->here.value.least < 1.5 * w->barrier) {
-        return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->here.value.least, w->barrier,
-                         "the film wants to fold: after %d iterations its smallest area element is "
-                         "%.2g of the mean; take %sfewer points, or give points inside",
-                         d->iterations, w->here.value.least,
+        const double next = w->is_barred ? w->there.value.least : w->here.value.least;
+        const double least = fmin(next, w->here.value.least);
+        return taut_fail(error, TAUT_NOT_CONVERGED, NULL, least, w->barrier,
+                         "the film wants to fold: after %d iterations its smallest area element "
+                         "goes to %.2g of the mean; take %sfewer points, or give points inside",
+                         d->iterations, least,
                          taut_film_solver_parts(w->solver) == 1 ? ""
                                                                 : "the method \"normal\", or ");
+    }
+    if (is_creeping(w, &lost)) {
+        return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance", lost, d->tolerance,
+                         "%s after %d iterations, and five steps still lower the area by %.1e of "
+                         "it, since the net slides within the surface: take the method \"normal\", "
+                         "or a tolerance of %.0e",
+                         why, d->iterations, lost, pow(10, ceil(log10(lost / slow))));
     }
     return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->here.residual, d->tolerance,
                      "%s after %d iterations: the residual is %.3g, expected at most %.3g; the "

@@ -1,7 +1,8 @@
 /* film.c -- one line u = const of Gauss points after another: the rows of the net alive there are
- * contracted with the functions of u once for the line, then with those of v at each point; what
- * comes back is gathered along v per column of the net and spread over the rows once (sum
- * factorisation). Nothing is allocated after taut_film_new. */
+ * contracted with the functions of u once for the line, then with those of v panel by panel, all
+ * points of a panel side by side (film_kernel.h); what comes back is gathered along v per column of
+ * the net and spread over the rows once (sum factorisation). Nothing is allocated after
+ * taut_film_new. */
 #include "construct/film.h"
 
 #include "core/memory.h"
@@ -19,6 +20,11 @@ static void axis_clear(taut_film_axis *a)
     taut_free(a->value);
     taut_free(a->slope);
     taut_free(a->weights);
+    taut_free(a->values);
+    taut_free(a->slopes);
+    taut_free(a->by_node);
+    taut_free(a->sloped);
+    taut_free(a->group_weights);
 }
 
 /* value, slope and first from the table of both. */
@@ -90,132 +96,185 @@ static taut_status axis_new(const taut_basis *basis, int lines, const double *we
     return status;
 }
 
-/* polygons[0][j] = sum_i N_i(u) net_ij,    polygons[1][j] = sum_i N_i'(u) net_ij. */
-static void contract(const taut_film *film, int line, const double *net)
+static int rounded_up(int count, int lanes)
 {
-    const size_t width = 3 * (size_t)film->nv, local = (size_t)film->u.local;
-    const double *n = film->u.value + (size_t)line * local;
-    const double *d = film->u.slope + (size_t)line * local;
-    const double *row = net + (size_t)film->u.first[line] * width;
-    double *restrict still = film->polygons, *restrict along = film->polygons + width;
+    return (count + lanes - 1) / lanes * lanes;
+}
 
-    memset(still, 0, 2 * width * sizeof(double));
-    for (size_t a = 0; a < local; a++, row += width) {
-        for (size_t j = 0; j < width; j++) {
-            still[j] += n[a] * row[j];
-            along[j] += d[a] * row[j];
+/* The tables for kernels. */
+static taut_status axis_arrange(int lanes, taut_film_axis *a)
+{
+    const size_t local = (size_t)a->local, nodes = (size_t)a->nodes;
+    const size_t panels = (size_t)a->count / nodes;
+    const size_t group = (size_t)rounded_up(a->nodes, lanes);
+    const size_t wide = (size_t)rounded_up(a->local, lanes);
+
+    a->group = (int)group;
+    a->wide = (int)wide;
+    a->values = taut_alloc_zero(panels * local, group * sizeof(double));
+    a->slopes = taut_alloc_zero(panels * local, group * sizeof(double));
+    a->by_node = taut_alloc_zero(panels * nodes, wide * sizeof(double));
+    a->sloped = taut_alloc_zero(panels * nodes, wide * sizeof(double));
+    a->group_weights = taut_alloc_zero(panels, group * sizeof(double));
+    if (a->values == NULL || a->slopes == NULL || a->by_node == NULL || a->sloped == NULL ||
+        a->group_weights == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t k = 0; k < panels * nodes; k++) {
+        const size_t panel = k / nodes, g = k % nodes;
+        a->group_weights[panel * group + g] = a->weights[k];
+        for (size_t b = 0; b < local; b++) {
+            a->values[(panel * local + b) * group + g] = a->value[k * local + b];
+            a->slopes[(panel * local + b) * group + g] = a->slope[k * local + b];
+            a->by_node[k * wide + b] = a->value[k * local + b];
+            a->sloped[k * wide + b] = a->slope[k * local + b];
+        }
+    }
+    return TAUT_OK;
+}
+
+/* film->net = the net in planes, times the weights. */
+static void take_net(taut_film *film, const double *net)
+{
+    const size_t nv = (size_t)film->nv;
+
+    for (size_t i = 0; i < (size_t)film->nu; i++) {
+        double *row = film->net + i * film->width;
+        for (size_t j = 0; j < nv; j++, net += 3) {
+            const double w = film->weights != NULL ? film->weights[i * nv + j] : 1;
+            for (size_t c = 0; c < 3; c++) {
+                row[c * film->stride + j] = w * net[c];
+            }
         }
     }
 }
 
-/* The derivatives at point k of the line: jet = x_u, x_v. q: the point's quotient, or NULL. */
-static void jet_at(const taut_film *film, int k, const double *q, double jet[6])
+static double *film_sums(const taut_film *film)
 {
-    const size_t width = 3 * (size_t)film->nv, local = (size_t)film->v.local;
+    return film->net + (size_t)film->nu * film->width;
+}
+
+static void give_sums(const taut_film *film, double *net)
+{
+    const size_t nv = (size_t)film->nv;
+
+    for (size_t i = 0; i < (size_t)film->nu; i++) {
+        const double *row = film_sums(film) + i * film->width;
+        for (size_t j = 0; j < nv; j++, net += 3) {
+            const double w = film->weights != NULL ? film->weights[i * nv + j] : 1;
+            for (size_t c = 0; c < 3; c++) {
+                net[c] = w * row[c * film->stride + j];
+            }
+        }
+    }
+}
+
+static void contract(const taut_film *film, int line)
+{
+    const size_t at = (size_t)line * (size_t)film->u.local;
+    film->ops->contract(film->u.local, film->u.value + at, film->u.slope + at,
+                        film->net + (size_t)film->u.first[line] * film->width, film->width,
+                        film->polygons, film->polygons + film->width);
+}
+
+static void spread(const taut_film *film, int line)
+{
+    const size_t at = (size_t)line * (size_t)film->u.local;
+    film->ops->spread(film->u.local, film->u.value + at, film->u.slope + at, film->spread,
+                      film->spread + film->width, film->width,
+                      film_sums(film) + (size_t)film->u.first[line] * film->width);
+}
+
+static size_t panels_of(const taut_film_axis *a)
+{
+    return (size_t)(a->count / a->nodes);
+}
+
+/* Where numbers of panel `panel` on the line begin, `each` of them a point. */
+static size_t place_of(const taut_film *film, int line, size_t panel, size_t each)
+{
+    return ((size_t)line * panels_of(&film->v) + panel) * each * (size_t)film->v.group;
+}
+
+/* What kernels see of a panel. */
+static taut_film_panel view(const taut_film *film, int line, size_t panel)
+{
+    const taut_film_axis *v = &film->v;
+    const size_t nodes = (size_t)v->nodes, first = (size_t)v->first[panel * nodes];
+    const size_t table = panel * (size_t)v->local * (size_t)v->group;
+    return (taut_film_panel){
+        .nodes = v->nodes,
+        .group = v->group,
+        .local = v->local,
+        .wide = v->wide,
+        .stride = film->stride,
+        .value = v->values + table,
+        .slope = v->slopes + table,
+        .values = v->by_node + panel * nodes * (size_t)v->wide,
+        .slopes = v->sloped + panel * nodes * (size_t)v->wide,
+        .still = film->polygons + first,
+        .along = film->polygons + film->width + first,
+        .quotient = film->quotient != NULL ? film->quotient + place_of(film, line, panel, 3) : NULL,
+        .spread_still = film->spread + first,
+        .spread_u = film->spread + film->width + first,
+    };
+}
+
+void taut_film_state_at(const taut_film *film, int line, int k, double state[TAUT_FILM_STATE])
+{
+    const size_t panel = (size_t)(k / film->v.nodes), g = (size_t)(k % film->v.nodes);
+    const double *s = film->state + place_of(film, line, panel, TAUT_FILM_STATE) + g;
+    for (size_t i = 0; i < TAUT_FILM_STATE; i++) {
+        state[i] = s[i * (size_t)film->v.group];
+    }
+}
+
+void taut_film_quotient_at(const taut_film *film, int line, int k, double quotient[3])
+{
+    const size_t panel = (size_t)(k / film->v.nodes), g = (size_t)(k % film->v.nodes);
+    const double *q = film->quotient + place_of(film, line, panel, 3) + g;
+    for (size_t i = 0; i < 3; i++) {
+        quotient[i] = q[i * (size_t)film->v.group];
+    }
+}
+
+/* 1 / w, w_u / w, w_v / w of one point, w from the first plane of the polygons. */
+static void quotient_of(const taut_film *film, int k, double q[3])
+{
+    const size_t local = (size_t)film->v.local;
     const double *n = film->v.value + (size_t)k * local, *d = film->v.slope + (size_t)k * local;
-    const double *still = film->polygons + 3 * (size_t)film->v.first[k], *along = still + width;
-    double x[3] = {0, 0, 0};
+    const double *still = film->polygons + film->v.first[k], *along = still + film->width;
+    double w = 0, wu = 0, wv = 0;
 
-    memset(jet, 0, 6 * sizeof(double));
     for (size_t b = 0; b < local; b++) {
-        for (size_t c = 0; c < 3; c++) {
-            jet[c] += n[b] * along[3 * b + c];
-            jet[3 + c] += d[b] * still[3 * b + c];
-            x[c] += n[b] * still[3 * b + c];
-        }
+        w += n[b] * still[b];
+        wu += n[b] * along[b];
+        wv += d[b] * still[b];
     }
-    for (size_t c = 0; q != NULL && c < 3; c++) {
-        jet[c] = (jet[c] - q[1] * x[c]) * q[0];
-        jet[3 + c] = (jet[3 + c] - q[2] * x[c]) * q[0];
-    }
+    q[0] = 1 / w;
+    q[1] = wu / w;
+    q[2] = wv / w;
 }
 
-/* spread += what the fluxes f_u, f_v at point k of the line give each column. */
-static void gather(const taut_film *film, int k, const double *q, const double flux[6])
-{
-    const size_t width = 3 * (size_t)film->nv, local = (size_t)film->v.local;
-    const double *n = film->v.value + (size_t)k * local, *d = film->v.slope + (size_t)k * local;
-    double *restrict still = film->spread + 3 * (size_t)film->v.first[k];
-    double *restrict along = still + width;
-    const double scale = q != NULL ? q[0] : 1;
-    double back[3] = {0, 0, 0};
-
-    for (size_t c = 0; q != NULL && c < 3; c++) {
-        back[c] = scale * (flux[c] * q[1] + flux[3 + c] * q[2]);
-    }
-    for (size_t b = 0; b < local; b++) {
-        for (size_t c = 0; c < 3; c++) {
-            still[3 * b + c] += scale * d[b] * flux[3 + c] - n[b] * back[c];
-            along[3 * b + c] += scale * n[b] * flux[c];
-        }
-    }
-}
-
-/* net += spread, over the rows alive on the line. */
-static void spread(const taut_film *film, int line, double *net)
-{
-    const size_t width = 3 * (size_t)film->nv, local = (size_t)film->u.local;
-    const double *n = film->u.value + (size_t)line * local;
-    const double *d = film->u.slope + (size_t)line * local;
-    const double *restrict still = film->spread, *restrict along = film->spread + width;
-    double *row = net + (size_t)film->u.first[line] * width;
-
-    for (size_t a = 0; a < local; a++, row += width) {
-        for (size_t j = 0; j < width; j++) {
-            row[j] += n[a] * still[j] + d[a] * along[j];
-        }
-    }
-}
-
-/* The net times the weights. */
-static const double *weigh(taut_film *film, const double *net)
-{
-    const size_t count = (size_t)film->nu * (size_t)film->nv;
-    if (film->weights == NULL) {
-        return net;
-    }
-    for (size_t i = 0; i < 3 * count; i++) {
-        film->net[i] = film->weights[i / 3] * net[i];
-    }
-    return film->net;
-}
-
-static void unweigh(const taut_film *film, double *net)
-{
-    const size_t count = (size_t)film->nu * (size_t)film->nv;
-    for (size_t i = 0; film->weights != NULL && i < 3 * count; i++) {
-        net[i] *= film->weights[i / 3];
-    }
-}
-
-static const double *quotient_at(const taut_film *film, int line, int k)
-{
-    const size_t at = (size_t)line * (size_t)film->v.count + (size_t)k;
-    return film->quotient != NULL ? film->quotient + 3 * at : NULL;
-}
-
-/* w at every point, by the same contraction with w_ij in the first coordinate. */
+/* All quotients, by the contraction of a net with w_ij in the first coordinate; 0 where there is no
+ * point. */
 static void fill_quotients(taut_film *film)
 {
-    const size_t count = (size_t)film->nu * (size_t)film->nv, local = (size_t)film->v.local;
-    double *q = film->quotient;
+    const size_t group = (size_t)film->v.group;
 
-    memset(film->net, 0, 3 * count * sizeof(double));
-    for (size_t i = 0; i < count; i++) {
-        film->net[3 * i] = film->weights[i];
+    for (int i = 0; i < film->nu; i++) {
+        memcpy(film->net + (size_t)i * film->width, film->weights + (size_t)i * (size_t)film->nv,
+               (size_t)film->nv * sizeof(double));
     }
     for (int line = 0; line < film->u.count; line++) {
-        contract(film, line, film->net);
-        for (int k = 0; k < film->v.count; k++, q += 3) {
-            const double *still = film->polygons + 3 * (size_t)film->v.first[k];
-            double jet[6], w = 0;
-            jet_at(film, k, NULL, jet);
-            for (size_t b = 0; b < local; b++) {
-                w += film->v.value[(size_t)k * local + b] * still[3 * b];
+        contract(film, line);
+        for (int k = 0; k < film->v.count; k++) {
+            const size_t panel = (size_t)(k / film->v.nodes), g = (size_t)(k % film->v.nodes);
+            double *to = film->quotient + place_of(film, line, panel, 3) + g, q[3];
+            quotient_of(film, k, q);
+            for (size_t c = 0; c < 3; c++) {
+                to[c * group] = q[c];
             }
-            q[0] = 1 / w;
-            q[1] = jet[0] / w;
-            q[2] = jet[3] / w;
         }
     }
 }
@@ -223,13 +282,12 @@ static void fill_quotients(taut_film *film)
 static taut_status take_weights(const double *weights, taut_film *film)
 {
     const size_t count = (size_t)film->nu * (size_t)film->nv;
+    const size_t lines = (size_t)film->u.count * panels_of(&film->v);
     double largest = 0;
 
     film->weights = taut_alloc(count, sizeof(double));
-    film->net = taut_alloc_aligned(3 * count, sizeof(double));
-    film->quotient =
-        taut_alloc_aligned((size_t)film->u.count * (size_t)film->v.count, 3 * sizeof(double));
-    if (film->weights == NULL || film->net == NULL || film->quotient == NULL) {
+    film->quotient = taut_alloc_zero(lines * (size_t)film->v.group, 3 * sizeof(double));
+    if (film->weights == NULL || film->quotient == NULL) {
         return TAUT_NO_MEMORY;
     }
     for (size_t i = 0; i < count; i++) {
@@ -253,8 +311,28 @@ void taut_film_free(taut_film *film)
         taut_free(film->net);
         taut_free(film->polygons);
         taut_free(film->spread);
+        taut_free(film->elements);
         taut_free(film);
     }
+}
+
+/* Planes carry TAUT_FILM_PAD numbers more than the net, which stay 0 or are never looked at. */
+static taut_status alloc(taut_film *film)
+{
+    const size_t nu = (size_t)film->nu, group = (size_t)film->v.group;
+    const size_t lines = (size_t)film->u.count * panels_of(&film->v);
+
+    film->stride = (size_t)rounded_up(film->nv, TAUT_FILM_PAD) + TAUT_FILM_PAD;
+    film->width = 3 * film->stride;
+    film->state = taut_alloc_aligned(lines * group, TAUT_FILM_STATE * sizeof(double));
+    film->net = taut_alloc_zero(2 * nu * film->width, sizeof(double));
+    film->polygons = taut_alloc_aligned(2 * film->width, sizeof(double));
+    film->spread = taut_alloc_aligned(2 * film->width, sizeof(double));
+    film->elements = taut_alloc_aligned(2 * group, sizeof(double));
+    return film->state != NULL && film->net != NULL && film->polygons != NULL &&
+                   film->spread != NULL && film->elements != NULL
+               ? TAUT_OK
+               : TAUT_NO_MEMORY;
 }
 
 taut_status taut_film_new(const taut_basis *u, const taut_basis *v, const double *weights,
@@ -269,18 +347,16 @@ taut_status taut_film_new(const taut_basis *u, const taut_basis *v, const double
     }
     made->nu = nu;
     made->nv = nv;
+    made->ops = taut_film_ops_chosen();
     status = axis_new(u, nv, weights, (size_t)nv, 1, extra, &made->u);
     if (status == TAUT_OK) {
         status = axis_new(v, nu, weights, 1, (size_t)nv, extra, &made->v);
     }
     if (status == TAUT_OK) {
-        made->state = taut_alloc_aligned((size_t)made->u.count * (size_t)made->v.count,
-                                         TAUT_FILM_STATE * sizeof(double));
-        made->polygons = taut_alloc_aligned(6 * (size_t)nv, sizeof(double));
-        made->spread = taut_alloc_aligned(6 * (size_t)nv, sizeof(double));
-        status = made->state != NULL && made->polygons != NULL && made->spread != NULL
-                     ? TAUT_OK
-                     : TAUT_NO_MEMORY;
+        status = axis_arrange(made->ops->lanes, &made->v);
+    }
+    if (status == TAUT_OK) {
+        status = alloc(made);
     }
     if (status == TAUT_OK && weights != NULL) {
         status = take_weights(weights, made);
@@ -299,122 +375,87 @@ double taut_film_cost(const taut_film *film)
     return 12.0 * (film->v.local + 4) * film->u.count * film->v.count;
 }
 
+/* Adds the panel's W, in film->elements, and lowers the least. */
+static void add_elements(const taut_film *film, int line, size_t panel, taut_sum *sum,
+                         taut_film_value *value)
+{
+    const double *weights = film->v.weights + panel * (size_t)film->v.nodes;
+    const double along_u = film->u.weights[line];
+    for (int g = 0; g < film->v.nodes; g++) {
+        const double w = film->elements[g];
+        value->least = w < value->least ? w : value->least;
+        taut_sum_add(sum, along_u * weights[g] * w);
+    }
+}
+
+static taut_film_value total(const taut_sum *sum, taut_film_value value)
+{
+    value.area = taut_sum_total(sum);
+    value.least = value.area > 0 ? value.least / value.area : 0;
+    return value;
+}
+
 taut_film_value taut_film_area(taut_film *film, const double *net)
 {
     taut_film_value value = {0, INFINITY};
     taut_sum sum = {0, 0};
 
     film->work += taut_film_cost(film);
-    net = weigh(film, net);
+    take_net(film, net);
     for (int line = 0; line < film->u.count; line++) {
-        contract(film, line, net);
-        for (int k = 0; k < film->v.count; k++) {
-            double jet[6], normal[3];
-            jet_at(film, k, quotient_at(film, line, k), jet);
-            taut_cross(jet, jet + 3, normal);
-            const double w = sqrt(taut_dot(normal, normal));
-            value.least = w < value.least ? w : value.least;
-            taut_sum_add(&sum, film->u.weights[line] * film->v.weights[k] * w);
+        contract(film, line);
+        for (size_t panel = 0; panel < panels_of(&film->v); panel++) {
+            const taut_film_panel p = view(film, line, panel);
+            film->ops->area(&p, film->elements);
+            add_elements(film, line, panel, &sum, &value);
         }
     }
-    value.area = taut_sum_total(&sum);
-    value.least = value.area > 0 ? value.least / value.area : 0;
-    return value;
-}
-
-/* The state and the fluxes, times the weight, of one point; returns W. */
-static double enter(const double jet[6], double weight, double *state, double flux[6])
-{
-    double normal[3];
-    taut_cross(jet, jet + 3, normal);
-    const double w = sqrt(taut_dot(normal, normal));
-
-    if (!(w > 0x1p-500)) {
-        memset(state, 0, TAUT_FILM_STATE * sizeof(double));
-        memset(flux, 0, 6 * sizeof(double));
-        return w;
-    }
-    for (int c = 0; c < 3; c++) {
-        state[c] = normal[c] / w;
-    }
-    state[3] = weight * taut_dot(jet, jet) / w;
-    state[4] = weight * taut_dot(jet, jet + 3) / w;
-    state[5] = weight * taut_dot(jet + 3, jet + 3) / w;
-    state[6] = weight;
-    taut_cross(jet + 3, state, flux);
-    taut_cross(state, jet, flux + 3);
-    for (int c = 0; c < 6; c++) {
-        flux[c] *= weight;
-    }
-    return w;
+    return total(&sum, value);
 }
 
 taut_film_value taut_film_gradient(taut_film *film, const double *net, double *gradient)
 {
-    const size_t width = 3 * (size_t)film->nv;
+    const size_t group = (size_t)film->v.group;
+    double *const weights = film->elements + group;
     taut_film_value value = {0, INFINITY};
     taut_sum sum = {0, 0};
-    double *state = film->state;
 
     film->work += 2 * taut_film_cost(film);
-    net = weigh(film, net);
-    memset(gradient, 0, (size_t)film->nu * width * sizeof(double));
+    take_net(film, net);
+    memset(film_sums(film), 0, (size_t)film->nu * film->width * sizeof(double));
     for (int line = 0; line < film->u.count; line++) {
-        contract(film, line, net);
-        memset(film->spread, 0, 2 * width * sizeof(double));
-        for (int k = 0; k < film->v.count; k++, state += TAUT_FILM_STATE) {
-            const double *q = quotient_at(film, line, k);
-            const double weight = film->u.weights[line] * film->v.weights[k];
-            double jet[6], flux[6];
-            jet_at(film, k, q, jet);
-            const double w = enter(jet, weight, state, flux);
-            value.least = w < value.least ? w : value.least;
-            taut_sum_add(&sum, weight * w);
-            gather(film, k, q, flux);
+        contract(film, line);
+        memset(film->spread, 0, 2 * film->width * sizeof(double));
+        for (size_t panel = 0; panel < panels_of(&film->v); panel++) {
+            const taut_film_panel p = view(film, line, panel);
+            for (size_t g = 0; g < group; g++) {
+                weights[g] = film->u.weights[line] * film->v.group_weights[panel * group + g];
+            }
+            film->ops->gradient(&p, weights,
+                                film->state + place_of(film, line, panel, TAUT_FILM_STATE),
+                                film->elements);
+            add_elements(film, line, panel, &sum, &value);
         }
-        spread(film, line, gradient);
+        spread(film, line);
     }
-    unweigh(film, gradient);
-    value.area = taut_sum_total(&sum);
-    value.least = value.area > 0 ? value.least / value.area : 0;
-    return value;
-}
-
-/* The change of the fluxes when x_u, x_v change by d, in B. */
-static void change(const double *state, double theta, const double d[6], double flux[6])
-{
-    const double *n = state, e = state[3], f = state[4], g = state[5];
-    const double nu = taut_dot(n, d), nv = taut_dot(n, d + 3), rest = 1 - theta;
-    const double along_u = rest * (g * nu - f * nv), along_v = rest * (e * nv - f * nu);
-    double to_u[3], to_v[3];
-
-    taut_cross(d + 3, n, to_u);
-    taut_cross(n, d, to_v);
-    for (int c = 0; c < 3; c++) {
-        flux[c] = along_u * n[c] + rest * state[6] * to_u[c] + theta * (g * d[c] - f * d[3 + c]);
-        flux[3 + c] =
-            along_v * n[c] + rest * state[6] * to_v[c] + theta * (e * d[3 + c] - f * d[c]);
-    }
+    give_sums(film, gradient);
+    return total(&sum, value);
 }
 
 void taut_film_product(taut_film *film, double theta, const double *direction, double *product)
 {
-    const size_t width = 3 * (size_t)film->nv;
-    const double *state = film->state, *net = weigh(film, direction);
-
     film->work += 2 * taut_film_cost(film);
-    memset(product, 0, (size_t)film->nu * width * sizeof(double));
+    take_net(film, direction);
+    memset(film_sums(film), 0, (size_t)film->nu * film->width * sizeof(double));
     for (int line = 0; line < film->u.count; line++) {
-        contract(film, line, net);
-        memset(film->spread, 0, 2 * width * sizeof(double));
-        for (int k = 0; k < film->v.count; k++, state += TAUT_FILM_STATE) {
-            const double *q = quotient_at(film, line, k);
-            double jet[6], flux[6];
-            jet_at(film, k, q, jet);
-            change(state, theta, jet, flux);
-            gather(film, k, q, flux);
+        contract(film, line);
+        memset(film->spread, 0, 2 * film->width * sizeof(double));
+        for (size_t panel = 0; panel < panels_of(&film->v); panel++) {
+            const taut_film_panel p = view(film, line, panel);
+            film->ops->product(&p, theta,
+                               film->state + place_of(film, line, panel, TAUT_FILM_STATE));
         }
-        spread(film, line, product);
+        spread(film, line);
     }
-    unweigh(film, product);
+    give_sums(film, product);
 }

@@ -21,6 +21,7 @@
 #ifndef TAUT_CONSTRUCT_FILM_H
 #define TAUT_CONSTRUCT_FILM_H
 
+#include "construct/film_kernel.h"
 #include "taut/basis.h"
 
 #include <stddef.h>
@@ -34,20 +35,26 @@ typedef struct taut_film_axis {
     double *value;   /* [count][local] */
     double *slope;   /* [count][local] */
     double *weights; /* [count]: their sum is 1 */
+    /* For kernels, by panel, whole vectors of nodes or functions, zeros where there are none: */
+    int group, wide;          /* nodes, local, rounded up */
+    double *values, *slopes;  /* [panels][local][group] */
+    double *by_node, *sloped; /* [count][wide]: value and slope */
+    double *group_weights;    /* [panels][group] */
 } taut_film_axis;
-
-enum { TAUT_FILM_STATE = 7 }; /* n, w_g E / W, w_g F / W, w_g G / W, w_g */
 
 typedef struct taut_film {
     int nu, nv;
     taut_film_axis u, v;
-    double *weights;  /* [nu][nv] over the largest, or NULL */
-    double *quotient; /* [u.count][v.count][3]: 1 / w, w_u / w, w_v / w, or NULL */
-    double *state;    /* [u.count][v.count][TAUT_FILM_STATE] of the last gradient */
-    double *net;      /* [nu][nv][3]: points times weights, or NULL */
-    double *polygons; /* [2][nv][3] */
-    double *spread;   /* [2][nv][3] */
-    double work;      /* about so many flops were spent on it, its factors included */
+    const taut_film_ops *ops;
+    size_t stride, width; /* of a plane of a row of the net; 3 of them */
+    double *weights;      /* [nu][nv] over the largest, or NULL */
+    double *quotient;     /* [u.count][panels of v][3][group], film_kernel.h, or NULL */
+    double *state;        /* [u.count][panels of v][TAUT_FILM_STATE][group] of the last gradient */
+    double *net;          /* [nu][width], then as many for what comes back: in planes, weighted */
+    double *polygons;     /* [2][width] */
+    double *spread;       /* [2][width] */
+    double *elements;     /* [2][group]: W of a panel; weights */
+    double work;          /* about so many flops were spent on it, its factors included */
 } taut_film;
 
 /* What a net is worth. */
@@ -66,6 +73,10 @@ taut_film_value taut_film_area(taut_film *film, const double *net);
 /* The same, with gradient double[nu][nv][3] at every point, known ones too; the operators below are
  * those of this net from now on. */
 taut_film_value taut_film_gradient(taut_film *film, const double *net, double *gradient);
+
+/* The state, and the quotient where there are weights, of node k of v on line `line`. */
+void taut_film_state_at(const taut_film *film, int line, int k, double state[TAUT_FILM_STATE]);
+void taut_film_quotient_at(const taut_film *film, int line, int k, double quotient[3]);
 
 /* About so many flops: one look at the area of a net. */
 double taut_film_cost(const taut_film *film);

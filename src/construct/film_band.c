@@ -154,16 +154,19 @@ static void slopes_at(taut_film_band *band, const taut_film *film, int line, int
     const double *d = film->u.slope + (size_t)line * local_u;
     const double *m = film->v.value + (size_t)k * local_v;
     const double *e = film->v.slope + (size_t)k * local_v;
-    const double *q = film->quotient != NULL
-                          ? film->quotient + 3 * ((size_t)line * (size_t)film->v.count + (size_t)k)
-                          : NULL;
+    const int is_rational = film->quotient != NULL;
+    double q[3] = {1, 0, 0};
     size_t p = 0;
+
+    if (is_rational) {
+        taut_film_quotient_at(film, line, k, q);
+    }
 
     for (size_t a = 0; a < local_u; a++) {
         for (size_t b = 0; b < local_v; b++, p++) {
             band->slope_u[p] = d[a] * m[b];
             band->slope_v[p] = n[a] * e[b];
-            if (q != NULL) {
+            if (is_rational) {
                 const size_t i = (size_t)film->u.first[line] + a;
                 const size_t j = (size_t)film->v.first[k] + b;
                 const double w = film->weights[i * (size_t)film->nv + j] * q[0];
@@ -259,9 +262,10 @@ void taut_film_band_assemble(taut_film_band *band, const taut_film *film)
             memset(band->element, 0, local * local * BLOCK * sizeof(double));
             for (int g = 0; g < film->u.nodes * film->v.nodes; g++) {
                 const int at_u = line + g / film->v.nodes, at_v = k + g % film->v.nodes;
-                const size_t at = (size_t)at_u * (size_t)film->v.count + (size_t)at_v;
+                double state[TAUT_FILM_STATE];
+                taut_film_state_at(film, at_u, at_v, state);
                 slopes_at(band, film, at_u, at_v);
-                add_point(band, film->state + at * TAUT_FILM_STATE);
+                add_point(band, state);
             }
             add_element(band, film, line, k);
         }

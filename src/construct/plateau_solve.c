@@ -11,8 +11,10 @@
  */
 #include "construct/plateau_solve.h"
 
-#include "construct/descent.h"
+#include "construct/film_band.h"
+#include "construct/plateau_approach.h"
 #include "construct/plateau_directions.h"
+#include "construct/plateau_work.h"
 #include "construct/scaling.h"
 #include "core/fail.h"
 #include "core/memory.h"
@@ -22,17 +24,18 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { AREAS_MAX = 64 }; /* areas of iterations that are told */
 enum { ITERATIONS_DEFAULT = 500, RULES = 10 };
 static const double tolerance_default = 1e-10;
 /* Nodes on a panel beyond the functions alive there, each rule tried after the one before. */
 static const int extras[RULES] = {2, 4, 6, 9, 13, 19, 28, 42, 63, 95};
-/* Two rules agree when their areas do to this. */
+/* Two rules agree when their areas do to this; where the last ones differ by more than `unsettled`
+ * the film is none. */
 static const double agreement = 2e-14;
 /* Rules that draw near a smooth integral change it by much less each time; not so where it is
  * rough.
  */
 static const double rough = 0.2, rough_points = 5e3;
+static const double unsettled = 1e-9;
 static const double points_max = 3e7; /* Gauss points of one film */
 /* Residuals that agree to this, by rules of so many points that more cost little. */
 static const double sharp = 4e-15, sharp_points = 2e4;
@@ -41,26 +44,7 @@ static const double sharp = 4e-15, sharp_points = 2e4;
  */
 static const double work_least = 2e10, steps_worth = 200;
 
-/* What is being made. */
-typedef struct work {
-    const taut_plateau_problem *problem;
-    const taut_make_options *options;
-    taut_model *first; /* the Dirichlet surface */
-    const taut_surface *surface;
-    taut_arena *arena;
-    taut_pattern pattern;
-    taut_scaling scaling;
-    taut_dirichlet_form form;
-    taut_film *film;
-    size_t count;
-    double *net;        /* scaled */
-    double *directions; /* or NULL */
-    double dirichlet_area, aspect;
-    taut_descent descent;
-    const char *solver;
-    int rule, products;
-    int is_rough; /* no rule settles on the first net */
-} work;
+typedef taut_plateau_work work;
 
 static void work_clear(work *w)
 {
@@ -80,8 +64,8 @@ static taut_status work_new(work *w, taut_error *error)
     w->arena = taut_arena_new();
     if (w->arena != NULL) {
         w->net = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
-        w->descent.areas = taut_arena_take(w->arena, AREAS_MAX, sizeof(double));
-        w->descent.areas_max = AREAS_MAX;
+        w->descent.areas = taut_arena_take(w->arena, TAUT_PLATEAU_AREAS_MAX, sizeof(double));
+        w->descent.areas_max = TAUT_PLATEAU_AREAS_MAX;
     }
     if (w->net == NULL || w->descent.areas == NULL ||
         taut_pattern_new(nu, nv, net->known, w->arena, &w->pattern) != TAUT_OK) {
@@ -175,6 +159,9 @@ static taut_status find_rule(work *w, const double *net, double *area, taut_erro
             w->is_rough = !settled && is_first && change > rough * earlier &&
                           points_of(w->film) > rough_points;
         }
+        if (status == TAUT_OK) {
+            w->change = change / *area;
+        }
         if (status == TAUT_OK && !settled && !w->is_rough) {
             taut_film_free(w->film);
             w->film = finer;
@@ -206,6 +193,13 @@ static int has_free_edge(const taut_pattern *p)
         found |= !p->known[i * nv] || !p->known[i * nv + nv - 1];
     }
     return found;
+}
+
+/* Is it worth while to come near along normals first (construct/plateau_approach.h)? */
+static int is_large(const work *w)
+{
+    return w->directions == NULL && w->problem->start == NULL && !w->descent.has_free_edge &&
+           !w->is_rough && !taut_film_band_pays(w->film, &w->pattern);
 }
 
 /* Descends with the film of the moment. */
@@ -339,6 +333,18 @@ static taut_status descend_by_rules(work *w, taut_error *error)
     return status;
 }
 
+/* A film at rest by one rule is none where more nodes see another area. */
+static taut_status check_rule(const work *w, taut_error *error)
+{
+    if (!(w->change > unsettled)) {
+        return TAUT_OK;
+    }
+    return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->change, unsettled,
+                     "the film folds: with %d Gauss nodes in a panel its area still changes by "
+                     "%.2g of it; take fewer points, or give points inside",
+                     w->film->v.nodes, w->change);
+}
+
 /* Fills points double[nu][nv][3]. */
 static taut_status solve(work *w, double *points, taut_error *error)
 {
@@ -356,59 +362,27 @@ static taut_status solve(work *w, double *points, taut_error *error)
         status = find_rule(w, w->net, &area, error);
     }
     w->descent.has_free_edge = has_free_edge(&w->pattern);
+    if (status == TAUT_OK && is_large(w)) {
+        w->descent.work_max = work_least;
+        status =
+            taut_plateau_approach(w->film, &w->form, &w->pattern, w->surface, w->aspect,
+                                  &w->options->monitor, &w->descent, w->net, &w->products, error);
+        w->descent.work_max = 0;
+    }
     if (status == TAUT_OK) {
         status = descend_by_rules(w, error);
     }
     if (status == TAUT_OK && w->directions == NULL) { /* "normal" stops at the tolerance */
         status = sharpen(w, error);
     }
+    if (status == TAUT_OK) {
+        status = check_rule(w, error);
+    }
     if (status == TAUT_OK || status == TAUT_NOT_CONVERGED) {
         const taut_status unscaled = unscale(w, points, error);
         status = unscaled != TAUT_OK ? unscaled : status;
     }
     return status;
-}
-
-static void add_directions(const work *w, taut_record *details)
-{
-    taut_record *rows = taut_record_add_list(details, "directions");
-    for (int i = 0; i < w->pattern.nu; i++) {
-        taut_record *row = taut_record_add_list(rows, NULL);
-        for (int j = 0; j < w->pattern.nv; j++) {
-            const size_t at = (size_t)i * (size_t)w->pattern.nv + (size_t)j;
-            taut_record_add_numbers(row, NULL, 3, w->directions + 3 * at);
-        }
-    }
-}
-
-static taut_record *details_of(const work *w)
-{
-    const taut_pattern *p = &w->pattern;
-    taut_record *details = taut_record_new();
-    const int is_normal = w->problem->method == TAUT_PLATEAU_NORMAL;
-
-    taut_record_add_number(details, "iterations", w->descent.iterations);
-    taut_record_add_number(details, "dirichlet_area",
-                           taut_scaling_undo_square(&w->scaling, w->dirichlet_area));
-    taut_record_add_number(details, "unknowns", (double)p->unknowns);
-    taut_record_add_text(details, "known",
-                         p->unknowns == 0 ? "all"
-                         : p->is_interior ? "boundary"
-                                          : "pattern");
-    taut_record_add_text(details, "method", is_normal ? "normal" : "full");
-    taut_record_add_text(details, "solver", w->solver);
-    taut_record_add_number(details, "products", w->products);
-    taut_record_add_number(details, "residual", w->descent.residual);
-    taut_record_add_number(details, "tolerance", w->descent.tolerance);
-    if (is_normal && p->unknowns > 0) {
-        add_directions(w, details);
-    }
-    taut_record *areas = taut_record_add_list(details, "areas");
-    for (int k = 0; k < w->descent.areas_count; k++) {
-        taut_record_add_number(areas, NULL,
-                               taut_scaling_undo_square(&w->scaling, w->descent.areas[k]));
-    }
-    return details;
 }
 
 /* Without unknowns the surface is the one given; its area is still told. */
@@ -438,7 +412,7 @@ static taut_status finish(const work *w, const double *points, taut_plateau_solu
     }
     made.area = taut_scaling_undo_square(&w->scaling, w->pattern.unknowns == 0 ? w->dirichlet_area
                                                                                : w->descent.area);
-    made.details = details_of(w);
+    made.details = taut_plateau_details(w);
     if (taut_record_status(made.details) != TAUT_OK) {
         taut_plateau_solution_clear(&made);
         return taut_fail_memory(error);

@@ -23,6 +23,7 @@ static const taut_target square_targets[] = {{1e-11, 1e-18}, {1e-11, 1e-18}, {1e
 static const taut_target all_targets[] = {{1e-11, 1e-15}, {1e-11, 1e-18}, {1e-11, 1e-18},
                                           {1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18},
                                           {1e-11, 1e-18}, {2e-7, 1e-12}};
+static const taut_target mean_targets[] = {{1e-11, 1e-15}, {2e-7, 1e-12}};
 
 /* The vectors at node j of a batch. */
 #define AT(k, c) (x[(3 * (k) + (c)) * stride + j])
@@ -125,6 +126,15 @@ static void all_fields(int count, int stride, const double *x, const taut_bounds
     mean_fields(count, stride, x, bounds, out + 16 * stride, out + 14 * stride, out + 19 * stride);
 }
 
+/* Pairs: W; |s|. Then x_u x x_v, s. */
+static void bent_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                        double ratio, double *out)
+{
+    (void)ratio;
+    normal_fields(count, stride, x, bounds, out, out + stride, out + 4 * stride);
+    mean_fields(count, stride, x, bounds, out + 4 * stride, out + 2 * stride, out + 7 * stride);
+}
+
 /* Figures from the integrals; the pointers are at the fields of each. */
 
 static double area_of(const taut_integrals *in, double value)
@@ -160,6 +170,14 @@ static double area_error_of(const taut_integrals *in)
 {
     const int good = in->error[0] <= 1e-10 * in->value[0] || in->error[0] <= 1e-15 * in->value[1];
     return good ? 0 : area_of(in, in->error[0]);
+}
+
+/* of: the integral of |s| in in->value. Where x_u x x_v vanishes but for rounding there is none. */
+static double mean_of(const taut_integrals *in, int of)
+{
+    /* as for single normals: an area of 2^-40 of what the net allows is rounding */
+    const int has_normal = in->value[0] > 0x1p-40 * in->value[1];
+    return has_normal ? ldexp(in->value[of] / in->value[0], -in->scale) : nan("");
 }
 
 static int is_polynomial(const taut_surface *surface)
@@ -240,14 +258,26 @@ taut_status taut_figures_of(const taut_surface *surface, int threads, taut_figur
     const taut_status status = taut_integrate(surface, &integrand, threads, &in);
 
     if (status == TAUT_OK) {
-        /* as for single normals: an area of 2^-40 of what the net allows is rounding */
-        const int has_normal = in.value[0] > 0x1p-40 * in.value[1];
         figures->area = area_of(&in, in.value[0]);
         figures->area_error = area_error_of(&in);
         figures->isothermality = isothermality_of(&in, in.value + 2);
         figures->dirichlet = dirichlet_of(&in, in.value + 4);
         figures->bending = bending_of(&in, in.value + 8);
-        figures->mean_abs = has_normal ? ldexp(in.value[14] / in.value[0], -in.scale) : nan("");
+        figures->mean_abs = mean_of(&in, 14);
+    }
+    return status;
+}
+
+taut_status taut_surface_mean(const taut_surface *surface, int threads, double *area,
+                              double *mean_abs)
+{
+    const taut_integrand integrand = {bent_fields, 2, 2, 0, mean_targets, 2};
+    taut_integrals in;
+    const taut_status status = taut_integrate(surface, &integrand, threads, &in);
+
+    if (status == TAUT_OK) {
+        *area = area_of(&in, in.value[0]);
+        *mean_abs = mean_of(&in, 2);
     }
     return status;
 }

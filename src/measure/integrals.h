@@ -12,4 +12,8 @@ typedef struct taut_figures {
 
 taut_status taut_figures_of(const taut_surface *surface, int threads, taut_figures *figures);
 
+/* Of these only the area, and mean_abs. */
+taut_status taut_surface_mean(const taut_surface *surface, int threads, double *area,
+                              double *mean_abs);
+
 #endif /* TAUT_MEASURE_INTEGRALS_H */

@@ -19,7 +19,7 @@ static const double suspicion = 0.2;
 
 /* Absolute values are integrated to these parts of themselves, well below what is asked of cells.
  */
-static const double fine[2] = {2e-13, 1e-8};
+static const double fine[2] = {2e-13, 1e-7};
 
 static double area_of(const taut_job *job, const taut_rectangle *r)
 {

@@ -5,9 +5,6 @@
 
 #include <string.h>
 
-static const int order_u[6] = {0, 1, 0, 2, 1, 0};
-static const int order_v[6] = {0, 0, 1, 0, 1, 2};
-
 void taut_scan_free(taut_scan *scan)
 {
     if (scan != NULL) {
@@ -72,41 +69,53 @@ size_t taut_scan_scratch(const taut_scan *scan)
     return 3 * (size_t)scan->columns * (size_t)scan->dim;
 }
 
-/* polygon[k][j*dim + c] for the derivatives k = 0, 1, 2 by u. */
+/* polygons[j][k][c] for the derivatives k = 0, 1, 2 by u. */
 static void contract_u(const taut_scan *scan, int i, double *polygons)
 {
-    const size_t length = (size_t)scan->columns * (size_t)scan->dim;
-    const double *base = scan->net + (size_t)scan->u->first[i] * length;
-    for (int k = 0; k <= 2; k++) {
-        const double *n = taut_table_row(scan->u, i, k);
-        double *polygon = polygons + (size_t)k * length;
-        memset(polygon, 0, length * sizeof(double));
-        for (int a = 0; a < scan->u->local; a++) {
-            const double *row = base + (size_t)a * length;
-            for (size_t c = 0; c < length; c++) {
-                polygon[c] += n[a] * (k > 0 ? row[c] - base[c] : row[c]);
+    const size_t dim = (size_t)scan->dim, columns = (size_t)scan->columns;
+    const double *base = scan->net + (size_t)scan->u->first[i] * columns * dim;
+
+    memset(polygons, 0, 3 * columns * dim * sizeof(double));
+    for (size_t k = 0; k <= 2; k++) {
+        const double *n = taut_table_row(scan->u, i, (int)k);
+        for (size_t a = 0; a < (size_t)scan->u->local; a++) {
+            const double *row = base + a * columns * dim;
+            double *out = polygons + k * dim;
+            for (size_t j = 0; j < columns; j++, out += 3 * dim) {
+                for (size_t c = 0; c < dim; c++) {
+                    out[c] +=
+                        n[a] * (k > 0 ? row[j * dim + c] - base[j * dim + c] : row[j * dim + c]);
+                }
             }
         }
     }
 }
 
-/* h[6][dim] at entry j. */
-static void contract_v(const taut_scan *scan, int j, const double *polygons, double *h)
+/* h[6][dim] at entry j: x, x_u, x_uu with N_b, x_v, x_uv with N_b', x_vv with N_b''. */
+static inline void contract_v(const taut_scan *scan, int j, size_t dim, const double *polygons,
+                              double *h)
 {
-    const size_t length = (size_t)scan->columns * (size_t)scan->dim;
-    const size_t from = (size_t)scan->v->first[j] * (size_t)scan->dim;
-    for (int k = 0; k < 6; k++) {
-        const double *n = taut_table_row(scan->v, j, order_v[k]);
-        const double *polygon = polygons + (size_t)order_u[k] * length + from;
-        for (int c = 0; c < scan->dim; c++) {
-            const double base = order_v[k] > 0 ? polygon[c] : 0;
-            double sum = 0;
-            for (int b = 0; b < scan->v->local; b++) {
-                sum += n[b] * (polygon[b * scan->dim + c] - base);
-            }
-            h[k * scan->dim + c] = sum;
+    const double *n = taut_table_row(scan->v, j, 0), *d = taut_table_row(scan->v, j, 1);
+    const double *e = taut_table_row(scan->v, j, 2);
+    const double *base = polygons + (size_t)scan->v->first[j] * 3 * dim, *at = base;
+    double still[12] = {0}, once[8] = {0}, twice[4] = {0};
+
+    for (size_t b = 0; b < (size_t)scan->v->local; b++, at += 3 * dim) {
+        for (size_t c = 0; c < 3 * dim; c++) {
+            still[c] += n[b] * at[c];
+        }
+        for (size_t c = 0; c < 2 * dim; c++) {
+            once[c] += d[b] * (at[c] - base[c]);
+        }
+        for (size_t c = 0; c < dim; c++) {
+            twice[c] += e[b] * (at[c] - base[c]);
         }
     }
+    memcpy(h, still, 2 * dim * sizeof(double));
+    memcpy(h + 2 * dim, once, dim * sizeof(double));
+    memcpy(h + 3 * dim, still + 2 * dim, dim * sizeof(double));
+    memcpy(h + 4 * dim, once + dim, dim * sizeof(double));
+    memcpy(h + 5 * dim, twice, dim * sizeof(double));
 }
 
 void taut_scan_line(const taut_scan *scan, int i, double *scratch, double *values)
@@ -116,10 +125,10 @@ void taut_scan_line(const taut_scan *scan, int i, double *scratch, double *value
     for (int j = 0; j < scan->v->count; j++) {
         double *out = values + (size_t)j * 18;
         if (scan->dim == 3) {
-            contract_v(scan, j, scratch, out);
+            contract_v(scan, j, 3, scratch, out);
             continue;
         }
-        contract_v(scan, j, scratch, h);
+        contract_v(scan, j, 4, scratch, h);
         taut_net_project(2, h, out);
         for (int c = 0; c < 3; c++) {
             out[c] += scan->centre[c];

@@ -33,6 +33,17 @@ contains err.txt 'branch +-\+-\+'
 sed 's/\("v0": {.*"points": \[\)\(\[[^]]*\]\), *\[[^]]*\]\(.*"v1":\)/\1\2, \2\3/' curves.json > legless.json
 refused 4 'curves: the control point of v0 beside corner u0v0 lies on it' make legless.json -o legless-made.json
 
+# Curves that run the wrong way are named; no hint where that is not all.
+ruled=$example/asymptotic-ruled.json
+sed '/"u0"/s/"points": .*/"points": [[0, 1, 0], [0, 0, 0]] },/' "$ruled" > turned.json
+refused 4 'v0 and u0 do not meet at corner u0v0: the gap is 1; all four close with u0 reversed:' make turned.json -o turned-made.json
+sed '/"u0"/s/"points": .*/"points": [[0, 0, 0], [0, 0.5, 0]] },/' "$ruled" > gap.json
+refused 4 'do not meet at corner u0v1: the gap is 0\.5$' make gap.json -o gap-made.json
+
+# A far origin leaves too few digits of the coordinates.
+sed 's/"u\([01]\)v\([01]\)": \[\([01]\), /"u\1v\2": [100000000000\3, /' "$example/asymptotic-1.json" > far.json
+refused 3 'corners: coordinates of 1e\+12 hold the corners, .* from their mean, to .*: move the origin nearer' make far.json -o far-made.json
+
 # Numbers whose products leave the range of double are refused by name, not by what becomes of them.
 sed 's/\("v0": {.*"points": \[\)\[[^]]*\], *\[[^]]*\]\(.*"v1":\)/\1[1, 0, 0], [1e300, 0, 1]\2/' curves.json > huge.json
 refused 3 'curves: a control point of v0 has a coordinate of 1e\+300' make huge.json -o huge-made.json

@@ -20,6 +20,34 @@ refused 3 'tolerance_area' make both.json --quiet
 sed 's/"refine": 2/"tolerance_area": 0/' refine.json > zero.json
 refused 3 'tolerance_area' make zero.json --quiet
 
+# A plane boundary that crosses itself: no quadrature settles the area of what folds.
+cat > folded.json << 'END'
+{ "taut": 1, "construct": "plateau", "method": "normal",
+  "u": { "type": "bspline", "degree": 3, "count": 5 }, "v": { "type": "bspline", "degree": 3, "count": 5 },
+  "points": [[[0, 0, 0], [3, 1, 0], [3, 2, 0], [3, 3, 0], [0, 4, 0]],
+             [[1, 2.5, 0], null, null, null, [1, 4, 0]],
+             [[2, 2.5, 0], null, null, null, [2, 4, 0]],
+             [[3, 2.5, 0], null, null, null, [3, 4, 0]],
+             [[4, 0, 0], [4, 1, 0], [4, 2, 0], [4, 3, 0], [4, 4, 0]]] }
+END
+refused 1 'film folds' make folded.json -o folded-film.json --quiet
+absent folded-film.json
+
+# A film that still slides within itself when its steps are up: what would do is said.
+cat > few.json << 'END'
+{ "taut": 1, "construct": "plateau", "max_iterations": 12,
+  "u": { "type": "bspline", "degree": 3, "count": 20 }, "v": { "type": "bspline", "degree": 3, "count": 20 },
+  "curves": { "u0": { "t": { "type": "bezier", "degree": 2 }, "points": [[-1, -1, 0], [-1, 0, -2], [-1, 1, 0]] },
+              "u1": { "t": { "type": "bezier", "degree": 2 }, "points": [[1, -1, 0], [1, 0, -2], [1, 1, 0]] },
+              "v0": { "t": { "type": "bezier", "degree": 2 }, "points": [[-1, -1, 0], [0, -1, 2], [1, -1, 0]] },
+              "v1": { "t": { "type": "bezier", "degree": 2 }, "points": [[-1, 1, 0], [0, 1, 2], [1, 1, 0]] } } }
+END
+refused 1 'slides within the surface: take the method "normal", or a tolerance of 1e-0' make few.json --quiet
+# Tables of points are no part of the short report.
+"$TAUT" example plateau-bicubic | sed 's/"points"/"method": "normal", "points"/' > normal.json
+run 0 make normal.json -o normal-film.json
+contains err.txt 'directions +\([0-9]+ rows, in the report\)'
+
 # A film that takes long, stopped: nothing is left behind, and the exit code is that of the signal.
 "$TAUT" example plateau-curves | sed 's/"count": [0-9]*/"count": 60/g' > long.json
 timeout --preserve-status -s INT 1 "$TAUT" make long.json -o long-film.json -o long.obj > out.txt 2> err.txt

@@ -1,5 +1,5 @@
-/* test_asymptotic.c -- patches on quadrilaterals whose surfaces are known, and what must not change
- * when the data is moved, scaled, raised or mapped.
+/* test_asymptotic.c -- patches on the curves of surfaces that are known: nets, ruled surfaces,
+ * lines.
  */
 #include "asymptotic.h"
 #include "check.h"
@@ -105,7 +105,7 @@ static void test_nets(void)
 {
     int inflections = 0;
     for (int trial = 0; trial < random_trials(12); trial++) {
-        const int p = trial % 3 == 0 ? 3 : 2; /* the quintic is slow */
+        const int p = trial % 4 == 0 ? 3 : 2; /* the quintic is slow */
         const lelieuvre net = lelieuvre_random(p);
         const projective map = random_map();
         taut_asymptotic_problem problem = lelieuvre_problem(&net);
@@ -119,6 +119,124 @@ static void test_nets(void)
         asymptotic_free_curves(&problem);
     }
     printf("inflections met: %d\n", inflections);
+}
+
+/* Nets whose edge v = 0 hardly bends: with a quadratic, its det(a + b, a', a'') is one number,
+ * which is made small. Its torsion is then known to the rounding of its points over the square of
+ * its height, far worse than that of the edges it meets: the patch must not pass that on to them.
+ */
+static lelieuvre flat_net(double bend)
+{
+    lelieuvre net;
+    do {
+        double n[3], slope[3], second[3], across[3];
+        net = lelieuvre_random(2);
+        lelieuvre_normal(&net, 0.0, 0.0, n);
+        for (int k = 0; k < 3; k++) {
+            slope[k] = net.a[1][k] - net.a[0][k];
+            second[k] = net.a[2][k] - 2 * net.a[1][k] + net.a[0][k];
+        }
+        taut_cross(n, slope, across);
+        taut_add_scaled((bend - 1.0) * taut_dot(across, second) / taut_dot(across, across), across,
+                        net.a[2]);
+    } while (!lelieuvre_is_regular(&net));
+    return net;
+}
+
+static void test_flat_edges(void)
+{
+    for (int trial = 0; trial < random_trials(12); trial++) {
+        const double bend = pow(10, -3 - trial % 4); /* 1e-3 to 1e-6 */
+        const lelieuvre net = flat_net(bend);
+        taut_asymptotic_problem problem = lelieuvre_problem(&net);
+        char what[48];
+        taut_model *model = NULL;
+        taut_error error = {.message = ""};
+        taut_status status = TAUT_OK;
+        (void)snprintf(what, sizeof what, "net %d flat to %g", trial, bend);
+        problem.surface = trial % 3 == 2 ? TAUT_ASYMPTOTIC_N_3 : TAUT_ASYMPTOTIC_5N_7;
+        status = taut_asymptotic_make(&problem, NULL, &model, &error);
+        CHECK(status == TAUT_OK || strstr(error.message, "take surface \"5n-7\"") != NULL, "%s: %s",
+              what, error.message);
+        if (status == TAUT_OK) {
+            asymptotic_check_claims_or_fold(model, &problem, what);
+        }
+        taut_model_free(model);
+        asymptotic_free_curves(&problem);
+    }
+}
+
+/* Nets far from the origin: no claim on the edges is found false, those that rounding hides are
+ * undecided; where the coordinates hold less than six digits the problem is refused. */
+static void test_far_nets(void)
+{
+    static const double origins[3] = {1e5, -1e8, 1e12};
+    const lelieuvre net = lelieuvre_random(2);
+    taut_asymptotic_problem problem = lelieuvre_problem(&net);
+    for (int k = 0; k < 3; k++) {
+        const projective map = {.a = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                .t = {origins[k], origins[k], 0.5 * origins[k]}};
+        taut_asymptotic_problem moved = projective_image(&problem, &map);
+        taut_certificate *certificate = NULL;
+        taut_model *model = NULL;
+        taut_error error = {.message = ""};
+        const taut_status status = taut_asymptotic_make(&moved, NULL, &model, &error);
+        CHECK(status == (k < 2 ? TAUT_OK : TAUT_BAD_INPUT), "origin %g: %s", origins[k],
+              error.message);
+        CHECK(k < 2 || strstr(error.message, "move the origin nearer") != NULL, "%s",
+              error.message);
+        if (status == TAUT_OK) {
+            certificate = asymptotic_certify(model, &moved, "far");
+            for (int c = 0; c < 3; c++) {
+                const taut_claim *claim = taut_certificate_claim(certificate, c);
+                CHECK(claim->holds == TAUT_TRUE || (k == 1 && claim->holds == TAUT_UNDECIDED),
+                      "origin %g: %s %g, limit %g, at %s", origins[k], claim->claim,
+                      claim->residual, claim->limit, claim->where);
+            }
+            taut_certificate_free(certificate);
+            taut_model_free(model);
+        }
+        asymptotic_free_curves(&moved);
+    }
+    asymptotic_free_curves(&problem);
+}
+
+/* All weights of a net times one number are the same curves: the claims hold, also of numbers near
+ * the ends of double. Weights that far from those at the corners are refused by name. */
+static void test_weight_scales(void)
+{
+    const lelieuvre net = lelieuvre_random(2);
+    for (int power = -300; power <= 300; power += 150) {
+        taut_asymptotic_problem problem = lelieuvre_problem(&net);
+        const double w = pow(10, power);
+        taut_error error = {.message = ""};
+        taut_model *model = NULL;
+        char what[32];
+        (void)snprintf(what, sizeof what, "weights 1e%d", power);
+        for (int e = 0; e < 4; e++) {
+            const taut_curve *const from = problem.curves[e];
+            const double weights[4] = {w, w, w, w};
+            problem.curves[e] =
+                asymptotic_curve(taut_curve_name(from), 3, taut_curve_points(from), weights);
+            taut_curve_free((taut_curve *)(size_t)from);
+        }
+        model = asymptotic_make(&problem, what);
+        if (model != NULL) {
+            asymptotic_check_claims_or_fold(model, &problem, what);
+        }
+        taut_model_free(model);
+        model = NULL;
+        if (power != 0) {
+            const taut_curve *const from = problem.curves[0];
+            const double weights[4] = {w, 1, 1, w};
+            problem.curves[0] = asymptotic_curve("v0", 3, taut_curve_points(from), weights);
+            taut_curve_free((taut_curve *)(size_t)from);
+            CHECK(taut_asymptotic_make(&problem, NULL, &model, &error) == TAUT_BAD_INPUT &&
+                      strstr(error.message, "of those at the corners") != NULL,
+                  "%s: %s", what, error.message);
+        }
+        asymptotic_free_curves(&problem);
+    }
 }
 
 /* z = xy - x^3/3: the curves y = x^2/2 + c are asymptotic cubics, the lines x = const its rulings.
@@ -204,218 +322,14 @@ static void test_four_lines(void)
     asymptotic_free_curves(&problem);
 }
 
-static double detail(const taut_model *model, const char *name)
-{
-    return taut_record_number(taut_record_get(taut_model_details(model), name));
-}
-
-/* Corner data in general position: conditions hold, the certificate too, for both patches. */
-static void test_random_corner_data(void)
-{
-    const int trials = random_trials(16);
-    int made = 0;
-    for (int trial = 0; trial < trials; trial++) {
-        taut_asymptotic_problem problem = asymptotic_random(trial % 8 == 7 ? 5 : 4, 0.1);
-        taut_model *model = NULL;
-        taut_error error;
-        const taut_status status = taut_asymptotic_make(&problem, NULL, &model, &error);
-        char what[64];
-        (void)snprintf(what, sizeof what, "trial %d", trial);
-        /* data without a solution, and an energy without a minimum, are to be expected */
-        CHECK(status == TAUT_OK || status == TAUT_NOT_CONVERGED || status == TAUT_NO_SOLUTION,
-              "%s: %s", what, error.message);
-        if (status == TAUT_OK) {
-            taut_certificate *certificate = asymptotic_certify(model, &problem, what);
-            for (int k = 0; k < 5; k++) {
-                const taut_claim *claim = taut_certificate_claim(certificate, k);
-                /* the inside may fold: that is what the claim is there to tell */
-                CHECK(claim->holds == TAUT_TRUE || strcmp(claim->claim, "regular") == 0,
-                      "%s: %s %g, limit %g, at %s", what, claim->claim, claim->residual,
-                      claim->limit, claim->where);
-            }
-            taut_certificate_free(certificate);
-            taut_model_free(model);
-            made++;
-        }
-    }
-    CHECK(8 * made >= 5 * trials, "made %d of %d", made, trials);
-}
-
-/* x -> s Q x + t with curvatures over s: the same weights, s^2 times the energies, the image of
- * every point. */
-static void test_similarity(void)
-{
-    const double s = 2.75, c = 0.6, d = 0.8, shift[3] = {3, -1, 2};
-    taut_asymptotic_problem problem = asymptotic_example(1, "-+-+"), image = problem;
-    taut_model *first = NULL, *second = NULL;
-    for (int j = 0; j < 4; j++) {
-        for (int k = 0; k < 3; k++) { /* a turn about z */
-            const double *const p = problem.corners[j];
-            const double turned[3] = {c * p[0] - d * p[1], d * p[0] + c * p[1], p[2]};
-            image.corners[j][k] = s * turned[k] + shift[k];
-        }
-        for (int end = 0; end < 2; end++) {
-            const double *const p = problem.edges[j].legs[end];
-            const double turned[3] = {c * p[0] - d * p[1], d * p[0] + c * p[1], p[2]};
-            for (int k = 0; k < 3; k++) {
-                image.edges[j].legs[end][k] = s * turned[k];
-            }
-            image.edges[j].curvature[end] /= s;
-        }
-    }
-    first = asymptotic_make(&problem, "similar");
-    second = asymptotic_make(&image, "similar image");
-    CHECK_NEAR(detail(second, "curve_energy") / (s * s), detail(first, "curve_energy"), 1e-12,
-               "A1");
-    CHECK_NEAR(detail(second, "plate_energy") / (s * s), detail(first, "plate_energy"), 1e-10,
-               "A2");
-    for (int trial = 0; trial < random_trials(30); trial++) {
-        const double u = random_in(0, 1), v = random_in(0, 1);
-        double p[3], q[3];
-        CHECK(taut_surface_eval(taut_model_surface(first, 0), u, v, 0, p) == TAUT_OK, "eval");
-        CHECK(taut_surface_eval(taut_model_surface(second, 0), u, v, 0, q) == TAUT_OK, "eval");
-        CHECK_NEAR(q[0], s * (c * p[0] - d * p[1]) + shift[0], 1e-10, "u=%g v=%g", u, v);
-        CHECK_NEAR(q[1], s * (d * p[0] + c * p[1]) + shift[1], 1e-10, "u=%g v=%g", u, v);
-        CHECK_NEAR(q[2], s * p[2] + shift[2], 1e-10, "u=%g v=%g", u, v);
-    }
-    taut_model_free(second);
-    taut_model_free(first);
-}
-
-/* Other units of length, and an origin 1e8 away: the same energies, and a patch whose claims hold
- * or, where the rounding of its points hides them, are undecided. Units no double can work with are
- * refused by name. */
-static void test_units(void)
-{
-    static const double units[6][2] = {{1e-9, 0}, {1e9, 0}, {1e-19, 0},
-                                       {1e19, 0}, {1, 1e8}, {1, -1e4}};
-    for (int k = 0; k < 6; k++) {
-        const double s = units[k][0];
-        taut_asymptotic_problem problem = asymptotic_example(1, "-+-+");
-        taut_certificate *certificate = NULL;
-        taut_model *model = NULL;
-        char what[48];
-        for (int j = 0; j < 12; j++) {
-            problem.corners[j / 3][j % 3] = s * problem.corners[j / 3][j % 3] + units[k][1];
-            problem.edges[j / 3].legs[0][j % 3] *= s;
-            problem.edges[j / 3].legs[1][j % 3] *= s;
-        }
-        for (int j = 0; j < 8; j++) {
-            problem.edges[j / 2].curvature[j % 2] /= s;
-        }
-        (void)snprintf(what, sizeof what, "unit %g, origin %g", s, units[k][1]);
-        model = asymptotic_make(&problem, what);
-        CHECK_NEAR(detail(model, "curve_energy") / (s * s), 4.563279376292, 1e-7, "%s", what);
-        CHECK(taut_asymptotic_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "%s",
-              what);
-        for (int c = 0; c < taut_certificate_claim_count(certificate); c++) {
-            const taut_claim *const claim = taut_certificate_claim(certificate, c);
-            CHECK(claim->holds == TAUT_TRUE ||
-                      (units[k][1] == 1e8 && claim->holds == TAUT_UNDECIDED),
-                  "%s: %s %g, limit %g, at %s", what, claim->claim, claim->residual, claim->limit,
-                  claim->where);
-        }
-        taut_certificate_free(certificate);
-        taut_model_free(model);
-    }
-    for (int k = 0; k < 4; k++) {
-        const double s = k == 0 ? 1e-22 : k == 1 ? 1e22 : k == 2 ? 1e-200 : 1e200;
-        taut_asymptotic_problem problem = asymptotic_example(1, "-+-+");
-        taut_error error = {.message = ""};
-        taut_model *model = NULL;
-        for (int j = 0; j < 12; j++) {
-            problem.corners[j / 3][j % 3] *= s;
-        }
-        CHECK(taut_asymptotic_make(&problem, NULL, &model, &error) == TAUT_BAD_INPUT &&
-                  strstr(error.message, "another unit of length") != NULL,
-              "unit %g: %s", s, error.message);
-    }
-}
-
-/* Degrees above 5: everything that was asked for is met, on both kinds of patch, and the curves are
- * quintics raised: their sixth differences in homogeneous coordinates vanish. */
-static void test_degrees(void)
-{
-    for (int n = 6; n <= TAUT_ASYMPTOTIC_DEGREE_MAX; n++) {
-        taut_asymptotic_problem problem = asymptotic_example(1, "-+-+");
-        taut_model *model = NULL;
-        problem.degree = n;
-        problem.surface = n == 6 ? TAUT_ASYMPTOTIC_5N_7 : TAUT_ASYMPTOTIC_N_3;
-        for (int e = 0; e < 4; e++) {
-            for (int k = 0; k < 6; k++) {
-                problem.edges[e].legs[k / 3][k % 3] *= 4.0 / n;
-            }
-        }
-        problem.edges[1].curvature[0] = 0.8;
-        model = asymptotic_make(&problem, "degrees");
-        if (model == NULL) {
-            continue;
-        }
-        asymptotic_check_claims(model, &problem, "degrees");
-        for (int c = 0; c < 4; c++) {
-            const double *const w = taut_curve_weights(taut_model_curve(model, c));
-            double difference = 0.0, size = 0.0, sign = 1.0, binomial = 1.0;
-            for (int j = 0; j <= 6; j++) {
-                difference += sign * binomial * w[j];
-                size += binomial * w[j];
-                sign = -sign;
-                binomial = binomial * (6 - j) / (j + 1);
-            }
-            CHECK_NEAR(difference, 0.0, 1e-14 * size, "degree %d curve %d", n, c);
-        }
-        taut_model_free(model);
-    }
-}
-
-/* The curves of a model, given, make the same patch; raised by a degree they keep beta. */
-static void test_given_curves(void)
-{
-    taut_asymptotic_problem corner = asymptotic_example(1, "-+-+"), given;
-    taut_model *first = asymptotic_make(&corner, "corner data"), *second = NULL;
-    memset(&given, 0, sizeof given);
-    for (int k = 0; k < 4; k++) {
-        const taut_curve *curve = taut_model_curve(first, k);
-        for (int e = 0; e < 4; e++) {
-            if (strcmp(taut_curve_name(curve), taut_asymptotic_edge_name(e)) == 0) {
-                given.curves[e] = curve;
-            }
-        }
-    }
-    second = asymptotic_make(&given, "given curves");
-    for (int i = 0; second != NULL && i < 3 * 14 * 14; i++) {
-        CHECK_NEAR(taut_surface_points(taut_model_surface(second, 0))[i],
-                   taut_surface_points(taut_model_surface(first, 0))[i], 1e-9, "entry %d", i);
-    }
-    asymptotic_check_claims(second, &given, "given curves");
-    taut_model_free(second);
-    taut_model_free(first);
-}
-
-/* With the alpha free as well, A_2 falls and all claims still hold; for example 1 in, a cubic's
- * alpha gives 104.9140 (docs page, errata), so the least is no higher. */
-static void test_free_all(void)
-{
-    taut_asymptotic_problem problem = asymptotic_example(1, "+-+-");
-    taut_model *model = NULL;
-    problem.free_all = 1;
-    model = asymptotic_make(&problem, "free");
-    asymptotic_check_claims(model, &problem, "free");
-    CHECK(detail(model, "plate_energy") < 104.9140, "A2 = %g", detail(model, "plate_energy"));
-    CHECK(detail(model, "plate_energy") > 50, "A2 = %g", detail(model, "plate_energy"));
-    taut_model_free(model);
-}
-
 int main(void)
 {
     random_seed(2017);
     test_nets();
+    test_flat_edges();
+    test_far_nets();
+    test_weight_scales();
     test_ruled();
     test_four_lines();
-    test_random_corner_data();
-    test_similarity();
-    test_units();
-    test_degrees();
-    test_given_curves();
-    test_free_all();
     return check_failures != 0;
 }

@@ -261,7 +261,7 @@ static void slope_of(int p, const double (*a)[3], double t, double out[3])
 }
 
 /* R_u x R_v = (a + b) det(a + b, a', b'): is the determinant of one sign, well away from 0? */
-static int is_regular(const lelieuvre *net)
+int lelieuvre_is_regular(const lelieuvre *net)
 {
     double least = INFINITY, most = -INFINITY;
     for (int k = 0; k < 21 * 21; k++) {
@@ -283,7 +283,7 @@ static int is_regular(const lelieuvre *net)
 lelieuvre lelieuvre_random(int p)
 {
     lelieuvre net = draw(p);
-    while (!is_regular(&net)) {
+    while (!lelieuvre_is_regular(&net)) {
         net = draw(p);
     }
     return net;

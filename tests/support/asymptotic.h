@@ -43,6 +43,7 @@ typedef struct lelieuvre {
 
 /* Random, with a + b within some 50 degrees of the z axis so that the net is regular. */
 lelieuvre lelieuvre_random(int p);
+int lelieuvre_is_regular(const lelieuvre *net);
 /* a + b at (u, v), not unit. */
 void lelieuvre_normal(const lelieuvre *net, double u, double v, double normal[3]);
 /* The problem of its four boundary curves; free the curves. */

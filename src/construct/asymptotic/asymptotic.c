@@ -12,7 +12,9 @@
 #include "core/fail.h"
 #include "core/vec3.h"
 
+#include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* All that one call holds; lives in its arena. */
@@ -40,15 +42,28 @@ static void center_of(const double *corners, double center[3])
 /* Torsions, energies and their derivatives are products of up to eight lengths: beyond these they
  * leave the range of double. */
 static const double least_size = 1e-20, most_size = 1e20;
+static const double least_weight = 1e-30; /* of the largest at the corners, as in corner data */
+/* Coordinates are rounded by 2^-53 of themselves. Where that is more than this share of the size,
+ * no claim on the patch could be decided: the certificate's limits end there. */
+static const double most_rounding = 1e-6;
 
 /* The largest distance of a corner from their mean along an axis. Corners that are not finite are
  * told elsewhere. */
 static taut_status check_size(const double *corners, const double center[3], const char *where,
                               double *size, taut_error *error)
 {
+    double far = 0.0;
     *size = 0.0;
     for (int k = 0; k < 12; k++) {
         *size = fmax(*size, fabs(corners[k] - center[k % 3]));
+        far = fmax(far, fabs(corners[k]));
+    }
+    if (isfinite(far) && *size > 0 && 0.5 * DBL_EPSILON * far > most_rounding * *size) {
+        return taut_fail(error, TAUT_BAD_INPUT, where, 0.5 * DBL_EPSILON * far / *size,
+                         most_rounding,
+                         "coordinates of %.3g hold the corners, %.3g from their mean, to %.1e of "
+                         "that only, expected %.0e at the most: move the origin nearer",
+                         far, *size, 0.5 * DBL_EPSILON * far / *size, most_rounding);
     }
     if (isfinite(center[0]) && isfinite(center[1]) && isfinite(center[2]) && *size > 0 &&
         !(*size >= least_size && *size <= most_size)) {
@@ -61,9 +76,35 @@ static taut_status check_size(const double *corners, const double center[3], con
     return TAUT_OK;
 }
 
+/* All weights times one power of two, which changes no curve and rounds nothing, where the corners'
+ * are far from the 1 that the inner weights are. */
+static void scale_weights(taut_quad *quad)
+{
+    double most = 0.0;
+    int power = 0;
+    for (int c = 0; c < 4; c++) {
+        most = fmax(most, taut_quad_weight(quad, c, 0, 0));
+    }
+    (void)frexp(most, &power);
+    for (int e = 0; e < 4 && abs(power) > 10; e++) {
+        for (int j = 0; j <= quad->degree; j++) {
+            quad->edges[e].weights[j] = ldexp(quad->edges[e].weights[j], -power);
+        }
+    }
+}
+
 static taut_status check_points(const taut_quad *quad, taut_error *error)
 {
     for (int e = 0; e < 4; e++) {
+        for (int j = 0; j <= quad->degree; j++) {
+            const double w = quad->edges[e].weights[j];
+            if (!(w >= least_weight && w <= 1 / least_weight)) {
+                return taut_fail(error, TAUT_BAD_INPUT, "/curves", w, taut_none,
+                                 "weights of %s are %.3g of those at the corners, expected %.0e to "
+                                 "%.0e",
+                                 taut_asymptotic_edge_name(e), w, least_weight, 1 / least_weight);
+            }
+        }
         for (int j = 0; j <= quad->degree; j++) {
             const double *const p = quad->edges[e].points[j];
             const double far = fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]));
@@ -107,6 +148,7 @@ static taut_status take_curves(const taut_asymptotic_problem *problem, work *w, 
         }
         center_of(&corners[0][0], center);
         status = check_size(&corners[0][0], center, "/curves", &size, error);
+        scale_weights(&w->quad);
     }
     if (status == TAUT_OK) {
         status = check_points(&w->quad, error);

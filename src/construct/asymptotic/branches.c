@@ -74,8 +74,8 @@ static taut_status fail_none(int allowed, double gap, taut_error *error)
     if (gap != 0.0) {
         return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, 0.0,
                          "the torsions cannot close around the four corners: the curvatures miss "
-                         "it by a factor of %.9g; nearest: multiply curvature of v0[1], u0[0], "
-                         "v1[0], u1[1] by %.9g and divide v0[0], u0[1], v1[1], u1[0] by it",
+                         "it by a factor of %.12g; nearest: multiply curvature of v0[1], u0[0], "
+                         "v1[0], u1[1] by %.15g and divide v0[0], u0[1], v1[1], u1[0] by it",
                          exp(gap), exp(gap / 8));
     }
     return taut_fail(error, TAUT_NOT_CONVERGED, "/edges", taut_none, taut_none,

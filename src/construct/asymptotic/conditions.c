@@ -13,15 +13,15 @@ static const double off_plane = 1e-10;     /* sine of a second derivative with t
 static const double torsion_match = 1e-10; /* relative */
 static const double least_bend = 1e-12;    /* sine below which an end has no osculating plane */
 
-/* What rounding of the points, each by 2^-53 of the size, does to directions made from the three
- * first points at an end: their triangle is `height` high. */
+/* What rounding of the points does to directions made from the three first points at an end: their
+ * triangle is `height` high. */
 static double rounding(const taut_quad *quad, int edge, int end)
 {
     double leg[3], arm[3], bend[3];
     taut_quad_leg(quad, edge, end, leg);
     taut_difference(taut_quad_point(quad, edge, end, 2), taut_quad_point(quad, edge, end, 0), arm);
     taut_cross(leg, arm, bend);
-    return 16 * DBL_EPSILON * taut_quad_reach(quad) * taut_norm(leg) / taut_norm(bend);
+    return 32 * taut_quad_rounding(quad) * taut_norm(leg) / taut_norm(bend);
 }
 
 /* The leg of the partner at this end. */
@@ -90,13 +90,15 @@ static taut_status check_plane(const taut_quad *quad, int c, taut_error *error)
     taut_cross(leg[0], leg[1], normal);
     for (int k = 0; k < 2; k++) {
         const taut_quad_meeting *const m = &taut_quad_corner[c][k];
-        double d1[3], d2[3], bend[3], off = 0.0;
+        double arm[3], bend[3], off = 0.0;
         if (quad->edges[m->edge].straight) {
             continue;
         }
-        taut_quad_end(quad, m->edge, m->end, d1, d2);
-        taut_cross(d1, d2, bend);
-        if (!(taut_norm(bend) > least_bend * taut_norm(d1) * taut_norm(d2))) {
+        /* of points, not of derivatives, in which weights cancel */
+        taut_difference(taut_quad_point(quad, m->edge, m->end, 2),
+                        taut_quad_point(quad, m->edge, m->end, 0), arm);
+        taut_cross(leg[k], arm, bend);
+        if (!(taut_norm(bend) > least_bend * taut_norm(leg[k]) * taut_norm(arm))) {
             return taut_fail(error, TAUT_NO_SOLUTION, "", taut_norm(bend), taut_none,
                              "edge %s has curvature 0 at corner %s and is not straight: it has no "
                              "osculating plane there",
@@ -177,14 +179,14 @@ static void factors_text(const taut_quad *quad, double factors[4][TAUT_QUAD_POIN
     for (int e = 0; e < 4 && used < size; e++) {
         used += (size_t)snprintf(text + used, size - used, " %s", taut_asymptotic_edge_name(e));
         for (int j = 0; j < quad->degree - 1 && used < size; j++) {
-            used += (size_t)snprintf(text + used, size - used, " %.5g", factors[e][j]);
+            used += (size_t)snprintf(text + used, size - used, " %.15g", factors[e][j]);
         }
     }
 }
 
-/* The same of the torsion t: of the determinant of the first three differences, which close to an
- * inflection is as small as the square of the height, and twice of the height below it. */
-static double torsion_rounding(const taut_quad *quad, int edge, int end, double t)
+/* Of the determinant of the first three differences, which close to an inflection is as small as
+ * the square of the height, and twice of the height below it. */
+double taut_quad_torsion_rounding(const taut_quad *quad, int edge, int end, double t)
 {
     const int n = quad->degree;
     const double factor =
@@ -199,7 +201,7 @@ static double torsion_rounding(const taut_quad *quad, int edge, int end, double 
     }
     taut_cross(d[0], d[1], normal);
     return 2 * rounding(quad, edge, end) * fabs(t) +
-           16 * DBL_EPSILON * taut_quad_reach(quad) * fabs(factor) *
+           32 * taut_quad_rounding(quad) * fabs(factor) *
                (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]) /
                taut_dot(normal, normal);
 }
@@ -212,10 +214,11 @@ static taut_status check_torsion(const taut_quad *quad, int c, taut_error *error
     const double t1 = taut_quad_torsion(quad, m[1].edge, m[1].end);
     const double size = fmax(fabs(t0), fabs(t1));
     const double scale = taut_quad_size(quad);
-    const double match = torsion_match * size + torsion_rounding(quad, m[0].edge, m[0].end, t0) +
-                         torsion_rounding(quad, m[1].edge, m[1].end, t1);
+    const double match = torsion_match * size +
+                         taut_quad_torsion_rounding(quad, m[0].edge, m[0].end, t0) +
+                         taut_quad_torsion_rounding(quad, m[1].edge, m[1].end, t1);
     double factors[4][TAUT_QUAD_POINTS];
-    char text[200] = " none";
+    char text[600] = " none";
     /* torsions that are nothing but rounding next to the size are equal */
     if (fabs(t0 + t1) <= match || size * scale <= 1e-12) {
         return TAUT_OK;

@@ -19,4 +19,7 @@ int taut_quad_sigma(const taut_quad *quad, int edge, int end);
  * least change of inner weights, in logarithms, that mends all corners. */
 taut_status taut_quad_check(const taut_quad *quad, taut_error *error);
 
+/* What rounding of the points does to the torsion t at an end. */
+double taut_quad_torsion_rounding(const taut_quad *quad, int edge, int end, double t);
+
 #endif /* TAUT_ASYMPTOTIC_CONDITIONS_H */

@@ -211,13 +211,14 @@ static taut_status fail_closing(cubic *c, taut_error *error)
                          "legs",
                          c->wrong_sign ? "-" : "", exp(gap));
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
-                     "the torsions miss closing around the corners by a factor of %.6g; nearest "
-                     "legs: v0 [%.7g,%.7g,%.7g] v1 [%.7g,%.7g,%.7g] u0 [%.7g,%.7g,%.7g] u1 "
-                     "[%.7g,%.7g,%.7g]",
-                     exp(gap), c->legs[0][0], c->legs[0][1], c->legs[0][2], c->legs[2][0],
-                     c->legs[2][1], c->legs[2][2], c->legs[1][0], c->legs[1][1], c->legs[1][2],
-                     c->legs[3][0], c->legs[3][1], c->legs[3][2]);
+    return taut_fail(
+        error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
+        "the torsions miss closing around the corners by a factor of %.12g; nearest "
+        "legs: v0 [%.15g,%.15g,%.15g] v1 [%.15g,%.15g,%.15g] u0 [%.15g,%.15g,%.15g] u1 "
+        "[%.15g,%.15g,%.15g]",
+        exp(gap), c->legs[0][0], c->legs[0][1], c->legs[0][2], c->legs[2][0], c->legs[2][1],
+        c->legs[2][2], c->legs[1][0], c->legs[1][1], c->legs[1][2], c->legs[3][0], c->legs[3][1],
+        c->legs[3][2]);
 }
 
 static void place(const cubic *c, int e, double s, taut_quad_edge *made)

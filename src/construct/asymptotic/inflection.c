@@ -5,9 +5,13 @@
 
 #include <string.h>
 
-/* |q| at its least over its largest coefficient: q is a product of data, known to some 1e-15, and a
- * curve whose data is given to ten digits still has its inflection. */
-static const double zero_cut = 1e-10;
+/* |q| at its least over its largest coefficient: q is a product of differences of the data, known
+ * to some times the data's rounding, and a curve whose data is given to ten digits still has its
+ * inflection. */
+static const double zero_cut = 1e-10, zero_factor = 64.0;
+/* And over what is summed there, sum |q_j| B_j: where that is as small as |q| itself nothing
+ * cancels, and a small q is no zero. */
+static const double cancels = 1e-6;
 enum { LENGTH = TAUT_POLY_MAX + 1, SAMPLES_PER_DEGREE = 8, BISECTIONS = 60 };
 
 /* q.q' at t: half the derivative of |q|^2. */
@@ -60,6 +64,16 @@ static double least_place(int degree, double (*q)[3])
     return best;
 }
 
+static double summed_at(int degree, double (*q)[3], double t)
+{
+    double lengths[LENGTH], sum = 0.0;
+    for (int j = 0; j <= degree; j++) {
+        lengths[j] = taut_norm(q[j]);
+    }
+    taut_poly_eval(degree, 1, lengths, t, &sum);
+    return sum;
+}
+
 static double largest_coefficient(int degree, double (*q)[3])
 {
     double most = 0.0;
@@ -69,14 +83,16 @@ static double largest_coefficient(int degree, double (*q)[3])
     return most;
 }
 
-int taut_inflections_remove(int degree, double (*q)[3], double *at)
+int taut_inflections_remove(int degree, double rounding, double (*q)[3], double *at)
 {
+    const double cut = zero_cut + zero_factor * rounding;
     int left = degree, count = 0;
     double work[LENGTH][3];
     while (left > 0) {
         const double place = least_place(left, q);
         int k = count;
-        if (!(length_at(left, q, place) <= zero_cut * largest_coefficient(left, q))) {
+        if (!(length_at(left, q, place) <=
+              fmin(cut * largest_coefficient(left, q), cancels * summed_at(left, q, place)))) {
             break;
         }
         taut_poly_deflate(left, 3, &q[0][0], place, &work[0][0]);

@@ -1,5 +1,6 @@
 #include "construct/asymptotic/low_corner.h"
 
+#include "construct/asymptotic/conditions.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/dense.h"
@@ -73,7 +74,7 @@ void taut_low_twist(const taut_low *l, int c, const double s[4], double twist[3]
 static taut_status normal_part(const taut_low *l, int c, double part[3], taut_error *error)
 {
     const taut_quad_meeting *const m = taut_quad_corner[c];
-    double normal[3], twist[3], found[2] = {0, 0}, sum = 0.0, size = 0.0;
+    double normal[3], twist[3], found[2] = {0, 0}, sum = 0.0, size = 0.0, noise = 0.0;
     int count = 0;
     taut_cross(l->plane_u[c], l->plane_v[c], normal);
     for (int k = 0; k < 2; k++) {
@@ -83,11 +84,14 @@ static taut_status normal_part(const taut_low *l, int c, double part[3], taut_er
             taut_low_twist(l, c, s, twist);
             found[k] = taut_dot(twist, normal);
             size = fmax(size, taut_norm(twist) * taut_norm(normal));
+            noise += taut_quad_torsion_rounding(l->quad, m[k].edge, m[k].end,
+                                                taut_quad_torsion(l->quad, m[k].edge, m[k].end));
             sum += found[k];
             count++;
         }
     }
-    if (count == 2 && !(fabs(found[0] - found[1]) <= plane_match * size)) {
+    if (count == 2 &&
+        !(fabs(found[0] - found[1]) <= plane_match * size + noise * taut_dot(normal, normal))) {
         return taut_fail(error, TAUT_NO_SOLUTION, "", (found[0] - found[1]) / size, plane_match,
                          "the edges have no common twist at corner %s, because their torsions are "
                          "not opposite",

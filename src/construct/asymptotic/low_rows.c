@@ -63,7 +63,9 @@ void taut_low_write(const taut_low *l, const double *x, taut_patch *patch)
         double row[TAUT_LOW_LENGTH][4];
         taut_low_cross(l, e, x, row);
         for (int k = 1; k < m; k++) {
-            const double share = k == 1 || k == m - 1 ? 0.5 : 1.0; /* two edges share these */
+            const double share = k == 1       ? patch->share[e][0] /* two edges give these */
+                                 : k == m - 1 ? patch->share[e][1]
+                                              : 1.0;
             double *const made = taut_patch_at(patch, e, 1, k);
             const double *const boundary = taut_patch_at(patch, e, 0, k);
             for (int d = 0; d < 4; d++) {

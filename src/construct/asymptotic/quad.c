@@ -4,6 +4,7 @@
 #include "core/fail.h"
 #include "core/vec3.h"
 
+#include <float.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -52,28 +53,6 @@ void taut_quad_leg(const taut_quad *quad, int edge, int end, double leg[3])
     taut_difference(end == 0 ? next : corner, end == 0 ? corner : next, leg);
 }
 
-/* At t = 0, with D_j = P_j - P_0 and g_j = w_j / w_0 ([PieglTiller1997] 4.3):
- *     r'  = n g_1 D_1
- *     r'' = n (n-1) (g_2 D_2 - 2 g_1 D_1) - 2 n (g_1 - 1) r'
- * and at t = 1 the same from the other end, odd orders with the other sign. */
-void taut_quad_end(const taut_quad *quad, int edge, int end, double d1[3], double d2[3])
-{
-    const int n = quad->degree;
-    const double w0 = taut_quad_weight(quad, edge, end, 0);
-    const double g1 = taut_quad_weight(quad, edge, end, 1) / w0;
-    const double g2 = taut_quad_weight(quad, edge, end, 2) / w0;
-    double first[3], second[3];
-    taut_difference(taut_quad_point(quad, edge, end, 1), taut_quad_point(quad, edge, end, 0),
-                    first);
-    taut_difference(taut_quad_point(quad, edge, end, 2), taut_quad_point(quad, edge, end, 0),
-                    second);
-    for (int k = 0; k < 3; k++) {
-        const double forward = n * g1 * first[k];
-        d2[k] = n * (n - 1) * (g2 * second[k] - 2 * g1 * first[k]) - 2 * n * (g1 - 1) * forward;
-        d1[k] = end == 0 ? forward : -forward;
-    }
-}
-
 double taut_quad_torsion(const taut_quad *quad, int edge, int end)
 {
     const int n = quad->degree;
@@ -100,7 +79,7 @@ double taut_quad_size(const taut_quad *quad)
     return size;
 }
 
-double taut_quad_reach(const taut_quad *quad)
+double taut_quad_rounding(const taut_quad *quad)
 {
     double reach = 0.0;
     for (int a = 0; a < 4; a++) {
@@ -108,13 +87,14 @@ double taut_quad_reach(const taut_quad *quad)
             reach = fmax(reach, taut_norm(quad->edges[a].points[j]));
         }
     }
-    return reach;
+    return fmax(quad->rounding, 0.5 * DBL_EPSILON * reach);
 }
 
 /* Is every control point on the chord, up to rounding of the coordinates? */
 static int is_straight(const taut_quad *quad, int edge)
 {
     const taut_quad_edge *const e = &quad->edges[edge];
+    const double rounding = 4 * taut_quad_rounding(quad);
     double chord[3], reach = 0.0, off = 0.0;
     taut_difference(e->points[quad->degree], e->points[0], chord);
     for (int j = 1; j < quad->degree; j++) {
@@ -124,7 +104,7 @@ static int is_straight(const taut_quad *quad, int edge)
         off = fmax(off, taut_norm(normal));
         reach = fmax(reach, taut_norm(d));
     }
-    return off <= 1e-13 * taut_norm(chord) * fmax(reach, taut_norm(chord));
+    return off <= taut_norm(chord) * (1e-13 * fmax(reach, taut_norm(chord)) + rounding);
 }
 
 /* Raises a curve of degree p to n: degree elevation of the homogeneous coefficients. */
@@ -196,31 +176,6 @@ static taut_status common_degree(const taut_curve *const curves[4], int *degree,
     return TAUT_OK;
 }
 
-/* Do the two edges at each corner share its point and its weight? */
-static taut_status check_closed(const taut_quad *quad, taut_error *error)
-{
-    const double size = taut_quad_size(quad);
-    for (int c = 0; c < 4; c++) {
-        const taut_quad_meeting *const m = taut_quad_corner[c];
-        const double gap = taut_distance(taut_quad_point(quad, m[0].edge, m[0].end, 0),
-                                         taut_quad_point(quad, m[1].edge, m[1].end, 0));
-        const double w0 = taut_quad_weight(quad, m[0].edge, m[0].end, 0);
-        const double w1 = taut_quad_weight(quad, m[1].edge, m[1].end, 0);
-        if (!(gap <= 1e-12 * size)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/curves", gap, 1e-12 * size,
-                             "curves %s and %s do not meet at corner %s: the gap is %.3g",
-                             edge_names[m[0].edge], edge_names[m[1].edge], corner_names[c], gap);
-        }
-        if (!(fabs(w0 - w1) <= 1e-12 * fmax(w0, w1))) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/curves", w0 / w1, 1.0,
-                             "the end weights of %s and %s differ at corner %s (%.6g and %.6g): "
-                             "multiply the weights of a curve by c q^j, which leaves it unchanged",
-                             edge_names[m[0].edge], edge_names[m[1].edge], corner_names[c], w0, w1);
-        }
-    }
-    return TAUT_OK;
-}
-
 taut_status taut_quad_of_curves(const taut_curve *const curves[4], taut_quad *quad,
                                 taut_error *error)
 {
@@ -228,9 +183,11 @@ taut_status taut_quad_of_curves(const taut_curve *const curves[4], taut_quad *qu
     if (status != TAUT_OK) {
         return status;
     }
+    quad->rounding = 0.0;
     for (int a = 0; a < 4; a++) {
         take_curve(curves[a], quad->degree, &quad->edges[a]);
         quad->edges[a].straight = is_straight(quad, a);
     }
-    return check_closed(quad, error);
+    quad->rounding = taut_quad_rounding(quad);
+    return taut_quad_check_closed(quad, error);
 }

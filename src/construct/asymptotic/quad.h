@@ -21,6 +21,7 @@ typedef struct taut_quad_edge {
 typedef struct taut_quad {
     int degree; /* n */
     taut_quad_edge edges[4];
+    double rounding; /* of the coordinates as they were given; 0 where they were not */
 } taut_quad;
 
 /* At end `end` of edge `edge` the other edge there, its end, and the corner. */
@@ -39,20 +40,22 @@ void taut_quad_leg(const taut_quad *quad, int edge, int end, double leg[3]);
 const double *taut_quad_point(const taut_quad *quad, int edge, int end, int step);
 double taut_quad_weight(const taut_quad *quad, int edge, int end, int step);
 
-/* Derivatives of order 1 and 2 of an edge at its end. */
-void taut_quad_end(const taut_quad *quad, int edge, int end, double d1[3], double d2[3]);
-
 /* Signed torsion tau = det(r', r'', r''') / |r' x r''|^2 at an end, from control points:
  *     (n-2)/n  w0 w3 / (w1 w2)  det(D0, D0^2, D0^3) / |D0 x D0^2|^2                             */
 double taut_quad_torsion(const taut_quad *quad, int edge, int end);
 
 /* Largest distance between two control points. */
 double taut_quad_size(const taut_quad *quad);
-/* Largest distance of a control point from the origin: what rounding of coordinates goes by. */
-double taut_quad_reach(const taut_quad *quad);
+/* The rounding of a coordinate: 2^-53 of the largest distance of a control point from the origin,
+ * or what it was where the points were given. */
+double taut_quad_rounding(const taut_quad *quad);
 
 /* Raises all four curves to degree n. */
 void taut_quad_raise(taut_quad *quad, int n);
+
+/* Do the two edges at each corner share its point and its weight? TAUT_NO_SOLUTION names the
+ * corner, and the curves that would have to be reversed where that is all there is to it. */
+taut_status taut_quad_check_closed(const taut_quad *quad, taut_error *error);
 
 /* The quadrilateral of given curves: closed, end weights equal, raised to a common degree of at
  * least 3. TAUT_NO_SOLUTION or TAUT_BAD_INPUT say why not. */

@@ -101,8 +101,8 @@ static taut_status fail_closing(double gap, taut_error *error)
     const double factor = exp(gap / 8);
     return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
                      "the torsions cannot close around the four corners: the curvatures miss it "
-                     "by a factor of %.9g; nearest: multiply curvature of v0[1], u0[0], v1[0], "
-                     "u1[1] by %.9g and divide v0[0], u0[1], v1[1], u1[0] by it",
+                     "by a factor of %.12g; nearest: multiply curvature of v0[1], u0[0], v1[0], "
+                     "u1[1] by %.15g and divide v0[0], u0[1], v1[1], u1[0] by it",
                      exp(gap), factor);
 }
 

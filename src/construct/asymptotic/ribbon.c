@@ -68,7 +68,8 @@ void taut_ribbon_fill(const taut_quad *quad, int edge, taut_ribbon *ribbon)
     }
     if (!ribbon->straight) {
         binormal_polynomial(n, h, q);
-        ribbon->inflections = taut_inflections_remove(3 * n - 6, q, ribbon->inflection);
+        ribbon->inflections = taut_inflections_remove(
+            3 * n - 6, taut_quad_rounding(quad) / taut_quad_size(quad), q, ribbon->inflection);
         taut_poly_cross(3 * n - 6, &q[0][0], 2 * n - 2, &ribbon->p[0][0], &ribbon->qh[0][0]);
     }
 }

@@ -61,7 +61,8 @@ static void fill_h(const taut_quad *quad, taut_patch *patch, double h[4][LENGTH_
     }
 }
 
-/* (5.4): the row beside edge e, entries 1 .. m-1; an entry that two edges share is their mean. */
+/* (5.4): the row beside edge e, entries 1 .. m-1; an entry that two edges give is their mean,
+ * by their shares. */
 static void fill_row(const taut_quad *quad, const taut_ribbon *ribbon, const double *h, int e,
                      taut_patch *patch)
 {
@@ -71,7 +72,7 @@ static void fill_row(const taut_quad *quad, const taut_ribbon *ribbon, const dou
     taut_quad_homogeneous(&quad->edges[e], n, edge);
     taut_poly_scale(4 * n - 7, h, n, 4, &edge[0][0], &product[0][0]);
     for (int k = 1; k < m; k++) {
-        const double share = k == 1 || k == m - 1 ? 0.5 : 1.0;
+        const double share = k == 1 ? patch->share[e][0] : k == m - 1 ? patch->share[e][1] : 1.0;
         double *const made = taut_patch_at(patch, e, 1, k);
         const double *const boundary = taut_patch_at(patch, e, 0, k);
         for (int d = 0; d < 4; d++) {

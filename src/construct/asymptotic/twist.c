@@ -1,4 +1,5 @@
 /* twist.c -- one twist R_uv at each corner (docs page (5.3)). */
+#include "construct/asymptotic/conditions.h"
 #include "construct/asymptotic/poly.h"
 #include "construct/asymptotic/ribbon.h"
 #include "core/fail.h"
@@ -23,15 +24,18 @@ static void set_neighbour(const taut_quad *quad, const taut_quad_meeting *m, dou
     ribbons[m->edge].alpha[m->end == 0 ? 1 : last - 1] = alpha;
 }
 
-/* Both edges curved: slope_e + f_e alpha_e r_e' = slope_f + f_f alpha_f r_f'. */
+/* Both edges curved; what is missed is |tau_e + tau_f| |r_e'| |r_f'| sin A: slope_e + f_e alpha_e
+ * r_e' = slope_f + f_f alpha_f r_f'. */
 static taut_status match(const taut_quad *quad, int c, taut_ribbon ribbons[4], double twist[3],
                          taut_error *error)
 {
     const taut_quad_meeting *const m = taut_quad_corner[c];
-    double slope[2][3], a[6], b[3], alpha[2], miss[3];
+    double slope[2][3], a[6], b[3], alpha[2], miss[3], noise = 0.0;
     for (int k = 0; k < 2; k++) {
         const double factor = (k == 0 ? 1.0 : -1.0) * neighbour_factor(quad, &m[k]);
+        const double torsion = taut_quad_torsion(quad, m[k].edge, m[k].end);
         taut_ribbon_slope(quad, m[k].edge, m[k].end, &ribbons[m[k].edge], slope[k]);
+        noise += taut_quad_torsion_rounding(quad, m[k].edge, m[k].end, torsion);
         for (int i = 0; i < 3; i++) {
             a[3 * k + i] = factor * ribbons[m[k].edge].tangent[m[k].end][i];
         }
@@ -45,7 +49,9 @@ static taut_status match(const taut_quad *quad, int c, taut_ribbon ribbons[4], d
     for (int k = 0; k < 2; k++) {
         set_neighbour(quad, &m[k], alpha[k], ribbons);
     }
-    if (!(taut_norm(miss) <= twist_match * fmax(taut_norm(twist), taut_norm(slope[0])))) {
+    noise *= taut_norm(ribbons[m[0].edge].tangent[m[0].end]) *
+             taut_norm(ribbons[m[1].edge].tangent[m[1].end]);
+    if (!(taut_norm(miss) <= twist_match * fmax(taut_norm(twist), taut_norm(slope[0])) + noise)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "", taut_norm(miss), taut_none,
                          "the ribbons of %s and %s have no common twist at corner %s: they differ "
                          "by %.3g of it, because their torsions are not opposite",

@@ -153,6 +153,85 @@ static void test_claims_fail(void)
     taut_model_free(model);
 }
 
+/* Example 1 at 1e6 from the origin in every direction, where points are rounded by 1e-10: what is
+ * wrong by ten thousand times that is told all the same. */
+static void test_far_claims_fail(void)
+{
+    static const struct {
+        const char *claim;
+        change what;
+    } cases[] = {{"boundary", {6, 0, 2, 1e-6}},
+                 {"asymptotic", {6, 1, 2, 1e-6}},
+                 {"asymptotic", {1, 7, 2, 1e-6}},
+                 {"osculating", {12, 5, 2, 1e-6}}};
+    taut_asymptotic_problem problem = asymptotic_example(1, "-+-+");
+    taut_model *model = NULL;
+    for (int k = 0; k < 12; k++) {
+        problem.corners[k / 3][k % 3] += 1e6;
+    }
+    model = asymptotic_make(&problem, "example 1, far");
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        taut_model *wrong = changed(model, &cases[k].what);
+        taut_certificate *certificate = asymptotic_certify(wrong, &problem, "far and wrong");
+        CHECK(holds(model, &problem, cases[k].claim), "%s holds to begin with", cases[k].claim);
+        CHECK(asymptotic_claim(certificate, cases[k].claim)->holds == TAUT_FALSE,
+              "%s is not false, case %zu", cases[k].claim, k);
+        taut_certificate_free(certificate);
+        taut_model_free(wrong);
+    }
+    taut_model_free(model);
+}
+
+/* The curves of example 1 with points and weights given to twelve to fourteen digits only: planes
+ * and torsions agree to as many, and no patch between them is better. That is undecided, and what
+ * is wrong beyond it is false. */
+static void test_inexact_data(void)
+{
+    const taut_asymptotic_problem corner = asymptotic_example(1, "-+-+");
+    taut_model *source = asymptotic_make(&corner, "source");
+    for (int digits = 12; digits <= 14; digits++) {
+        const change far_off = {6, 1, 2, 1e3 * pow(10, -digits)};
+        taut_asymptotic_problem problem;
+        taut_model *model = NULL, *wrong = NULL;
+        memset(&problem, 0, sizeof problem);
+        for (int c = 0; c < 4; c++) {
+            const taut_curve *const from = taut_model_curve(source, c);
+            double points[5][3], weights[5];
+            memcpy(points, taut_curve_points(from), sizeof points);
+            memcpy(weights, taut_curve_weights(from), sizeof weights);
+            for (int j = 1; j < 4; j++) {
+                for (int d = 0; d < 3; d++) {
+                    points[j][d] += pow(10, -digits) * random_in(-1, 1);
+                }
+                weights[j] *= 1 + pow(10, -digits) * random_in(-1, 1);
+            }
+            for (int e = 0; e < 4; e++) {
+                if (strcmp(taut_curve_name(from), taut_asymptotic_edge_name(e)) == 0) {
+                    problem.curves[e] =
+                        asymptotic_curve(taut_curve_name(from), 4, &points[0][0], weights);
+                }
+            }
+        }
+        model = asymptotic_make(&problem, "inexact");
+        wrong = changed(model, &far_off);
+        for (int k = 0; k < 2; k++) {
+            taut_certificate *certificate =
+                asymptotic_certify(k == 0 ? model : wrong, &problem, "");
+            for (int c = 1; c < 3; c++) { /* asymptotic, osculating */
+                const taut_claim *const claim = taut_certificate_claim(certificate, c);
+                CHECK(k == 0 ? claim->holds != TAUT_FALSE : claim->holds == TAUT_FALSE,
+                      "%d digits, wrong %d: %s %g, limit %g, at %s", digits, k, claim->claim,
+                      claim->residual, claim->limit, claim->where);
+            }
+            taut_certificate_free(certificate);
+        }
+        taut_model_free(wrong);
+        taut_model_free(model);
+        asymptotic_free_curves(&problem);
+    }
+    taut_model_free(source);
+}
+
 /* The problem's data wrong, each by ten times the limit: `boundary` tells. */
 static void test_boundary_reads_the_problem(void)
 {
@@ -245,6 +324,8 @@ int main(void)
     random_seed(7);
     test_identity();
     test_claims_fail();
+    test_far_claims_fail();
+    test_inexact_data();
     test_boundary_reads_the_problem();
     test_singular();
     test_limits();

@@ -9,6 +9,7 @@
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
 
+#include <float.h>
 #include <string.h>
 
 enum { P = 6, Q = 7, SUM = P + Q };
@@ -86,7 +87,7 @@ static void test_inflections(void)
             degree++;
             memcpy(q, work, sizeof work);
         }
-        found = taut_inflections_remove(degree, q, at);
+        found = taut_inflections_remove(degree, DBL_EPSILON, q, at);
         CHECK(found == zeros, "trial %d: found %d of %d", trial, found, zeros);
         for (int k = 0; k < found; k++) {
             CHECK_NEAR(at[k], roots[k], 1e-13, "trial %d zero %d", trial, k);
