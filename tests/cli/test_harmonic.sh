@@ -145,4 +145,20 @@ for even in corner project raise; do
     run 0 make almost.json -o almost.out.json
     grep -q "\"kind\": \"$even\"" almost.out.json || complain "no $even: $(cat almost.out.json)"
 done
+
+# Edges told to too few digits for the condition of even degree: the claim says so, and is no leave for other errors.
+printf '{"taut": 1, "construct": "harmonic", "u": {"type": "bezier", "degree": 4}, "v": {"type": "bezier", "degree": 4}, "points": [
+[[0,0,0],[0,1,1],[0,2,0.3],[0,3,1],[0,4,0]],[null,null,null,null,null],[null,null,null,null,null],[null,null,null,null,null],
+[[4,0,0],[4,1,1],[4,2,0.3],[4,3,1],[4,4,1e-11]]]}\n' > short.json
+run 0 make short.json -o short.out.json
+contains err.txt 'harmonic +undecided: .*miss the condition of a harmonic patch by 1e-11.*"even" can repair'
+if command -v python3 > /dev/null; then
+    python3 -c 'import json
+m = json.load(open("short.out.json"))
+m["surfaces"][0]["points"][2][2][2] += 1e-11
+json.dump(m, open("moved.json", "w"))'
+    run 1 certify moved.json short.json
+    cat out.txt err.txt > said.txt
+    contains said.txt "harmonic +DOES NOT HOLD"
+fi
 finish
