@@ -24,7 +24,9 @@ extern "C" {
 typedef enum taut_pipe_axis {
     TAUT_PIPE_POLYGON = 0, /* given */
     TAUT_PIPE_ENDS,        /* V_0 and V_3 with the directions of flow there, and handles */
-    TAUT_PIPE_FEET         /* two lines: V_1 and V_2 are the feet of their common perpendicular */
+    TAUT_PIPE_FEET,        /* two lines: V_1 and V_2 are the feet of their common perpendicular */
+    TAUT_PIPE_CORNERS,     /* a run along straight legs from corner to corner */
+    TAUT_PIPE_LEGS         /* a run of straight pipes, each where it is */
 } taut_pipe_axis;
 
 typedef struct taut_pipe_end {
@@ -32,6 +34,13 @@ typedef struct taut_pipe_end {
     double direction[3]; /* of flow, not zero; any length */
     double handle;       /* |V_1 - V_0| or |V_3 - V_2|, > 0; 0: chosen */
 } taut_pipe_end;
+
+/* One of a run: a corner, or a straight pipe that flows from a place to another. */
+typedef struct taut_pipe_leg {
+    double from[3];      /* the corner, or where the pipe starts */
+    double to[3];        /* where it ends; not used with TAUT_PIPE_CORNERS */
+    double direction[3]; /* where to = from: of flow, not zero, of any length */
+} taut_pipe_leg;
 
 typedef enum taut_pipe_shape {
     TAUT_PIPE_SHAPE_GIVEN = 0,
@@ -68,6 +77,12 @@ typedef struct taut_pipe_problem {
     taut_pipe_frame frame;
     taut_pipe_joint joint;
     double lengths[2]; /* of the straight pipes, > 0; 0: half lines, drawn three radii long */
+    int leg_count;     /* TAUT_PIPE_CORNERS, _LEGS: 2 or more; closed corners 3 or more */
+    const taut_pipe_leg *legs;
+    int closed;         /* nonzero: a run whose last leg is joined to its first */
+    double bend_radius; /* the least radius of curvature of the axis, > 0; 0: none asked for, and
+                         * three radii for TAUT_PIPE_CORNERS */
+    int caps;           /* nonzero: discs over the free ends */
 } taut_pipe_problem;
 
 /* Makes the model: curve `axis` (ce-bezier, exact), surfaces `blend`, `pipe1`, `pipe2`. u runs
@@ -93,6 +108,14 @@ typedef struct taut_pipe_problem {
  * r_1) t^2 (3 - 2 t) about P(t); or the naive sweep of circles of that radius across the axis,
  * which is another surface. The tube of the larger radius is what must not cut itself.
  *
+ * A run is a chain of straight pipes with a blend between each two, the frame carried through, and
+ * one verdict over all of it. Its model has surfaces pipe1, blend1, pipe2, ... in the order of
+ * flow, and a curve axis-pipe1, axis-blend1, ... for each; straight pipes of no length are left
+ * out. Corners: every elbow is the shortest of its shape with the least radius of curvature asked
+ * for. Legs: handles are chosen as those of ends. The frame of a closed run comes round turned;
+ * what is left is distributed over its blends by their lengths. Not used: sections, radii, frame,
+ * lengths, ends, polygon.
+ *
  * TAUT_BAD_INPUT: numbers out of range. TAUT_BAD_ARGUMENT: a tolerance below 1e-12.
  * TAUT_NO_SOLUTION, the message beginning with DEGENERATE_EDGE        V_0 = V_1 or V_2 = V_3
  *     PARALLEL_AXES          no common perpendicular
@@ -105,15 +128,21 @@ typedef struct taut_pipe_problem {
  *     CANAL_JOINT            a canal surface with "g2"
  *     SELF_INTERSECT_LOCAL   the radius is not below the least radius of curvature
  *     SELF_INTERSECT_GLOBAL  the radius is not below half the distance of two parts of the axis
+ *     BEND_RADIUS            the axis bends more sharply than bend_radius
+ *     LEG_TOO_SHORT          two elbows do not fit on the leg between their corners
+ *     TURNS_BACK             a corner at which the run turns back on itself
+ *     RUN_STRAIGHT           no corner turns
  *     FRENET_UNDEFINED       the curvature vanishes where it takes the normal along; also with "g2"
- * with error->limit the largest radius that would work, for SELF_INTERSECT_*. */
+ * with error->limit the largest radius that would work, for SELF_INTERSECT_*, the largest bend
+ * radius for BEND_RADIUS and LEG_TOO_SHORT. */
 TAUT_API taut_status taut_pipe_make(const taut_pipe_problem *problem,
                                     const taut_make_options *options, taut_model **model,
                                     taut_error *error);
 
 /* Proves it again: claims joint1, joint2, embedded, tube, for "g2" curvature1 and
  * curvature2, and with a problem ends, and optimal
- * where the shape was chosen (docs/pipe.md). problem may be NULL. */
+ * where the shape was chosen; of a run joints, curvatures, embedded, tube, ends, bend_radius
+ * (docs/pipe.md). problem may be NULL. */
 TAUT_API taut_status taut_pipe_certify(const taut_model *model, const taut_pipe_problem *problem,
                                        const taut_certify_options *options,
                                        taut_certificate **certificate, taut_error *error);

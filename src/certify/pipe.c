@@ -7,6 +7,8 @@
  *     ends            the axis starts and ends as asked; with a problem         pipe_ends.c
  *     optimal         no neighbour of chosen shape numbers is better            pipe_ends.c
  *
+ * A run of many has claims of its own: pipe_run.c.
+ *
  * Limits are what rounding of the control points explains, at most 1e-6 (docs/pipe.md); where it
  * explains more, the claim is open.
  */
@@ -40,7 +42,7 @@ taut_status taut_pipe_add_claim(const char *name, double residual, double limit,
     return taut_certificate_add(certificate, &claim);
 }
 
-static const taut_surface *find_surface(const taut_model *model, const char *name)
+const taut_surface *taut_pipe_surface(const taut_model *model, const char *name)
 {
     for (int i = 0; i < taut_model_surface_count(model); i++) {
         if (strcmp(taut_surface_name(taut_model_surface(model, i)), name) == 0) {
@@ -50,7 +52,7 @@ static const taut_surface *find_surface(const taut_model *model, const char *nam
     return NULL;
 }
 
-static const taut_curve *find_curve(const taut_model *model, const char *name)
+const taut_curve *taut_pipe_curve(const taut_model *model, const char *name)
 {
     for (int i = 0; i < taut_model_curve_count(model); i++) {
         if (strcmp(taut_curve_name(taut_model_curve(model, i)), name) == 0) {
@@ -62,10 +64,10 @@ static const taut_curve *find_curve(const taut_model *model, const char *name)
 
 static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, taut_error *error)
 {
-    parts->blend = find_surface(model, "blend");
-    parts->pipes[0] = find_surface(model, "pipe1");
-    parts->pipes[1] = find_surface(model, "pipe2");
-    parts->axis = find_curve(model, "axis");
+    parts->blend = taut_pipe_surface(model, "blend");
+    parts->pipes[0] = taut_pipe_surface(model, "pipe1");
+    parts->pipes[1] = taut_pipe_surface(model, "pipe2");
+    parts->axis = taut_pipe_curve(model, "axis");
     if (parts->blend == NULL || parts->pipes[0] == NULL || parts->pipes[1] == NULL ||
         parts->axis == NULL) {
         return taut_fail(
@@ -75,7 +77,7 @@ static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, t
     return taut_pipe_read_axis(parts, error);
 }
 
-static void see_sizes(const taut_surface *surface, taut_pipe_parts *parts)
+void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts)
 {
     const int count =
         3 * taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
@@ -101,9 +103,9 @@ static void find_data(const taut_model *model, const taut_pipe_problem *problem,
                                   ? problem->lengths[side]
                                   : taut_record_number(taut_record_at(lengths, (size_t)side));
         parts->line.lengths[side] = length > 0 ? length / parts->line.scale : INFINITY;
-        see_sizes(parts->pipes[side], parts);
+        taut_pipe_see_sizes(parts->pipes[side], parts);
     }
-    see_sizes(parts->blend, parts);
+    taut_pipe_see_sizes(parts->blend, parts);
 }
 
 /* Rounding of the axis moves rho by a part of itself; within that the verdict is open. */
@@ -149,8 +151,11 @@ static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
         taut_record_add_number(figures, "area", measures[0]);
         taut_record_add_number(figures, "volume", measures[1]);
     } else if (parts->sections[0].a > 0) {
+        taut_record_add_number(figures, "area", taut_pipe_section_area(parts));
         taut_record_add_number(figures, "volume", taut_pipe_section_volume(parts));
-        taut_record_add_number(figures, "section_turn", parts->turn);
+        if (!parts->unlike) {
+            taut_record_add_number(figures, "section_turn", parts->turn);
+        }
     } else {
         taut_record_add_number(figures, "area", 2 * pi * a * length);
         taut_record_add_number(figures, "volume", pi * a * a * length);
@@ -169,8 +174,9 @@ static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
     return figures;
 }
 
-static taut_status claims(taut_pipe_parts *parts, const taut_certify_options *options,
-                          taut_certificate *certificate, taut_error *error)
+static taut_status claims(const taut_model *model, taut_pipe_parts *parts,
+                          const taut_certify_options *options, taut_certificate *certificate,
+                          taut_error *error)
 {
     const double tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default;
     const int chosen = parts->problem != NULL && parts->problem->shape != TAUT_PIPE_SHAPE_GIVEN;
@@ -188,6 +194,9 @@ static taut_status claims(taut_pipe_parts *parts, const taut_certify_options *op
     }
     if (status == TAUT_OK) {
         status = taut_pipe_claim_tube(parts, tolerance, &fit_error, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_claim_caps(model, parts, parts->pipes, certificate);
     }
     if (status == TAUT_OK && parts->problem != NULL) {
         status = taut_pipe_claim_ends(parts, certificate);
@@ -209,8 +218,12 @@ static taut_status certify(const taut_model *model, const void *data,
 {
     taut_pipe_parts parts = {.size = 0};
     taut_arena *arena = NULL;
-    taut_status status = find_parts(model, &parts, error);
+    taut_status status = TAUT_OK;
 
+    if (taut_pipe_is_run(model)) {
+        return taut_pipe_certify_run(model, data, options, certificate, error);
+    }
+    status = find_parts(model, &parts, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -236,7 +249,7 @@ static taut_status certify(const taut_model *model, const void *data,
         status = taut_pipe_bound_reach(&parts.line, &parts.figures);
     }
     if (status == TAUT_OK) {
-        status = claims(&parts, options, certificate, error);
+        status = claims(model, &parts, options, certificate, error);
     }
     taut_arena_free(arena);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;

@@ -72,65 +72,72 @@ static double power_below(double size)
     return size > 0 ? ldexp(1, exponent - 1) : 1;
 }
 
-/* Origin, scale and noise. */
-static void place(const taut_curve *curve, taut_pipe_line *line)
+/* Origin, scale and noise, of all curves together. */
+static void place(const taut_curve *const *curves, int count, taut_pipe_line *line)
 {
-    const double *points = taut_curve_points(curve);
-    const int count = taut_basis_count(taut_curve_t(curve));
     double size = 0, largest = 0;
-    memcpy(line->origin, points, sizeof line->origin);
-    for (int i = 0; i < 3 * count; i++) {
-        size = fmax(size, fabs(points[i] - points[i % 3]));
-        largest = fmax(largest, fabs(points[i]));
+    memcpy(line->origin, taut_curve_points(curves[0]), sizeof line->origin);
+    for (int c = 0; c < count; c++) {
+        const double *points = taut_curve_points(curves[c]);
+        for (int i = 0; i < 3 * taut_basis_count(taut_curve_t(curves[c])); i++) {
+            size = fmax(size, fabs(points[i] - line->origin[i % 3]));
+            largest = fmax(largest, fabs(points[i]));
+        }
     }
     line->scale = power_below(size);
     line->noise = DBL_EPSILON / 2 * (largest + size) / line->scale;
 }
 
-static taut_status pieces_of(const taut_curve *curve, taut_pipe_line *line, taut_error *error)
+/* The Bezier pieces of one curve, in local coordinates. */
+static taut_status local_pieces(const taut_curve *curve, const taut_pipe_line *line,
+                                taut_model **pieces, taut_error *error)
 {
     const double s = 1 / line->scale, *o = line->origin;
     const double matrix[12] = {s, 0, 0, -s * o[0], 0, s, 0, -s * o[1], 0, 0, s, -s * o[2]};
     taut_curve *local = NULL;
-    taut_model *pieces = NULL;
     taut_status status = taut_curve_transform(curve, matrix, &local, error);
-
     if (status == TAUT_OK) {
-        status = taut_curve_pieces(local, &pieces, error);
+        status = taut_curve_pieces(local, pieces, error);
     }
+    taut_curve_free(local);
+    return status;
+}
+
+static taut_status take_piece(const taut_curve *curve, taut_pipe_piece *piece, taut_error *error)
+{
+    const taut_basis *t = taut_curve_t(curve);
+    const int n = taut_basis_degree(t);
+    if (n < 1 || n > TAUT_PIPE_PIECE_DEGREE || taut_curve_weights(curve) != NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/curves/0", n, TAUT_PIPE_PIECE_DEGREE,
+                         "the axis is no polynomial curve of a degree up to %d",
+                         TAUT_PIPE_PIECE_DEGREE);
+    }
+    *piece = (taut_pipe_piece){.degree = n, .lo = taut_basis_lo(t), .hi = taut_basis_hi(t)};
+    memcpy(piece->points, taut_curve_points(curve), 3 * ((size_t)n + 1) * sizeof(double));
+    return TAUT_OK;
+}
+
+static taut_status pieces_of(const taut_curve *curve, taut_pipe_line *line, taut_error *error)
+{
+    taut_model *pieces = NULL;
+    taut_status status = local_pieces(curve, line, &pieces, error);
+
     if (status == TAUT_OK) {
         line->count = taut_model_curve_count(pieces);
         line->pieces = taut_arena_take(line->arena, (size_t)line->count, sizeof *line->pieces);
         status = line->pieces != NULL ? TAUT_OK : taut_fail_memory(error);
     }
     for (int i = 0; i < line->count && status == TAUT_OK; i++) {
-        const taut_curve *piece = taut_model_curve(pieces, i);
-        const taut_basis *t = taut_curve_t(piece);
-        const int n = taut_basis_degree(t);
-        if (n < 1 || n > TAUT_PIPE_PIECE_DEGREE || taut_curve_weights(piece) != NULL) {
-            status = taut_fail(error, TAUT_BAD_INPUT, "/curves/0", n, TAUT_PIPE_PIECE_DEGREE,
-                               "the axis is no polynomial curve of a degree up to %d",
-                               TAUT_PIPE_PIECE_DEGREE);
-            break;
-        }
-        line->pieces[i] =
-            (taut_pipe_piece){.degree = n, .lo = taut_basis_lo(t), .hi = taut_basis_hi(t)};
-        memcpy(line->pieces[i].points, taut_curve_points(piece),
-               3 * ((size_t)n + 1) * sizeof(double));
+        status = take_piece(taut_model_curve(pieces, i), &line->pieces[i], error);
     }
-    taut_curve_free(local);
     taut_model_free(pieces);
     return status;
 }
 
-taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_pipe_line *line,
-                              taut_error *error)
+/* Unit tangents at both ends. */
+static taut_status find_tangents(taut_pipe_line *line, taut_error *error)
 {
-    taut_status status = TAUT_OK;
-    *line = (taut_pipe_line){.arena = arena, .lengths = {INFINITY, INFINITY}};
-    place(curve, line);
-    status = pieces_of(curve, line, error);
-    for (int side = 0; side < 2 && status == TAUT_OK; side++) {
+    for (int side = 0; side < 2; side++) {
         const taut_pipe_piece *piece = &line->pieces[side == 0 ? 0 : line->count - 1];
         double d[2][3], speed = 0;
         taut_pipe_piece_eval(piece, side, 1, d);
@@ -143,7 +150,42 @@ taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_p
             line->tangent[side][k] = d[1][k] / speed;
         }
     }
-    return status;
+    return TAUT_OK;
+}
+
+taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, taut_arena *arena,
+                                  taut_pipe_line *line, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    *line = (taut_pipe_line){.arena = arena, .count = count, .run = 1};
+    place(curves, count, line);
+    line->pieces = taut_arena_take(arena, (size_t)count, sizeof *line->pieces);
+    status = line->pieces != NULL ? TAUT_OK : taut_fail_memory(error);
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        taut_model *pieces = NULL;
+        status = local_pieces(curves[i], line, &pieces, error);
+        if (status == TAUT_OK && taut_model_curve_count(pieces) != 1) {
+            status = taut_fail(error, TAUT_BAD_INPUT, "/curves", taut_model_curve_count(pieces), 1,
+                               "an axis of the run has several pieces");
+        }
+        if (status == TAUT_OK) {
+            status = take_piece(taut_model_curve(pieces, 0), &line->pieces[i], error);
+        }
+        line->pieces[i].lo = i;
+        line->pieces[i].hi = i + 1;
+        taut_model_free(pieces);
+    }
+    return status == TAUT_OK ? find_tangents(line, error) : status;
+}
+
+taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_pipe_line *line,
+                              taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    *line = (taut_pipe_line){.arena = arena, .lengths = {INFINITY, INFINITY}};
+    place(&curve, 1, line);
+    status = pieces_of(curve, line, error);
+    return status == TAUT_OK ? find_tangents(line, error) : status;
 }
 
 /* K = P' x P'' of a quintic without curvature at its ends is t (1 - t) C(t), C of degree 4:
@@ -316,7 +358,7 @@ void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures)
     for (int i = 0; i < line->count; i++) {
         q.piece = &line->pieces[i];
         q.planar = is_planar(line, q.piece);
-        q.flat = line->flat;
+        q.flat = line->flat && q.piece->degree == 5;
         if (q.flat) {
             binormal_of(q.piece, q.binormal);
         }

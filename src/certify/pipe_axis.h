@@ -34,14 +34,19 @@ typedef struct taut_pipe_line {
     double origin[3], scale; /* x = origin + scale * local */
     double noise;            /* how far rounding of the coordinates moves a local one */
     double tangent[2][3];    /* unit, at either end */
-    int flat;                /* nonzero: one quintic that has no curvature at its ends */
+    int flat;                /* nonzero: quintics have no curvature at their ends */
     double lengths[2];       /* local, of the straight pipes; INFINITY: half lines */
+    int run;                 /* nonzero: the pieces are all there is, straight pipes among them, */
+    int closed;              /* and the last ends where the first begins */
 } taut_pipe_line;
 
 /* From the curve. TAUT_BAD_INPUT for one that is rational, no polynomial, of too high a degree, or
  * without a direction at an end. The arena owns the pieces. */
 taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_pipe_line *line,
                               taut_error *error);
+/* From the curves of a run, one Bezier piece each, piece i over [i, i + 1]. */
+taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, taut_arena *arena,
+                                  taut_pipe_line *line, taut_error *error);
 /* d[k][3]: the k-th derivative by the piece's own parameter in [0, 1], k = 0..order <= 3. */
 void taut_pipe_piece_eval(const taut_pipe_piece *piece, double t, int order, double (*d)[3]);
 /* The half [0, 1/2] or [1/2, 1] of Bezier points double[degree+1][3]. */

@@ -65,15 +65,13 @@ static double noise_of(const taut_pipe_parts *parts, int side)
            parts->flatness;
 }
 
-taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
-                                      taut_certificate *certificate)
+void taut_pipe_meet_curved(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting)
 {
     const taut_basis *u = taut_surface_u(parts->blend), *v = taut_surface_v(parts->blend);
     const taut_basis *along = taut_surface_u(parts->pipes[side]);
     const taut_basis *w = taut_surface_v(parts->pipes[side]);
-    char where[64] = "";
-    double worst = 0;
 
+    *meeting = (taut_pipe_meeting){.noise = noise_of(parts, side)};
     for (int k = 0; k <= AROUND; k++) {
         const double part = (double)k / AROUND;
         const double at = taut_basis_lo(v) + (taut_basis_hi(v) - taut_basis_lo(v)) * part;
@@ -84,11 +82,18 @@ taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
         principal(parts->pipes[side], side == 0 ? taut_basis_hi(along) : taut_basis_lo(along), too,
                   parts->radius, b);
         jump = fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1]));
-        if (!(jump <= worst)) {
-            worst = jump;
-            snprintf(where, sizeof where, "v = %.6g", at);
+        if (!(jump <= meeting->residual)) {
+            meeting->residual = jump;
+            snprintf(meeting->where, sizeof meeting->where, "v = %.6g", at);
         }
     }
-    return taut_pipe_add_claim(side == 0 ? "curvature1" : "curvature2", worst, 0,
-                               noise_of(parts, side), where, certificate);
+}
+
+taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
+                                      taut_certificate *certificate)
+{
+    taut_pipe_meeting m;
+    taut_pipe_meet_curved(parts, side, &m);
+    return taut_pipe_add_claim(side == 0 ? "curvature1" : "curvature2", m.residual, 0, m.noise,
+                               m.where, certificate);
 }

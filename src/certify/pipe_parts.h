@@ -17,6 +17,7 @@ typedef struct taut_pipe_parts {
     double radius; /* the user's unit; with sections, of the circle around the larger */
     taut_pipe_section sections[2]; /* a of the first 0: round */
     double flatness;               /* the largest semi-axis over the smallest; 1 for round ones */
+    int unlike;                    /* nonzero: sections are circles of unlike radii */
     int canal;                     /* nonzero: sections are of a canal surface, a = b = r */
     double turn;                   /* psi at the end */
     double (*frames)[3];           /* U along the pieces (pipe_section.c) */
@@ -41,8 +42,12 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
  * it is from the axis there, local. */
 double taut_pipe_section_miss(const taut_pipe_parts *parts, int piece, double s,
                               const double offset[3]);
-/* pi times the integral of a b along the axis. */
+/* pi times the integral of a b along the axis; the area, by quadrature both ways. */
 double taut_pipe_section_volume(const taut_pipe_parts *parts);
+double taut_pipe_section_area(const taut_pipe_parts *parts);
+/* U, W and dT/ds at parameter s of a piece. */
+void taut_pipe_section_frame(const taut_pipe_parts *parts, int piece, double s, double u[3],
+                             double w[3], double turn[3]);
 
 /* How far a point (local) is from the canal surface, over the radius: |x - P(t)| - r(t) at its
  * least, sought from t; *convex is how it bends there, over |P'|^2 / |x - P|, 0 on a crease. */
@@ -50,6 +55,34 @@ double taut_pipe_canal_miss(const taut_pipe_parts *parts, const double x[3], dou
                             double *convex);
 /* Area and volume by their closed forms. */
 void taut_pipe_canal_measures(const taut_pipe_parts *parts, double *area, double *volume);
+
+/* Two surfaces at the end `side` of the blend and its straight pipe, as a claim that is made: the
+ * residual, what rounding leaves of it, and where. */
+typedef struct taut_pipe_meeting {
+    double residual, noise;
+    char where[64];
+} taut_pipe_meeting;
+
+/* The larger of gap over radius and sine between the normals; jumps of principal curvatures. */
+void taut_pipe_meet(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
+void taut_pipe_meet_curved(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
+
+/* The foot of a local point on the axis, sought from parameter `t` of the curve, and the way from
+ * it. */
+void taut_pipe_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
+                    double *at_s, double offset[3]);
+void taut_pipe_to_local(const taut_pipe_line *line, const double x[3], double local[3]);
+
+/* Surface and curve of a name, or NULL. */
+const taut_surface *taut_pipe_surface(const taut_model *model, const char *name);
+const taut_curve *taut_pipe_curve(const taut_model *model, const char *name);
+/* sizes, of one more surface. */
+void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts);
+/* Is this the model of a run? Its certificate. */
+int taut_pipe_is_run(const taut_model *model);
+taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_problem *problem,
+                                  const taut_certify_options *options,
+                                  taut_certificate *certificate, taut_error *error);
 
 /* The claims: pipe_tube.c, pipe_curvature.c, pipe_ends.c. Each adds one, or returns TAUT_NO_MEMORY.
  */
@@ -59,6 +92,9 @@ taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
                                       taut_certificate *certificate);
 taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
                                  taut_certificate *certificate);
+/* `caps`, where there are any, over the free ends of the first and the last surface. */
+taut_status taut_pipe_claim_caps(const taut_model *model, const taut_pipe_parts *parts,
+                                 const taut_surface *const ends[2], taut_certificate *certificate);
 taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate *certificate);
 taut_status taut_pipe_claim_optimal(const taut_pipe_parts *parts, taut_certificate *certificate,
                                     taut_error *error);

@@ -5,7 +5,7 @@
  * ([WangBai2018] section 4.4). The axis, its straight pipes included, is halved into a tree of
  * pieces, each in a ball and with its tangents in a cone. A pair of pieces is dropped when
  *     its balls are farther apart than the best pair seen,
- *     no two points of it are pi / kappa_max apart along the axis, or
+ *     no two points of it are pi / kappa_max apart along the axis (either way round), or
  *     no chord between its balls is at right angles to a tangent of both cones,
  * for the least distance is taken at such a chord, or at a free end. Pairs of leaves that are left
  * are solved for the least distance by Newton's method.
@@ -40,6 +40,7 @@ typedef struct finder {
     tree *trees;
     int count;
     double apart; /* pi / kappa_max */
+    double round; /* the length of a closed axis; INFINITY: it is open */
     double best;
     double binding[2];
     double ends[2][3]; /* free ends of finite pipes */
@@ -48,7 +49,8 @@ typedef struct finder {
 
 static void offer(finder *f, double distance, double from, double to)
 {
-    if (distance < f->best && fabs(to - from) >= f->apart * (1 - slack)) {
+    const double way = fmin(fabs(to - from), f->round - fabs(to - from));
+    if (distance < f->best && way >= f->apart * (1 - slack)) {
         f->best = distance;
         f->binding[0] = fmin(from, to);
         f->binding[1] = fmax(from, to);
@@ -139,7 +141,8 @@ static int may_bind(const finder *f, const node *a, const node *b, int a_is_free
     taut_difference(b->centre, a->centre, chord);
     distance = taut_norm(chord);
     if (distance - a->radius - b->radius >= f->best ||
-        fmax(a->to, b->to) - fmin(a->from, b->from) < f->apart * (1 - slack)) {
+        fmax(a->to, b->to) - fmin(a->from, b->from) < f->apart * (1 - slack) ||
+        f->round - (fmax(a->from, b->from) - fmin(a->to, b->to)) < f->apart * (1 - slack)) {
         return 0;
     }
     if (a->radius + b->radius >= distance) {
@@ -292,6 +295,35 @@ static void offer_feet(const taut_pipe_line *line, finder *f, double length)
     }
 }
 
+/* The ends of a run that is open. */
+static void set_ends(const taut_pipe_line *line, finder *f, double length)
+{
+    for (int side = 0; side < 2; side++) {
+        const taut_pipe_piece *piece = &line->pieces[side == 0 ? 0 : line->count - 1];
+        memcpy(f->ends[side], piece->points[side == 0 ? 0 : piece->degree], sizeof f->ends[side]);
+        f->at_end[side] = side == 0 ? 0 : length;
+    }
+}
+
+static void find_in_run(const taut_pipe_line *line, finder *f, double length)
+{
+    for (int i = 0; i < f->count; i++) {
+        for (int j = i; j < f->count; j++) {
+            visit(f, &f->trees[i], 1, &f->trees[j], 1);
+        }
+    }
+    if (line->closed) {
+        return;
+    }
+    set_ends(line, f, length);
+    for (int side = 0; side < 2; side++) {
+        for (int i = 0; i < f->count; i++) {
+            visit_end(f, side, &f->trees[i], 1);
+        }
+    }
+    offer(f, taut_distance(f->ends[0], f->ends[1]), 0, length);
+}
+
 static void find(const taut_pipe_line *line, finder *f, double length)
 {
     for (int i = 0; i < f->count; i++) {
@@ -317,7 +349,9 @@ static void find(const taut_pipe_line *line, finder *f, double length)
 
 taut_status taut_pipe_bound_reach(const taut_pipe_line *line, taut_pipe_figures *figures)
 {
-    finder f = {.count = line->count + 2};
+    const int before = line->run ? 0 : 1; /* straight pipes of their own, at either end */
+    finder f = {.count = line->count + 2 * before,
+                .round = line->closed ? figures->length : INFINITY};
     double length = 0;
 
     figures->rho = INFINITY;
@@ -336,20 +370,26 @@ taut_status taut_pipe_bound_reach(const taut_pipe_line *line, taut_pipe_figures 
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i < line->count; i++) {
-        f.trees[i + 1].piece = line->pieces[i];
+        f.trees[i + before].piece = line->pieces[i];
     }
-    add_tails(line, &f);
+    if (!line->run) {
+        add_tails(line, &f);
+    }
     for (int i = 0; i < f.count; i++) {
         taut_gauss_rule(GAUSS, f.trees[i].gauss_nodes, f.trees[i].gauss_weights);
         grow(&f.trees[i], 1, (const double(*)[3])f.trees[i].piece.points);
-        if (i == 0) { /* the curve itself begins at arc length 0 */
+        if (i < before) { /* the curve itself begins at arc length 0 */
             (void)measure(&f.trees[0],
                           -taut_distance(f.trees[0].piece.points[0], f.trees[0].piece.points[1]));
         } else {
-            length = measure(&f.trees[i], i == 1 ? 0 : length);
+            length = measure(&f.trees[i], i == before ? 0 : length);
         }
     }
-    find(line, &f, figures->length);
+    if (line->run) {
+        find_in_run(line, &f, figures->length);
+    } else {
+        find(line, &f, figures->length);
+    }
     figures->rho = 0.5 * f.best;
     figures->by_distance = f.best < 2 / figures->curvature;
     memcpy(figures->binding, f.binding, sizeof f.binding);

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { STEPS = 2048, GAUSS = 12, PANELS = 32 };
+enum { STEPS = 2048, GAUSS = 12, PANELS = 32, AROUND = 48 };
 
 static const double pi = 3.14159265358979323846;
 
@@ -86,6 +86,7 @@ static void find_sections(const taut_model *model, taut_pipe_parts *parts)
             }
             *s = (taut_pipe_section){.a = r, .b = r};
             s->direction[least] = 1;
+            parts->unlike = 1;
             parts->canal = parts->problem != NULL ? !parts->problem->naive : told_canal;
         }
     }
@@ -140,31 +141,45 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
     across(s[1].direction, line->tangent[1], wanted);
     taut_cross(line->tangent[1], u, w);
     angle = atan2(taut_dot(wanted, w), taut_dot(wanted, u));
-    parts->turn = angle > pi / 2 ? angle - pi : angle <= -pi / 2 ? angle + pi : angle;
+    parts->turn = parts->unlike      ? 0 /* of circles */
+                  : angle > pi / 2   ? angle - pi
+                  : angle <= -pi / 2 ? angle + pi
+                                     : angle;
     return TAUT_OK;
 }
 
-/* How far along from the first section to the second: the curve's range is [0, 1]. */
-static double step_at(const taut_pipe_parts *parts, int piece, double s)
+/* How far along from the first section to the second: the curve's range is [0, 1]; and its rate by
+ * the piece's own parameter (NULL: not wanted). */
+static double step_at(const taut_pipe_parts *parts, int piece, double s, double *rate_of)
 {
     const taut_pipe_piece *p = &parts->line.pieces[piece];
-    const double t = p->lo + s * (p->hi - p->lo);
+    const double t = p->lo + s * (p->hi - p->lo), v = 1 - t;
+    if (rate_of != NULL) {
+        *rate_of = (p->hi - p->lo) * (parts->quintic ? 30 * t * t * v * v : 6 * t * v);
+    }
     return parts->quintic ? t * t * t * (10 + t * (6 * t - 15)) : t * t * (3 - 2 * t);
+}
+
+void taut_pipe_section_frame(const taut_pipe_parts *parts, int piece, double s, double u[3],
+                             double w[3], double turn[3])
+{
+    const int k = (int)fmin(STEPS - 1, floor(s * STEPS));
+    double tangent[3];
+    memcpy(u, parts->frames[piece * (STEPS + 1) + k], 3 * sizeof *u);
+    transport(&parts->line.pieces[piece], (double)k / STEPS, s - (double)k / STEPS, u);
+    tangent_of(&parts->line.pieces[piece], s, tangent, turn);
+    taut_cross(tangent, u, w);
 }
 
 double taut_pipe_section_miss(const taut_pipe_parts *parts, int piece, double s,
                               const double offset[3])
 {
     const taut_pipe_section *e = parts->sections;
-    const int k = (int)fmin(STEPS - 1, floor(s * STEPS));
-    const double part = step_at(parts, piece, s), angle = parts->turn * part;
+    const double part = step_at(parts, piece, s, NULL), angle = parts->turn * part;
     const double a = e[0].a + (e[1].a - e[0].a) * part, b = e[0].b + (e[1].b - e[0].b) * part;
-    double u[3], w[3], tangent[3], turn[3], q = 0;
+    double u[3], w[3], turn[3], q = 0;
 
-    memcpy(u, parts->frames[piece * (STEPS + 1) + k], sizeof u);
-    transport(&parts->line.pieces[piece], (double)k / STEPS, s - (double)k / STEPS, u);
-    tangent_of(&parts->line.pieces[piece], s, tangent, turn);
-    taut_cross(tangent, u, w);
+    taut_pipe_section_frame(parts, piece, s, u, w, turn);
     const double x0 = parts->line.scale * taut_dot(offset, u);
     const double y0 = parts->line.scale * taut_dot(offset, w);
     const double x = (cos(angle) * x0 + sin(angle) * y0) / a;
@@ -183,7 +198,7 @@ double taut_pipe_section_volume(const taut_pipe_parts *parts)
     for (int i = 0; i < parts->line.count; i++) {
         for (int k = 0; k < PANELS * GAUSS; k++) {
             const double s = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / PANELS;
-            const double part = step_at(parts, i, s);
+            const double part = step_at(parts, i, s, NULL);
             double d[2][3];
             taut_pipe_piece_eval(&parts->line.pieces[i], s, 1, d);
             sum += 0.5 / PANELS * weights[k % GAUSS] * taut_norm(d[1]) *
@@ -191,4 +206,49 @@ double taut_pipe_section_volume(const taut_pipe_parts *parts)
         }
     }
     return pi * sum * scale;
+}
+
+/* The mean over phi of |X_s x X_phi|, times 2 pi: with E_1, E_2 and X_s = A T + p E_1 + q E_2,
+ *     A = |P'| - a cos phi E_1 . T' - b sin phi E_2 . T'
+ *     p = a' cos phi - psi' b sin phi,   q = b' sin phi + psi' a cos phi
+ *     |X_s x X_phi|^2 = (p b cos phi + q a sin phi)^2 + A^2 (b^2 cos^2 phi + a^2 sin^2 phi)
+ * the trapezoidal rule is exact but for terms of the order of its points. */
+static double ring_area(const taut_pipe_parts *parts, int piece, double s, int points)
+{
+    const taut_pipe_section *e = parts->sections;
+    const double scale = parts->line.scale;
+    double rate_of = 0, u[3], w[3], turn[3], d[2][3], sum = 0;
+    const double part = step_at(parts, piece, s, &rate_of), angle = parts->turn * part;
+    const double da = (e[1].a - e[0].a) / scale, db = (e[1].b - e[0].b) / scale;
+    const double a = e[0].a / scale + da * part, b = e[0].b / scale + db * part;
+    const double twist = parts->turn * rate_of;
+    taut_pipe_section_frame(parts, piece, s, u, w, turn);
+    taut_pipe_piece_eval(&parts->line.pieces[piece], s, 1, d);
+    const double speed = taut_norm(d[1]), x = taut_dot(u, turn), y = taut_dot(w, turn);
+    const double k1 = a * (cos(angle) * x + sin(angle) * y);
+    const double k2 = b * (cos(angle) * y - sin(angle) * x);
+    for (int k = 0; k < points; k++) {
+        const double c = cos(2 * pi * k / points), z = sin(2 * pi * k / points);
+        const double along = speed - c * k1 - z * k2;
+        const double p = da * rate_of * c - twist * b * z, q = db * rate_of * z + twist * a * c;
+        const double side = p * b * c + q * a * z;
+        sum += sqrt(side * side + along * along * (b * b * c * c + a * a * z * z));
+    }
+    return 2 * pi * sum / points;
+}
+
+double taut_pipe_section_area(const taut_pipe_parts *parts)
+{
+    const double scale = parts->line.scale;
+    /* flat ellipses have poles of the root near the real phi */
+    const int points = (int)fmin(4096, AROUND * ceil(parts->flatness));
+    double nodes[GAUSS], weights[GAUSS], sum = 0;
+    taut_gauss_rule(GAUSS, nodes, weights);
+    for (int i = 0; i < parts->line.count; i++) {
+        for (int k = 0; k < PANELS * GAUSS; k++) {
+            const double s = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / PANELS;
+            sum += 0.5 / PANELS * weights[k % GAUSS] * ring_area(parts, i, s, points);
+        }
+    }
+    return sum * scale * scale;
 }

@@ -103,36 +103,40 @@ static double look(const edge *e, double v, double x[3], double normal[3])
     return e->sideways > 0 || !(length > 0) ? e->sideways / length : 0;
 }
 
-taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
-                                  taut_certificate *certificate)
+void taut_pipe_meet(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting)
 {
     const edge blend = edge_of(parts, side, parts->blend, side == 1);
     const edge pipe = edge_of(parts, side, parts->pipes[side], side == 0);
     const taut_basis *v = taut_surface_v(blend.surface), *w = taut_surface_v(pipe.surface);
-    char where[64] = "";
-    double worst = 0, turned = 0;
+    double turned = 0;
 
+    *meeting = (taut_pipe_meeting){.where = ""};
     for (int k = 0; k <= AROUND; k++) {
         double a[3], b[3], normal_a[3], normal_b[3], residual = 0;
         turned = fmax(turned, look(&blend, at(v, k, AROUND), a, normal_a) +
                                   look(&pipe, at(w, k, AROUND), b, normal_b));
         residual = fmax(taut_distance(a, b) / parts->radius, sine(normal_a, normal_b));
-        if (!(residual <= worst)) {
-            worst = residual;
-            snprintf(where, sizeof where, "v = %.6g", at(v, k, AROUND));
+        if (!(residual <= meeting->residual)) {
+            meeting->residual = residual;
+            snprintf(meeting->where, sizeof meeting->where, "v = %.6g", at(v, k, AROUND));
         }
     }
-    return taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", worst, 0,
-                               (4 * DBL_EPSILON + DBL_EPSILON * parts->size / parts->radius) *
-                                       parts->flatness * parts->flatness +
-                                   turned,
-                               where, certificate);
+    meeting->noise = (4 * DBL_EPSILON + DBL_EPSILON * parts->size / parts->radius) *
+                         parts->flatness * parts->flatness +
+                     turned;
 }
 
-/* The foot of a local point on the axis, sought from parameter `t` of the curve, and the way from
- * it. */
-static void from_curve(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
-                       double *at_s, double offset[3])
+taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
+                                  taut_certificate *certificate)
+{
+    taut_pipe_meeting m;
+    taut_pipe_meet(parts, side, &m);
+    return taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", m.residual, 0, m.noise, m.where,
+                               certificate);
+}
+
+void taut_pipe_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
+                    double *at_s, double offset[3])
 {
     const taut_pipe_piece *piece = &line->pieces[0];
     double s = 0, d[3][3], apart[3];
@@ -156,7 +160,7 @@ static void from_curve(const taut_pipe_line *line, const double x[3], double t, 
     taut_difference(x, d[0], offset);
 }
 
-static void to_local(const taut_pipe_line *line, const double x[3], double local[3])
+void taut_pipe_to_local(const taut_pipe_line *line, const double x[3], double local[3])
 {
     for (int k = 0; k < 3; k++) {
         local[k] = (x[k] - line->origin[k]) / line->scale;
@@ -211,8 +215,8 @@ static void see_blend(deviation *d, const taut_pipe_parts *parts)
                 double x[3][3], local[3], offset[3], normal[3], foot = 0;
                 int piece = 0;
                 taut_surface_eval(parts->blend, s, at(v, j, RING), 1, x[0]);
-                to_local(&parts->line, x[0], local);
-                from_curve(&parts->line, local, s, &piece, &foot, offset);
+                taut_pipe_to_local(&parts->line, x[0], local);
+                taut_pipe_foot(&parts->line, local, s, &piece, &foot, offset);
                 if (parts->canal) {
                     normal_of(x[TAUT_XU], x[TAUT_XV], normal);
                     see_canal(d, parts, local, s, offset, normal, at(v, j, RING));
@@ -236,7 +240,7 @@ static void see_pipe(deviation *d, const taut_pipe_parts *parts, int side)
         for (int j = 0; j < RING; j++) {
             double x[3], local[3], foot[3], along = 0;
             taut_surface_eval(pipe, at(u, k, PER_SPAN), at(v, j, RING), 0, x);
-            to_local(line, x, local);
+            taut_pipe_to_local(line, x, local);
             taut_difference(local, joint, foot);
             along = taut_dot(foot, line->tangent[side]);
             taut_add_scaled(-along, line->tangent[side], foot);

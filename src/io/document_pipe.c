@@ -1,13 +1,15 @@
 /* document_pipe.c -- the problem `pipe`: two axes and what joins them (docs/format.md). */
+#include "io/document_pipe.h"
 #include "core/fail.h"
 #include "io/document_ops.h"
 #include "taut/pipe.h"
 
 #include <string.h>
 
-static const char *const members[] = {
-    "radius", "polygon",      "from",  "to",       "axes",  "shape",   "domain",
-    "frame",  "pipe_lengths", "joint", "sections", "radii", "surface", NULL};
+static const char *const members[] = {"radius",       "polygon", "from",     "to",     "axes",
+                                      "run",          "closed",  "shape",    "domain", "frame",
+                                      "pipe_lengths", "joint",   "sections", "radii",  "surface",
+                                      "bend_radius",  "caps",    NULL};
 static const char *const surface_words[] = {"canal", "naive-sweep", NULL};
 static const char *const section_members[] = {"a", "b", "direction", NULL};
 static const char *const end_members[] = {"point", "direction", "handle", NULL};
@@ -65,24 +67,34 @@ static taut_status read_end(const taut_json *at, taut_pipe_end *end, taut_error 
     return status;
 }
 
-/* One of `polygon`, `from` and `to`, `axes`. */
-static taut_status read_axis(const taut_json *document, taut_pipe_problem *data, taut_error *error)
+/* One of `polygon`, `from` and `to`, `axes`, `run`. */
+static taut_status read_axis(const taut_json *document, taut_arena *arena, taut_pipe_problem *data,
+                             taut_error *error)
 {
+    const taut_json run = taut_json_member(document, "run");
+    const taut_json closed = taut_json_member(document, "closed");
     const taut_json polygon = taut_json_member(document, "polygon");
     const taut_json from = taut_json_member(document, "from");
     const taut_json to = taut_json_member(document, "to");
     const taut_json axes = taut_json_member(document, "axes");
     const int ends = from.value != NULL || to.value != NULL;
-    const int given = (polygon.value != NULL) + ends + (axes.value != NULL);
+    const int given = (polygon.value != NULL) + ends + (axes.value != NULL) + (run.value != NULL);
     taut_status status = TAUT_OK;
     size_t count = 0;
 
     if (given != 1) {
         return taut_json_fail(
             document, error, given, 1,
-            "found %s of \"polygon\", \"from\" with \"to\", and \"axes\", expected "
-            "one: where the axis comes from",
+            "found %s of \"polygon\", \"from\" with \"to\", \"axes\" and \"run\", expected one: "
+            "where the axis comes from",
             given == 0 ? "none" : "more than one");
+    }
+    if (run.value != NULL) {
+        return taut_document_pipe_run(document, arena, data, error);
+    }
+    if (closed.value != NULL) {
+        return taut_json_fail(&closed, error, taut_none, taut_none,
+                              "found \"closed\" without \"run\": only a run comes round");
     }
     if (polygon.value != NULL) {
         data->axis = TAUT_PIPE_POLYGON;
@@ -202,6 +214,13 @@ static taut_status read_sections(const taut_json *document, taut_pipe_problem *d
     return status;
 }
 
+static taut_status read_bend_radius(const taut_json *document, taut_pipe_problem *data,
+                                    taut_error *error)
+{
+    const taut_json at = taut_json_member(document, "bend_radius");
+    return at.value == NULL ? TAUT_OK : read_positive(&at, &data->bend_radius, error);
+}
+
 static taut_status pipe_read(const taut_json *document, taut_problem *problem, taut_error *error)
 {
     taut_pipe_problem *const data = taut_arena_take(problem->arena, 1, sizeof *data);
@@ -210,7 +229,7 @@ static taut_status pipe_read(const taut_json *document, taut_problem *problem, t
         data != NULL ? read_sections(document, data, error) : taut_fail_memory(error);
 
     if (status == TAUT_OK) {
-        status = read_axis(document, data, error);
+        status = read_axis(document, problem->arena, data, error);
     }
     if (status == TAUT_OK) {
         status = read_word(document, "joint", joint_words, &joint, error);
@@ -227,6 +246,12 @@ static taut_status pipe_read(const taut_json *document, taut_problem *problem, t
     }
     if (status == TAUT_OK) {
         status = read_lengths(document, data, error);
+    }
+    if (status == TAUT_OK) {
+        status = read_bend_radius(document, data, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_document_pipe_flag(document, "caps", &data->caps, error);
     }
     if (status == TAUT_OK) {
         data->frame = (taut_pipe_frame)frame;

@@ -67,6 +67,45 @@ refused 4 '/joint: CANAL_JOINT' make edited.json
 sed 's/"radii": \[20, 8\]/"radii": [20]/' "$example/pipe-canal.json" > edited.json
 refused 3 '/radii' make edited.json
 
+# Runs: corners, a ring, straight pipes where they are; every format; caps.
+run 0 make "$example/pipe-run.json" -o run.json -o run.step -o run.iges -o run.obj -o run.stl -o run.glb
+contains err.txt 'joints +holds'
+contains err.txt 'least bend radius +60\.0000'
+contains run.json '"name": "axis-blend5"'
+[ "$(grep -c ADVANCED_FACE run.step)" = 11 ] || complain "not one face for each piece"
+run 0 certify run.json "$example/pipe-run.json"
+run 0 certify run.json
+run 1 certify run.json "$example/pipe-run-closed.json"
+sed 's/"bend_radius": 60/"bend_radius": 90/' "$example/pipe-run.json" > edited.json
+run 1 certify run.json edited.json
+contains err.txt 'bend_radius +DOES NOT HOLD'
+sed 's/"bend_radius": 60/"bend_radius": 900/' "$example/pipe-run.json" > edited.json
+refused 4 '/run/3: LEG_TOO_SHORT.*at most' make edited.json
+sed 's/"radius": 12/"radius": 40/' "$example/pipe-run-closed.json" > edited.json
+refused 4 '/radius: SELF_INTERSECT_LOCAL.*of blend' make edited.json
+run 0 make "$example/pipe-run-closed.json" -o closed.json
+contains closed.json '"holonomy"'
+run 0 make "$example/pipe-run-coil.json" -o coil.json -o coil.step
+contains err.txt 'caps +holds'
+run 0 convert coil.json -o coil.stl
+sed 's/"radius": 12/"radius": 12, "frame": "frenet"/' "$example/pipe-run-closed.json" > edited.json
+refused 3 '/frame.*beside' make edited.json
+sed 's/"closed": true/"closed": 1/' "$example/pipe-run-closed.json" > edited.json
+refused 3 '/closed.*true or false' make edited.json
+sed 's/\[240, 160, 0\]/{ "from": [0, 0, 0] }/' "$example/pipe-run-closed.json" > edited.json
+refused 3 '/run/2' make edited.json
+sed 's/"to": \[60, 40, 20\]/"direction": [0, 1, 0]/' "$example/pipe-run-coil.json" > edited.json
+refused 3 '/run/1.*both forms' make edited.json
+sed 's/"to": \[60, 40, 20\]/"to": [60, 160, 20]/' "$example/pipe-run-coil.json" > edited.json
+refused 3 '/run/1/to.*another place' make edited.json
+sed 's/"radius": 1,/"radius": 1, "closed": true,/' "$example/pipe-paper.json" > edited.json
+refused 3 '/closed.*without' make edited.json
+sed 's/"radius": 1,/"radius": 1, "caps": true, "bend_radius": 1.9,/' "$example/pipe-paper.json" > edited.json
+run 0 make edited.json
+contains err.txt 'caps +holds'
+sed 's/"radius": 1,/"radius": 1, "bend_radius": 2,/' "$example/pipe-paper.json" > edited.json
+refused 4 '/bend_radius: BEND_RADIUS.*1\.92' make edited.json
+
 # What does not exist: 4, with what would mend it.
 edit() { sed "$1" "$example/pipe-paper.json" > edited.json; }
 edit 's/"extended"/"strict"/'

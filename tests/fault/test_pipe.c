@@ -109,5 +109,16 @@ int main(void)
     const fault_call spheres = {"spheres", prove, release_certificate, &with_radii};
     CHECK(model == NULL || fault_loop(&spheres) > 20, "the proof takes memory");
     taut_model_free(model);
+    model = NULL;
+    const taut_pipe_leg corners[] = {{.from = {0, 0, 0}}, {.from = {5, 0, 0}}, {.from = {5, 5, 1}}};
+    taut_pipe_problem run = {
+        .radius = 0.3, .axis = TAUT_PIPE_CORNERS, .legs = corners, .leg_count = 3, .caps = 1};
+    const fault_call open_run = {"run", make, release_model, &run};
+    CHECK(fault_loop(&open_run) > 40, "a run takes memory");
+    CHECK(taut_pipe_make(&run, &coarse, &model, NULL) == TAUT_OK, "made");
+    const proof of_run = {model, &run};
+    const fault_call certify_run = {"run's certificate", prove, release_certificate, &of_run};
+    CHECK(model == NULL || fault_loop(&certify_run) > 20, "the proof takes memory");
+    taut_model_free(model);
     return check_failures != 0;
 }

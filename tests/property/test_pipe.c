@@ -2,20 +2,14 @@
  * curvature, areas and volumes against quadrature, verdicts under scaling and shifting, reversal.
  */
 #include "check.h"
+#include "pipes.h"
 
 #include "core/vec3.h"
-#include "numeric/quadrature.h"
-#include "taut/taut.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;
-
-static double figure(const taut_certificate *certificate, const char *name)
-{
-    return taut_record_number(taut_record_get(taut_certificate_figures(certificate), name));
-}
 
 /* Ends anywhere with any directions; or loops that come back beside where they began,
  * near themselves or their straight pipes. */
@@ -262,7 +256,7 @@ static void test_largest_radius(void)
             continue; /* too sharp even for a thousandth */
         }
         CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proof");
-        const double rho = figure(certificate, "largest_radius");
+        const double rho = pipe_figure(certificate, "largest_radius");
         axis a = axis_of(taut_model_curve(model, 0), &problem);
         const double reference = global_radius(&a, &problem);
         free(a.run);
@@ -286,31 +280,6 @@ static void test_largest_radius(void)
           compared);
 }
 
-/* The integrals of 1 and of X . n / 3 over the blend, by Gauss's rule on every span. */
-static void integrate(const taut_surface *surface, double *area, double *volume)
-{
-    enum { G = 8 };
-    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    double nodes[G], weights[G];
-    taut_gauss_rule(G, nodes, weights);
-    *area = *volume = 0;
-    for (int i = 0; i < taut_basis_span_count(u); i++) {
-        for (int j = 0; j < taut_basis_span_count(v); j++) {
-            const double *bu = taut_basis_breaks(u) + i, *bv = taut_basis_breaks(v) + j;
-            for (int k = 0; k < G * G; k++) {
-                double x[3][3], normal[3];
-                const double w =
-                    0.25 * (bu[1] - bu[0]) * (bv[1] - bv[0]) * weights[k / G] * weights[k % G];
-                taut_surface_eval(surface, bu[0] + (bu[1] - bu[0]) * 0.5 * (1 + nodes[k / G]),
-                                  bv[0] + (bv[1] - bv[0]) * 0.5 * (1 + nodes[k % G]), 1, x[0]);
-                taut_cross(x[TAUT_XU], x[TAUT_XV], normal);
-                *area += w * taut_norm(normal);
-                *volume += w * taut_dot(x[0], normal) / 3;
-            }
-        }
-    }
-}
-
 /* Pappus: 2 pi a L and pi a^2 L, against the surface made to 1e-11, ends closed by discs. */
 static void test_pappus(void)
 {
@@ -332,17 +301,16 @@ static void test_pappus(void)
         }
         problem.shape = TAUT_PIPE_SHAPE_GIVEN; /* what is proved here is the tube */
         CHECK(taut_pipe_certify(model, &problem, &proof, &certificate, NULL) == TAUT_OK, "proof");
-        integrate(taut_model_surface(model, 0), &area, &volume);
-        volume = -volume;                      /* x_u x x_v points inwards */
+        pipe_integrate(taut_model_surface(model, 0), &area, &volume);
         for (int side = 0; side < 2; side++) { /* discs look back at V_0, on at V_3 */
             double x[2][3];
             taut_curve_eval(taut_model_curve(model, 0), side, 1, &x[0][0]);
             volume += (side == 0 ? -1 : 1) * taut_dot(x[0], x[1]) / taut_norm(x[1]) * pi * 0.05 *
                       0.05 / 3;
         }
-        CHECK_NEAR(area, figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
-        CHECK_NEAR(volume, figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
-        CHECK(figure(certificate, "fit_error") <= 1e-11, "trial %d", trial);
+        CHECK_NEAR(area, pipe_figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
+        CHECK_NEAR(volume, pipe_figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
+        CHECK(pipe_figure(certificate, "fit_error") <= 1e-11, "trial %d", trial);
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
@@ -441,8 +409,8 @@ static void test_reversal(void)
                       taut_pipe_certify(models[1], NULL, NULL, &certificates[1], NULL) == TAUT_OK,
                   "proofs");
             for (int k = 0; k < 6; k++) {
-                const double a = figure(certificates[0], names[k]);
-                CHECK_NEAR(figure(certificates[1], names[k]), a, 1e-9 * (1 + fabs(a)),
+                const double a = pipe_figure(certificates[0], names[k]);
+                CHECK_NEAR(pipe_figure(certificates[1], names[k]), a, 1e-9 * (1 + fabs(a)),
                            "trial %d: %s", trial, names[k]);
             }
         }

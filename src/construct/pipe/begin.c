@@ -11,7 +11,7 @@
 /* Squares and cubes of lengths must neither overflow nor vanish. */
 static const double length_min = 1e-90, length_max = 1e90;
 
-static taut_status check_length(double value, const char *where, taut_error *error)
+taut_status taut_pipe_check_length(double value, const char *where, taut_error *error)
 {
     if (!(value >= length_min && value <= length_max)) {
         return taut_fail(error, TAUT_BAD_INPUT, where, value, length_min,
@@ -20,7 +20,7 @@ static taut_status check_length(double value, const char *where, taut_error *err
     return TAUT_OK;
 }
 
-static taut_status check_point(const double point[3], const char *where, taut_error *error)
+taut_status taut_pipe_check_point(const double point[3], const char *where, taut_error *error)
 {
     for (int k = 0; k < 3; k++) {
         if (!(fabs(point[k]) <= length_max)) {
@@ -39,10 +39,10 @@ static taut_status check_end(const taut_pipe_end *end, const char *where, double
     taut_status status = TAUT_OK;
 
     snprintf(place, sizeof place, "%s/point", where);
-    status = check_point(end->point, place, error);
+    status = taut_pipe_check_point(end->point, place, error);
     snprintf(place, sizeof place, "%s/direction", where);
     if (status == TAUT_OK) {
-        status = check_point(end->direction, place, error);
+        status = taut_pipe_check_point(end->direction, place, error);
     }
     length = taut_norm(end->direction);
     if (status == TAUT_OK && !(length >= length_min)) {
@@ -51,7 +51,7 @@ static taut_status check_end(const taut_pipe_end *end, const char *where, double
     }
     snprintf(place, sizeof place, "%s/handle", where);
     if (status == TAUT_OK && end->handle != 0) {
-        status = check_length(end->handle, place, error);
+        status = taut_pipe_check_length(end->handle, place, error);
     }
     for (int k = 0; k < 3 && status == TAUT_OK; k++) {
         direction[k] = end->direction[k] / length;
@@ -97,7 +97,7 @@ static taut_status check_shape(const taut_pipe_problem *p, taut_error *error)
 }
 
 /* The power of two at or below the largest coordinate: dividing by it is exact. */
-static double power_below(double size)
+double taut_pipe_power_below(double size)
 {
     int exponent = 0;
     if (!(size > 0)) {
@@ -143,7 +143,7 @@ static taut_status begin_polygon(taut_pipe_task *task, taut_error *error)
     for (int i = 0; i < 4; i++) {
         char place[32];
         snprintf(place, sizeof place, "/polygon/%d", i);
-        if (check_point(p->polygon[i], place, error) != TAUT_OK) {
+        if (taut_pipe_check_point(p->polygon[i], place, error) != TAUT_OK) {
             return TAUT_BAD_INPUT;
         }
     }
@@ -183,8 +183,9 @@ static void localise(taut_pipe_task *task)
         size = fmax(size, largest(task->across));
         size = fmax(size, fmax(p->ends[0].handle, p->ends[1].handle));
     }
-    task->scale = power_below(size);
+    task->scale = taut_pipe_power_below(size);
     task->radius = p->radius / task->scale;
+    task->bend_radius = p->bend_radius / task->scale;
     for (int side = 0; side < 2; side++) {
         task->handles[side] = p->ends[side].handle / task->scale;
         task->tails[side] = p->lengths[side] > 0 ? p->lengths[side] / task->scale : INFINITY;
@@ -204,14 +205,14 @@ static taut_status check_section(const taut_pipe_section *section, const char *w
     taut_status status = TAUT_OK;
 
     snprintf(place, sizeof place, "%s/a", where);
-    status = check_length(section->a, place, error);
+    status = taut_pipe_check_length(section->a, place, error);
     snprintf(place, sizeof place, "%s/b", where);
     if (status == TAUT_OK) {
-        status = check_length(section->b, place, error);
+        status = taut_pipe_check_length(section->b, place, error);
     }
     snprintf(place, sizeof place, "%s/direction", where);
     if (status == TAUT_OK) {
-        status = check_point(section->direction, place, error);
+        status = taut_pipe_check_point(section->direction, place, error);
     }
     if (status == TAUT_OK && !(taut_norm(section->direction) >= length_min)) {
         return taut_fail(error, TAUT_BAD_INPUT, place, 0, 0,
@@ -225,10 +226,11 @@ taut_status taut_pipe_begin(taut_pipe_task *task, taut_error *error)
     const taut_pipe_problem *p = task->problem;
     const int elliptic = p->sections[0].a != 0 || p->sections[1].a != 0;
     const int unlike = p->radii[0] != 0 || p->radii[1] != 0;
-    taut_status status = elliptic || unlike ? TAUT_OK : check_length(p->radius, "/radius", error);
+    taut_status status =
+        elliptic || unlike ? TAUT_OK : taut_pipe_check_length(p->radius, "/radius", error);
 
     for (int side = 0; side < 2 && status == TAUT_OK && unlike; side++) {
-        status = check_length(p->radii[side], side == 0 ? "/radii/0" : "/radii/1", error);
+        status = taut_pipe_check_length(p->radii[side], side == 0 ? "/radii/0" : "/radii/1", error);
     }
     if (status == TAUT_OK && elliptic && unlike) {
         status = taut_fail(error, TAUT_BAD_INPUT, "/radii", taut_none, taut_none,
@@ -241,9 +243,12 @@ taut_status taut_pipe_begin(taut_pipe_task *task, taut_error *error)
 
     for (int side = 0; side < 2 && status == TAUT_OK; side++) {
         if (p->lengths[side] != 0) {
-            status = check_length(p->lengths[side],
-                                  side == 0 ? "/pipe_lengths/0" : "/pipe_lengths/1", error);
+            status = taut_pipe_check_length(
+                p->lengths[side], side == 0 ? "/pipe_lengths/0" : "/pipe_lengths/1", error);
         }
+    }
+    if (status == TAUT_OK && p->bend_radius != 0) {
+        status = taut_pipe_check_length(p->bend_radius, "/bend_radius", error);
     }
     if (status == TAUT_OK) {
         status = check_shape(p, error);

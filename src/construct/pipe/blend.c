@@ -324,6 +324,7 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
     }
     memcpy(points[blend->rows - 1], ring[n], sizeof ring[0]);
     blend->points = &points[0][0][0];
+    memcpy(blend->last, m.normals[m.count - 1].u, sizeof blend->last);
     return TAUT_OK;
 }
 

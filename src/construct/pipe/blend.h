@@ -13,6 +13,7 @@ typedef struct taut_pipe_blend {
     double *breaks; /* double[segments + 1] */
     int rows;       /* (n - 1) segments + 2 */
     double *points; /* double[rows][TAUT_PIPE_RING][3], local */
+    double last[3]; /* the first vector of the frame at the end, over the radius */
 } taut_pipe_blend;
 
 /* X = P + a (c U + s W): (c, s) the rational quadratic circle, U and W cubic Hermite interpolants

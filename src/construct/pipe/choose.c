@@ -47,7 +47,7 @@ double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const dou
     if (taut_pipe_bend_is_cusp(&bend)) {
         return cusped;
     }
-    room = task->radius * bend.curvature;
+    room = fmax(task->radius, task->bend_radius) * bend.curvature;
     taut_pipe_bend_integrals(&arc, task->panels, &bend);
     value = goal == TAUT_PIPE_CURVATURE ? bend.curvature
             : goal == TAUT_PIPE_BENDING ? bend.bending
@@ -61,7 +61,7 @@ double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const dou
         };
         taut_pipe_reach reach;
         taut_pipe_reach_of(&composite, task->reach_scratch, &reach);
-        room = task->radius / reach.radius;
+        room = fmax(room, task->radius / reach.radius);
     }
     return room < TAUT_PIPE_ROOM ? value : infeasible * (1 + fmin(room, 1e90));
 }
@@ -224,7 +224,8 @@ taut_status taut_pipe_choose_shape(taut_pipe_task *task, taut_error *error)
     return TAUT_OK; /* what does not fit is refused with the best there is, by whoever judges it */
 }
 
-/* The largest radius over the radius with these handles. */
+/* The largest radius over the radius with these handles, or three times the least radius of
+ * curvature over the one asked for. */
 static double room_of(taut_pipe_task *task, const double handles[2])
 {
     taut_pipe_arc arc;
@@ -235,7 +236,10 @@ static double room_of(taut_pipe_task *task, const double handles[2])
     taut_pipe_edges(task, handles, edges);
     taut_pipe_arc_of(task, (const double(*)[3])edges, task->shape, &arc);
     taut_pipe_reach_of(&composite, task->reach_scratch, &reach);
-    return reach.radius / task->radius;
+    return fmin(reach.radius / task->radius,
+                task->bend_radius > 0
+                    ? 3 / (reach.curvature * task->bend_radius * (1 + TAUT_PIPE_SLACK))
+                    : INFINITY);
 }
 
 static void set_missing(const taut_pipe_task *task, double h, double handles[2])

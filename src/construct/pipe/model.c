@@ -20,13 +20,31 @@ typedef struct maker {
 static taut_status add(maker *m, const char *name, const taut_basis *u, const double *points,
                        taut_error *error)
 {
+    return taut_pipe_add_surface(m->model, name, u, m->v, points, m->weights, error);
+}
+
+taut_status taut_pipe_add_surface(taut_model *model, const char *name, const taut_basis *u,
+                                  const taut_basis *v, const double *points, const double *weights,
+                                  taut_error *error)
+{
     taut_surface *surface = NULL;
-    taut_status status = taut_surface_new(name, u, m->v, points, m->weights, &surface, error);
-    if (status == TAUT_OK && taut_model_add_surface(m->model, surface) != TAUT_OK) {
+    taut_status status = taut_surface_new(name, u, v, points, weights, &surface, error);
+    if (status == TAUT_OK && taut_model_add_surface(model, surface) != TAUT_OK) {
         taut_surface_free(surface);
         status = taut_fail_memory(error);
     }
     return status;
+}
+
+/* Points 0 and 4 of a ring lie opposite each other on it. */
+void taut_pipe_cap_points(const double *ring, double points[2][TAUT_PIPE_RING][3])
+{
+    memcpy(points[1], ring, sizeof points[1]);
+    for (int j = 0; j < TAUT_PIPE_RING; j++) {
+        for (int k = 0; k < 3; k++) {
+            points[0][j][k] = 0.5 * (ring[k] + ring[12 + k]);
+        }
+    }
 }
 
 /* Straight pipe `side`: the ring of the blend, and the same moved along the axis. */
@@ -37,7 +55,7 @@ static taut_status add_straight(maker *m, int side, taut_error *error)
         m->points + (side == 0 ? 0 : (size_t)(m->blend->rows - 1) * TAUT_PIPE_RING * 3);
     const double length =
         task->problem->lengths[side] > 0 ? task->problem->lengths[side] : 3 * task->problem->radius;
-    double points[2][TAUT_PIPE_RING][3];
+    double points[2][TAUT_PIPE_RING][3], end[TAUT_PIPE_RING][3];
     taut_pipe_jet jet;
 
     taut_pipe_arc_jet(&task->arc, side, &jet);
@@ -47,7 +65,13 @@ static taut_status add_straight(maker *m, int side, taut_error *error)
             points[side][j][k] = ring[3 * j + k] + (side == 0 ? -length : length) * jet.tangent[k];
         }
     }
-    return add(m, side == 0 ? "pipe1" : "pipe2", m->line, &points[0][0][0], error);
+    taut_status status = add(m, side == 0 ? "pipe1" : "pipe2", m->line, &points[0][0][0], error);
+    if (status == TAUT_OK && task->problem->caps) {
+        memcpy(end, points[side], sizeof end);
+        taut_pipe_cap_points(&end[0][0], points);
+        status = add(m, side == 0 ? "cap1" : "cap2", m->line, &points[0][0][0], error);
+    }
+    return status;
 }
 
 /* The six points of a quintic: those of the polygon, and one inside either end edge. */
@@ -64,10 +88,11 @@ static void quintic_points(const taut_pipe_task *task, double points[6][3])
     }
 }
 
-static taut_status add_axis(maker *m, taut_error *error)
+taut_status taut_pipe_add_axis(const taut_pipe_task *task, const char *name, taut_model *model,
+                               taut_error *error)
 {
-    const double *shape = m->task->shape;
-    const int quintic = m->task->problem->joint == TAUT_PIPE_CURVATURE_JOINT;
+    const double *shape = task->shape;
+    const int quintic = task->problem->joint == TAUT_PIPE_CURVATURE_JOINT;
     const taut_basis_spec quasi = {
         .type = "ce-bezier", .alpha = shape[0], .beta = shape[1], .gamma = shape[2]};
     const taut_basis_spec bezier = {.type = "bezier", .degree = 5};
@@ -77,11 +102,11 @@ static taut_status add_axis(maker *m, taut_error *error)
     taut_status status =
         quintic ? taut_basis_new(&bezier, 6, &t, error) : taut_basis_new(&quasi, 4, &t, error);
     if (status == TAUT_OK) {
-        quintic_points(m->task, points);
-        status = taut_curve_new("axis", t, quintic ? &points[0][0] : &m->task->polygon[0][0], NULL,
+        quintic_points(task, points);
+        status = taut_curve_new(name, t, quintic ? &points[0][0] : &task->polygon[0][0], NULL,
                                 &curve, error);
     }
-    if (status == TAUT_OK && taut_model_add_curve(m->model, curve) != TAUT_OK) {
+    if (status == TAUT_OK && taut_model_add_curve(model, curve) != TAUT_OK) {
         taut_curve_free(curve);
         status = taut_fail_memory(error);
     }
@@ -133,7 +158,7 @@ taut_status taut_pipe_to_model(const taut_pipe_task *task, const taut_pipe_blend
         status = add_straight(&m, side, error);
     }
     if (status == TAUT_OK) {
-        status = add_axis(&m, error);
+        status = taut_pipe_add_axis(task, "axis", m.model, error);
     }
     taut_basis_free(m.u);
     taut_basis_free(m.line);

@@ -6,6 +6,8 @@
  *   4  refusals, in this order: NOT_REGULAR, SELF_INTERSECT_LOCAL, SELF_INTERSECT_GLOBAL
  *   5  frames along it, and the tube as NURBS                                frame.c blend.c
  *   6  the model                                                             model.c
+ *
+ * A run of many goes through the same steps for each blend, and one verdict over all: run.c.
  */
 #include "taut/pipe.h"
 
@@ -20,16 +22,10 @@
 
 static const double tolerance_default = 1e-6, tolerance_min = 1e-12;
 
-/* The axis of the polygon and shape that were settled, and what can be said about it. */
-static void analyse(taut_pipe_task *task)
+void taut_pipe_analyse(taut_pipe_task *task)
 {
-    const taut_pipe_composite composite = {
-        .count = 1, .arcs = &task->arc, .tails = {task->tails[0], task->tails[1]}};
     taut_pipe_arc_of(task, (const double(*)[3])task->edges, task->shape, &task->arc);
     taut_pipe_bend_extremes(&task->arc, 2 * TAUT_PIPE_REACH_SAMPLES, &task->bend);
-    if (!taut_pipe_bend_is_cusp(&task->bend)) {
-        taut_pipe_reach_of(&composite, task->reach_scratch, &task->reach);
-    }
 }
 
 /* Which radius would work, in words; none where the axis meets itself. */
@@ -55,17 +51,38 @@ static void place_of(const taut_pipe_task *task, double at, char *text, size_t s
     }
 }
 
-static taut_status judge(const taut_pipe_task *task, taut_error *error)
+taut_status taut_pipe_judge_bends(const taut_pipe_task *task, const char *name, taut_error *error)
 {
-    const double a = task->problem->radius, rho = task->reach.radius * task->scale;
-    char from[64], to[64];
-
+    const double least = task->scale / task->bend.curvature, asked = task->problem->bend_radius;
     if (taut_pipe_bend_is_cusp(&task->bend)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "/shape", task->bend.least_speed, 0,
-                         "NOT_REGULAR: the axis has a cusp at t = %.6g; other shape numbers or "
-                         "shorter handles avoid it",
-                         task->bend.least_speed_at);
+                         "NOT_REGULAR: %s has a cusp at t = %.6g; other shape numbers or shorter "
+                         "handles avoid it",
+                         name, task->bend.least_speed_at);
     }
+    if (asked * task->bend.curvature > task->scale) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/bend_radius", asked, TAUT_PIPE_ROOM * least,
+                         "BEND_RADIUS: %s bends with a radius of %.12g at t = %.6g; a bend radius "
+                         "below %.12g would work, or more room between its ends",
+                         name, least, task->bend.curvature_at, TAUT_PIPE_ROOM * least);
+    }
+    return TAUT_OK;
+}
+
+static taut_status judge(taut_pipe_task *task, taut_error *error)
+{
+    const taut_pipe_composite composite = {
+        .count = 1, .arcs = &task->arc, .tails = {task->tails[0], task->tails[1]}};
+    const double a = task->problem->radius;
+    double rho = 0;
+    char from[64], to[64];
+    const taut_status status = taut_pipe_judge_bends(task, "the axis", error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_pipe_reach_of(&composite, task->reach_scratch, &task->reach);
+    rho = task->reach.radius * task->scale;
     if (!(task->radius * task->reach.curvature < 1)) {
         char rest[128];
         works(rho, rest, sizeof rest);
@@ -213,8 +230,8 @@ static taut_status sweep(taut_pipe_task *task, double tolerance, taut_pipe_blend
     return status;
 }
 
-static taut_status run(taut_pipe_task *task, double tolerance, taut_model **model,
-                       taut_error *error)
+static taut_status make_one(taut_pipe_task *task, double tolerance, taut_model **model,
+                            taut_error *error)
 {
     taut_pipe_blend blend;
     taut_status status = taut_pipe_begin(task, error);
@@ -229,7 +246,7 @@ static taut_status run(taut_pipe_task *task, double tolerance, taut_model **mode
         status = taut_pipe_choose_shape(task, error);
     }
     if (status == TAUT_OK) {
-        analyse(task);
+        taut_pipe_analyse(task);
         status = judge(task, error);
     }
     if (status == TAUT_OK) {
@@ -265,6 +282,9 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
                          "a tolerance of %g is below what rounding leaves: 1e-12 of the radius",
                          tolerance);
     }
+    if (problem->axis == TAUT_PIPE_CORNERS || problem->axis == TAUT_PIPE_LEGS) {
+        return taut_pipe_run_make(problem, fmin(tolerance, 0.1), model, error);
+    }
     round = *problem;
     if (problem->sections[0].a != 0 || problem->sections[1].a != 0) {
         round.radius = fmax(fmax(problem->sections[0].a, problem->sections[0].b),
@@ -277,7 +297,7 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
     if (task.arena != NULL) {
         task.reach_scratch = taut_arena_take(task.arena, TAUT_PIPE_REACH_ROOM(1), sizeof(double));
     }
-    status = task.reach_scratch != NULL ? run(&task, fmin(tolerance, 0.1), &made, error)
+    status = task.reach_scratch != NULL ? make_one(&task, fmin(tolerance, 0.1), &made, error)
                                         : taut_fail_memory(error);
     taut_arena_free(task.arena);
     if (status != TAUT_OK) {

@@ -18,15 +18,23 @@ static const double pi = 3.14159265358979323846;
 typedef struct axis {
     const taut_pipe_composite *composite;
     double (*samples)[NUMBERS];
-    int count;          /* of samples, all arcs */
-    int per_arc;        /* samples - 1 of one arc */
-    double length;      /* of the arcs */
-    double apart;       /* pi / kappa_max */
-    double ends[2][3];  /* where the straight pipes begin, */
-    double leave[2][3]; /* and their unit directions, away from the arcs */
-    double best;        /* the smallest distance so far, */
-    double binding[2];  /* and where */
+    int count;                /* of samples, all arcs */
+    int per_arc;              /* samples - 1 of one arc */
+    double length;            /* of the arcs */
+    double apart;             /* pi / kappa_max */
+    double ends[2][3];        /* where the straight pipes begin, */
+    double leave[2][3];       /* and their unit directions, away from the arcs */
+    double (*balls)[NUMBERS]; /* of the arcs: centre and radius of their points */
+    double best;              /* the smallest distance so far, */
+    double binding[2];        /* and where */
 } axis;
+
+/* Along the axis, the shorter way round where it is closed. */
+static double separation(const axis *a, double from, double to)
+{
+    const double way = fabs(to - from);
+    return a->composite->closed ? fmin(way, a->length - way) : way;
+}
 
 static void offer(axis *a, double distance, double from, double to)
 {
@@ -119,8 +127,8 @@ static void refine_pair(axis *a, const int arc[2], const double start[2])
         taut_pipe_arc_jet(q, next[1], &jet[1]);
         taut_difference(jet[0].point, jet[1].point, there);
         lower = taut_dot(there, there);
-        if (!(lower < value) ||
-            fabs(length_at(a, arc[0], next[0]) - length_at(a, arc[1], next[1])) < a->apart) {
+        if (!(lower < value) || separation(a, length_at(a, arc[0], next[0]),
+                                           length_at(a, arc[1], next[1])) < a->apart) {
             if (damping > 1e6) {
                 break;
             }
@@ -138,7 +146,9 @@ static void refine_pair(axis *a, const int arc[2], const double start[2])
 
 static double sample_distance(const axis *a, int i, int j)
 {
-    return taut_distance(a->samples[i], a->samples[j]);
+    double d[3];
+    taut_difference(a->samples[i], a->samples[j], d);
+    return sqrt(taut_dot(d, d)); /* at unit size nothing overflows, and what vanishes is 0 */
 }
 
 /* Is pair (i, j) no farther than its neighbours on the grid? */
@@ -148,7 +158,7 @@ static int is_local(const axis *a, int i, int j, double distance)
         for (int dj = -1; dj <= 1; dj++) {
             const int m = i + di, n = j + dj;
             if (m >= 0 && n < a->count && m < n &&
-                a->samples[n][3] - a->samples[m][3] >= a->apart &&
+                separation(a, a->samples[m][3], a->samples[n][3]) >= a->apart &&
                 sample_distance(a, m, n) < distance) {
                 return 0;
             }
@@ -157,21 +167,105 @@ static int is_local(const axis *a, int i, int j, double distance)
     return 1;
 }
 
-static void arcs_with_arcs(axis *a)
+/* The longest part of an arc between two samples. */
+static double longest_step(const axis *a, int k)
 {
     const int row = a->per_arc + 1;
-    for (int i = 0; i < a->count; i++) {
-        for (int j = i + 1; j < a->count; j++) {
+    double longest = 0;
+    for (int i = k * row; i + 1 < (k + 1) * row; i++) {
+        longest = fmax(longest, a->samples[i + 1][3] - a->samples[i][3]);
+    }
+    return longest;
+}
+
+/* No curvature at all: a line run through evenly. */
+static int is_line(const taut_pipe_arc *arc)
+{
+    double most = 0;
+    for (int i = 0; i < 3 * (2 * arc->degree - 3); i++) {
+        most = fmax(most, fabs(arc->cross[i / 3][i % 3]));
+    }
+    return arc->degree == 2 && most == 0;
+}
+
+/* Two lines: their distance is least inside both, or at an end of one, at the foot on the other. */
+static void line_with_line(axis *a, int k, int l)
+{
+    const taut_pipe_arc *p = &a->composite->arcs[k], *q = &a->composite->arcs[l];
+    double d[3], e[3], w[3], places[5][2];
+    taut_difference(p->points[2], p->points[0], d);
+    taut_difference(q->points[2], q->points[0], e);
+    taut_difference(q->points[0], p->points[0], w);
+    const double dd = taut_dot(d, d), de = taut_dot(d, e), ee = taut_dot(e, e);
+    const double dw = taut_dot(d, w), ew = taut_dot(e, w), det = dd * ee - de * de;
+    places[0][0] = det > 0 ? clamp((dw * ee - de * ew) / det, 0, 1) : 0;
+    places[0][1] = clamp((places[0][0] * de - ew) / ee, 0, 1);
+    for (int end = 0; end < 2; end++) {
+        places[1 + end][0] = end;
+        places[1 + end][1] = clamp((end * de - ew) / ee, 0, 1);
+        places[3 + end][0] = clamp((end * de + dw) / dd, 0, 1);
+        places[3 + end][1] = end;
+    }
+    for (int i = 0; i < 5; i++) {
+        const double from = length_at(a, k, places[i][0]), to = length_at(a, l, places[i][1]);
+        double apart[3] = {w[0], w[1], w[2]};
+        taut_add_scaled(places[i][1], e, apart);
+        taut_add_scaled(-places[i][0], d, apart);
+        if (separation(a, from, to) >= a->apart) {
+            offer(a, taut_norm(apart), from, to);
+        }
+    }
+}
+
+static void arc_with_arc(axis *a, int k, int l)
+{
+    const int row = a->per_arc + 1, arc[2] = {k, l};
+    /* a grid step on either side can bring a pair nearer by no more than this */
+    const double slack = longest_step(a, k) + longest_step(a, l);
+    const double gap = taut_distance(a->balls[k], a->balls[l]) - a->balls[k][3] - a->balls[l][3];
+    if (gap >= a->best) {
+        return;
+    }
+    if (is_line(&a->composite->arcs[k]) && is_line(&a->composite->arcs[l])) {
+        if (k != l) {
+            line_with_line(a, k, l);
+        }
+        return;
+    }
+    for (int i = k * row; i < (k + 1) * row; i++) {
+        for (int j = l > k ? l * row : i + 1; j < (l + 1) * row; j++) {
             const double distance = sample_distance(a, i, j);
-            /* a grid step on either side can bring a pair nearer by no more than this */
-            const double slack = 4 * a->length / a->per_arc;
-            if (a->samples[j][3] - a->samples[i][3] >= a->apart && distance < a->best + slack &&
+            if (distance < a->best + slack &&
+                separation(a, a->samples[i][3], a->samples[j][3]) >= a->apart &&
                 is_local(a, i, j, distance)) {
-                const int arc[2] = {i / row, j / row};
                 const double start[2] = {(double)(i % row) / a->per_arc,
                                          (double)(j % row) / a->per_arc};
                 refine_pair(a, arc, start);
             }
+        }
+    }
+}
+
+static void enclose(axis *a)
+{
+    const int row = a->per_arc + 1;
+    for (int k = 0; k < a->composite->count; k++) {
+        double *const ball = a->balls[k];
+        memcpy(ball, a->samples[k * row + a->per_arc / 2], 3 * sizeof *ball);
+        ball[3] = 0;
+        for (int i = k * row; i < (k + 1) * row; i++) {
+            ball[3] = fmax(ball[3], taut_distance(a->samples[i], ball));
+        }
+        ball[3] += longest_step(a, k);
+    }
+}
+
+static void arcs_with_arcs(axis *a)
+{
+    enclose(a);
+    for (int k = 0; k < a->composite->count; k++) {
+        for (int l = k; l < a->composite->count; l++) {
+            arc_with_arc(a, k, l);
         }
     }
 }
@@ -276,6 +370,7 @@ void taut_pipe_reach_of(const taut_pipe_composite *composite, double *scratch,
               .best = INFINITY};
     double turning = 0;
 
+    a.balls = a.samples + (size_t)composite->count * (TAUT_PIPE_REACH_SAMPLES + 1);
     *reach = (taut_pipe_reach){.radius = INFINITY};
     for (int k = 0; k < composite->count; k++) {
         taut_pipe_bend bend;
@@ -285,6 +380,7 @@ void taut_pipe_reach_of(const taut_pipe_composite *composite, double *scratch,
         if (bend.curvature > reach->curvature) {
             reach->curvature = bend.curvature;
             reach->curvature_at = bend.curvature_at;
+            reach->curvature_arc = k;
         }
     }
     if (!(reach->curvature > straight)) {
@@ -299,6 +395,7 @@ void taut_pipe_reach_of(const taut_pipe_composite *composite, double *scratch,
         return;
     }
     a.apart = pi / reach->curvature;
+    a.best = 2 / reach->curvature; /* others do not bind */
     sample(&a);
     arcs_with_arcs(&a);
     for (int side = 0; side < 2; side++) {
@@ -306,8 +403,10 @@ void taut_pipe_reach_of(const taut_pipe_composite *composite, double *scratch,
             arc_with_tail(&a, side, k);
         }
     }
-    tail_with_tail(&a);
-    if (0.5 * a.best < reach->radius) {
+    if (composite->tails[0] > 0 || composite->tails[1] > 0) {
+        tail_with_tail(&a);
+    }
+    if (a.best < 2 / reach->curvature) {
         reach->radius = 0.5 * a.best;
         reach->by_distance = 1;
         memcpy(reach->binding, a.binding, sizeof a.binding);

@@ -9,13 +9,16 @@
 /* A pipe is made only about an axis whose largest radius leaves this much room when it is chosen:
  * at rho itself the surface has a crease. */
 #define TAUT_PIPE_ROOM 0.999
+/* A bend made to have a radius of curvature is made so much larger. */
+#define TAUT_PIPE_SLACK 1e-7
 
 typedef struct taut_pipe_task {
     const taut_pipe_problem *problem;
     taut_arena *arena;
-    double scale;    /* a power of two: local = (x - origin) / scale */
-    double radius;   /* local */
-    double tails[2]; /* local; INFINITY: half lines */
+    double scale;       /* a power of two: local = (x - origin) / scale */
+    double radius;      /* local */
+    double bend_radius; /* local; 0: none asked for */
+    double tails[2];    /* local; INFINITY: half lines */
     /* where the ends are, local to the origin of `base` */
     double base[3];          /* absolute: V_0, or the first line's foot */
     double directions[2][3]; /* unit, of flow; not used with a polygon */
@@ -33,6 +36,11 @@ typedef struct taut_pipe_task {
     int evaluations; /* of the choices */
     int chose_handles, chose_shape;
 } taut_pipe_task;
+
+taut_status taut_pipe_check_length(double value, const char *where, taut_error *error);
+taut_status taut_pipe_check_point(const double point[3], const char *where, taut_error *error);
+/* The power of two at or below a size: dividing by it is exact. */
+double taut_pipe_power_below(double size);
 
 /* Checks the numbers, and fills the task up to `across`; handles that are given, 0 for others. */
 taut_status taut_pipe_begin(taut_pipe_task *task, taut_error *error);
@@ -58,5 +66,13 @@ typedef enum taut_pipe_goal {
  * `bound` may come back without a look at other parts of the pipe. */
 double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const double shape[3],
                        taut_pipe_goal goal, double bound);
+
+/* The axis of the polygon and shape that were settled, with its bends; reach apart from it. */
+void taut_pipe_analyse(taut_pipe_task *task);
+/* NOT_REGULAR and BEND_RADIUS. */
+taut_status taut_pipe_judge_bends(const taut_pipe_task *task, const char *name, taut_error *error);
+/* A run: from its check to its model. */
+taut_status taut_pipe_run_make(const taut_pipe_problem *problem, double tolerance,
+                               taut_model **model, taut_error *error);
 
 #endif /* TAUT_PIPE_TASK_H */

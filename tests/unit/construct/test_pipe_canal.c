@@ -1,54 +1,20 @@
 /* test_pipe_canal.c -- pipes of unlike radii: the canal surface against its spheres, areas and
  * volumes against quadrature, the naive sweep, false claims, refusals. */
 #include "check.h"
+#include "pipes.h"
 
 #include "core/vec3.h"
-#include "numeric/quadrature.h"
-#include "taut/taut.h"
 
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;
 
-static double figure(const taut_certificate *certificate, const char *name)
-{
-    return taut_record_number(taut_record_get(taut_certificate_figures(certificate), name));
-}
-
 static taut_pipe_problem random_problem(void)
 {
-    taut_pipe_problem problem = {
-        .axis = TAUT_PIPE_ENDS,
-        .ends = {{{random_in(-1, 1), random_in(-1, 1), random_in(-1, 1)},
-                  {random_in(-1, 1), random_in(-1, 1), 2},
-                  random_in(2, 3)},
-                 {{random_in(4, 5), random_in(-1, 1), random_in(5, 6)},
-                  {random_in(1, 2), random_in(-1, 1), random_in(-1, 1)},
-                  random_in(2, 3)}},
-        .alpha = random_in(-1, 1),
-        .gamma = random_in(-1, 1),
-        .radii = {random_in(0.1, 0.5), random_in(0.1, 0.5)},
-    };
+    taut_pipe_problem problem = pipe_random_ends();
+    problem.radii[0] = random_in(0.1, 0.5);
+    problem.radii[1] = random_in(0.1, 0.5);
     return problem;
-}
-
-static taut_model *made(const taut_pipe_problem *problem, double tolerance)
-{
-    const taut_make_options options = {.tolerance = tolerance};
-    taut_error error = {.message = ""};
-    taut_model *model = NULL;
-    CHECK(taut_pipe_make(problem, &options, &model, &error) == TAUT_OK, "%s %s", error.where,
-          error.message);
-    return model;
-}
-
-static taut_certificate *proved(const taut_model *model, const taut_pipe_problem *problem,
-                                double tolerance)
-{
-    const taut_certify_options options = {.tolerance = tolerance};
-    taut_certificate *certificate = NULL;
-    CHECK(taut_pipe_certify(model, problem, &options, &certificate, NULL) == TAUT_OK, "proved");
-    return certificate;
 }
 
 /* At u = t the point is at r(t) from P(t), and the normal of the surface is the sphere's: what
@@ -59,7 +25,7 @@ static void test_spheres(void)
         const taut_pipe_problem problem = random_problem();
         const int ends =
             trial % 2; /* of few segments: rounding counts over the first ring's distance */
-        taut_model *model = made(&problem, ends ? 1e-3 : 1e-8);
+        taut_model *model = pipe_made(&problem, ends ? 1e-3 : 1e-8);
         for (int k = 0; k <= 60 && model != NULL; k += ends ? 60 : 1) {
             const double t = k / 60.0, end = ends ? 1e-13 : 1e-6;
             const double r =
@@ -81,30 +47,13 @@ static void test_spheres(void)
 /* The integrals of 1 and X . n / 3 over the blend, and over the discs at its ends. */
 static double volume_of(const taut_model *model, const taut_pipe_problem *problem, double *area)
 {
-    enum { G = 8 };
-    const taut_surface *surface = taut_model_surface(model, 0);
-    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    double nodes[G], weights[G], volume = 0;
-    taut_gauss_rule(G, nodes, weights);
+    double volume = 0;
     *area = 0;
-    for (int i = 0; i < taut_basis_span_count(u) * taut_basis_span_count(v); i++) {
-        const double *bu = taut_basis_breaks(u) + i / taut_basis_span_count(v);
-        const double *bv = taut_basis_breaks(v) + i % taut_basis_span_count(v);
-        for (int k = 0; k < G * G; k++) {
-            const double w =
-                0.25 * (bu[1] - bu[0]) * (bv[1] - bv[0]) * weights[k / G] * weights[k % G];
-            double x[3][3], normal[3];
-            taut_surface_eval(surface, bu[0] + (bu[1] - bu[0]) * 0.5 * (1 + nodes[k / G]),
-                              bv[0] + (bv[1] - bv[0]) * 0.5 * (1 + nodes[k % G]), 1, x[0]);
-            taut_cross(x[TAUT_XU], x[TAUT_XV], normal);
-            volume -= w * taut_dot(x[0], normal) / 3;
-            *area += w * taut_norm(normal);
-        }
-    }
+    pipe_integrate(taut_model_surface(model, 0), area, &volume);
     for (int side = 0; side < 2; side++) {
         const taut_pipe_end *end = &problem->ends[side];
-        volume += (side == 0 ? -1 : 1) * taut_dot(end->point, end->direction) /
-                  taut_norm(end->direction) * pi * problem->radii[side] * problem->radii[side] / 3;
+        const double disc = pi * problem->radii[side] * problem->radii[side];
+        volume += (side == 0 ? -1 : 1) * pipe_end_volume(end->point, end->direction, disc);
     }
     return volume;
 }
@@ -114,32 +63,15 @@ static void test_measures(void)
     for (int trial = 0; trial < random_trials(3); trial++) {
         taut_pipe_problem problem = random_problem();
         problem.naive = trial == 2;
-        taut_model *model = made(&problem, 2e-11);
-        taut_certificate *certificate = proved(model, &problem, 1e-10);
+        taut_model *model = pipe_made(&problem, 2e-11);
+        taut_certificate *certificate = pipe_proved(model, &problem, 1e-10);
         double area = 0;
         const double volume = volume_of(model, &problem, &area);
-        CHECK_NEAR(volume, figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
-        if (trial < 2) {
-            CHECK_NEAR(area, figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
-        }
+        CHECK_NEAR(volume, pipe_figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
+        CHECK_NEAR(area, pipe_figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
-}
-
-static taut_verdict verdict(const taut_model *model, const taut_pipe_problem *problem,
-                            const char *name)
-{
-    taut_certificate *certificate = proved(model, problem, 1e-6);
-    taut_verdict holds = TAUT_UNDECIDED;
-    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
-        const taut_claim *claim = taut_certificate_claim(certificate, i);
-        if (strcmp(claim->claim, name) == 0) {
-            holds = claim->holds;
-        }
-    }
-    taut_certificate_free(certificate);
-    return holds;
 }
 
 /* A canal surface is no naive sweep, nor the other way round; another radius is another surface. */
@@ -154,28 +86,63 @@ static void test_claims(void)
         naive = other = problem;
         naive.naive = 1;
         other.radii[trial % 2] *= 1 - 1e-5;
-        taut_model *canal = made(&problem, 1e-6), *sweep = made(&naive, 1e-6);
+        taut_model *canal = pipe_made(&problem, 1e-6), *sweep = pipe_made(&naive, 1e-6);
         for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
-            CHECK(verdict(canal, &problem, names[k]) == TAUT_TRUE, "trial %d: %s", trial, names[k]);
+            CHECK(pipe_verdict(canal, &problem, names[k]) == TAUT_TRUE, "trial %d: %s", trial,
+                  names[k]);
         }
-        CHECK(verdict(canal, NULL, "tube") == TAUT_TRUE, "trial %d, from the details", trial);
-        CHECK(verdict(sweep, &naive, "tube") == TAUT_TRUE, "trial %d, naive", trial);
-        CHECK(verdict(sweep, NULL, "tube") == TAUT_TRUE, "trial %d, naive details", trial);
-        CHECK(verdict(sweep, &problem, "tube") == TAUT_FALSE, "trial %d: no canal", trial);
-        CHECK(verdict(canal, &naive, "tube") == TAUT_FALSE, "trial %d: no sweep", trial);
-        CHECK(verdict(canal, &other, "tube") == TAUT_FALSE, "trial %d: other radius", trial);
+        CHECK(pipe_verdict(canal, NULL, "tube") == TAUT_TRUE, "trial %d, from the details", trial);
+        CHECK(pipe_verdict(sweep, &naive, "tube") == TAUT_TRUE, "trial %d, naive", trial);
+        CHECK(pipe_verdict(sweep, NULL, "tube") == TAUT_TRUE, "trial %d, naive details", trial);
+        CHECK(pipe_verdict(sweep, &problem, "tube") == TAUT_FALSE, "trial %d: no canal", trial);
+        CHECK(pipe_verdict(canal, &naive, "tube") == TAUT_FALSE, "trial %d: no sweep", trial);
+        CHECK(pipe_verdict(canal, &other, "tube") == TAUT_FALSE, "trial %d: other radius", trial);
         taut_model_free(canal);
         taut_model_free(sweep);
     }
 }
 
-static void refused(const taut_pipe_problem *problem, taut_status status, const char *words)
+/* In other units and far from the origin: the same claims, and figures in those units. */
+static void test_scale_and_shift(void)
 {
-    taut_error error = {.message = ""};
-    taut_model *model = NULL;
-    CHECK(taut_pipe_make(problem, NULL, &model, &error) == status &&
-              strstr(error.message, words) != NULL && model == NULL,
-          "%s: %s", words, error.message);
+    static const double moves[][2] = {{1e-3, 0}, {1e3, 0}, {1, 1e5}, {1e-60, 0}, {1e60, 0}};
+    static const char *const claims[] = {"embedded", "tube", "regular", "graph"};
+    for (int trial = 0; trial < random_trials(4); trial++) {
+        const taut_pipe_problem problem = random_problem();
+        taut_model *model = pipe_made(&problem, 1e-6);
+        taut_certificate *here = pipe_proved(model, &problem, 1e-6);
+        const double area = pipe_figure(here, "area"), volume = pipe_figure(here, "volume");
+        for (size_t i = 0; i < sizeof moves / sizeof moves[0]; i++) {
+            const double scale = moves[i][0];
+            taut_pipe_problem other = problem;
+            for (int side = 0; side < 2; side++) {
+                other.radii[side] *= scale;
+                other.ends[side].handle *= scale;
+                for (int k = 0; k < 3; k++) {
+                    other.ends[side].point[k] = scale * problem.ends[side].point[k] + moves[i][1];
+                }
+            }
+            taut_model *moved = pipe_made(&other, 1e-6);
+            taut_certificate *there = pipe_proved(moved, &other, 1e-6);
+            for (size_t k = 0; k < sizeof claims / sizeof claims[0]; k++) {
+                const taut_claim *a = pipe_claim(here, claims[k]),
+                                 *b = pipe_claim(there, claims[k]);
+                CHECK(a->holds == TAUT_TRUE && b->holds == TAUT_TRUE, "trial %d, move %zu: %s",
+                      trial, i, claims[k]);
+                /* the least of the same places, moved by 1e5 roundings of the axis: 1e-11 */
+                CHECK_NEAR(b->residual, a->residual, 1e-8, "trial %d, move %zu: %s", trial, i,
+                           claims[k]);
+            }
+            CHECK_NEAR(pipe_figure(there, "area") / scale / scale, area, 1e-10 * area,
+                       "trial %d, move %zu", trial, i);
+            CHECK_NEAR(pipe_figure(there, "volume") / scale / scale / scale, volume, 1e-10 * volume,
+                       "trial %d, move %zu", trial, i);
+            taut_certificate_free(there);
+            taut_model_free(moved);
+        }
+        taut_certificate_free(here);
+        taut_model_free(model);
+    }
 }
 
 static void test_refusals(void)
@@ -184,23 +151,23 @@ static void test_refusals(void)
                               .ends = {{{0, 0, 0}, {1, 0, 0}, 1}, {{3, 0, 0}, {1, 0, 0}, 1}},
                               .radii = {2.5, 0.1}};
     taut_pipe_problem other = random_problem();
-    refused(&line, TAUT_NO_SOLUTION, "CANAL_NOT_REAL"); /* r_s = 1.5 * 2.4 / 3 in the middle */
+    pipe_refused(&line, TAUT_NO_SOLUTION, "CANAL_NOT_REAL"); /* r_s = 1.5 * 2.4 / 3 in the middle */
     line.radii[0] = 3;
     line.radii[1] = 1.3;
-    refused(&line, TAUT_NO_SOLUTION, "CANAL_NOT_REGULAR");
+    pipe_refused(&line, TAUT_NO_SOLUTION, "CANAL_NOT_REGULAR");
     other.joint = TAUT_PIPE_CURVATURE_JOINT;
-    refused(&other, TAUT_NO_SOLUTION, "CANAL_JOINT");
+    pipe_refused(&other, TAUT_NO_SOLUTION, "CANAL_JOINT");
     other = random_problem();
     other.frame = TAUT_PIPE_FRENET;
-    refused(&other, TAUT_NO_SOLUTION, "FRENET_UNDEFINED");
+    pipe_refused(&other, TAUT_NO_SOLUTION, "FRENET_UNDEFINED");
     other = random_problem();
     other.radii[1] = -1;
-    refused(&other, TAUT_BAD_INPUT, "positive length");
+    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
     other.radii[1] = NAN;
-    refused(&other, TAUT_BAD_INPUT, "positive length");
+    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
     other = random_problem();
     other.sections[0].a = 1;
-    refused(&other, TAUT_BAD_INPUT, "one of them");
+    pipe_refused(&other, TAUT_BAD_INPUT, "one of them");
 }
 
 int main(void)
@@ -209,6 +176,7 @@ int main(void)
     test_spheres();
     test_measures();
     test_claims();
+    test_scale_and_shift();
     test_refusals();
     return check_failures != 0;
 }

@@ -1,34 +1,18 @@
 /* test_pipe_section.c -- elliptic pipes: joints against elliptic cylinders, volumes against
  * quadrature, the turn of the sections, false claims, refusals. */
 #include "check.h"
+#include "pipes.h"
 
 #include "core/vec3.h"
-#include "numeric/quadrature.h"
-#include "taut/taut.h"
 
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;
 
-static double figure(const taut_certificate *certificate, const char *name)
-{
-    return taut_record_number(taut_record_get(taut_certificate_figures(certificate), name));
-}
-
 static taut_pipe_problem random_problem(void)
 {
-    taut_pipe_problem problem = {
-        .axis = TAUT_PIPE_ENDS,
-        .ends = {{{random_in(-1, 1), random_in(-1, 1), random_in(-1, 1)},
-                  {random_in(-1, 1), random_in(-1, 1), 2},
-                  random_in(2, 3)},
-                 {{random_in(4, 5), random_in(-1, 1), random_in(5, 6)},
-                  {random_in(1, 2), random_in(-1, 1), random_in(-1, 1)},
-                  random_in(2, 3)}},
-        .alpha = random_in(-1, 1),
-        .gamma = random_in(-1, 1),
-        .joint = random_int(0, 1) == 0 ? TAUT_PIPE_TANGENT : TAUT_PIPE_CURVATURE_JOINT,
-    };
+    taut_pipe_problem problem = pipe_random_ends();
+    problem.joint = random_int(0, 1) == 0 ? TAUT_PIPE_TANGENT : TAUT_PIPE_CURVATURE_JOINT;
     for (int side = 0; side < 2; side++) {
         taut_pipe_section *const s = &problem.sections[side];
         s->a = random_in(0.1, 0.4);
@@ -40,32 +24,13 @@ static taut_pipe_problem random_problem(void)
     return problem;
 }
 
-static taut_model *made(const taut_pipe_problem *problem, double tolerance)
-{
-    const taut_make_options options = {.tolerance = tolerance};
-    taut_error error = {.message = ""};
-    taut_model *model = NULL;
-    CHECK(taut_pipe_make(problem, &options, &model, &error) == TAUT_OK, "%s %s", error.where,
-          error.message);
-    return model;
-}
-
-static taut_certificate *proved(const taut_model *model, const taut_pipe_problem *problem,
-                                double tolerance)
-{
-    const taut_certify_options options = {.tolerance = tolerance};
-    taut_certificate *certificate = NULL;
-    CHECK(taut_pipe_certify(model, problem, &options, &certificate, NULL) == TAUT_OK, "proved");
-    return certificate;
-}
-
 /* Points x E_1 + y E_2 of the end ring are on x^2/a^2 + y^2/b^2 = 1, in the plane across the axis,
  * and the normal of the blend is along x/a^2 E_1 + y/b^2 E_2: that of the elliptic cylinder. */
 static void test_joints(void)
 {
     for (int trial = 0; trial < random_trials(20); trial++) {
         const taut_pipe_problem problem = random_problem();
-        taut_model *model = made(&problem, 1e-4);
+        taut_model *model = pipe_made(&problem, 1e-4);
         for (int k = 0; k < 50 && model != NULL; k++) {
             const int side = k % 2;
             const taut_pipe_section *s = &problem.sections[side];
@@ -100,31 +65,17 @@ static void test_joints(void)
     }
 }
 
-/* The integral of X . n / 3 over the blend and the discs at its ends. */
-static double volume_of(const taut_model *model, const taut_pipe_problem *problem)
+/* The integrals of 1 and X . n / 3 over the blend, and over the ellipses at its ends. */
+static double volume_of(const taut_model *model, const taut_pipe_problem *problem, double *area)
 {
-    enum { G = 8 };
-    const taut_surface *surface = taut_model_surface(model, 0);
-    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    double nodes[G], weights[G], volume = 0;
-    taut_gauss_rule(G, nodes, weights);
-    for (int i = 0; i < taut_basis_span_count(u) * taut_basis_span_count(v); i++) {
-        const double *bu = taut_basis_breaks(u) + i / taut_basis_span_count(v);
-        const double *bv = taut_basis_breaks(v) + i % taut_basis_span_count(v);
-        for (int k = 0; k < G * G; k++) {
-            double x[3][3], normal[3];
-            taut_surface_eval(surface, bu[0] + (bu[1] - bu[0]) * 0.5 * (1 + nodes[k / G]),
-                              bv[0] + (bv[1] - bv[0]) * 0.5 * (1 + nodes[k % G]), 1, x[0]);
-            taut_cross(x[TAUT_XU], x[TAUT_XV], normal);
-            volume -= 0.25 * (bu[1] - bu[0]) * (bv[1] - bv[0]) * weights[k / G] * weights[k % G] *
-                      taut_dot(x[0], normal) / 3;
-        }
-    }
+    double volume = 0;
+    *area = 0;
+    pipe_integrate(taut_model_surface(model, 0), area, &volume);
     for (int side = 0; side < 2; side++) {
         const taut_pipe_end *end = &problem->ends[side];
         const taut_pipe_section *s = &problem->sections[side];
-        volume += (side == 0 ? -1 : 1) * taut_dot(end->point, end->direction) /
-                  taut_norm(end->direction) * pi * s->a * s->b / 3;
+        volume +=
+            (side == 0 ? -1 : 1) * pipe_end_volume(end->point, end->direction, pi * s->a * s->b);
     }
     return volume;
 }
@@ -137,17 +88,19 @@ static void test_volume(void)
             problem.sections[1].a = problem.sections[0].a;
             problem.sections[1].b = problem.sections[0].b;
         }
-        taut_model *model = made(&problem, 2e-11);
-        taut_certificate *certificate = proved(model, &problem, 1e-10);
-        const double volume = figure(certificate, "volume");
-        CHECK_NEAR(volume_of(model, &problem), volume, 1e-10 * volume, "trial %d", trial);
+        taut_model *model = pipe_made(&problem, 2e-11);
+        taut_certificate *certificate = pipe_proved(model, &problem, 1e-10);
+        const double volume = pipe_figure(certificate, "volume");
+        double area = 0;
+        CHECK_NEAR(volume_of(model, &problem, &area), volume, 1e-10 * volume, "trial %d", trial);
+        CHECK_NEAR(area, pipe_figure(certificate, "area"), 1e-10 * area, "trial %d: area", trial);
         if (trial == 0) {
             CHECK_NEAR(volume,
                        pi * problem.sections[0].a * problem.sections[0].b *
-                           figure(certificate, "length"),
+                           pipe_figure(certificate, "length"),
                        1e-13 * volume, "closed form");
         }
-        CHECK(fabs(figure(certificate, "section_turn")) <= pi / 2, "turned the near way");
+        CHECK(fabs(pipe_figure(certificate, "section_turn")) <= pi / 2, "turned the near way");
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
@@ -155,7 +108,7 @@ static void test_volume(void)
 
 static taut_verdict tube_of(const taut_model *model, const taut_pipe_problem *problem)
 {
-    taut_certificate *certificate = proved(model, problem, 1e-6);
+    taut_certificate *certificate = pipe_proved(model, problem, 1e-6);
     taut_verdict holds = TAUT_UNDECIDED;
     for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
         const taut_claim *claim = taut_certificate_claim(certificate, i);
@@ -177,7 +130,7 @@ static void test_claims(void)
     for (int trial = 0; trial < random_trials(8); trial++) {
         const taut_pipe_problem problem = random_problem();
         taut_pipe_problem other = problem, moved = problem;
-        taut_model *model = made(&problem, 1e-6), *far = NULL;
+        taut_model *model = pipe_made(&problem, 1e-6), *far = NULL;
         CHECK(tube_of(model, &problem) == TAUT_TRUE, "trial %d", trial);
         CHECK(tube_of(model, NULL) == TAUT_TRUE, "trial %d, from the details", trial);
         other.sections[trial % 2].b *= 1 - 1e-4;
@@ -185,7 +138,7 @@ static void test_claims(void)
         other = problem;
         other.sections[trial % 2].a = 0.3;
         other.sections[trial % 2].b = 0.2;
-        taut_model *turned = made(&other, 1e-6);
+        taut_model *turned = pipe_made(&other, 1e-6);
         other.sections[trial % 2].direction[trial % 3] += 1e-2;
         CHECK(tube_of(turned, &other) == TAUT_FALSE, "trial %d, turned", trial);
         for (int side = 0; side < 2; side++) {
@@ -196,12 +149,12 @@ static void test_claims(void)
                 moved.ends[side].point[k] = 1000 * problem.ends[side].point[k] + 1e6;
             }
         }
-        far = made(&moved, 1e-6);
-        taut_certificate *near_proof = proved(model, &problem, 1e-6);
-        taut_certificate *far_proof = proved(far, &moved, 1e-6);
-        CHECK_NEAR(figure(far_proof, "section_turn"), figure(near_proof, "section_turn"), 1e-9,
-                   "trial %d", trial);
-        CHECK_NEAR(figure(far_proof, "volume") * 1e-9, figure(near_proof, "volume"), 1e-9,
+        far = pipe_made(&moved, 1e-6);
+        taut_certificate *near_proof = pipe_proved(model, &problem, 1e-6);
+        taut_certificate *far_proof = pipe_proved(far, &moved, 1e-6);
+        CHECK_NEAR(pipe_figure(far_proof, "section_turn"), pipe_figure(near_proof, "section_turn"),
+                   1e-9, "trial %d", trial);
+        CHECK_NEAR(pipe_figure(far_proof, "volume") * 1e-9, pipe_figure(near_proof, "volume"), 1e-9,
                    "trial %d", trial);
         taut_certificate_free(near_proof);
         taut_certificate_free(far_proof);
@@ -211,39 +164,30 @@ static void test_claims(void)
     }
 }
 
-static void refused(const taut_pipe_problem *problem, taut_status status, const char *words)
-{
-    taut_error error = {.message = ""};
-    taut_model *model = NULL;
-    CHECK(taut_pipe_make(problem, NULL, &model, &error) == status &&
-              strstr(error.message, words) != NULL && model == NULL,
-          "%s: %s", words, error.message);
-}
-
 static void test_refusals(void)
 {
     taut_pipe_problem problem = random_problem(), other = problem;
     memcpy(other.sections[1].direction, problem.ends[1].direction, sizeof other.ends[1].direction);
-    refused(&other, TAUT_NO_SOLUTION, "SECTION_ALONG");
+    pipe_refused(&other, TAUT_NO_SOLUTION, "SECTION_ALONG");
     other = problem;
     other.sections[0].direction[0] = other.sections[0].direction[1] = 0;
     other.sections[0].direction[2] = 0;
-    refused(&other, TAUT_BAD_INPUT, "direction is zero");
+    pipe_refused(&other, TAUT_BAD_INPUT, "direction is zero");
     other = problem;
     other.sections[1].b = 0;
-    refused(&other, TAUT_BAD_INPUT, "positive length");
+    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
     other = problem;
     other.sections[1].a = INFINITY;
-    refused(&other, TAUT_BAD_INPUT, "positive length");
+    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
     other = problem;
     other.sections[0].a = NAN;
-    refused(&other, TAUT_BAD_INPUT, "positive length");
+    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
     other = problem;
     other.frame = TAUT_PIPE_FRENET;
-    refused(&other, TAUT_NO_SOLUTION, "FRENET_UNDEFINED");
+    pipe_refused(&other, TAUT_NO_SOLUTION, "FRENET_UNDEFINED");
     other = problem;
     other.sections[0].a = 50;
-    refused(&other, TAUT_NO_SOLUTION, "SELF_INTERSECT_LOCAL");
+    pipe_refused(&other, TAUT_NO_SOLUTION, "SELF_INTERSECT_LOCAL");
 }
 
 int main(void)

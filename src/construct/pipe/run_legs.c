@@ -1,0 +1,390 @@
+/* run_legs.c -- where the straight pipes of a run are, and what blends them.
+ *
+ * Corners: an elbow has V_1 = V_2 at its corner and equal handles h. Its curvature is that of the
+ * elbow with h = 1 divided by h, so that h = R kappa_1 makes the least radius of curvature R, and
+ * the elbows of a leg fit on it up to R = length / (sum of both kappa_1).
+ * Legs: straight pipes stay where they are, handles are chosen as between any two directed ends.
+ */
+#include "construct/pipe/run.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Sine of a turn that is none; over the radius, a straight pipe that is none, and what is left of a
+ * leg when its elbows take all of it. */
+static const double turns_not = 1e-9, no_length = 1e-6, nothing_left = 1e-8;
+static const double same_turn = 1e-12; /* of its cosine */
+static const double bend_of_corners = 3;
+static const double unit_radius = 0x1p-20; /* of an elbow with handles of 1, to choose its shape */
+
+static taut_status check(const taut_pipe_problem *p, taut_error *error)
+{
+    const int least = p->axis == TAUT_PIPE_CORNERS && p->closed ? 3 : 2;
+    taut_status status = taut_pipe_check_length(p->radius, "/radius", error);
+    if (status == TAUT_OK && (p->leg_count < least || p->legs == NULL)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/run", p->leg_count, least,
+                         "found %d, expected at least %d: a run has two pipes or more",
+                         p->leg_count, least);
+    }
+    if (status == TAUT_OK && p->sections[0].a + p->radii[0] + p->radii[1] + p->sections[1].a != 0) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/run", taut_none, taut_none,
+                         "a run is round and of one radius: give \"radius\"");
+    }
+    for (int i = 0; i < p->leg_count && status == TAUT_OK; i++) {
+        char where[32];
+        snprintf(where, sizeof where, "/run/%d", i);
+        status = taut_pipe_check_point(p->legs[i].from, where, error);
+        if (status == TAUT_OK && p->axis == TAUT_PIPE_LEGS) {
+            status = taut_pipe_check_point(p->legs[i].to, where, error);
+        }
+        if (status == TAUT_OK && p->axis == TAUT_PIPE_LEGS) {
+            status = taut_pipe_check_point(p->legs[i].direction, where, error);
+        }
+    }
+    return status;
+}
+
+/* Direction and length of a straight pipe, which must not be lost in its coordinates. */
+static taut_status measure(taut_pipe_straight *s, const double *direction, double radius, int at,
+                           taut_error *error)
+{
+    double d[3], size = 0, least = 0;
+    char where[32];
+    taut_difference(s->to, s->from, d);
+    s->length = taut_norm(d);
+    for (int k = 0; k < 3; k++) {
+        least = fmax(least, 0x1p-44 * fmax(fabs(s->from[k]), fabs(s->to[k])));
+    }
+    snprintf(where, sizeof where, "/run/%d", at);
+    if (radius < least) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/radius", radius, least,
+                         "TOO_SMALL: %.6g is lost in the rounding of coordinates of this size; "
+                         "move the origin near, or take more than %.6g",
+                         radius, least);
+    }
+    if (s->length > 0 && s->length < fmax(least, no_length * radius)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, where, s->length, no_length * radius,
+                         "TOO_SMALL: a straight pipe of length %.6g is none; give one place with "
+                         "its direction, or places farther apart than %.6g",
+                         s->length, fmax(least, no_length * radius));
+    }
+    if (!(s->length > 0)) {
+        memcpy(d, direction, sizeof d);
+    }
+    size = taut_norm(d);
+    if (!(size >= 1e-90)) {
+        return taut_fail(error, TAUT_BAD_INPUT, where, size, 0,
+                         "the direction is zero: which way does the pipe flow?");
+    }
+    for (int k = 0; k < 3; k++) {
+        s->direction[k] = d[k] / size;
+    }
+    return TAUT_OK;
+}
+
+static taut_status take(taut_pipe_run *run, int straights, int elbows, taut_error *error)
+{
+    run->straights = taut_arena_take(run->arena, (size_t)straights, sizeof *run->straights);
+    run->elbows = taut_arena_take(run->arena, (size_t)elbows, sizeof *run->elbows);
+    return run->straights != NULL && run->elbows != NULL ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* What every elbow takes from the run. */
+static void begin_elbow(taut_pipe_run *run, int i)
+{
+    taut_pipe_elbow *const e = &run->elbows[i];
+    const taut_pipe_problem *p = run->problem;
+    *e = (taut_pipe_elbow){.problem = {.radius = p->radius,
+                                       .shape = p->shape,
+                                       .alpha = p->alpha,
+                                       .beta = p->beta,
+                                       .gamma = p->gamma,
+                                       .extended = p->extended,
+                                       .joint = p->joint,
+                                       .bend_radius = run->bend_radius}};
+    snprintf(e->name, sizeof e->name, "blend%d", i + 1);
+}
+
+/* Handles and shape that are not given, then what the elbow is like. */
+static taut_status settle(taut_pipe_run *run, taut_pipe_elbow *e, const double *tails,
+                          taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    e->task = (taut_pipe_task){.problem = &e->problem, .arena = run->arena};
+    e->task.reach_scratch = taut_arena_take(run->arena, TAUT_PIPE_REACH_ROOM(1), sizeof(double));
+    status =
+        e->task.reach_scratch != NULL ? taut_pipe_begin(&e->task, error) : taut_fail_memory(error);
+    for (int side = 0; side < 2 && tails != NULL; side++) {
+        e->task.tails[side] = tails[side] / e->task.scale;
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_choose_handles(&e->task, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_settle(&e->task, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_choose_shape(&e->task, error);
+    }
+    if (status == TAUT_OK) {
+        taut_pipe_analyse(&e->task);
+        status = taut_pipe_judge_bends(&e->task, e->name, error);
+    }
+    return status;
+}
+
+static taut_status lay_legs(taut_pipe_run *run, taut_error *error)
+{
+    const taut_pipe_problem *p = run->problem;
+    taut_status status = TAUT_OK;
+    run->straight_count = p->leg_count;
+    run->elbow_count = p->leg_count - (p->closed ? 0 : 1);
+    status = take(run, run->straight_count, run->elbow_count, error);
+    for (int i = 0; i < run->straight_count && status == TAUT_OK; i++) {
+        taut_pipe_straight *const s = &run->straights[i];
+        memcpy(s->from, p->legs[i].from, sizeof s->from);
+        memcpy(s->to, p->legs[i].to, sizeof s->to);
+        status = measure(s, p->legs[i].direction, p->radius, i, error);
+    }
+    for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
+        const taut_pipe_straight *const s[2] = {&run->straights[i],
+                                                &run->straights[(i + 1) % run->straight_count]};
+        const double tails[2] = {s[0]->length, s[1]->length};
+        taut_pipe_elbow *const e = &run->elbows[i];
+        begin_elbow(run, i);
+        e->problem.axis = TAUT_PIPE_ENDS;
+        memcpy(e->problem.ends[0].point, s[0]->to, sizeof s[0]->to);
+        memcpy(e->problem.ends[1].point, s[1]->from, sizeof s[1]->from);
+        memcpy(e->problem.ends[0].direction, s[0]->direction, sizeof s[0]->direction);
+        memcpy(e->problem.ends[1].direction, s[1]->direction, sizeof s[1]->direction);
+        status = settle(run, e, tails, error);
+    }
+    return status;
+}
+
+/* Straight pipes from corner to corner, those that go straight on joined to one. */
+static taut_status find_corners(taut_pipe_run *run, int *places, taut_error *error)
+{
+    const taut_pipe_problem *p = run->problem;
+    const int legs = p->leg_count - (p->closed ? 0 : 1);
+    taut_status status = TAUT_OK;
+    for (int i = 0; i < legs && status == TAUT_OK; i++) {
+        taut_pipe_straight next;
+        memcpy(next.from, p->legs[i].from, sizeof next.from);
+        memcpy(next.to, p->legs[(i + 1) % p->leg_count].from, sizeof next.to);
+        status = measure(&next, next.from, p->radius, i, error);
+        if (status == TAUT_OK && !(next.length > 0)) {
+            char where[32];
+            snprintf(where, sizeof where, "/run/%d", (i + 1) % p->leg_count);
+            return taut_fail(error, TAUT_BAD_INPUT, where, 0, 0,
+                             "the corner is where the one before it is: leave one out");
+        }
+        places[run->straight_count] = i;
+        run->straights[run->straight_count++] = next;
+    }
+    return status;
+}
+
+/* Sine and cosine of the turn from straight pipe a to b. */
+static int goes_straight_on(const taut_pipe_straight *a, const taut_pipe_straight *b)
+{
+    double across[3];
+    taut_cross(a->direction, b->direction, across);
+    return taut_norm(across) <= turns_not && taut_dot(a->direction, b->direction) > 0;
+}
+
+static taut_status check_turn(const taut_pipe_straight *a, const taut_pipe_straight *b, int place,
+                              taut_error *error)
+{
+    double across[3];
+    char where[32];
+    taut_cross(a->direction, b->direction, across);
+    snprintf(where, sizeof where, "/run/%d", place);
+    if (taut_norm(across) <= turns_not) {
+        return taut_fail(error, TAUT_NO_SOLUTION, where, 0, 0,
+                         "TURNS_BACK: the run turns back on itself at this corner; two corners, "
+                         "more than two radii apart, make a bend of it");
+    }
+    return TAUT_OK;
+}
+
+/* Corners that do not turn are left out: a leg reaches over them. */
+static void join_legs(taut_pipe_run *run, int *places)
+{
+    int kept = 0;
+    for (int i = 0; i < run->straight_count; i++) {
+        taut_pipe_straight *const last = &run->straights[kept - (kept > 0)];
+        if (kept > 0 && goes_straight_on(last, &run->straights[i])) {
+            memcpy(last->to, run->straights[i].to, sizeof last->to);
+            last->length = taut_distance(last->to, last->from);
+        } else {
+            places[kept] = places[i];
+            run->straights[kept++] = run->straights[i];
+        }
+    }
+    if (run->closed && kept > 1 &&
+        goes_straight_on(&run->straights[kept - 1], &run->straights[0])) {
+        memcpy(run->straights[0].from, run->straights[kept - 1].from, 3 * sizeof(double));
+        run->straights[0].length = taut_distance(run->straights[0].to, run->straights[0].from);
+        places[0] = places[kept - 1];
+        kept--;
+    }
+    run->straight_count = kept;
+    run->elbow_count = kept - (run->closed ? 0 : 1);
+}
+
+static void take_shape(taut_pipe_elbow *e, const double shape[3])
+{
+    e->problem.shape = TAUT_PIPE_SHAPE_GIVEN;
+    e->problem.alpha = shape[0];
+    e->problem.beta = shape[1];
+    e->problem.gamma = shape[2];
+}
+
+/* The elbow with handles of 1: its shape, given, chosen, or that of an earlier one with the same
+ * turn, and its largest curvature. */
+static taut_status try_elbow(taut_pipe_run *run, int i, double *curvature, taut_error *error)
+{
+    taut_pipe_elbow *const e = &run->elbows[i];
+    const double *a = run->straights[i].direction;
+    const double *b = run->straights[(i + 1) % run->straight_count].direction;
+    const double cosine = taut_dot(a, b);
+    taut_status status = TAUT_OK;
+    begin_elbow(run, i);
+    e->problem.axis = TAUT_PIPE_POLYGON;
+    e->problem.radius = unit_radius;
+    e->problem.bend_radius = 0;
+    for (int k = 0; k < 3; k++) {
+        e->problem.polygon[0][k] = -a[k];
+        e->problem.polygon[3][k] = b[k];
+    }
+    for (int j = 0; j < i && e->problem.shape != TAUT_PIPE_SHAPE_GIVEN; j++) {
+        if (fabs(run->elbows[j].cosine - cosine) <= same_turn) {
+            take_shape(e, run->elbows[j].task.shape);
+        }
+    }
+    status = settle(run, e, NULL, error);
+    e->cosine = cosine;
+    *curvature = e->task.bend.curvature / e->task.scale;
+    return status;
+}
+
+/* The largest R with which every leg holds its elbows. */
+static double largest_bend(const taut_pipe_run *run, const double *curvatures, int *leg)
+{
+    double largest = INFINITY;
+    for (int i = 0; i < run->straight_count; i++) {
+        const int before = run->closed ? (i + run->elbow_count - 1) % run->elbow_count : i - 1;
+        const double sum =
+            (before >= 0 ? curvatures[before] : 0) + (i < run->elbow_count ? curvatures[i] : 0);
+        if (run->straights[i].length / sum < largest) {
+            largest = run->straights[i].length / sum;
+            *leg = i;
+        }
+    }
+    return largest / (1 + TAUT_PIPE_SLACK);
+}
+
+/* The elbow in its place: handles h along both legs, which get shorter by them. */
+static taut_status place_elbow(taut_pipe_run *run, int i, double handle, const double corner[3],
+                               taut_error *error)
+{
+    taut_pipe_elbow *const e = &run->elbows[i];
+    taut_pipe_straight *const a = &run->straights[i];
+    taut_pipe_straight *const b = &run->straights[(i + 1) % run->straight_count];
+    const double shape[3] = {e->task.shape[0], e->task.shape[1], e->task.shape[2]};
+    taut_status status = TAUT_OK;
+    begin_elbow(run, i);
+    e->problem.axis = TAUT_PIPE_POLYGON;
+    take_shape(e, shape);
+    for (int k = 0; k < 3; k++) {
+        a->to[k] = corner[k] - handle * a->direction[k];
+        e->problem.polygon[1][k] = e->problem.polygon[2][k] = corner[k];
+        b->from[k] = corner[k] + handle * b->direction[k];
+    }
+    if (taut_distance(a->from, a->to) < nothing_left * run->problem->radius) {
+        memcpy(a->to, a->from, sizeof a->to); /* the elbow before ends here */
+    }
+    if (taut_distance(b->from, b->to) < nothing_left * run->problem->radius) {
+        memcpy(b->from, b->to, sizeof b->from);
+    }
+    memcpy(e->problem.polygon[0], a->to, sizeof a->to);
+    memcpy(e->problem.polygon[3], b->from, sizeof b->from);
+    a->length = taut_distance(a->from, a->to);
+    b->length = taut_distance(b->from, b->to);
+    status = settle(run, e, NULL, error);
+    e->problem.shape = run->problem->shape;
+    return status;
+}
+
+static taut_status place_elbows(taut_pipe_run *run, const double *curvatures, const int *places,
+                                taut_error *error)
+{
+    int leg = 0;
+    const double largest = largest_bend(run, curvatures, &leg);
+    taut_status status = TAUT_OK;
+    if (!(run->bend_radius <= largest)) {
+        char where[32];
+        snprintf(where, sizeof where, "/run/%d", places[leg]);
+        return taut_fail(error, TAUT_NO_SOLUTION, where, run->bend_radius, largest,
+                         "LEG_TOO_SHORT: with a bend radius of %.12g the elbows take more than the "
+                         "leg of %.6g that begins here; a bend radius of at most %.12g would work, "
+                         "or a leg of at least %.6g",
+                         run->bend_radius, run->straights[leg].length, largest,
+                         run->straights[leg].length * run->bend_radius / largest);
+    }
+    for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
+        const double *corner = run->problem->legs[places[(i + 1) % run->straight_count]].from;
+        status = place_elbow(run, i, run->bend_radius * curvatures[i] * (1 + TAUT_PIPE_SLACK),
+                             corner, error);
+    }
+    return status;
+}
+
+static taut_status lay_corners(taut_pipe_run *run, taut_error *error)
+{
+    const int count = run->problem->leg_count;
+    int *const places = taut_arena_take(run->arena, (size_t)count + 1, sizeof *places);
+    double *const curvatures = taut_arena_take(run->arena, (size_t)count, sizeof *curvatures);
+    taut_status status = places != NULL && curvatures != NULL ? take(run, count, count, error)
+                                                              : taut_fail_memory(error);
+    if (status == TAUT_OK) {
+        status = find_corners(run, places, error);
+    }
+    if (status == TAUT_OK) {
+        join_legs(run, places);
+    }
+    if (status == TAUT_OK && run->elbow_count < 1) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/run", 0, 0,
+                         "RUN_STRAIGHT: no corner turns, so that the run is one cylinder; give a "
+                         "corner off the line");
+    }
+    for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
+        const int next = (i + 1) % run->straight_count;
+        status = check_turn(&run->straights[i], &run->straights[next], places[next], error);
+        if (status == TAUT_OK) {
+            status = try_elbow(run, i, &curvatures[i], error);
+        }
+    }
+    return status == TAUT_OK ? place_elbows(run, curvatures, places, error) : status;
+}
+
+taut_status taut_pipe_run_lay(taut_pipe_run *run, taut_error *error)
+{
+    const taut_pipe_problem *p = run->problem;
+    taut_status status = check(p, error);
+    run->closed = p->closed != 0;
+    run->bend_radius = p->bend_radius != 0            ? p->bend_radius
+                       : p->axis == TAUT_PIPE_CORNERS ? bend_of_corners * p->radius
+                                                      : 0;
+    if (status == TAUT_OK && p->bend_radius != 0) {
+        status = taut_pipe_check_length(p->bend_radius, "/bend_radius", error);
+    }
+    if (status == TAUT_OK) {
+        status = p->axis == TAUT_PIPE_CORNERS ? lay_corners(run, error) : lay_legs(run, error);
+    }
+    return status;
+}

@@ -1,0 +1,196 @@
+/* run_model.c -- the surfaces and axes of a run, in the order of flow. */
+#include "construct/pipe/model.h"
+#include "construct/pipe/run.h"
+#include "core/fail.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { RING = 3 * TAUT_PIPE_RING };
+
+typedef struct maker {
+    const taut_pipe_run *run;
+    taut_basis *line, *v; /* along straight pipes, of all rings */
+    taut_model *model;
+} maker;
+
+static taut_status add(maker *m, const char *name, const taut_basis *u, int rows,
+                       const double *points, taut_error *error)
+{
+    double *const weights =
+        taut_arena_take(m->run->arena, (size_t)rows * TAUT_PIPE_RING, sizeof *weights);
+    if (weights == NULL) {
+        return taut_fail_memory(error);
+    }
+    taut_pipe_weights(rows, weights);
+    return taut_pipe_add_surface(m->model, name, u, m->v, points, weights, error);
+}
+
+static taut_status add_line(maker *m, const char *name, const double from[3], const double to[3],
+                            taut_error *error)
+{
+    double points[2][3];
+    taut_curve *curve = NULL;
+    taut_status status = TAUT_OK;
+    memcpy(points[0], from, sizeof points[0]);
+    memcpy(points[1], to, sizeof points[1]);
+    status = taut_curve_new(name, m->line, &points[0][0], NULL, &curve, error);
+    if (status == TAUT_OK && taut_model_add_curve(m->model, curve) != TAUT_OK) {
+        taut_curve_free(curve);
+        status = taut_fail_memory(error);
+    }
+    return status;
+}
+
+static const double *last_ring(const taut_pipe_elbow *e)
+{
+    return e->points + (size_t)(e->blend.rows - 1) * RING;
+}
+
+/* The rings of straight pipe i: those of the elbows at its ends, at free ends moved along it. */
+static void rings_of(const taut_pipe_run *run, int i, double (*points)[TAUT_PIPE_RING][3])
+{
+    const taut_pipe_straight *s = &run->straights[i];
+    const int before = run->closed ? (i + run->elbow_count - 1) % run->elbow_count : i - 1;
+    if (before >= 0) {
+        memcpy(points[0], last_ring(&run->elbows[before]), sizeof points[0]);
+    }
+    if (i < run->elbow_count) {
+        memcpy(points[1], run->elbows[i].points, sizeof points[1]);
+    }
+    for (int j = 0; j < RING; j++) {
+        const double way = s->to[j % 3] - s->from[j % 3];
+        if (before < 0) {
+            points[0][j / 3][j % 3] = points[1][j / 3][j % 3] - way;
+        } else if (i >= run->elbow_count) {
+            points[1][j / 3][j % 3] = points[0][j / 3][j % 3] + way;
+        }
+    }
+}
+
+static taut_status add_straight(maker *m, int i, taut_error *error)
+{
+    double points[2][TAUT_PIPE_RING][3];
+    char name[32], axis[40];
+    taut_status status = TAUT_OK;
+    if (!(m->run->straights[i].length > 0)) {
+        return TAUT_OK;
+    }
+    snprintf(name, sizeof name, "pipe%d", i + 1);
+    snprintf(axis, sizeof axis, "axis-pipe%d", i + 1);
+    rings_of(m->run, i, points);
+    status = add(m, name, m->line, 2, &points[0][0][0], error);
+    return status == TAUT_OK
+               ? add_line(m, axis, m->run->straights[i].from, m->run->straights[i].to, error)
+               : status;
+}
+
+static taut_status add_elbow(maker *m, const taut_pipe_elbow *e, taut_error *error)
+{
+    taut_basis *u = NULL;
+    char axis[40];
+    taut_status status = taut_pipe_basis_u(&e->task.arc, &e->blend, m->run->arena, &u, error);
+    snprintf(axis, sizeof axis, "axis-%s", e->name);
+    if (status == TAUT_OK) {
+        status = add(m, e->name, u, e->blend.rows, e->points, error);
+    }
+    taut_basis_free(u);
+    return status == TAUT_OK ? taut_pipe_add_axis(&e->task, axis, m->model, error) : status;
+}
+
+/* A disc over each free end: the rings there are those of the first and the last surface. */
+static taut_status add_caps(maker *m, taut_error *error)
+{
+    const int last = taut_model_surface_count(m->model) - 1;
+    taut_status status = TAUT_OK;
+    for (int side = 0; side < 2 && status == TAUT_OK; side++) {
+        const taut_surface *end = taut_model_surface(m->model, side == 0 ? 0 : last);
+        const int row = side == 0 ? 0 : taut_basis_count(taut_surface_u(end)) - 1;
+        double points[2][TAUT_PIPE_RING][3];
+        taut_pipe_cap_points(taut_surface_points(end) + (size_t)row * RING, points);
+        status = add(m, side == 0 ? "cap1" : "cap2", m->line, 2, &points[0][0][0], error);
+    }
+    return status;
+}
+
+static void add_elbow_details(const taut_pipe_elbow *e, taut_record *list)
+{
+    const taut_pipe_task *task = &e->task;
+    taut_record *const item = taut_record_add_object(list, NULL), *part = NULL;
+    taut_record_add_text(item, "surface", e->name);
+    part = taut_record_add_list(item, "polygon");
+    for (int i = 0; i < 4; i++) {
+        taut_record_add_numbers(part, NULL, 3, task->polygon[i]);
+    }
+    part = taut_record_add_object(item, "shape");
+    taut_record_add_number(part, "alpha", task->shape[0]);
+    taut_record_add_number(part, "beta", task->shape[1]);
+    taut_record_add_number(part, "gamma", task->shape[2]);
+    part = taut_record_add_list(item, "handles");
+    for (int side = 0; side < 2; side++) {
+        taut_record_add_number(part, NULL, task->scale * task->handles[side]);
+    }
+    taut_record_add_number(item, "least_bend_radius",
+                           task->bend.curvature > 0 ? task->scale / task->bend.curvature
+                                                    : INFINITY);
+    taut_record_add_number(item, "segments", e->blend.segments);
+}
+
+static taut_record *details_of(const taut_pipe_run *run)
+{
+    taut_record *details = taut_record_new(), *list = NULL;
+    taut_record_add_number(details, "radius", run->problem->radius);
+    if (run->bend_radius > 0) {
+        taut_record_add_number(details, "bend_radius", run->bend_radius);
+    }
+    taut_record_add_bool(details, "closed", run->closed);
+    taut_record_add_text(details, "joint", run->problem->joint == TAUT_PIPE_TANGENT ? "g1" : "g2");
+    if (run->closed) {
+        taut_record_add_number(details, "holonomy", run->holonomy);
+    }
+    list = taut_record_add_list(details, "blends");
+    for (int i = 0; i < run->elbow_count; i++) {
+        add_elbow_details(&run->elbows[i], list);
+    }
+    return details;
+}
+
+static taut_status fill(maker *m, taut_error *error)
+{
+    const taut_basis_spec line = {.type = "bezier", .degree = 1};
+    taut_status status = taut_basis_new(&line, 2, &m->line, error);
+    if (status == TAUT_OK) {
+        status = taut_pipe_basis_v(&m->v, error);
+    }
+    if (status == TAUT_OK && taut_model_new(&m->model) != TAUT_OK) {
+        status = taut_fail_memory(error);
+    }
+    for (int i = 0; i < m->run->straight_count && status == TAUT_OK; i++) {
+        status = add_straight(m, i, error);
+        if (status == TAUT_OK && i < m->run->elbow_count) {
+            status = add_elbow(m, &m->run->elbows[i], error);
+        }
+    }
+    return status == TAUT_OK && m->run->problem->caps && !m->run->closed ? add_caps(m, error)
+                                                                         : status;
+}
+
+taut_status taut_pipe_run_model(taut_pipe_run *run, taut_model **model, taut_error *error)
+{
+    maker m = {.run = run};
+    taut_status status = fill(&m, error);
+    if (status == TAUT_OK) {
+        taut_record *const details = details_of(run);
+        taut_model_set_details(m.model, details);
+        status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    }
+    taut_basis_free(m.line);
+    taut_basis_free(m.v);
+    if (status != TAUT_OK) {
+        taut_model_free(m.model);
+        return status;
+    }
+    *model = m.model;
+    return TAUT_OK;
+}

@@ -1,0 +1,124 @@
+/* run_sweep.c -- the frame carried through a run, and its blends as NURBS.
+ *
+ * On straight pipes the frame does not turn. In a closed run the rotation-minimising frame comes
+ * round turned by some angle; each blend takes a part of what is left, by its length, with no rate
+ * at its ends, so that straight pipes keep straight lines of points.
+ */
+#include "construct/pipe/run.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { STEPS = 4096, PANELS = 16 };
+
+/* u made a unit vector across the tangent at one end of an elbow. */
+static void fit(const taut_pipe_elbow *e, int end, double u[3])
+{
+    taut_pipe_jet jet;
+    double size = 0;
+    taut_pipe_arc_jet(&e->task.arc, end, &jet);
+    for (int round = 0; round < 2; round++) { /* again: what rounding left */
+        taut_add_scaled(-taut_dot(u, jet.tangent), jet.tangent, u);
+        size = taut_norm(u);
+        for (int k = 0; k < 3; k++) {
+            u[k] /= size;
+        }
+    }
+}
+
+/* The angle from the frame that came round to the first, and its parts. */
+static void close_frame(taut_pipe_run *run)
+{
+    taut_pipe_elbow *const start = &run->elbows[0];
+    double u[3], w[3], total = 0;
+    taut_pipe_jet jet;
+
+    memcpy(u, start->first, sizeof u);
+    for (int i = 0; i < run->elbow_count; i++) {
+        fit(&run->elbows[i], 0, u);
+        taut_pipe_carry(&run->elbows[i].task.arc, 0, 1, STEPS, u);
+        taut_pipe_bend_integrals(&run->elbows[i].task.arc, PANELS, &run->elbows[i].task.bend);
+        total += run->elbows[i].task.bend.length * run->elbows[i].task.scale;
+    }
+    fit(start, 0, u);
+    taut_pipe_arc_jet(&start->task.arc, 0, &jet);
+    taut_cross(jet.tangent, u, w);
+    run->holonomy = atan2(taut_dot(start->first, w), taut_dot(start->first, u));
+    for (int i = 0; i < run->elbow_count; i++) {
+        taut_pipe_elbow *const e = &run->elbows[i];
+        e->turn = run->holonomy * e->task.bend.length * e->task.scale / total;
+    }
+}
+
+static taut_status sweep(taut_pipe_run *run, taut_pipe_elbow *e, double tolerance,
+                         taut_error *error)
+{
+    const taut_pipe_task *task = &e->task;
+    taut_pipe_ellipse circle = {.a = {1, 1},
+                                .b = {1, 1},
+                                .turn = e->turn,
+                                .smooth = e->problem.joint == TAUT_PIPE_CURVATURE_JOINT};
+    size_t count = 0;
+    taut_status status = TAUT_OK;
+
+    memcpy(circle.first, e->first, sizeof circle.first);
+    status = taut_pipe_blend_make(&task->arc, task->radius, tolerance, NULL, &circle, run->arena,
+                                  &e->blend);
+    if (status == TAUT_NO_SOLUTION) {
+        return taut_fail(error, status, "", tolerance, taut_none,
+                         "%s needs more than 100000 segments for a tolerance of %g: ask for less, "
+                         "or for a smaller radius",
+                         e->name, tolerance);
+    }
+    count = 3 * (size_t)e->blend.rows * TAUT_PIPE_RING;
+    e->points = status == TAUT_OK ? taut_arena_take(run->arena, count, sizeof *e->points) : NULL;
+    if (e->points == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (size_t i = 0; i < count; i++) {
+        e->points[i] = task->polygon[0][i % 3] + task->scale * e->blend.points[i];
+    }
+    return TAUT_OK;
+}
+
+/* Where no straight pipe is between two blends, the second starts with the points the first ends
+ * with. */
+static void weld(taut_pipe_run *run)
+{
+    for (int i = 0; i < run->elbow_count; i++) {
+        const int next = (i + 1) % run->straight_count;
+        if (next < run->elbow_count && !(run->straights[next].length > 0)) {
+            const taut_pipe_elbow *const e = &run->elbows[i];
+            memcpy(run->elbows[next].points,
+                   e->points + (size_t)(e->blend.rows - 1) * TAUT_PIPE_RING * 3,
+                   3 * TAUT_PIPE_RING * sizeof *e->points);
+        }
+    }
+}
+
+taut_status taut_pipe_run_sweep(taut_pipe_run *run, double tolerance, taut_error *error)
+{
+    double u[3];
+    taut_status status = TAUT_OK;
+    taut_pipe_jet jet;
+
+    taut_pipe_arc_jet(&run->elbows[0].task.arc, 0, &jet);
+    taut_pipe_first_normal(jet.tangent, run->elbows[0].first);
+    memcpy(u, run->elbows[0].first, sizeof u);
+    if (run->closed) {
+        close_frame(run);
+    }
+    for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
+        taut_pipe_elbow *const e = &run->elbows[i];
+        fit(e, 0, u);
+        memcpy(e->first, u, sizeof u);
+        status = sweep(run, e, tolerance, error);
+        memcpy(u, e->blend.last, sizeof u);
+    }
+    if (status == TAUT_OK) {
+        weld(run);
+    }
+    return status;
+}

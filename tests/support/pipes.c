@@ -1,0 +1,110 @@
+#include "pipes.h"
+
+#include "check.h"
+
+#include "core/vec3.h"
+#include "numeric/quadrature.h"
+
+#include <string.h>
+
+taut_model *pipe_made(const taut_pipe_problem *problem, double tolerance)
+{
+    const taut_make_options options = {.tolerance = tolerance};
+    taut_error error = {.message = ""};
+    taut_model *model = NULL;
+    CHECK(taut_pipe_make(problem, &options, &model, &error) == TAUT_OK, "%s %s", error.where,
+          error.message);
+    return model;
+}
+
+taut_certificate *pipe_proved(const taut_model *model, const taut_pipe_problem *problem,
+                              double tolerance)
+{
+    const taut_certify_options options = {.tolerance = tolerance};
+    taut_certificate *certificate = NULL;
+    CHECK(taut_pipe_certify(model, problem, &options, &certificate, NULL) == TAUT_OK, "proved");
+    return certificate;
+}
+
+taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, const char *words)
+{
+    taut_error error = {.message = ""};
+    taut_model *model = NULL;
+    CHECK(taut_pipe_make(problem, NULL, &model, &error) == status &&
+              strstr(error.message, words) != NULL && model == NULL,
+          "%s: %s %s", words, error.where, error.message);
+    taut_model_free(model);
+    return error;
+}
+
+double pipe_figure(const taut_certificate *certificate, const char *name)
+{
+    return certificate != NULL
+               ? taut_record_number(taut_record_get(taut_certificate_figures(certificate), name))
+               : (double)NAN;
+}
+
+const taut_claim *pipe_claim(const taut_certificate *certificate, const char *name)
+{
+    static const taut_claim missing = {
+        .claim = "", .residual = INFINITY, .holds = TAUT_UNDECIDED, .where = "missing"};
+    for (int i = 0; certificate != NULL && i < taut_certificate_claim_count(certificate); i++) {
+        const taut_claim *claim = taut_certificate_claim(certificate, i);
+        if (strcmp(claim->claim, name) == 0) {
+            return claim;
+        }
+    }
+    return &missing;
+}
+
+taut_verdict pipe_verdict(const taut_model *model, const taut_pipe_problem *problem,
+                          const char *name)
+{
+    taut_certificate *certificate = pipe_proved(model, problem, 1e-6);
+    const taut_verdict holds = pipe_claim(certificate, name)->holds;
+    taut_certificate_free(certificate);
+    return holds;
+}
+
+taut_pipe_problem pipe_random_ends(void)
+{
+    const taut_pipe_problem problem = {
+        .axis = TAUT_PIPE_ENDS,
+        .ends = {{{random_in(-1, 1), random_in(-1, 1), random_in(-1, 1)},
+                  {random_in(-1, 1), random_in(-1, 1), 2},
+                  random_in(2, 3)},
+                 {{random_in(4, 5), random_in(-1, 1), random_in(5, 6)},
+                  {random_in(1, 2), random_in(-1, 1), random_in(-1, 1)},
+                  random_in(2, 3)}},
+        .alpha = random_in(-1, 1),
+        .gamma = random_in(-1, 1),
+    };
+    return problem;
+}
+
+void pipe_integrate(const taut_surface *surface, double *area, double *volume)
+{
+    enum { G = 12 };
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    double nodes[G], weights[G];
+    taut_gauss_rule(G, nodes, weights);
+    for (int i = 0; i < taut_basis_span_count(u) * taut_basis_span_count(v); i++) {
+        const double *bu = taut_basis_breaks(u) + i / taut_basis_span_count(v);
+        const double *bv = taut_basis_breaks(v) + i % taut_basis_span_count(v);
+        for (int k = 0; k < G * G; k++) {
+            double x[3][3], normal[3];
+            const double w =
+                0.25 * (bu[1] - bu[0]) * (bv[1] - bv[0]) * weights[k / G] * weights[k % G];
+            taut_surface_eval(surface, bu[0] + (bu[1] - bu[0]) * 0.5 * (1 + nodes[k / G]),
+                              bv[0] + (bv[1] - bv[0]) * 0.5 * (1 + nodes[k % G]), 1, x[0]);
+            taut_cross(x[TAUT_XV], x[TAUT_XU], normal); /* x_u x x_v looks at the axis */
+            *area += w * taut_norm(normal);
+            *volume += w * taut_dot(x[0], normal) / 3;
+        }
+    }
+}
+
+double pipe_end_volume(const double point[3], const double direction[3], double area)
+{
+    return taut_dot(point, direction) / taut_norm(direction) * area / 3;
+}

@@ -1,0 +1,342 @@
+/* test_pipe_run.c -- runs of pipes: what comes out, what is refused with what would work, false
+ * claims, caps and closed meshes. */
+#include "check.h"
+#include "pipes.h"
+
+#include "core/vec3.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const taut_pipe_leg stair[] = {
+    {.from = {0, 0, 0}}, {.from = {4, 0, 0}}, {.from = {4, 3, 0}}, {.from = {4, 3, 5}}};
+static const taut_pipe_leg square[] = {
+    {.from = {0, 0, 0}}, {.from = {4, 0, 0}}, {.from = {4, 4, 1}}, {.from = {0, 4, 0}}};
+static const taut_pipe_leg placed[] = {{.from = {0, 0, 0}, .to = {2, 0, 0}},
+                                       {.from = {4, 2, 1}, .to = {4, 2, 1}, .direction = {0, 2, 0}},
+                                       {.from = {2, 5, 1}, .to = {0, 5, 1}}};
+
+static taut_pipe_problem run_of(taut_pipe_axis axis, const taut_pipe_leg *legs, int count)
+{
+    const taut_pipe_problem problem = {
+        .axis = axis, .legs = legs, .leg_count = count, .radius = 0.2, .alpha = -2, .gamma = -2};
+    return problem;
+}
+
+static void names_are(const taut_model *model, const char *const *names)
+{
+    int i = 0;
+    for (; model != NULL && names[i] != NULL; i++) {
+        const taut_surface *surface = taut_model_surface(model, i);
+        char axis[64];
+        CHECK(surface != NULL && strcmp(taut_surface_name(surface), names[i]) == 0, "%s is there",
+              names[i]);
+        snprintf(axis, sizeof axis, "axis-%s", names[i]);
+        CHECK(strncmp(names[i], "cap", 3) == 0 ||
+                  strcmp(taut_curve_name(taut_model_curve(model, i)), axis) == 0,
+              "%s is there", axis);
+    }
+    CHECK(model != NULL && taut_model_surface_count(model) == i, "%d surfaces", i);
+}
+
+static void all_hold(const taut_model *model, const taut_pipe_problem *problem, const char *what)
+{
+    taut_certificate *certificate = pipe_proved(model, problem, 1e-6);
+    for (int i = 0; certificate != NULL && i < taut_certificate_claim_count(certificate); i++) {
+        const taut_claim *claim = taut_certificate_claim(certificate, i);
+        CHECK(claim->holds == TAUT_TRUE, "%s: %s, %g, limit %g, %s", what, claim->claim,
+              claim->residual, claim->limit, claim->where);
+    }
+    taut_certificate_free(certificate);
+}
+
+/* The pieces, in the order of flow; straight pipes of no length and corners without a turn are left
+ * out; claims hold with the problem and without. */
+static void test_pieces(void)
+{
+    static const char *const of_stair[] = {"pipe1", "blend1", "pipe2", "blend2", "pipe3", NULL};
+    static const char *const of_square[] = {"pipe1",  "blend1", "pipe2",  "blend2", "pipe3",
+                                            "blend3", "pipe4",  "blend4", NULL};
+    static const char *const of_placed[] = {"pipe1", "blend1", "blend2", "pipe3",
+                                            "cap1",  "cap2",   NULL};
+    static const char *const of_bent[] = {"pipe1", "blend1", "pipe2", NULL};
+    const taut_pipe_leg bent[] = {{.from = {0, 0, 0}},
+                                  {.from = {1, 0, 0}},
+                                  {.from = {4, 0, 0}},
+                                  {.from = {4, 3, 0}},
+                                  {.from = {4, 5, 0}}};
+    /* begins in the middle of a side */
+    const taut_pipe_leg ring[] = {{.from = {2, 0, 0}},
+                                  {.from = {4, 0, 0}},
+                                  {.from = {4, 4, 1}},
+                                  {.from = {0, 4, 0}},
+                                  {.from = {0, 0, 0}}};
+    taut_pipe_problem problems[] = {
+        run_of(TAUT_PIPE_CORNERS, stair, 4), run_of(TAUT_PIPE_CORNERS, square, 4),
+        run_of(TAUT_PIPE_LEGS, placed, 3), run_of(TAUT_PIPE_CORNERS, bent, 5),
+        run_of(TAUT_PIPE_CORNERS, ring, 5)};
+    const char *const *const names[] = {of_stair, of_square, of_placed, of_bent, of_square};
+    problems[1].closed = problems[4].closed = 1;
+    problems[2].joint = TAUT_PIPE_CURVATURE_JOINT;
+    problems[2].caps = 1;
+    for (int i = 0; i < 5; i++) {
+        taut_model *model = pipe_made(&problems[i], 1e-6);
+        names_are(model, names[i]);
+        all_hold(model, &problems[i], names[i][0]);
+        all_hold(model, NULL, "from the details");
+        taut_model_free(model);
+    }
+}
+
+/* Elbows are as sharp as asked and no sharper; what the message says would work does. */
+static void test_bend_radius(void)
+{
+    for (int trial = 0; trial < 3; trial++) {
+        taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, stair, 4);
+        problem.joint = trial % 2 == 0 ? TAUT_PIPE_TANGENT : TAUT_PIPE_CURVATURE_JOINT;
+        problem.shape = trial < 2 ? TAUT_PIPE_SHAPE_GIVEN : TAUT_PIPE_LEAST_BENDING;
+        problem.bend_radius = random_in(0.3, 0.49);
+        taut_model *model = pipe_made(&problem, 1e-3);
+        taut_certificate *certificate = pipe_proved(model, &problem, 1e-3);
+        CHECK_NEAR(pipe_figure(certificate, "least_bend_radius"), problem.bend_radius,
+                   2e-7 * problem.bend_radius, "trial %d", trial);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+        problem.bend_radius = 100;
+        const taut_error error = pipe_refused(&problem, TAUT_NO_SOLUTION, "LEG_TOO_SHORT");
+        CHECK(error.limit < 100 && strcmp(error.where, "/run/1") == 0, "at %s", error.where);
+        problem.bend_radius = error.limit; /* the leg is used up: no straight pipe between */
+        problem.radius = 0.1 * error.limit;
+        model = pipe_made(&problem, 1e-6);
+        CHECK(model != NULL && taut_model_surface_count(model) == 4, "elbow on elbow");
+        if (problem.joint == TAUT_PIPE_TANGENT) { /* else rounding counts over the first rings */
+            all_hold(model, &problem, "elbow on elbow");
+        }
+        taut_model_free(model);
+        problem.bend_radius = error.limit * 1.001;
+        pipe_refused(&problem, TAUT_NO_SOLUTION, "LEG_TOO_SHORT");
+    }
+}
+
+static void test_refusals(void)
+{
+    const taut_pipe_leg back[] = {
+        {.from = {0, 0, 0}}, {.from = {4, 0, 0}}, {.from = {1, 0, 0}}, {.from = {1, 3, 0}}};
+    const taut_pipe_leg twice[] = {{.from = {0, 0, 0}}, {.from = {4, 0, 0}}, {.from = {4, 0, 0}}};
+    const taut_pipe_leg straight[] = {
+        {.from = {0, 0, 0}}, {.from = {2, 0, 0}}, {.from = {4, 0, 0}}};
+    /* out and back beside itself: half of 0.5 is too near for 0.3 */
+    const taut_pipe_leg near[] = {{.from = {0, 0, 0}, .to = {4, 0, 0}},
+                                  {.from = {8, 3, 0}, .to = {8, 3, 0}, .direction = {-1, 1, 0}},
+                                  {.from = {4, 0.5, 0.1}, .to = {0, 0.5, 0}}};
+    taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, back, 4);
+    taut_error error = pipe_refused(&problem, TAUT_NO_SOLUTION, "TURNS_BACK");
+    CHECK(strcmp(error.where, "/run/1") == 0, "at %s", error.where);
+    problem = run_of(TAUT_PIPE_CORNERS, twice, 3);
+    error = pipe_refused(&problem, TAUT_BAD_INPUT, "leave one out");
+    CHECK(strcmp(error.where, "/run/2") == 0, "at %s", error.where);
+    problem = run_of(TAUT_PIPE_CORNERS, straight, 3);
+    pipe_refused(&problem, TAUT_NO_SOLUTION, "RUN_STRAIGHT");
+    problem = run_of(TAUT_PIPE_CORNERS, stair, 4);
+    problem.bend_radius = 0.4;
+    problem.radius = 0.5;
+    error = pipe_refused(&problem, TAUT_NO_SOLUTION, "SELF_INTERSECT_LOCAL");
+    problem.radius = 0.999 * error.limit;
+    taut_model_free(pipe_made(&problem, 1e-3));
+    problem = run_of(TAUT_PIPE_LEGS, near, 3);
+    problem.radius = 0.3;
+    problem.alpha = problem.gamma = 0;
+    error = pipe_refused(&problem, TAUT_NO_SOLUTION, "SELF_INTERSECT_GLOBAL");
+    CHECK_NEAR(error.limit, 0.25, 0.01, "half the distance of the pipes");
+    CHECK(strstr(error.message, "pipe1") != NULL && strstr(error.message, "pipe3") != NULL, "%s",
+          error.message);
+    problem.radius = 0.999 * error.limit;
+    taut_model_free(pipe_made(&problem, 1e-3));
+    problem = run_of(TAUT_PIPE_LEGS, placed, 3);
+    problem.bend_radius = 50;
+    error = pipe_refused(&problem, TAUT_NO_SOLUTION, "BEND_RADIUS");
+    problem.bend_radius = 0.7 * error.limit; /* every blend names its own: this is the first */
+    error.limit = problem.bend_radius;
+    taut_model_free(pipe_made(&problem, 1e-3));
+}
+
+static void test_bad_numbers(void)
+{
+    taut_pipe_leg legs[4];
+    taut_pipe_problem problem = run_of(TAUT_PIPE_LEGS, legs, 3);
+    memcpy(legs, placed, sizeof placed);
+    legs[1].direction[1] = 0;
+    pipe_refused(&problem, TAUT_BAD_INPUT, "direction is zero");
+    legs[1].direction[1] = NAN;
+    pipe_refused(&problem, TAUT_BAD_INPUT, "coordinate");
+    memcpy(legs, placed, sizeof placed);
+    legs[2].to[0] = INFINITY;
+    pipe_refused(&problem, TAUT_BAD_INPUT, "coordinate");
+    memcpy(legs, placed, sizeof placed);
+    legs[0].to[0] = 1e-9;
+    pipe_refused(&problem, TAUT_NO_SOLUTION, "TOO_SMALL");
+    memcpy(legs, placed, sizeof placed);
+    problem.leg_count = 1;
+    pipe_refused(&problem, TAUT_BAD_INPUT, "at least 2");
+    problem.leg_count = 3;
+    problem.legs = NULL;
+    pipe_refused(&problem, TAUT_BAD_INPUT, "at least 2");
+    problem.legs = legs;
+    problem.bend_radius = NAN;
+    pipe_refused(&problem, TAUT_BAD_INPUT, "positive length");
+    problem.bend_radius = -1;
+    pipe_refused(&problem, TAUT_BAD_INPUT, "positive length");
+    problem.bend_radius = 0;
+    problem.radius = -1;
+    pipe_refused(&problem, TAUT_BAD_INPUT, "positive length");
+    problem.radius = 1e-30; /* beside coordinates of 5 */
+    pipe_refused(&problem, TAUT_NO_SOLUTION, "TOO_SMALL");
+    problem.radius = 0.2;
+    problem.radii[0] = 1;
+    pipe_refused(&problem, TAUT_BAD_INPUT, "of one radius");
+    problem.radii[0] = 0;
+    problem.alpha = -3;
+    pipe_refused(&problem, TAUT_NO_SOLUTION, "TANGENT_LOST");
+}
+
+/* A model is held against another request: whichever claim is false says so. */
+static void test_false_claims(void)
+{
+    taut_pipe_leg moved[4];
+    taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, stair, 4), other = problem;
+    taut_model *model = NULL;
+    problem.bend_radius = 0.6;
+    model = pipe_made(&problem, 1e-6);
+    other = problem;
+    other.bend_radius = 0.6001;
+    CHECK(pipe_verdict(model, &problem, "bend_radius") == TAUT_TRUE, "as sharp as asked");
+    CHECK(pipe_verdict(model, &other, "bend_radius") == TAUT_FALSE, "too sharp");
+    other = problem;
+    other.radius *= 1 + 1e-5;
+    CHECK(pipe_verdict(model, &other, "tube") == TAUT_FALSE, "another radius");
+    other.radius = 0.601;
+    CHECK(pipe_verdict(model, &other, "embedded") == TAUT_FALSE, "wider than its bends");
+    other = problem;
+    memcpy(moved, stair, sizeof stair);
+    for (int i = 0; i < 4; i++) {
+        memcpy(moved, stair, sizeof stair);
+        moved[i].from[1 + i % 2] += 1e-9;
+        other.legs = moved;
+        CHECK(pipe_verdict(model, &other, "ends") == TAUT_FALSE, "corner %d moved", i);
+    }
+    other = problem;
+    other.axis = TAUT_PIPE_POLYGON;
+    CHECK(pipe_verdict(model, &other, "ends") == TAUT_FALSE, "not a run that was asked for");
+    taut_model_free(model);
+}
+
+/* A free end that comes near the side of another pipe is a point of the axis like any other. */
+static void test_free_end(void)
+{
+    const taut_pipe_leg hook[] = {{.from = {0, 0, 0}},
+                                  {.from = {4, 0, 0}},
+                                  {.from = {4, 4, 0}},
+                                  {.from = {2, 4, 0}},
+                                  {.from = {2, 0.5, 0}}};
+    taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, hook, 5);
+    problem.bend_radius = 0.6;
+    taut_model *model = pipe_made(&problem, 1e-3);
+    taut_certificate *certificate = pipe_proved(model, &problem, 1e-3);
+    CHECK_NEAR(pipe_figure(certificate, "largest_radius"), 0.25, 1e-12, "half the way to the side");
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+    problem.radius = 0.26;
+    const taut_error error = pipe_refused(&problem, TAUT_NO_SOLUTION, "SELF_INTERSECT_GLOBAL");
+    CHECK_NEAR(error.limit, 0.25, 1e-12, "half the way to the side");
+    CHECK(strstr(error.message, "pipe1") != NULL && strstr(error.message, "pipe4") != NULL, "%s",
+          error.message);
+}
+
+/* Every edge between two welded vertices lies in two triangles that run through it oppositely:
+ * closed; and what they enclose. */
+static double enclosed(const taut_model *model, const char *what)
+{
+    const taut_mesh_options options = {.tolerance = 2e-3};
+    taut_mesh *mesh = NULL;
+    if (model == NULL || taut_mesh_new(model, &options, &mesh, NULL) != TAUT_OK) {
+        CHECK(0, "%s: no mesh", what);
+        return 0;
+    }
+    const size_t count = taut_mesh_vertex_count(mesh);
+    const uint32_t *weld = taut_mesh_welded(mesh), *triangles = taut_mesh_triangles(mesh);
+    int *next = calloc(8 * count, sizeof *next);
+    size_t open = 0;
+    double volume = 0;
+    for (int g = 0; g < taut_mesh_group_count(mesh); g++) {
+        const taut_mesh_group *group = taut_mesh_group_at(mesh, g);
+        const size_t faces = 2 * (size_t)(group->nu - 1) * (size_t)(group->nv - 1);
+        for (size_t f = 0; f < faces; f++) {
+            const uint32_t *t = triangles + 3 * (2 * group->first_quad + f);
+            const double *x[3];
+            double across[3];
+            for (int k = 0; k < 3; k++) {
+                x[k] = taut_mesh_positions(mesh) + 3 * weld[t[k]];
+            }
+            taut_cross(x[1], x[2], across);
+            volume += (group->turned ? -1 : 1) * taut_dot(x[0], across) / 6;
+            for (int k = 0; k < 3; k++) { /* edges as a sum of signs, hashed by their ends */
+                const uint32_t a = weld[t[k]], b = weld[t[(k + 1) % 3]];
+                const uint64_t low = a < b ? a : b, high = a < b ? b : a;
+                if (a != b) {
+                    next[(low * 2654435761u + high * 40503u) % (8 * count)] +=
+                        ((a < b) != (group->turned != 0)) ? 1 : -1;
+                }
+            }
+        }
+    }
+    for (size_t i = 0; i < 8 * count; i++) {
+        open += next[i] != 0;
+    }
+    CHECK(open == 0, "%s: %zu open edges", what, open);
+    free(next);
+    taut_mesh_free(mesh);
+    return fabs(volume);
+}
+
+static void test_meshes(void)
+{
+    taut_pipe_problem problems[5];
+    problems[0] = run_of(TAUT_PIPE_CORNERS, stair, 4);
+    problems[1] = run_of(TAUT_PIPE_CORNERS, square, 4);
+    problems[1].closed = 1;
+    problems[2] = problems[3] = problems[4] = pipe_random_ends();
+    problems[2].radius = 0.3;
+    problems[3].radii[0] = 0.3;
+    problems[3].radii[1] = 0.2;
+    problems[4].sections[0] = (taut_pipe_section){0.3, 0.2, {1, 0, 0}};
+    problems[4].sections[1] = (taut_pipe_section){0.2, 0.3, {0, 1, 1}};
+    problems[4].joint = TAUT_PIPE_CURVATURE_JOINT;
+    for (int i = 0; i < 5; i++) {
+        char what[16];
+        snprintf(what, sizeof what, "mesh %d", i);
+        problems[i].caps = 1;
+        taut_model *model = pipe_made(&problems[i], 1e-6);
+        taut_certificate *certificate = pipe_proved(model, &problems[i], 1e-6);
+        const double volume = enclosed(model, what);
+        CHECK(i == 1 || pipe_claim(certificate, "caps")->holds == TAUT_TRUE, "%s: caps", what);
+        if (i < 2) { /* the mesh lies inside, by as much as its chords are away */
+            const double whole = pipe_figure(certificate, "volume");
+            CHECK(volume < whole && volume > 0.9 * whole, "%s: %g of %g", what, volume, whole);
+        }
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+}
+
+int main(void)
+{
+    random_seed(20261127);
+    test_pieces();
+    test_bend_radius();
+    test_refusals();
+    test_bad_numbers();
+    test_false_claims();
+    test_free_end();
+    test_meshes();
+    return check_failures != 0;
+}
