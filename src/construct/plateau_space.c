@@ -128,8 +128,8 @@ static taut_status check_bases(const taut_dirichlet_problem *net, taut_error *er
         if (!ends_in_its_ends(basis)) {
             return taut_fail(error, TAUT_NO_SOLUTION, k == 0 ? "/u" : "/v", taut_none, taut_none,
                              "curves cannot be the edges of a surface on this %s: its edges do not "
-                             "end in its outermost points; take a bezier, c-bezier or h-bezier "
-                             "basis, or a bspline with clamped knots",
+                             "end in its outermost points; take a bezier, c-bezier, h-bezier or "
+                             "bspline basis",
                              taut_basis_type(basis));
         }
     }

@@ -57,12 +57,10 @@ curve='{"t": {"type": "bezier", "degree": 1}, "points": [[FROM], [TO]]}'
 edge() { # edge FROM TO
     echo "$curve" | sed "s/FROM/$1/; s/TO/$2/"
 }
-for basis in '"c-bspline", "alpha": 0.4' '"h-bspline", "beta": 0.4' \
-    '"bspline", "degree": 2, "knots": [0, 1, 2, 3, 4, 5, 6, 7, 8]'; do
-    printf '{"taut": 1, "construct": "plateau", "u": {"type": "bezier", "degree": 3}, "v": {"type": %s%s}, "curves":
-        {"u0": %s, "u1": %s, "v0": %s, "v1": %s}}' "$basis" \
-        "$(case $basis in *spline\",\ \"[ab]*) echo ', "segments": 3' ;; esac)" "$(edge 0,0,0 0,1,1)" "$(edge 1,0,1 1,1,0)" \
-        "$(edge 0,0,0 1,0,1)" "$(edge 0,1,1 1,1,0)" > p.json
+for basis in '"c-bspline", "alpha": 0.4' '"h-bspline", "beta": 0.4'; do
+    printf '{"taut": 1, "construct": "plateau", "u": {"type": "bezier", "degree": 3},
+        "v": {"type": %s, "segments": 3}, "curves": {"u0": %s, "u1": %s, "v0": %s, "v1": %s}}' "$basis" "$(edge 0,0,0 0,1,1)" \
+        "$(edge 1,0,1 1,1,0)" "$(edge 0,0,0 1,0,1)" "$(edge 0,1,1 1,1,0)" > p.json
     refused 4 '/v: .*outermost points' make p.json
 done
 
