@@ -8,7 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-enum { CUTS = 3 };
+enum { CUTS = 14, CHANNELS = 4 /* three of the numerator, the denominator */ };
+static const double near = 1.05; /* a bound so little above a distance seen is not made sharper */
 static const double unit_roundoff = 0x1p-53;
 static const double same_knot = 1e-12; /* of the range */
 static const double quasi_tolerance = 1e-11;
@@ -104,62 +105,66 @@ static double binomial(int n, int k)
     return value;
 }
 
-/* The largest coefficient after `cuts` halvings; c double[n+1][3] is spoilt, spare is as long for
- * each level. */
-static double largest_of(int n, double *c, int cuts, double *spare)
+/* (max |X_i| + rounding) / min d_i, of halves of halves where that is not near what is seen at
+ * ends: *seen. c double[n+1][CHANNELS] is spoilt, spare is as long for each level. */
+static double largest_of(int n, double rounding, double *c, int cuts, double *spare, double *seen)
 {
-    double largest = 0;
+    double *const deeper = spare + CHANNELS * (n + 1);
+    double largest = 0, least = INFINITY;
 
-    if (cuts == 0) {
-        for (int i = 0; i <= n; i++) {
-            largest = fmax(largest, taut_norm(c + 3 * i));
-        }
-        return largest;
+    for (int i = 0; i <= n; i++) {
+        const double size = taut_norm(c + CHANNELS * i), d = c[CHANNELS * i + 3];
+        largest = size <= largest ? largest : size; /* NaN stays */
+        least = fmin(least, d);
+        *seen = i == 0 || i == n ? fmax(*seen, size / d) : *seen;
+    }
+    const double bound = (largest + rounding) / least;
+    if (cuts == 0 || !(bound > near * *seen + 2 * rounding / least)) {
+        return bound;
     }
     for (int i = 0; i <= n; i++) { /* spare = the low half, c becomes the high one */
-        memcpy(spare + 3 * i, c, 3 * sizeof(double));
-        for (int k = 0; k < n - i; k++) {
-            for (int a = 0; a < 3; a++) {
-                c[3 * k + a] = 0.5 * c[3 * k + a] + 0.5 * c[3 * k + 3 + a];
-            }
+        memcpy(spare + CHANNELS * i, c, CHANNELS * sizeof(double));
+        for (int k = 0; k < CHANNELS * (n - i); k++) {
+            c[k] = 0.5 * c[k] + 0.5 * c[k + CHANNELS];
         }
     }
-    largest = largest_of(n, c, cuts - 1, spare + 3 * (n + 1));
-    return fmax(largest, largest_of(n, spare, cuts - 1, spare + 3 * (n + 1)));
+    const double high = largest_of(n, rounding, c, cuts - 1, deeper, seen);
+    const double low = largest_of(n, rounding, spare, cuts - 1, deeper, seen);
+    return high <= low ? low : high;
 }
 
-/* The bound on one pair of Bezier pieces. work double[(CUTS + 1)(p + q + 1)][3]. */
-static double piece_distance(const taut_curve *a, const taut_curve *b, double *work)
+/* The bound on one pair of Bezier pieces. work double[(CUTS + 1)(p + q + 1)][CHANNELS]. */
+static double piece_distance(const taut_curve *a, const taut_curve *b, double *work, double *seen)
 {
     const int p = taut_basis_degree(taut_curve_t(a)), q = taut_basis_degree(taut_curve_t(b));
     const double *centre = taut_curve_points(a);
-    double least_a = INFINITY, least_b = INFINITY, most = 0;
+    const double roundings = 32 * (p + q) * unit_roundoff;
+    double most = 0;
 
-    memset(work, 0, 3 * (size_t)(p + q + 1) * sizeof(double));
+    memset(work, 0, CHANNELS * (size_t)(p + q + 1) * sizeof(double));
     for (int i = 0; i <= p; i++) {
         for (int j = 0; j <= q; j++) {
-            const double part = binomial(p, i) * binomial(q, j) / binomial(p + q, i + j) *
-                                weight_of(a, i) * weight_of(b, j);
+            const double weight = weight_of(a, i) * weight_of(b, j);
+            const double part = binomial(p, i) * binomial(q, j) / binomial(p + q, i + j) * weight;
             double apart[3];
             taut_difference(taut_curve_points(a) + 3 * i, taut_curve_points(b) + 3 * j, apart);
-            taut_add_scaled(part, apart, work + 3 * (i + j));
-            least_b = fmin(least_b, weight_of(b, j));
-            most = fmax(most, weight_of(a, i) * weight_of(b, j));
+            taut_add_scaled(part, apart, work + CHANNELS * (i + j));
+            work[CHANNELS * (i + j) + 3] += part * (1 - roundings);
+            most = fmax(most, weight);
         }
-        least_a = fmin(least_a, weight_of(a, i));
     }
     const double size = fmax(taut_certify_reach(a, centre), taut_certify_reach(b, centre));
-    const double rounding = 16 * (p + q) * unit_roundoff * (most * size + taut_norm(centre) * most);
-    return (largest_of(p + q, work, CUTS, work + 3 * (p + q + 1)) + rounding) / (least_a * least_b);
+    const double rounding = roundings * (most * size + taut_norm(centre) * most);
+    return largest_of(p + q, rounding, work, CUTS, work + CHANNELS * (p + q + 1), seen);
 }
 
 static taut_status pieces_distance(const taut_curve *a, const taut_curve *b, double *bound,
                                    taut_error *error)
 {
     const int degrees = taut_basis_degree(taut_curve_t(a)) + taut_basis_degree(taut_curve_t(b)) + 1;
-    double *work = taut_alloc((size_t)degrees * (CUTS + 1), 3 * sizeof(double));
+    double *work = taut_alloc((size_t)degrees * (CUTS + 1), CHANNELS * sizeof(double));
     taut_model *of_a = NULL, *of_b = NULL;
-    double largest = 0;
+    double largest = 0, seen = 0;
     taut_status status = work != NULL ? TAUT_OK : taut_fail_memory(error);
 
     if (status == TAUT_OK) {
@@ -174,7 +179,7 @@ static taut_status pieces_distance(const taut_curve *a, const taut_curve *b, dou
     }
     for (int k = 0; status == TAUT_OK && k < taut_model_curve_count(of_a); k++) {
         const double here =
-            piece_distance(taut_model_curve(of_a, k), taut_model_curve(of_b, k), work);
+            piece_distance(taut_model_curve(of_a, k), taut_model_curve(of_b, k), work, &seen);
         largest = here <= largest ? largest : here; /* NaN stays */
     }
     *bound += largest;

@@ -3,9 +3,11 @@
  * Both become rational Bezier pieces over common spans, c- and h- curves within a proved bound.
  * With a = X / v and b = Y / w there,
  *
- *     |a - b| <= max |X_i| / (min v min w),    X w - Y v = sum_i X_i B[p+q,i],
+ *     |a - b| <= max |X_i| / min d_i,    X w - Y v = sum_i X_i B[p+q,i]
+ *                                        v w     = sum_i d_i B[p+q,i]
  *
- * after each piece was cut in 8 by de Casteljau. Rounding is added: 16 (p + q) 2^-53 of the size.
+ * after each piece was halved by de Casteljau, again and again where the bound is above 1.05 of
+ * what the ends of halves show, 14 times at most. Rounding is added: 32 (p + q) 2^-53 of the size.
  */
 #ifndef TAUT_CERTIFY_CURVE_DISTANCE_H
 #define TAUT_CERTIFY_CURVE_DISTANCE_H

@@ -65,11 +65,12 @@ taut_status taut_certify_plateau_boundary(const taut_surface *surface,
         return status;
     }
     roundings *= 1 + taut_norm(origin) / size; /* of points as they are stored */
+    const double told = deviation / size, rounding = 64 * roundings * unit_roundoff;
     const taut_claim claim = {
         .claim = "boundary",
         .residual = distance / size,
-        .limit = 1.25 * deviation / size + 64 * roundings * unit_roundoff,
-        .holds = distance / size <= 1.25 * deviation / size + 64 * roundings * unit_roundoff
+        .limit = 1.25 * told + rounding,
+        .holds = distance / size <= 1.25 * told + rounding && told <= distance / size + rounding
                      ? TAUT_TRUE
                      : TAUT_FALSE,
         .where = names[worst],

@@ -75,6 +75,20 @@ static int is_flat(const taut_walk *w)
            w->theta <= fmax(1e-6, taut_film_solver_floor(w->solver));
 }
 
+/* Does the steepest descent gain next to nothing as well? With g the gradient it is
+ *     |g|^4 / (2 g.H g)
+ * at best. The certificate asks the same, with gradients of its own. */
+static int is_level(taut_walk *w)
+{
+    double square = 0, curvature = 0;
+
+    taut_film_solver_reduce(w->solver, w->here.gradient, w->image);
+    taut_film_solver_product(w->solver, 0, w->image, w->turn);
+    square = taut_film_solver_dot(w->solver, w->image, w->image);
+    curvature = taut_film_solver_dot(w->solver, w->image, w->turn);
+    return square * square <= flat * w->here.value.area * curvature; /* half of what is asked */
+}
+
 /* Has the area come so near its least that steps are not worth making? The net still slides within
  * the surface, each step for less: five of them for a tenth of the tolerance, of the area. */
 static int is_slow(const taut_walk *w)
@@ -85,6 +99,19 @@ static int is_slow(const taut_walk *w)
     return w->steps >= TAUT_WALK_PAST && w->here.residual <= flat_residual &&
            w->theta <= fmax(small_theta, taut_film_solver_floor(w->solver)) &&
            before - area <= slow * w->descent->tolerance * area;
+}
+
+/* May the film rest here? Its slow sliding ends only where the surface is level as well. */
+static int may_rest(taut_walk *w)
+{
+    if (w->flat_steps > FLAT_STEPS) {
+        return 1;
+    }
+    if (!is_slow(w)) {
+        return 0;
+    }
+    taut_walk_polish(w);
+    return is_level(w);
 }
 
 /* Did the step keep what its model promised? Changes theta by how well it did. */
@@ -163,7 +190,7 @@ static taut_status advance(taut_walk *w, int *at_rest)
         if (isfinite(w->there.value.area) && is_good(w)) {
             taut_walk_accept(w);
             w->flat_steps += was_flat;
-            *at_rest = w->flat_steps > FLAT_STEPS || is_slow(w);
+            *at_rest = may_rest(w);
             return TAUT_OK;
         }
         taut_walk_look(w, &w->here);

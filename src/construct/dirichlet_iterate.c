@@ -2,8 +2,10 @@
  * coordinates side by side: they share the products with A and P, not the step lengths. A
  * coordinate that has converged to nothing stands still.
  */
+#include "construct/dirichlet_rational.h"
 #include "construct/dirichlet_system_parts.h"
 
+#include <math.h>
 #include <string.h>
 
 /* x_c . y_c for each coordinate c. */
@@ -27,13 +29,52 @@ static void add_multiple(size_t size, const double factor[3], const double *x, d
     }
 }
 
-/* smooth = P residual, P the inverse of the hull's operator cut down to the unknowns: symmetric
- * and positive definite like it. */
+/* Weights that differ make the functions of their points differ in size, and with them the rows of
+ * A: the hull's operator K knows nothing of it. s = sqrt(K_ii / A_ii) at the unknowns makes the
+ * diagonals of S A S and K the same ([GolubVanLoan2013] 11.5.3). */
+static void find_scales(taut_dirichlet_system *system)
+{
+    const taut_pattern *p = system->pattern;
+    const taut_dirichlet_form *form = system->form;
+
+    for (int a = 0; a < p->rows; a++) {
+        const double mass_u = taut_band_row(&system->u.mass, a)[0];
+        const double stiffness_u = taut_band_row(&system->u.stiffness, a)[0];
+        for (int b = 0; b < p->columns; b++) {
+            const double hull = form->fu * stiffness_u * taut_band_row(&system->v.mass, b)[0] +
+                                form->fv * mass_u * taut_band_row(&system->v.stiffness, b)[0];
+            const double own =
+                taut_dirichlet_rational_diagonal(form->rational, p->row[a], p->column[b]);
+            const double s = sqrt(hull / own);
+            system->scales[(size_t)p->row[a] * (size_t)p->nv + (size_t)p->column[b]] =
+                isfinite(s) ? s : 1;
+        }
+    }
+}
+
+static void scale(const taut_dirichlet_system *system, const double *x, double *scaled)
+{
+    for (size_t i = 0; i < taut_dirichlet_net_size(system); i++) {
+        scaled[i] = system->scales[i / 3] * x[i];
+    }
+}
+
+/* smooth = P residual, P the inverse of the hull's operator cut down to the unknowns, between the
+ * scales where there are any: symmetric and positive definite like it. */
 static taut_status precondition(taut_dirichlet_system *system)
 {
-    const taut_status status = taut_dirichlet_solve_hull(system, system->residual);
+    const int is_scaled = system->scales != NULL;
+    taut_status status = TAUT_OK;
+
+    if (is_scaled) {
+        scale(system, system->residual, system->smooth);
+    }
+    status = taut_dirichlet_solve_hull(system, is_scaled ? system->smooth : system->residual);
     memset(system->smooth, 0, taut_dirichlet_net_size(system) * sizeof(double));
     taut_pattern_add(system->pattern, system->hull, system->smooth);
+    if (is_scaled) {
+        scale(system, system->smooth, system->smooth);
+    }
     return status;
 }
 
@@ -42,8 +83,12 @@ taut_status taut_dirichlet_iterate(taut_dirichlet_system *system, double enough,
 {
     const size_t size = taut_dirichlet_net_size(system);
     double before[3], now[3], curvature[3], factor[3], minus[3];
-    taut_status status = precondition(system);
+    taut_status status = TAUT_OK;
 
+    if (system->scales != NULL) {
+        find_scales(system);
+    }
+    status = precondition(system);
     memcpy(system->step, system->smooth, size * sizeof(double));
     dots(size, system->residual, system->smooth, now);
     for (int k = 0; status == TAUT_OK && k < most; k++) {

@@ -30,7 +30,12 @@ struct taut_dirichlet_rational {
     double *slopes;   /* [2][k][h]: R_u and R_v at one node */
     double *sums;     /* [2][k h][k h]: of a pair of panels, and of one line of it */
     double roundings;
+    double work; /* pairs of functions at nodes, of all assemblies so far */
 };
+
+/* Assemblies of all rules together may cost so many pairs, some ten seconds, or so many times those
+ * of the first rule if no span were cut. */
+static const double work_least = 1e10, times = 60;
 
 void taut_dirichlet_rational_free(taut_dirichlet_rational *form)
 {
@@ -189,8 +194,30 @@ static size_t blocks_size(const taut_dirichlet_rational *form)
     return (size_t)form->nu * (size_t)form->k * (size_t)form->nv * (2 * (size_t)form->h - 1);
 }
 
+static double pairs(const taut_dirichlet_rational *form, double cells, int nodes)
+{
+    const double alive = (double)form->k * form->h;
+    return cells * nodes * nodes * alive * alive;
+}
+
+static int first_nodes(const taut_dirichlet_rational *form)
+{
+    return (form->k > form->h ? form->k : form->h) + 2;
+}
+
+/* May another assembly with so many nodes be made? */
+static int may_assemble(const taut_dirichlet_rational *form, int nodes)
+{
+    const double cells = (double)form->panels_u->count * form->panels_v->count;
+    const double spans =
+        (double)taut_basis_span_count(form->u) * (double)taut_basis_span_count(form->v);
+    return form->work + pairs(form, cells, nodes) <=
+           fmax(work_least, times * pairs(form, spans, first_nodes(form)));
+}
+
 static void assemble(taut_dirichlet_rational *form)
 {
+    form->work += pairs(form, (double)form->panels_u->count * form->panels_v->count, form->nodes);
     memset(form->blocks, 0, blocks_size(form) * sizeof(double));
     form->roundings = 0;
     for (int a = 0; a < form->panels_u->count; a++) {
@@ -261,11 +288,13 @@ taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v
     made->fu = made->fv = 1;
     status = alloc(made, weights);
     if (status == TAUT_OK) {
-        status = set_nodes(made, (made->k > made->h ? made->k : made->h) + 2);
+        made->nodes = first_nodes(made);
+        status = may_assemble(made, made->nodes) ? set_nodes(made, made->nodes)
+                                                 : taut_dirichlet_rational_refuse(made, error);
     }
     if (status != TAUT_OK) {
         taut_dirichlet_rational_free(made);
-        return taut_fail_memory(error);
+        return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
     }
     *form = made;
     return TAUT_OK;
@@ -273,11 +302,19 @@ taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v
 
 taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form)
 {
-    const int nodes = form->nodes + form->nodes / 2;
-    if (form->nodes >= TAUT_GAUSS_MAX) {
-        return TAUT_NOT_CONVERGED;
-    }
-    return set_nodes(form, nodes < TAUT_GAUSS_MAX ? nodes : TAUT_GAUSS_MAX);
+    const int more = form->nodes + form->nodes / 2;
+    const int nodes = more < TAUT_GAUSS_MAX ? more : TAUT_GAUSS_MAX;
+    return form->nodes < TAUT_GAUSS_MAX && may_assemble(form, nodes) ? set_nodes(form, nodes)
+                                                                     : TAUT_NOT_CONVERGED;
+}
+
+taut_status taut_dirichlet_rational_refuse(const taut_dirichlet_rational *form, taut_error *error)
+{
+    return taut_fail(error, TAUT_NOT_CONVERGED, "/weights", taut_none, taut_none,
+                     "the weights vary too much from point to point: the integrals ask for more "
+                     "than %d x %d Gauss nodes on each of %d x %d panels; bring the weights nearer "
+                     "to each other",
+                     form->nodes, form->nodes, form->panels_u->count, form->panels_v->count);
 }
 
 void taut_dirichlet_rational_scale(taut_dirichlet_rational *form, double fu, double fv)
@@ -292,6 +329,11 @@ void taut_dirichlet_rational_scale(taut_dirichlet_rational *form, double fu, dou
 double taut_dirichlet_rational_row_sum(const taut_dirichlet_rational *form, int i, int j)
 {
     return form->row_sums[(size_t)i * (size_t)form->nv + (size_t)j];
+}
+
+double taut_dirichlet_rational_diagonal(const taut_dirichlet_rational *form, int i, int j)
+{
+    return block_row(form, i, 0, j)[form->h - 1];
 }
 
 double taut_dirichlet_rational_roundings(const taut_dirichlet_rational *form)

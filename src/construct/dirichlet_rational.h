@@ -13,15 +13,18 @@
 typedef struct taut_dirichlet_rational taut_dirichlet_rational;
 
 /* Starts with two nodes more than functions alive, on every panel (geometry/panels.h), and (fu, fv)
- * = (1, 1). The bases are borrowed, the weights, in (0, 1], copied. TAUT_NO_MEMORY. */
+ * = (1, 1). The bases are borrowed, the weights, in (0, 1], copied. TAUT_NO_MEMORY;
+ * TAUT_NOT_CONVERGED where they vary so much that the quadrature would be too much work. */
 taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v,
                                         const double *weights, taut_dirichlet_rational **form,
                                         taut_error *error);
 void taut_dirichlet_rational_free(taut_dirichlet_rational *form); /* NULL is fine */
 
 /* Half as many nodes again: TAUT_OK, TAUT_NO_MEMORY, or TAUT_NOT_CONVERGED when there are
- * TAUT_GAUSS_MAX already; the form stays as it was then. */
+ * TAUT_GAUSS_MAX already or it would be too much work; the form stays as it was then. */
 taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form);
+/* TAUT_NOT_CONVERGED, with that reason. */
+taut_status taut_dirichlet_rational_refuse(const taut_dirichlet_rational *form, taut_error *error);
 
 /* Other factors; nothing to do for those there are. */
 void taut_dirichlet_rational_scale(taut_dirichlet_rational *form, double fu, double fv);
@@ -35,6 +38,9 @@ void taut_dirichlet_rational_energies(const taut_dirichlet_rational *form, const
 
 /* The sum of |A(ij,st)| over s, t. */
 double taut_dirichlet_rational_row_sum(const taut_dirichlet_rational *form, int i, int j);
+
+/* A(ij,ij). */
+double taut_dirichlet_rational_diagonal(const taut_dirichlet_rational *form, int i, int j);
 
 /* The most that rounding one parameter does to the integrands, in units of 2^-53 of their size:
  * max 1 + |u| (1/du + |w_u|/w) + |v| (1/dv + |w_v|/w), du and dv the widths of a span. */

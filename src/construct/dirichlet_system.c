@@ -38,6 +38,7 @@ void taut_dirichlet_system_free(taut_dirichlet_system *system)
         taut_free(system->step);
         taut_free(system->product);
         taut_free(system->smooth);
+        taut_free(system->scales);
         taut_free(system->hull);
         taut_free(system);
     }
@@ -70,6 +71,10 @@ static taut_status alloc(taut_dirichlet_system *system)
         if (system->step == NULL || system->product == NULL || system->smooth == NULL) {
             return TAUT_NO_MEMORY;
         }
+    }
+    if (system->form->rational != NULL) {
+        system->scales = taut_alloc_zero(taut_dirichlet_net_size(system) / 3, sizeof(double));
+        return system->scales != NULL ? TAUT_OK : TAUT_NO_MEMORY;
     }
     return TAUT_OK;
 }
@@ -319,7 +324,9 @@ static taut_status settle_quadrature(taut_dirichlet_system *system, double *net,
         double raised = 0;
         status = taut_dirichlet_rational_raise(system->form->rational);
         if (status != TAUT_OK) {
-            return solver_failed(status, error);
+            return status == TAUT_NO_MEMORY
+                       ? taut_fail_memory(error)
+                       : taut_dirichlet_rational_refuse(system->form->rational, error);
         }
         status = find_residual(system, PLAIN, net, &raised, error);
         if (status == TAUT_OK && (raised <= enough || (raised <= limit && raised > 0.5 * before))) {

@@ -13,6 +13,7 @@ struct taut_dirichlet_system {
     taut_tensor_solver *solver;                 /* of the hull */
     double fu, fv;                              /* the larger one is 1 */
     double *residual, *step, *product, *smooth; /* nets; the last three for iterations only */
+    double *scales; /* double[nu][nv], of the preconditioner, or NULL where all are 1 */
     double *hull;
     int is_damped; /* the solver's matrices are near the hull's, not equal to them */
     int iterations;

@@ -1,6 +1,7 @@
 #include "construct/film_band.h"
 
 #include "core/memory.h"
+#include "numeric/band_tiles.h"
 
 #include <string.h>
 
@@ -16,6 +17,7 @@ struct taut_film_band {
     double *slope_u; /* [local], at one Gauss point */
     double *slope_v; /* [local] */
     double *right;   /* [unknowns][3] */
+    double *work;    /* of the factors of wide bands */
 };
 
 /* Numbers the unknown points; returns how many. */
@@ -94,6 +96,7 @@ void taut_film_band_free(taut_film_band *band)
         taut_free(band->slope_u);
         taut_free(band->slope_v);
         taut_free(band->right);
+        taut_free(band->work);
         taut_free(band);
     }
 }
@@ -114,8 +117,10 @@ static taut_status alloc_matrices(const taut_film *film, taut_film_band *band)
     band->slope_u = taut_alloc_aligned(local, sizeof(double));
     band->slope_v = taut_alloc_aligned(local, sizeof(double));
     band->right = taut_alloc_aligned((size_t)band->unknowns, 3 * sizeof(double));
+    band->work =
+        taut_alloc_aligned(taut_band_tiles_work(3 * band->unknowns, 3 * width + 2), sizeof(double));
     if (status != TAUT_OK || band->element == NULL || band->slope_u == NULL ||
-        band->slope_v == NULL || band->right == NULL) {
+        band->slope_v == NULL || band->right == NULL || band->work == NULL) {
         return TAUT_NO_MEMORY;
     }
     return TAUT_OK;
@@ -291,7 +296,9 @@ static void combine(taut_film_band *band, double theta)
 taut_status taut_film_band_factor(taut_film_band *band, double theta)
 {
     combine(band, theta);
-    return taut_band_factor(&band->factor);
+    return band->factor.width >= TAUT_BAND_TILES_LEAST
+               ? taut_band_factor_tiled(&band->factor, band->work)
+               : taut_band_factor(&band->factor);
 }
 
 void taut_film_band_solve(taut_film_band *band, double *net)

@@ -11,6 +11,7 @@
 #include "taut/operate.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { ROUNDS_MAX = 24, POINTS_MAX = 2500 };
@@ -185,6 +186,21 @@ static taut_status too_far(const rounds *r, double tolerance, taut_error *error)
                      r->points[last][0], r->points[last][1], gap, tolerance);
 }
 
+/* A film that finds no rest in a finer space: which one it is goes before the reason. */
+static void name_space(const taut_plateau_space *space, taut_error *error)
+{
+    enum { ROOM = 64 };
+    const taut_dirichlet_problem *net = &space->problem.net;
+    char why[sizeof error->message - ROOM];
+
+    if (error != NULL) {
+        memcpy(why, error->message, sizeof why);
+        why[sizeof why - 1] = '\0';
+        snprintf(error->message, sizeof error->message, "with %d by %d points, %s",
+                 taut_basis_count(net->u), taut_basis_count(net->v), why);
+    }
+}
+
 taut_status taut_plateau_adapt(const taut_plateau_problem *problem,
                                const taut_make_options *options, taut_plateau_space **space,
                                taut_plateau_solution *solution, taut_error *error)
@@ -214,7 +230,11 @@ taut_status taut_plateau_adapt(const taut_plateau_problem *problem,
         }
         taut_surface_free(finer);
         if (status != TAUT_OK) {
+            if (status == TAUT_NOT_CONVERGED && finer_space != NULL) {
+                name_space(finer_space, error);
+            }
             taut_plateau_space_free(finer_space);
+            taut_plateau_solution_clear(&next);
             break;
         }
         taut_plateau_space_free(*space);

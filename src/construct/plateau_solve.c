@@ -40,8 +40,8 @@ static const double points_max = 3e7; /* Gauss points of one film */
 /* Residuals that agree to this, by rules of so many points that more cost little. */
 static const double sharp = 4e-15, sharp_points = 2e4;
 
-/* What a film may cost, in flops: seconds of work, or so many of the first steps if that is more.
- */
+/* What a film may cost, in flops: seconds of work, or so many of the first steps if that is more,
+ * as if no span were cut for the sake of weights. */
 static const double work_least = 2e10, steps_worth = 200;
 
 typedef taut_plateau_work work;
@@ -202,6 +202,16 @@ static int is_large(const work *w)
            !w->is_rough && !taut_film_band_pays(w->film, &w->pattern);
 }
 
+/* Spans over panels. Weights that vary from point to point cut the spans into thousands, and 200
+ * steps there take hours. */
+static double uncut(const work *w)
+{
+    const taut_dirichlet_problem *net = &w->problem->net;
+    const double spans =
+        (double)taut_basis_span_count(net->u) * (double)taut_basis_span_count(net->v);
+    return spans * w->film->u.nodes * w->film->v.nodes / points_of(w->film);
+}
+
 /* Descends with the film of the moment. */
 static taut_status descend(work *w, taut_error *error)
 {
@@ -213,7 +223,7 @@ static taut_status descend(work *w, taut_error *error)
         w->solver = taut_film_solver_name(solver);
         if (w->descent.work_max == 0) {
             w->descent.work_max =
-                fmax(work_least, steps_worth * taut_film_solver_step_cost(solver));
+                fmax(work_least, steps_worth * uncut(w) * taut_film_solver_step_cost(solver));
         }
         status = taut_film_descend(w->film, solver, &w->descent, w->net, error);
         w->products += taut_film_solver_products(solver);

@@ -9,6 +9,7 @@
 #include <string.h>
 
 /* Corners of two curves are one when they are this close, over the size of the boundary. */
+static const double clamped = 1e-12; /* of a function that is 1 at its end */
 static const double meeting = 1e-9;
 static const char *const names[4] = {"u0", "u1", "v0", "v1"};
 
@@ -108,6 +109,33 @@ static taut_status find_corners(const taut_plateau_problem *given, double corner
     return TAUT_OK;
 }
 
+/* Is the net's outermost row the surface's edge? Not where the basis is no clamped one. */
+static int ends_in_its_ends(const taut_basis *basis)
+{
+    double values[TAUT_DEGREE_MAX + 1];
+    const int last = taut_basis_span_count(basis) - 1, local = taut_basis_local(basis);
+
+    return taut_basis_eval(basis, 0, taut_basis_lo(basis), 0, values) == TAUT_OK &&
+           fabs(values[0] - 1) <= clamped &&
+           taut_basis_eval(basis, last, taut_basis_hi(basis), 0, values) == TAUT_OK &&
+           fabs(values[local - 1] - 1) <= clamped;
+}
+
+static taut_status check_bases(const taut_dirichlet_problem *net, taut_error *error)
+{
+    for (int k = 0; k < 2; k++) {
+        const taut_basis *basis = k == 0 ? net->u : net->v;
+        if (!ends_in_its_ends(basis)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, k == 0 ? "/u" : "/v", taut_none, taut_none,
+                             "curves cannot be the edges of a surface on this %s: its edges do not "
+                             "end in its outermost points; take a bezier, c-bezier, h-bezier or "
+                             "bspline basis",
+                             taut_basis_type(basis));
+        }
+    }
+    return TAUT_OK;
+}
+
 /* points and known: the fitted curves around a hole. */
 static taut_status lay_curves(taut_plateau_space *space, const taut_plateau_problem *given,
                               double *points, unsigned char *known, taut_error *error)
@@ -164,6 +192,9 @@ static taut_status fill(taut_plateau_space *space, const taut_plateau_problem *g
         memcpy(points, taut_surface_points(finer), 3 * nu * nv * sizeof(double));
     }
     if (space->has_curves) {
+        status = check_bases(net, error);
+    }
+    if (status == TAUT_OK && space->has_curves) {
         status = lay_curves(space, given, points, known, error);
     }
     if (status == TAUT_OK && finer != NULL) {

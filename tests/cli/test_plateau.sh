@@ -6,6 +6,9 @@ run 0 make curves.json -o film.json
 contains err.txt 'deviation'
 contains err.txt 'boundary +holds'
 run 0 certify film.json curves.json
+sed 's/"deviation": [-+.0-9e]*/"deviation": 1000/' film.json > told.json
+cmp -s film.json told.json && complain "no deviation was told"
+run 1 certify told.json curves.json
 sed '/"u0"/s/\[-1.0, -1.0, 0.0\]/[-1.0, -1.0, 0.25]/' curves.json > apart.json
 cmp -s curves.json apart.json && complain "nothing was moved"
 refused 3 'misses' make apart.json --quiet
@@ -47,6 +50,17 @@ refused 1 'slides within the surface: take the method "normal", or a tolerance o
 "$TAUT" example plateau-bicubic | sed 's/"points"/"method": "normal", "points"/' > normal.json
 run 0 make normal.json -o normal-film.json
 contains err.txt 'directions +\([0-9]+ rows, in the report\)'
+
+# A film that finds no rest once knots are put in: the space is named.
+cat > finer.json << 'END'
+{ "taut": 1, "construct": "plateau", "tolerance_area": 1e-6,
+  "u": { "type": "bezier", "degree": 3 }, "v": { "type": "bezier", "degree": 3 },
+  "points": [[[0, 0, 0], [3, 1, 0], [-2, 2, 0], [0, 3, 0]],
+             [[1, 0, 3], null, null, [1, 3, 3]],
+             [[2, 0, -3], null, null, [2, 3, 3]],
+             [[3, 0, 0], [3, 1, 4], [3, 2, -4], [3, 3, 0]]] }
+END
+refused 1 'with 5 by 5 points, the film wants to fold' make finer.json --quiet
 
 # A film that takes long, stopped: nothing is left behind, and the exit code is that of the signal.
 "$TAUT" example plateau-curves | sed 's/"count": [0-9]*/"count": 60/g' > long.json

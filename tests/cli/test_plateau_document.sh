@@ -52,6 +52,18 @@ refused 3 'ce-bezier' make p.json
 problem '"max_iterations": 1, "tolerance": 1e-14,'
 refused 1 'iteration' make p.json
 
+# Curves as edges of a basis whose outermost points lie beside them.
+curve='{"t": {"type": "bezier", "degree": 1}, "points": [[FROM], [TO]]}'
+edge() { # edge FROM TO
+    echo "$curve" | sed "s/FROM/$1/; s/TO/$2/"
+}
+for basis in '"c-bspline", "alpha": 0.4' '"h-bspline", "beta": 0.4'; do
+    printf '{"taut": 1, "construct": "plateau", "u": {"type": "bezier", "degree": 3},
+        "v": {"type": %s, "segments": 3}, "curves": {"u0": %s, "u1": %s, "v0": %s, "v1": %s}}' "$basis" "$(edge 0,0,0 0,1,1)" \
+        "$(edge 1,0,1 1,1,0)" "$(edge 0,0,0 1,0,1)" "$(edge 0,1,1 1,1,0)" > p.json
+    refused 4 '/v: .*outermost points' make p.json
+done
+
 # Through a pipe, where nobody knows the length before: more than the first block that is read.
 {
     problem ''

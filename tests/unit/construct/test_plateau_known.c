@@ -5,6 +5,7 @@
 #include "taut/measure.h"
 #include "taut/plateau.h"
 
+#include <math.h>
 #include <string.h>
 
 static taut_plateau_problem plateau_of(const test_problem *net, taut_plateau_method method)
@@ -180,10 +181,43 @@ static void test_saddle(void)
     }
 }
 
+/* A net over a boundary like sheet metal, which slides within the film for long. Where its slides
+ * gain little it may rest, and not before the certificate finds the area level too. */
+static void test_rest(void)
+{
+    enum { N = 18 };
+    test_problem net = problem_new(basis_uniform(3, N), basis_uniform(3, N));
+    const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+    taut_model *model = NULL;
+    taut_error error = {0};
+    double at[N];
+
+    for (int i = 0; i < N; i++) { /* the means of three knots each */
+        at[i] = 0;
+        for (int k = i - 2; k <= i; k++) {
+            at[i] += fmin(1, fmax(0, (double)k / (N - 3))) / 3;
+        }
+    }
+    for (int k = 0; k < N * N; k++) {
+        const double u = at[k / N], v = at[k % N];
+        net.known[k] = k / N == 0 || k / N == N - 1 || k % N == 0 || k % N == N - 1;
+        net.points[3 * k] = net.known[k] ? u + 0.1 * sin(4 * v) : 0;
+        net.points[3 * k + 1] = net.known[k] ? v + 0.1 * u * u : 0;
+        net.points[3 * k + 2] = net.known[k] ? 0.4 * sin(4 * u) * cos(2 * v + 0.6) : 0;
+    }
+    CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%s", error.message);
+    if (model != NULL) {
+        CHECK_NEAR(proved_area(model, &problem, "rest"), 1.224094003, 1e-9, "rest");
+    }
+    taut_model_free(model);
+    problem_free(&net);
+}
+
 int main(void)
 {
     test_enneper();
     test_saddle();
+    test_rest();
     test_scherk();
     return check_failures != 0;
 }

@@ -2,6 +2,7 @@
 #include "check.h"
 
 #include "numeric/band.h"
+#include "numeric/band_tiles.h"
 
 #include <stdlib.h>
 
@@ -88,6 +89,66 @@ static void test_wide(void)
     }
 }
 
+/* The tiles against the rows, factor by factor, and against the product L D L^T by its definition;
+ * sizes around those of the blocks. */
+static void test_tiles(void)
+{
+    for (int trial = 0; trial < 40; trial++) {
+        const int width = random_int(TAUT_BAND_TILES_LEAST, TAUT_BAND_TILES_LEAST + 40);
+        const int n = trial < 20 ? random_int(1, 80) : random_int(width, 4 * width);
+        taut_band given = random_band(n, width), rows = {0, 0, NULL}, tiles = {0, 0, NULL};
+        double *work = aligned_alloc(64, (taut_band_tiles_work(n, width) + 7) / 8 * 64);
+        CHECK(work != NULL && taut_band_widen(&given, width, &rows) == TAUT_OK &&
+                  taut_band_widen(&given, width, &tiles) == TAUT_OK,
+              "n=%d width=%d", n, width);
+        CHECK(taut_band_factor(&rows) == TAUT_OK, "rows: n=%d width=%d", n, width);
+        CHECK(taut_band_factor_tiled(&tiles, work) == TAUT_OK, "n=%d width=%d", n, width);
+        CHECK(taut_band_is_legal(&tiles), "n=%d width=%d", n, width);
+        for (int i = 0; i < n; i++) {
+            for (int d = 0; d <= width && d <= i; d++) {
+                const int from = i > width ? i - width : 0;
+                double sum = 0.0;
+                for (int k = from; k <= i - d; k++) {
+                    const double l = k == i ? 1.0 : entry(&tiles, i, k);
+                    const double m = k == i - d ? 1.0 : entry(&tiles, i - d, k);
+                    sum += l * m * tiles.a[(size_t)k * (size_t)(width + 1)];
+                }
+                /* [Higham2002] 10.1.1: (width + 1) u |L| |D| |L|^T, that product <= 3 A(i, i) for
+                 * diagonally dominant A, and the same again for the sum here */
+                CHECK_NEAR(sum, entry(&given, i, i - d),
+                           2 * (width + 2) * 0x1p-53 * 3 * (2 * width + 2), "n=%d width=%d i=%d", n,
+                           width, i);
+                CHECK_NEAR(entry(&tiles, i, i - d), entry(&rows, i, i - d),
+                           (width + 2) * 0x1p-53 * 3 * (2 * width + 2), "n=%d width=%d i=%d", n,
+                           width, i);
+            }
+        }
+        free(work);
+        taut_band_clear(&given);
+        taut_band_clear(&rows);
+        taut_band_clear(&tiles);
+    }
+}
+
+/* A pivot that vanishes, in every row of a block and behind it. */
+static void test_tiles_refuse(void)
+{
+    enum { ROWS = 110, WIDTH = 70 };
+    double *work = aligned_alloc(64, (taut_band_tiles_work(ROWS, WIDTH) + 7) / 8 * 64);
+    for (int bad = 1; bad < ROWS; bad++) {
+        taut_band a = {0, 0, NULL};
+        CHECK(work != NULL && taut_band_init(ROWS, WIDTH, &a) == TAUT_OK, "bad=%d", bad);
+        for (int i = 0; i < ROWS; i++) {
+            taut_band_row(&a, i)[0] = 1.0;
+        }
+        const int from = bad > WIDTH ? bad - WIDTH : 0;
+        taut_band_row(&a, bad)[bad - from] = 1.0; /* two equal rows */
+        CHECK(taut_band_factor_tiled(&a, work) == TAUT_NO_SOLUTION, "bad=%d", bad);
+        taut_band_clear(&a);
+    }
+    free(work);
+}
+
 static void test_widen(void)
 {
     taut_band a = random_band(6, 2), wide = {0, 0, NULL}, narrow = {1, 2, NULL};
@@ -140,6 +201,8 @@ int main(void)
     random_seed(11);
     test_multiply_and_solve();
     test_wide();
+    test_tiles();
+    test_tiles_refuse();
     test_widen();
     test_refuses_singular();
     test_refuses_bad_arguments();

@@ -1,0 +1,166 @@
+#include "numeric/band_tiles.h"
+
+#include "numeric/kernel/kernel.h"
+
+#include <assert.h>
+#include <string.h>
+
+enum { DEPTH = 32, PAD = 64 }; /* PAD: more than a tile is wide, so that the last may stick out */
+
+static const double unit_roundoff = 0x1p-53;
+
+/* Of one block of columns first..end-1. Row r of the rest is row end + r of the matrix. */
+typedef struct block {
+    taut_band *band;
+    const taut_kernel *kernel;
+    int first, end;
+    int rest;       /* rows behind the block that it reaches */
+    size_t stride;  /* of u, over rows of the rest */
+    double *u;      /* [DEPTH][stride]: u(i, k), zero outside the band */
+    double *left;   /* tiles of -u: [tiles][DEPTH][tile_rows] */
+    double *right;  /* tiles of L, columns the other way round: [tiles][DEPTH][tile_columns] */
+    double *before; /* [n]: the diagonal as it was given */
+} block;
+
+static size_t stride_for(int width)
+{
+    return ((size_t)width + 2 * PAD) / PAD * PAD;
+}
+
+size_t taut_band_tiles_work(int n, int width)
+{
+    return 3 * DEPTH * stride_for(width) + (size_t)n;
+}
+
+/* The factors of the block's own rows and columns. */
+static taut_status factor_corner(const block *b)
+{
+    for (int i = b->first; i < b->end; i++) {
+        double *row = taut_band_row(b->band, i);
+        const int reach = i - b->first;
+        for (int d = reach - 1; d >= 1; d--) {
+            const double *upper = taut_band_row(b->band, i - d);
+            for (int e = reach; e > d; e--) {
+                row[d] -= row[e] * upper[e - d];
+            }
+        }
+        for (int d = reach; d >= 1; d--) {
+            const double u = row[d];
+            row[d] = u / taut_band_row(b->band, i - d)[0];
+            row[0] -= u * row[d];
+        }
+        if (!(row[0] > 8.0 * b->band->n * unit_roundoff * b->before[i])) {
+            return TAUT_NO_SOLUTION;
+        }
+    }
+    return TAUT_OK;
+}
+
+/* u of the rest, a column at a time; L goes back to the band. */
+static void factor_panel(const block *b)
+{
+    const int width = b->band->width;
+    const size_t rest = (size_t)b->rest;
+
+    memset(b->u, 0, DEPTH * b->stride * sizeof(double));
+    for (int r = 0; r < b->rest; r++) {
+        const double *row = taut_band_row(b->band, b->end + r);
+        for (int j = b->end - 1; j >= b->first && b->end + r - j <= width; j--) {
+            b->u[(size_t)(j - b->first) * b->stride + (size_t)r] = row[b->end + r - j];
+        }
+    }
+    for (int j = b->first; j < b->end; j++) {
+        const double *row = taut_band_row(b->band, j);
+        double *uj = b->u + (size_t)(j - b->first) * b->stride;
+        for (int k = b->first; k < j; k++) {
+            b->kernel->add_scaled(rest, -row[j - k], b->u + (size_t)(k - b->first) * b->stride, uj);
+        }
+    }
+}
+
+/* u and L = u / D as tiles; L to the band as well. */
+static void pack(const block *b)
+{
+    const size_t rows = (size_t)b->kernel->tile_rows, columns = (size_t)b->kernel->tile_columns;
+    const size_t depth = (size_t)(b->end - b->first);
+
+    for (size_t k = 0; k < depth; k++) {
+        const double *u = b->u + k * b->stride;
+        const int column = b->first + (int)k;
+        const double pivot = taut_band_row(b->band, column)[0];
+        for (size_t r = 0; r < (size_t)b->rest + rows; r++) {
+            b->left[(r / rows * depth + k) * rows + r % rows] = -u[r];
+        }
+        for (size_t q = 0; q < (size_t)b->rest + columns; q++) {
+            b->right[(q / columns * depth + k) * columns + (columns - 1 - q % columns)] =
+                u[q] / pivot;
+        }
+        for (int r = 0; r < b->rest && b->end + r - column <= b->band->width; r++) {
+            taut_band_row(b->band, b->end + r)[b->end + r - column] = u[r] / pivot;
+        }
+    }
+}
+
+/* A(i, i - d) lies at i (width + 2) - (i - d): backwards along its row. What a tile has above the
+ * diagonal or behind the last row is left out. */
+static void mend_tile(const block *b, int r, int q, const double *left, const double *right)
+{
+    const int rows = b->kernel->tile_rows, columns = b->kernel->tile_columns;
+    const size_t depth = (size_t)(b->end - b->first), stride = (size_t)b->band->width + 1;
+    const int last = q + columns - 1; /* the tile's first column: they run backwards */
+    double edge[TAUT_TILE_ROWS_MAX * TAUT_TILE_COLUMNS_MAX];
+
+    if (last <= r && r + rows <= b->rest) {
+        double *c = taut_band_row(b->band, b->end + r) + (r - last);
+        b->kernel->tile(depth, left, right, c, stride + 1);
+        return;
+    }
+    memset(edge, 0, sizeof edge);
+    b->kernel->tile(depth, left, right, edge, (size_t)columns);
+    for (int i = r; i < r + rows && i < b->rest; i++) {
+        double *row = taut_band_row(b->band, b->end + i);
+        for (int j = i < last ? i : last; j >= q; j--) {
+            row[i - j] += edge[(i - r) * columns + (last - j)];
+        }
+    }
+}
+
+static void mend_rest(const block *b)
+{
+    const int rows = b->kernel->tile_rows, columns = b->kernel->tile_columns;
+    const size_t depth = (size_t)(b->end - b->first);
+
+    for (int q = 0; q < b->rest; q += columns) {
+        const double *right = b->right + (size_t)q * depth;
+        for (int r = q / rows * rows; r < b->rest; r += rows) {
+            mend_tile(b, r, q, b->left + (size_t)r * depth, right);
+        }
+    }
+}
+
+taut_status taut_band_factor_tiled(taut_band *band, double *work)
+{
+    const size_t stride = stride_for(band->width);
+    block b = {.band = band, .kernel = taut_kernel_best(), .stride = stride, .u = work};
+
+    assert(band->width >= TAUT_BAND_TILES_LEAST);
+    b.left = b.u + DEPTH * stride;
+    b.right = b.left + DEPTH * stride;
+    b.before = b.right + DEPTH * stride;
+    for (int i = 0; i < band->n; i++) {
+        b.before[i] = taut_band_row(band, i)[0];
+    }
+    for (int first = 0; first < band->n; first = b.end) {
+        const int left = band->n - first;
+        b.first = first;
+        b.end = first + (left < DEPTH ? left : DEPTH);
+        b.rest = band->n - b.end < band->width ? band->n - b.end : band->width;
+        if (factor_corner(&b) != TAUT_OK) {
+            return TAUT_NO_SOLUTION;
+        }
+        factor_panel(&b);
+        pack(&b);
+        mend_rest(&b);
+    }
+    return TAUT_OK;
+}
