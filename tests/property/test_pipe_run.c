@@ -5,6 +5,7 @@
 
 #include "core/vec3.h"
 
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -333,6 +334,65 @@ static void test_joints(void)
     CHECK(checked > 0, "%d runs with joints", checked);
 }
 
+/* The largest sine between the way from an end ring to the next and a direction, point by point, by
+ * differences that are exact. */
+static double worst_ruling(const taut_surface *s, int last, const double d[3])
+{
+    const int nu = taut_basis_count(taut_surface_u(s)), nv = taut_basis_count(taut_surface_v(s));
+    const double *ring = taut_surface_points(s) + 3 * (size_t)nv * (size_t)(last ? nu - 1 : 0);
+    const double *next = taut_surface_points(s) + 3 * (size_t)nv * (size_t)(last ? nu - 2 : 1);
+    double worst = 0;
+    for (int j = 0; j < nv; j++) {
+        double way[3], across[3];
+        taut_difference(next + 3 * (ptrdiff_t)j, ring + 3 * (ptrdiff_t)j, way);
+        taut_cross(way, d, across);
+        worst = fmax(worst, taut_norm(across) / (taut_norm(way) * taut_norm(d)));
+    }
+    return worst;
+}
+
+/* Elbows askew at coordinates of hundreds: the first rings lie on the lines of the straight pipes
+ * to 1e-13, whatever their own rounding is over the short way between them, and the certificate
+ * sees that; curvatures too. */
+static void test_far_rings(void)
+{
+    for (int trial = 0; trial < random_trials(4); trial++) {
+        taut_pipe_leg legs[4];
+        taut_pipe_problem problem = {.radius = 12,
+                                     .axis = TAUT_PIPE_CORNERS,
+                                     .leg_count = 4,
+                                     .legs = legs,
+                                     .bend_radius = 36,
+                                     .joint = trial % 2 == 0 ? TAUT_PIPE_TANGENT
+                                                             : TAUT_PIPE_CURVATURE_JOINT,
+                                     .alpha = trial % 2 == 0 ? -2.5 : -1,
+                                     .gamma = trial % 2 == 0 ? -2.5 : -1};
+        memset(legs, 0, sizeof legs);
+        for (int i = 0; i < 4; i++) {
+            const double place[3] = {i == 1 || i == 2 ? 500 : 100, i >= 2 ? 500 : 100, 300};
+            for (int k = 0; k < 3; k++) {
+                legs[i].from[k] = place[k] + random_in(-60, 60);
+            }
+        }
+        taut_model *model = pipe_made(&problem, 1e-6);
+        taut_certificate *certificate = pipe_proved(model, &problem, 1e-6);
+        for (int i = 0; model != NULL && i + 2 < taut_model_surface_count(model); i += 2) {
+            const double *rings = taut_surface_points(taut_model_surface(model, i));
+            double d[3];
+            taut_difference(rings + 27, rings, d);
+            const double after = worst_ruling(taut_model_surface(model, i + 1), 0, d);
+            const double before = i > 0 ? worst_ruling(taut_model_surface(model, i - 1), 1, d) : 0;
+            CHECK(after < 1e-13 && before < 1e-13, "trial %d: %g, %g", trial, after, before);
+        }
+        CHECK(pipe_claim(certificate, "joints")->residual < 1e-13, "trial %d: %g", trial,
+              pipe_claim(certificate, "joints")->residual);
+        CHECK(trial % 2 == 0 || pipe_claim(certificate, "curvatures")->residual < 1e-13,
+              "trial %d: %g", trial, pipe_claim(certificate, "curvatures")->residual);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+}
+
 /* 2 pi a L and pi a^2 L over the whole run, straight pipes and blends. */
 static void test_pappus(void)
 {
@@ -461,6 +521,7 @@ int main(void)
     random_seed(20261126);
     test_largest_radius();
     test_joints();
+    test_far_rings();
     test_pappus();
     test_holonomy();
     test_scale_and_shift();
