@@ -160,6 +160,73 @@ static void test_refusals(void)
     taut_model_free(pipe_made(&problem, 1e-3));
 }
 
+/* The number behind some words of a message. */
+static double told(const taut_error *error, const char *words)
+{
+    const char *at = strstr(error->message, words);
+    CHECK(at != NULL, "no \"%s\" in: %s", words, error->message);
+    return at != NULL ? strtod(at + strlen(words), NULL) : 0;
+}
+
+/* The numbers of a message, as they are printed, are followed: each way out is one. */
+static void test_ways_out(void)
+{
+    for (int trial = 0; trial < 10; trial++) {
+        taut_pipe_leg legs[4];
+        taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, legs, 4);
+        memcpy(legs, stair, sizeof stair);
+        problem.radius = 0.01;
+        problem.bend_radius = 100;
+        problem.alpha = problem.gamma = random_in(-2.5, 0);
+        legs[2].from[1] = random_in(1, 3);
+        legs[3].from[1] = legs[2].from[1];
+        taut_error error = pipe_refused(&problem, TAUT_NO_SOLUTION, "LEG_TOO_SHORT");
+        problem.bend_radius = told(&error, "bend radius of at most ");
+        taut_model_free(pipe_made(&problem, 1e-2));
+        problem.bend_radius *= 1.1; /* now only one leg is too short */
+        error = pipe_refused(&problem, TAUT_NO_SOLUTION, "LEG_TOO_SHORT");
+        legs[2].from[1] = legs[3].from[1] = told(&error, "leg of at least ");
+        taut_model_free(pipe_made(&problem, 1e-2));
+        /* no bend is as sharp as this pipe is wide */
+        legs[2].from[1] = legs[3].from[1] = 0.1;
+        problem.radius = 0.2;
+        problem.bend_radius = 0.3;
+        error = pipe_refused(&problem, TAUT_NO_SOLUTION, "with a radius below that");
+        problem.bend_radius = told(&error, "bend radius of at most ");
+        problem.radius = 0.99 * problem.bend_radius;
+        error = (taut_error){.message = ""};
+        taut_model *model = NULL;
+        const taut_status status = taut_pipe_make(&problem, NULL, &model, &error);
+        /* the leg is as short as the pipe is narrow: what may touch is the pipe beyond it */
+        CHECK(status == TAUT_OK || strstr(error.message, "GLOBAL") != NULL, "%s", error.message);
+        taut_model_free(model);
+    }
+}
+
+/* Corners and straight pipes where others are. */
+static void test_same_places(void)
+{
+    const taut_pipe_leg again[] = {
+        {.from = {0, 0, 0}}, {.from = {4, 0, 0}}, {.from = {4, 4, 1}}, {.from = {0, 0, 0}}};
+    const taut_pipe_leg twice[] = {{.from = {0, 0, 0}}, {.from = {0, 0, 0}}, {.from = {4, 0, 1}}};
+    const taut_pipe_leg nearly[] = {
+        {.from = {0, 0, 0}}, {.from = {1e-8, 0, 0}}, {.from = {4, 0, 1}}};
+    const taut_pipe_leg touching[] = {{.from = {0, 0, 0}, .to = {4, 0, 0}},
+                                      {.from = {4, 0, 0}, .to = {4, 4, 0}}};
+    taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, again, 4);
+    problem.closed = 1;
+    taut_error error = pipe_refused(&problem, TAUT_BAD_INPUT, "by itself: leave it out");
+    CHECK(strcmp(error.where, "/run/3") == 0, "at %s", error.where);
+    problem = run_of(TAUT_PIPE_CORNERS, twice, 3);
+    error = pipe_refused(&problem, TAUT_BAD_INPUT, "leave one out");
+    CHECK(strcmp(error.where, "/run/1") == 0, "at %s", error.where);
+    problem = run_of(TAUT_PIPE_CORNERS, nearly, 3);
+    pipe_refused(&problem, TAUT_NO_SOLUTION, "the corner is only 1e-08");
+    problem = run_of(TAUT_PIPE_LEGS, touching, 2);
+    error = pipe_refused(&problem, TAUT_NO_SOLUTION, "no room for blend1");
+    CHECK(strcmp(error.where, "/run/1") == 0, "at %s", error.where);
+}
+
 static void test_bad_numbers(void)
 {
     taut_pipe_leg legs[4];
@@ -334,6 +401,8 @@ int main(void)
     test_pieces();
     test_bend_radius();
     test_refusals();
+    test_ways_out();
+    test_same_places();
     test_bad_numbers();
     test_false_claims();
     test_free_end();
