@@ -85,6 +85,20 @@ sed 's/"radius": 12/"radius": 40/' "$example/pipe-run-closed.json" > edited.json
 refused 4 '/radius: SELF_INTERSECT_LOCAL.*of blend' make edited.json
 run 0 make "$example/pipe-run-closed.json" -o closed.json
 contains closed.json '"holonomy"'
+# A model that tells otherwise of itself than it is.
+sed 's/"closed": true/"closed": false/' closed.json > edited.json
+run 1 certify edited.json
+contains err.txt 'embedded +DOES NOT HOLD'
+sed 's/"radius": 12,/"radius": 12.001,/' closed.json > edited.json
+run 1 certify edited.json
+contains err.txt 'tube +DOES NOT HOLD'
+sed 's/"name": "blend5"/"name": "elbow5"/' closed.json > edited.json
+refused 3 '/surfaces.*tell of 5 blends, of which 4' certify edited.json
+sed 's/"name": "pipe1"/"name": "first"/' closed.json > edited.json
+run 1 certify edited.json
+contains err.txt 'joints +DOES NOT HOLD'
+sed 's/\[0, 220, 20\]/&, [0, 0, 0]/' "$example/pipe-run-closed.json" > edited.json
+refused 3 '/run/5: .*by itself: leave it out' make edited.json
 run 0 make "$example/pipe-run-coil.json" -o coil.json -o coil.step
 contains err.txt 'caps +holds'
 run 0 convert coil.json -o coil.stl
