@@ -191,7 +191,10 @@ static void place_of(const taut_pipe_run_parts *run, double at, char *text, size
     double from = 0;
     int i = 0;
     for (;; i++) {
-        const taut_pipe_line one = {.count = 1, .pieces = &line->pieces[i], .flat = line->flat};
+        const taut_pipe_line one = {.count = 1,
+                                    .pieces = &line->pieces[i],
+                                    .flat = line->flat,
+                                    .noise = line->noise}; /* else rounding is torsion */
         taut_pipe_figures f = {.length = 0};
         taut_pipe_integrate(&one, &f);
         if (i + 1 == run->count || at <= from + f.length) {
