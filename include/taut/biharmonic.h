@@ -31,13 +31,16 @@ typedef struct taut_biharmonic_problem {
     taut_edge edge;
     double width; /* in parameter length; 0: that of the given surface */
     int contact;  /* 1 or 2: derivatives across the edge that are equal */
+    int insist;   /* nonzero: build also where rounding leaves nothing of least bending */
 } taut_biharmonic_problem;
 
 /* From rows: one surface; details: amplification. A neighbour: the given surface and `extension`,
  * each with its rectangle; details: contact ("c1", "c2"), free (numbers chosen, a coordinate),
  * amplification (of rounding in the rows that meet).
  * TAUT_BAD_INPUT: not the boundary, other bases. TAUT_NO_SOLUTION: unequal degrees, a surface that
- * is not biharmonic, degrees (from 18 on a square) whose rows let rounding grow past 1e11. */
+ * is not biharmonic, degrees (from 18 on a square) whose rows let rounding grow past 1e11;
+ * without `insist` neighbours in which it grows past 2e9, that miss the rows they meet by 4 2^-52
+ * of the size (long thin rectangles), or of a degree above 32. */
 TAUT_API taut_status taut_biharmonic_make(const taut_biharmonic_problem *problem,
                                           const taut_make_options *options, taut_model **model,
                                           taut_error *error);

@@ -11,6 +11,10 @@
  * Surfaces that share an edge (the same points at the same share of the edge's range, from either
  * end, within a hundredth of the tolerance and 1e-6 of the size) are cut alike along it, and the
  * vertices there are in the same place bit for bit: the mesh is closed where the surfaces are.
+ *
+ * One cell a span of surfaces of bidegree (1, 1) without weights, as panels are, has their control
+ * points for vertices, digit by digit, and welds collapsed edges only where they are points to
+ * rounding.
  */
 #ifndef TAUT_MESH_H
 #define TAUT_MESH_H

@@ -5,6 +5,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -292,4 +293,15 @@ taut_status taut_basis_eval(const taut_basis *basis, int span, double t, int ord
     }
     basis->ops->eval(basis, span, t, order, values);
     return TAUT_OK;
+}
+
+void taut_basis_eval_beside(const taut_basis *basis, int span, double t, double rest, int order,
+                            double *values)
+{
+    assert(t >= basis->breaks[span] && t <= basis->breaks[span + 1]);
+    if (basis->ops->eval_beside != NULL) {
+        basis->ops->eval_beside(basis, span, t, rest, order, values);
+    } else {
+        basis->ops->eval(basis, span, t, order, values);
+    }
 }

@@ -44,6 +44,10 @@ typedef struct taut_basis_ops {
     void (*fill)(taut_basis *basis);
     /* values[k][a], k = 0..order, a = 0..local-1, at t of the closed span. */
     void (*eval)(const taut_basis *basis, int span, double t, int order, double *values);
+    /* The same at t + rest, rest a rounding error of t. NULL where spans are not much narrower than
+     * their range, so that it changes nothing that matters. */
+    void (*eval_beside)(const taut_basis *basis, int span, double t, double rest, int order,
+                        double *values);
     /* t[i], i < count: the coefficients of the function t, sum t[i] N_i(t) = t. NULL where it is
      * not among the functions. */
     void (*linear)(const taut_basis *basis, double *t);
@@ -67,6 +71,12 @@ struct taut_basis {
 #define TAUT_BASIS_DECLARE(identifier, name) extern const taut_basis_ops taut_basis_##identifier;
 TAUT_BASIS_LIST(TAUT_BASIS_DECLARE)
 #undef TAUT_BASIS_DECLARE
+
+/* Values as of taut_basis_eval at t + rest, rest a rounding error of t; t in the closed span. In a
+ * span 1e-6 wide beside 1, parameters are rounded to 1e-10 of it: nodes of a quadrature rule that
+ * carry their rest integrate as if the span began at 0. */
+void taut_basis_eval_beside(const taut_basis *basis, int span, double t, double rest, int order,
+                            double *values);
 
 /* The ops of a type by its name, or NULL; and the i-th of the list, NULL beyond the end. */
 const taut_basis_ops *taut_basis_ops_find(const char *type);

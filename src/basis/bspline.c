@@ -199,7 +199,8 @@ static void differentiate(int m, const double *inverse, double *b)
     b[0] = -below;
 }
 
-static void bspline_eval(const taut_basis *basis, int span, double t, int order, double *values)
+static void bspline_eval_beside(const taut_basis *basis, int span, double t, double rest, int order,
+                                double *values)
 {
     const int p = basis->spec.degree;
     const double *knots = basis->knots + basis->knot_span[span];
@@ -212,8 +213,8 @@ static void bspline_eval(const taut_basis *basis, int span, double t, int order,
         if (k <= order) {
             memcpy(values + k * (p + 1), values, (size_t)m * sizeof(double));
         }
-        left[m] = t - knots[1 - m];
-        right[m] = knots[m] - t;
+        left[m] = (t - knots[1 - m]) + rest;
+        right[m] = (knots[m] - t) - rest;
         raise_degree(m, left, right, k <= TAUT_ORDER_MAX ? inverse[k - 1] : spare, values);
     }
     for (int k = 1; k <= order; k++) {
@@ -226,6 +227,11 @@ static void bspline_eval(const taut_basis *basis, int span, double t, int order,
             differentiate(m, inverse[p - m], row);
         }
     }
+}
+
+static void bspline_eval(const taut_basis *basis, int span, double t, int order, double *values)
+{
+    bspline_eval_beside(basis, span, t, 0, order, values);
 }
 
 /* The means of the inner knots, t_(i+1) .. t_(i+p). */
@@ -248,6 +254,7 @@ const taut_basis_ops taut_basis_bspline = {
     .plan = bspline_plan,
     .fill = bspline_fill,
     .eval = bspline_eval,
+    .eval_beside = bspline_eval_beside,
     .linear = bspline_linear,
     .changes = &taut_changes_bspline,
 };

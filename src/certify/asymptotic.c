@@ -285,28 +285,12 @@ static taut_status certify(const taut_model *model, const void *data,
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
 
+const taut_certify_ops taut_certify_asymptotic = {.certify = certify};
+
 taut_status taut_asymptotic_certify(const taut_model *model, const taut_asymptotic_problem *problem,
                                     const taut_certify_options *options,
                                     taut_certificate **certificate, taut_error *error)
 {
-    static const taut_certify_options none;
-    taut_certificate *made = NULL;
-    taut_status status = TAUT_OK;
-    if (model == NULL || certificate == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
-                         "taut_asymptotic_certify needs a model and a place for the certificate");
-    }
-    status = taut_certificate_new("asymptotic", &made);
-    if (status != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    status = certify(model, problem, options != NULL ? options : &none, made, error);
-    if (status != TAUT_OK) {
-        taut_certificate_free(made);
-        return status;
-    }
-    *certificate = made;
-    return TAUT_OK;
+    return taut_certify_with(&taut_certify_asymptotic, "asymptotic", model, problem, options,
+                             certificate, error);
 }
-
-const taut_certify_ops taut_certify_asymptotic = {.certify = certify};

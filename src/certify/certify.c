@@ -21,13 +21,36 @@ static int construct_of(const taut_model *model, const taut_problem *problem)
     return taut_construct_find(taut_certificate_construct(taut_model_certificate(model)));
 }
 
-taut_status taut_certify(const taut_model *model, const taut_problem *problem,
-                         const taut_certify_options *options, taut_certificate **certificate,
-                         taut_error *error)
+taut_status taut_certify_with(const taut_certify_ops *ops, const char *construct,
+                              const taut_model *model, const void *data,
+                              const taut_certify_options *options, taut_certificate **certificate,
+                              taut_error *error)
 {
     static const taut_certify_options none;
     taut_certificate *made = NULL;
     taut_status status = TAUT_OK;
+
+    if (model == NULL || certificate == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "certifying `%s` needs a model and a place for the certificate",
+                         construct);
+    }
+    if (taut_certificate_new(construct, &made) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = ops->certify(model, data, options != NULL ? options : &none, made, error);
+    if (status != TAUT_OK) {
+        taut_certificate_free(made);
+        return status;
+    }
+    *certificate = made;
+    return TAUT_OK;
+}
+
+taut_status taut_certify(const taut_model *model, const taut_problem *problem,
+                         const taut_certify_options *options, taut_certificate **certificate,
+                         taut_error *error)
+{
     int construct = 0;
 
     if (model == NULL || certificate == NULL) {
@@ -45,16 +68,6 @@ taut_status taut_certify(const taut_model *model, const taut_problem *problem,
                          "rational arithmetic is for harmonic and harmonic-extension, not for %s",
                          taut_construct_name(construct));
     }
-    status = taut_certificate_new(taut_construct_name(construct), &made);
-    if (status != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    status = ops_table[construct]->certify(model, problem != NULL ? problem->data : NULL,
-                                           options != NULL ? options : &none, made, error);
-    if (status != TAUT_OK) {
-        taut_certificate_free(made);
-        return status;
-    }
-    *certificate = made;
-    return TAUT_OK;
+    return taut_certify_with(ops_table[construct], taut_construct_name(construct), model,
+                             problem != NULL ? problem->data : NULL, options, certificate, error);
 }

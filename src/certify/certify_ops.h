@@ -14,6 +14,13 @@ typedef struct taut_certify_ops {
     int exact; /* nonzero: knows options->exact */
 } taut_certify_ops;
 
+/* The public function of one construction: checks the arguments, makes a certificate with the
+ * construction's name and lets `ops` fill it; NULL options are none. */
+taut_status taut_certify_with(const taut_certify_ops *ops, const char *construct,
+                              const taut_model *model, const void *data,
+                              const taut_certify_options *options, taut_certificate **certificate,
+                              taut_error *error);
+
 #define TAUT_CERTIFY_DECLARE(identifier, name)                                                     \
     extern const taut_certify_ops taut_certify_##identifier;
 TAUT_CONSTRUCT_LIST(TAUT_CERTIFY_DECLARE)

@@ -287,28 +287,12 @@ static taut_status certify(const taut_model *model, const void *data,
     return TAUT_OK;
 }
 
+const taut_certify_ops taut_certify_dirichlet = {.certify = certify};
+
 taut_status taut_dirichlet_certify(const taut_model *model, const taut_dirichlet_problem *problem,
                                    const taut_certify_options *options,
                                    taut_certificate **certificate, taut_error *error)
 {
-    static const taut_certify_options none;
-    taut_certificate *made = NULL;
-    taut_status status = TAUT_OK;
-
-    if (model == NULL || certificate == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
-                         "taut_dirichlet_certify needs a model and a place for the certificate");
-    }
-    if (taut_certificate_new("dirichlet", &made) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    status = certify(model, problem, options != NULL ? options : &none, made, error);
-    if (status != TAUT_OK) {
-        taut_certificate_free(made);
-        return status;
-    }
-    *certificate = made;
-    return TAUT_OK;
+    return taut_certify_with(&taut_certify_dirichlet, "dirichlet", model, problem, options,
+                             certificate, error);
 }
-
-const taut_certify_ops taut_certify_dirichlet = {.certify = certify};

@@ -3,7 +3,8 @@
  *   joint1, joint2  along both edges of a joint: the larger of gap over radius and sine between the
  *                   normals
  *   tube            over all three surfaces: | distance from the axis - radius | / radius, where
- * the axis is the curve and its tangent lines at the ends
+ *                   the axis is the curve and its tangent lines at the ends; on the blend not what
+ *                   samples show but what lies between them at most, by second differences
  */
 #include "certify/pipe_parts.h"
 #include "core/vec3.h"
@@ -175,34 +176,72 @@ typedef struct deviation {
     char where[64];
 } deviation;
 
-/* A place: its way from the axis, at s of a piece. */
 /* A place on the blend of a canal surface: from the spheres, and whether its normal, that of the
  * sphere, looks away from the axis: where it does everywhere, the surface is a graph over the tube.
  */
-static void see_canal(deviation *d, const taut_pipe_parts *parts, const double x[3], double t,
-                      const double offset[3], const double normal[3], double v)
+static double see_canal(deviation *d, const taut_pipe_parts *parts, const double x[3], double t,
+                        const double offset[3], const double normal[3])
 {
     double convex = 0;
     const double residual = taut_pipe_canal_miss(parts, x, t, &convex);
     d->convex = fmin(d->convex, convex);
     d->graph = fmin(d->graph, fabs(taut_dot(normal, offset)) / taut_norm(offset));
-    if (!(residual <= d->worst)) {
-        d->worst = residual;
-        snprintf(d->where, sizeof d->where, "blend, u = %.6g, v = %.6g", t, v);
-    }
+    return residual;
 }
 
-static void see(deviation *d, const taut_pipe_parts *parts, int piece, double s,
-                const double offset[3], const char *name, double u, double v)
+/* How far a place is from the tube, over the radius: its way from the axis, at s of a piece. */
+static double miss(const taut_pipe_parts *parts, int piece, double s, const double offset[3])
 {
-    const double residual =
-        parts->sections[0].a > 0
-            ? taut_pipe_section_miss(parts, piece, s, offset)
-            : fabs(taut_norm(offset) * parts->line.scale - parts->radius) / parts->radius;
+    return parts->sections[0].a > 0
+               ? taut_pipe_section_miss(parts, piece, s, offset)
+               : (taut_norm(offset) * parts->line.scale - parts->radius) / parts->radius;
+}
+
+static void see(deviation *d, double residual, const char *name, double u, double v)
+{
     if (!(residual <= d->worst)) {
         d->worst = residual;
         snprintf(d->where, sizeof d->where, "%s, u = %.6g, v = %.6g", name, u, v);
     }
+}
+
+/* What the blend misses by at one place. */
+static double blend_miss(deviation *d, const taut_pipe_parts *parts, double u, double v)
+{
+    double x[3][3], local[3], offset[3], normal[3], foot = 0;
+    int piece = 0;
+    taut_surface_eval(parts->blend, u, v, 1, x[0]);
+    taut_pipe_to_local(&parts->line, x[0], local);
+    taut_pipe_foot(&parts->line, local, u, &piece, &foot, offset);
+    if (parts->canal) {
+        normal_of(x[TAUT_XU], x[TAUT_XV], normal);
+        return see_canal(d, parts, local, u, offset, normal);
+    }
+    return miss(parts, piece, foot, offset);
+}
+
+/* |a - 2 b + c|, the second difference. */
+static double bend_of(double a, double b, double c)
+{
+    return fabs((a - b) + (c - b));
+}
+
+/* An upper estimate of |f| within half a step of sample (k, j): with its largest value there at x
+ * and a Hessian H that has one sign, f(x) exceeds the sample by at most d.H d / 2, |d| at most half
+ * a step each way, and |H_uv| <= sqrt(H_uu H_vv):
+ *     |f| <= |f_kj| + (sqrt(a) + sqrt(b))^2 / 8,   a, b the second differences along u and along v,
+ * here each the largest of the sample's and its neighbours' in its line. */
+static double upper(const double f[PER_SPAN + 1][RING], int k, int j)
+{
+    double a = 0, b = 0;
+    for (int i = k - 1; i <= k + 1; i++) {
+        const int inner = i < 1 ? 1 : i > PER_SPAN - 1 ? PER_SPAN - 1 : i;
+        a = fmax(a, bend_of(f[inner - 1][j], f[inner][j], f[inner + 1][j]));
+    }
+    for (int i = j + RING - 1; i <= j + RING + 1; i++) {
+        b = fmax(b, bend_of(f[k][(i - 1) % RING], f[k][i % RING], f[k][(i + 1) % RING]));
+    }
+    return fabs(f[k][j]) + (a + b + 2 * sqrt(a * b)) / 8;
 }
 
 static void see_blend(deviation *d, const taut_pipe_parts *parts)
@@ -210,21 +249,17 @@ static void see_blend(deviation *d, const taut_pipe_parts *parts)
     const taut_basis *u = taut_surface_u(parts->blend), *v = taut_surface_v(parts->blend);
     const double *breaks = taut_basis_breaks(u);
     for (int i = 0; i < taut_basis_span_count(u); i++) {
+        double f[PER_SPAN + 1][RING], t[PER_SPAN + 1];
         for (int k = 0; k <= PER_SPAN; k++) {
-            const double s = k == PER_SPAN ? breaks[i + 1]
-                                           : breaks[i] + (breaks[i + 1] - breaks[i]) * k / PER_SPAN;
+            t[k] = k == PER_SPAN ? breaks[i + 1]
+                                 : breaks[i] + (breaks[i + 1] - breaks[i]) * k / PER_SPAN;
             for (int j = 0; j < RING; j++) {
-                double x[3][3], local[3], offset[3], normal[3], foot = 0;
-                int piece = 0;
-                taut_surface_eval(parts->blend, s, at(v, j, RING), 1, x[0]);
-                taut_pipe_to_local(&parts->line, x[0], local);
-                taut_pipe_foot(&parts->line, local, s, &piece, &foot, offset);
-                if (parts->canal) {
-                    normal_of(x[TAUT_XU], x[TAUT_XV], normal);
-                    see_canal(d, parts, local, s, offset, normal, at(v, j, RING));
-                    continue;
-                }
-                see(d, parts, piece, foot, offset, "blend", s, at(v, j, RING));
+                f[k][j] = blend_miss(d, parts, t[k], at(v, j, RING));
+            }
+        }
+        for (int k = 0; k <= PER_SPAN; k++) {
+            for (int j = 0; j < RING; j++) {
+                see(d, upper((const double(*)[RING])f, k, j), "blend", t[k], at(v, j, RING));
             }
         }
     }
@@ -246,7 +281,7 @@ static void see_pipe(deviation *d, const taut_pipe_parts *parts, int side)
             taut_difference(local, joint, foot);
             along = taut_dot(foot, line->tangent[side]);
             taut_add_scaled(-along, line->tangent[side], foot);
-            see(d, parts, side == 0 ? 0 : line->count - 1, side, foot,
+            see(d, fabs(miss(parts, side == 0 ? 0 : line->count - 1, side, foot)),
                 side == 0 ? "pipe1" : "pipe2", at(u, k, PER_SPAN), at(v, j, RING));
         }
     }

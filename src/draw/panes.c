@@ -240,8 +240,12 @@ void taut_panes_note(const taut_panes *panes, const taut_write_options *options,
     }
     if (options->combs) {
         taut_label_number(panes->pane[0].comb_most, number, sizeof number);
-        snprintf(text, sizeof text, "combs: the longest tooth is a curvature of %s/%s%s", number,
-                 unit, panes->count > 1 && !panes->is_one_size ? " at first" : "");
+        snprintf(text, sizeof text,
+                 panes->count > 1 && !panes->is_one_size
+                     ? "combs, each model at its own scale: the longest tooth of the first is a "
+                       "curvature of %s/%s"
+                     : "combs: the longest tooth is a curvature of %s/%s",
+                 number, unit);
         append(note, size, text);
     }
 }

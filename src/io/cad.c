@@ -87,6 +87,20 @@ static double size_of(const taut_cad_item *items, int count)
     return sqrt(sum);
 }
 
+/* A face that is a single point has no edges: STEP's readers leave it out without a word. */
+static taut_status check_faces(const taut_cad_item *items, int count, taut_error *error)
+{
+    for (int i = 0; i < count; i++) {
+        if (items[i].count[1] > 0 && size_of(&items[i], 1) == 0) {
+            return taut_fail(error, TAUT_NO_SOLUTION, NULL, 0, taut_none,
+                             "surface \"%s\" is a single point, which no STEP file gives back: "
+                             "leave it out (--surface), or write IGES or JSON",
+                             items[i].name);
+        }
+    }
+    return TAUT_OK;
+}
+
 static taut_status send_items(taut_cad_kind kind, const taut_model *nurbs, double bound,
                               const char *path, taut_error *error)
 {
@@ -121,7 +135,12 @@ static taut_status send_items(taut_cad_kind kind, const taut_model *nurbs, doubl
         .note_count = 2,
         .date = date,
         .precision = fmax(fmax(bound, precision_of_size * size_of(items, count)), 1e-290)};
-    status = taut_cad_run(&job, count, items, &result, error);
+    if (kind == TAUT_CAD_STEP) {
+        status = check_faces(items, count, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_cad_run(&job, count, items, &result, error);
+    }
     taut_arena_free(arena);
     return status;
 }

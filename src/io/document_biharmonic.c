@@ -9,7 +9,7 @@
 #include <string.h>
 
 static const char *const members[] = {"name", "u",     "v",       "points", "surface",
-                                      "edge", "width", "contact", NULL};
+                                      "edge", "width", "contact", "insist", NULL};
 
 static void release_surface(void *surface)
 {
@@ -33,7 +33,7 @@ static taut_status refuse_strangers(const taut_json *document, const char *const
 static taut_status read_rows(const taut_json *document, taut_arena *arena,
                              taut_biharmonic_problem *data, taut_error *error)
 {
-    static const char *const strangers[] = {"edge", "width", "contact", NULL};
+    static const char *const strangers[] = {"edge", "width", "contact", "insist", NULL};
     taut_net_document net = {NULL, NULL, NULL, NULL, NULL};
     const char *name = "";
     taut_status status = refuse_strangers(document, strangers, "without", error);
@@ -96,6 +96,9 @@ static taut_status read_neighbour(const taut_json *document, taut_arena *arena,
         if (status == TAUT_OK && !(data->width > 0)) {
             status = taut_json_expected(&width, error, "a positive number");
         }
+    }
+    if (status == TAUT_OK) {
+        status = taut_json_flag(document, "insist", &data->insist, error);
     }
     data->edge = (taut_edge)word;
     data->contact = order + 1;

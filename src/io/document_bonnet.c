@@ -68,20 +68,6 @@ static taut_status read_segments(const taut_json *document, taut_bonnet_problem 
     return status;
 }
 
-static taut_status read_flag(const taut_json *document, const char *key, int *value,
-                             taut_error *error)
-{
-    const taut_json at = taut_json_member(document, key);
-    if (at.value == NULL) {
-        return TAUT_OK;
-    }
-    if (taut_json_kind_at(&at) != TAUT_JSON_TRUE && taut_json_kind_at(&at) != TAUT_JSON_FALSE) {
-        return taut_json_expected(&at, error, "true or false");
-    }
-    *value = taut_json_kind_at(&at) == TAUT_JSON_TRUE;
-    return TAUT_OK;
-}
-
 static taut_status bonnet_read(const taut_json *document, taut_problem *problem, taut_error *error)
 {
     static const char *const signs[] = {"+", "-", NULL}, *const meshes[] = {"bezier", "bspline",
@@ -111,7 +97,7 @@ static taut_status bonnet_read(const taut_json *document, taut_problem *problem,
         status = read_number(document, "theta", 0, &data->theta, error);
     }
     if (status == TAUT_OK) {
-        status = read_flag(document, "normalize", &data->normalize, error);
+        status = taut_json_flag(document, "normalize", &data->normalize, error);
     }
     if (status == TAUT_OK && start.value != NULL) {
         status = taut_json_numbers(&start, 2, data->start, error);

@@ -167,18 +167,6 @@ static taut_status read_net(const taut_json *document, taut_arena *arena,
 }
 
 /* A member that is true or false. */
-static taut_status read_flag(const taut_json *document, const char *key, int *value,
-                             taut_error *error)
-{
-    const taut_json at = taut_json_member(document, key);
-    const taut_json_kind kind = taut_json_kind_at(&at);
-    if (at.value != NULL && kind != TAUT_JSON_TRUE && kind != TAUT_JSON_FALSE) {
-        return taut_json_expected(&at, error, "true or false");
-    }
-    *value = kind == TAUT_JSON_TRUE;
-    return TAUT_OK;
-}
-
 static taut_status read_choices(const taut_json *document, taut_arena *arena,
                                 taut_harmonic_problem *data, taut_error *error)
 {
@@ -190,7 +178,7 @@ static taut_status read_choices(const taut_json *document, taut_arena *arena,
     taut_status status = taut_name_document_read(document, &name, error);
 
     if (status == TAUT_OK) {
-        status = read_flag(document, "fit", &data->fit, error);
+        status = taut_json_flag(document, "fit", &data->fit, error);
     }
     if (status == TAUT_OK && data->fit && (data->from_derivative || at.value != NULL)) {
         status = taut_json_fail(&fit, error, taut_none, taut_none,
@@ -207,7 +195,7 @@ static taut_status read_choices(const taut_json *document, taut_arena *arena,
     }
     if (status == TAUT_OK) {
         data->even = (taut_harmonic_even)word;
-        status = read_flag(document, "insist", &data->insist, error);
+        status = taut_json_flag(document, "insist", &data->insist, error);
     }
     if (status == TAUT_OK && name[0] != '\0') {
         data->name = taut_arena_text(arena, name);

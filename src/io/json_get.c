@@ -141,3 +141,15 @@ taut_status taut_json_word(const taut_json *at, const char *const *words, int *w
     list_words(words, list, sizeof list);
     return taut_json_expected(at, error, "%s", list);
 }
+
+taut_status taut_json_flag(const taut_json *document, const char *key, int *value,
+                           taut_error *error)
+{
+    const taut_json at = taut_json_member(document, key);
+    const taut_json_kind kind = taut_json_kind_at(&at);
+    if (at.value != NULL && kind != TAUT_JSON_TRUE && kind != TAUT_JSON_FALSE) {
+        return taut_json_expected(&at, error, "true or false");
+    }
+    *value = kind == TAUT_JSON_TRUE;
+    return TAUT_OK;
+}

@@ -51,6 +51,9 @@ taut_status taut_json_text(const taut_json *at, const char **text, taut_error *e
 /* One of the words of a list ended by NULL; *word is its index. */
 taut_status taut_json_word(const taut_json *at, const char *const *words, int *word,
                            taut_error *error);
+/* The member `key` of an object: true, or false, or not there, which is false too. */
+taut_status taut_json_flag(const taut_json *document, const char *key, int *value,
+                           taut_error *error);
 
 /* TAUT_BAD_INPUT at this place: "found <what is there>, expected <expected>". */
 taut_status taut_json_expected(const taut_json *at, taut_error *error, const char *expected, ...)

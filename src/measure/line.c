@@ -1,5 +1,6 @@
 #include "measure/line.h"
 
+#include "basis/basis_ops.h"
 #include "core/memory.h"
 #include "geometry/panels.h"
 #include "measure/scaling.h"
@@ -116,7 +117,8 @@ static void project(int order, double h[4][4], double *d)
 }
 
 /* The derivatives of the functions sum to 0: taken of differences from the first point alive. */
-void taut_line_eval(const taut_line *line, int span, double t, int order, double *d, double *bound)
+void taut_line_eval(const taut_line *line, int span, double t, double rest, int order, double *d,
+                    double *bound)
 {
     double n[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
     double h[4][4] = {{0}};
@@ -124,7 +126,7 @@ void taut_line_eval(const taut_line *line, int span, double t, int order, double
     const double *net = line->net + (long)taut_basis_first(line->basis, span) * line->dim;
     double size = 0;
 
-    taut_basis_eval(line->basis, span, t, order, n);
+    taut_basis_eval_beside(line->basis, span, t, rest, order, n);
     for (int a = 1; a < local; a++) {
         for (int c = 0; c < line->dim; c++) {
             size = fmax(size, fabs(net[a * line->dim + c] - net[c]));
@@ -164,10 +166,11 @@ typedef struct rule {
 
 static double speed_integral(const taut_line *line, int span, double lo, double hi, const rule *r)
 {
-    const double middle = lo + (hi - lo) / 2, half = (hi - lo) / 2;
+    const double half = (hi - lo) / 2, middle = lo + half, left = taut_sum_rest(lo, half);
     double sum = 0, d[6];
     for (int i = 0; i < r->count; i++) {
-        taut_line_eval(line, span, middle + half * r->nodes[i], 1, d, NULL);
+        const double step = half * r->nodes[i], rest = left + taut_sum_rest(middle, step);
+        taut_line_eval(line, span, middle + step, rest, 1, d, NULL);
         sum += r->weights[i] * sqrt(d[3] * d[3] + d[4] * d[4] + d[5] * d[5]);
     }
     return sum * ldexp(half, -line->shift);
@@ -235,7 +238,7 @@ static double norm(const double *a)
 void taut_line_bend(const taut_line *line, int span, double t, int order, taut_bend *bend)
 {
     double bound[4];
-    taut_line_eval(line, span, t, order, &bend->d[0][0], bound);
+    taut_line_eval(line, span, t, 0, order, &bend->d[0][0], bound);
     const double *a = bend->d[1], *b = bend->d[2];
     bend->binormal[0] = a[1] * b[2] - a[2] * b[1];
     bend->binormal[1] = a[2] * b[0] - a[0] * b[2];

@@ -22,9 +22,11 @@ taut_status taut_line_of_curve(const taut_curve *curve, taut_line *line);
 taut_status taut_line_of_edge(const taut_surface *surface, int edge, taut_line *line);
 void taut_line_free(taut_line *line);
 
-/* d[k][3], k = 0..order: position and derivatives (scaled) at t in the closed span. bound[k], if
- * not NULL: how large derivative k could be for the part of the net alive there. */
-void taut_line_eval(const taut_line *line, int span, double t, int order, double *d, double *bound);
+/* d[k][3], k = 0..order: position and derivatives (scaled) at t + rest, t in the closed span, rest
+ * a rounding error of it. bound[k], if not NULL: how large derivative k could be for the part of
+ * the net alive there. */
+void taut_line_eval(const taut_line *line, int span, double t, double rest, int order, double *d,
+                    double *bound);
 
 /* In the unit of the points; good to 1e-12 relative. TAUT_NO_MEMORY. */
 taut_status taut_line_length(const taut_line *line, double *length);

@@ -33,6 +33,7 @@ typedef struct mesh_plan {
     int seam_count;
     unsigned char *collapsed;
     double weld; /* vertices as near as this are welded along seams */
+    int own;     /* nonzero: the vertices are the control points */
 } mesh_plan;
 
 /* The surfaces that are wanted, as groups. */
@@ -112,6 +113,14 @@ static taut_status count_vertices(taut_mesh *mesh, const mesh_plan *plan, taut_e
     return TAUT_OK;
 }
 
+/* Does a mesh of one cell a span have the control points as they are for vertices? */
+static int is_own(const taut_surface *surface)
+{
+    return taut_surface_weights(surface) == NULL &&
+           taut_basis_degree(taut_surface_u(surface)) == 1 &&
+           taut_basis_degree(taut_surface_v(surface)) == 1;
+}
+
 /* How each surface bends, and along which edges they meet. */
 static taut_status look_at_surfaces(const taut_mesh *mesh, mesh_plan *plan,
                                     const taut_mesh_options *options, double relative,
@@ -119,8 +128,10 @@ static taut_status look_at_surfaces(const taut_mesh *mesh, mesh_plan *plan,
 {
     const double weld =
         options->divide > 0 ? weld_of_size : fmin(weld_of_size, weld_of_tolerance * relative);
+    plan->own = options->divide == 1;
     for (int i = 0; i < mesh->group_count; i++) {
         const taut_surface *surface = plan->surfaces[i];
+        plan->own &= is_own(surface);
         taut_bending *bending = &plan->bendings[i];
         if (taut_bending_sample(surface, options->threads, scratch, bending) != TAUT_OK) {
             return TAUT_NO_MEMORY;
@@ -185,11 +196,18 @@ static taut_status fill_vertices(taut_mesh *mesh, const mesh_plan *plan, int i, 
 {
     const taut_mesh_group *group = &mesh->groups[i];
     const taut_bending *bending = &plan->bendings[i];
+    const taut_surface *surface = plan->surfaces[i];
     const taut_status status = taut_vertices_fill(
-        plan->surfaces[i], group->nu, plan->directions[2 * i].lines, group->nv,
+        surface, group->nu, plan->directions[2 * i].lines, group->nv,
         plan->directions[2 * i + 1].lines, bending->longest_u * bending->longest_v, threads,
         mesh->positions + 3 * group->first_vertex, mesh->normals + 3 * group->first_vertex,
         mesh->parameters + 2 * group->first_vertex);
+    if (status == TAUT_OK && plan->own && group->nu == taut_basis_count(taut_surface_u(surface)) &&
+        group->nv == taut_basis_count(taut_surface_v(
+                         surface))) { /* where sizes run over 16 digits, sums lose the least */
+        memcpy(mesh->positions + 3 * group->first_vertex, taut_surface_points(surface),
+               3 * sizeof(double) * (size_t)group->nu * (size_t)group->nv);
+    }
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
@@ -203,9 +221,9 @@ static void fill_faces(taut_mesh *mesh, const taut_mesh_group *group)
 
 static taut_status weld_mesh(taut_mesh *mesh, const mesh_plan *plan, taut_error *error)
 {
-    const taut_weld weld = {plan->seams,     plan->seam_count, plan->collapsed,
-                            plan->weld,      mesh->groups,     mesh->group_count,
-                            mesh->positions, mesh->welded,     mesh->vertex_count};
+    const taut_weld weld = {plan->seams,  plan->seam_count,  plan->collapsed,   plan->weld,
+                            plan->own,    mesh->groups,      mesh->group_count, mesh->positions,
+                            mesh->welded, mesh->vertex_count};
     return taut_weld_vertices(&weld) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
@@ -239,7 +257,7 @@ taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *opti
     const taut_mesh_options *chosen = options != NULL ? options : &none;
     taut_arena *scratch = NULL;
     taut_mesh *made = NULL;
-    mesh_plan plan = {NULL, NULL, NULL, NULL, 0, NULL, 0};
+    mesh_plan plan = {.surfaces = NULL};
     taut_status status = TAUT_OK;
 
     if (model == NULL || mesh == NULL || !(chosen->tolerance >= 0) || isinf(chosen->tolerance) ||

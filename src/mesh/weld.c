@@ -1,5 +1,6 @@
 #include "mesh/weld.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -46,14 +47,56 @@ static void unite(uint32_t *welded, size_t a, size_t b)
     }
 }
 
-static int are_near(const taut_weld *weld, size_t a, size_t b)
+static double distance(const taut_weld *weld, size_t a, size_t b)
 {
     double sum = 0;
     for (size_t c = 0; c < 3; c++) {
         const double d = weld->positions[3 * a + c] - weld->positions[3 * b + c];
         sum += d * d;
     }
-    return sqrt(sum) <= weld->tolerance;
+    return sqrt(sum);
+}
+
+static int are_near(const taut_weld *weld, size_t a, size_t b)
+{
+    return distance(weld, a, b) <= weld->tolerance;
+}
+
+/* Vertices of a collapsed edge: control points are one only where they are to rounding, however
+ * small the edge is beside the whole. */
+static int are_one(const taut_weld *weld, size_t a, size_t b)
+{
+    double size = 0;
+    for (size_t c = 0; c < 3; c++) {
+        size = fmax(size, fabs(weld->positions[3 * a + c]));
+    }
+    return are_near(weld, a, b) && (!weld->own || distance(weld, a, b) <= 16 * DBL_EPSILON * size);
+}
+
+/* Vertex k of b, the other edge of a seam. */
+static size_t partner_at(const taut_seam *seam, const edge_run *b, int k)
+{
+    return vertex_at(b, seam->reversed ? b->count - 1 - k : k);
+}
+
+/* Do opposite edges of one net of control points meet beside its extent in each coordinate? Where
+ * one extent is 1e15 times another, edges may be near beside the whole and yet at either end. */
+static int meets_itself(const taut_weld *weld, const taut_seam *seam)
+{
+    const edge_run a = run_of(weld, seam->a), b = run_of(weld, seam->b);
+    const taut_mesh_group *group = &weld->groups[seam->a / 4];
+    const double *points = weld->positions + 3 * group->first_vertex;
+    double apart[3] = {0, 0, 0}, size[3] = {0, 0, 0};
+
+    for (size_t k = 0; k < 3 * (size_t)group->nu * (size_t)group->nv; k++) {
+        size[k % 3] = fmax(size[k % 3], fabs(points[k]));
+    }
+    for (size_t k = 0; k < 3 * (size_t)a.count; k++) {
+        const size_t i = vertex_at(&a, (int)(k / 3)), j = partner_at(seam, &b, (int)(k / 3));
+        apart[k % 3] = fmax(apart[k % 3],
+                            fabs(weld->positions[3 * i + k % 3] - weld->positions[3 * j + k % 3]));
+    }
+    return apart[0] <= 1e-6 * size[0] && apart[1] <= 1e-6 * size[1] && apart[2] <= 1e-6 * size[2];
 }
 
 /* Are the edges of a seam cut alike, vertex by vertex? */
@@ -62,10 +105,10 @@ static int is_closed(const taut_weld *weld, const taut_seam *seam)
     const edge_run a = run_of(weld, seam->a), b = run_of(weld, seam->b);
     int k = 0;
     while (k < a.count && a.count == b.count &&
-           are_near(weld, vertex_at(&a, k), vertex_at(&b, seam->reversed ? b.count - 1 - k : k))) {
+           are_near(weld, vertex_at(&a, k), partner_at(seam, &b, k))) {
         k++;
     }
-    return k == a.count;
+    return k == a.count && (!weld->own || seam->a / 4 != seam->b / 4 || meets_itself(weld, seam));
 }
 
 /* Two neighbours are turned alike if they run along their seam in opposite senses. Around a
@@ -136,12 +179,14 @@ static void weld_collapsed(const taut_weld *weld, unsigned char *shut)
     for (int e = 0; e < 4 * weld->group_count; e++) {
         if (weld->collapsed[e]) {
             const edge_run run = run_of(weld, e);
+            shut[e] = 1;
             for (int k = 1; k < run.count; k++) {
-                if (are_near(weld, run.first, vertex_at(&run, k))) {
+                if (are_one(weld, run.first, vertex_at(&run, k))) {
                     unite(weld->welded, run.first, vertex_at(&run, k));
+                } else {
+                    shut[e] &= !weld->own;
                 }
             }
-            shut[e] = 1;
         }
     }
 }
@@ -150,7 +195,7 @@ static void weld_seam(const taut_weld *weld, const taut_seam *seam)
 {
     const edge_run a = run_of(weld, seam->a), b = run_of(weld, seam->b);
     for (int k = 0; k < a.count; k++) {
-        unite(weld->welded, vertex_at(&a, k), vertex_at(&b, seam->reversed ? b.count - 1 - k : k));
+        unite(weld->welded, vertex_at(&a, k), partner_at(seam, &b, k));
     }
 }
 

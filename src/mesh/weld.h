@@ -10,6 +10,7 @@ typedef struct taut_weld {
     int seam_count;
     const unsigned char *collapsed; /* [4 groups] */
     double tolerance;               /* a length */
+    int own;                        /* nonzero: the vertices are control points */
     taut_mesh_group *groups;
     int group_count;
     double *positions; /* double[vertices][3]: welded ones take the place of the first of them */

@@ -26,4 +26,12 @@ static inline double taut_sum_total(const taut_sum *sum)
     return sum->high + sum->low;
 }
 
+/* What the computed a + b leaves over of the sum, exactly (ibid.). */
+static inline double taut_sum_rest(double a, double b)
+{
+    const double sum = a + b;
+    const double from_b = sum - a;
+    return (a - (sum - from_b)) + (b - from_b);
+}
+
 #endif /* TAUT_NUMERIC_SUM_H */

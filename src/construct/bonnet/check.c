@@ -86,14 +86,33 @@ static taut_status check_lengths(const taut_bonnet_problem *problem, taut_error 
     return TAUT_OK;
 }
 
+/* Where v ends: refused at the member that is to blame, its start where that is beyond already. */
+static taut_status check_far(const taut_bonnet_problem *problem, double scale, taut_error *error)
+{
+    const int segments = problem->segments[1] > 0 ? problem->segments[1] : 1;
+    const double start = problem->start[1], end = start + problem->beta * segments;
+    const double most = scale > 0 ? fmin(farthest / scale, farthest_enneper) : farthest_enneper;
+
+    if (fabs(start) > most) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/start/1", start, most,
+                         "the window begins at v = %.6g, expected at most %.6g in size: beyond, "
+                         "curvatures overflow. Begin nearer to 0, where the surface has its waist",
+                         start, most);
+    }
+    if (fabs(end) > most) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/beta", end, most,
+                         "the window reaches v = %.6g, expected at most %.6g in size: beyond, "
+                         "curvatures overflow. From its start a beta of up to %.6g will do",
+                         end, most, (most - start) / segments);
+    }
+    return TAUT_OK;
+}
+
 /* The window must be on this side of where numbers end. */
 static taut_status check_window(const taut_bonnet_problem *problem, taut_error *error)
 {
     const double lengths[2] = {problem->alpha, problem->beta};
     const double scale = problem->normalize ? widest(problem) : 1;
-    const double end =
-        problem->start[1] + problem->beta * (problem->segments[1] > 0 ? problem->segments[1] : 1);
-    const double v = fabs(end) > fabs(problem->start[1]) ? end : problem->start[1];
 
     for (int d = 0; d < 2; d++) {
         if (fabs(problem->start[d]) > farthest_start * lengths[d]) {
@@ -110,14 +129,7 @@ static taut_status check_window(const taut_bonnet_problem *problem, taut_error *
                          "overflow",
                          fabs(problem->start[0]) + problem->alpha, farthest_enneper);
     }
-    if (scale * fabs(v) > farthest || fabs(v) > farthest_enneper) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/beta", v,
-                         scale > 0 ? farthest / scale : farthest_enneper,
-                         "the window reaches v = %.6g, expected at most %.6g in size: beyond, "
-                         "curvatures overflow",
-                         v, scale > 0 ? farthest / scale : farthest_enneper);
-    }
-    return TAUT_OK;
+    return check_far(problem, scale, error);
 }
 
 static taut_status check_rest(const taut_bonnet_problem *problem, taut_error *error)

@@ -20,6 +20,14 @@
 
 /* A given surface counts as biharmonic up to this scaled residual. */
 static const double biharmonic_limit = 1e-10;
+/* Past this growth the net of least bending is no longer found within its rounding: on squares from
+ * degree 26 with C^2 contact on; past this degree, 33^2 points, finding it takes seconds to minutes
+ * to learn as much. */
+static const double amplification_limit = 2e9;
+enum { DEGREE_MAX = 32 };
+/* The rows that meet must be met within some roundings of the coordinates: on a rectangle 50 times
+ * as long as wide they are not from degree 20 on. */
+static const double meeting_limit = 4 * DBL_EPSILON;
 
 typedef struct neighbour {
     taut_neighbour given;
@@ -244,8 +252,59 @@ static double amplification_of(const neighbour *b, const taut_wide *y)
     return (double)most;
 }
 
+static double size_of(const double *net, size_t points)
+{
+    double size = 0;
+    for (size_t i = 0; i < 3 * points; i++) {
+        size = fmax(size, fabs(net[i]));
+    }
+    return size;
+}
+
+/* How far the rows that were to be met were missed, over the size of the given net. */
+static double miss_of(const neighbour *b, const double *net, const taut_wide *y)
+{
+    const double size = size_of(b->given.net, numbers_of(b));
+    double miss = 0;
+    for (size_t k = (size_t)(b->n + 1); k < (size_t)(b->lines * (b->n + 1)); k++) {
+        for (int side = 0; side < 3; side++) {
+            const taut_wide found = point_of(b, y, side, k);
+            miss = fmax(miss, fabs((double)(found - net[3 * k + (size_t)side])));
+        }
+    }
+    return size > 0 ? miss / size : 0;
+}
+
+/* Refused where rounding leaves nothing of what the certificate claims. */
+static taut_status check_digits(const neighbour *b, double amplification, double miss,
+                                taut_error *error)
+{
+    /* rows of a neighbour h times as wide are up to h^k as large */
+    const double limit = meeting_limit * fmax(1, taut_frame_reach(&b->given.frame)) *
+                         pow(fmax(1, b->given.ratio), b->contact);
+
+    if (!(amplification <= amplification_limit)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", amplification, amplification_limit,
+                         "rounding in the surface of degree %d would grow %.3g times in its "
+                         "neighbour, past %.0e: least bending would not be found (a narrower "
+                         "neighbour or a lower degree is better; \"insist\": true builds it all "
+                         "the same)",
+                         b->n, amplification, amplification_limit);
+    }
+    if (!(miss <= limit)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/width", miss, limit,
+                         "the rows that meet would be missed by %.3g of the size, past %.1e: on a "
+                         "rectangle of %.3g by %.3g too few digits are left at degree %d (a width "
+                         "nearer to the length of the edge or a lower degree is better; "
+                         "\"insist\": true builds it all the same)",
+                         miss, limit, b->across, b->along, b->n);
+    }
+    return TAUT_OK;
+}
+
 /* Steps 1 to 3: the net, in the frame. */
-static taut_status solve(neighbour *b, double *net, double *amplification, taut_error *error)
+static taut_status solve(neighbour *b, double *net, double *amplification, int insist,
+                         taut_error *error)
 {
     taut_arena *arena = b->given.arena;
     taut_wide *y = taut_arena_take(arena, (size_t)b->sides * (size_t)b->free, sizeof *y);
@@ -262,18 +321,19 @@ static taut_status solve(neighbour *b, double *net, double *amplification, taut_
     if (status == TAUT_OK && b->free > 0) {
         status = relax(b, y, error);
     }
+    if (status == TAUT_OK) {
+        *amplification = amplification_of(b, y);
+        status = insist ? TAUT_OK : check_digits(b, *amplification, miss_of(b, net, y), error);
+    }
     for (size_t k = (size_t)(b->n + 1); status == TAUT_OK && k < numbers_of(b); k++) {
         for (int side = 0; side < 3; side++) {
             net[3 * k + (size_t)side] = (double)point_of(b, y, side, k);
         }
     }
-    if (status == TAUT_OK) {
-        *amplification = amplification_of(b, y);
-    }
     return status;
 }
 
-static taut_status check(const taut_neighbour *given, taut_error *error)
+static taut_status check(const taut_neighbour *given, int insist, taut_error *error)
 {
     const size_t numbers = (size_t)(given->n + 1) * (size_t)(given->m + 1);
     const double limit = fmax(biharmonic_limit, 16 * DBL_EPSILON * taut_frame_reach(&given->frame));
@@ -288,6 +348,13 @@ static taut_status check(const taut_neighbour *given, taut_error *error)
                          "a biharmonic neighbour needs one degree both ways, at most %d, found %d "
                          "and %d",
                          TAUT_SPACE_DEGREE_MAX, given->n, given->m);
+    }
+    if (given->n > DEGREE_MAX && !insist) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", given->n, DEGREE_MAX,
+                         "a neighbour of degree %d, expected at most %d: rounding leaves little of "
+                         "least bending beyond, and finding it takes up to minutes (a lower degree "
+                         "is better; \"insist\": true builds it all the same, up to degree %d)",
+                         given->n, DEGREE_MAX, TAUT_SPACE_DEGREE_MAX);
     }
     residual = taut_neighbour_residual(given, 2, scratch);
     if (!(residual <= limit)) {
@@ -343,7 +410,7 @@ taut_status taut_biharmonic_neighbour(const taut_biharmonic_problem *problem, ta
         status = taut_neighbour_turn(&b.given, problem->width, error);
     }
     if (status == TAUT_OK) {
-        status = check(&b.given, error);
+        status = check(&b.given, problem->insist, error);
     }
     if (status != TAUT_OK) {
         return status;
@@ -355,6 +422,7 @@ taut_status taut_biharmonic_neighbour(const taut_biharmonic_problem *problem, ta
     b.across = b.given.ratio * b.given.across;
     b.along = b.given.along;
     net = taut_arena_take(arena, 3 * numbers_of(&b), sizeof(double));
-    status = net != NULL ? solve(&b, net, &amplification, error) : taut_fail_memory(error);
+    status = net != NULL ? solve(&b, net, &amplification, problem->insist, error)
+                         : taut_fail_memory(error);
     return status == TAUT_OK ? add_both(&b, net, amplification, model, error) : status;
 }

@@ -9,11 +9,14 @@
 void taut_pipe_bernstein(int degree, const double (*c)[3], double t, double value[3],
                          double derivative[3])
 {
-    double b[2 * TAUT_PIPE_DEGREE_MAX][3];
+    double b[2 * TAUT_PIPE_DEGREE_MAX][4]; /* a fourth, of no meaning, fills two vectors of two */
     const double u = 1 - t;
 
     assert(degree >= 0 && degree < 2 * TAUT_PIPE_DEGREE_MAX);
-    memcpy(b, c, ((size_t)degree + 1) * sizeof b[0]);
+    for (int i = 0; i <= degree; i++) {
+        memcpy(b[i], c[i], sizeof c[i]);
+        b[i][3] = 0;
+    }
     for (int level = degree; level > 0; level--) {
         if (level == 1 && derivative != NULL) {
             for (int k = 0; k < 3; k++) {
@@ -21,7 +24,7 @@ void taut_pipe_bernstein(int degree, const double (*c)[3], double t, double valu
             }
         }
         for (int i = 0; i < level; i++) {
-            for (int k = 0; k < 3; k++) {
+            for (int k = 0; k < 4; k++) {
                 b[i][k] = u * b[i][k] + t * b[i + 1][k];
             }
         }
@@ -29,7 +32,7 @@ void taut_pipe_bernstein(int degree, const double (*c)[3], double t, double valu
     if (degree == 0 && derivative != NULL) {
         memset(derivative, 0, 3 * sizeof *derivative);
     }
-    memcpy(value, b[0], sizeof b[0]);
+    memcpy(value, b[0], 3 * sizeof *value);
 }
 
 static double binomial(int n, int k)

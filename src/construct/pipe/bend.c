@@ -68,25 +68,44 @@ static double root(slope f, const taut_pipe_arc *arc, double lo, double hi, doub
     return 0.5 * (lo + hi);
 }
 
-static double speed_at(const taut_pipe_arc *arc, double t)
+/* How fast the curve runs and how much it bends at t, and how both change there. */
+typedef struct pace {
+    double speed, curvature;
+    double speed_slope, curvature_slope; /* of the functions above */
+} pace;
+
+static pace pace_at(const taut_pipe_arc *arc, double t)
 {
-    double d1[3];
-    taut_pipe_bernstein(arc->degree - 1, arc->velocity, t, d1, NULL);
-    return sqrt(taut_dot(d1, d1));
+    double d1[3], d2[3], cross[3], cross1[3];
+    pace p = {0, 0, 0, 0};
+    taut_pipe_bernstein(arc->degree - 1, arc->velocity, t, d1, d2);
+    taut_pipe_bernstein(2 * arc->degree - 4, arc->cross, t, cross, cross1);
+    const double square = taut_dot(d1, d1), bent = taut_dot(cross, cross);
+    p.speed = sqrt(square);
+    p.curvature = p.speed > 0 ? sqrt(bent) / (p.speed * p.speed * p.speed) : 0;
+    p.speed_slope = taut_dot(d1, d2);
+    p.curvature_slope = taut_dot(cross, cross1) * square - 3 * bent * p.speed_slope;
+    return p;
 }
 
-static void take(const taut_pipe_arc *arc, double t, taut_pipe_bend *bend)
+static void take(const pace *p, double t, taut_pipe_bend *bend)
 {
-    taut_pipe_jet jet;
-    taut_pipe_arc_jet(arc, t, &jet);
-    if (jet.speed < bend->least_speed) {
-        bend->least_speed = jet.speed;
+    if (p->speed < bend->least_speed) {
+        bend->least_speed = p->speed;
         bend->least_speed_at = t;
     }
-    if (jet.curvature > bend->curvature) {
-        bend->curvature = jet.curvature;
+    if (p->curvature > bend->curvature) {
+        bend->curvature = p->curvature;
         bend->curvature_at = t;
     }
+}
+
+static void take_root(slope f, const taut_pipe_arc *arc, double lo, double hi, double f_lo,
+                      double f_hi, taut_pipe_bend *bend)
+{
+    const double t = root(f, arc, lo, hi, f_lo, f_hi);
+    const pace p = pace_at(arc, t);
+    take(&p, t, bend);
 }
 
 /* Parameter i of -GRADED .. samples + GRADED, increasing: equal steps, and ever smaller ones
@@ -103,28 +122,29 @@ static double place(int i, int samples)
 
 void taut_pipe_bend_extremes(const taut_pipe_arc *arc, int samples, taut_pipe_bend *bend)
 {
-    double largest = 0, before = 0, before_speed = 0, before_curvature = 0;
+    double largest = 0, before = 0;
+    pace last = pace_at(arc, 0);
 
     bend->curvature = 0;
     bend->curvature_at = 0;
-    bend->least_speed = speed_at(arc, 0);
+    bend->least_speed = last.speed;
     bend->least_speed_at = 0;
     for (int i = 0; i < arc->degree; i++) {
         largest = fmax(largest, sqrt(taut_dot(arc->velocity[i], arc->velocity[i])));
     }
     for (int i = -GRADED; i <= samples + GRADED; i++) {
         const double t = place(i, samples);
-        const double s = speed_slope(arc, t), c = curvature_slope(arc, t);
-        take(arc, t, bend);
-        if (i > -GRADED && before_speed < 0 && s > 0) {
-            take(arc, root(speed_slope, arc, before, t, before_speed, s), bend);
+        const pace p = pace_at(arc, t);
+        take(&p, t, bend);
+        if (i > -GRADED && last.speed_slope < 0 && p.speed_slope > 0) {
+            take_root(speed_slope, arc, before, t, last.speed_slope, p.speed_slope, bend);
         }
-        if (i > -GRADED && before_curvature > 0 && c < 0) {
-            take(arc, root(curvature_slope, arc, before, t, before_curvature, c), bend);
+        if (i > -GRADED && last.curvature_slope > 0 && p.curvature_slope < 0) {
+            take_root(curvature_slope, arc, before, t, last.curvature_slope, p.curvature_slope,
+                      bend);
         }
         before = t;
-        before_speed = s;
-        before_curvature = c;
+        last = p;
     }
     bend->least_speed = largest > 0 ? bend->least_speed / largest : 0;
 }
@@ -139,13 +159,11 @@ void taut_pipe_bend_integrals(const taut_pipe_arc *arc, int panels, taut_pipe_be
         for (int k = 0; k < GAUSS; k++) {
             /* t = s^2 (3 - 2s) brings nodes to the ends, where curvature may peak */
             const double s = (i + 0.5 + 0.5 * nodes[k]) / panels;
-            taut_pipe_jet jet;
-            double ds = 0;
-            taut_pipe_arc_jet(arc, s * s * (3 - 2 * s), &jet);
-            ds = 0.5 * weights[k] / panels * 6 * s * (1 - s) * jet.speed;
+            const pace p = pace_at(arc, s * s * (3 - 2 * s));
+            const double ds = 0.5 * weights[k] / panels * 6 * s * (1 - s) * p.speed;
             bend->length += ds;
-            bend->turning += jet.curvature * ds;
-            bend->bending += jet.curvature * jet.curvature * ds;
+            bend->turning += p.curvature * ds;
+            bend->bending += p.curvature * p.curvature * ds;
         }
     }
 }

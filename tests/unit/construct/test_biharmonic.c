@@ -405,6 +405,54 @@ static void test_refusals(void)
     taut_surface_free(random);
 }
 
+/* (u, v, u^2 - v^2) of degree n both ways, over the unit square. */
+static taut_surface *saddle(int n)
+{
+    static double points[34 * 34][3];
+    for (int k = 0; k < (n + 1) * (n + 1); k++) {
+        const double i = k / (n + 1), j = k % (n + 1);
+        points[k][0] = i / n;
+        points[k][1] = j / n;
+        points[k][2] = (i * (i - 1) - j * (j - 1)) / (n * (n - 1.0));
+    }
+    return shape_surface(shape_bezier(n, 0, 1), shape_bezier(n, 0, 1), points[0], NULL);
+}
+
+/* Where rounding leaves nothing of what would be claimed neighbours are refused, unless they are
+ * insisted upon; a step before that all claims hold. */
+static void test_digits(void)
+{
+    static const struct {
+        int n, contact;
+        double width;
+        const char *pattern;
+    } cases[] = {{33, 1, 1, "expected at most 32"},
+                 {13, 2, 3.5, "least bending would not be found"},
+                 {20, 1, 0.02, "the rows that meet would be missed"},
+                 {12, 2, 2.5, NULL},
+                 {16, 1, 0.02, NULL}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        taut_surface *given = saddle(cases[i].n);
+        taut_biharmonic_problem problem = {.surface = given,
+                                           .edge = TAUT_EDGE_U1,
+                                           .width = cases[i].width,
+                                           .contact = cases[i].contact};
+        double worst[4] = {0, 0, 0, 0};
+        if (cases[i].pattern != NULL) {
+            refused(&problem, TAUT_NO_SOLUTION, cases[i].pattern);
+            problem.insist = 1;
+        }
+        if (cases[i].n <= 20) {
+            taut_model *pair = make(&problem, "at the limit");
+            if (cases[i].pattern == NULL) {
+                all_hold(pair, &problem, 1, "at the limit", cases[i].n, worst);
+            }
+            taut_model_free(pair);
+        }
+        taut_surface_free(given);
+    }
+}
+
 int main(void)
 {
     random_seed(20261123);
@@ -415,5 +463,6 @@ int main(void)
     test_degenerate();
     test_amplification();
     test_refusals();
+    test_digits();
     return check_failures != 0;
 }

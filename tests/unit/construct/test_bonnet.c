@@ -265,6 +265,20 @@ static void test_refusals(void)
         *(int *[]){&p.sign, &p.frames, &p.segments[0], &p.segments[1]}[member] = -2147483647;
         CHECK(taut_bonnet_make(&p, NULL, &model, &error) == TAUT_BAD_INPUT, "member %d", member);
     }
+    static const struct {
+        double start, beta;
+        const char *where, *way;
+    } far[] = {{200, 1, "/start/1", "Begin nearer to 0"},
+               {-200, 300, "/start/1", "Begin nearer to 0"},
+               {100, 100, "/beta", "a beta of up to 77 will do"}};
+    for (size_t i = 0; i < sizeof far / sizeof far[0]; i++) {
+        p = legal;
+        p.start[1] = far[i].start;
+        p.beta = far[i].beta;
+        CHECK(taut_bonnet_make(&p, NULL, &model, &error) == TAUT_NO_SOLUTION, "case %zu", i);
+        CHECK(strcmp(error.where, far[i].where) == 0 && strstr(error.message, far[i].way) != NULL,
+              "case %zu: %s: %s", i, error.where, error.message);
+    }
     p = legal;
     p.theta = NAN;
     CHECK(taut_bonnet_make(&p, NULL, &model, &error) == TAUT_BAD_INPUT, "theta");

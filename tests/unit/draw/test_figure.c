@@ -352,13 +352,15 @@ static void test_options(void)
         }
     }
     FILE *out = open_memstream(&svg, &size);
-    CHECK(taut_draw_figures(3, models, &(taut_write_options){.labels = labels}, "svg", out, NULL) ==
-              TAUT_OK,
+    CHECK(taut_draw_figures(3, models, &(taut_write_options){.labels = labels, .combs = 1}, "svg",
+                            out, NULL) == TAUT_OK,
           "three models");
     fclose(out);
     for (int i = 0; i < 3; i++) {
         CHECK(strstr(svg, labels[i]) != NULL, "%s", labels[i]);
     }
+    CHECK(strstr(svg, "each model at its own scale") != NULL && strstr(svg, "at first") == NULL,
+          "whose tooth is told");
     free(svg);
     CHECK(taut_draw_figures(0, models, NULL, "svg", stdout, NULL) == TAUT_BAD_ARGUMENT, "none");
     CHECK(taut_draw_figures(TAUT_MODELS_MAX + 1, models, NULL, "svg", stdout, NULL) ==

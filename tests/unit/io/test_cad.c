@@ -1,6 +1,7 @@
 /* test_cad.c -- STEP and IGES: what is written comes back the same, what is approximated lies
  * within the bound that is told, and broken files are refused. */
 #include "models.h"
+#include "shapes.h"
 
 #include "taut/limits.h"
 #include "taut/operate.h"
@@ -438,6 +439,39 @@ static int is_there(void)
     return status == TAUT_OK;
 }
 
+/* A surface that is one point: IGES gives it back, STEP would not and says so; points of different
+ * places that are near each other are given back by both. */
+static void test_point(void)
+{
+    for (int k = 0; k < 2; k++) {
+        const double near = k == 0 ? 0 : 1e-12;
+        const double points[12] = {1, 2, 3, 1, 2 + near, 3, 1 + near, 2, 3, 1 + near, 2 + near, 3};
+        const char *const step = in_folder("point.step");
+        taut_surface *surface =
+            shape_surface(shape_bspline(1, 2), shape_bspline(1, 2), points, NULL);
+        taut_model *model = NULL;
+        taut_error error = {TAUT_OK, 0, 0, "", ""};
+
+        CHECK(taut_model_new(&model) == TAUT_OK &&
+                  taut_model_add_surface(model, surface) == TAUT_OK,
+              "model");
+        taut_model *back = written_and_read(model, in_folder("point.igs"), 0, NULL);
+        CHECK(back != NULL && taut_model_surface_count(back) == 1, "iges, near %g", near);
+        taut_model_free(back);
+        if (k == 0) {
+            CHECK(taut_model_write(model, step, NULL, &error) == TAUT_NO_SOLUTION &&
+                      strstr(error.message, "is a single point") != NULL,
+                  "%s", error.message);
+            CHECK(access(step, F_OK) != 0, "nothing is left of it");
+        } else {
+            back = written_and_read(model, step, 0, NULL);
+            CHECK(back != NULL && taut_model_surface_count(back) == 1, "step, near %g", near);
+            taut_model_free(back);
+        }
+        taut_model_free(model);
+    }
+}
+
 static void test_all(void)
 {
     test_round_trip();
@@ -448,6 +482,7 @@ static void test_all(void)
     test_broken();
     test_lies();
     test_no_files();
+    test_point();
 }
 
 int main(void)

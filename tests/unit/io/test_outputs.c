@@ -111,6 +111,30 @@ static void test_never_committed(void)
     empty_folder();
 }
 
+/* Where files without a name cannot be had (here: no second descriptor is left for one) they have a
+ * passing one, and all is as with the others. */
+static void test_passing_name(void)
+{
+    struct rlimit old = {256, 1024};
+    taut_outputs *outputs = new_outputs();
+    taut_outputs *dropped = new_outputs();
+    const int next = open("/dev/null", O_RDONLY);
+    close(next);
+    CHECK(getrlimit(RLIMIT_NOFILE, &old) == 0, "limit");
+    CHECK(setrlimit(RLIMIT_NOFILE, &(struct rlimit){(rlim_t)next + 1, old.rlim_max}) == 0, "limit");
+    CHECK(put(dropped, "none", in_folder("b")) == TAUT_OK, "b");
+    CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
+    CHECK(setrlimit(RLIMIT_NOFILE, &old) == 0, "limit");
+    CHECK(entries() == 2, "%d entries", entries());
+    taut_outputs_abandon(dropped);
+    CHECK(entries() == 1, "abandoned: %d entries", entries());
+    taut_outputs_free(dropped);
+    CHECK(taut_outputs_commit(outputs, NULL) == TAUT_OK, "commit");
+    taut_outputs_free(outputs);
+    CHECK(entries() == 1 && file_is(in_folder("a"), "one"), "%d entries", entries());
+    empty_folder();
+}
+
 /* A target that turned into a folder cannot be replaced: the file has its passing name by then, and
  * loses it again. */
 static void test_target_became_folder(void)
@@ -347,6 +371,7 @@ int main(void)
     }
     test_together();
     test_never_committed();
+    test_passing_name();
     test_target_became_folder();
     test_full_device();
     test_no_space();

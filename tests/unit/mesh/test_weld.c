@@ -279,6 +279,50 @@ static void test_gap(void)
     }
 }
 
+/* Panels have their own vertices, digit by digit, however far their sizes are apart: an edge as
+ * short as 1e-40 of the whole, opposite edges as near as 1e-15 of it, sums that cancel; and a net
+ * that meets itself is closed. */
+static void test_own(void)
+{
+    enum { N = 5, M = 9 };
+    static const double far[] = {0, 10, 44};
+    double points[N][M][3];
+    for (int kind = 0; kind < 3; kind++) {
+        const double from = kind == 1 ? -far[kind] : 0, turn = kind == 0 ? 2 : 0.8;
+        taut_model *model = new_model();
+        taut_mesh *mesh = NULL;
+        int joined = 0;
+        for (int i = 0; i < N; i++) {
+            for (int j = 0; j < M; j++) {
+                const double v = from + far[kind] * i / 2, angle = turn * acos(-1) * j / (M - 1);
+                points[i][j][0] = cosh(v) * cos(angle);
+                points[i][j][1] = cosh(v) * sin(angle);
+                points[i][j][2] = kind == 0 ? i : v;
+            }
+        }
+        if (kind == 1) { /* as near beside the whole, not beside their own extent */
+            for (int k = 0; k < N * M; k++) {
+                points[k / M][k % M][0] *= 1e12;
+                points[k / M][k % M][1] *= 1e12;
+            }
+        }
+        add(model, shape_surface(shape_bspline(1, N), shape_bspline(1, M), points[0][0], NULL));
+        mesh = mesh_of(model, 0, 1);
+        CHECK(taut_mesh_vertex_count(mesh) == N * M, "kind %d: %zu vertices", kind,
+              taut_mesh_vertex_count(mesh));
+        for (uint32_t k = 0; k < N * M; k++) {
+            joined += taut_mesh_welded(mesh)[k] != k;
+            CHECK(taut_mesh_welded(mesh)[k] != k ||
+                      memcmp(taut_mesh_positions(mesh) + 3 * k, points[k / M][k % M],
+                             3 * sizeof(double)) == 0,
+                  "kind %d: vertex %u has moved", kind, k);
+        }
+        CHECK(joined == (kind == 0 ? N : 0), "kind %d: %d vertices are welded", kind, joined);
+        taut_mesh_free(mesh);
+        taut_model_free(model);
+    }
+}
+
 int main(void)
 {
     random_seed(20260301);
@@ -288,5 +332,6 @@ int main(void)
     test_pieces();
     test_strip();
     test_gap();
+    test_own();
     return check_failures != 0;
 }
