@@ -112,16 +112,7 @@ static int is_straight(const taut_asymptotic_model *model, int edge, double most
 {
     const double *const p = taut_curve_points(model->curves[edge]);
     const int last = taut_basis_count(taut_curve_t(model->curves[edge])) - 1;
-    double chord[3], off = 0.0;
-    taut_difference(p + 3 * last, p, chord);
-    for (int j = 1; j < last; j++) {
-        double arm[3], normal[3];
-        taut_difference(p + 3 * j, p, arm);
-        taut_cross(chord, arm, normal);
-        off = fmax(off, taut_norm(normal));
-    }
-    return most * taut_norm(chord) <= 1e-10 ||
-           off <= 4 * DBL_EPSILON * model->curve_size * taut_norm(chord);
+    return most * taut_distance(p, p + 3 * last) <= 1e-10 || taut_edge_on_chord(model, edge);
 }
 
 /* The larger end weight over W(t). */

@@ -31,6 +31,9 @@ typedef struct taut_edge_proof {
     int singular;             /* samples at which the surface has no normal */
 } taut_edge_proof;
 
+/* Is the distance of its control points from its chord nothing but rounding? */
+int taut_edge_on_chord(const taut_asymptotic_model *model, int edge);
+
 /* What the curves at the two ends of an edge leave between R_c and the osculating plane: parts that
  * go with the first and second Bernstein function from there. */
 typedef struct taut_edge_data {

@@ -70,18 +70,24 @@ static tangents tangents_of(const taut_spot *spot)
 }
 
 /* How large the coefficients of order k of the height could be: those of x over the speeds, the
- * obliqueness of the parameters taken in; at order 3 products of two of order 2 come in too. */
+ * obliqueness of the parameters taken in; at order 3 products of two of order 2 come in too, each
+ * with one of them as large as it could be and the other as large as it is. */
 static void height_bounds(const taut_spot *spot, const tangents *d, double bound[4])
 {
+    double second = 0; /* the coefficients of order 2 as they are */
     for (int k = 1; k <= 3; k++) {
         bound[k] = 0;
         for (int i = k * (k + 1) / 2; i < (k + 1) * (k + 2) / 2; i++) {
-            bound[k] += spot->bound[i] / pow(d->length_s, taut_jet_power[i][0]) /
-                        pow(d->length_t, taut_jet_power[i][1]);
+            const double speeds =
+                pow(d->length_s, taut_jet_power[i][0]) * pow(d->length_t, taut_jet_power[i][1]);
+            double x[3];
+            vector_at(spot, i, x);
+            bound[k] += spot->bound[i] / speeds;
+            second += k == 2 ? norm(x) / speeds : 0;
         }
         bound[k] /= pow(d->sine, k);
     }
-    bound[3] += bound[2] * bound[2];
+    bound[3] += 4 * bound[2] * second / (d->sine * d->sine);
 }
 
 /* f(s, t) with s and t themselves series without constant terms: a sum over the monomials. */

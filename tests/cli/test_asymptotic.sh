@@ -65,11 +65,11 @@ contains err.txt 'regular +DOES NOT HOLD'
 # What does not exist: 4, with the condition and what is nearest.
 sed 's/"curvature": \[1, 1\]/"curvature": [1, 1.3]/; t' "$example/asymptotic-1.json" |
     awk '/curvature/ && !done { done = 1; print; next } { gsub(/\[1, 1\.3\]/, "[1, 1]"); print }' > open.json
-refused 4 'cannot close around the four corners.*nearest: multiply curvature' make open.json
+refused 4 'cannot close around the four corners.*nearest curvatures, each .*: v0 \[' make open.json
 sed 's/"degree": 4/"degree": 4, "branch": "++++"/' "$example/asymptotic-1.json" > branch.json
 refused 4 'no branch \+\+\+\+; those that exist: -\+-\+ \+-\+-' make branch.json
 sed 's/"weights": \[1, 1\]/"weights": [1, 2]/' "$example/asymptotic-1.json" > unequal.json
-refused 4 'end weights of v0 and u1 differ|differ at corner' make unequal.json
+refused 4 'end weights of v0 and u1 differ at corner .*nearest weights: v0 \[1,1\.4142' make unequal.json
 
 # The document is wrong: 3, with the pointer.
 sed 's/"degree": 4/"degree": 9/' "$example/asymptotic-1.json" > degree.json

@@ -137,4 +137,12 @@ planar line '[[3,0,0],[3,0,0],[3,0,0],[3,0,0]]'
 contains out.txt 'one_sign +yes$'
 run 0 measure whole.json
 grep -q jacobian out.txt && complain "a surface in space has a Jacobian: $(cat out.txt)"
+
+# Rows written to twelve digits: the repair that is asked for is made, and the surface is harmonic.
+for even in corner project raise; do
+    printf '{"taut": 1, "construct": "harmonic", "u": {"type": "bezier", "degree": 2}, "v": {"type": "bezier", "degree": 2}, "even": "%s",
+      "points": [[[0,0,0],[0,1,0],[0,2,0]],[null,null,null],[[1,0,0],[1,1,0.000000000001],[1,2,0]]]}\n' "$even" > almost.json
+    run 0 make almost.json -o almost.out.json
+    grep -q "\"kind\": \"$even\"" almost.out.json || complain "no $even: $(cat almost.out.json)"
+done
 finish

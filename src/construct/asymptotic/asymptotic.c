@@ -165,9 +165,12 @@ static taut_status find_curves(const taut_asymptotic_problem *problem, const tau
                                work *w, taut_error *error)
 {
     taut_asymptotic_problem moved = *problem;
-    double center[3], size = 0.0;
+    double center[3], size = 0.0, far = 0.0;
     int chosen = 0;
     taut_status status = TAUT_OK;
+    for (int k = 0; k < 12; k++) {
+        far = fmax(far, fabs(problem->corners[k / 3][k % 3]));
+    }
     center_of(&problem->corners[0][0], center);
     status = check_size(&problem->corners[0][0], center, "/corners", &size, error);
     if (status == TAUT_OK &&
@@ -178,13 +181,14 @@ static taut_status find_curves(const taut_asymptotic_problem *problem, const tau
         }
     }
     if (status == TAUT_OK) {
-        status = taut_branches_find(&moved, monitor, &w->branches, error);
+        status = taut_branches_find(&moved, 0.5 * DBL_EPSILON * far, monitor, &w->branches, error);
     }
     if (status == TAUT_OK) {
         status = taut_branch_choose(problem, &w->branches, &chosen, error);
     }
     if (status == TAUT_OK) {
         w->quad = w->branches.list[chosen].quad;
+        w->quad.rounding = 0.5 * DBL_EPSILON * far;
         w->curve_energy = w->branches.list[chosen].energy;
     }
     return status;

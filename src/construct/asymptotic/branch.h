@@ -35,10 +35,12 @@ typedef struct taut_branches {
     int unknowns; /* that the energy was minimised over */
 } taut_branches;
 
-/* All branches with a minimum, lowest energy first. TAUT_NO_SOLUTION if there is none: *error says
+/* All branches with a minimum, lowest energy first. The corners may have been moved: `rounding` is
+ * that of their coordinates as they were given. TAUT_NO_SOLUTION if there is none: *error says
  * which condition fails and what is nearest. */
-taut_status taut_branches_find(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
-                               taut_branches *branches, taut_error *error);
+taut_status taut_branches_find(const taut_asymptotic_problem *problem, double rounding,
+                               const taut_monitor *monitor, taut_branches *branches,
+                               taut_error *error);
 
 /* Index of the branch the problem asks for; TAUT_NO_SOLUTION names those there are. */
 taut_status taut_branch_choose(const taut_asymptotic_problem *problem,

@@ -1,6 +1,7 @@
 #include "construct/asymptotic/branch.h"
 
 #include "construct/asymptotic/family.h"
+#include "construct/asymptotic/quartic.h"
 #include "core/fail.h"
 #include "core/memory.h"
 
@@ -64,7 +65,8 @@ static void insert(taut_branches *branches, const taut_branch *branch)
 }
 
 /* The message when no branch has a minimum. */
-static taut_status fail_none(int allowed, double gap, taut_error *error)
+static taut_status fail_none(const taut_corner_data *data, int allowed, double gap,
+                             taut_error *error)
 {
     if (allowed == 0) {
         return taut_fail(error, TAUT_NO_SOLUTION, "/edges", 0.0, taut_none,
@@ -72,11 +74,7 @@ static taut_status fail_none(int allowed, double gap, taut_error *error)
                          "and one side per edge: change the direction of a leg");
     }
     if (gap != 0.0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, 0.0,
-                         "the torsions cannot close around the four corners: the curvatures miss "
-                         "it by a factor of %.12g; nearest: multiply curvature of v0[1], u0[0], "
-                         "v1[0], u1[1] by %.15g and divide v0[0], u0[1], v1[1], u1[0] by it",
-                         exp(gap), exp(gap / 8));
+        return taut_closing_fail(data, gap, error);
     }
     return taut_fail(error, TAUT_NOT_CONVERGED, "/edges", taut_none, taut_none,
                      "the curve energy has no minimum in any of the %d sign branches that the "
@@ -107,7 +105,7 @@ static taut_status find_with(const taut_family *family, const taut_corner_data *
         }
     }
     if (status == TAUT_OK && branches->count == 0) {
-        status = fail_none(allowed, isfinite(gap) ? gap : 0.0, error);
+        status = fail_none(data, allowed, isfinite(gap) ? gap : 0.0, error);
     }
     return status;
 }
@@ -127,8 +125,9 @@ static void raise_branches(const taut_corner_data *data, taut_branches *branches
     }
 }
 
-taut_status taut_branches_find(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
-                               taut_branches *branches, taut_error *error)
+taut_status taut_branches_find(const taut_asymptotic_problem *problem, double rounding,
+                               const taut_monitor *monitor, taut_branches *branches,
+                               taut_error *error)
 {
     const taut_family *family = NULL;
     taut_corner_data *data = NULL;
@@ -138,7 +137,7 @@ taut_status taut_branches_find(const taut_asymptotic_problem *problem, const tau
     branches->count = 0;
     branches->closing = TAUT_CLOSING_NONE;
     if (problem->degree == 3) {
-        return taut_cubic_find(problem, branches, error);
+        return taut_cubic_find(problem, rounding, branches, error);
     }
     status = taut_corner_check(problem, error);
     if (status != TAUT_OK) {
@@ -150,7 +149,7 @@ taut_status taut_branches_find(const taut_asymptotic_problem *problem, const tau
     if (data == NULL || room == NULL) {
         status = taut_fail_memory(error);
     } else {
-        status = taut_corner_data_fill(problem, data, error);
+        status = taut_corner_data_fill(problem, rounding, data, error);
     }
     if (status == TAUT_OK) {
         status = find_with(family, data, room, monitor, branches, error);

@@ -66,20 +66,12 @@ taut_status taut_quad_check_closed(const taut_quad *quad, taut_error *error)
         const char *const first = taut_asymptotic_edge_name(m[0].edge);
         const char *const second = taut_asymptotic_edge_name(m[1].edge);
         const double gap = gap_at(quad, c, 0);
-        const double w0 = taut_quad_weight(quad, m[0].edge, m[0].end, 0);
-        const double w1 = taut_quad_weight(quad, m[1].edge, m[1].end, 0);
         if (!(gap <= most)) {
             char text[160];
             turned_text(quad, most, text);
             return taut_fail(error, TAUT_NO_SOLUTION, "/curves", gap, most,
                              "curves %s and %s do not meet at corner %s: the gap is %.3g%s", first,
                              second, taut_asymptotic_corner_name(c), gap, text);
-        }
-        if (!(fabs(w0 - w1) <= 1e-12 * fmax(w0, w1))) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/curves", w0 / w1, 1.0,
-                             "the end weights of %s and %s differ at corner %s (%.6g and %.6g): "
-                             "multiply the weights of a curve by c q^j, which leaves it unchanged",
-                             first, second, taut_asymptotic_corner_name(c), w0, w1);
         }
     }
     return TAUT_OK;

@@ -1,5 +1,6 @@
 #include "construct/asymptotic/corner_data.h"
 
+#include "construct/asymptotic/end_weights.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -100,12 +101,6 @@ static taut_status check_corners(const taut_asymptotic_problem *problem, taut_er
     return TAUT_OK;
 }
 
-/* End weight of an edge: the first or the last it gives. */
-static double end_weight(const taut_asymptotic_problem *problem, int edge, int end)
-{
-    return problem->edges[edge].weights[end == 0 ? 0 : problem->degree == 3 ? 3 : 1];
-}
-
 taut_status taut_corner_check(const taut_asymptotic_problem *problem, taut_error *error)
 {
     taut_status status = TAUT_OK;
@@ -119,24 +114,12 @@ taut_status taut_corner_check(const taut_asymptotic_problem *problem, taut_error
     if (status == TAUT_OK) {
         status = check_corners(problem, error);
     }
-    for (int c = 0; c < 4 && status == TAUT_OK; c++) {
-        const taut_quad_meeting *const m = taut_quad_corner[c];
-        const double w0 = end_weight(problem, m[0].edge, m[0].end);
-        const double w1 = end_weight(problem, m[1].edge, m[1].end);
-        if (!(fabs(w0 - w1) <= 1e-12 * fmax(w0, w1))) {
-            status = taut_fail(error, TAUT_NO_SOLUTION, "/edges", w0 / w1, 1.0,
-                               "the end weights of %s and %s differ at corner %s (%.6g and %.6g): "
-                               "make them equal",
-                               taut_asymptotic_edge_name(m[0].edge),
-                               taut_asymptotic_edge_name(m[1].edge), taut_asymptotic_corner_name(c),
-                               w0, w1);
-        }
-    }
-    return status;
+    return status == TAUT_OK ? taut_end_weights_of_data(problem, error) : status;
 }
 
 /* A straight edge's legs must point along its chord and be shorter than it. */
-static taut_status check_straight(const taut_corner_edge *edge, int e, taut_error *error)
+static taut_status check_straight(const taut_corner_edge *edge, int e, double rounding,
+                                  taut_error *error)
 {
     double chord[3];
     taut_difference(edge->point[1], edge->point[0], chord);
@@ -144,8 +127,8 @@ static taut_status check_straight(const taut_corner_edge *edge, int e, taut_erro
         const double length = taut_norm(chord), along = taut_dot(edge->leg[k], chord) / length;
         double normal[3];
         taut_cross(edge->leg[k], chord, normal);
-        if (taut_norm(normal) > off_chord * length * taut_norm(edge->leg[k]) || !(along > 0) ||
-            !(along < length)) {
+        if (taut_norm(normal) > (off_chord * length + 4 * rounding) * taut_norm(edge->leg[k]) ||
+            !(along > 0) || !(along < length)) {
             return taut_fail(error, TAUT_NO_SOLUTION, "/edges",
                              taut_norm(normal) / (length * taut_norm(edge->leg[k])), off_chord,
                              "edge %s has curvature 0 at its ends, but leg %d does not lie along "
@@ -156,8 +139,8 @@ static taut_status check_straight(const taut_corner_edge *edge, int e, taut_erro
     return TAUT_OK;
 }
 
-static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, taut_corner_edge *edge,
-                             taut_error *error)
+static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, double rounding,
+                             taut_corner_edge *edge, taut_error *error)
 {
     const int n = problem->degree < 5 ? problem->degree : 5;
     for (int k = 0; k < 2; k++) {
@@ -169,7 +152,7 @@ static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, taut
         memcpy(edge->leg[k], leg, sizeof edge->leg[k]);
         memcpy(edge->partner[k], other, sizeof edge->partner[k]);
         taut_cross(leg, other, edge->normal[k]);
-        edge->weight[k] = end_weight(problem, e, k);
+        edge->weight[k] = taut_corner_end_weight(problem, e, k);
         edge->curvature[k] = problem->edges[e].curvature[k];
         sine = taut_norm(edge->normal[k]) / (taut_norm(leg) * taut_norm(other));
         if (!(sine >= least_sine)) {
@@ -179,22 +162,25 @@ static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, taut
                              taut_asymptotic_edge_name(e), taut_asymptotic_edge_name(f->edge),
                              taut_asymptotic_corner_name(f->corner));
         }
-        edge->bend[k] = log((n - 1.0) / n * edge->weight[k]) + log(taut_norm(edge->normal[k])) -
-                        log(edge->curvature[k]) - 3 * log(taut_norm(leg));
+        /* a logarithm of numbers without unit: far from 1 it would keep fewer digits of them */
+        edge->bend[k] = log((n - 1.0) / n * edge->weight[k] *
+                            (taut_norm(edge->normal[k]) / taut_dot(leg, leg)) /
+                            (edge->curvature[k] * taut_norm(leg)));
     }
     edge->straight = edge->curvature[0] == 0.0;
-    return edge->straight ? check_straight(edge, e, error) : TAUT_OK;
+    return edge->straight ? check_straight(edge, e, rounding, error) : TAUT_OK;
 }
 
-taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, taut_corner_data *data,
-                                  taut_error *error)
+taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, double rounding,
+                                  taut_corner_data *data, taut_error *error)
 {
     taut_status status = taut_corner_check(problem, error);
     data->degree = problem->degree < 5 ? problem->degree : 5;
     data->raised = problem->degree;
     data->size = 0.0;
+    data->rounding = rounding;
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
-        status = fill_edge(problem, e, &data->edges[e], error);
+        status = fill_edge(problem, e, rounding, &data->edges[e], error);
         data->size = fmax(data->size, taut_distance(problem->corners[0], problem->corners[e]));
     }
     if (status == TAUT_OK) {

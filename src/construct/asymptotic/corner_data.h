@@ -20,9 +20,10 @@ typedef struct taut_corner_edge {
 } taut_corner_edge;
 
 typedef struct taut_corner_data {
-    int degree;  /* that is solved for: 4 or 5 */
-    int raised;  /* that it is to be raised to */
-    double size; /* largest distance between corners */
+    int degree;      /* that is solved for: 4 or 5 */
+    int raised;      /* that it is to be raised to */
+    double size;     /* largest distance between corners */
+    double rounding; /* of the corners' coordinates */
     taut_corner_edge edges[4];
     taut_curve_rule coarse, fine; /* for the curve energies */
 } taut_corner_data;
@@ -30,8 +31,8 @@ typedef struct taut_corner_data {
 /* For degree 4 and more; above 5 the degree solved for is 5. TAUT_BAD_INPUT: a number out of its
  * range; TAUT_NO_SOLUTION: legs parallel at a corner, unequal end weights, a straight edge whose
  * legs leave its chord. */
-taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, taut_corner_data *data,
-                                  taut_error *error);
+taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, double rounding,
+                                  taut_corner_data *data, taut_error *error);
 
 /* The checks that hold for every degree: finite corners, legs and weights, distinct corners, equal
  * weights where edges meet. */

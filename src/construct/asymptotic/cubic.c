@@ -24,6 +24,7 @@ typedef struct cubic_edge {
     double first[3], chord_end[3]; /* P_1 and P_3 */
     double direction[3];           /* d */
     double torsion[2];             /* s tau at the ends */
+    double noise;                  /* of a torsion, relative: what rounding explains */
     double scale;                  /* s of this edge over the chain's */
     int chain, straight;
 } cubic_edge;
@@ -34,8 +35,9 @@ typedef struct cubic {
     const taut_asymptotic_problem *problem;
     cubic_edge edges[4];
     int linked[4], chains;
-    double closing; /* logarithm by which the ring misses closing */
-    int wrong_sign; /* the ring closes but for a sign */
+    double closing;  /* logarithm by which the ring misses closing */
+    int wrong_sign;  /* the ring closes but for a sign */
+    double rounding; /* of the corners' coordinates */
 } cubic;
 
 static void plane_normals(const cubic *c, double normals[4][3])
@@ -73,15 +75,18 @@ static taut_status fill_edge(cubic *c, int e, double normals[4][3], taut_error *
     taut_difference(edge->chord_end, edge->first, rest);
     taut_difference(edge->chord_end, c->corners[taut_corner_of_edge[e][0]], chord);
     taut_cross(c->legs[e], chord, cross);
-    edge->straight = taut_norm(cross) <= straight_cut * taut_norm(c->legs[e]) * taut_norm(chord);
+    edge->straight = taut_norm(cross) <=
+                     (straight_cut * taut_norm(chord) + 4 * c->rounding) * taut_norm(c->legs[e]);
     det = taut_det(c->legs[e], edge->direction, rest);
     if (fabs(det) <= planar_cut * taut_norm(c->legs[e]) * taut_norm(rest)) {
         det = 0.0;
     }
-    det *= w[0] * w[3] / (3 * w[1] * w[2]);
     taut_cross(c->legs[e], edge->direction, cross);
+    edge->noise = fabs(det) > 0 ? taut_norm(cross) / fabs(det) : 0.0;
+    det *= w[0] * w[3] / (3 * w[1] * w[2]);
     edge->torsion[0] = det / taut_dot(cross, cross);
     taut_cross(edge->direction, rest, cross);
+    edge->noise = 32 * c->rounding * (edge->noise + 2 / taut_norm(cross));
     edge->torsion[1] = det / taut_dot(cross, cross);
     return TAUT_OK;
 }
@@ -239,17 +244,18 @@ static double best_scale(const cubic *c, const taut_curve_rule *rule, int chain)
     double linear = 0.0, square = 0.0;
     for (int e = 0; e < 4; e++) {
         taut_quad_edge made;
+        const double step = taut_distance(c->edges[e].first, c->edges[e].chord_end);
         double slope[2], by_point[TAUT_QUAD_POINTS][3], by_log[TAUT_QUAD_POINTS];
         if (c->edges[e].chain != chain) {
             continue;
         }
         for (int s = 0; s < 2; s++) {
-            place(c, e, s, &made);
+            place(c, e, s * step, &made);
             (void)taut_curve_energy(rule, &made, by_point, by_log);
             slope[s] = taut_dot(by_point[2], c->edges[e].direction);
         }
         linear += c->edges[e].scale * slope[0];
-        square += c->edges[e].scale * c->edges[e].scale * (slope[1] - slope[0]);
+        square += c->edges[e].scale * c->edges[e].scale * (slope[1] - slope[0]) / step;
     }
     return -linear / square;
 }
@@ -284,22 +290,27 @@ static taut_status solve(const cubic *c, taut_branches *branches, taut_error *er
     return TAUT_OK;
 }
 
-taut_status taut_cubic_find(const taut_asymptotic_problem *problem, taut_branches *branches,
-                            taut_error *error)
+taut_status taut_cubic_find(const taut_asymptotic_problem *problem, double rounding,
+                            taut_branches *branches, taut_error *error)
 {
     cubic c;
+    double noise = 0.0;
     taut_status status = taut_corner_check(problem, error);
     if (status != TAUT_OK) {
         return status;
     }
     memset(&c, 0, sizeof c);
     c.problem = problem;
+    c.rounding = rounding;
     c.corners = problem->corners;
     for (int e = 0; e < 4; e++) {
         memcpy(c.legs[e], problem->edges[e].legs[0], sizeof c.legs[e]);
     }
     status = fill(&c, error);
-    if (status == TAUT_OK && (!(fabs(c.closing) <= closing_cut) || c.wrong_sign)) {
+    for (int e = 0; e < 4; e++) {
+        noise += c.edges[e].noise;
+    }
+    if (status == TAUT_OK && (!(fabs(c.closing) <= closing_cut + noise) || c.wrong_sign)) {
         status = fail_closing(&c, error);
     }
     branches->closing = c.linked[0] && c.linked[1] && c.linked[2] && c.linked[3]

@@ -9,20 +9,31 @@
 
 static const double plane_match = 1e-9; /* relative: data that passed (C2), (C3) to 1e-10 */
 
-/* a x = b for the 4 x 3 matrix of the columns p, p', p''; the part of b outside stays over. */
+/* a x = b for the 4 x 3 matrix of the columns p, p', p''; the part of b outside stays over. Lengths
+ * are taken in units in which they are as large as the weights. */
 static void in_plane(const taut_low_end *end, const double b[4], double x[3])
 {
-    double a[12], scale[3];
+    double a[12], right[4], scale[3], lengths = 0.0, weights = 0.0;
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 3; i++) {
+            lengths = fmax(lengths, fabs(end->p[k][i]));
+        }
+        weights = fmax(weights, fabs(end->p[k][3]));
+    }
+    for (int i = 0; i < 4; i++) {
+        right[i] = b[i] / (i < 3 ? lengths : weights);
+    }
     for (int k = 0; k < 3; k++) {
         scale[k] = 0.0;
         for (int i = 0; i < 4; i++) {
-            scale[k] = fmax(scale[k], fabs(end->p[k][i]));
+            a[4 * k + i] = end->p[k][i] / (i < 3 ? lengths : weights);
+            scale[k] = fmax(scale[k], fabs(a[4 * k + i]));
         }
         for (int i = 0; i < 4; i++) {
-            a[4 * k + i] = end->p[k][i] / scale[k];
+            a[4 * k + i] /= scale[k];
         }
     }
-    (void)taut_least_norm(4, 3, a, b, 1e-13, x, NULL);
+    (void)taut_least_norm(4, 3, a, right, 1e-13, x, NULL);
     for (int k = 0; k < 3; k++) {
         x[k] /= scale[k];
     }

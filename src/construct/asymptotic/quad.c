@@ -1,5 +1,6 @@
 #include "construct/asymptotic/quad.h"
 
+#include "construct/asymptotic/end_weights.h"
 #include "construct/asymptotic/poly.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -179,15 +180,18 @@ static taut_status common_degree(const taut_curve *const curves[4], int *degree,
 taut_status taut_quad_of_curves(const taut_curve *const curves[4], taut_quad *quad,
                                 taut_error *error)
 {
+    int degrees[4];
     taut_status status = common_degree(curves, &quad->degree, error);
     if (status != TAUT_OK) {
         return status;
     }
     quad->rounding = 0.0;
     for (int a = 0; a < 4; a++) {
+        degrees[a] = taut_basis_degree(taut_curve_t(curves[a]));
         take_curve(curves[a], quad->degree, &quad->edges[a]);
         quad->edges[a].straight = is_straight(quad, a);
     }
     quad->rounding = taut_quad_rounding(quad);
-    return taut_quad_check_closed(quad, error);
+    status = taut_quad_check_closed(quad, error);
+    return status == TAUT_OK ? taut_end_weights_of_curves(quad, degrees, error) : status;
 }

@@ -53,8 +53,8 @@ double taut_quad_rounding(const taut_quad *quad);
 /* Raises all four curves to degree n. */
 void taut_quad_raise(taut_quad *quad, int n);
 
-/* Do the two edges at each corner share its point and its weight? TAUT_NO_SOLUTION names the
- * corner, and the curves that would have to be reversed where that is all there is to it. */
+/* Do the two edges at each corner share its point? TAUT_NO_SOLUTION names the corner, and the
+ * curves that would have to be reversed where that is all there is to it. */
 taut_status taut_quad_check_closed(const taut_quad *quad, taut_error *error);
 
 /* The quadrilateral of given curves: closed, end weights equal, raised to a common degree of at

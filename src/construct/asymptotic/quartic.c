@@ -6,6 +6,7 @@
 #include "core/vec3.h"
 #include "numeric/dense.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static const double rank_cut = 1e-9;    /* relative: planes nearer to parallel count as parallel */
@@ -15,13 +16,14 @@ static const double planar_cut = 1e-12; /* relative: a torsion's numerator that 
 static const int epsilon[4] = {1, -1, -1, 1};
 
 /* (4.1): A_0 + lambda a_0 + mu c_0 = A_1 + nu c_1 + rho a_1, its least-norm solution and its null
- * vector, with each column scaled to length 1 so that the units of the legs do not matter. */
-static taut_status fill_line(const taut_corner_edge *edge, int e, taut_quartic_line *line,
-                             taut_error *error)
+ * vector, with each column scaled to length 1, and p to the chord's, so that units do not matter.
+ */
+static taut_status fill_line(const taut_corner_edge *edge, int e, double rounding,
+                             taut_quartic_line *line, taut_error *error)
 {
     const double *const columns[4] = {edge->leg[0], edge->partner[0], edge->partner[1],
                                       edge->leg[1]};
-    double a[12], b[3], x[4], null[16], length[4], pivot = 0.0;
+    double a[12], b[3], x[4], null[16], length[4], chord = 0.0, pivot = 0.0;
     for (int k = 0; k < 4; k++) {
         length[k] = taut_norm(columns[k]);
         for (int i = 0; i < 3; i++) {
@@ -35,13 +37,15 @@ static taut_status fill_line(const taut_corner_edge *edge, int e, taut_quartic_l
                          "of its legs or of the legs it meets",
                          taut_asymptotic_edge_name(e));
     }
+    chord = taut_norm(b);
     for (int k = 0; k < 4; k++) {
         line->at[k] = x[k] / length[k];
-        line->along[k] = fabs(null[k]) > ratio_cut ? null[k] / length[k] : 0.0;
+        line->along[k] = fabs(null[k]) > ratio_cut ? null[k] * chord / length[k] : 0.0;
     }
     pivot = fabs(line->at[1] * line->along[2] - line->at[2] * line->along[1]);
-    line->same_ratio = pivot <= ratio_cut * taut_norm(b) / (length[1] * length[2]) ||
-                       (line->along[1] == 0.0 && line->along[2] == 0.0);
+    line->same_ratio =
+        pivot <= (ratio_cut * chord + 32 * rounding) * chord / (length[1] * length[2]) ||
+        (line->along[1] == 0.0 && line->along[2] == 0.0);
     return TAUT_OK;
 }
 
@@ -94,22 +98,44 @@ static double torsion_ratio(const taut_corner_edge *edge, const taut_quartic_lin
     return edge->bend[1] - edge->bend[0] + h0 - h1;
 }
 
-/* The message for a ring that cannot close: what it misses by, and the least change in logarithms
- * that mends it, the same for all eight curvatures. */
-static taut_status fail_closing(double gap, taut_error *error)
+taut_status taut_closing_fail(const taut_corner_data *data, double gap, taut_error *error)
 {
-    const double factor = exp(gap / 8);
+    static const int order[4] = {TAUT_ASYMPTOTIC_V0, TAUT_ASYMPTOTIC_V1, TAUT_ASYMPTOTIC_U0,
+                                 TAUT_ASYMPTOTIC_U1};
+    char text[256] = "";
+    size_t used = 0;
+    for (int k = 0; k < 4 && used < sizeof text; k++) {
+        const int e = order[k];
+        const double factor = exp(epsilon[e] * gap / 8);
+        used += (size_t)snprintf(text + used, sizeof text - used, " %s [%.17g,%.17g]",
+                                 taut_asymptotic_edge_name(e), data->edges[e].curvature[0] / factor,
+                                 data->edges[e].curvature[1] * factor);
+    }
     return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
                      "the torsions cannot close around the four corners: the curvatures miss it "
-                     "by a factor of %.12g; nearest: multiply curvature of v0[1], u0[0], v1[0], "
-                     "u1[1] by %.15g and divide v0[0], u0[1], v1[1], u1[0] by it",
-                     exp(gap), factor);
+                     "by a factor of %.12g; nearest curvatures, each %.6g times more or less:%s",
+                     exp(gap), exp(fabs(gap) / 8), text);
+}
+
+/* What rounding of the corners leaves of the closing condition: each torsion has the height of a
+ * point over a plane as a factor, and mu, nu where they are fixed follow from the chord. */
+static double closing_noise(const taut_corner_edge *edge, const taut_quartic_line *line,
+                            double rounding)
+{
+    double sum = 0.0;
+    for (int k = 0; k < 2; k++) {
+        sum += taut_norm(edge->normal[k]) / fabs(line->torsion[k]);
+        if (line->along[1] == 0.0 && line->along[2] == 0.0) {
+            sum += 2 / (fabs(line->at[1 + k]) * taut_norm(edge->partner[k]));
+        }
+    }
+    return 32 * rounding * sum;
 }
 
 static taut_status fill_closing(taut_quartic *quartic, taut_error *error)
 {
     int varies = 0;
-    double constant = 0.0, total = 0.0;
+    double constant = 0.0, total = 0.0, noise = 0.0;
     if (!quartic->ring) {
         quartic->closing = TAUT_CLOSING_NONE;
         return TAUT_OK;
@@ -119,14 +145,15 @@ static taut_status fill_closing(taut_quartic *quartic, taut_error *error)
         const double ratio = torsion_ratio(&quartic->data->edges[e], line);
         const int k = fabs(line->along[1]) > 0 || fabs(line->along[2]) > 0;
         const double mu = k ? line->along[1] : line->at[1], nu = k ? line->along[2] : line->at[2];
+        noise += closing_noise(&quartic->data->edges[e], line, quartic->data->rounding);
         constant += epsilon[e] * ratio;
         varies = varies || !line->same_ratio;
         total += line->same_ratio ? epsilon[e] * 2 * log(fabs(nu / mu)) : 0.0;
     }
     quartic->closing_constant = constant;
     quartic->closing = varies ? TAUT_CLOSING_CONSTRAINT : TAUT_CLOSING_IDENTITY;
-    if (!varies && !(fabs(constant + total) <= closing_cut)) {
-        return fail_closing(constant + total, error);
+    if (!varies && !(fabs(constant + total) <= closing_cut + noise)) {
+        return taut_closing_fail(quartic->data, constant + total, error);
     }
     return TAUT_OK;
 }
@@ -140,31 +167,17 @@ taut_status taut_quartic_fill(const taut_corner_data *data, taut_quartic *quarti
     memcpy(quartic->closing_signs, epsilon, sizeof epsilon);
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
         if (!data->edges[e].straight) {
-            status = fill_line(&data->edges[e], e, &quartic->lines[e], error);
+            status = fill_line(&data->edges[e], e, data->rounding, &quartic->lines[e], error);
             fill_torsions(&data->edges[e], &quartic->lines[e]);
         }
     }
     if (status == TAUT_OK) {
         status = fill_links(quartic, error);
     }
-    return status == TAUT_OK ? fill_closing(quartic, error) : status;
-}
-
-int taut_quartic_interval(const taut_quartic_line *line, int sign, double range[2])
-{
-    range[0] = -INFINITY;
-    range[1] = INFINITY;
-    for (int k = 1; k <= 2; k++) {
-        const double at = sign * line->at[k], along = sign * line->along[k];
-        if (along > 0) {
-            range[0] = fmax(range[0], -at / along);
-        } else if (along < 0) {
-            range[1] = fmin(range[1], -at / along);
-        } else if (!(at > 0)) {
-            return 0;
-        }
+    if (status == TAUT_OK) {
+        status = taut_quartic_check_signs(quartic, error);
     }
-    return range[0] < range[1];
+    return status == TAUT_OK ? fill_closing(quartic, error) : status;
 }
 
 /* nu / mu at p, as a logarithm; its limit where p is infinite or an end of the interval. */
@@ -196,28 +209,4 @@ void taut_quartic_ratios(const taut_quartic_line *line, const double range[2], d
     }
     ratios[0] = fmin(a, b); /* nu / mu is a Moebius function of p: monotone */
     ratios[1] = fmax(a, b);
-}
-
-int taut_quartic_allows(const taut_quartic *quartic, const int signs[4])
-{
-    for (int e = 0; e < 4; e++) {
-        double range[2];
-        if (!quartic->data->edges[e].straight &&
-            (signs[e] == 0 || !taut_quartic_interval(&quartic->lines[e], signs[e], range))) {
-            return 0;
-        }
-    }
-    for (int c = 0; c < 4; c++) {
-        double product = 1.0;
-        for (int k = 0; k < 2 && quartic->linked[c]; k++) {
-            const taut_quad_meeting *const m = &taut_quad_corner[c][k];
-            const double sign = m->end == 0 ? 1.0 : -1.0; /* (4.3) */
-            product *=
-                sign * signs[m->edge] * (quartic->lines[m->edge].torsion[m->end] > 0 ? 1.0 : -1.0);
-        }
-        if (quartic->linked[c] && product > 0) {
-            return 0;
-        }
-    }
-    return 1;
 }

@@ -26,14 +26,22 @@ typedef struct taut_quartic {
 
 /* The whole family is taut_family_quartic (family.h).
  *
- * TAUT_NO_SOLUTION where corner planes are parallel, a torsion vanishes on one side only, or the
- * closing condition is impossible. */
+ * TAUT_NO_SOLUTION where corner planes are parallel, a torsion vanishes on one side only, no signs
+ * agree, or the closing condition is impossible. */
 taut_status taut_quartic_fill(const taut_corner_data *data, taut_quartic *quartic,
                               taut_error *error);
+
+/* The message for a ring that cannot close: the factor it misses by, of logarithm `gap`, and the
+ * curvatures that close it, by the least change in logarithms: the same for all eight. */
+taut_status taut_closing_fail(const taut_corner_data *data, double gap, taut_error *error);
 
 /* Do these signs agree with the torsions' signs at all linked corners, and can each edge take
  * its sign at both ends? */
 int taut_quartic_allows(const taut_quartic *quartic, const int signs[4]);
+
+/* TAUT_NO_SOLUTION where no signs do: which edge turns over, or which control point of a ring is on
+ * the wrong side of a tangent plane by the least. */
+taut_status taut_quartic_check_signs(const taut_quartic *quartic, taut_error *error);
 
 /* The part of the p-line on which mu and nu have the sign: 0 if empty. */
 int taut_quartic_interval(const taut_quartic_line *line, int sign, double range[2]);

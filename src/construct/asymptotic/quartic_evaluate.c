@@ -14,8 +14,11 @@ double taut_quartic_p_of(const taut_quartic_search *s, int e, double x)
     return k == TAUT_BY_P ? x : (s->signs[e] * exp(x) - line->at[k]) / line->along[k];
 }
 
-/* Fills the numbers that follow from p; 0 if mu or nu has the wrong sign. */
-static int edge_at(const taut_quartic_search *s, int e, double p, taut_quartic_state *at)
+/* Fills the numbers that follow from p; 0 if mu or nu has the wrong sign. Where nu / mu is asked
+ * for (else NULL) the smaller of them, a difference that may have lost its digits, follows from the
+ * larger: the ring then closes to the last digit. */
+static int edge_at(const taut_quartic_search *s, int e, double p, const double *log_ratio,
+                   taut_quartic_state *at)
 {
     const taut_quartic_line *const line = &s->quartic->lines[e];
     const taut_corner_edge *const edge = &s->quartic->data->edges[e];
@@ -28,6 +31,11 @@ static int edge_at(const taut_quartic_search *s, int e, double p, taut_quartic_s
     }
     at->log_mu = log(fabs(at->mu));
     at->log_nu = log(fabs(at->nu));
+    if (log_ratio != NULL && *log_ratio < 0) {
+        at->log_nu = at->log_mu + *log_ratio;
+    } else if (log_ratio != NULL) {
+        at->log_mu = at->log_nu - *log_ratio;
+    }
     base = 0.5 * (edge->bend[1] - edge->bend[0]);
     for (int k = 0; k < 2; k++) {
         const double own = k == 0 ? at->log_mu : at->log_nu;
@@ -67,7 +75,7 @@ int taut_quartic_forwards(const taut_quartic_search *s, const double *x, taut_qu
             const taut_quartic_line *const line = &s->quartic->lines[e];
             const int k = s->kind[e];
             const double p = taut_quartic_p_of(s, e, x[s->variable[e]]);
-            if (!edge_at(s, e, p, &at[e])) {
+            if (!edge_at(s, e, p, NULL, &at[e])) {
                 return 0;
             }
             at[e].slope =
@@ -75,9 +83,10 @@ int taut_quartic_forwards(const taut_quartic_search *s, const double *x, taut_qu
         }
     }
     if (s->closer >= 0) {
-        const double ratio = exp(closing_ratio(s, at));
-        if (!edge_at(s, s->closer, taut_quartic_p_of_ratio(&s->quartic->lines[s->closer], ratio),
-                     &at[s->closer])) {
+        const double log_ratio = closing_ratio(s, at);
+        if (!edge_at(s, s->closer,
+                     taut_quartic_p_of_ratio(&s->quartic->lines[s->closer], exp(log_ratio)),
+                     &log_ratio, &at[s->closer])) {
             return 0;
         }
     }

@@ -77,8 +77,9 @@ static taut_status refuse(const taut_harmonic_task *task, double defect, double 
 taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error)
 {
     const taut_harmonic_even even = task->problem->even;
-    const double limit =
-        fmax(1e-10, 4 * ldexp(DBL_EPSILON, task->m) * taut_frame_reach(&task->frame));
+    /* a repair that was asked for is made of all that rounding does not explain */
+    const double rounding = 4 * ldexp(DBL_EPSILON, task->m) * taut_frame_reach(&task->frame);
+    const double limit = even == TAUT_EVEN_REFUSE ? fmax(1e-10, rounding) : rounding;
     double delta[3] = {0, 0, 0};
 
     if (task->m % 2 != 0 || task->n != task->m) {

@@ -77,16 +77,24 @@ static void next_factor(int d, int n, taut_wide *low, taut_wide *raised)
     taut_raise_degree(d, n, 1, raised);
 }
 
-/* The last term of even m = n, where both top derivatives are one constant: S_k, S_k'' = S_{k-1},
- * S_0 = 1, has degree 2k and not 2k + 1. */
+/* S_k of even m = 2k: S_k'' = S_{k-1}, S_0 = 1. */
+static void even_factor(int m, taut_wide *factor)
+{
+    taut_wide low[SIZE] = {1};
+    factor[0] = 1;
+    taut_raise_degree(0, m, 1, factor);
+    for (int k = 1; 2 * k <= m; k++) {
+        next_factor(2 * k, m, low, factor);
+    }
+}
+
+/* The last term of even m = n, where both top derivatives are one constant: S_k has degree 2k and
+ * not 2k + 1. */
 static void add_even_term(int m, taut_wide scale, const chain *a, const chain *b, taut_wide *net)
 {
-    taut_wide low[SIZE] = {1}, raised[SIZE] = {1};
+    taut_wide raised[SIZE];
     curve mean;
-    taut_raise_degree(0, m, 1, raised);
-    for (int k = 1; 2 * k <= m; k++) {
-        next_factor(2 * k, m, low, raised);
-    }
+    even_factor(m, raised);
     for (int c = 0; c < 3 * (m + 1); c++) {
         mean[c] = 0.5L * (a->raised[c] + b->raised[c]);
     }
@@ -124,8 +132,8 @@ void taut_harmonic_from_rows(int n, int m, taut_wide mu, const double *row0, con
     round_net(n, m, wide, net);
 }
 
-/* K = max_i sum_k m!/(m-2k)! (4 mu)^k (|Lambda_k(1-.)|_i + |Lambda_k|_i), exact when the
- * constrained case's last term is taken as S_k; all coefficients of one Lambda_k have one sign. */
+/* K = max_i sum_k m!/(m-2k)! (4 mu)^k (|Lambda_k(1-.)|_i + |Lambda_k|_i); of even m = n the last
+ * term has |S_k|_i for the sum of both. All coefficients of one Lambda_k, or S_k, have one sign. */
 double taut_harmonic_rows_amplification(int n, int m, taut_wide mu)
 {
     taut_wide low[SIZE] = {0, 1}, factor[SIZE] = {0, 1}, sum[SIZE] = {0};
@@ -139,6 +147,13 @@ double taut_harmonic_rows_amplification(int n, int m, taut_wide mu)
         }
         for (int i = 0; i <= n; i++) {
             sum[i] += scale * (fabsl(factor[i]) + fabsl(factor[n - i]));
+        }
+    }
+    if (m == n && m % 2 == 0) {
+        even_factor(m, factor);
+        scale *= 8 * mu;
+        for (int i = 0; i <= n; i++) {
+            sum[i] += scale * fabsl(factor[i]);
         }
     }
     for (int i = 0; i <= n; i++) {

@@ -153,6 +153,38 @@ static void test_claims_fail(void)
     taut_model_free(model);
 }
 
+/* A piece of z = xy - x^3/3 between two cubics and two of its rulings: a straight edge has neither
+ * osculating plane nor torsion, and what rounding makes of them explains no error beside it. */
+static void test_straight_explains_nothing(void)
+{
+    static const double v0[4][3] = {{0, 0, 0}, {0.4, 0, 0}, {0.8, 0.24, 0}, {1.2, 0.72, 0.288}};
+    static const double v1[4][3] = {{0, 1, 0}, {0.4, 1, 0.4}, {0.8, 1.24, 0.8}, {1.2, 1.72, 1.488}};
+    static const double u0[2][3] = {{0, 0, 0}, {0, 1, 0}};
+    static const double u1[2][3] = {{1.2, 0.72, 0.288}, {1.2, 1.72, 1.488}};
+    taut_asymptotic_problem problem;
+    taut_model *model = NULL;
+    memset(&problem, 0, sizeof problem);
+    problem.surface = TAUT_ASYMPTOTIC_N_3;
+    problem.curves[TAUT_ASYMPTOTIC_V0] = asymptotic_curve("v0", 3, v0[0], NULL);
+    problem.curves[TAUT_ASYMPTOTIC_V1] = asymptotic_curve("v1", 3, v1[0], NULL);
+    problem.curves[TAUT_ASYMPTOTIC_U0] = asymptotic_curve("u0", 1, u0[0], NULL);
+    problem.curves[TAUT_ASYMPTOTIC_U1] = asymptotic_curve("u1", 1, u1[0], NULL);
+    model = asymptotic_make(&problem, "ruled");
+    asymptotic_check_claims(model, &problem, "ruled");
+    for (int i = 1; i <= 5; i++) {
+        const change what = {i, 1, 2, 1e-12};
+        taut_model *wrong = changed(model, &what);
+        taut_certificate *certificate = asymptotic_certify(wrong, &problem, "ruled and wrong");
+        CHECK(asymptotic_claim(certificate, "asymptotic")->holds == TAUT_FALSE &&
+                  asymptotic_claim(certificate, "osculating")->holds == TAUT_FALSE,
+              "not false, point %d", i);
+        taut_certificate_free(certificate);
+        taut_model_free(wrong);
+    }
+    taut_model_free(model);
+    asymptotic_free_curves(&problem);
+}
+
 /* Example 1 at 1e6 from the origin in every direction, where points are rounded by 1e-10: what is
  * wrong by ten thousand times that is told all the same. */
 static void test_far_claims_fail(void)
@@ -324,6 +356,7 @@ int main(void)
     random_seed(7);
     test_identity();
     test_claims_fail();
+    test_straight_explains_nothing();
     test_far_claims_fail();
     test_inexact_data();
     test_boundary_reads_the_problem();

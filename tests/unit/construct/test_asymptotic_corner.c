@@ -87,7 +87,7 @@ static void test_quartic_gradient(void)
         taut_error error = {.message = ""};
         double x[8], gradient[8], value = 0.0, unused[8];
         uint64_t noise = (uint64_t)trial + 1;
-        CHECK(taut_corner_data_fill(&problem, &data, &error) == TAUT_OK, "%s", error.message);
+        CHECK(taut_corner_data_fill(&problem, 0.0, &data, &error) == TAUT_OK, "%s", error.message);
         CHECK(taut_quartic_fill(&data, &quartic, &error) == TAUT_OK, "%s", error.message);
         taut_quartic_plan(&quartic, signs, &s);
         s.rule = &data.fine;
@@ -119,29 +119,143 @@ static taut_status refusal(const taut_asymptotic_problem *problem, taut_error *e
     return status;
 }
 
+/* The numbers of edge e in a message that lists "v0 [a,b,...] v1 [...] ..." after `from`. */
+static int read_list(const char *message, const char *from, int e, int count, double *x)
+{
+    char name[8];
+    const char *at = strstr(message, from);
+    int read = 0;
+    (void)snprintf(name, sizeof name, " %s [", taut_asymptotic_edge_name(e));
+    at = at != NULL ? strstr(at, name) : NULL;
+    for (at = at != NULL ? at + 5 : NULL; at != NULL && read < count; read++) {
+        char *end = NULL;
+        x[read] = strtod(at, &end);
+        at = end != at && (*end == ',' || *end == ']') ? end + 1 : NULL;
+    }
+    return read == count;
+}
+
 /* One curvature of example 1 changed: refused with the factor it misses by; the curvatures that the
- * message names, read from it, close the ring to the last digit. */
+ * message names, read from it, close the ring to the last digit, all eight changed alike. */
 static void test_nearest_curvatures(void)
 {
-    static const int up[4][2] = {{0, 1}, {1, 0}, {2, 0}, {3, 1}}; /* as the message lists them */
     taut_asymptotic_problem problem = asymptotic_example(1, NULL);
     taut_error error;
     taut_model *model = NULL;
-    const char *at = NULL;
-    double factor = 0.0;
     problem.edges[0].curvature[1] = 1.3;
     CHECK(refusal(&problem, &error) == TAUT_NO_SOLUTION, "%s", error.message);
     CHECK_NEAR(fabs(error.found), log(1.3), 1e-12, "by how much");
-    at = strstr(error.message, "multiply curvature of v0[1], u0[0], v1[0], u1[1] by ");
-    CHECK(at != NULL && sscanf(at + 52, "%lf", &factor) == 1, "%s", error.message);
-    CHECK_NEAR(factor, exp(error.found / 8), 1e-14, "%s", error.message);
-    for (int k = 0; k < 4; k++) {
-        problem.edges[up[k][0]].curvature[up[k][1]] *= factor;
-        problem.edges[up[k][0]].curvature[1 - up[k][1]] /= factor;
+    for (int e = 0; e < 4; e++) {
+        double x[2] = {0};
+        CHECK(read_list(error.message, "nearest curvatures", e, 2, x), "%s", error.message);
+        for (int k = 0; k < 2; k++) {
+            CHECK_NEAR(fabs(log(x[k] / problem.edges[e].curvature[k])), fabs(error.found) / 8,
+                       1e-14, "edge %d end %d", e, k);
+            problem.edges[e].curvature[k] = x[k];
+        }
     }
     model = asymptotic_make(&problem, "the nearest curvatures");
     asymptotic_check_claims(model, &problem, "the nearest curvatures");
     taut_model_free(model);
+}
+
+/* End weights of corner data that differ at several corners: those of the message are the geometric
+ * means, and taken. */
+static void test_nearest_end_weights(int number)
+{
+    taut_asymptotic_problem problem = asymptotic_example(number, NULL);
+    const int count = number == 3 ? 4 : 2;
+    taut_error error;
+    taut_model *model = NULL;
+    double *const a = &problem.edges[0].weights[count - 1], *const b = &problem.edges[3].weights[0];
+    const double mean = sqrt(1.7 * 0.6);
+    problem.report_singular = number == 3;
+    *a = 1.7;
+    *b = 0.6;
+    problem.edges[2].weights[0] = 3;
+    CHECK(refusal(&problem, &error) == TAUT_NO_SOLUTION, "%s", error.message);
+    for (int e = 0; e < 4; e++) {
+        CHECK(read_list(error.message, "nearest weights", e, count, problem.edges[e].weights), "%s",
+              error.message);
+    }
+    CHECK(*a == *b && fabs(*a - mean) < 1e-15, "%.17g and %.17g", *a, *b);
+    CHECK_NEAR(problem.edges[1].weights[count - 1], sqrt(3), 1e-15, "u0v1");
+    CHECK(problem.edges[1].weights[0] == 1, "a corner without strife keeps its weight");
+    model = asymptotic_make(&problem, "the nearest end weights");
+    asymptotic_check_claims_or_fold(model, &problem, "the nearest end weights");
+    taut_model_free(model);
+}
+
+/* Of given curves, one of them a line of degree 1: the c and q of the message leave each curve as
+ * it is, and the patch is made. */
+static void test_nearest_curve_weights(void)
+{
+    /* of z = xy - x^3/3 */
+    static const double v0[4][3] = {{0, 0, 0}, {0.4, 0, 0}, {0.8, 0.24, 0}, {1.2, 0.72, 0.288}};
+    static const double v1[4][3] = {{0, 1, 0}, {0.4, 1, 0.4}, {0.8, 1.24, 0.8}, {1.2, 1.72, 1.488}};
+    static const double u0[4][3] = {{0, 0, 0}, {0, 1. / 3, 0}, {0, 2. / 3, 0}, {0, 1, 0}};
+    static const double u1[2][3] = {{1.2, 0.72, 0.288}, {1.2, 1.72, 1.488}};
+    double weights[4][4] = {{1, 1.2, 1.44, 1.728}, {3, 3, 3, 3}, {1, 1, 1, 1}, {1.5, 0.5}};
+    const double *const points[4] = {v0[0], u0[0], v1[0], u1[0]};
+    taut_asymptotic_problem problem;
+    taut_error error = {.message = ""};
+    taut_model *model = NULL;
+    for (int trial = 0; trial < 2; trial++) {
+        memset(&problem, 0, sizeof problem);
+        for (int e = 0; e < 4; e++) {
+            const int n = e == 3 ? 1 : 3;
+            double c = 1, q = 1;
+            char name[8];
+            const char *at = NULL;
+            (void)snprintf(name, sizeof name, " %s c", taut_asymptotic_edge_name(e));
+            at = strstr(error.message, name);
+            CHECK(trial == 0 || (at != NULL && sscanf(at + 4, " c = %lf, q = %lf", &c, &q) == 2),
+                  "%s", error.message);
+            for (int j = 0; j <= n; j++) {
+                weights[e][j] *= c * pow(q, j);
+            }
+            problem.curves[e] =
+                asymptotic_curve(taut_asymptotic_edge_name(e), n, points[e], weights[e]);
+        }
+        if (trial == 0) {
+            CHECK(refusal(&problem, &error) == TAUT_NO_SOLUTION, "%s", error.message);
+        } else {
+            model = asymptotic_make(&problem, "the nearest weights of curves");
+            asymptotic_check_claims(model, &problem, "the nearest weights of curves");
+            CHECK_NEAR(weights[0][0], sqrt(3), 1e-14, "geometric mean");
+        }
+        asymptotic_free_curves(&problem);
+    }
+    taut_model_free(model);
+}
+
+/* Point 3 of an edge on either side of the tangent plane at its start: on one the signs of the
+ * torsions suit each other, on the other the message names that point and its sine. */
+static void test_odd_ring(void)
+{
+    taut_asymptotic_problem problem = asymptotic_random(4, 0.02);
+    taut_error error = {.message = ""};
+    const double *const a = problem.edges[0].legs[0], *const b = problem.edges[1].legs[0];
+    double *const leg = problem.edges[0].legs[1];
+    double normal[3], height = 0.0;
+    taut_status status[2];
+    for (int k = 0; k < 3; k++) {
+        normal[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+        height += normal[k] * (problem.corners[1][k] - leg[k] - problem.corners[0][k]);
+    }
+    leg[2] += height / normal[2]; /* now in the plane */
+    for (int side = 0; side < 2; side++) {
+        taut_model *model = NULL;
+        leg[2] += side == 0 ? 0.01 : -0.02;
+        status[side] = taut_asymptotic_make(&problem, NULL, &model, &error);
+        taut_model_free(model);
+    }
+    CHECK((strstr(error.message, "signs of the torsions") != NULL) &&
+              (status[0] == TAUT_NO_SOLUTION) != (status[1] == TAUT_NO_SOLUTION),
+          "%d, %d: %s", (int)status[0], (int)status[1], error.message);
+    CHECK(strstr(error.message, "point 3 of v0, off that of corner u0v0") != NULL &&
+              error.found > 0 && error.found < 0.02,
+          "%g: %s", error.found, error.message);
 }
 
 /* Example 3 with a leg turned: the nearest legs of the message close the ring. */
@@ -309,6 +423,10 @@ int main(void)
     test_energy_values();
     test_quartic_gradient();
     test_nearest_curvatures();
+    test_nearest_end_weights(1);
+    test_nearest_end_weights(3);
+    test_nearest_curve_weights();
+    test_odd_ring();
     test_nearest_legs();
     test_nearest_weights();
     test_refusals();

@@ -3,6 +3,7 @@
 #include "shapes.h"
 
 #include "taut/join.h"
+#include "taut/operate.h"
 
 #include <string.h>
 
@@ -71,6 +72,22 @@ static void test_orders(void)
         taut_surface_free(uneven);
     }
     taut_surface_free(plane);
+}
+
+/* A plane, then z = 1e-4 u^3 on nets of high degree, whose second derivatives could be large but
+ * vanish: contact of order 2 by parameters as well as without them. */
+static void test_tight(void)
+{
+    taut_surface *plane = strip(0, 1, 0, 0, 0, 1), *cubic = strip(1, 1, 0, 0, 1e-4, 3);
+    taut_surface *raised = NULL, *high = NULL;
+    CHECK(taut_surface_elevate(cubic, TAUT_ALONG_U, 6, &raised, NULL) == TAUT_OK, "u");
+    CHECK(taut_surface_elevate(raised, TAUT_ALONG_V, 10, &high, NULL) == TAUT_OK, "v");
+    const taut_join j = joined(plane, TAUT_EDGE_U1, high, TAUT_EDGE_U0);
+    CHECK(j.c_order == 2 && j.g_order == 2, "c %d g %d", j.c_order, j.g_order);
+    taut_surface_free(plane);
+    taut_surface_free(cubic);
+    taut_surface_free(raised);
+    taut_surface_free(high);
 }
 
 /* Each way to turn the second surface: its edge that was u0 is named, and the same comes out. */
@@ -293,6 +310,7 @@ int main(void)
 {
     random_seed(20260304);
     test_orders();
+    test_tight();
     test_one_surface();
     test_harmonic();
     test_quadrics();
