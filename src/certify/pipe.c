@@ -87,6 +87,12 @@ void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts)
     parts->size = fmax(parts->sizes[0], fmax(parts->sizes[1], parts->sizes[2]));
 }
 
+double taut_pipe_radius_of(const taut_model *model, const taut_pipe_problem *problem, double seen)
+{
+    const double told = taut_record_number(taut_record_get(taut_model_details(model), "radius"));
+    return problem != NULL ? problem->radius : told > 0 ? told : seen;
+}
+
 /* The radius and the lengths of the straight pipes: the problem's, or what the model shows. */
 static void find_data(const taut_model *model, const taut_pipe_problem *problem,
                       taut_pipe_parts *parts)
@@ -97,7 +103,7 @@ static void find_data(const taut_model *model, const taut_pipe_problem *problem,
     taut_surface_eval(parts->blend, taut_basis_lo(taut_surface_u(parts->blend)),
                       taut_basis_lo(taut_surface_v(parts->blend)), 0, x);
     parts->radius =
-        problem != NULL ? problem->radius : taut_distance(x, taut_curve_points(parts->axis));
+        taut_pipe_radius_of(model, problem, taut_distance(x, taut_curve_points(parts->axis)));
     for (int side = 0; side < 2; side++) {
         const double length = problem != NULL
                                   ? problem->lengths[side]
@@ -114,7 +120,9 @@ static taut_status claim_embedded(const taut_pipe_parts *parts, taut_certificate
     const taut_pipe_figures *f = &parts->figures;
     const double scale = parts->line.scale;
     const double residual = isfinite(f->rho) ? parts->radius / (f->rho * scale) : 0;
-    const double open = 1e-11 + 8 * parts->line.noise * (1 + 1 / f->rho);
+    /* about the wider of both: an axis that meets itself is not in doubt */
+    const double open =
+        1e-11 + 8 * parts->line.noise * (1 + 1 / fmax(f->rho, parts->radius / scale));
     char where[96] = "";
     taut_claim claim = {.claim = "embedded", .residual = residual, .limit = 1, .where = where};
 

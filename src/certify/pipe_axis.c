@@ -259,6 +259,7 @@ static void integrands(const taut_pipe_piece *piece, int planar, const double (*
 
 /* One piece under quadrature. */
 typedef struct quadrature {
+    double tolerance;
     const taut_pipe_piece *piece;
     int planar, flat;
     double binormal[5][3]; /* of a flat one */
@@ -284,14 +285,13 @@ static void gauss(const quadrature *q, double lo, double hi, double out[INTEGRAL
 /* Halved until both halves agree with the whole: kinks at inflections are met by depth. */
 static void adapt(quadrature *q, double lo, double hi, const double whole[INTEGRALS], int depth)
 {
-    const double tolerance = 1e-14; /* of one panel; a few dozen count */
     const double middle = 0.5 * (lo + hi);
     double left[INTEGRALS], right[INTEGRALS];
     int agree = 1;
     gauss(q, lo, middle, left);
     gauss(q, middle, hi, right);
     for (int k = 0; k < INTEGRALS; k++) {
-        agree = agree && fabs(left[k] + right[k] - whole[k]) <= tolerance * q->size[k];
+        agree = agree && fabs(left[k] + right[k] - whole[k]) <= q->tolerance * q->size[k];
     }
     if (agree || depth >= DEPTH_MAX || q->left <= 0) {
         for (int k = 0; k < INTEGRALS; k++) {
@@ -354,6 +354,8 @@ void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures)
 {
     quadrature q;
     taut_gauss_rule(GAUSS, q.nodes, q.weights);
+    /* of one panel; a few dozen count, and no better than the points are rounded */
+    q.tolerance = fmax(1e-14, 0.1 * line->noise);
     figures->length = figures->turning = figures->torsion = figures->bending = 0;
     for (int i = 0; i < line->count; i++) {
         q.piece = &line->pieces[i];

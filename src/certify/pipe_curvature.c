@@ -18,11 +18,11 @@ enum { AROUND = 96 };
 
 /* Both principal curvatures, the larger first, in units of 1 / radius; the sign is that of the
  * normal x_u x x_v. */
-static void principal(const taut_surface *surface, double u, double v, double radius,
+static void principal(const taut_surface *surface, int last, double v, double radius,
                       double curvatures[2])
 {
     double d[6][3], normal[3], length = 0, h = 0, k = 0, root = 0;
-    taut_surface_eval(surface, u, v, 2, d[0]);
+    taut_pipe_edge_eval(surface, last, v, 2, d);
     for (int i = 0; i < 18; i++) {
         d[i / 3][i % 3] /= radius;
     }
@@ -67,9 +67,7 @@ static double noise_of(const taut_pipe_parts *parts, int side)
 
 void taut_pipe_meet_curved(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting)
 {
-    const taut_basis *u = taut_surface_u(parts->blend), *v = taut_surface_v(parts->blend);
-    const taut_basis *along = taut_surface_u(parts->pipes[side]);
-    const taut_basis *w = taut_surface_v(parts->pipes[side]);
+    const taut_basis *v = taut_surface_v(parts->blend), *w = taut_surface_v(parts->pipes[side]);
 
     *meeting = (taut_pipe_meeting){.noise = noise_of(parts, side)};
     for (int k = 0; k <= AROUND; k++) {
@@ -77,10 +75,8 @@ void taut_pipe_meet_curved(const taut_pipe_parts *parts, int side, taut_pipe_mee
         const double at = taut_basis_lo(v) + (taut_basis_hi(v) - taut_basis_lo(v)) * part;
         const double too = taut_basis_lo(w) + (taut_basis_hi(w) - taut_basis_lo(w)) * part;
         double a[2], b[2], jump = 0;
-        principal(parts->blend, side == 0 ? taut_basis_lo(u) : taut_basis_hi(u), at, parts->radius,
-                  a);
-        principal(parts->pipes[side], side == 0 ? taut_basis_hi(along) : taut_basis_lo(along), too,
-                  parts->radius, b);
+        principal(parts->blend, side == 1, at, parts->radius, a);
+        principal(parts->pipes[side], side == 0, too, parts->radius, b);
         jump = fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1]));
         if (!(jump <= meeting->residual)) {
             meeting->residual = jump;

@@ -56,6 +56,10 @@ double taut_pipe_canal_miss(const taut_pipe_parts *parts, const double x[3], dou
 /* Area and volume by their closed forms. */
 void taut_pipe_canal_measures(const taut_pipe_parts *parts, double *area, double *volume);
 
+/* What taut_surface_eval gives at v of the edge u0, or u1 where `last`, order 1 or 2, with
+ * derivatives along u of the accuracy of differences of neighbouring points (pipe_edge.c). */
+void taut_pipe_edge_eval(const taut_surface *s, int last, double v, int order, double (*d)[3]);
+
 /* Two surfaces at the end `side` of the blend and its straight pipe, as a claim that is made: the
  * residual, what rounding leaves of it, and where. */
 typedef struct taut_pipe_meeting {
@@ -76,6 +80,8 @@ void taut_pipe_to_local(const taut_pipe_line *line, const double x[3], double lo
 /* Surface and curve of a name, or NULL. */
 const taut_surface *taut_pipe_surface(const taut_model *model, const char *name);
 const taut_curve *taut_pipe_curve(const taut_model *model, const char *name);
+/* The radius that the problem, or the details tell; `seen` where neither does. */
+double taut_pipe_radius_of(const taut_model *model, const taut_pipe_problem *problem, double seen);
 /* sizes, of one more surface. */
 void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts);
 /* Is this the model of a run? Its certificate. */

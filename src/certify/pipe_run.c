@@ -47,6 +47,8 @@ void taut_pipe_run_tangent(const taut_pipe_run_parts *run, int piece, double t, 
 static taut_status find_pieces(taut_pipe_run_parts *run, taut_arena *arena, taut_error *error)
 {
     const int most = taut_model_surface_count(run->model);
+    const taut_record *told = taut_record_get(taut_model_details(run->model), "blends");
+    size_t blends = 0;
     run->surfaces = taut_arena_take(arena, (size_t)most + 1, sizeof *run->surfaces);
     run->curves = taut_arena_take(arena, (size_t)most + 1, sizeof *run->curves);
     if (run->surfaces == NULL || run->curves == NULL) {
@@ -60,12 +62,19 @@ static taut_status find_pieces(taut_pipe_run_parts *run, taut_arena *arena, taut
             continue;
         }
         snprintf(axis, sizeof axis, "axis-%s", name);
+        blends += strncmp(name, "blend", 5) == 0;
         run->surfaces[run->count] = surface;
         run->curves[run->count] = taut_pipe_curve(run->model, axis);
         if (run->curves[run->count++] == NULL) {
             return taut_fail(error, TAUT_BAD_INPUT, "/curves", taut_none, taut_none,
                              "surface \"%s\" of a run has no curve \"%s\"", name, axis);
         }
+    }
+    if (taut_record_kind_of(told) == TAUT_RECORD_LIST && taut_record_count(told) != blends) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", (double)blends,
+                         (double)taut_record_count(told),
+                         "the details tell of %zu blends, of which %zu are here",
+                         taut_record_count(told), blends);
     }
     if (run->count == 0) {
         return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", 0, 1,
@@ -84,7 +93,7 @@ static void find_data(taut_pipe_run_parts *run)
     taut_surface_eval(first, taut_basis_lo(taut_surface_u(first)),
                       taut_basis_lo(taut_surface_v(first)), 0, x);
     run->parts.radius =
-        problem != NULL ? problem->radius : taut_distance(x, run->parts.line.origin);
+        taut_pipe_radius_of(run->model, problem, taut_distance(x, run->parts.line.origin));
     run->bend_radius = problem == NULL ? taut_record_number(taut_record_get(details, "bend_radius"))
                        : problem->bend_radius > 0           ? problem->bend_radius
                        : problem->axis == TAUT_PIPE_CORNERS ? bend_of_corners * problem->radius
@@ -107,6 +116,15 @@ static int comes_round(const taut_pipe_run_parts *run)
     const double near = 1e-6 * run->parts.radius / line->scale;
     return taut_distance(last->points[last->degree], line->pieces[0].points[0]) < near &&
            taut_distance(line->tangent[0], line->tangent[1]) < 1e-6;
+}
+
+/* As the problem, or the details tell; else as it looks. */
+static int is_closed(const taut_pipe_run_parts *run)
+{
+    const taut_record *told = taut_record_get(taut_model_details(run->model), "closed");
+    return run->parts.problem != NULL                      ? run->parts.problem->closed != 0
+           : taut_record_kind_of(told) == TAUT_RECORD_BOOL ? taut_record_bool(told)
+                                                           : comes_round(run);
 }
 
 /* The joint after piece i, as that of a blend with what is beside it. */
@@ -173,7 +191,10 @@ static void place_of(const taut_pipe_run_parts *run, double at, char *text, size
     double from = 0;
     int i = 0;
     for (;; i++) {
-        const taut_pipe_line one = {.count = 1, .pieces = &line->pieces[i], .flat = line->flat};
+        const taut_pipe_line one = {.count = 1,
+                                    .pieces = &line->pieces[i],
+                                    .flat = line->flat,
+                                    .noise = line->noise}; /* else rounding is torsion */
         taut_pipe_figures f = {.length = 0};
         taut_pipe_integrate(&one, &f);
         if (i + 1 == run->count || at <= from + f.length) {
@@ -198,7 +219,8 @@ static taut_status claim_embedded(const taut_pipe_run_parts *run, taut_certifica
     const taut_pipe_figures *f = &run->parts.figures;
     const taut_pipe_line *line = &run->parts.line;
     const double residual = isfinite(f->rho) ? run->parts.radius / (f->rho * line->scale) : 0;
-    const double open = 1e-11 + 8 * line->noise * (1 + 1 / f->rho);
+    const double wide = fmax(f->rho, run->parts.radius / line->scale);
+    const double open = 1e-11 + 8 * line->noise * (1 + 1 / wide);
     char where[200] = "", from[80], to[80];
     taut_claim claim = {.claim = "embedded", .residual = residual, .limit = 1, .where = where};
 
@@ -353,7 +375,7 @@ taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_probl
     }
     if (status == TAUT_OK) {
         find_data(&run);
-        run.parts.line.closed = problem != NULL ? problem->closed != 0 : comes_round(&run);
+        run.parts.line.closed = is_closed(&run);
         if (!(run.parts.radius > 0)) {
             status = taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0", run.parts.radius, 0,
                                "the run begins on its own axis: it has no radius");

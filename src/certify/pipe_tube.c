@@ -61,7 +61,7 @@ double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double c
 /* An edge u0 (edge 0) or u1 of a surface, and what rounding does to its tangents across. */
 typedef struct edge {
     const taut_surface *surface;
-    double u;
+    int last;
     double sideways; /* of control points */
     double leg;      /* times |x_u|: the distance to the next ring that makes it up */
 } edge;
@@ -80,7 +80,7 @@ static edge edge_of(const taut_pipe_parts *parts, int side, const taut_surface *
     }
     return (edge){
         .surface = surface,
-        .u = last ? breaks[spans] : breaks[0],
+        .last = last,
         .sideways = taut_pipe_sideways(parts, side, changes),
         .leg = (last ? breaks[spans] - breaks[spans - 1] : breaks[1] - breaks[0]) /
                fmax(1, taut_basis_degree(u)),
@@ -92,7 +92,7 @@ static edge edge_of(const taut_pipe_parts *parts, int side, const taut_surface *
 static double look(const edge *e, double v, double x[3], double normal[3])
 {
     double d[3][3], around[3], across[3], length = 0;
-    taut_surface_eval(e->surface, e->u, v, 1, d[0]);
+    taut_pipe_edge_eval(e->surface, e->last, v, 1, d);
     memcpy(x, d[0], sizeof d[0]);
     normal_of(d[TAUT_XU], d[TAUT_XV], normal);
     length = taut_norm(d[TAUT_XV]);
@@ -141,8 +141,10 @@ void taut_pipe_foot(const taut_pipe_line *line, const double x[3], double t, int
 {
     const taut_pipe_piece *piece = &line->pieces[0];
     double s = 0, d[3][3], apart[3];
-    for (int i = 0; i + 1 < line->count && t > piece->hi; i++) {
-        piece = &line->pieces[i + 1];
+    for (int lo = 0, hi = line->count - 1; lo < hi;) { /* the first that reaches t, or the last */
+        const int middle = (lo + hi) / 2;
+        *(t > line->pieces[middle].hi ? &lo : &hi) = middle + (t > line->pieces[middle].hi);
+        piece = &line->pieces[lo];
     }
     s = fmin(1, fmax(0, (t - piece->lo) / (piece->hi - piece->lo)));
     for (int i = 0; i < NEWTON_STEPS; i++) {

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { COLUMN = 22 };
+enum { COLUMN = 22, OBJECTS = 8 };
 
 /* "dirichlet_energy" as "dirichlet energy". */
 static const char *words(const char *key, char *buffer, size_t size)
@@ -40,12 +40,13 @@ static int is_short(const taut_record *object)
     return count <= 3;
 }
 
-/* Rows of points, which no line holds. */
+/* Rows of points, or objects that are long themselves, which no line holds. */
 static int is_table(const taut_record *list)
 {
     const taut_record *row = taut_record_at(list, 0);
-    return taut_record_kind_of(row) == TAUT_RECORD_LIST &&
-           taut_record_kind_of(taut_record_at(row, 0)) == TAUT_RECORD_LIST;
+    return (taut_record_kind_of(row) == TAUT_RECORD_OBJECT && !is_short(row)) ||
+           (taut_record_kind_of(row) == TAUT_RECORD_LIST &&
+            taut_record_kind_of(taut_record_at(row, 0)) == TAUT_RECORD_LIST);
 }
 
 static void print_value(const taut_record *value)
@@ -121,9 +122,16 @@ void cli_certificate_print(const taut_certificate *certificate)
     cli_members_print(taut_certificate_figures(certificate));
 }
 
+static void print_rest(int count)
+{
+    if (count > OBJECTS) {
+        fprintf(stderr, "  %-*s... and %d more\n", COLUMN, "", count - OBJECTS);
+    }
+}
+
 static void print_objects(const taut_model *model)
 {
-    for (int i = 0; i < taut_model_surface_count(model) && i < 8; i++) {
+    for (int i = 0; i < taut_model_surface_count(model) && i < OBJECTS; i++) {
         const taut_surface *surface = taut_model_surface(model, i);
         const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
         fprintf(stderr, "  %-*s%s: %d x %d points, %s x %s%s\n", COLUMN, i == 0 ? "surface" : "",
@@ -131,12 +139,14 @@ static void print_objects(const taut_model *model)
                 taut_basis_type(u), taut_basis_type(v),
                 taut_surface_weights(surface) != NULL ? ", rational" : "");
     }
-    for (int i = 0; i < taut_model_curve_count(model) && i < 8; i++) {
+    print_rest(taut_model_surface_count(model));
+    for (int i = 0; i < taut_model_curve_count(model) && i < OBJECTS; i++) {
         const taut_curve *curve = taut_model_curve(model, i);
         fprintf(stderr, "  %-*s%s: %d points, %s\n", COLUMN, i == 0 ? "curve" : "",
                 taut_curve_name(curve), taut_basis_count(taut_curve_t(curve)),
                 taut_basis_type(taut_curve_t(curve)));
     }
+    print_rest(taut_model_curve_count(model));
 }
 
 void cli_report_print(const cli_report *report)

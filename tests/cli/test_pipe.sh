@@ -71,6 +71,8 @@ refused 3 '/radii' make edited.json
 run 0 make "$example/pipe-run.json" -o run.json -o run.step -o run.iges -o run.obj -o run.stl -o run.glb
 contains err.txt 'joints +holds'
 contains err.txt 'least bend radius +60\.0000'
+contains err.txt '^ +\.\.\. and 3 more$'
+contains err.txt 'blends +\(5 rows, in the report\)'
 contains run.json '"name": "axis-blend5"'
 [ "$(grep -c ADVANCED_FACE run.step)" = 11 ] || complain "not one face for each piece"
 run 0 certify run.json "$example/pipe-run.json"
@@ -85,6 +87,20 @@ sed 's/"radius": 12/"radius": 40/' "$example/pipe-run-closed.json" > edited.json
 refused 4 '/radius: SELF_INTERSECT_LOCAL.*of blend' make edited.json
 run 0 make "$example/pipe-run-closed.json" -o closed.json
 contains closed.json '"holonomy"'
+# A model that tells otherwise of itself than it is.
+sed 's/"closed": true/"closed": false/' closed.json > edited.json
+run 1 certify edited.json
+contains err.txt 'embedded +DOES NOT HOLD'
+sed 's/"radius": 12,/"radius": 12.001,/' closed.json > edited.json
+run 1 certify edited.json
+contains err.txt 'tube +DOES NOT HOLD'
+sed 's/"name": "blend5"/"name": "elbow5"/' closed.json > edited.json
+refused 3 '/surfaces.*tell of 5 blends, of which 4' certify edited.json
+sed 's/"name": "pipe1"/"name": "first"/' closed.json > edited.json
+run 1 certify edited.json
+contains err.txt 'joints +DOES NOT HOLD'
+sed 's/\[0, 220, 20\]/&, [0, 0, 0]/' "$example/pipe-run-closed.json" > edited.json
+refused 3 '/run/5: .*by itself: leave it out' make edited.json
 run 0 make "$example/pipe-run-coil.json" -o coil.json -o coil.step
 contains err.txt 'caps +holds'
 run 0 convert coil.json -o coil.stl

@@ -325,6 +325,8 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
     memcpy(points[blend->rows - 1], ring[n], sizeof ring[0]);
     blend->points = &points[0][0][0];
     memcpy(blend->last, m.normals[m.count - 1].u, sizeof blend->last);
+    /* Frenet's frames turn about the axis: their points are not on lines along it */
+    blend->slack = binormal != NULL ? 0 : fmin(1e-9, 0.1 * tolerance);
     return TAUT_OK;
 }
 

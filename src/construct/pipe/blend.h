@@ -14,6 +14,7 @@ typedef struct taut_pipe_blend {
     int rows;       /* (n - 1) segments + 2 */
     double *points; /* double[rows][TAUT_PIPE_RING][3], local */
     double last[3]; /* the first vector of the frame at the end, over the radius */
+    double slack;   /* how far a point may be moved on the tube unseen, over the radius */
 } taut_pipe_blend;
 
 /* X = P + a (c U + s W): (c, s) the rational quadratic circle, U and W cubic Hermite interpolants
@@ -30,6 +31,11 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
                                  const taut_pipe_binormal *binormal,
                                  const taut_pipe_ellipse *ellipse, taut_arena *arena,
                                  taut_pipe_blend *blend);
+
+/* Rings beside the end rings, in the user's coordinates, moved along the axis to where rounding
+ * leaves them on the lines of the straight pipes: degree 5 two of them, else one. */
+void taut_pipe_straighten(const taut_pipe_arc *arc, const taut_pipe_blend *blend, double radius,
+                          double *points);
 
 /* The bases: of the blend along u, and of all rings along v. */
 taut_status taut_pipe_basis_u(const taut_pipe_arc *arc, const taut_pipe_blend *blend,

@@ -138,6 +138,7 @@ static taut_status fill(maker *m, taut_error *error)
     for (size_t i = 0; i < 3 * count; i++) {
         m->points[i] = m->task->polygon[0][i % 3] + m->task->scale * m->blend->points[i];
     }
+    taut_pipe_straighten(&m->task->arc, m->blend, m->task->problem->radius, m->points);
     taut_pipe_weights(m->blend->rows, m->weights);
     return TAUT_OK;
 }

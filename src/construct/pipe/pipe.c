@@ -28,8 +28,7 @@ void taut_pipe_analyse(taut_pipe_task *task)
     taut_pipe_bend_extremes(&task->arc, 2 * TAUT_PIPE_REACH_SAMPLES, &task->bend);
 }
 
-/* Which radius would work, in words; none where the axis meets itself. */
-static void works(double rho, char *text, size_t size)
+void taut_pipe_say_radius(double rho, char *text, size_t size)
 {
     if (rho > 0) {
         snprintf(text, size, "the largest radius that would work is below %.12g", rho);
@@ -85,7 +84,7 @@ static taut_status judge(taut_pipe_task *task, taut_error *error)
     rho = task->reach.radius * task->scale;
     if (!(task->radius * task->reach.curvature < 1)) {
         char rest[128];
-        works(rho, rest, sizeof rest);
+        taut_pipe_say_radius(rho, rest, sizeof rest);
         return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
                          "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
                          "curvature %.12g, at t = %.6g; %s",
@@ -95,7 +94,7 @@ static taut_status judge(taut_pipe_task *task, taut_error *error)
         place_of(task, task->reach.binding[0], from, sizeof from);
         place_of(task, task->reach.binding[1], to, sizeof to);
         char rest[128];
-        works(rho, rest, sizeof rest);
+        taut_pipe_say_radius(rho, rest, sizeof rest);
         return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
                          "SELF_INTERSECT_GLOBAL: the pipe touches itself (%s; %s); %s", from, to,
                          rest);

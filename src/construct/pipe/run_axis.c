@@ -105,6 +105,7 @@ taut_status taut_pipe_run_judge(taut_pipe_run *run, taut_error *error)
     const double a = run->problem->radius;
     chain c = {.count = 0};
     double *scratch = NULL, rho = 0, along[2];
+    char rest[128];
     taut_status status = TAUT_OK;
 
     localise(run);
@@ -119,21 +120,20 @@ taut_status taut_pipe_run_judge(taut_pipe_run *run, taut_error *error)
     const taut_pipe_composite composite = {.count = c.count, .arcs = c.arcs, .closed = run->closed};
     taut_pipe_reach_of(&composite, scratch, &run->reach);
     rho = run->reach.radius * run->scale;
+    taut_pipe_say_radius(rho, rest, sizeof rest);
     if (!(a * run->reach.curvature < run->scale)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
                          "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
-                         "curvature %.12g, of %s at t = %.6g; the largest radius that would work "
-                         "is below %.12g",
+                         "curvature %.12g, of %s at t = %.6g; %s",
                          a, run->scale / run->reach.curvature, c.names[run->reach.curvature_arc],
-                         run->reach.curvature_at, rho);
+                         run->reach.curvature_at, rest);
     }
     if (!(a < rho)) {
         const char *one = name_at(&c, run->reach.binding[0] * run->scale, &along[0]);
         const char *two = name_at(&c, run->reach.binding[1] * run->scale, &along[1]);
         return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
-                         "SELF_INTERSECT_GLOBAL: %s, %.6g along it, touches %s, %.6g along it; the "
-                         "largest radius that would work is below %.12g",
-                         one, along[0], two, along[1], rho);
+                         "SELF_INTERSECT_GLOBAL: %s, %.6g along it, touches %s, %.6g along it; %s",
+                         one, along[0], two, along[1], rest);
     }
     return TAUT_OK;
 }

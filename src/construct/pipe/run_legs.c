@@ -136,6 +136,23 @@ static taut_status settle(taut_pipe_run *run, taut_pipe_elbow *e, const double *
     return status;
 }
 
+/* Straight pipes that meet leave no room for a blend. */
+static taut_status check_gap(const taut_pipe_run *run, int i, const taut_pipe_straight *a,
+                             const taut_pipe_straight *b, taut_error *error)
+{
+    const double gap = taut_distance(a->to, b->from), least = no_length * run->problem->radius;
+    char where[32];
+    if (gap >= least) {
+        return TAUT_OK;
+    }
+    snprintf(where, sizeof where, "/run/%d", (i + 1) % run->straight_count);
+    return taut_fail(error, TAUT_NO_SOLUTION, where, gap, least,
+                     "TOO_SMALL: the straight pipe begins where the one before it ends, which "
+                     "leaves no room for blend%d; end the one earlier or begin the other later, "
+                     "make one of both where they are in line, or give corners",
+                     i + 1);
+}
+
 static taut_status lay_legs(taut_pipe_run *run, taut_error *error)
 {
     const taut_pipe_problem *p = run->problem;
@@ -160,9 +177,39 @@ static taut_status lay_legs(taut_pipe_run *run, taut_error *error)
         memcpy(e->problem.ends[1].point, s[1]->from, sizeof s[1]->from);
         memcpy(e->problem.ends[0].direction, s[0]->direction, sizeof s[0]->direction);
         memcpy(e->problem.ends[1].direction, s[1]->direction, sizeof s[1]->direction);
-        status = settle(run, e, tails, error);
+        status = check_gap(run, i, s[0], s[1], error);
+        if (status == TAUT_OK) {
+            status = settle(run, e, tails, error);
+        }
     }
     return status;
+}
+
+/* A corner apart from the one before it; the first comes again by itself where the run is closed.
+ */
+static taut_status check_corner(const taut_pipe_run *run, int i, const taut_pipe_straight *next,
+                                taut_error *error)
+{
+    const taut_pipe_problem *p = run->problem;
+    const double length = taut_distance(next->from, next->to), least = no_length * p->radius;
+    const int again = p->closed && i + 1 == p->leg_count, place = again ? i : i + 1;
+    char where[32];
+    snprintf(where, sizeof where, "/run/%d", place);
+    if (length >= least) {
+        return TAUT_OK;
+    }
+    if (length > 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, where, length, least,
+                         "TOO_SMALL: the corner is only %.6g from the %s; leave one out, or take "
+                         "more than %.6g",
+                         length, again ? "first, to which the run comes back" : "one before it",
+                         least);
+    }
+    return taut_fail(error, TAUT_BAD_INPUT, where, 0, 0,
+                     again
+                         ? "the corner is where the first is, to which a closed run comes back by "
+                           "itself: leave it out"
+                         : "the corner is where the one before it is: leave one out");
 }
 
 /* Straight pipes from corner to corner, those that go straight on joined to one. */
@@ -175,12 +222,9 @@ static taut_status find_corners(taut_pipe_run *run, int *places, taut_error *err
         taut_pipe_straight next;
         memcpy(next.from, p->legs[i].from, sizeof next.from);
         memcpy(next.to, p->legs[(i + 1) % p->leg_count].from, sizeof next.to);
-        status = measure(&next, next.from, p->radius, i, error);
-        if (status == TAUT_OK && !(next.length > 0)) {
-            char where[32];
-            snprintf(where, sizeof where, "/run/%d", (i + 1) % p->leg_count);
-            return taut_fail(error, TAUT_BAD_INPUT, where, 0, 0,
-                             "the corner is where the one before it is: leave one out");
+        status = check_corner(run, i, &next, error);
+        if (status == TAUT_OK) {
+            status = measure(&next, next.from, p->radius, i, error);
         }
         places[run->straight_count] = i;
         run->straights[run->straight_count++] = next;
@@ -320,6 +364,32 @@ static taut_status place_elbow(taut_pipe_run *run, int i, double handle, const d
     return status;
 }
 
+/* What is told to work is rounded to the side that does. */
+static taut_status fail_short(const taut_pipe_run *run, int leg, int place, double largest,
+                              taut_error *error)
+{
+    const double digits = 1e-11, length = run->straights[leg].length;
+    const double needed = length * run->bend_radius / largest * (1 + digits);
+    char where[32], rest[160];
+    snprintf(where, sizeof where, "/run/%d", place);
+    if (largest * (1 - digits) > run->problem->radius) {
+        snprintf(rest, sizeof rest,
+                 "a bend radius of at most %.12g would work, or a leg of at least %.12g",
+                 largest * (1 - digits), needed);
+    } else { /* no bend is as sharp as the pipe is wide */
+        snprintf(rest, sizeof rest,
+                 "a leg of at least %.12g would work, or a bend radius of at most %.12g with a "
+                 "radius below that",
+                 needed, largest * (1 - digits));
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, where, run->bend_radius, largest,
+                     "LEG_TOO_SHORT: with a bend radius of %.12g%s the elbows take more than the "
+                     "leg of %.6g that begins here; %s",
+                     run->bend_radius,
+                     run->problem->bend_radius > 0 ? "" : " (three radii, where none is given)",
+                     length, rest);
+}
+
 static taut_status place_elbows(taut_pipe_run *run, const double *curvatures, const int *places,
                                 taut_error *error)
 {
@@ -327,14 +397,7 @@ static taut_status place_elbows(taut_pipe_run *run, const double *curvatures, co
     const double largest = largest_bend(run, curvatures, &leg);
     taut_status status = TAUT_OK;
     if (!(run->bend_radius <= largest)) {
-        char where[32];
-        snprintf(where, sizeof where, "/run/%d", places[leg]);
-        return taut_fail(error, TAUT_NO_SOLUTION, where, run->bend_radius, largest,
-                         "LEG_TOO_SHORT: with a bend radius of %.12g the elbows take more than the "
-                         "leg of %.6g that begins here; a bend radius of at most %.12g would work, "
-                         "or a leg of at least %.6g",
-                         run->bend_radius, run->straights[leg].length, largest,
-                         run->straights[leg].length * run->bend_radius / largest);
+        return fail_short(run, leg, places[leg], largest, error);
     }
     for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
         const double *corner = run->problem->legs[places[(i + 1) % run->straight_count]].from;

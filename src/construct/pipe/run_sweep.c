@@ -120,5 +120,9 @@ taut_status taut_pipe_run_sweep(taut_pipe_run *run, double tolerance, taut_error
     if (status == TAUT_OK) {
         weld(run);
     }
+    for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
+        const taut_pipe_elbow *const e = &run->elbows[i];
+        taut_pipe_straighten(&e->task.arc, &e->blend, run->problem->radius, e->points);
+    }
     return status;
 }

@@ -69,6 +69,8 @@ double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const dou
 
 /* The axis of the polygon and shape that were settled, with its bends; reach apart from it. */
 void taut_pipe_analyse(taut_pipe_task *task);
+/* Which radius would work, in words; none where the axis meets itself. */
+void taut_pipe_say_radius(double rho, char *text, size_t size);
 /* NOT_REGULAR and BEND_RADIUS. */
 taut_status taut_pipe_judge_bends(const taut_pipe_task *task, const char *name, taut_error *error);
 /* A run: from its check to its model. */
