@@ -1,5 +1,6 @@
 /* pipe_caps.c -- discs over the free ends: surface "cap1" over u0 of the first surface, "cap2" over
- * u1 of the last, their u1 that edge, all of them in the plane across it.
+ * u1 of the last; that edge is u1 of cap1 and u0 of cap2, as u runs along the flow everywhere, and
+ * all of a cap lies in the plane across it.
  *
  * The larger of the distance of the rims and that from the plane of three points of the rim, over
  * the radius.
@@ -17,9 +18,10 @@ static double miss_of(const taut_surface *cap, const taut_surface *end, int side
 {
     const taut_basis *u = taut_surface_u(end), *v = taut_surface_v(end);
     const double edge = side == 0 ? taut_basis_lo(u) : taut_basis_hi(u);
+    const double rim = 1 - side;
     double corner[3][3], a[3], b[3], normal[3], size = 0, worst = 0;
     for (int k = 0; k < 3; k++) {
-        taut_surface_eval(cap, 1, k / 3.0, 0, corner[k]);
+        taut_surface_eval(cap, rim, k / 3.0, 0, corner[k]);
     }
     taut_difference(corner[1], corner[0], a);
     taut_difference(corner[2], corner[0], b);
@@ -32,7 +34,7 @@ static double miss_of(const taut_surface *cap, const taut_surface *end, int side
         taut_difference(x, corner[0], d);
         worst = fmax(worst, size > 0 ? fabs(taut_dot(d, normal)) / size : INFINITY);
         if (n < AROUND) {
-            taut_surface_eval(cap, 1, part, 0, x);
+            taut_surface_eval(cap, rim, part, 0, x);
             taut_surface_eval(
                 end, edge, taut_basis_lo(v) + (taut_basis_hi(v) - taut_basis_lo(v)) * part, 0, y);
             worst = fmax(worst, taut_distance(x, y));

@@ -185,4 +185,19 @@ pipe '"from": { "point": [0, 0, 0], "direction": [1, 0, 0] }, "to": { "point": [
 refused 4 'NOT_REGULAR.*all shape numbers tried; move an end aside' make p.json -o x.json
 absent x.json
 
+# Capped pipes are closed, and all their faces look to one side: each edge of the mesh is run through once either way.
+pipe '"from": { "point": [0, 0, 0], "direction": [1, 0, 0] }, "to": { "point": [10, 6, 3], "direction": [0, 1, 0] }, "caps": true'
+run 0 make p.json -o capped.obj --quiet
+pipe '"run": [[0, 0, 0], [10, 0, 0], [10, 10, 0], [10, 10, 9]], "bend_radius": 3, "caps": true'
+cp p.json run.json
+run 0 make run.json -o run.obj --quiet
+for file in capped run; do
+    awk '$1 == "v" { at = $2 " " $3 " " $4; if (!(at in id)) id[at] = ++places; place[++n] = id[at] }
+        $1 == "f" { for (i = 2; i <= NF; i++) { split($i, a, "/"); split($(i < NF ? i + 1 : 2), b, "/")
+            p = place[a[1]]; q = place[b[1]]
+            if (p != q && ++runs[p, q] > 1) twice++ } faces++ }
+        END { for (e in runs) { split(e, ends, SUBSEP); if (!((ends[2], ends[1]) in runs)) open++ }
+            print faces + 0, twice + 0, open + 0; exit !(faces > 100 && !twice && !open) }' $file.obj > said.txt ||
+        complain "$file: faces, edges run twice, edges run one way: $(cat said.txt)"
+done
 finish

@@ -37,12 +37,13 @@ taut_status taut_pipe_add_surface(taut_model *model, const char *name, const tau
 }
 
 /* Points 0 and 4 of a ring lie opposite each other on it. */
-void taut_pipe_cap_points(const double *ring, double points[2][TAUT_PIPE_RING][3])
+void taut_pipe_cap_points(const double *ring, int side, double points[2][TAUT_PIPE_RING][3])
 {
-    memcpy(points[1], ring, sizeof points[1]);
+    double(*const centre)[3] = points[side];
+    memcpy(points[1 - side], ring, sizeof points[0]);
     for (int j = 0; j < TAUT_PIPE_RING; j++) {
         for (int k = 0; k < 3; k++) {
-            points[0][j][k] = 0.5 * (ring[k] + ring[12 + k]);
+            centre[j][k] = 0.5 * (ring[k] + ring[12 + k]);
         }
     }
 }
@@ -68,7 +69,7 @@ static taut_status add_straight(maker *m, int side, taut_error *error)
     taut_status status = add(m, side == 0 ? "pipe1" : "pipe2", m->line, &points[0][0][0], error);
     if (status == TAUT_OK && task->problem->caps) {
         memcpy(end, points[side], sizeof end);
-        taut_pipe_cap_points(&end[0][0], points);
+        taut_pipe_cap_points(&end[0][0], side, points);
         status = add(m, side == 0 ? "cap1" : "cap2", m->line, &points[0][0][0], error);
     }
     return status;

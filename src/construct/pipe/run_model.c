@@ -108,7 +108,7 @@ static taut_status add_caps(maker *m, taut_error *error)
         const taut_surface *end = taut_model_surface(m->model, side == 0 ? 0 : last);
         const int row = side == 0 ? 0 : taut_basis_count(taut_surface_u(end)) - 1;
         double points[2][TAUT_PIPE_RING][3];
-        taut_pipe_cap_points(taut_surface_points(end) + (size_t)row * RING, points);
+        taut_pipe_cap_points(taut_surface_points(end) + (size_t)row * RING, side, points);
         status = add(m, side == 0 ? "cap1" : "cap2", m->line, 2, &points[0][0][0], error);
     }
     return status;
