@@ -2,8 +2,8 @@
 
 #include "basis/basis_ops.h"
 #include "core/memory.h"
+#include "measure/place.h"
 #include "measure/scaling.h"
-#include "numeric/sum.h"
 
 #include <math.h>
 #include <string.h>
@@ -34,15 +34,16 @@ void taut_nodes_fill(const taut_cells *cells, int direction, int span, double lo
 {
     const taut_basis *basis = cells->basis[direction];
     const int local = cells->local[direction], shift = cells->shift[direction];
-    const double half = (hi - lo) / 2, middle = lo + half, left = taut_sum_rest(lo, half);
+    const double half = (hi - lo) / 2;
 
     nodes->count = count;
     memset(nodes->largest, 0, sizeof nodes->largest);
     for (int i = 0; i < count; i++) {
         double *values = nodes->values + (size_t)i * (size_t)(order + 1) * (size_t)local;
         nodes->weights[i] = ldexp(half, -shift) * rule_weights[i];
-        const double step = half * rule_nodes[i], rest = left + taut_sum_rest(middle, step);
-        taut_basis_eval_beside(basis, span, middle + step, rest, order, values);
+        double rest = 0;
+        const double t = taut_node_place(lo, hi, rule_nodes[i], &rest);
+        taut_basis_eval_beside(basis, span, t, rest, order, values);
         for (int k = 0; k <= order; k++) {
             const double factor = ldexp(1, k * shift);
             double sum = 0;

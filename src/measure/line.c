@@ -3,6 +3,7 @@
 #include "basis/basis_ops.h"
 #include "core/memory.h"
 #include "geometry/panels.h"
+#include "measure/place.h"
 #include "measure/scaling.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
@@ -166,11 +167,12 @@ typedef struct rule {
 
 static double speed_integral(const taut_line *line, int span, double lo, double hi, const rule *r)
 {
-    const double half = (hi - lo) / 2, middle = lo + half, left = taut_sum_rest(lo, half);
+    const double half = (hi - lo) / 2;
     double sum = 0, d[6];
     for (int i = 0; i < r->count; i++) {
-        const double step = half * r->nodes[i], rest = left + taut_sum_rest(middle, step);
-        taut_line_eval(line, span, middle + step, rest, 1, d, NULL);
+        double rest = 0;
+        const double t = taut_node_place(lo, hi, r->nodes[i], &rest);
+        taut_line_eval(line, span, t, rest, 1, d, NULL);
         sum += r->weights[i] * sqrt(d[3] * d[3] + d[4] * d[4] + d[5] * d[5]);
     }
     return sum * ldexp(half, -line->shift);
