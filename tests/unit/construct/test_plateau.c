@@ -1,5 +1,6 @@
 /* test_plateau.c -- least areas that are known from elsewhere, and what is refused. */
 #include "check.h"
+#include "films.h"
 #include "problems.h"
 
 #include "taut/measure.h"
@@ -7,50 +8,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-
-static taut_plateau_problem plateau_of(const test_problem *net, taut_plateau_method method)
-{
-    taut_plateau_problem problem;
-    memset(&problem, 0, sizeof problem);
-    problem.net = net->data;
-    problem.method = method;
-    return problem;
-}
-
-/* The area of a model that has a certificate, NaN if that fails. */
-static double proved_area(const taut_model *model, const taut_plateau_problem *problem,
-                          const char *what)
-{
-    taut_certificate *certificate = NULL;
-    taut_error error = {0};
-    double area = nan("");
-
-    CHECK(taut_surface_area(taut_model_surface(model, 0), &area, NULL) == TAUT_OK, "%s", what);
-    CHECK(taut_plateau_certify(model, problem, NULL, &certificate, &error) == TAUT_OK, "%s: %s",
-          what, error.message);
-    if (certificate != NULL) {
-        CHECK(taut_certificate_holds(certificate) == TAUT_TRUE, "%s: residual %.3g", what,
-              taut_certificate_claim(certificate, 0)->residual);
-    }
-    taut_certificate_free(certificate);
-    return area;
-}
-
-/* Makes and certifies; the area, NaN if that fails. */
-static double area_of(const taut_plateau_problem *problem, const char *what)
-{
-    taut_model *model = NULL;
-    taut_error error = {0};
-    double area = nan("");
-
-    CHECK(taut_plateau_make(problem, NULL, &model, &error) == TAUT_OK, "%s: %s", what,
-          error.message);
-    if (model != NULL) {
-        area = proved_area(model, problem, what);
-    }
-    taut_model_free(model);
-    return area;
-}
 
 /* [WuWang2011] section 4: the least areas of its four examples, found there by quasi-Newton steps,
  * and those of the normal method; twelve decimals. */
@@ -61,10 +18,10 @@ static void test_examples(void)
                                      4.288401001734};
     for (int k = 0; k < 4; k++) {
         test_problem net = problem_example(k + 1);
-        taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
-        CHECK_NEAR(area_of(&problem, "full"), full[k], 2e-12, "example %d", k + 1);
-        problem = plateau_of(&net, TAUT_PLATEAU_NORMAL);
-        CHECK_NEAR(area_of(&problem, "normal"), normal[k], 2e-12, "example %d", k + 1);
+        taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
+        CHECK_NEAR(film_area(&problem, "full"), full[k], 2e-12, "example %d", k + 1);
+        problem = film_problem(&net, TAUT_PLATEAU_NORMAL);
+        CHECK_NEAR(film_area(&problem, "normal"), normal[k], 2e-12, "example %d", k + 1);
         problem_free(&net);
     }
 }
@@ -105,8 +62,8 @@ static test_problem skew(int n)
 static void test_skew(void)
 {
     test_problem net = skew(12);
-    const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
-    const double area = area_of(&problem, "skew");
+    const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
+    const double area = film_area(&problem, "skew");
     CHECK(area > 1.279261571170 && area < 1.279261571171 + 2e-11, "area %.15g", area);
     problem_free(&net);
 }
@@ -115,7 +72,7 @@ static void test_skew(void)
 static void test_start(void)
 {
     test_problem net = problem_example(3);
-    taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+    taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     double start[48];
     taut_model *model = NULL;
     taut_error error = {0};
@@ -127,7 +84,7 @@ static void test_start(void)
         }
     }
     problem.start = start;
-    CHECK_NEAR(area_of(&problem, "start"), 4.105593602010, 2e-12, "from another start");
+    CHECK_NEAR(film_area(&problem, "start"), 4.105593602010, 2e-12, "from another start");
     start[0] += 1e-3;
     CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_BAD_INPUT && model == NULL,
           "a start that moves a known point");
@@ -138,7 +95,7 @@ static void test_start(void)
 static void test_refusals(void)
 {
     test_problem net = problem_example(4);
-    taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+    taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     taut_model *model = NULL;
     taut_error error = {0};
 
@@ -166,7 +123,7 @@ static void test_refusals(void)
 static void test_free_edges(void)
 {
     test_problem net = skew(6);
-    const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+    const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     taut_model *model = NULL;
     taut_error error = {0};
 
@@ -185,11 +142,11 @@ static void test_free_edges(void)
 static void test_plane(void)
 {
     test_problem net = problem_example(2);
-    const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+    const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     for (int i = 0; i < 16; i++) {
         net.points[3 * i + 2] = 0.5 * net.points[3 * i];
     }
-    CHECK_NEAR(area_of(&problem, "plane"), 4 * sqrt(1.25), 1e-14, "a tilted square");
+    CHECK_NEAR(film_area(&problem, "plane"), 4 * sqrt(1.25), 1e-14, "a tilted square");
     problem_free(&net);
 }
 
@@ -202,7 +159,7 @@ static int stop(void *context, double done, const char *what)
 static void test_interrupt(void)
 {
     test_problem net = skew(8);
-    const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+    const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     int calls = 0;
     const taut_make_options options = {.monitor = {stop, &calls}};
     taut_model *model = NULL;
@@ -216,7 +173,7 @@ static void test_limits(void)
 {
     for (int k = 0; k < 4; k++) {
         test_problem net = problem_example(k + 1);
-        const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+        const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
         taut_model *model = NULL;
         taut_certificate *certificate = NULL;
         CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK &&
@@ -260,7 +217,7 @@ static void test_fine_nets(void)
     for (int k = 0; k < 2; k++) {
         const double least = k == 0 ? 1.2792615711710065 : 7.3835056025;
         test_problem net = k == 0 ? skew(n) : saddle(n);
-        const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+        const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
         taut_model *model = NULL;
         double area = nan("");
         CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK &&
@@ -279,7 +236,7 @@ static void test_monotone(void)
     for (int k = 0; k < 3; k++) {
         test_problem net = k == 0 ? skew(12) : k == 1 ? saddle(12) : problem_example(4);
         for (int m = 0; m < 2; m++) {
-            const taut_plateau_problem problem = plateau_of(&net, (taut_plateau_method)m);
+            const taut_plateau_problem problem = film_problem(&net, (taut_plateau_method)m);
             taut_model *model = NULL;
             CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
             const taut_record *areas = taut_record_get(taut_model_details(model), "areas");
@@ -310,7 +267,7 @@ static void test_refine(void)
     const int rounds = random_trials(10) < 10 ? 2 : 3;
     for (int k = 0; k < 2; k++) {
         test_problem net = problem_example(k + 3);
-        taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+        taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
         taut_model *model = NULL;
         taut_error error = {0};
         problem.refine = rounds;
@@ -330,12 +287,13 @@ static void test_refine(void)
 static void test_tolerance_area(void)
 {
     test_problem net = problem_example(4);
-    taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+    taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     taut_model *model = NULL;
     double area = nan(""), before = INFINITY;
     problem.tolerance_area = 1e-7;
     CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
-    CHECK(proved_area(model, &problem, "tolerance_area") < 4.2728533 * (1 + 1e-7), "near enough");
+    CHECK(film_proved_area(model, &problem, "tolerance_area") < 4.2728533 * (1 + 1e-7),
+          "near enough");
     const taut_record *rounds = taut_record_get(refinement_of(model), "rounds");
     for (size_t k = 0; k < taut_record_count(rounds); k++) {
         area = taut_record_number(taut_record_get(taut_record_at(rounds, k), "area"));
@@ -354,7 +312,7 @@ static void test_degenerate(void)
 {
     for (int k = 0; k < 4; k++) {
         test_problem net = skew(7);
-        taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+        taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
         for (int i = 0; i < 7; i++) {
             double *first = net.points + 3 * i, *last = net.points + 3 * (42 + i);
             for (int c = 0; c < 3; c++) {

@@ -1,5 +1,6 @@
 /* test_plateau_known.c -- minimal surfaces in closed form: kept, left or approached. */
 #include "check.h"
+#include "films.h"
 #include "problems.h"
 
 #include "taut/measure.h"
@@ -7,50 +8,6 @@
 
 #include <math.h>
 #include <string.h>
-
-static taut_plateau_problem plateau_of(const test_problem *net, taut_plateau_method method)
-{
-    taut_plateau_problem problem;
-    memset(&problem, 0, sizeof problem);
-    problem.net = net->data;
-    problem.method = method;
-    return problem;
-}
-
-/* The area of a model that has a certificate, NaN if that fails. */
-static double proved_area(const taut_model *model, const taut_plateau_problem *problem,
-                          const char *what)
-{
-    taut_certificate *certificate = NULL;
-    taut_error error = {0};
-    double area = nan("");
-
-    CHECK(taut_surface_area(taut_model_surface(model, 0), &area, NULL) == TAUT_OK, "%s", what);
-    CHECK(taut_plateau_certify(model, problem, NULL, &certificate, &error) == TAUT_OK, "%s: %s",
-          what, error.message);
-    if (certificate != NULL) {
-        CHECK(taut_certificate_holds(certificate) == TAUT_TRUE, "%s: residual %.3g", what,
-              taut_certificate_claim(certificate, 0)->residual);
-    }
-    taut_certificate_free(certificate);
-    return area;
-}
-
-/* Makes and certifies; the area, NaN if that fails. */
-static double area_of(const taut_plateau_problem *problem, const char *what)
-{
-    taut_model *model = NULL;
-    taut_error error = {0};
-    double area = nan("");
-
-    CHECK(taut_plateau_make(problem, NULL, &model, &error) == TAUT_OK, "%s: %s", what,
-          error.message);
-    if (model != NULL) {
-        area = proved_area(model, problem, what);
-    }
-    taut_model_free(model);
-    return area;
-}
 
 static void set(test_problem *net, int i, int j, double x, double y, double z)
 {
@@ -122,7 +79,7 @@ static void test_scherk(void)
     enum { COUNT = 100 };
     const double a = 1.4, known = scherk_area(a);
     test_problem net = problem_new(basis_uniform(5, 14), basis_uniform(5, 14));
-    taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_NORMAL);
+    taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_NORMAL);
     taut_basis *t = basis_uniform(3, COUNT);
     taut_curve *curves[4] = {NULL, NULL, NULL, NULL};
 
@@ -138,7 +95,7 @@ static void test_scherk(void)
         CHECK(taut_curve_new("edge", t, points, NULL, &curves[side], NULL) == TAUT_OK, "an edge");
         problem.curves[side] = curves[side];
     }
-    CHECK_NEAR(area_of(&problem, "Scherk"), known, 4e-4 * known, "between its edges");
+    CHECK_NEAR(film_area(&problem, "Scherk"), known, 4e-4 * known, "between its edges");
     for (int side = 0; side < 4; side++) {
         taut_curve_free(curves[side]);
     }
@@ -150,8 +107,8 @@ static void test_scherk(void)
 static void test_enneper(void)
 {
     test_problem net = enneper(4, 0.5);
-    const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
-    CHECK_NEAR(area_of(&problem, "Enneper"), enneper_area(0.5), 1e-14, "Enneper");
+    const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
+    CHECK_NEAR(film_area(&problem, "Enneper"), enneper_area(0.5), 1e-14, "Enneper");
     problem_free(&net);
 }
 
@@ -163,13 +120,13 @@ static void test_saddle(void)
     static const double sizes[2] = {0.7, 1};
     for (int k = 0; k < 4; k++) {
         test_problem net = enneper(7, sizes[k / 2]);
-        const taut_plateau_problem problem = plateau_of(&net, (taut_plateau_method)(k % 2));
+        const taut_plateau_problem problem = film_problem(&net, (taut_plateau_method)(k % 2));
         const double known = enneper_area(sizes[k / 2]);
         taut_model *model = NULL;
         taut_error error = {0};
         CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%d: %s", k,
               error.message);
-        const double area = model != NULL ? proved_area(model, &problem, "saddle") : nan("");
+        const double area = model != NULL ? film_proved_area(model, &problem, "saddle") : nan("");
         if (k / 2 == 0) {
             CHECK_NEAR(area, known, 1e-13 * known, "stable, method %d", k % 2);
         } else {
@@ -187,7 +144,7 @@ static void test_rest(void)
 {
     enum { N = 18 };
     test_problem net = problem_new(basis_uniform(3, N), basis_uniform(3, N));
-    const taut_plateau_problem problem = plateau_of(&net, TAUT_PLATEAU_FULL);
+    const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     taut_model *model = NULL;
     taut_error error = {0};
     double at[N];
@@ -207,7 +164,7 @@ static void test_rest(void)
     }
     CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%s", error.message);
     if (model != NULL) {
-        CHECK_NEAR(proved_area(model, &problem, "rest"), 1.224094003, 1e-9, "rest");
+        CHECK_NEAR(film_proved_area(model, &problem, "rest"), 1.224094003, 1e-9, "rest");
     }
     taut_model_free(model);
     problem_free(&net);
