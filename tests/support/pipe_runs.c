@@ -5,6 +5,19 @@
 #include <math.h>
 #include <string.h>
 
+const taut_pipe_leg pipe_stair[4] = {
+    {.from = {0, 0, 0}}, {.from = {4, 0, 0}}, {.from = {4, 3, 0}}, {.from = {4, 3, 5}}};
+const taut_pipe_leg pipe_placed[3] = {{.from = {0, 0, 0}, .to = {2, 0, 0}},
+                                      {.from = {4, 2, 1}, .to = {4, 2, 1}, .direction = {0, 2, 0}},
+                                      {.from = {2, 5, 1}, .to = {0, 5, 1}}};
+
+taut_pipe_problem pipe_run_of(taut_pipe_axis axis, const taut_pipe_leg *legs, int count)
+{
+    const taut_pipe_problem problem = {
+        .axis = axis, .legs = legs, .leg_count = count, .radius = 0.2, .alpha = -2, .gamma = -2};
+    return problem;
+}
+
 static const double pi = 3.14159265358979323846;
 
 void pipe_random_run(int kind, pipe_request *r)

@@ -1,10 +1,15 @@
-/* pipe_runs.h -- random runs of pipes. */
+/* pipe_runs.h -- runs of pipes, given and random. */
 #ifndef TAUT_TEST_PIPE_RUNS_H
 #define TAUT_TEST_PIPE_RUNS_H
 
 #include "pipes.h"
 
 enum { LEGS = 12 };
+
+/* Four corners, and three straight pipes, the second with a direction only. */
+extern const taut_pipe_leg pipe_stair[4], pipe_placed[3];
+/* A run along legs, of radius 0.2. */
+taut_pipe_problem pipe_run_of(taut_pipe_axis axis, const taut_pipe_leg *legs, int count);
 
 /* A problem with the legs it points to. */
 typedef struct pipe_request {

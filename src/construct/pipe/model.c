@@ -211,13 +211,9 @@ static void add_warnings(const taut_pipe_task *task, taut_record *details)
     }
 }
 
-taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend *blend)
+void taut_pipe_add_axis_details(const taut_pipe_task *task, taut_record *details)
 {
-    const taut_pipe_problem *p = task->problem;
-    taut_record *details = taut_record_new(), *list = NULL;
-
-    taut_record_add_number(details, "radius", p->radius);
-    list = taut_record_add_list(details, "polygon");
+    taut_record *list = taut_record_add_list(details, "polygon");
     for (int i = 0; i < 4; i++) {
         taut_record_add_numbers(list, NULL, 3, task->polygon[i]);
     }
@@ -229,6 +225,15 @@ taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend
     for (int side = 0; side < 2; side++) {
         taut_record_add_number(list, NULL, task->scale * task->handles[side]);
     }
+}
+
+taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend *blend)
+{
+    const taut_pipe_problem *p = task->problem;
+    taut_record *details = taut_record_new(), *list = NULL;
+
+    taut_record_add_number(details, "radius", p->radius);
+    taut_pipe_add_axis_details(task, details);
     taut_record_add_text(details, "domain", p->extended ? "extended" : "strict");
     taut_record_add_text(details, "joint", p->joint == TAUT_PIPE_TANGENT ? "g1" : "g2");
     taut_record_add_text(details, "frame",

@@ -18,6 +18,8 @@ taut_status taut_pipe_add_surface(taut_model *model, const char *name, const tau
 void taut_pipe_cap_points(const double *ring, int side, double points[2][TAUT_PIPE_RING][3]);
 taut_status taut_pipe_add_axis(const taut_pipe_task *task, const char *name, taut_model *model,
                                taut_error *error);
+/* Polygon, shape and handles of an axis. */
+void taut_pipe_add_axis_details(const taut_pipe_task *task, taut_record *details);
 taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend *blend);
 
 #endif /* TAUT_PIPE_MODEL_H */

@@ -117,20 +117,9 @@ static taut_status add_caps(maker *m, taut_error *error)
 static void add_elbow_details(const taut_pipe_elbow *e, taut_record *list)
 {
     const taut_pipe_task *task = &e->task;
-    taut_record *const item = taut_record_add_object(list, NULL), *part = NULL;
+    taut_record *const item = taut_record_add_object(list, NULL);
     taut_record_add_text(item, "surface", e->name);
-    part = taut_record_add_list(item, "polygon");
-    for (int i = 0; i < 4; i++) {
-        taut_record_add_numbers(part, NULL, 3, task->polygon[i]);
-    }
-    part = taut_record_add_object(item, "shape");
-    taut_record_add_number(part, "alpha", task->shape[0]);
-    taut_record_add_number(part, "beta", task->shape[1]);
-    taut_record_add_number(part, "gamma", task->shape[2]);
-    part = taut_record_add_list(item, "handles");
-    for (int side = 0; side < 2; side++) {
-        taut_record_add_number(part, NULL, task->scale * task->handles[side]);
-    }
+    taut_pipe_add_axis_details(task, item);
     taut_record_add_number(item, "least_bend_radius",
                            task->bend.curvature > 0 ? task->scale / task->bend.curvature
                                                     : INFINITY);

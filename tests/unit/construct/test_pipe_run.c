@@ -1,26 +1,14 @@
 /* test_pipe_run.c -- runs of pipes: what comes out, false claims, caps and closed meshes. */
 #include "check.h"
-#include "pipes.h"
+#include "pipe_runs.h"
 
 #include "core/vec3.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static const taut_pipe_leg stair[] = {
-    {.from = {0, 0, 0}}, {.from = {4, 0, 0}}, {.from = {4, 3, 0}}, {.from = {4, 3, 5}}};
 static const taut_pipe_leg square[] = {
     {.from = {0, 0, 0}}, {.from = {4, 0, 0}}, {.from = {4, 4, 1}}, {.from = {0, 4, 0}}};
-static const taut_pipe_leg placed[] = {{.from = {0, 0, 0}, .to = {2, 0, 0}},
-                                       {.from = {4, 2, 1}, .to = {4, 2, 1}, .direction = {0, 2, 0}},
-                                       {.from = {2, 5, 1}, .to = {0, 5, 1}}};
-
-static taut_pipe_problem run_of(taut_pipe_axis axis, const taut_pipe_leg *legs, int count)
-{
-    const taut_pipe_problem problem = {
-        .axis = axis, .legs = legs, .leg_count = count, .radius = 0.2, .alpha = -2, .gamma = -2};
-    return problem;
-}
 
 static void names_are(const taut_model *model, const char *const *names)
 {
@@ -71,9 +59,9 @@ static void test_pieces(void)
                                   {.from = {0, 4, 0}},
                                   {.from = {0, 0, 0}}};
     taut_pipe_problem problems[] = {
-        run_of(TAUT_PIPE_CORNERS, stair, 4), run_of(TAUT_PIPE_CORNERS, square, 4),
-        run_of(TAUT_PIPE_LEGS, placed, 3), run_of(TAUT_PIPE_CORNERS, bent, 5),
-        run_of(TAUT_PIPE_CORNERS, ring, 5)};
+        pipe_run_of(TAUT_PIPE_CORNERS, pipe_stair, 4), pipe_run_of(TAUT_PIPE_CORNERS, square, 4),
+        pipe_run_of(TAUT_PIPE_LEGS, pipe_placed, 3), pipe_run_of(TAUT_PIPE_CORNERS, bent, 5),
+        pipe_run_of(TAUT_PIPE_CORNERS, ring, 5)};
     const char *const *const names[] = {of_stair, of_square, of_placed, of_bent, of_square};
     problems[1].closed = problems[4].closed = 1;
     problems[2].joint = TAUT_PIPE_CURVATURE_JOINT;
@@ -91,7 +79,7 @@ static void test_pieces(void)
 static void test_bend_radius(void)
 {
     for (int trial = 0; trial < 3; trial++) {
-        taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, stair, 4);
+        taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, pipe_stair, 4);
         problem.joint = trial % 2 == 0 ? TAUT_PIPE_TANGENT : TAUT_PIPE_CURVATURE_JOINT;
         problem.shape = trial < 2 ? TAUT_PIPE_SHAPE_GIVEN : TAUT_PIPE_LEAST_BENDING;
         problem.bend_radius = random_in(0.3, 0.49);
@@ -123,7 +111,7 @@ static void test_bend_radius(void)
 static void test_false_claims(void)
 {
     taut_pipe_leg moved[4];
-    taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, stair, 4), other = problem;
+    taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, pipe_stair, 4), other = problem;
     taut_model *model = NULL;
     problem.bend_radius = 0.6;
     model = pipe_made(&problem, 1e-6);
@@ -137,9 +125,9 @@ static void test_false_claims(void)
     other.radius = 0.601;
     CHECK(pipe_verdict(model, &other, "embedded") == TAUT_FALSE, "wider than its bends");
     other = problem;
-    memcpy(moved, stair, sizeof stair);
+    memcpy(moved, pipe_stair, sizeof pipe_stair);
     for (int i = 0; i < 4; i++) {
-        memcpy(moved, stair, sizeof stair);
+        memcpy(moved, pipe_stair, sizeof pipe_stair);
         moved[i].from[1 + i % 2] += 1e-9;
         other.legs = moved;
         CHECK(pipe_verdict(model, &other, "ends") == TAUT_FALSE, "corner %d moved", i);
@@ -158,7 +146,7 @@ static void test_free_end(void)
                                   {.from = {4, 4, 0}},
                                   {.from = {2, 4, 0}},
                                   {.from = {2, 0.5, 0}}};
-    taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, hook, 5);
+    taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, hook, 5);
     problem.bend_radius = 0.6;
     taut_model *model = pipe_made(&problem, 1e-3);
     taut_certificate *certificate = pipe_proved(model, &problem, 1e-3);
@@ -221,8 +209,8 @@ static double enclosed(const taut_model *model, const char *what)
 static void test_meshes(void)
 {
     taut_pipe_problem problems[5];
-    problems[0] = run_of(TAUT_PIPE_CORNERS, stair, 4);
-    problems[1] = run_of(TAUT_PIPE_CORNERS, square, 4);
+    problems[0] = pipe_run_of(TAUT_PIPE_CORNERS, pipe_stair, 4);
+    problems[1] = pipe_run_of(TAUT_PIPE_CORNERS, square, 4);
     problems[1].closed = 1;
     problems[2] = problems[3] = problems[4] = pipe_random_ends();
     problems[2].radius = 0.3;

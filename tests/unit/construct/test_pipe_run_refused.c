@@ -1,24 +1,11 @@
 /* test_pipe_run_refused.c -- what is refused of a run, and that what is told to work does. */
 #include "check.h"
-#include "pipes.h"
+#include "pipe_runs.h"
 
 #include "core/vec3.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static const taut_pipe_leg stair[] = {
-    {.from = {0, 0, 0}}, {.from = {4, 0, 0}}, {.from = {4, 3, 0}}, {.from = {4, 3, 5}}};
-static const taut_pipe_leg placed[] = {{.from = {0, 0, 0}, .to = {2, 0, 0}},
-                                       {.from = {4, 2, 1}, .to = {4, 2, 1}, .direction = {0, 2, 0}},
-                                       {.from = {2, 5, 1}, .to = {0, 5, 1}}};
-
-static taut_pipe_problem run_of(taut_pipe_axis axis, const taut_pipe_leg *legs, int count)
-{
-    const taut_pipe_problem problem = {
-        .axis = axis, .legs = legs, .leg_count = count, .radius = 0.2, .alpha = -2, .gamma = -2};
-    return problem;
-}
 
 static void test_refusals(void)
 {
@@ -31,21 +18,21 @@ static void test_refusals(void)
     const taut_pipe_leg near[] = {{.from = {0, 0, 0}, .to = {4, 0, 0}},
                                   {.from = {8, 3, 0}, .to = {8, 3, 0}, .direction = {-1, 1, 0}},
                                   {.from = {4, 0.5, 0.1}, .to = {0, 0.5, 0}}};
-    taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, back, 4);
+    taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, back, 4);
     taut_error error = pipe_refused(&problem, TAUT_NO_SOLUTION, "TURNS_BACK");
     CHECK(strcmp(error.where, "/run/1") == 0, "at %s", error.where);
-    problem = run_of(TAUT_PIPE_CORNERS, twice, 3);
+    problem = pipe_run_of(TAUT_PIPE_CORNERS, twice, 3);
     error = pipe_refused(&problem, TAUT_BAD_INPUT, "leave one out");
     CHECK(strcmp(error.where, "/run/2") == 0, "at %s", error.where);
-    problem = run_of(TAUT_PIPE_CORNERS, straight, 3);
+    problem = pipe_run_of(TAUT_PIPE_CORNERS, straight, 3);
     pipe_refused(&problem, TAUT_NO_SOLUTION, "RUN_STRAIGHT");
-    problem = run_of(TAUT_PIPE_CORNERS, stair, 4);
+    problem = pipe_run_of(TAUT_PIPE_CORNERS, pipe_stair, 4);
     problem.bend_radius = 0.4;
     problem.radius = 0.5;
     error = pipe_refused(&problem, TAUT_NO_SOLUTION, "SELF_INTERSECT_LOCAL");
     problem.radius = 0.999 * error.limit;
     taut_model_free(pipe_made(&problem, 1e-3));
-    problem = run_of(TAUT_PIPE_LEGS, near, 3);
+    problem = pipe_run_of(TAUT_PIPE_LEGS, near, 3);
     problem.radius = 0.3;
     problem.alpha = problem.gamma = 0;
     error = pipe_refused(&problem, TAUT_NO_SOLUTION, "SELF_INTERSECT_GLOBAL");
@@ -54,7 +41,7 @@ static void test_refusals(void)
           error.message);
     problem.radius = 0.999 * error.limit;
     taut_model_free(pipe_made(&problem, 1e-3));
-    problem = run_of(TAUT_PIPE_LEGS, placed, 2); /* every blend names its own */
+    problem = pipe_run_of(TAUT_PIPE_LEGS, pipe_placed, 2); /* every blend names its own */
     problem.bend_radius = 50;
     error = pipe_refused(&problem, TAUT_NO_SOLUTION, "BEND_RADIUS");
     problem.bend_radius = 0.99 * error.limit;
@@ -73,9 +60,9 @@ static double told(const taut_error *error, const char *words)
 static void test_ways_out(void)
 {
     for (int trial = 0; trial < 4; trial++) {
-        taut_pipe_leg legs[4];
-        taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, legs, 4);
-        memcpy(legs, stair, sizeof stair);
+        taut_pipe_leg legs[4] = {{.from = {0}}};
+        taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, legs, 4);
+        memcpy(legs, pipe_stair, sizeof pipe_stair);
         problem.radius = 0.01;
         problem.bend_radius = 100;
         problem.alpha = problem.gamma = random_in(-2.5, 0);
@@ -114,36 +101,36 @@ static void test_same_places(void)
         {.from = {0, 0, 0}}, {.from = {1e-8, 0, 0}}, {.from = {4, 0, 1}}};
     const taut_pipe_leg touching[] = {{.from = {0, 0, 0}, .to = {4, 0, 0}},
                                       {.from = {4, 0, 0}, .to = {4, 4, 0}}};
-    taut_pipe_problem problem = run_of(TAUT_PIPE_CORNERS, again, 4);
+    taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, again, 4);
     problem.closed = 1;
     taut_error error = pipe_refused(&problem, TAUT_BAD_INPUT, "by itself: leave it out");
     CHECK(strcmp(error.where, "/run/3") == 0, "at %s", error.where);
-    problem = run_of(TAUT_PIPE_CORNERS, twice, 3);
+    problem = pipe_run_of(TAUT_PIPE_CORNERS, twice, 3);
     error = pipe_refused(&problem, TAUT_BAD_INPUT, "leave one out");
     CHECK(strcmp(error.where, "/run/1") == 0, "at %s", error.where);
-    problem = run_of(TAUT_PIPE_CORNERS, nearly, 3);
+    problem = pipe_run_of(TAUT_PIPE_CORNERS, nearly, 3);
     pipe_refused(&problem, TAUT_NO_SOLUTION, "the corner is only 1e-08");
-    problem = run_of(TAUT_PIPE_LEGS, touching, 2);
+    problem = pipe_run_of(TAUT_PIPE_LEGS, touching, 2);
     error = pipe_refused(&problem, TAUT_NO_SOLUTION, "no room for blend1");
     CHECK(strcmp(error.where, "/run/1") == 0, "at %s", error.where);
 }
 
 static void test_bad_numbers(void)
 {
-    taut_pipe_leg legs[4];
-    taut_pipe_problem problem = run_of(TAUT_PIPE_LEGS, legs, 3);
-    memcpy(legs, placed, sizeof placed);
+    taut_pipe_leg legs[4] = {{.from = {0}}};
+    taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_LEGS, legs, 3);
+    memcpy(legs, pipe_placed, sizeof pipe_placed);
     legs[1].direction[1] = 0;
     pipe_refused(&problem, TAUT_BAD_INPUT, "direction is zero");
     legs[1].direction[1] = NAN;
     pipe_refused(&problem, TAUT_BAD_INPUT, "coordinate");
-    memcpy(legs, placed, sizeof placed);
+    memcpy(legs, pipe_placed, sizeof pipe_placed);
     legs[2].to[0] = INFINITY;
     pipe_refused(&problem, TAUT_BAD_INPUT, "coordinate");
-    memcpy(legs, placed, sizeof placed);
+    memcpy(legs, pipe_placed, sizeof pipe_placed);
     legs[0].to[0] = 1e-9;
     pipe_refused(&problem, TAUT_NO_SOLUTION, "TOO_SMALL");
-    memcpy(legs, placed, sizeof placed);
+    memcpy(legs, pipe_placed, sizeof pipe_placed);
     problem.leg_count = 1;
     pipe_refused(&problem, TAUT_BAD_INPUT, "at least 2");
     problem.leg_count = 3;
