@@ -2,6 +2,7 @@
 #include "check.h"
 #include "fault.h"
 
+#include "certify/curve_distance.h"
 #include "geometry/boundary.h"
 #include "taut/operate.h"
 
@@ -82,6 +83,17 @@ static taut_status fit(const void *context, void **result, taut_error *error)
     return status;
 }
 
+/* The proved distance of the curve from itself. */
+static taut_status distance(const void *context, void **result, taut_error *error)
+{
+    const fixture *f = context;
+    double bound = -1;
+    const taut_status status = taut_certify_distance(f->curve, f->curve, &bound, error);
+    (void)result;
+    CHECK((status == TAUT_OK) == (bound >= 0), "the bound is told on success, only then");
+    return status;
+}
+
 /* Every type has a range of length 1 here; c- and h- have no knots to insert and no degree. */
 enum { BEZIER, BSPLINE, C_BEZIER, C_BSPLINE, H_BEZIER, H_BSPLINE, CE_BEZIER, TYPES };
 
@@ -159,6 +171,7 @@ static void test_types(int type_u, int type_v)
         {"taut_curve_rerange", curve_rerange, release_curve, &f},
         {"taut_curve_transform", curve_transform, release_curve, &f},
         {"taut_curve_to_nurbs", curve_to_nurbs, release_curve, &f},
+        {"taut_certify_distance", distance, NULL, &f},
         {"taut_boundary_fit", fit, release_curve, &f},
         {"taut_surface_split", split, release_model, &f},
         {"taut_surface_pieces", pieces, release_model, &f},

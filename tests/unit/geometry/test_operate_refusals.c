@@ -149,12 +149,12 @@ static void test_limits(void)
     taut_curve_free(curve);
 }
 
-/* A panel for each of so many segments is more than a spline has; 38 panels for each of 3900, by 38
+/* A panel for each of so many segments is more than a spline has; 80 panels for each of 1000, by 80
  * for the other side, are more points than a surface has. */
 static void test_many_panels(void)
 {
     const taut_basis_spec longest = {.type = "c-bspline", .alpha = 1, .segments = 336000};
-    const taut_basis_spec layers = {.type = "h-bspline", .beta = 700, .segments = 3900};
+    const taut_basis_spec layers = {.type = "h-bspline", .beta = 700, .segments = 1000};
     const taut_basis_spec layer = {.type = "h-bezier", .beta = 700};
     taut_curve *curve = curve_on(&longest), *nurbs = NULL;
     taut_surface *surface = surface_on(&layers, &layer), *converted = NULL;
@@ -163,7 +163,7 @@ static void test_many_panels(void)
     check_refused("curve", status, TAUT_NO_SOLUTION, &error, "spans one way", nurbs);
     CHECK(error.found == error.limit && error.limit == (TAUT_COUNT_MAX - 3) / 3, "%g of %g",
           error.found, error.limit);
-    status = taut_surface_to_nurbs(surface, 1e-10, &converted, NULL, &error);
+    status = taut_surface_to_nurbs(surface, 1e-12, &converted, NULL, &error);
     check_refused("surface", status, TAUT_NO_SOLUTION, &error, "points, more than fit", converted);
     CHECK(error.found > error.limit && error.limit == TAUT_POINTS_MAX, "%g of %g", error.found,
           error.limit);
