@@ -116,6 +116,8 @@ static void test_iges(void)
         {{GLOBAL, "D", "D", "P110,0.,0.,0.,1.D0,1.,1.;"}, NULL, NULL},
         {{GLOBAL, "D", "D", "P110,0.,NAN,0.;"}, "line 5", not_a_number},
         {{GLOBAL, "D", "D", "P110,0.,1.E308;"}, "line 5", not_a_number},
+        {{GLOBAL, "D", "D", "P110 ,  0. ,1. , ,1.D-2;"}, NULL, NULL},
+        {{GLOBAL, "D", "D", "P110,0. 1.;"}, "line 5", not_a_number},
         /* a text is passed over with the commas and semicolons in it, and what follows is not */
         {{GLOBAL, "D", "D", "P110,0.,7HNAN,;,x,1.;"}, NULL, NULL},
         {{GLOBAL, "D", "D", "P110,0.,7HNAN,;,x,NAN;"}, "line 5", not_a_number},

@@ -95,7 +95,10 @@ static void check_io(const char *path, const char *reason)
     CHECK(taut_problem_read(path, &problem, &error) == TAUT_IO, "problem %s", path);
     CHECK(strstr(error.message, path) != NULL && strstr(error.message, reason) != NULL,
           "\"%s\" does not say %s and %s", error.message, path, reason);
+    error.message[0] = '\0';
     CHECK(taut_model_read(path, &model, &error) == TAUT_IO, "model %s", path);
+    CHECK(strstr(error.message, path) != NULL && strstr(error.message, reason) != NULL,
+          "\"%s\" does not say %s and %s", error.message, path, reason);
     CHECK(problem == NULL && model == NULL, "outputs are untouched");
 }
 
@@ -128,6 +131,28 @@ static void test_files(void)
     CHECK(taut_problem_read(path, &problem, &error) == TAUT_BAD_INPUT, "oops");
     CHECK(strncmp(error.where, path, strlen(path)) == 0 && strstr(error.where, ":2:3") != NULL,
           "where \"%s\"", error.where);
+    unlink(path);
+    rmdir(folder);
+}
+
+/* What another library is to read must be a file: not a folder, nor a pipe, which is not waited
+ * for.
+ */
+static void test_no_file(void)
+{
+    char folder[] = "/tmp/taut-test-XXXXXX", path[64];
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(mkdtemp(folder) != NULL, "folder");
+    snprintf(path, sizeof path, "%s/none.step", folder);
+    check_io(path, "No such file");
+    CHECK(mkdir(path, 0700) == 0, "%s", path);
+    check_io(path, "directory");
+    CHECK(rmdir(path) == 0, "%s", path);
+    CHECK(mkfifo(path, 0600) == 0, "%s", path);
+    CHECK(taut_model_read(path, &model, &error) == TAUT_IO && model == NULL &&
+              strstr(error.message, "Illegal seek") != NULL,
+          "\"%s\"", error.message);
     unlink(path);
     rmdir(folder);
 }
@@ -176,6 +201,7 @@ int main(void)
     test_defaults();
     test_rows();
     test_files();
+    test_no_file();
     test_unreadable();
     test_pipe();
     return check_failures != 0;
