@@ -130,6 +130,11 @@ static taut_status died(int how, int is_reading, taut_error *error)
     if (number == SIGINT || number == SIGTERM || number == SIGHUP) {
         return taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped on request");
     }
+    if (number == 0) {
+        return taut_fail(error, status, NULL, taut_none, taut_none,
+                         "OpenCASCADE gave up on the %s without a word",
+                         is_reading ? "file" : "model");
+    }
     return taut_fail(error, status, NULL, number, taut_none,
                      "OpenCASCADE broke down over the %s (signal %d)",
                      is_reading ? "file" : "model", number);

@@ -39,6 +39,7 @@ static system_call failing;    /* the next such call fails... */
 static int failing_reason;     /* ...with this errno */
 static int fatal;              /* not 0: a child dies of this signal as soon as it is there */
 static int canned;             /* not 0: a child says that its work is done, in place of it */
+enum { NO_SIGNAL = -1 };       /* of `fatal`: it ends of its own accord */
 enum { READER = 1, WRITER };   /* values of `canned` */
 static int is_child;           /* not 0: this is a child */
 static taut_cad_item items[2]; /* what it has read */
@@ -127,7 +128,11 @@ pid_t fork(void)
     find_own("fork", &own, sizeof own);
     const pid_t child = fails(CALL_FORK) ? -1 : own();
     is_child = child == 0;
+    if (is_child && fatal == NO_SIGNAL) {
+        _exit(1);
+    }
     if (is_child && fatal != 0) {
+        signal(fatal, SIG_DFL); /* which a sanitizer may have taken for itself */
         kill(getpid(), fatal);
     }
     return child;
@@ -253,6 +258,7 @@ static const end ends[] = {
     {CALL_NONE, 0, SIGKILL, TAUT_BAD_INPUT, TAUT_INTERNAL, "more time than its size explains"},
     {CALL_NONE, 0, SIGTERM, TAUT_INTERRUPTED, TAUT_INTERRUPTED, "stopped on request"},
     {CALL_NONE, 0, SIGFPE, TAUT_BAD_INPUT, TAUT_INTERNAL, "broke down over the"},
+    {CALL_NONE, 0, NO_SIGNAL, TAUT_BAD_INPUT, TAUT_INTERNAL, "gave up on the"},
 };
 
 /* OpenCASCADE's process is not to be had, or dies: the file or the model is refused. */
