@@ -139,8 +139,8 @@ static int note(void *context, double done, const char *what)
     return strcmp(what, "least area") == 0 && ++c->reports > c->most;
 }
 
-/* Conjugate gradients report between their products, beside the report before each step and at the
- * end, and can be stopped there. */
+/* A descent reports before each step and at the end, and can be stopped there; between products of
+ * a long one too (test_plateau_approach.c). */
 static void test_reports(void)
 {
     test_problem net = problem_new(basis_uniform(3, 14), basis_uniform(3, 14));

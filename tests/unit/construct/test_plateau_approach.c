@@ -110,9 +110,17 @@ static void test_stopped(void)
     problem_free(&problem);
 }
 
+static int note(void *context, double done, const char *what)
+{
+    (void)done;
+    *(int *)context += strcmp(what, "least area") == 0;
+    return 0;
+}
+
 /* So many points that factors would cost more than conjugate gradients: first along the normals,
  * then all ways, in steps that go on beyond Newton's while they gain. Four edges of a tetrahedron:
- * Schwarz's surface, from above, as in the coarser nets of test_plateau.c. */
+ * Schwarz's surface, from above, as in the coarser nets of test_plateau.c. Between the products of
+ * one step it reports, so that there are more reports than steps, and fewer than products. */
 static void test_large(void)
 {
     enum { N = 54 };
@@ -121,6 +129,8 @@ static void test_large(void)
     taut_model *model = NULL;
     taut_error error = {0};
     double at[N];
+    int reports = 0;
+    const taut_make_options options = {.monitor = {note, &reports}};
 
     for (int i = 0; i < N; i++) { /* the means of three knots each */
         at[i] = 0;
@@ -134,13 +144,18 @@ static void test_large(void)
         net.known[k] = k / N == 0 || k / N == N - 1 || k % N == 0 || k % N == N - 1;
         memcpy(net.points + 3 * k, point, sizeof point);
     }
-    CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%s", error.message);
+    CHECK(taut_plateau_make(&problem, &options, &model, &error) == TAUT_OK, "%s", error.message);
     if (model != NULL) {
+        const taut_record *details = taut_model_details(model);
+        const double steps = taut_record_number(taut_record_get(details, "iterations"));
+        const double products = taut_record_number(taut_record_get(details, "products"));
         const double least = 1.2792615711710065;
         const double area = film_proved_area(model, &problem, "54 x 54");
-        const char *solver = taut_record_text(taut_record_get(taut_model_details(model), "solver"));
+        const char *solver = taut_record_text(taut_record_get(details, "solver"));
         CHECK(area > least * (1 - 1e-14) && area < least * (1 + 1e-11), "area %.16g", area);
         CHECK(solver != NULL && strcmp(solver, "conjugate-gradients") == 0, "by %s", solver);
+        CHECK(reports > 2 * steps + 8 && reports < products / 8, "%d, %g steps, %g products",
+              reports, steps, products);
     }
     taut_model_free(model);
     problem_free(&net);

@@ -162,6 +162,32 @@ static void test_equal_weights(void)
     problem_free(&net);
 }
 
+/* A space that finds no rest within the iterations allowed still counts for the estimate, by the
+ * area it came to: less near, and from above. */
+static void test_unfinished(void)
+{
+    test_problem net = problem_example(2);
+    taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
+    double least[2] = {0, 0}, area = 0;
+
+    problem.refine = 1;
+    for (int k = 0; k < 2; k++) {
+        taut_model *model = NULL;
+        taut_error error = {0};
+        CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%s", error.message);
+        least[k] = number_of(model, "estimated_least_area");
+        problem.max_iterations =
+            (int)taut_record_number(taut_record_get(taut_model_details(model), "iterations"));
+        CHECK(problem.max_iterations > 1 &&
+                  taut_surface_area(taut_model_surface(model, 0), &area, NULL) == TAUT_OK,
+              "%d iterations", problem.max_iterations);
+        taut_model_free(model);
+    }
+    CHECK(least[1] > least[0] * (1 + 1e-7) && least[1] < area, "%.12g and %.12g of %.12g", least[1],
+          least[0], area);
+    problem_free(&net);
+}
+
 /* More points than the spaces of an estimate have go along normals: hardly above the least, here
  * 1.27926157117 of four edges of a tetrahedron; one space more takes a quarter and less of what is
  * left over. */
@@ -279,6 +305,7 @@ int main(void)
     test_few_spans();
     test_nothing_unknown();
     test_equal_weights();
+    test_unfinished();
     test_many_points();
     test_too_far();
     test_directions();
