@@ -180,6 +180,13 @@ static taut_status too_far(const rounds *r, double tolerance, taut_error *error)
 {
     const int last = r->count - 1;
     const double gap = r->areas[last] / r->limits[last] - 1;
+    if (last == 0) {
+        const int points = r->points[0][0] * r->points[0][1];
+        return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance_area", points, POINTS_MAX,
+                         "with %d by %d points the net takes no more knots, so that nothing tells "
+                         "how far its area is from the least: take at most %d points, or refine",
+                         r->points[0][0], r->points[0][1], POINTS_MAX);
+    }
     return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance_area", gap, tolerance,
                      "with %d by %d points the area is estimated %.2g above the least, expected at "
                      "most %.2g: raise the degree, or the tolerance",
