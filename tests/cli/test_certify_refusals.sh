@@ -105,6 +105,9 @@ for example in ("dirichlet", "plateau"):
           "rounding of the points alone")
 steep = member("surfaces", 0, "weights")([[10 ** (11.5 * i)] * 3 for i in range(3)])
 check("steep weights", problem_of("dirichlet-biquadratic"), steep, None, 0, "stationary +undecided", "256 Gauss nodes do not settle")
+crossed = member("surfaces", 0, "weights")([[10.0 ** (11 * (i == 1) - 11 * (j == 1)) for j in range(4)] for i in range(4)])
+check("crossed weights", problem_of("plateau-bicubic"), crossed, None, 0, "stationary +undecided",
+      "256 Gauss nodes do not settle")
 check("another type", dirichlet, member("surfaces", 0, "u")({"type": "c-bezier", "alpha": 1}), dirichlet, 1,
       "known +DOES NOT HOLD: 1, limit 0, at /surfaces/0/u or /surfaces/0/v")
 check("aspect", problem_of("dirichlet-aspect"), member("details", "aspect")(-1), None, 3, "/details/aspect")
