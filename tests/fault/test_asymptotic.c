@@ -55,6 +55,23 @@ static taut_asymptotic_problem lines(void)
     return problem;
 }
 
+/* A quartic's search takes its room before it begins: later failures would repeat all of it. */
+static void try_quartic(void)
+{
+    const taut_asymptotic_problem problem = asymptotic_example(1, NULL);
+    for (long k = 1; k <= 6; k++) {
+        const long live = fault_live();
+        taut_model *model = NULL;
+        taut_error error = {.status = TAUT_OK};
+        fault_arm(k, k % 2 == 0);
+        const taut_status status = taut_asymptotic_make(&problem, NULL, &model, &error);
+        fault_disarm();
+        CHECK(status == TAUT_NO_MEMORY && error.status == TAUT_NO_MEMORY && model == NULL,
+              "allocation %ld", k);
+        CHECK(fault_live() == live, "allocation %ld leaks", k);
+    }
+}
+
 int main(void)
 {
     taut_asymptotic_problem cubic = asymptotic_example(3, NULL), given = lines();
@@ -64,6 +81,7 @@ int main(void)
     const fault_call third = {"certify", certify, release_certificate, &context};
     cubic.report_singular = 1;
     CHECK(fault_loop(&first) > 10, "a cubic takes memory");
+    try_quartic();
     CHECK(fault_loop(&second) > 10, "given curves take memory");
     context.model = asymptotic_make(&given, "four lines");
     CHECK(fault_loop(&third) > 10, "certify takes memory");

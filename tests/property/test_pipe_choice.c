@@ -2,6 +2,7 @@
 #include "check.h"
 
 #include "construct/pipe/bend.h"
+#include "core/vec3.h"
 #include "taut/taut.h"
 
 static const double pi = 3.14159265358979323846;
@@ -67,9 +68,62 @@ static void test_choice(void)
     }
 }
 
+/* Length times bending with these handles. */
+static double fairness(const taut_pipe_problem *problem, const double handles[2])
+{
+    const double shape[3] = {problem->alpha, problem->beta, problem->gamma};
+    double v[4][3], edges[3][3];
+    taut_pipe_arc arc;
+    taut_pipe_bend bend;
+    for (int side = 0; side < 2; side++) {
+        const double *const d = problem->ends[side].direction, *const p = problem->ends[side].point;
+        const double step = (side == 0 ? 1 : -1) * handles[side] / taut_norm(d);
+        for (int k = 0; k < 3; k++) {
+            v[3 * side][k] = p[k];
+            v[1 + side][k] = p[k] + step * d[k];
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        taut_difference(v[i + 1], v[i], edges[i]);
+    }
+    taut_pipe_arc_quasi((const double(*)[3])edges, shape, &arc);
+    taut_pipe_bend_integrals(&arc, 64, &bend);
+    return bend.length * bend.bending;
+}
+
+/* One handle given, either: the other is no worse than any of 200 lengths of the range it is sought
+ * in, and the given one stays. */
+static void test_one_handle(void)
+{
+    for (int trial = 0; trial < random_trials(6); trial++) {
+        taut_pipe_problem problem = random_ends();
+        const int given = trial % 2;
+        const double handle = problem.ends[given].handle;
+        taut_model *model = NULL;
+        double handles[2], found = 0, size = 0;
+        problem.ends[1 - given].handle = 0;
+        if (taut_pipe_make(&problem, NULL, &model, NULL) != TAUT_OK) {
+            continue;
+        }
+        const double *const v = taut_curve_points(taut_model_curve(model, 0));
+        handles[0] = taut_distance(v + 3, v);
+        handles[1] = taut_distance(v + 9, v + 6);
+        CHECK_NEAR(handles[given], handle, 1e-14, "trial %d", trial);
+        found = fairness(&problem, handles);
+        size = taut_distance(problem.ends[0].point, problem.ends[1].point);
+        for (int i = 0; i < 200; i++) {
+            handles[1 - given] = size / 64 * pow(256, (i + 0.5) / 200);
+            CHECK(fairness(&problem, handles) >= found * (1 - 1e-6), "trial %d: %g, found %g",
+                  trial, fairness(&problem, handles), found);
+        }
+        taut_model_free(model);
+    }
+}
+
 int main(void)
 {
     random_seed(20261123);
     test_choice();
+    test_one_handle();
     return check_failures != 0;
 }

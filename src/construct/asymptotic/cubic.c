@@ -36,7 +36,6 @@ typedef struct cubic {
     cubic_edge edges[4];
     int linked[4], chains;
     double closing;  /* logarithm by which the ring misses closing */
-    int wrong_sign;  /* the ring closes but for a sign */
     double rounding; /* of the corners' coordinates */
 } cubic;
 
@@ -53,6 +52,24 @@ static void plane_normals(const cubic *c, double normals[4][3])
     }
 }
 
+/* The leg, P_3 - P_1 and d in one plane: one of the two is along d, as both it and d lie in the two
+ * tangent planes, and P_2 then leaves no height over that end's leg. */
+static taut_status fail_planar(const cubic *c, int e, const double rest[3], taut_error *error)
+{
+    double cross[2][3], sine[2];
+    taut_cross(c->legs[e], c->edges[e].direction, cross[0]);
+    taut_cross(c->edges[e].direction, rest, cross[1]);
+    sine[0] = taut_norm(cross[0]) / taut_norm(c->legs[e]);
+    sine[1] = taut_norm(cross[1]) / taut_norm(rest);
+    return taut_fail(
+        error, TAUT_NO_SOLUTION, "/edges", fmin(sine[0], sine[1]), planar_cut,
+        "edge %s cannot bend at corner %s: its first control point and that corner lie "
+        "along the line common to the tangent planes at its ends; turn its leg or "
+        "those it meets",
+        taut_asymptotic_edge_name(e),
+        taut_asymptotic_corner_name(taut_corner_of_edge[e][sine[0] > sine[1]]));
+}
+
 static taut_status fill_edge(cubic *c, int e, double normals[4][3], taut_error *error)
 {
     cubic_edge *const edge = &c->edges[e];
@@ -60,9 +77,17 @@ static taut_status fill_edge(cubic *c, int e, double normals[4][3], taut_error *
     const double *const n0 = normals[taut_corner_of_edge[e][0]];
     const double *const n1 = normals[taut_corner_of_edge[e][1]];
     double rest[3], chord[3], cross[3], det = 0.0, sine = 0.0, reach = 0.0;
+    taut_difference(edge->chord_end, edge->first, rest);
+    taut_difference(edge->chord_end, c->corners[taut_corner_of_edge[e][0]], chord);
+    taut_cross(c->legs[e], chord, cross);
+    edge->straight = taut_norm(cross) <=
+                     (straight_cut * taut_norm(chord) + 4 * c->rounding) * taut_norm(c->legs[e]);
+    edge->torsion[0] = edge->torsion[1] = edge->noise = 0.0;
     taut_cross(n0, n1, edge->direction);
     sine = taut_norm(edge->direction) / (taut_norm(n0) * taut_norm(n1));
-    if (!(sine > plane_cut)) {
+    if (edge->straight) { /* whatever the planes at its ends are */
+        memcpy(edge->direction, chord, sizeof chord);
+    } else if (!(sine > plane_cut)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "/edges", sine, plane_cut,
                          "the tangent planes at the two ends of edge %s are one plane (or "
                          "undefined): turn its leg or those it meets",
@@ -72,17 +97,15 @@ static taut_status fill_edge(cubic *c, int e, double normals[4][3], taut_error *
     for (int k = 0; k < 3; k++) {
         edge->direction[k] /= reach;
     }
-    taut_difference(edge->chord_end, edge->first, rest);
-    taut_difference(edge->chord_end, c->corners[taut_corner_of_edge[e][0]], chord);
-    taut_cross(c->legs[e], chord, cross);
-    edge->straight = taut_norm(cross) <=
-                     (straight_cut * taut_norm(chord) + 4 * c->rounding) * taut_norm(c->legs[e]);
+    if (edge->straight) {
+        return TAUT_OK;
+    }
     det = taut_det(c->legs[e], edge->direction, rest);
-    if (fabs(det) <= planar_cut * taut_norm(c->legs[e]) * taut_norm(rest)) {
-        det = 0.0;
+    if (!(fabs(det) > planar_cut * taut_norm(c->legs[e]) * taut_norm(rest))) {
+        return fail_planar(c, e, rest, error);
     }
     taut_cross(c->legs[e], edge->direction, cross);
-    edge->noise = fabs(det) > 0 ? taut_norm(cross) / fabs(det) : 0.0;
+    edge->noise = taut_norm(cross) / fabs(det);
     det *= w[0] * w[3] / (3 * w[1] * w[2]);
     edge->torsion[0] = det / taut_dot(cross, cross);
     taut_cross(edge->direction, rest, cross);
@@ -91,22 +114,13 @@ static taut_status fill_edge(cubic *c, int e, double normals[4][3], taut_error *
     return TAUT_OK;
 }
 
-static taut_status fill_links(cubic *c, taut_error *error)
+/* A straight edge asks for no torsion. */
+static void fill_links(cubic *c)
 {
     for (int k = 0; k < 4; k++) {
         const taut_quad_meeting *const m = taut_quad_corner[k];
-        const double t0 = c->edges[m[0].edge].torsion[m[0].end];
-        const double t1 = c->edges[m[1].edge].torsion[m[1].end];
-        const int curved = !c->edges[m[0].edge].straight && !c->edges[m[1].edge].straight;
-        if (curved && (t0 == 0.0) != (t1 == 0.0)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/edges", t0 != 0.0 ? t0 : t1, 0.0,
-                             "at corner %s one edge is planar and the other is not: their "
-                             "torsions must be opposite",
-                             taut_asymptotic_corner_name(k));
-        }
-        c->linked[k] = curved && t0 != 0.0;
+        c->linked[k] = !c->edges[m[0].edge].straight && !c->edges[m[1].edge].straight;
     }
-    return TAUT_OK;
 }
 
 /* s_f = -s_e (torsion_f / torsion_e) along a tree of corners; what is left over is the closing
@@ -116,7 +130,6 @@ static void propagate(cubic *c)
     int seen[4] = {0}, used[4] = {0};
     c->chains = 0;
     c->closing = 0.0;
-    c->wrong_sign = 0;
     for (int root = 0; root < 4; root++) {
         int grew = !seen[root];
         if (seen[root]) {
@@ -147,8 +160,7 @@ static void propagate(cubic *c)
         if (c->linked[k] && !used[k]) {
             const double ratio =
                 -(e->torsion[m[0].end] / e->scale) / (f->torsion[m[1].end] / f->scale);
-            c->closing = log(fabs(ratio));
-            c->wrong_sign = !(ratio > 0);
+            c->closing = log(ratio); /* positive: an edge's two torsions have one sign */
         }
     }
 }
@@ -169,9 +181,7 @@ static taut_status fill(cubic *c, taut_error *error)
         status = fill_edge(c, e, normals, error);
     }
     if (status == TAUT_OK) {
-        status = fill_links(c, error);
-    }
-    if (status == TAUT_OK) {
+        fill_links(c);
         propagate(c);
     }
     return status;
@@ -184,7 +194,7 @@ static int nearest_legs(cubic *c)
         double gradient[4][3], squares = 0.0;
         const double miss = c->closing;
         if (fabs(miss) <= 1e-12) {
-            return !c->wrong_sign;
+            return 1;
         }
         for (int e = 0; e < 4; e++) {
             for (int k = 0; k < 3; k++) {
@@ -209,12 +219,12 @@ static int nearest_legs(cubic *c)
 static taut_status fail_closing(cubic *c, taut_error *error)
 {
     const double gap = c->closing;
-    if (c->wrong_sign || !nearest_legs(c)) {
+    if (!nearest_legs(c)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
                          "the torsions cannot close around the four corners: they miss it by a "
-                         "factor of %s%.9g, which no weights and no free length mend; change the "
+                         "factor of %.9g, which no weights and no free length mend; change the "
                          "legs",
-                         c->wrong_sign ? "-" : "", exp(gap));
+                         exp(gap));
     }
     return taut_fail(
         error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
@@ -310,7 +320,7 @@ taut_status taut_cubic_find(const taut_asymptotic_problem *problem, double round
     for (int e = 0; e < 4; e++) {
         noise += c.edges[e].noise;
     }
-    if (status == TAUT_OK && (!(fabs(c.closing) <= closing_cut + noise) || c.wrong_sign)) {
+    if (status == TAUT_OK && !(fabs(c.closing) <= closing_cut + noise)) {
         status = fail_closing(&c, error);
     }
     branches->closing = c.linked[0] && c.linked[1] && c.linked[2] && c.linked[3]

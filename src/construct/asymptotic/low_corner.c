@@ -9,16 +9,17 @@
 
 static const double plane_match = 1e-9; /* relative: data that passed (C2), (C3) to 1e-10 */
 
-/* a x = b for the 4 x 3 matrix of the columns p, p', p''; the part of b outside stays over. Lengths
- * are taken in units in which they are as large as the weights. */
+/* a x = b for the 4 x 3 matrix of the columns p, p', p'', all with the corner as the origin: from
+ * any other the weights' derivatives times the corner hide what bends the edge. The part of b
+ * outside stays over. Lengths are taken in units in which they are as large as the weights. */
 static void in_plane(const taut_low_end *end, const double b[4], double x[3])
 {
     double a[12], right[4], scale[3], lengths = 0.0, weights = 0.0;
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++) {
-            lengths = fmax(lengths, fabs(end->p[k][i]));
+            lengths = fmax(lengths, fabs(end->near[k][i]));
         }
-        weights = fmax(weights, fabs(end->p[k][3]));
+        weights = fmax(weights, fabs(end->near[k][3]));
     }
     for (int i = 0; i < 4; i++) {
         right[i] = b[i] / (i < 3 ? lengths : weights);
@@ -26,7 +27,7 @@ static void in_plane(const taut_low_end *end, const double b[4], double x[3])
     for (int k = 0; k < 3; k++) {
         scale[k] = 0.0;
         for (int i = 0; i < 4; i++) {
-            a[4 * k + i] = end->p[k][i] / (i < 3 ? lengths : weights);
+            a[4 * k + i] = end->near[k][i] / (i < 3 ? lengths : weights);
             scale[k] = fmax(scale[k], fabs(a[4 * k + i]));
         }
         for (int i = 0; i < 4; i++) {
@@ -39,14 +40,13 @@ static void in_plane(const taut_low_end *end, const double b[4], double x[3])
     }
 }
 
-static void fill_end(const taut_quad *quad, int e, int end, taut_low_end *made)
+/* h of degree n, spoilt, to its derivatives at an end. */
+static void derive(int n, int end, double h[TAUT_QUAD_POINTS][4], double p[4][4])
 {
-    const int n = quad->degree;
-    double h[TAUT_QUAD_POINTS][4], factor = 1.0;
-    taut_quad_homogeneous(&quad->edges[e], n, h);
+    double factor = 1.0;
     for (int order = 0; order <= 3; order++) {
         for (int k = 0; k < 4; k++) {
-            made->p[order][k] = factor * h[end == 0 ? 0 : n - order][k];
+            p[order][k] = factor * h[end == 0 ? 0 : n - order][k];
         }
         factor *= n - order;
         for (int j = 0; j < n - order; j++) {
@@ -57,27 +57,56 @@ static void fill_end(const taut_quad *quad, int e, int end, taut_low_end *made)
     }
 }
 
-/* a p' + b p'' + c p''': S_uv but for the slopes of a, b, c. */
+static void fill_end(const taut_quad *quad, int e, int end, taut_low_end *made)
+{
+    const int n = quad->degree;
+    double h[TAUT_QUAD_POINTS][4];
+    taut_quad_edge moved = quad->edges[e];
+    taut_quad_homogeneous(&quad->edges[e], n, h);
+    derive(n, end, h, made->p);
+    for (int j = 0; j <= n; j++) {
+        taut_difference(quad->edges[e].points[j], taut_quad_point(quad, e, end, 0),
+                        moved.points[j]);
+    }
+    taut_quad_homogeneous(&moved, n, h);
+    derive(n, end, h, made->near);
+}
+
+/* a p' + b p'' + c p''': S_uv but for the slopes of a, b, c, with the corner as the origin. */
 static void fixed_part(const taut_low_end *end, double out[4])
 {
     for (int k = 0; k < 4; k++) {
-        out[k] =
-            end->abc[0] * end->p[1][k] + end->abc[1] * end->p[2][k] + end->abc[2] * end->p[3][k];
+        out[k] = end->abc[0] * end->near[1][k] + end->abc[1] * end->near[2][k] +
+                 end->abc[2] * end->near[3][k];
     }
 }
 
-/* R_uv from S_uv: (S_uv - W_uv R - W_u R_v - W_v R_u) / W. */
-void taut_low_twist(const taut_low *l, int c, const double s[4], double twist[3])
+/* s with the corner as the origin. */
+static void to_corner(const taut_low_end *end, const double s[4], double out[4])
+{
+    for (int k = 0; k < 3; k++) {
+        out[k] = s[k] - s[3] * end->p[0][k] / end->p[0][3];
+    }
+    out[3] = s[3];
+}
+
+/* R_uv from S_uv with the corner as the origin: (S_uv - W_u R_v - W_v R_u) / W. */
+static void twist_of(const taut_low *l, int c, const double s[4], double twist[3])
 {
     const taut_quad_meeting *const m = taut_quad_corner[c];
     const taut_low_end *const u = &l->ends[m[0].edge][m[0].end], *const v =
                                                                      &l->ends[m[1].edge][m[1].end];
-    const double w = u->p[0][3];
     for (int k = 0; k < 3; k++) {
-        twist[k] = (s[k] - s[3] * u->p[0][k] / w - u->p[1][3] * l->plane_v[c][k] -
-                    v->p[1][3] * l->plane_u[c][k]) /
-                   w;
+        twist[k] =
+            (s[k] - u->p[1][3] * l->plane_v[c][k] - v->p[1][3] * l->plane_u[c][k]) / u->p[0][3];
     }
+}
+
+void taut_low_twist(const taut_low *l, int c, const double s[4], double twist[3])
+{
+    double moved[4];
+    to_corner(&l->ends[taut_quad_corner[c][0].edge][taut_quad_corner[c][0].end], s, moved);
+    twist_of(l, c, moved, twist);
 }
 
 /* The normal part of R_uv: of the curved edges' agreeing values, of the bilinear twist if both are
@@ -92,7 +121,7 @@ static taut_status normal_part(const taut_low *l, int c, double part[3], taut_er
         double s[4];
         if (!l->quad->edges[m[k].edge].straight) {
             fixed_part(&l->ends[m[k].edge][m[k].end], s);
-            taut_low_twist(l, c, s, twist);
+            twist_of(l, c, s, twist);
             found[k] = taut_dot(twist, normal);
             size = fmax(size, taut_norm(twist) * taut_norm(normal));
             noise += taut_quad_torsion_rounding(l->quad, m[k].edge, m[k].end,
@@ -130,8 +159,8 @@ static taut_status fill_corner(taut_low *l, int c, taut_error *error)
     double part[3];
     taut_status status = TAUT_OK;
     for (int k = 0; k < 3; k++) {
-        l->plane_u[c][k] = (u->p[1][k] - u->p[1][3] * u->p[0][k] / w) / w;
-        l->plane_v[c][k] = (v->p[1][k] - v->p[1][3] * v->p[0][k] / w) / w;
+        l->plane_u[c][k] = u->near[1][k] / w;
+        l->plane_v[c][k] = v->near[1][k] / w;
     }
     status = normal_part(l, c, part, error);
     for (int k = 0; k < 3 && status == TAUT_OK; k++) {
@@ -158,8 +187,9 @@ static int corner_slopes(const taut_low *l, int c, const double s[4], int deriva
             continue;
         }
         fixed_part(&l->ends[m->edge][m->end], fixed);
+        to_corner(&l->ends[m->edge][m->end], s, rest);
         for (int i = 0; i < 4; i++) {
-            rest[i] = s[i] - (derivative ? 0.0 : fixed[i]);
+            rest[i] -= derivative ? 0.0 : fixed[i];
         }
         in_plane(&l->ends[m->edge][m->end], rest, out + count);
         count += 3;
@@ -222,13 +252,14 @@ void taut_low_cubics(const taut_low *l, int e, const double *x, double abc[3][4]
 {
     for (int end = 0; end < 2; end++) {
         const taut_low_end *const at = &l->ends[e][end];
-        double s[4], fixed[4], slope[3];
+        double s[4], rest[4], fixed[4], slope[3];
         taut_low_s(l, taut_quad_partner[e][end].corner, x, s);
+        to_corner(at, s, rest);
         fixed_part(at, fixed);
         for (int k = 0; k < 4; k++) {
-            s[k] -= fixed[k];
+            rest[k] -= fixed[k];
         }
-        in_plane(at, s, slope);
+        in_plane(at, rest, slope);
         for (int k = 0; k < 3; k++) {
             abc[k][end == 0 ? 0 : 3] = at->abc[k];
             abc[k][end == 0 ? 1 : 2] = at->abc[k] + (end == 0 ? slope[k] : -slope[k]) / 3;
@@ -250,7 +281,7 @@ taut_status taut_low_corners(const taut_quad *quad, taut_low *l, taut_error *err
         for (int end = 0; end < 2; end++) {
             const taut_quad_meeting *const f = &taut_quad_partner[e][end];
             if (!l->quad->edges[e].straight) {
-                in_plane(&l->ends[e][end], l->ends[f->edge][f->end].p[1], l->ends[e][end].abc);
+                in_plane(&l->ends[e][end], l->ends[f->edge][f->end].near[1], l->ends[e][end].abc);
             }
         }
     }

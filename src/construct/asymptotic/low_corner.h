@@ -16,9 +16,11 @@
 
 enum { TAUT_LOW_FREE = 12 }; /* three per corner */
 
-/* An edge at one of its ends: p and its derivatives, and (a, b, c) there. */
+/* An edge at one of its ends: p and its derivatives, the same with the corner as the origin, and
+ * (a, b, c) there. */
 typedef struct taut_low_end {
     double p[4][4];
+    double near[4][4];
     double abc[3];
 } taut_low_end;
 

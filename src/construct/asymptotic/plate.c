@@ -197,12 +197,36 @@ static taut_status triangularise(plate *p, const taut_monitor *monitor, taut_err
     return TAUT_OK;
 }
 
+/* Rows of a small multiple of the identity below the triangle: freedoms that together move nothing,
+ * as weights at the corners of four straight edges do, then stay together where they are. */
+static void damp(int count, double *triangle)
+{
+    const double part = 1e-10; /* of the largest: what it moves of the others is its square */
+    double block[(TAUT_PLATE_FREEDOMS + 1) * TAUT_PLATE_FREEDOMS] = {0}, largest = 0.0;
+    for (int j = 0; j < count; j++) {
+        largest = fmax(largest, fabs(triangle[j * (count + 1) + j]));
+    }
+    for (int j = 0; j < count; j++) {
+        block[j * count + j] = part * largest;
+    }
+    taut_qr_append(count + 1, triangle, count, block);
+}
+
+static int solve_factors(int count, const double *triangle, double *factors)
+{
+    for (int j = 0; j < count; j++) {
+        factors[j] = -triangle[count * (count + 1) + j];
+    }
+    return taut_triangle_solve(count, count + 1, triangle, factors);
+}
+
 /* The freedoms' factors: with the inner unknowns eliminated, what is left of each column stands
  * below them in the triangle; x, y and z are three blocks of rows of one small problem. r: its
  * triangle, or NULL. */
 static int find_factors(const plate *p, double *factors, double *r)
 {
     const int rows = 3 * p->count + 3, count = p->count;
+    int solved = 0;
     double small[(TAUT_PLATE_FREEDOMS + 1) * (TAUT_PLATE_FREEDOMS + 1)] = {0};
     double block[(TAUT_PLATE_FREEDOMS + 1) * 3 * (TAUT_PLATE_FREEDOMS + 1)];
     for (int k = 0; k < 3; k++) {
@@ -216,13 +240,15 @@ static int find_factors(const plate *p, double *factors, double *r)
         }
         taut_qr_append(count + 1, small, rows, block);
     }
-    for (int j = 0; j < count; j++) {
-        factors[j] = -small[count * (count + 1) + j];
-        if (r != NULL) {
-            memcpy(r + (long)j * count, small + (long)j * (count + 1), (size_t)count * sizeof *r);
-        }
+    solved = solve_factors(count, small, factors);
+    if (!solved) {
+        damp(count, small);
+        solved = solve_factors(count, small, factors);
     }
-    return taut_triangle_solve(count, count + 1, small, factors);
+    for (int j = 0; j < count && r != NULL; j++) {
+        memcpy(r + (long)j * count, small + (long)j * (count + 1), (size_t)count * sizeof *r);
+    }
+    return solved;
 }
 
 /* Adds the freedoms to the right-hand sides and to the patch's rows. */

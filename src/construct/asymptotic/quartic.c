@@ -44,8 +44,7 @@ static taut_status fill_line(const taut_corner_edge *edge, int e, double roundin
     }
     pivot = fabs(line->at[1] * line->along[2] - line->at[2] * line->along[1]);
     line->same_ratio =
-        pivot <= (ratio_cut * chord + 32 * rounding) * chord / (length[1] * length[2]) ||
-        (line->along[1] == 0.0 && line->along[2] == 0.0);
+        pivot <= (ratio_cut * chord + 32 * rounding) * chord / (length[1] * length[2]);
     return TAUT_OK;
 }
 
@@ -98,7 +97,8 @@ static double torsion_ratio(const taut_corner_edge *edge, const taut_quartic_lin
     return edge->bend[1] - edge->bend[0] + h0 - h1;
 }
 
-taut_status taut_closing_fail(const taut_corner_data *data, double gap, taut_error *error)
+taut_status taut_closing_fail(const taut_corner_data *data, double gap, int is_open,
+                              taut_error *error)
 {
     static const int order[4] = {TAUT_ASYMPTOTIC_V0, TAUT_ASYMPTOTIC_V1, TAUT_ASYMPTOTIC_U0,
                                  TAUT_ASYMPTOTIC_U1};
@@ -113,8 +113,9 @@ taut_status taut_closing_fail(const taut_corner_data *data, double gap, taut_err
     }
     return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
                      "the torsions cannot close around the four corners: the curvatures miss it "
-                     "by a factor of %.12g; nearest curvatures, each %.6g times more or less:%s",
-                     exp(gap), exp(fabs(gap) / 8), text);
+                     "by %sa factor of %.12g; %s curvatures, each %.6g times more or less:%s",
+                     is_open ? "more than " : "", exp(gap),
+                     is_open ? "needed beyond these" : "nearest", exp(fabs(gap) / 8), text);
 }
 
 /* What rounding of the corners leaves of the closing condition: each torsion has the height of a
@@ -153,7 +154,7 @@ static taut_status fill_closing(taut_quartic *quartic, taut_error *error)
     quartic->closing_constant = constant;
     quartic->closing = varies ? TAUT_CLOSING_CONSTRAINT : TAUT_CLOSING_IDENTITY;
     if (!varies && !(fabs(constant + total) <= closing_cut + noise)) {
-        return taut_closing_fail(quartic->data, constant + total, error);
+        return taut_closing_fail(quartic->data, constant + total, 0, error);
     }
     return TAUT_OK;
 }
@@ -186,9 +187,6 @@ static double log_ratio(const taut_quartic_line *line, double p)
     const double mu = isinf(p) ? line->along[1] : line->at[1] + p * line->along[1];
     const double nu = isinf(p) ? line->along[2] : line->at[2] + p * line->along[2];
     const double small = 1e-12;
-    if (isinf(p) && mu == 0.0 && nu == 0.0) {
-        return log(fabs(line->at[2] / line->at[1]));
-    }
     if (fabs(mu) <= small * (fabs(line->at[1]) + fabs(isinf(p) ? 0.0 : p * line->along[1]))) {
         return INFINITY;
     }
@@ -200,13 +198,15 @@ static double log_ratio(const taut_quartic_line *line, double p)
 
 void taut_quartic_ratios(const taut_quartic_line *line, const double range[2], double ratios[2])
 {
-    const double a = log_ratio(line, range[0]), b = log_ratio(line, range[1]);
+    double a = 0.0, b = 0.0;
     if (line->same_ratio) {
         const int k = line->along[1] != 0.0 || line->along[2] != 0.0;
         const double *const from = k ? line->along : line->at;
         ratios[0] = ratios[1] = log(fabs(from[2] / from[1]));
         return;
     }
+    a = log_ratio(line, range[0]);
+    b = log_ratio(line, range[1]);
     ratios[0] = fmin(a, b); /* nu / mu is a Moebius function of p: monotone */
     ratios[1] = fmax(a, b);
 }

@@ -32,8 +32,10 @@ taut_status taut_quartic_fill(const taut_corner_data *data, taut_quartic *quarti
                               taut_error *error);
 
 /* The message for a ring that cannot close: the factor it misses by, of logarithm `gap`, and the
- * curvatures that close it, by the least change in logarithms: the same for all eight. */
-taut_status taut_closing_fail(const taut_corner_data *data, double gap, taut_error *error);
+ * curvatures that close it, by the least change in logarithms: the same for all eight. is_open:
+ * those close it in the limit of middle points at infinity only, and what lies beyond them does. */
+taut_status taut_closing_fail(const taut_corner_data *data, double gap, int is_open,
+                              taut_error *error);
 
 /* Do these signs agree with the torsions' signs at all linked corners, and can each edge take
  * its sign at both ends? */

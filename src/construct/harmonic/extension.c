@@ -125,6 +125,7 @@ static taut_status check_exact(const taut_surface *surface, taut_error *error)
 
     if (status == TAUT_OK &&
         !ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, rectangle, &residual)) {
+        /* not reached: the module that there is returns 1, FLINT sees to its own memory */
         return taut_fail_memory(error);
     }
     if (status == TAUT_OK && residual > 0) {

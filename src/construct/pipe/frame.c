@@ -58,16 +58,24 @@ int taut_pipe_reflect(const double x0[3], const double t0[3], const double r0[3]
     return 1;
 }
 
+/* Are the three points one? At a cusp, in double precision, they can be, and no halves help. */
+static int stands(const taut_pipe_jet *a, const taut_pipe_jet *b, const taut_pipe_jet *c)
+{
+    return memcmp(a->point, b->point, sizeof a->point) == 0 &&
+           memcmp(b->point, c->point, sizeof b->point) == 0;
+}
+
 /* One step, in halves where it is too long; at the bottom the vector is only made normal. */
 static void step(const taut_pipe_arc *arc, const taut_pipe_jet *from, double t0, double t1,
                  int depth, double u[3], taut_pipe_jet *to)
 {
+    taut_pipe_jet middle;
     taut_pipe_arc_jet(arc, t1, to);
     if (taut_pipe_reflect(from->point, from->tangent, u, to->point, to->tangent, u)) {
         return;
     }
-    if (depth > 0) {
-        taut_pipe_jet middle;
+    taut_pipe_arc_jet(arc, 0.5 * (t0 + t1), &middle);
+    if (depth > 0 && !stands(from, &middle, to)) {
         step(arc, from, t0, 0.5 * (t0 + t1), depth - 1, u, &middle);
         step(arc, &middle, 0.5 * (t0 + t1), t1, depth - 1, u, to);
         return;

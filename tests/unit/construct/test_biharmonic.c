@@ -11,7 +11,7 @@
 
 #include <string.h>
 
-enum { SIZE = 20 };
+enum { SIZE = 26 };
 
 typedef struct net {
     taut_basis *u, *v;
@@ -375,6 +375,20 @@ static void test_refusals(void)
     start(&g, 18, 1, 1); /* 4.5e11 there */
     problem = rows_of(&g);
     refused(&problem, TAUT_NO_SOLUTION, "rounding");
+    end(&g);
+    start(&g, 25, 1, 1); /* too high to tell */
+    problem = rows_of(&g);
+    refused(&problem, TAUT_NO_SOLUTION, "four rows of degree 25 would grow more than 1e+11 times");
+    end(&g);
+    refused(NULL, TAUT_BAD_ARGUMENT, "two bases and points, or a surface");
+    start(&g, 3, 1, 1);
+    for (int k = 0; k < 2; k++) {
+        taut_basis *const other = shape_bspline(2, 4);
+        problem = rows_of(&g);
+        *(k == 0 ? &problem.u : &problem.v) = other;
+        refused(&problem, TAUT_BAD_INPUT, "type \"bezier\"");
+        taut_basis_free(other);
+    }
     end(&g);
     start(&g, 3, 1, 1);
     problem = rows_of(&g);

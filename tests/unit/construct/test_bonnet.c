@@ -287,7 +287,47 @@ static void test_refusals(void)
     p.segments[0] = p.segments[1] = 100000;
     p.beta = 1e-5;
     CHECK(taut_bonnet_make(&p, NULL, &model, &error) == TAUT_BAD_INPUT, "too many points");
+    p = legal;
+    p.normalize = 1;
+    p.sign = 1;
+    CHECK(taut_bonnet_make(&p, NULL, &model, &error) == TAUT_BAD_INPUT &&
+              strcmp(error.where, "/sign") == 0,
+          "sign: %s", error.where);
+    p.sign = -1;
+    p.bspline = 1;
+    CHECK(taut_bonnet_make(&p, NULL, &model, &error) == TAUT_BAD_INPUT &&
+              strcmp(error.where, "/mesh") == 0,
+          "mesh: %s", error.where);
+    p.bspline = 0;
+    p.lambda[0] = p.lambda[1] = 1; /* Enneper's surface, where p has no period */
+    p.start[0] = -0.5e30;
+    p.alpha = 0.75e30;
+    CHECK(taut_bonnet_make(&p, NULL, &model, &error) == TAUT_NO_SOLUTION &&
+              strcmp(error.where, "/alpha") == 0 &&
+              strstr(error.message, "the window reaches 1.25e+30 in p") != NULL,
+          "%s: %s", error.where, error.message);
     CHECK(model == NULL, "untouched");
+}
+
+/* Stopped after the second of five frames. */
+static int stop_at_second(void *context, double done, const char *what)
+{
+    ++*(int *)context;
+    CHECK_NEAR(done, *(int *)context / 5.0, 1e-15, "%s", what);
+    return done > 0.3;
+}
+
+static void test_interrupted(void)
+{
+    const taut_bonnet_problem p = {
+        .lambda = {0, 0.5}, .frames = 5, .sign = -1, .alpha = 1, .beta = 1, .segments = {1, 1}};
+    int calls = 0;
+    const taut_make_options options = {.monitor = {stop_at_second, &calls}};
+    taut_model *model = NULL;
+    taut_error error;
+    CHECK(taut_bonnet_make(&p, &options, &model, &error) == TAUT_INTERRUPTED && model == NULL &&
+              calls == 2,
+          "%d calls", calls);
 }
 
 int main(void)
@@ -299,5 +339,6 @@ int main(void)
     test_long_segment();
     test_nurbs();
     test_refusals();
+    test_interrupted();
     return check_failures != 0;
 }

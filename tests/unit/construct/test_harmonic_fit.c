@@ -222,6 +222,27 @@ static void test_refusals(void)
     net_end(&g);
 }
 
+/* Degrees beyond 64, told of the higher one. */
+static void test_degree(void)
+{
+    static double points[3 * 2 * 66];
+    static unsigned char known[2 * 66];
+    for (int k = 0; k < 2; k++) {
+        taut_basis *u = bezier(k == 0 ? 65 : 1, 1), *v = bezier(k == 0 ? 1 : 65, 1);
+        taut_model *model = NULL;
+        taut_error error;
+        memset(known, 1, sizeof known);
+        const taut_harmonic_problem problem = {
+            .u = u, .v = v, .points = points, .known = known, .fit = 1};
+        CHECK(taut_harmonic_make(&problem, NULL, &model, &error) == TAUT_NO_SOLUTION &&
+                  model == NULL && error.found == 65 && error.limit == 64,
+              "%g of %g", error.found, error.limit);
+        CHECK(strcmp(error.where, k == 0 ? "/u/degree" : "/v/degree") == 0, "%s", error.where);
+        taut_basis_free(u);
+        taut_basis_free(v);
+    }
+}
+
 int main(void)
 {
     random_seed(20261122);
@@ -229,5 +250,6 @@ int main(void)
     test_nearest();
     test_degenerate();
     test_refusals();
+    test_degree();
     return check_failures != 0;
 }

@@ -199,11 +199,116 @@ static void test_refusals(void)
     taut_surface_free(random);
 }
 
+/* Nothing given, bases of another type, a last point that no rule finds, and points that only
+ * rational arithmetic can hold. */
+static void test_bad_problems(void)
+{
+    static net g;
+    const taut_make_options exact = {.exact = 1};
+    taut_model *model = NULL;
+    taut_error error;
+    taut_harmonic_problem problem = start(&g, 5, 4), none = problem;
+    taut_basis *other = shape_bspline(3, 6);
+
+    refused(taut_harmonic_make(NULL, NULL, &model, &error), TAUT_BAD_ARGUMENT, &error, "two bases");
+    none.points = NULL;
+    refused(taut_harmonic_make(&none, NULL, &model, &error), TAUT_BAD_ARGUMENT, &error, "its data");
+    none.from_derivative = 1;
+    refused(taut_harmonic_make(&none, NULL, &model, &error), TAUT_BAD_ARGUMENT, &error, "its data");
+    for (int k = 0; k < 2; k++) {
+        none = problem;
+        *(k == 0 ? &none.u : &none.v) = other;
+        refused(taut_harmonic_make(&none, NULL, &model, &error), TAUT_BAD_INPUT, &error,
+                "type \"bezier\"");
+        CHECK(strcmp(error.where, k == 0 ? "/u" : "/v") == 0, "%s", error.where);
+    }
+    place(&g, 2);
+    g.known[29] = 0; /* of 6 x 5: the last of the second row, where degree 5 leaves it free */
+    refused(taut_harmonic_make(&problem, NULL, &model, &error), TAUT_BAD_INPUT, &error,
+            "does not decide it");
+    CHECK(strcmp(error.where, "/points") == 0, "%s", error.where);
+    taut_basis_free(other);
+    end(&g);
+    problem = start(&g, 9, 9);
+    place(&g, 8);
+    refused(taut_harmonic_make(&problem, &exact, &model, &error), TAUT_NO_SOLUTION, &error,
+            "too large for doubles: degree 9 amplifies");
+    CHECK(error.found > 1 && model == NULL, "amplification %g", error.found);
+    end(&g);
+}
+
+/* (u, v, u v) or (u, v, u^2 - v^2) over the unit square, both harmonic. */
+static taut_surface *polynomial(int n, int m, int is_square, const double *weights)
+{
+    double points[3 * 16];
+    for (int k = 0; k < (n + 1) * (m + 1); k++) {
+        const double i = k / (m + 1), j = k % (m + 1);
+        points[3 * k] = i / n;
+        points[3 * k + 1] = j / m;
+        points[3 * k + 2] =
+            is_square ? i * (i - 1) / n / (n - 1.0) - j * (j - 1) / m / (m - 1.0) : i / n * (j / m);
+    }
+    return shape_surface(shape_bezier(n, 0, 1), shape_bezier(m, 0, 1), points, weights);
+}
+
+/* Neighbours: bad numbers; too low a degree for equal tangent planes; beta where degrees are even:
+ * beta v P_v has the top coefficient -2 beta, and nothing else has that degree; surfaces that have
+ * weights. */
+static void test_bad_neighbours(void)
+{
+    static const double weights[4] = {1, 2, 1, 1};
+    taut_surface *low = polynomial(1, 3, 0, NULL), *even = polynomial(2, 2, 1, NULL);
+    taut_surface *rational = polynomial(1, 1, 0, weights), *plain = shape_saddle(1);
+    taut_harmonic_extension_problem problem = {.contact = TAUT_CONTACT_G1, .edge = TAUT_EDGE_U1};
+    taut_model *model = NULL;
+    taut_error error;
+
+    refused(taut_harmonic_extension_make(&problem, NULL, &model, &error), TAUT_BAD_ARGUMENT, &error,
+            "needs a surface");
+    problem.surface = low;
+    for (int k = 0; k < 4; k++) {
+        problem.c = k == 0 ? 0 : k == 1 ? INFINITY : 1;
+        problem.alpha = k == 2 ? NAN : 0;
+        problem.beta = k == 3 ? INFINITY : 0;
+        refused(taut_harmonic_extension_make(&problem, NULL, &model, &error), TAUT_BAD_INPUT,
+                &error, "bad parameter: c is");
+        CHECK(strcmp(error.where, "/c") == 0, "%s", error.where);
+    }
+    problem.beta = 0;
+    refused(taut_harmonic_extension_make(&problem, NULL, &model, &error), TAUT_NO_SOLUTION, &error,
+            "needs degree 3 across the edge, found 1");
+    CHECK(error.found == 1 && error.limit == 3, "%g of %g", error.found, error.limit);
+    problem.surface = even;
+    problem.beta = 0.25;
+    refused(taut_harmonic_extension_make(&problem, NULL, &model, &error), TAUT_NO_SOLUTION, &error,
+            "\"beta\" must be 0");
+    CHECK_NEAR(error.found, 0.5, 1e-12, "2 beta");
+    problem.beta = 0;
+    CHECK(taut_harmonic_extension_make(&problem, NULL, &model, &error) == TAUT_OK, "beta 0: %s",
+          error.message);
+    taut_model_free(model);
+    model = NULL;
+    problem.surface = rational;
+    refused(taut_harmonic_extension_make(&problem, NULL, &model, &error), TAUT_BAD_INPUT, &error,
+            "polynomial surface");
+    CHECK(strcmp(error.where, "/surface") == 0, "%s", error.where);
+    problem = (taut_harmonic_extension_problem){.surface = plain, .neighbour = rational};
+    refused(taut_harmonic_extension_make(&problem, NULL, &model, &error), TAUT_BAD_INPUT, &error,
+            "polynomial surface");
+    CHECK(strcmp(error.where, "/neighbour") == 0 && model == NULL, "%s", error.where);
+    taut_surface_free(low);
+    taut_surface_free(even);
+    taut_surface_free(rational);
+    taut_surface_free(plain);
+}
+
 int main(void)
 {
     random_seed(20261126);
     test_degenerate();
     test_even_far();
     test_refusals();
+    test_bad_problems();
+    test_bad_neighbours();
     return check_failures != 0;
 }

@@ -273,6 +273,13 @@ static void test_choices(void)
     taut_certificate_free(certificate);
     taut_model_free(model);
 
+    problem.bend_radius = 12; /* wider than three radii: the shortest that bends no more sharply */
+    certificate = proved(&problem, "feet and a bend radius", &model);
+    CHECK(figure(certificate, "max_curvature") <= 1.0 / 12, "too sharp");
+    CHECK_NEAR(figure(certificate, "max_curvature"), 1.0 / 12, 1e-6, "no longer than it has to be");
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+
     problem = (taut_pipe_problem){
         .radius = 1,
         .axis = TAUT_PIPE_ENDS,
@@ -304,6 +311,25 @@ static void test_least_largest_curvature(void)
     taut_model_free(model);
 }
 
+/* A tube that bends within 1e-10 of its length cannot be as near as asked for; it is made where as
+ * little is asked as the message advises. */
+static void test_too_fine(void)
+{
+    const double polygon[4][3] = {{0, 0, 0}, {1, 1, 1e-5}, {0, 1, 0}, {1, 0, 0}}; /* near a cusp */
+    const taut_pipe_problem problem = planar(polygon, 1e-13);
+    taut_make_options options = {.tolerance = 1e-12};
+    taut_model *model = NULL;
+    taut_error error = {.message = ""};
+    CHECK(taut_pipe_make(&problem, &options, &model, &error) == TAUT_NO_SOLUTION && model == NULL,
+          "made");
+    CHECK(strstr(error.message, "the tube needs more than 100000 segments") != NULL &&
+              error.found == 1e-12,
+          "%s", error.message);
+    options.tolerance = 1e-9;
+    CHECK(taut_pipe_make(&problem, &options, &model, &error) == TAUT_OK, "%s", error.message);
+    taut_model_free(model);
+}
+
 int main(void)
 {
     test_joints();
@@ -313,5 +339,6 @@ int main(void)
     test_bad_numbers();
     test_choices();
     test_least_largest_curvature();
+    test_too_fine();
     return check_failures != 0;
 }

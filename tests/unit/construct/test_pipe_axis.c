@@ -199,6 +199,30 @@ static void test_plane_and_refusal(void)
     CHECK(!taut_pipe_reflect(x0, t0, r0, x0, t0, r1) && r1[0] == 7, "no step");
 }
 
+/* One step that ends as it began, aside of it, is taken in parts, which come to what many small
+ * steps do: to the error of order 4 of some ten. Within rounding of a cusp the
+ * axis stands still: the vector stays normal, at once. */
+static void test_long_steps(void)
+{
+    const double bent[3][3] = {{1, 0, 0}, {-2, 1, 0.3}, {1, 0.02, -0.06}}, shape[3] = {0, 0, 0};
+    const double cusp[3][3] = {{1, 1, 0}, {-1, 0, 0}, {1, -1, 0}};
+    double one[3] = {0, 0, 1}, many[3] = {0, 0, 1}, u[3] = {0.6, 0, 0.8};
+    taut_pipe_arc arc;
+    taut_pipe_jet jet;
+    taut_pipe_arc_quasi(bent, shape, &arc);
+    taut_pipe_carry(&arc, 0, 1, 1, one);
+    taut_pipe_carry(&arc, 0, 1, 1000, many);
+    CHECK_NEAR(taut_norm(one), 1, 1e-14, "length");
+    CHECK(taut_distance(one, many) > 1e-6 && taut_distance(one, many) < 0.05, "apart by %g",
+          taut_distance(one, many));
+    taut_pipe_arc_quasi(cusp, shape, &arc);
+    taut_pipe_carry(&arc, 0.5 - 1e-10, 0.5 + 1e-10, 1, u);
+    taut_pipe_arc_jet(&arc, 0.5 + 1e-10, &jet);
+    CHECK_NEAR(taut_norm(u), 1, 1e-14, "length");
+    CHECK_NEAR(taut_dot(u, jet.tangent), 0, 1e-14, "right angle");
+    CHECK_NEAR(fabs(u[2]), 0.8, 1e-12, "the part normal to the plane stays");
+}
+
 /* Frenet's frame and its derivatives against differences, its limits at beta = +-3 included. */
 static void test_frenet(void)
 {
@@ -254,6 +278,7 @@ int main(void)
     test_double_reflection();
     test_many_reflections();
     test_plane_and_refusal();
+    test_long_steps();
     test_frenet();
     test_cusp();
     return check_failures != 0;

@@ -236,6 +236,23 @@ static void test_meshes(void)
     }
 }
 
+/* Where the elbow takes all of the last leg there is no pipe behind it. */
+static void test_leg_used_up(void)
+{
+    static const char *const names[] = {"pipe1", "blend1", NULL};
+    taut_pipe_leg legs[] = {{.from = {0, 0, 0}}, {.from = {5, 0, 0}}, {.from = {5, 0.5, 0}}};
+    taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, legs, 3);
+    problem.bend_radius = 1;
+    taut_error error = pipe_refused(&problem, TAUT_NO_SOLUTION, "LEG_TOO_SHORT");
+    const char *const told = strstr(error.message, "leg of at least ");
+    CHECK(told != NULL, "%s", error.message);
+    legs[2].from[1] = told != NULL ? strtod(told + 16, NULL) : 0;
+    taut_model *model = pipe_made(&problem, 1e-6);
+    names_are(model, names);
+    all_hold(model, &problem, "a leg used up");
+    taut_model_free(model);
+}
+
 int main(void)
 {
     random_seed(20261127);
@@ -244,5 +261,6 @@ int main(void)
     test_false_claims();
     test_free_end();
     test_meshes();
+    test_leg_used_up();
     return check_failures != 0;
 }
