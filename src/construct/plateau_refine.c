@@ -180,6 +180,13 @@ static taut_status too_far(const rounds *r, double tolerance, taut_error *error)
 {
     const int last = r->count - 1;
     const double gap = r->areas[last] / r->limits[last] - 1;
+    if (!isfinite(gap)) { /* it begins so large */
+        return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance_area",
+                         (double)r->points[last][0] * r->points[last][1], POINTS_MAX,
+                         "a net of %d by %d points is too large for knots to be put in, expected "
+                         "at most %d points: begin with fewer, or use refine",
+                         r->points[last][0], r->points[last][1], (int)POINTS_MAX);
+    }
     return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance_area", gap, tolerance,
                      "with %d by %d points the area is estimated %.2g above the least, expected at "
                      "most %.2g: raise the degree, or the tolerance",
