@@ -89,6 +89,8 @@ printf '{%s, "lambda": [0, 0.5], "beta": 1, "frames": 100001}' "$bonnet" > d.jso
 refused 3 'to 100000$' make d.json
 printf '{%s, "lambda": 0.5, "beta": 1, "mesh": "bspline", "segments": [1, 500001]}' "$bonnet" > d.json
 refused 3 'to 500000$' make d.json
+printf '{%s, "lambda": [0, 0.5], "beta": 1, "mesh": "bspline", "segments": [97, 97], "frames": 5001}' "$bonnet" > d.json
+refused 3 'at most 50000000$' make d.json
 printf '{%s, "lambda": 0.5, "beta": 178}' "$bonnet" > d.json
 refused 4 'at most 177' make d.json
 awk 'BEGIN { printf "["; for (i = 0; i <= 100000; i++) printf "%s{}", i ? "," : ""; printf "]" }' > d.json
