@@ -334,9 +334,7 @@ static taut_status settle_quadrature(taut_dirichlet_system *system, double *net,
             break;
         }
         before = raised;
-        if (status == TAUT_OK) {
-            status = settle(system, net, omega, error);
-        }
+        status = status == TAUT_OK ? settle(system, net, omega, error) : status;
     }
     return status;
 }

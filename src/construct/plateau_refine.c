@@ -180,12 +180,12 @@ static taut_status too_far(const rounds *r, double tolerance, taut_error *error)
 {
     const int last = r->count - 1;
     const double gap = r->areas[last] / r->limits[last] - 1;
-    if (!isfinite(gap)) { /* it begins so large */
-        return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance_area",
-                         (double)r->points[last][0] * r->points[last][1], POINTS_MAX,
-                         "a net of %d by %d points is too large for knots to be put in, expected "
-                         "at most %d points: begin with fewer, or use refine",
-                         r->points[last][0], r->points[last][1], (int)POINTS_MAX);
+    if (last == 0) {
+        const int points = r->points[0][0] * r->points[0][1];
+        return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance_area", points, POINTS_MAX,
+                         "with %d by %d points the net takes no more knots, so that nothing tells "
+                         "how far its area is from the least: take at most %d points, or refine",
+                         r->points[0][0], r->points[0][1], POINTS_MAX);
     }
     return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance_area", gap, tolerance,
                      "with %d by %d points the area is estimated %.2g above the least, expected at "

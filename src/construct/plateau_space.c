@@ -63,9 +63,7 @@ static int corner_of(int e, int end)
 static void end_of(const taut_curve *curve, int end, double x[3])
 {
     const taut_basis *t = taut_curve_t(curve);
-    if (taut_curve_eval(curve, end == 0 ? taut_basis_lo(t) : taut_basis_hi(t), 0, x) != TAUT_OK) {
-        x[0] = x[1] = x[2] = taut_none;
-    }
+    (void)taut_curve_eval(curve, end == 0 ? taut_basis_lo(t) : taut_basis_hi(t), 0, x);
 }
 
 /* The corners, halfway between the ends that meet there. */
@@ -136,6 +134,15 @@ static taut_status check_bases(const taut_dirichlet_problem *net, taut_error *er
     return TAUT_OK;
 }
 
+static int are_finite(size_t count, const double *x)
+{
+    size_t finite = 0;
+    while (finite < count && isfinite(x[finite])) {
+        finite++;
+    }
+    return finite == count;
+}
+
 /* points and known: the fitted curves around a hole. */
 static taut_status lay_curves(taut_plateau_space *space, const taut_plateau_problem *given,
                               double *points, unsigned char *known, taut_error *error)
@@ -151,10 +158,11 @@ static taut_status lay_curves(taut_plateau_space *space, const taut_plateau_prob
         memcpy(ends[1], corner[corner_of(e, 1)], sizeof ends[1]);
         status = taut_curve_fit(given->curves[e], e < 2 ? net->v : net->u, (const double(*)[3])ends,
                                 row, &deviation);
-        if (status == TAUT_NOT_CONVERGED) {
-            status = taut_fail(error, status, "/curves", taut_none, taut_none,
-                               "curve %s cannot be fitted to the basis of its edge: the knots or "
-                               "the degree are too extreme",
+        if (status == TAUT_NOT_CONVERGED ||
+            (status == TAUT_OK && !are_finite(3 * (size_t)(e < 2 ? nv : nu), row))) {
+            status = taut_fail(error, TAUT_NOT_CONVERGED, "/curves", taut_none, taut_none,
+                               "curve %s cannot be fitted to the basis of its edge: the knots, "
+                               "the degree or the points are too extreme",
                                names[e]);
         } else if (status != TAUT_OK) {
             status = taut_fail_memory(error);
@@ -238,6 +246,7 @@ taut_status taut_plateau_space_new(const taut_plateau_problem *given, const taut
                                    taut_plateau_space **space, taut_error *error)
 {
     const int has_curves = given->curves[0] != NULL;
+    const int is_refined = finer != NULL || given->refine > 0 || given->tolerance_area > 0;
     taut_plateau_space *made = taut_alloc_zero(1, sizeof *made);
     taut_status status = TAUT_OK;
 
@@ -252,7 +261,7 @@ taut_status taut_plateau_space_new(const taut_plateau_problem *given, const taut
     } else if (has_curves && given->net.weights != NULL) {
         status = taut_fail(error, TAUT_BAD_INPUT, "/weights", taut_none, taut_none,
                            "found weights beside curves, expected none: curves are fitted without");
-    } else if (finer != NULL && !has_curves && !is_frame(&given->net)) {
+    } else if (is_refined && !has_curves && !is_frame(&given->net)) {
         status = taut_fail(error, TAUT_BAD_INPUT, "/points", taut_none, taut_none,
                            "finer spaces need a net whose boundary is known and whose inside is "
                            "not: leave refine and tolerance_area out");

@@ -4,6 +4,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 
+#include <assert.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -145,14 +146,13 @@ taut_status taut_basis_document_read(const taut_json *at, int functions, taut_ba
     return status;
 }
 
+/* Of members that may be left out; a shape number never may. */
 static int is_given(const basis_member *member, const taut_basis_spec *spec)
 {
     const char *field = (const char *)spec + member->offset;
+    assert(member->kind != MEMBER_NUMBER);
     if (member->kind == MEMBER_INTEGER) {
         return *(const int *)(const void *)field != 0;
-    }
-    if (member->kind == MEMBER_NUMBER) {
-        return *(const double *)(const void *)field != 0;
     }
     return member->kind == MEMBER_KNOTS ? spec->knots != NULL : spec->has_range;
 }

@@ -35,14 +35,13 @@ enum { HAS_SHADOW = 0 };
 static double space_in_use(void)
 {
     unsigned long pages = 0;
+    int found = 0;
     FILE *file = fopen("/proc/self/statm", "r");
     if (file != NULL) {
-        if (fscanf(file, "%lu", &pages) != 1) {
-            pages = 0;
-        }
+        found = fscanf(file, "%lu", &pages);
         fclose(file);
     }
-    return (double)pages * (double)sysconf(_SC_PAGESIZE);
+    return found == 1 ? (double)pages * (double)sysconf(_SC_PAGESIZE) : 0;
 }
 
 static void limit(int resource, double value)
@@ -131,6 +130,11 @@ static taut_status died(int how, int is_reading, taut_error *error)
     if (number == SIGINT || number == SIGTERM || number == SIGHUP) {
         return taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped on request");
     }
+    if (number == 0) {
+        return taut_fail(error, status, NULL, taut_none, taut_none,
+                         "OpenCASCADE gave up on the %s without a word",
+                         is_reading ? "file" : "model");
+    }
     return taut_fail(error, status, NULL, number, taut_none,
                      "OpenCASCADE broke down over the %s (signal %d)",
                      is_reading ? "file" : "model", number);
@@ -143,6 +147,18 @@ static taut_status refuse_claim(taut_error *error)
                      "the file claims to hold more than its size explains");
 }
 
+/* The system gave no pipe or no process: too many of them are in use. */
+static taut_status refuse_start(int reason, taut_error *error)
+{
+    char text[96];
+    if (reason == ENOMEM) {
+        return taut_fail_memory(error);
+    }
+    return taut_fail(error, TAUT_IO, NULL, taut_none, taut_none,
+                     "OpenCASCADE cannot be started in a process of its own: %s",
+                     strerror_r(reason, text, sizeof text) == 0 ? text : "unknown reason");
+}
+
 taut_status taut_cad_run(const taut_cad_job *job, int count, const taut_cad_item *items,
                          taut_cad_result *result, taut_error *error)
 {
@@ -152,18 +168,21 @@ taut_status taut_cad_run(const taut_cad_job *job, int count, const taut_cad_item
     taut_status status = TAUT_OK;
 
     if (pipe(ends) != 0) {
-        return taut_fail_memory(error);
+        return refuse_start(errno, error);
     }
     child = fork();
     if (child == 0) {
         close(ends[0]);
         work(ends[1], job, count, items);
     }
+    if (child < 0) {
+        status = refuse_start(errno, error);
+    }
     close(ends[1]);
     file = child > 0 ? fdopen(ends[0], "rb") : NULL;
     if (file == NULL) {
         close(ends[0]);
-        status = taut_fail_memory(error);
+        status = status != TAUT_OK ? status : taut_fail_memory(error);
     } else {
         status = taut_cad_get_all(file, result, error);
         fclose(file);

@@ -11,8 +11,8 @@
 #include "io/cad_stream.h"
 
 /* Writes items: count > 0. Reads into *result: items NULL. Errors as taut_cad_ops says;
- * TAUT_IO where the module is not installed; TAUT_BAD_INPUT (reading) or TAUT_INTERNAL (writing)
- * where the child died; TAUT_NO_MEMORY. */
+ * TAUT_IO where the module is not installed or no process is to be had; TAUT_BAD_INPUT (reading) or
+ * TAUT_INTERNAL (writing) where the child died; TAUT_NO_MEMORY. */
 taut_status taut_cad_run(const taut_cad_job *job, int count, const taut_cad_item *items,
                          taut_cad_result *result, taut_error *error);
 

@@ -80,6 +80,7 @@ static taut_status read_all(int file, const char *path, size_t room, char **text
             }
             filled += got > 0 ? (size_t)got : 0;
             if (status == TAUT_OK && (double)filled > TAUT_FILE_MAX) {
+                /* not reached: an endless file fills 4 GB of memory before it is too large */
                 status = too_large(path, (double)filled, error);
             }
         }

@@ -25,10 +25,11 @@ int vtu_cells_plan(const taut_surface *surface, int divide, vtu_cells *plan)
         const int spans = taut_basis_span_count(bases[d]);
         plan->degree[d] = taut_basis_degree(bases[d]);
         plan->per_span[d] = divide > 0 ? divide : (CELLS_WISHED + spans - 1) / spans;
-        plan->count[d] = plan->per_span[d] * spans;
-        if (plan->degree[d] < 1 || plan->degree[d] > VTU_DEGREE_MAX) {
+        if (plan->degree[d] < 1 || plan->degree[d] > VTU_DEGREE_MAX ||
+            plan->per_span[d] > TAUT_POINTS_MAX / spans) {
             return 0;
         }
+        plan->count[d] = plan->per_span[d] * spans;
     }
     return (double)taut_basis_span_count(bases[0]) * taut_basis_span_count(bases[1]) <=
            TAUT_OBJECTS_MAX;

@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#define TEN "1234567890"
+
 static const char model_text[] =
     "{\"taut\": 1, \"unit\": \"m\", \"surfaces\": [{\"name\": \"a\",\n"
     "  \"u\": {\"type\": \"bezier\", \"degree\": 1},\n"
@@ -35,6 +37,40 @@ static const char problem_text[] =
     " \"points\": [[[0, 0, 0.12345678901234567], null, null, null], [null, null, null, null],\n"
     "              [null, null, null, null]]}";
 
+/* Rational coordinates, and numbers and members too many for what is kept on the stack. */
+static const char exact_text[] =
+    "{\"taut\": 1, \"surfaces\": [{\"u\": {\"type\": \"bezier\", \"degree\": 1},\n"
+    "  \"v\": {\"type\": \"bezier\", \"degree\": 1},\n"
+    "  \"points\": [[[0, \"1/3\", 0], [0, 1, 0]], [[1, 0, \"-7\"], [1, 1, 2]]]}],\n"
+    " \"details\": {\"empty\": [[]], \"a\": {\"a\": 1, \"b\": 1, \"c\": 1, \"d\": 1, \"e\": 1,\n"
+    "  \"f\": 1, \"g\": 1, \"h\": 1, \"i\": 1, \"j\": 1, \"k\": 1, \"l\": 1, \"m\": 1, \"n\": 1,\n"
+    "  \"o\": 1, \"p\": 1, \"long\": 0." TEN TEN TEN TEN TEN TEN TEN TEN TEN TEN TEN TEN TEN "}}}";
+
+#define BEZIER(degree) "{\"type\": \"bezier\", \"degree\": " #degree "}"
+#define LINE(from, to) "{\"t\": " BEZIER(1) ", \"points\": [" from ", " to "]}"
+
+/* What the examples of test_examples.c have no need of. */
+static const char *const problems[] = {
+    "{\"taut\": 1, \"construct\": \"asymptotic\", \"curves\": {\"v0\": " LINE(
+        "[0,0,0]", "[1,0,0]") ", "
+                              "\"v1\": " LINE("[0,1,0]", "[1,1,0]") ", \"u0\": " LINE(
+                                  "[0,0,0]", "[0,1,0]") ", \"u1\": " LINE("[1,0,0]",
+                                                                          "[1,1,0]") "}}",
+    "{\"taut\": 1, \"construct\": \"plateau\", \"u\": " BEZIER(2) ", \"v\": " BEZIER(
+        2) ", "
+           "\"curves\": {\"v0\": " LINE("[0,0,0]", "[1,0,0]") ", \"v1\": " LINE(
+               "[0,1,0]", "[1,1,0]") ", "
+                                     "\"u0\": " LINE("[0,0,0]", "[0,1,0]") ", \"u1\": " LINE(
+                                         "[1,0,0]", "[1,1,0]") "}}",
+    "{\"taut\": 1, \"construct\": \"biharmonic\", \"name\": \"rows\", \"u\": " BEZIER(
+        1) ", \"v\": " BEZIER(1) ", \"points\": [[null, null], [null, null]]}",
+    "{\"taut\": 1, \"construct\": \"biharmonic\", \"edge\": \"v0\", \"surface\": {\"u\": " BEZIER(
+        1) ", \"v\": " BEZIER(1) ", \"points\": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]}}",
+    "{\"taut\": 1, \"construct\": \"harmonic\", \"name\": \"rows\", \"u\": " BEZIER(
+        1) ", \"v\": " BEZIER(1) ", \"points\": "
+                                 "[[[0,\"1/3\",0],[0,1,0]],[[1,0,0],[1,\"2/7\",\"5\"]]]}",
+};
+
 static char path[64]; /* a file with the model in it */
 static char out[64];  /* where outputs go */
 
@@ -42,8 +78,7 @@ static taut_status read_model_text(const void *context, void **result, taut_erro
 {
     taut_model *model = *result;
     const taut_status status =
-        taut_model_read_text(model_text, sizeof model_text - 1, "text", &model, error);
-    (void)context;
+        taut_model_read_text(context, strlen(context), "text", &model, error);
     *result = model;
     return status;
 }
@@ -65,8 +100,7 @@ static taut_status read_problem(const void *context, void **result, taut_error *
 {
     taut_problem *problem = *result;
     const taut_status status =
-        taut_problem_read_text(problem_text, sizeof problem_text - 1, "text", &problem, error);
-    (void)context;
+        taut_problem_read_text(context, strlen(context), "text", &problem, error);
     *result = problem;
     return status;
 }
@@ -160,9 +194,13 @@ int main(void)
     CHECK(taut_model_read_text(model_text, sizeof model_text - 1, "text", &model, NULL) == TAUT_OK,
           "model");
     CHECK(taut_model_write(model, path, NULL, NULL) == TAUT_OK, "written");
-    check_call("taut_model_read_text", read_model_text, release_model, NULL, 50);
+    check_call("taut_model_read_text", read_model_text, release_model, model_text, 50);
+    check_call("taut_model_read_text, exact", read_model_text, release_model, exact_text, 30);
     check_call("taut_model_read", read_model, release_model, path, 50);
-    check_call("taut_problem_read_text", read_problem, release_problem, NULL, 20);
+    check_call("taut_problem_read_text", read_problem, release_problem, problem_text, 20);
+    for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
+        check_call(problems[i], read_problem, release_problem, problems[i], 10);
+    }
     check_call("taut_mesh_new", new_mesh, release_mesh, model, 20);
     check_call("taut_record_write", write_record, release_text, taut_model_details(model), 1);
     check_call("taut_outputs", write_all, NULL, model, 20);

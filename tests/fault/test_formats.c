@@ -27,6 +27,15 @@ static const char frame_text[] =
     "\"bezier\", \"degree\": 1}, \"points\": [[0,2,0],[0,0,0]]}, {\"t\": {\"type\": \"bezier\", "
     "\"degree\": 1}, \"points\": [[2,0,0],[2,2,0]]}]}";
 
+/* Four polynomial curves, the first of them of a degree of its own. */
+static const char raised_text[] =
+    "{\"taut\": 1, \"curves\": [{\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": "
+    "[[0,0,0],[2,0,0]]}, {\"t\": {\"type\": \"bezier\", \"degree\": 3}, \"points\": "
+    "[[2,0,0],[2,1,1],[2,1,0],[2,2,0]]}, {\"t\": {\"type\": \"bezier\", \"degree\": 1}, "
+    "\"points\": "
+    "[[2,2,0],[0,2,0]]}, {\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": "
+    "[[0,2,0],[0,0,0]]}]}";
+
 static char folder[] = "/tmp/taut-test-XXXXXX";
 
 static const char *in_folder(const char *name, char *path, size_t size)
@@ -56,6 +65,17 @@ static taut_status write_geomdl(const void *context, void **result, taut_error *
 {
     (void)result;
     return write_file(context, "a.geomdl.json", error);
+}
+
+static taut_status write_glb(const void *context, void **result, taut_error *error)
+{
+    const taut_write_options options = {.divide = 1, .colour = TAUT_COLOUR_GAUSSIAN};
+    char path[96];
+    const taut_status status =
+        taut_model_write(context, in_folder("a.glb", path, sizeof path), &options, error);
+    (void)result;
+    CHECK((unlink(path) == 0) == (status == TAUT_OK), "a.glb is there although it failed");
+    return status;
 }
 
 static taut_status read_model(const void *context, void **result, taut_error *error)
@@ -137,7 +157,9 @@ int main(void)
         "{\"taut\": 1, \"construct\": \"asymptotic\", \"boundary\": \"single.json\"}";
     static const char harmonic[] = "{\"taut\": 1, \"construct\": \"harmonic\", \"known\": \"u\", "
                                    "\"boundary\": \"single.json\"}";
-    static const char *const problems[] = {dirichlet, asymptotic, harmonic};
+    static const char raised[] = "{\"taut\": 1, \"construct\": \"harmonic\", \"known\": \"u\", "
+                                 "\"boundary\": \"raised.json\"}";
+    static const char *const problems[] = {dirichlet, asymptotic, harmonic, raised};
     char path[96], command[96];
     char *single = strdup(frame_text);
     taut_model *surfaces = model_of(surfaces_text), *frame = model_of(frame_text);
@@ -147,9 +169,12 @@ int main(void)
     memcpy(strstr(single, "0,0,1,2,2"), "0,0,  2,2", 9);
     memcpy(strstr(single, "[1,2,1],"), "        ", 8);
     put_text(in_folder("single.json", path, sizeof path), single);
+    put_text(in_folder("raised.json", path, sizeof path), raised_text);
     put_text(in_folder("frame.json", path, sizeof path), frame_text);
     check_call("vtu", write_vtu, NULL, surfaces, 20);
     check_call("geomdl", write_geomdl, NULL, surfaces, 10);
+    check_call("geomdl of curves", write_geomdl, NULL, frame, 10);
+    check_call("glb", write_glb, NULL, surfaces, 20);
     check_call("boundary", fit, NULL, frame, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
         put_text(in_folder("problem.json", path, sizeof path), problems[i]);
@@ -158,6 +183,8 @@ int main(void)
     in_folder("b.geomdl.json", path, sizeof path);
     CHECK(taut_model_write(surfaces, path, NULL, NULL) == TAUT_OK, "write");
     check_call("geomdl in", read_model, release_model, path, 30);
+    CHECK(taut_model_write(frame, path, NULL, NULL) == TAUT_OK, "write");
+    check_call("geomdl of curves in", read_model, release_model, path, 30);
     taut_model_free(surfaces);
     taut_model_free(frame);
     free(single);

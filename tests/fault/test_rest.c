@@ -293,6 +293,7 @@ int main(void)
     taut_problem_free(bonnet);
     check_call("taut_join_record, taut_measure_curve_record", records, release_record, curve);
     check_call("taut_record_read_text", read_record, release_record, problem_text);
+    check_call("taut_record_read_text of nothing", read_record, release_record, "[]");
     check_call("taut_problem_read", read_problem, release_problem, path);
     check_call("taut_problem_list_read", read_list, release_list, path);
     snprintf(two, sizeof two, "[%s, %s]", problem_text, problem_text);

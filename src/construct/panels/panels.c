@@ -371,11 +371,8 @@ taut_status taut_panels_of_problem(const taut_problem *problem, const taut_panel
     }
     if (strcmp(taut_problem_construct(problem), "bonnet") == 0) {
         status = taut_panels_of_bonnet(problem->data, options, &made, error);
-        if (status == TAUT_OK && taut_model_set_unit(made, problem->unit) != TAUT_OK) {
-            taut_model_free(made);
-            status = taut_fail_memory(error);
-        }
         if (status == TAUT_OK) {
+            (void)taut_model_set_unit(made, problem->unit); /* a problem has no unknown unit */
             *panels = made;
         }
         return status;

@@ -83,6 +83,51 @@ static void test_rough(void)
     }
 }
 
+/* Stops at once where it begins, its tolerance being no less than any residual: nets with their
+ * inside pressed onto an edge, but for a hair, where the area has a direction of negative curvature
+ * and a crease across it. They are saddles with no step down, and said to be; where there is such a
+ * step it is taken. */
+static void test_saddles(void)
+{
+    int seen = 0;
+
+    random_seed(20260713);
+    for (int trial = 0; trial < 60 && seen < 3; trial++) {
+        test_problem net = problem_new(basis_uniform(1, 4), basis_uniform(1, 4));
+        taut_plateau_problem problem;
+        taut_model *model = NULL;
+        taut_error error = {0};
+        double start[48];
+        for (int k = 0; k < 16; k++) {
+            const double height = random_int(0, 1) ? random_log(1e-6, 1) : 0;
+            const double point[3] = {k / 4, k % 4, height};
+            net.known[k] = k / 4 % 3 == 0 || k % 4 % 3 == 0;
+            memcpy(net.points + 3 * k, point, sizeof point);
+            for (int c = 0; c < 3; c++) {
+                start[3 * k + c] =
+                    net.known[k] ? point[c] : start[3 * (k % 4) + c] + 1e-5 * random_in(-1, 1);
+            }
+        }
+        memset(&problem, 0, sizeof problem);
+        problem.net = net.data;
+        problem.start = start;
+        problem.tolerance = 0.999;
+        problem.max_iterations = 1;
+        const taut_status status = taut_plateau_make(&problem, NULL, &model, &error);
+        CHECK(status == TAUT_OK || (status == TAUT_NOT_CONVERGED && model == NULL), "trial %d: %s",
+              trial, error.message);
+        if (strstr(error.message, "stands on a saddle") != NULL) {
+            CHECK(status == TAUT_NOT_CONVERGED && error.found < error.limit &&
+                      error.limit == -1e-6 && error.found > -1,
+                  "trial %d: %g", trial, error.found);
+            seen++;
+        }
+        taut_model_free(model);
+        problem_free(&net);
+    }
+    CHECK(seen == 3, "%d saddles", seen);
+}
+
 typedef struct count {
     int reports, most;
 } count;
@@ -94,8 +139,8 @@ static int note(void *context, double done, const char *what)
     return strcmp(what, "least area") == 0 && ++c->reports > c->most;
 }
 
-/* Conjugate gradients report between their products, beside the report before each step and at the
- * end, and can be stopped there. */
+/* A descent reports before each step and at the end, and can be stopped there; between products of
+ * a long one too (test_plateau_approach.c). */
 static void test_reports(void)
 {
     test_problem net = problem_new(basis_uniform(3, 14), basis_uniform(3, 14));
@@ -133,6 +178,7 @@ int main(void)
 {
     test_work();
     test_rough();
+    test_saddles();
     test_reports();
     return check_failures != 0;
 }

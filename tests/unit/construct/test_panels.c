@@ -3,6 +3,7 @@
 #include "check.h"
 
 #include "taut/panels.h"
+#include "taut/read.h"
 
 #include <string.h>
 
@@ -193,11 +194,128 @@ static void test_refusals(void)
     CHECK(taut_panels_of_problem(NULL, NULL, NULL, NULL) == TAUT_BAD_ARGUMENT, "nothing");
 }
 
+static int stop(void *context, double done, const char *what)
+{
+    (void)done;
+    (void)what;
+    return --*(int *)context == 0;
+}
+
+/* Of several surfaces one may be asked for by its name; who watches is asked after each. */
+static void test_names(void)
+{
+    const taut_bonnet_problem two = {
+        .lambda = {0.2, 0.6}, .frames = 2, .sign = -1, .alpha = 1, .beta = 1};
+    taut_panels_options o = {.kind = TAUT_PANELS_CIRCULAR, .divide = {3, 4}};
+    taut_model *model = NULL, *all = NULL;
+    taut_error error = {.message = ""};
+    int left = 1;
+
+    CHECK(taut_bonnet_make(&two, NULL, &model, &error) == TAUT_OK, "%s", error.message);
+    CHECK(taut_panels_of_model(model, &o, &all, &error) == TAUT_OK, "%s", error.message);
+    CHECK(taut_model_surface_count(all) == 2, "two");
+    for (int k = 0; k < 2; k++) {
+        taut_model *one = NULL;
+        o.surface = taut_surface_name(taut_model_surface(model, 1));
+        CHECK((k == 0 ? taut_panels_of_model(model, &o, &one, &error)
+                      : taut_panels_of_bonnet(&two, &o, &one, &error)) == TAUT_OK,
+              "%s", error.message);
+        CHECK(taut_model_surface_count(one) == 1, "one of them");
+        for (int i = 0; i < 3 * 20; i++) {
+            const double *expected = taut_surface_points(taut_model_surface(all, 1));
+            CHECK_NEAR(vertices(one)[i], expected[i], k == 0 ? 0 : 1e-12, "%d, %d", k, i);
+        }
+        taut_model_free(one);
+        one = NULL;
+        o.surface = NULL;
+        o.monitor = (taut_monitor){stop, &left};
+        left = 1;
+        CHECK((k == 0 ? taut_panels_of_model(model, &o, &one, &error)
+                      : taut_panels_of_bonnet(&two, &o, &one, &error)) == TAUT_INTERRUPTED &&
+                  one == NULL && left == 0 && strcmp(error.message, "stopped") == 0,
+              "%s", error.message);
+        o.monitor = (taut_monitor){NULL, NULL};
+    }
+    taut_model_free(all);
+    taut_model_free(model);
+}
+
+/* A net of the family, given as a dirichlet problem with every point known: made, recognised and
+ * cut as the problem it came from; in the unit of its document. */
+static void test_problem_of_points(void)
+{
+    const taut_bonnet_problem p = {.lambda = {0.4, 0.4}, .sign = -1, .alpha = 1.25, .beta = 1.5};
+    const taut_panels_options o = {.kind = TAUT_PANELS_CONICAL, .divide = {6, 5}};
+    taut_model *model = NULL, *panels = NULL, *expected = NULL;
+    taut_problem *problem = NULL;
+    taut_error error = {.message = ""};
+    char text[4096];
+    int length = snprintf(text, sizeof text,
+                          "{\"taut\": 1, \"construct\": \"dirichlet\", \"unit\": \"ft\","
+                          " \"u\": {\"type\": \"c-bezier\", \"alpha\": 1.25},"
+                          " \"v\": {\"type\": \"h-bezier\", \"beta\": 1.5}, \"points\": [");
+
+    CHECK(taut_bonnet_make(&p, NULL, &model, &error) == TAUT_OK, "%s", error.message);
+    for (int k = 0; k < 16; k++) {
+        const double *x = taut_surface_points(taut_model_surface(model, 0)) + 3 * k;
+        length += snprintf(text + length, sizeof text - (size_t)length, "%s[%.17g, %.17g, %.17g]%s",
+                           k % 4 == 0 ? "[" : "", x[0], x[1], x[2],
+                           k == 15      ? "]]}"
+                           : k % 4 == 3 ? "], "
+                                        : ", ");
+    }
+    CHECK(taut_problem_read_text(text, (size_t)length, "text", &problem, &error) == TAUT_OK, "%s",
+          error.message);
+    CHECK(taut_panels_of_problem(problem, &o, &panels, &error) == TAUT_OK &&
+              taut_panels_of_bonnet(&p, &o, &expected, &error) == TAUT_OK,
+          "%s", error.message);
+    if (panels != NULL && expected != NULL) {
+        CHECK(strcmp(taut_model_unit(panels), "ft") == 0, "in %s", taut_model_unit(panels));
+        for (int i = 0; i < 3 * 7 * 6; i++) {
+            CHECK_NEAR(vertices(panels)[i], vertices(expected)[i], 1e-11, "%d", i);
+        }
+    }
+    taut_model_free(expected);
+    taut_model_free(panels);
+    taut_problem_free(problem);
+    taut_model_free(model);
+}
+
+/* Enneper's surface is recognised, but its panels follow from its problem alone; a model may have
+ * no surface at all. */
+static void test_refused_models(void)
+{
+    const taut_bonnet_problem enneper = {
+        .lambda = {1, 1}, .sign = -1, .alpha = 0.5, .beta = 0.5, .normalize = 1};
+    taut_model *model = NULL, *empty = NULL, *panels = NULL;
+    taut_error error = {.message = ""};
+
+    CHECK(taut_bonnet_make(&enneper, NULL, &model, &error) == TAUT_OK, "%s", error.message);
+    CHECK(taut_panels_of_model(model, NULL, &panels, &error) == TAUT_NO_SOLUTION &&
+              strcmp(error.where, "/surfaces/0") == 0 && error.found == 1 && panels == NULL &&
+              strstr(error.message, "this is Enneper's surface") != NULL,
+          "%s: %s", error.where, error.message);
+    CHECK(taut_model_new(&empty) == TAUT_OK, "a model");
+    CHECK(taut_panels_of_model(empty, NULL, &panels, &error) == TAUT_NO_SOLUTION &&
+              strcmp(error.where, "/surfaces") == 0 && error.found == 0 && panels == NULL,
+          "%s: %s", error.where, error.message);
+    CHECK(taut_panels_of_bonnet(NULL, NULL, &panels, &error) == TAUT_BAD_ARGUMENT &&
+              taut_panels_of_bonnet(&enneper, NULL, NULL, &error) == TAUT_BAD_ARGUMENT &&
+              taut_panels_of_model(model, NULL, NULL, &error) == TAUT_BAD_ARGUMENT &&
+              panels == NULL,
+          "nothing to work on, or no place");
+    taut_model_free(empty);
+    taut_model_free(model);
+}
+
 int main(void)
 {
     random_seed(20261123);
     test_panels();
     test_order();
     test_refusals();
+    test_names();
+    test_problem_of_points();
+    test_refused_models();
     return check_failures != 0;
 }

@@ -120,7 +120,10 @@ static void test_refused(void)
         {"{\"shape\": {\"type\": \"surface\", \"data\": [{\"degree_u\": 1, \"degree_v\": 1, "
          "\"knotvector_u\": [0,0,1,1], \"knotvector_v\": [0,0,1,1], \"size_u\": 2000000000, "
          "\"size_v\": 2000000000, \"control_points\": {\"points\": [[0,0,0]]}}]}}",
+         "/shape/data/0/size_u"},
+        {"{\"shape\": {\"type\": \"surface\", \"data\": [{\"size_u\": 1000000, \"size_v\": 51}]}}",
          "/shape/data/0"},
+        {CURVE("1", "[0,0.5,1]", "[[0,0,0],[1,0,0]]"), "/shape/data/0/knotvector"},
         {"{\"shape\": {\"type\": \"surface\", \"data\": [{\"degree_u\": 1, \"degree_v\": 1, "
          "\"knotvector_u\": [0,0,1,1], \"knotvector_v\": [0,0,1,1], \"size_u\": 2, \"size_v\": 3, "
          "\"control_points\": {\"points\": [[0,0,0],[0,1,0],[1,0,0],[1,1,0]]}}]}}",
@@ -132,10 +135,30 @@ static void test_refused(void)
         const taut_status status =
             taut_model_read_text(wrong[i].text, strlen(wrong[i].text), "text", &model, &error);
         CHECK(status == TAUT_BAD_INPUT && model == NULL, "%zu: status %d", i, (int)status);
-        CHECK(strncmp(error.where, wrong[i].where, strlen(wrong[i].where)) == 0,
-              "%zu: \"%s\", expected \"%s\": %s", i, error.where, wrong[i].where, error.message);
+        CHECK(strcmp(error.where, wrong[i].where) == 0, "%zu: \"%s\", expected \"%s\": %s", i,
+              error.where, wrong[i].where, error.message);
         taut_model_free(model);
     }
+}
+
+/* Too many points are told by their number; a model of nothing makes no file. */
+static void test_numbers(void)
+{
+    static const char large[] = "{\"shape\": {\"type\": \"surface\", \"data\": [{\"size_u\": "
+                                "1000000, \"size_v\": 51}]}}";
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    char path[96];
+    CHECK(taut_model_read_text(large, sizeof large - 1, "text", &model, &error) == TAUT_BAD_INPUT &&
+              error.found == 51e6 && error.limit == 5e7,
+          "%s: %g", error.message, error.found);
+    CHECK(taut_model_new(&model) == TAUT_OK, "model");
+    snprintf(path, sizeof path, "%s/none.geomdl.json", folder);
+    CHECK(taut_model_write(model, path, NULL, &error) == TAUT_NO_SOLUTION &&
+              strcmp(error.message, "the model has neither surfaces nor curves") == 0,
+          "%s", error.message);
+    CHECK(access(path, F_OK) != 0, "a file is there");
+    taut_model_free(model);
 }
 
 /* Cut anywhere but in the white space at its end, a file is refused. */
@@ -193,6 +216,7 @@ int main(void)
     test_curves();
     test_plane_curve();
     test_refused();
+    test_numbers();
     test_cut();
     test_short_knots();
     CHECK(rmdir(folder) == 0, "rmdir");

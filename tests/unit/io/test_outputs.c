@@ -10,7 +10,6 @@
 #include <stdio.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 static char folder[] = "/tmp/taut-test-XXXXXX";
@@ -135,6 +134,51 @@ static void test_passing_name(void)
     empty_folder();
 }
 
+/* The model as STEP where files without a name cannot be had, nor a pipe to a process: refused, and
+ * nothing is left of the passing name. */
+static taut_status write_step(const taut_model *model, taut_error *error)
+{
+    return taut_model_write(model, in_folder("a.step"), NULL, error);
+}
+
+static taut_status write_text(const taut_model *model, taut_error *error)
+{
+    taut_outputs *outputs = new_outputs();
+    const taut_status status = taut_outputs_text(outputs, "one", 3, in_folder("a"), error);
+    (void)model;
+    taut_outputs_free(outputs);
+    return status;
+}
+
+/* No descriptor is left but `few`. */
+static void check_descriptors(const char *what, int few,
+                              taut_status (*call)(const taut_model *, taut_error *))
+{
+    struct rlimit old = {256, 1024};
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_model *model = NULL;
+    const int next = open("/dev/null", O_RDONLY);
+    close(next);
+    CHECK(taut_model_new(&model) == TAUT_OK, "model");
+    add_any_curve(model, "one");
+    CHECK(getrlimit(RLIMIT_NOFILE, &old) == 0, "limit");
+    CHECK(setrlimit(RLIMIT_NOFILE, &(struct rlimit){(rlim_t)(next + few), old.rlim_max}) == 0,
+          "limit");
+    const taut_status status = call(model, &error);
+    CHECK(setrlimit(RLIMIT_NOFILE, &old) == 0, "limit");
+    CHECK(status == TAUT_IO && strstr(error.message, "Too many open files") != NULL, "%s: %d %s",
+          what, (int)status, error.message);
+    CHECK(entries() == 0, "%s: %d entries", what, entries());
+    taut_model_free(model);
+}
+
+static void test_no_descriptor(void)
+{
+    check_descriptors("text", 0, write_text);
+    check_descriptors("step, one descriptor", 1, write_step);
+    check_descriptors("step, two descriptors", 2, write_step);
+}
+
 /* A target that turned into a folder cannot be replaced: the file has its passing name by then, and
  * loses it again. */
 static void test_target_became_folder(void)
@@ -164,31 +208,31 @@ static void test_full_device(void)
     taut_outputs_free(outputs);
 }
 
-/* 1 if writing a megabyte does anything but fail for want of space. */
-static int write_large(const char *path)
-{
-    taut_outputs *outputs = new_outputs();
-    char *text = calloc(1, 1 << 20);
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
-    const taut_status status = taut_outputs_text(outputs, text, 1 << 20, path, &error);
-    taut_outputs_free(outputs);
-    free(text);
-    return !(status == TAUT_IO && strstr(error.message, "too large") != NULL);
-}
-
-/* A file system that fills up while writing: here, a limit on the size of files. */
+/* A file system that fills up while writing: here, a limit on the size of files. A large text meets
+ * it at once, a small one when its file is closed. */
 static void test_no_space(void)
 {
-    int code = 0;
-    const pid_t child = fork();
-    if (child == 0) {
-        const struct rlimit limit = {65536, 65536};
-        signal(SIGXFSZ, SIG_IGN);
-        _exit(setrlimit(RLIMIT_FSIZE, &limit) == 0 ? write_large(in_folder("x.json")) : 99);
+    static const size_t sizes[] = {1 << 20, 4000};
+    char *text = calloc(1, 1 << 20);
+    void (*const old_signal)(int) = signal(SIGXFSZ, SIG_IGN);
+    for (int k = 0; k < 2; k++) {
+        struct rlimit old = {RLIM_INFINITY, RLIM_INFINITY};
+        taut_outputs *outputs = new_outputs();
+        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        CHECK(getrlimit(RLIMIT_FSIZE, &old) == 0 &&
+                  setrlimit(RLIMIT_FSIZE, &(struct rlimit){1024, old.rlim_max}) == 0,
+              "limit");
+        const taut_status status =
+            taut_outputs_text(outputs, text, sizes[k], in_folder("x.json"), &error);
+        CHECK(setrlimit(RLIMIT_FSIZE, &old) == 0, "limit");
+        CHECK(status == TAUT_IO && strstr(error.message, "too large") != NULL, "%zu: %d %s",
+              sizes[k], (int)status, error.message);
+        CHECK(taut_outputs_commit(outputs, &error) == TAUT_OK, "nothing is to be put in place");
+        taut_outputs_free(outputs);
+        CHECK(entries() == 0, "%zu: %d entries", sizes[k], entries());
     }
-    waitpid(child, &code, 0);
-    CHECK(WIFEXITED(code) && WEXITSTATUS(code) == 0, "code %d", code);
-    CHECK(entries() == 0, "%d entries", entries());
+    signal(SIGXFSZ, old_signal);
+    free(text);
 }
 
 static void check_refused(const char *path, const char *reason)
@@ -372,6 +416,7 @@ int main(void)
     test_together();
     test_never_committed();
     test_passing_name();
+    test_no_descriptor();
     test_target_became_folder();
     test_full_device();
     test_no_space();

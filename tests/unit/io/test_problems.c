@@ -3,6 +3,7 @@
 #include "check.h"
 
 #include "problem/problem.h"
+#include "taut/biharmonic.h"
 #include "taut/dirichlet.h"
 #include "taut/read.h"
 
@@ -66,6 +67,26 @@ static void test_defaults(void)
     taut_problem_free(problem);
 }
 
+/* Four rows of a biharmonic surface, with a name for it. */
+static void test_rows(void)
+{
+    static const char rows[] =
+        "{\"taut\": 1, \"construct\": \"biharmonic\", \"name\": \"bridge\", \"u\": {\"type\": "
+        "\"bezier\", \"degree\": 1}, \"v\": {\"type\": \"bezier\", \"degree\": 2}, "
+        "\"points\": [[null, [1, 2, 3], null], [null, null, [4, 5, 6]]]}";
+    static const unsigned char known[6] = {0, 1, 0, 0, 0, 1};
+    taut_problem *problem = NULL;
+    CHECK(taut_problem_read_text(rows, sizeof rows - 1, "rows", &problem, NULL) == TAUT_OK, "rows");
+    if (problem == NULL) {
+        return;
+    }
+    const taut_biharmonic_problem *data = problem->data;
+    CHECK(data->name != NULL && strcmp(data->name, "bridge") == 0, "name");
+    CHECK(memcmp(data->known, known, 6) == 0 && data->points[4] == 2 && data->points[17] == 6,
+          "points");
+    taut_problem_free(problem);
+}
+
 static void check_io(const char *path, const char *reason)
 {
     taut_problem *problem = NULL;
@@ -74,7 +95,10 @@ static void check_io(const char *path, const char *reason)
     CHECK(taut_problem_read(path, &problem, &error) == TAUT_IO, "problem %s", path);
     CHECK(strstr(error.message, path) != NULL && strstr(error.message, reason) != NULL,
           "\"%s\" does not say %s and %s", error.message, path, reason);
+    error.message[0] = '\0';
     CHECK(taut_model_read(path, &model, &error) == TAUT_IO, "model %s", path);
+    CHECK(strstr(error.message, path) != NULL && strstr(error.message, reason) != NULL,
+          "\"%s\" does not say %s and %s", error.message, path, reason);
     CHECK(problem == NULL && model == NULL, "outputs are untouched");
 }
 
@@ -111,6 +135,49 @@ static void test_files(void)
     rmdir(folder);
 }
 
+/* What another library is to read must be a file: not a folder, nor a pipe, which is not waited
+ * for.
+ */
+static void test_no_file(void)
+{
+    char folder[] = "/tmp/taut-test-XXXXXX", path[64];
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(mkdtemp(folder) != NULL, "folder");
+    snprintf(path, sizeof path, "%s/none.step", folder);
+    check_io(path, "No such file");
+    CHECK(mkdir(path, 0700) == 0, "%s", path);
+    check_io(path, "directory");
+    CHECK(rmdir(path) == 0, "%s", path);
+    CHECK(mkfifo(path, 0600) == 0, "%s", path);
+    CHECK(taut_model_read(path, &model, &error) == TAUT_IO && model == NULL &&
+              strstr(error.message, "Illegal seek") != NULL,
+          "\"%s\"", error.message);
+    unlink(path);
+    rmdir(folder);
+}
+
+/* Files that open and then give nothing: memory that is not there, standard input that is closed.
+ */
+static void test_unreadable(void)
+{
+    const int kept = dup(STDIN_FILENO);
+    if (access("/proc/self/mem", R_OK) == 0) {
+        check_io("/proc/self/mem", "nput/output error");
+    }
+    close(STDIN_FILENO);
+    taut_problem *problem = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_problem_read("-", &problem, &error) == TAUT_IO && problem == NULL, "no input");
+    CHECK(strstr(error.message, "cannot read standard input") != NULL &&
+              strstr(error.message, "Bad file descriptor") != NULL,
+          "\"%s\"", error.message);
+    if (kept >= 0) {
+        dup2(kept, STDIN_FILENO);
+        close(kept);
+    }
+}
+
 /* A pipe has no size to be known beforehand. */
 static void test_pipe(void)
 {
@@ -132,7 +199,10 @@ int main(void)
 {
     test_members();
     test_defaults();
+    test_rows();
     test_files();
+    test_no_file();
+    test_unreadable();
     test_pipe();
     return check_failures != 0;
 }

@@ -10,6 +10,7 @@
 #define QUAD "{\"type\": \"bezier\", \"degree\": 1}"
 #define NET "[[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]"
 #define HEAD "\"taut\": 1, \"construct\": \"dirichlet\", "
+#define MAKE(construct) "\"taut\": 1, \"construct\": \"" construct "\", "
 #define BASES "\"u\": " QUAD ", \"v\": " QUAD ", "
 #define SURFACE "{\"u\": " QUAD ", \"v\": " QUAD ", \"points\": " NET "}"
 
@@ -167,6 +168,32 @@ static const refusal problems[] = {
     {"{" HEAD "\"u\": " QUAD ", \"v\": {\"type\": \"bspline\", \"degree\": 1, "
      "\"knots\": [1, 0]}, \"points\": " NET "}",
      "/v/knots", "expected a range that is not empty"},
+    {"{" HEAD "\"u\": {\"type\": \"c-bezier\", \"alpha\": 1}, \"v\": " QUAD ", \"points\": "
+     "[[null,null],[null,null],[null,null],[null,null]], \"weights\": [[1,1],[1,1],[1,1],[1,1]]}",
+     "/weights", "a basis of type \"c-bezier\" carries no weights"},
+    {"{" HEAD "\"u\": " QUAD ", \"v\": {\"type\": \"h-bezier\", \"beta\": 1}, \"points\": "
+     "[[null,null,null,null],[null,null,null,null]], \"weights\": 1}",
+     "/weights", "a basis of type \"h-bezier\" carries no weights"},
+    /* what other constructions ask for */
+    {"{" MAKE("asymptotic") "\"degree\": 3, \"corners\": {\"u0v0\": [0,0,0], \"u1v0\": [1,0,0], "
+                            "\"u0v1\": [0,1,0], \"u1v1\": [1,1,0]}, \"edges\": {\"v0\": {\"legs\": "
+                            "[[1,0,0]], "
+                            "\"curvature\": [1,1], \"weights\": [1,1,1,1]}}}",
+     "/edges/v0/curvature", "degree 3 takes no curvature: legs and weights determine it"},
+    {"{" MAKE("harmonic") "\"from\": \"derivative\", \"points\": []}", "/points",
+     "found \"points\" beside \"from\""},
+    {"{" MAKE("harmonic") BASES "\"points\": " NET ", \"cross_derivative\": []}",
+     "/cross_derivative", "found \"cross_derivative\" without \"from\": \"derivative\""},
+    {"{" MAKE("harmonic") BASES "\"points\": " NET ", \"edge\": []}", "/edge",
+     "found \"edge\" without \"from\": \"derivative\""},
+    {"{" MAKE("pipe") "\"radius\": 1, \"polygon\": [[0,0,0],[1,0,0],[1,1,0],[1,1,1]], \"shape\": "
+                      "{\"auto\": \"bending\", \"alpha\": 1}}",
+     "/shape", "found shape numbers beside \"auto\", which chooses them"},
+    {"{" MAKE("pipe") "\"radius\": 1, \"run\": [{\"from\": [0,0,0], \"to\": [1,0,0]}, "
+                      "{\"point\": [3,3,0], \"direction\": [0,-0,0]}]}",
+     "/run/1/direction", "expected a vector that is not zero"},
+    {"{" MAKE("plateau") BASES "\"curves\": {}, \"start\": 1}", "/start",
+     "found \"start\" beside \"curves\": curves that are given are the boundary"},
 };
 
 /* Read as models. */
@@ -327,6 +354,75 @@ static void test_long_names(void)
     n = strlen(error.where);
     CHECK(n > 60 && n % 2 == 0 && strcmp(error.where + n - 3, "...") == 0, "where \"%s\"",
           error.where);
+    memmove(text + 3, text + 2, strlen(text) - 1); /* now a character lies across the cut */
+    text[2] = 'x';
+    CHECK(taut_model_read_text(text, strlen(text), "doc", &model, &error) == TAUT_BAD_INPUT, "key");
+    CHECK(strncmp(error.where, "/x\xc3\xa9", 4) == 0 && strlen(error.where) == n - 1 &&
+              strcmp(error.where + n - 6, "\xc3\xa9...") == 0,
+          "where \"%s\", %zu", error.where, n);
+}
+
+/* So deep that the way there is not kept whole: its beginning is, and cut as any that is long. */
+static void test_deep_place(void)
+{
+    enum { DEPTH = 100 };
+    char *text = malloc(20000), expected[512];
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    size_t n = (size_t)sprintf(text, "{\"taut\": 1, \"details\": {\"x\": "), m = 0;
+    memset(text + n, '[', DEPTH);
+    n += DEPTH;
+    n += (size_t)sprintf(text + n, "{");
+    for (int i = 0; i <= TAUT_MEMBERS_MAX; i++) {
+        n += (size_t)sprintf(text + n, "%s\"%d\": 1", i > 0 ? "," : "", i);
+    }
+    n += (size_t)sprintf(text + n, "}");
+    memset(text + n, ']', DEPTH);
+    n += DEPTH;
+    n += (size_t)sprintf(text + n, "}}");
+    m = (size_t)sprintf(expected, "/details/x");
+    for (int i = 0; i < DEPTH; i++) {
+        m += (size_t)sprintf(expected + m, "/0");
+    }
+    CHECK(taut_model_read_text(text, n, "doc", &model, &error) == TAUT_BAD_INPUT, "members");
+    CHECK(strlen(error.where) > 100 && strncmp(error.where, expected, strlen(error.where)) == 0,
+          "where \"%s\"", error.where);
+    CHECK(error.found == TAUT_MEMBERS_MAX + 1, "%s", error.message);
+    free(text);
+}
+
+/* Of many members that are given twice the first in the text is told. */
+static void test_twice(void)
+{
+    char text[600];
+    size_t n = (size_t)sprintf(text, "{");
+    taut_record *record = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    for (int i = 0; i < 40; i++) {
+        n += (size_t)sprintf(text + n, "\"%d\": 1,\n", 100 - i);
+    }
+    n += (size_t)sprintf(text + n, "\"80\": 1,\n\"70\": 2, \"90\": 3}");
+    CHECK(taut_record_read_text(text, n, "doc", &record, &error) == TAUT_BAD_INPUT &&
+              record == NULL,
+          "twice");
+    CHECK(strcmp(error.where, "doc:41:1") == 0 && strstr(error.message, "given twice") != NULL,
+          "%s: %s", error.where, error.message);
+}
+
+/* A record is an object or a list. */
+static void test_records(void)
+{
+    static const char *const texts[] = {"3", "\"text\"", "null"};
+    for (int i = 0; i < 3; i++) {
+        taut_record *record = NULL;
+        taut_error error = {TAUT_OK, 0, 0, "", "x"};
+        CHECK(taut_record_read_text(texts[i], strlen(texts[i]), "doc", &record, &error) ==
+                      TAUT_BAD_INPUT &&
+                  record == NULL,
+              "%s", texts[i]);
+        CHECK(error.where[0] == '\0' && strstr(error.message, "expected an object") != NULL,
+              "%s: %s: %s", texts[i], error.where, error.message);
+    }
 }
 
 /* More members than a record looks up in reasonable time. */
@@ -346,15 +442,35 @@ static void test_many_members(void)
     free(text);
 }
 
+/* Nothing to read, or no place for what is read. */
 static void test_bad_arguments(void)
 {
     taut_model *model = NULL;
     taut_problem *problem = NULL;
-    CHECK(taut_model_read_text(NULL, 3, "doc", &model, NULL) == TAUT_BAD_ARGUMENT, "NULL");
-    CHECK(taut_model_read_text("{}", 2, "doc", NULL, NULL) == TAUT_BAD_ARGUMENT, "NULL");
-    CHECK(taut_problem_read_text("{}", 2, "doc", NULL, NULL) == TAUT_BAD_ARGUMENT, "NULL");
-    CHECK(taut_problem_read(NULL, &problem, NULL) == TAUT_BAD_ARGUMENT, "NULL");
-    CHECK(taut_model_read(NULL, &model, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    taut_problem_list *list = NULL;
+    taut_error e[12];
+    memset(e, 0, sizeof e);
+    const taut_status told[] = {
+        taut_model_read_text(NULL, 3, "doc", &model, &e[0]),
+        taut_model_read_text("{}", 2, "doc", NULL, &e[1]),
+        taut_problem_read_text(NULL, 3, "doc", &problem, &e[2]),
+        taut_problem_read_text("{}", 2, "doc", NULL, &e[3]),
+        taut_problem_read(NULL, &problem, &e[4]),
+        taut_model_read(NULL, &model, &e[5]),
+        taut_problem_list_read_text(NULL, 3, "doc", &list, &e[6]),
+        taut_problem_list_read_text("[]", 2, "doc", NULL, &e[7]),
+        taut_problem_list_read(NULL, &list, &e[8]),
+        taut_problem_list_read("none", NULL, &e[9]),
+        taut_problem_or_model_read(NULL, &problem, &model, &e[10]),
+        taut_problem_or_model_read("none", &problem, NULL, &e[11]),
+    };
+    for (size_t i = 0; i < sizeof told / sizeof told[0]; i++) {
+        CHECK(told[i] == TAUT_BAD_ARGUMENT && e[i].status == told[i] &&
+                  strstr(e[i].message, "needs") != NULL,
+              "call %zu: %d, \"%s\"", i, (int)told[i], e[i].message);
+    }
+    CHECK(model == NULL && problem == NULL && list == NULL, "outputs are untouched");
+    CHECK(taut_problem_or_model_read("none", NULL, &model, NULL) == TAUT_BAD_ARGUMENT, "no error");
 }
 
 int main(void)
@@ -366,6 +482,9 @@ int main(void)
     test_depth();
     test_long_names();
     test_many_members();
+    test_deep_place();
+    test_twice();
+    test_records();
     test_bad_arguments();
     return check_failures != 0;
 }

@@ -262,6 +262,30 @@ static void test_record_text(void)
     CHECK(taut_record_write(NULL, &text, &length) == TAUT_BAD_ARGUMENT, "NULL");
 }
 
+/* A certificate without figures is written with none in them. */
+static void test_no_figures(void)
+{
+    taut_model *model = NULL, *back = NULL;
+    taut_certificate *certificate = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    CHECK(taut_model_new(&model) == TAUT_OK &&
+              taut_certificate_new("plateau", &certificate) == TAUT_OK,
+          "model");
+    taut_certificate_set_figures(certificate, NULL);
+    taut_model_set_certificate(model, certificate);
+    CHECK(taut_model_write(model, path, NULL, &error) == TAUT_OK, "%s", error.message);
+    CHECK(taut_model_read(path, &back, &error) == TAUT_OK, "%s: %s", error.where, error.message);
+    if (back != NULL) {
+        const taut_certificate *read = taut_model_certificate(back);
+        CHECK(read != NULL && strcmp(taut_certificate_construct(read), "plateau") == 0 &&
+                  taut_certificate_claim_count(read) == 0 &&
+                  taut_record_count(taut_certificate_figures(read)) == 0,
+              "certificate");
+    }
+    taut_model_free(model);
+    taut_model_free(back);
+}
+
 int main(void)
 {
     char command[64];
@@ -274,6 +298,7 @@ int main(void)
     test_short_knots();
     test_least_model();
     test_not_utf8();
+    test_no_figures();
     test_record_text();
     test_comma_locale();
     snprintf(command, sizeof command, "rm -r %s", folder);

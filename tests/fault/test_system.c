@@ -1,0 +1,408 @@
+/* test_system.c -- calls of the system that fail, and processes that die: each is told with its
+ * reason, leaves no file and no process behind, and what can go on without it does.
+ *
+ * Functions of the C library are put before its own here; each fails once when it is asked to. */
+#define _GNU_SOURCE /* RTLD_NEXT, getrandom */
+#include "check.h"
+#include "fault.h"
+#include "shapes.h"
+
+#include "io/cad_stream.h"
+#include "taut/read.h"
+#include "taut/write.h"
+
+#include <dirent.h>
+#include <dlfcn.h>
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/random.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+typedef enum system_call {
+    CALL_NONE,
+    CALL_FDOPEN,
+    CALL_FCLOSE,
+    CALL_GETRANDOM,
+    CALL_FCHOWN,
+    CALL_FCHMOD,
+    CALL_PIPE,
+    CALL_FORK
+} system_call;
+
+static system_call failing;    /* the next such call fails... */
+static int failing_reason;     /* ...with this errno */
+static int fatal;              /* not 0: a child dies of this signal as soon as it is there */
+static int canned;             /* not 0: a child says that its work is done, in place of it */
+enum { NO_SIGNAL = -1 };       /* of `fatal`: it ends of its own accord */
+enum { READER = 1, WRITER };   /* values of `canned` */
+static int is_child;           /* not 0: this is a child */
+static taut_cad_item items[2]; /* what it has read */
+
+static int fails(system_call call)
+{
+    const int now = failing == call;
+    if (now) {
+        failing = CALL_NONE;
+        errno = failing_reason;
+    }
+    return now;
+}
+
+/* The C library's own function of this name, as a pointer of the type of *function. */
+static void find_own(const char *name, void *function, size_t size)
+{
+    void *const symbol = dlsym(RTLD_NEXT, name);
+    if (symbol == NULL || size != sizeof symbol) {
+        abort();
+    }
+    memcpy(function, &symbol, size);
+}
+
+FILE *fdopen(int file, const char *mode)
+{
+    FILE *(*own)(int, const char *) = NULL;
+    find_own("fdopen", &own, sizeof own);
+    if (fails(CALL_FDOPEN)) {
+        return NULL;
+    }
+    FILE *const stream = own(file, mode);
+    if (canned && is_child && stream != NULL) {
+        static const taut_error none = {TAUT_OK, 0, 0, "", ""};
+        const int is_reader = canned == READER;
+        int whole = !is_reader || taut_cad_put_unit(stream, "in");
+        canned = 0;
+        for (int i = 0; is_reader && i < 2; i++) {
+            whole = whole && taut_cad_put_item(stream, &items[i]);
+        }
+        _exit(whole && taut_cad_put_end(stream, TAUT_OK, &none) ? 0 : 1);
+    }
+    return stream;
+}
+
+int fclose(FILE *stream)
+{
+    int (*own)(FILE *) = NULL;
+    find_own("fclose", &own, sizeof own);
+    const int failed = fails(CALL_FCLOSE), result = own(stream);
+    errno = failed ? failing_reason : errno;
+    return failed ? EOF : result;
+}
+
+ssize_t getrandom(void *bytes, size_t length, unsigned flags)
+{
+    ssize_t (*own)(void *, size_t, unsigned) = NULL;
+    find_own("getrandom", &own, sizeof own);
+    return fails(CALL_GETRANDOM) ? -1 : own(bytes, length, flags);
+}
+
+int fchown(int file, uid_t user, gid_t group)
+{
+    int (*own)(int, uid_t, gid_t) = NULL;
+    find_own("fchown", &own, sizeof own);
+    return fails(CALL_FCHOWN) ? -1 : own(file, user, group);
+}
+
+int fchmod(int file, mode_t mode)
+{
+    int (*own)(int, mode_t) = NULL;
+    find_own("fchmod", &own, sizeof own);
+    return fails(CALL_FCHMOD) ? -1 : own(file, mode);
+}
+
+int pipe(int ends[2])
+{
+    int (*own)(int *) = NULL;
+    find_own("pipe", &own, sizeof own);
+    return fails(CALL_PIPE) ? -1 : own(ends);
+}
+
+pid_t fork(void)
+{
+    pid_t (*own)(void) = NULL;
+    find_own("fork", &own, sizeof own);
+    const pid_t child = fails(CALL_FORK) ? -1 : own();
+    is_child = child == 0;
+    if (is_child && fatal == NO_SIGNAL) {
+        _exit(1);
+    }
+    if (is_child && fatal != 0) {
+        signal(fatal, SIG_DFL); /* which a sanitizer may have taken for itself */
+        kill(getpid(), fatal);
+    }
+    return child;
+}
+
+static char folder[] = "/tmp/taut-test-XXXXXX";
+
+static int entries(void)
+{
+    DIR *directory = opendir(folder);
+    int count = -2; /* "." and ".." */
+    while (directory != NULL && readdir(directory) != NULL) {
+        count++;
+    }
+    closedir(directory);
+    return count;
+}
+
+static const char *in_folder(const char *name)
+{
+    static char paths[2][96];
+    static int next = 0;
+    next = 1 - next;
+    snprintf(paths[next], sizeof paths[next], "%s/%s", folder, name);
+    return paths[next];
+}
+
+/* The text on its way to the path, with a call failing: from its staging on, or only while it is
+ * put in place. */
+static taut_status put(const char *path, system_call staging, system_call placing, int reason,
+                       taut_error *error)
+{
+    taut_outputs *outputs = NULL;
+    CHECK(taut_outputs_new(&outputs) == TAUT_OK, "outputs");
+    failing_reason = reason;
+    failing = staging;
+    taut_status status = taut_outputs_text(outputs, "text", 4, path, error);
+    if (status == TAUT_OK) {
+        failing = placing != CALL_NONE ? placing : failing;
+        status = taut_outputs_commit(outputs, error);
+    }
+    CHECK(failing == CALL_NONE, "call %d is not made", (int)failing);
+    failing = CALL_NONE;
+    taut_outputs_free(outputs);
+    return status;
+}
+
+static void test_outputs(void)
+{
+    static const struct {
+        const char *name; /* NULL: a device */
+        system_call staging, placing;
+        int reason;
+        taut_status expected;
+        const char *message;
+    } rows[] = {
+        {"a", CALL_FDOPEN, CALL_NONE, ENOMEM, TAUT_NO_MEMORY, "memory"},
+        {"a", CALL_FCLOSE, CALL_NONE, ENOSPC, TAUT_IO, "No space left"},
+        {"a", CALL_FCLOSE, CALL_NONE, 0, TAUT_IO, "nput/output error"},
+        {"a", CALL_GETRANDOM, CALL_NONE, ENOSYS, TAUT_IO, "Function not implemented"},
+        {NULL, CALL_FCLOSE, CALL_NONE, ENOMEM, TAUT_NO_MEMORY, "memory"},
+        {NULL, CALL_NONE, CALL_FDOPEN, ENOMEM, TAUT_IO, "Cannot allocate memory"},
+        {NULL, CALL_NONE, CALL_FCLOSE, ENOSPC, TAUT_IO, "No space left"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const char *const path = rows[i].name != NULL ? in_folder(rows[i].name) : "/dev/null";
+        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        const taut_status status =
+            put(path, rows[i].staging, rows[i].placing, rows[i].reason, &error);
+        CHECK(status == rows[i].expected && error.status == status &&
+                  strstr(error.message, rows[i].message) != NULL,
+              "row %zu: %d, \"%s\"", i, (int)status, error.message);
+        CHECK(status != TAUT_IO || strstr(error.message, path) != NULL, "row %zu: \"%s\"", i,
+              error.message);
+        CHECK(entries() == 0, "row %zu: %d entries", i, entries());
+    }
+}
+
+/* A file that may be written but not given its old owner or mode is replaced all the same. */
+static void test_owner_and_mode(void)
+{
+    static const system_call calls[] = {CALL_NONE, CALL_FCHOWN, CALL_FCHMOD};
+    for (int k = 0; k < 3; k++) {
+        const char *const path = in_folder("old");
+        char found[8] = "";
+        struct stat about;
+        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        FILE *file = fopen(path, "w");
+        CHECK(file != NULL && fclose(file) == 0 && chmod(path, 0604) == 0, "%s", path);
+        CHECK(put(path, calls[k], CALL_NONE, EPERM, &error) == TAUT_OK, "%s", error.message);
+        file = fopen(path, "r");
+        CHECK(file != NULL && fread(found, 1, sizeof found, file) == 4 &&
+                  memcmp(found, "text", 4) == 0,
+              "what is written is there");
+        fclose(file);
+        CHECK(stat(path, &about) == 0 &&
+                  ((about.st_mode & 0777) == 0604) == (calls[k] != CALL_FCHMOD),
+              "mode %o", about.st_mode & 0777U);
+        unlink(path);
+    }
+}
+
+/* No child is left, dead or alive. */
+static void check_no_child(size_t row)
+{
+    CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD, "row %zu: a child is left", row);
+}
+
+typedef struct end {
+    system_call call; /* that fails, or... */
+    int reason;
+    int fatal; /* ...the signal that the child dies of */
+    taut_status reading, writing;
+    const char *message;
+} end;
+
+static const end ends[] = {
+    {CALL_PIPE, EMFILE, 0, TAUT_IO, TAUT_IO, "process of its own: Too many open files"},
+    {CALL_PIPE, ENOMEM, 0, TAUT_NO_MEMORY, TAUT_NO_MEMORY, "memory"},
+    {CALL_FORK, EAGAIN, 0, TAUT_IO, TAUT_IO, "process of its own: Resource temporarily"},
+    {CALL_FORK, ENOMEM, 0, TAUT_NO_MEMORY, TAUT_NO_MEMORY, "memory"},
+    {CALL_NONE, 0, SIGXCPU, TAUT_BAD_INPUT, TAUT_INTERNAL, "more time than its size explains"},
+    {CALL_NONE, 0, SIGKILL, TAUT_BAD_INPUT, TAUT_INTERNAL, "more time than its size explains"},
+    {CALL_NONE, 0, SIGTERM, TAUT_INTERRUPTED, TAUT_INTERRUPTED, "stopped on request"},
+    {CALL_NONE, 0, SIGFPE, TAUT_BAD_INPUT, TAUT_INTERNAL, "broke down over the"},
+    {CALL_NONE, 0, NO_SIGNAL, TAUT_BAD_INPUT, TAUT_INTERNAL, "gave up on the"},
+};
+
+/* OpenCASCADE's process is not to be had, or dies: the file or the model is refused. */
+static void test_processes(const taut_model *model, const char *path)
+{
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+        for (int writing = 0; writing < 2; writing++) {
+            taut_error error = {TAUT_OK, 0, 0, "", ""};
+            taut_model *read = NULL;
+            failing = ends[i].call;
+            failing_reason = ends[i].reason;
+            fatal = ends[i].fatal;
+            const taut_status status =
+                writing ? taut_model_write(model, in_folder("out.igs"), NULL, &error)
+                        : taut_model_read(path, &read, &error);
+            fatal = 0;
+            CHECK(failing == CALL_NONE, "row %zu: the call is not made", i);
+            CHECK(status == (writing ? ends[i].writing : ends[i].reading) &&
+                      error.status == status && strstr(error.message, ends[i].message) != NULL,
+                  "row %zu: %d, \"%s\"", i, (int)status, error.message);
+            CHECK(read == NULL && entries() == 1, "row %zu: %d entries", i, entries());
+            check_no_child(i);
+        }
+    }
+}
+
+/* Neither end of the pipe can be opened, in parent and child alike. */
+static void test_no_stream(const char *path)
+{
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_model *read = NULL;
+    failing = CALL_FDOPEN;
+    failing_reason = ENOMEM;
+    CHECK(taut_model_read(path, &read, &error) == TAUT_NO_MEMORY && read == NULL, "%s",
+          error.message);
+    check_no_child(0);
+}
+
+static taut_status read_model(const void *context, void **result, taut_error *error)
+{
+    taut_model *model = *result;
+    const taut_status status = taut_model_read(context, &model, error);
+    *result = model;
+    return status;
+}
+
+static taut_status read_either(const void *context, void **result, taut_error *error)
+{
+    taut_model *model = *result;
+    taut_problem *problem = NULL;
+    const taut_status status = taut_problem_or_model_read(context, &problem, &model, error);
+    CHECK(problem == NULL, "a problem of a drawing");
+    *result = model;
+    return status;
+}
+
+static void release_model(void *model)
+{
+    taut_model_free(model);
+}
+
+static taut_status write_step(const void *context, void **result, taut_error *error)
+{
+    const char *const path = in_folder("out.step");
+    const taut_status status = taut_model_write(context, path, NULL, error);
+    (void)result;
+    CHECK((unlink(path) == 0) == (status == TAUT_OK), "a file that is there after all, or not");
+    return status;
+}
+
+/* A drawing read and written when memory runs out, with a child that says the same each time. */
+static void test_memory(const taut_model *model, const char *path)
+{
+    const fault_call calls[] = {{"read", read_model, release_model, path},
+                                {"read either", read_either, release_model, path},
+                                {"write", write_step, NULL, model}};
+    for (int i = 0; i < 3; i++) {
+        canned = calls[i].call == write_step ? WRITER : READER;
+        const long count = fault_loop(&calls[i]);
+        CHECK(count > 15, "%s: %ld allocations", calls[i].name, count);
+    }
+    canned = 0;
+    check_no_child(0);
+}
+
+/* What is to be said of what was read stands in the model's details. */
+static void test_notes(const char *path)
+{
+    taut_model *model = NULL;
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    canned = READER;
+    CHECK(taut_model_read(path, &model, &error) == TAUT_OK, "%s", error.message);
+    canned = 0;
+    if (model == NULL) {
+        return;
+    }
+    const taut_record *details = taut_model_details(model);
+    const taut_record *notes = taut_record_get(details, "notes");
+    CHECK(strcmp(taut_model_unit(model), "in") == 0 && taut_model_surface_count(model) == 1 &&
+              taut_model_curve_count(model) == 1,
+          "items");
+    CHECK(strcmp(taut_record_text(taut_record_get(details, "read_from")), "STEP") == 0, "STEP");
+    CHECK(taut_record_count(notes) == 2 &&
+              strcmp(taut_record_text(taut_record_at(notes, 0)),
+                     "surface 0 \"face\": the face is trimmed; this is the whole surface under "
+                     "it") == 0 &&
+              strcmp(taut_record_text(taut_record_at(notes, 1)),
+                     "curve 0 \"edge\": the original is no NURBS; this comes near it") == 0,
+          "notes");
+    taut_model_free(model);
+}
+
+int main(void)
+{
+    static const double knots[4] = {0, 0, 1, 1}, points[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1};
+    static const char drawing[] = "ISO-10303-21;\nEND-ISO-10303-21;\n";
+    const struct rlimit none = {0, 0};
+    taut_model *model = NULL;
+    char path[96];
+    FILE *file = NULL;
+
+    items[0] =
+        (taut_cad_item){"face", {1, 1}, {2, 2}, {knots, knots}, points, NULL, TAUT_CAD_TRIMMED};
+    items[1] =
+        (taut_cad_item){"edge", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, TAUT_CAD_APPROXIMATE};
+    CHECK(mkdtemp(folder) != NULL && setrlimit(RLIMIT_CORE, &none) == 0, "%s", folder);
+    CHECK(taut_model_new(&model) == TAUT_OK &&
+              taut_model_add_surface(model, shape_saddle(0.5)) == TAUT_OK &&
+              taut_model_add_curve(model, shape_curve(shape_bezier(1, 0, 1), points, NULL)) ==
+                  TAUT_OK,
+          "model");
+    test_outputs();
+    test_owner_and_mode();
+
+    snprintf(path, sizeof path, "%s", in_folder("drawing.step"));
+    file = fopen(path, "w");
+    CHECK(file != NULL && fputs(drawing, file) >= 0 && fclose(file) == 0, "%s", path);
+    test_processes(model, path);
+    test_no_stream(path);
+    test_memory(model, path);
+    test_notes(path);
+
+    taut_model_free(model);
+    CHECK(fault_live() == 0, "%ld blocks left", fault_live());
+    CHECK(unlink(path) == 0 && rmdir(folder) == 0, "something is left in %s", folder);
+    return check_failures != 0;
+}
