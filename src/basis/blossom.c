@@ -106,18 +106,15 @@ static void insert(taut_blossom *b, double x)
 /* The first i with knots i+1 .. i+p of the window equal to x. */
 static int find(const taut_blossom *b, const double *x)
 {
-    int i = 0;
-    for (; i < b->row_count; i++) {
-        int same = 0;
+    int i = 0, same = 0;
+    for (; same < b->degree && i < b->row_count; i++) {
+        same = 0;
         while (same < b->degree && b->knots[i + 1 + same] == x[same]) {
             same++;
         }
-        if (same == b->degree) {
-            return i;
-        }
     }
-    assert(0 && "the knots asked for are not in a row");
-    return 0;
+    assert(same == b->degree); /* the knots asked for are in a row */
+    return i - 1;
 }
 
 /* The window over knots low - p .. high + p, nothing inserted. */

@@ -10,6 +10,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* knots[0 .. 3 N + 8]: six at each end, three at each of the N - 1 inner panel ends. */
@@ -53,11 +54,7 @@ taut_status taut_quasi_to_bspline(const taut_basis *basis, int panels, const dou
     taut_status status = TAUT_OK;
     double *knots = NULL;
 
-    if (panels < 1 || panels > (TAUT_COUNT_MAX - 3) / 3) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, panels, (TAUT_COUNT_MAX - 3) / 3,
-                         "a spline of %d panels, expected at most %d", panels,
-                         (TAUT_COUNT_MAX - 3) / 3);
-    }
+    assert(panels >= 1 && panels <= (TAUT_COUNT_MAX - 3) / 3); /* see geometry/nurbs_panels.c */
     spec.knot_count = 3 * panels + 9;
     knots = taut_alloc((size_t)spec.knot_count, sizeof(double));
     if (knots == NULL) {

@@ -232,7 +232,8 @@ taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet
         integrals->value[k] = taut_sum_total(&total[k]);
         integrals->noise[k] = taut_sum_total(&total[NOISE + k]) / fabs(integrals->value[k]) +
                               0.25 * unit_roundoff * (double)cut;
-        if (cut >= CELLS_MAX) {
+        if (cut >= CELLS_MAX) { /* not reached: by a test, for the 8 s so many cuts take; a net in
+                                   one plane that folds over, W = 0 along lines, comes here */
             integrals->noise[k] = INFINITY;
         }
     }

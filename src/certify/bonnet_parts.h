@@ -36,9 +36,9 @@ typedef struct taut_bonnet_frame {
 } taut_bonnet_frame;
 
 /* Largest distance of the surface from the formula, at the same parameters, over the largest
- * coordinate. TAUT_NO_MEMORY. */
-taut_status taut_bonnet_against_formula(const taut_surface *surface, const taut_bonnet_frame *frame,
-                                        taut_bonnet_finding *found);
+ * coordinate. */
+void taut_bonnet_against_formula(const taut_surface *surface, const taut_bonnet_frame *frame,
+                                 taut_bonnet_finding *found);
 /* Area and total curvature in closed form, with the relative rounding of each. */
 void taut_bonnet_closed_area(const taut_bonnet_frame *frame, double *area, double *noise);
 void taut_bonnet_closed_curvature(const taut_bonnet_frame *frame, double *total, double *noise);

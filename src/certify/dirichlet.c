@@ -281,14 +281,7 @@ static taut_status certify(const taut_model *model, const void *data,
         status = add_figures(&r, &gradient, certificate);
     }
     taut_dirichlet_gradient_clear(&gradient);
-    if (status == TAUT_NO_MEMORY) {
-        return taut_fail_memory(error);
-    }
-    if (status != TAUT_OK) {
-        return taut_fail(error, status, NULL, taut_none, taut_none,
-                         "the surface cannot be measured: %s", taut_status_text(status));
-    }
-    return TAUT_OK;
+    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 const taut_certify_ops taut_certify_dirichlet = {.certify = certify};

@@ -67,7 +67,7 @@ static taut_status add_exact(const taut_model *model, taut_certificate *certific
         const double scale = rounded.scaled > 0 ? rounded.scaled / rounded.largest : 1;
         double largest = 0;
         if (!ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, rectangle, &largest)) {
-            return TAUT_NO_MEMORY;
+            return TAUT_NO_MEMORY; /* not reached: FLINT's numbers abort without memory */
         }
         if (largest * scale > worst) {
             worst = largest * scale;

@@ -247,7 +247,8 @@ static void free_part(const request *r, const taut_dirichlet_gradient *gradient,
     }
 }
 
-/* *gain = |g|^4 / (2 g.H g) over the area, from the gradient a small step away. */
+/* *gain = |g|^4 / (2 g.H g) over the area, from the gradient a small step away; INFINITY where
+ * there is none, or no double is large enough for the step. */
 static taut_status find_gain(const request *r, const taut_dirichlet_gradient *gradient,
                              double residual, double *gain)
 {
@@ -277,6 +278,7 @@ static taut_status find_gain(const request *r, const taut_dirichlet_gradient *gr
         change += g[i] * (scale * there.values[i] - gradient->values[i]);
     }
     *gain = change > 0 ? square * square * step / (2 * change * gradient->area) : INFINITY;
+    status = status == TAUT_BAD_INPUT ? TAUT_OK : status;
     taut_dirichlet_gradient_clear(&there);
     taut_surface_free(surface);
     taut_free(g);
@@ -362,14 +364,8 @@ static taut_status prove(const request *r, const taut_certify_options *options,
     if (status == TAUT_OK && r->problem != NULL) {
         status = taut_certify_add_known(r->surface, &r->problem->net, certificate);
     }
-    if (status == TAUT_NO_MEMORY) {
-        return taut_fail_memory(error);
-    }
-    if (status != TAUT_OK) {
-        return taut_fail(error, status, NULL, taut_none, taut_none,
-                         "the surface cannot be measured: %s", taut_status_text(status));
-    }
-    return add_figures(r, options, certificate, error);
+    return status == TAUT_OK ? add_figures(r, options, certificate, error)
+                             : taut_fail_memory(error);
 }
 
 static taut_status certify(const taut_model *model, const void *data,

@@ -52,24 +52,20 @@ static double distance(const double *a, const double *b)
     return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 }
 
-static taut_status measure(const taut_curve *const curves[TAUT_SIDES], loose_curves *loose)
+static void measure(const taut_curve *const curves[TAUT_SIDES], loose_curves *loose)
 {
     double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY};
-    taut_status status = TAUT_OK;
-    for (int i = 0; status == TAUT_OK && i < TAUT_SIDES; i++) {
+    for (int i = 0; i < TAUT_SIDES; i++) {
         const taut_basis *t = taut_curve_t(curves[i]);
         const double *points = taut_curve_points(curves[i]);
         for (int k = 0; k < 3 * taut_basis_count(t); k++) {
             lo[k % 3] = fmin(lo[k % 3], points[k]);
             hi[k % 3] = fmax(hi[k % 3], points[k]);
         }
-        status = taut_curve_eval(curves[i], taut_basis_lo(t), 0, loose->ends[i][0]);
-        if (status == TAUT_OK) {
-            status = taut_curve_eval(curves[i], taut_basis_hi(t), 0, loose->ends[i][1]);
-        }
+        taut_curve_eval(curves[i], taut_basis_lo(t), 0, loose->ends[i][0]);
+        taut_curve_eval(curves[i], taut_basis_hi(t), 0, loose->ends[i][1]);
     }
     loose->size = distance(lo, hi);
-    return status;
 }
 
 /* Do the curves begin and end in their first and last control points? c- and h-bsplines do not, and
@@ -211,11 +207,9 @@ taut_status taut_boundary_order(const taut_curve *const curves[TAUT_SIDES], doub
     arrangement a;
     double gap = 0;
     int corner = 0;
-    taut_status status = measure(curves, &loose);
+    taut_status status = TAUT_OK;
 
-    if (status != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
+    measure(curves, &loose);
     status = check_clamped(curves, &loose, error);
     if (status != TAUT_OK) {
         return status;

@@ -18,24 +18,43 @@ static taut_status finish(taut_status status, const taut_curve *curve, taut_chan
     return status;
 }
 
+/* One piece of the curve, whose points `whole` holds, added to a model. */
+static taut_status add_piece(const taut_curve *curve, const taut_lattice *whole,
+                             const taut_change *change, int i, taut_model *model, taut_error *error)
+{
+    char name[TAUT_NAME_MAX + 1];
+    taut_lattice part = {{0, 0}, 0, NULL};
+    taut_curve *piece = NULL;
+    taut_status status = taut_lattice_change(whole, TAUT_ALONG_U, change, &part, error);
+
+    taut_operate_piece_name(taut_curve_name(curve), 1, i, name);
+    if (status == TAUT_OK) {
+        status = taut_lattice_to_curve(&part, name, change->to, &piece, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_operate_add_curve(model, piece, error);
+    }
+    taut_lattice_free(&part);
+    return status;
+}
+
 /* A model of the curve after each of the changes; the list is freed. */
 static taut_status finish_pieces(taut_status status, const taut_curve *curve,
                                  taut_change_list *list, taut_model **pieces, taut_error *error)
 {
+    taut_lattice whole = {{0, 0}, 0, NULL};
     taut_model *made = NULL;
 
     if (status == TAUT_OK && taut_model_new(&made) != TAUT_OK) {
         status = taut_fail_memory(error);
     }
-    for (int i = 0; status == TAUT_OK && i < list->count; i++) {
-        char name[TAUT_NAME_MAX + 1];
-        taut_curve *piece = NULL;
-        taut_operate_piece_name(taut_curve_name(curve), 1, i, name);
-        status = taut_curve_changed(curve, list->items[i], name, &piece, error);
-        if (status == TAUT_OK) {
-            status = taut_operate_add_curve(made, piece, error);
-        }
+    if (status == TAUT_OK) {
+        status = taut_lattice_of_curve(curve, &whole, error);
     }
+    for (int i = 0; status == TAUT_OK && i < list->count; i++) {
+        status = add_piece(curve, &whole, list->items[i], i, made, error);
+    }
+    taut_lattice_free(&whole);
     taut_change_list_free(list);
     if (status != TAUT_OK) {
         taut_model_free(made);

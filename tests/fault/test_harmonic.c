@@ -74,6 +74,48 @@ static taut_status split(const void *context, void **result, taut_error *error)
     return status;
 }
 
+/* The surface "one" alone is cut. */
+static taut_status split_one(const void *context, void **result, taut_error *error)
+{
+    taut_model *pieces = *result;
+    const taut_status status =
+        taut_model_split_exact(context, "one", TAUT_ALONG_U, 0.5, &pieces, error);
+    *result = pieces;
+    return status;
+}
+
+/* A surface with a name, another one and a curve, that a cut of the first copies. */
+static taut_model *company(const taut_surface *surface)
+{
+    static const double ends[6] = {0, 0, 0, 1, 0, 0};
+    taut_model *model = NULL;
+    taut_surface *one = NULL, *other = NULL;
+    CHECK(taut_surface_new("one", taut_surface_u(surface), taut_surface_v(surface),
+                           taut_surface_points(surface), NULL, &one, NULL) == TAUT_OK &&
+              taut_surface_copy(surface, &other) == TAUT_OK,
+          "surfaces");
+    CHECK(taut_model_new(&model) == TAUT_OK && taut_model_add_surface(model, one) == TAUT_OK &&
+              taut_model_add_surface(model, other) == TAUT_OK &&
+              taut_model_add_curve(model, shape_curve(shape_bezier(1, 0, 1), ends, NULL)) ==
+                  TAUT_OK,
+          "model");
+    return model;
+}
+
+static void try_company(const taut_surface *surface)
+{
+    taut_model *model = company(surface);
+    void *pieces = NULL;
+    const fault_call cut = {"a cut of one in rationals", split_one, release_model, model};
+    CHECK(fault_loop(&cut) > 5, "a cut of one takes memory");
+    CHECK(split_one(model, &pieces, NULL) == TAUT_OK, "cut");
+    CHECK(pieces != NULL && taut_model_surface_count(pieces) == 3 &&
+              taut_model_curve_count(pieces) == 1,
+          "two pieces, the other one and the curve");
+    taut_model_free(pieces);
+    taut_model_free(model);
+}
+
 /* Made under fire, then made once and proved under fire. */
 static void try(request *r)
 {
@@ -185,6 +227,7 @@ int main(void)
     const fault_call cut = {"a cut in rationals", split, release_model, whole};
     CHECK(fault_loop(&cut) > 5, "a cut takes memory");
     taut_model_free(whole);
+    try_company(saddle);
     taut_surface_free(under);
     taut_surface_free(enneper);
     taut_surface_free(saddle);

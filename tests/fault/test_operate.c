@@ -2,6 +2,8 @@
 #include "check.h"
 #include "fault.h"
 
+#include "certify/curve_distance.h"
+#include "geometry/boundary.h"
 #include "taut/operate.h"
 
 #include <stddef.h>
@@ -59,9 +61,38 @@ MAKER(transpose, taut_surface, taut_surface_transpose(f->surface, &made, error))
 MAKER(transform, taut_surface, taut_surface_transform(f->surface, shear, &made, error))
 MAKER(to_nurbs, taut_surface, taut_surface_to_nurbs(f->surface, 1e-2, &made, NULL, error))
 MAKER(model_split, taut_model, taut_model_split(f->model, NULL, TAUT_ALONG_U, 0.4, &made, error))
+MAKER(curve_split_knot, taut_model, taut_curve_split(f->curve, 0.5, &made, error))
+MAKER(model_split_named, taut_model,
+      taut_model_split(f->model, "s", TAUT_ALONG_U, 0.4, &made, error))
 MAKER(model_refine, taut_model, taut_model_refine(f->model, NULL, 0, 0, &made, error))
 MAKER(model_pieces, taut_model, taut_model_pieces(f->model, NULL, &made, error))
 MAKER(model_to_nurbs, taut_model, taut_model_to_nurbs(f->model, 1e-2, &made, NULL, error))
+
+/* The curve as all four sides: on one basis both ways, whatever its type. */
+static taut_status fit(const void *context, void **result, taut_error *error)
+{
+    static const int none[2] = {0, 0};
+    const fixture *f = context;
+    taut_curve *const sides[TAUT_SIDES] = {f->curve, f->curve, f->curve, f->curve};
+    taut_curve *fitted[TAUT_SIDES] = {*result, NULL, NULL, NULL};
+    const taut_status status = taut_boundary_fit(sides, none, none, fitted, error);
+    *result = fitted[0];
+    for (int s = 1; s < TAUT_SIDES; s++) {
+        taut_curve_free(fitted[s]);
+    }
+    return status;
+}
+
+/* The proved distance of the curve from itself. */
+static taut_status distance(const void *context, void **result, taut_error *error)
+{
+    const fixture *f = context;
+    double bound = -1;
+    const taut_status status = taut_certify_distance(f->curve, f->curve, &bound, error);
+    (void)result;
+    CHECK((status == TAUT_OK) == (bound >= 0), "the bound is told on success, only then");
+    return status;
+}
 
 /* Every type has a range of length 1 here; c- and h- have no knots to insert and no degree. */
 enum { BEZIER, BSPLINE, C_BEZIER, C_BSPLINE, H_BEZIER, H_BSPLINE, CE_BEZIER, TYPES };
@@ -133,12 +164,15 @@ static void test_types(int type_u, int type_v)
     fixture f = make_fixture(type_u, type_v);
     const fault_call calls[] = {
         {"taut_curve_split", curve_split, release_model, &f},
+        {"taut_curve_split at a knot", curve_split_knot, release_model, &f},
         {"taut_curve_pieces", curve_pieces, release_model, &f},
         {"taut_curve_refine", curve_refine, release_curve, &f},
         {"taut_curve_reverse", curve_reverse, release_curve, &f},
         {"taut_curve_rerange", curve_rerange, release_curve, &f},
         {"taut_curve_transform", curve_transform, release_curve, &f},
         {"taut_curve_to_nurbs", curve_to_nurbs, release_curve, &f},
+        {"taut_certify_distance", distance, NULL, &f},
+        {"taut_boundary_fit", fit, release_curve, &f},
         {"taut_surface_split", split, release_model, &f},
         {"taut_surface_pieces", pieces, release_model, &f},
         {"taut_surface_refine", refine, release_surface, &f},
@@ -148,6 +182,7 @@ static void test_types(int type_u, int type_v)
         {"taut_surface_transform", transform, release_surface, &f},
         {"taut_surface_to_nurbs", to_nurbs, release_surface, &f},
         {"taut_model_split", model_split, release_model, &f},
+        {"taut_model_split of one name", model_split_named, release_model, &f},
         {"taut_model_refine", model_refine, release_model, &f},
         {"taut_model_pieces", model_pieces, release_model, &f},
         {"taut_model_to_nurbs", model_to_nurbs, release_model, &f},

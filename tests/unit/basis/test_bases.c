@@ -143,6 +143,26 @@ static void test_refusals(void)
     const double nothing[] = {1, 1, 1, 1, 1, 1};
     const double narrow[] = {0, 0, 0, 3e-323, 1, 1, 1};
     const double far[] = {0, 0, 0, 1e300, 1e300, 1e300};
+    const double broken[] = {0, 0, 0, NAN, 1, 1, 1};
+    const double begun[] = {0, 0, 0, 0, 1, 1, 1}, ended[] = {0, 0, 0, 1, 1, 1, 1};
+    taut_basis *basis = NULL;
+    CHECK(taut_basis_new(NULL, 0, &basis, NULL) == TAUT_BAD_ARGUMENT && basis == NULL, "no spec");
+    CHECK(taut_basis_new(&(taut_basis_spec){.type = "bezier", .degree = 1}, 0, NULL, NULL) ==
+              TAUT_BAD_ARGUMENT,
+          "no place");
+    refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = broken, .knot_count = 7}, 4,
+           "/knots/3");
+    refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = begun, .knot_count = 7}, 4,
+           "/knots");
+    refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = ended, .knot_count = 7}, 4,
+           "/knots");
+    refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = far, .knot_count = -6}, 3,
+           "/knots");
+    refuse((taut_basis_spec){.type = "bspline",
+                             .degree = 2,
+                             .knots = far, /* not read */
+                             .knot_count = TAUT_COUNT_MAX + 2 * TAUT_DEGREE_MAX + 1},
+           0, "/knots");
     refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = narrow, .knot_count = 7}, 4,
            "/knots");
     refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = far, .knot_count = 6}, 3,

@@ -365,6 +365,78 @@ static void test_bezier(void)
     }
 }
 
+/* Four quadratic splines of two spans each around the square, an inner knot at knots[i]; all with
+ * weights that grow along the side by ratio[i], or without any. */
+static void two_spans(const double knots[4], const double ratio[4], taut_curve *curves[4])
+{
+    for (int i = 0; i < 4; i++) {
+        const double t[7] = {0, 0, 0, knots[i], 1, 1, 1};
+        const taut_basis_spec spec = {.type = "bspline", .degree = 2, .knots = t, .knot_count = 7};
+        double points[4][3], weights[4];
+        for (int k = 0; k < 4; k++) {
+            for (int c = 0; c < 3; c++) {
+                points[k][c] = square[i][c] + k / 3.0 * (square[(i + 1) % 4][c] - square[i][c]);
+            }
+            weights[k] = ratio != NULL ? pow(ratio[i], k / 3.0) : 1;
+        }
+        memcpy(points[3], square[(i + 1) % 4], sizeof points[3]);
+        curves[i] = curve_on(&spec, &points[0][0], ratio != NULL ? weights : NULL);
+    }
+}
+
+/* Where every side has two spans no change of parameter helps weights that do not close: a rounding
+ * passes, more is refused. Sides 0 and 1 lead to the corner that 3 and 2 lead to. */
+static void test_weights_around(void)
+{
+    static const double knots[4] = {0.5, 0.5, 0.5, 0.5};
+    static const double last[3] = {0.5, 0.5 * (1 + 1e-12), 0.75};
+    for (int trial = 0; trial < 3; trial++) {
+        const double ratio[4] = {2, last[trial], 0.25, 4};
+        taut_curve *curves[4], *sides[4];
+        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        two_spans(knots, ratio, curves);
+        CHECK(taut_boundary_order((const taut_curve *const *)curves, 1e-9, sides, &error) ==
+                  TAUT_OK,
+              "%s", error.message);
+        const taut_status status = taut_boundary_agree(sides, &error);
+        CHECK(status == (trial < 2 ? TAUT_OK : TAUT_NO_SOLUTION), "trial %d: %s", trial,
+              error.message);
+        if (trial == 2) {
+            CHECK_NEAR(fmax(error.found, 1 / error.found), 1.5, 1e-12, "%s", error.message);
+            CHECK(error.limit == 1 && strstr(error.message, "corners") != NULL, "%s",
+                  error.message);
+        }
+        taut_boundary_free(sides);
+        free_all(curves);
+    }
+}
+
+/* Two knots of one side within a rounding of one knot of the other cannot be matched. */
+static void test_knots_apart(void)
+{
+    static const int none[2] = {0, 0};
+    const double near = 0.5 + 1e-13, t[8] = {0, 0, 0, 0.5, near, 1, 1, 1};
+    const double knots[4] = {0.5, 0.5, 0.5, 0.5};
+    const taut_basis_spec spec = {.type = "bspline", .degree = 2, .knots = t, .knot_count = 8};
+    taut_curve *curves[4], *sides[4], *fitted[4] = {NULL, NULL, NULL, NULL};
+    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    double points[5][3];
+    two_spans(knots, NULL, curves);
+    for (int k = 0; k < 5; k++) {
+        for (int c = 0; c < 3; c++) {
+            points[k][c] = square[0][c] + k / 4.0 * (square[1][c] - square[0][c]);
+        }
+    }
+    taut_curve_free(curves[0]);
+    curves[0] = curve_on(&spec, &points[0][0], NULL);
+    CHECK(taut_boundary_order((const taut_curve *const *)curves, 1e-9, sides, &error) == TAUT_OK,
+          "%s", error.message);
+    CHECK(taut_boundary_fit(sides, none, none, fitted, &error) == TAUT_NO_SOLUTION, "fitted");
+    CHECK(strstr(error.message, "too close") != NULL && fitted[0] == NULL, "%s", error.message);
+    taut_boundary_free(sides);
+    free_all(curves);
+}
+
 int main(void)
 {
     random_seed(20260307);
@@ -372,5 +444,7 @@ int main(void)
     test_gap();
     test_quasi();
     test_bezier();
+    test_weights_around();
+    test_knots_apart();
     return check_failures != 0;
 }

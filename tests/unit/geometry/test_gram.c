@@ -5,6 +5,8 @@
 #include "geometry/gram.h"
 #include "geometry/panels.h"
 
+#include <string.h>
+
 static const double unit_roundoff = 0x1p-53;
 
 static double binomial(int n, int k)
@@ -269,6 +271,24 @@ static void test_nearly_mirrored(void)
     taut_basis_free(basis);
 }
 
+/* Weights over 30 decades have a pole nearer than panels go; weights of 1e-300 on a span of 1e-12
+ * have slopes no double holds. Both are refused, and nothing is touched. */
+static void test_extremes(void)
+{
+    const double steep[3] = {1, 1e15, 1e30}, slight[2] = {1e-300, 1e-300};
+    taut_basis *bases[2] = {bezier(2, 0, 1), bezier(1, 0, 1e-12)};
+    taut_gram gram = {.length = -1};
+    taut_error error = {.where = "", .message = ""};
+    CHECK(taut_gram_new(bases[0], steep, &gram, &error) == TAUT_NOT_CONVERGED, "steep");
+    CHECK(error.found > error.limit && strstr(error.message, "256 Gauss nodes") != NULL, "%s",
+          error.message);
+    CHECK(taut_gram_new(bases[1], slight, &gram, &error) == TAUT_BAD_INPUT, "slight");
+    CHECK(strstr(error.message, "overflow") != NULL, "%s", error.message);
+    CHECK(gram.length == -1, "the output was touched");
+    taut_basis_free(bases[0]);
+    taut_basis_free(bases[1]);
+}
+
 int main(void)
 {
     random_seed(20260301);
@@ -281,5 +301,6 @@ int main(void)
     test_select();
     test_many_uniform_spans();
     test_nearly_mirrored();
+    test_extremes();
     return check_failures != 0;
 }
