@@ -58,6 +58,8 @@ for name in $(names src/problem/construct_list.h); do
         complain "no page of docs/ has \`$name\` in a heading"
     elif ! grep -q '!\[[^]].*](gallery/' "$page"; then
         complain "$page shows no picture of $name"
+    elif ! grep -q "\"construct\": *\"$name\"" "$page"; then
+        complain "$page shows no document of $name"
     fi
     grep -lq "\"construct\": *\"$name\"" examples/*.json || complain "no example of $name"
 done

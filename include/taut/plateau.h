@@ -24,6 +24,8 @@ typedef enum taut_plateau_method {
 } taut_plateau_method;
 
 enum { TAUT_PLATEAU_REFINE_MAX = 6 };
+/* Control points of the last net of such an estimate. */
+enum { TAUT_PLATEAU_REFINED_MAX = 1000000 };
 #define TAUT_PLATEAU_AREA_MIN 1e-11 /* of tolerance_area */
 
 /* Zero means default everywhere. */

@@ -40,7 +40,8 @@ TAUT_API void taut_record_free(taut_record *record);
 TAUT_API taut_record *taut_record_copy(const taut_record *record);
 
 /* Add a member to an object (`key` is copied; a key already there is replaced) or, with key NULL,
- * an item to a list. A number that is not finite becomes null. */
+ * an item to a list; a list with a key or an object without one adds nothing, and is remembered as
+ * TAUT_BAD_ARGUMENT. A number that is not finite becomes null. */
 TAUT_API void taut_record_add_null(taut_record *record, const char *key);
 TAUT_API void taut_record_add_bool(taut_record *record, const char *key, int value);
 TAUT_API void taut_record_add_number(taut_record *record, const char *key, double value);
@@ -53,7 +54,8 @@ TAUT_API taut_record *taut_record_add_object(taut_record *record, const char *ke
 TAUT_API void taut_record_add_record(taut_record *record, const char *key,
                                      const taut_record *child);
 
-/* TAUT_OK, or TAUT_NO_MEMORY if the root is NULL or any addition to its tree failed. */
+/* TAUT_OK, or what the first addition to its tree that failed did so with: TAUT_NO_MEMORY (also for
+ * a root that is NULL), TAUT_BAD_ARGUMENT. */
 TAUT_API taut_status taut_record_status(const taut_record *root);
 
 /* Reading. NULL and wrong kinds are harmless: they give TAUT_RECORD_NULL, NaN, "", 0 or NULL. */

@@ -3,6 +3,10 @@
  * A function that can fail returns a taut_status. A function that can fail for a reason a person
  * must read also takes a `taut_error *error`, always last, which may be NULL. On success *error is
  * left alone; on failure it is filled whole. Nothing is printed, nothing is global.
+ *
+ * NULL where a function with a status needs something is TAUT_BAD_ARGUMENT. Functions without a
+ * status (counts, names, what is borrowed) take objects that were made and numbers in their range,
+ * but where they say that others are fine.
  */
 #ifndef TAUT_STATUS_H
 #define TAUT_STATUS_H

@@ -93,6 +93,10 @@ static taut_status read_request(const taut_model *model, const taut_dirichlet_pr
 {
     taut_status status = TAUT_OK;
 
+    if (problem != NULL && !taut_known_is_whole(problem)) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "the problem needs two bases, points and which of them are known");
+    }
     memset(r, 0, sizeof *r);
     r->surface = taut_model_surface(model, 0);
     r->problem = problem;

@@ -9,6 +9,13 @@
 #include "taut/certify.h"
 #include "taut/dirichlet.h"
 
+/* Are the members there that every problem with a net needs? */
+static inline int taut_known_is_whole(const taut_dirichlet_problem *problem)
+{
+    return problem->u != NULL && problem->v != NULL && problem->points != NULL &&
+           problem->known != NULL;
+}
+
 /* The net of the surface has the shape of the problem's. TAUT_NO_MEMORY. */
 taut_status taut_certify_add_known(const taut_surface *surface,
                                    const taut_dirichlet_problem *problem,

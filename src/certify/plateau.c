@@ -110,6 +110,14 @@ static taut_status read_details(const taut_record *details, request *r, taut_err
     return TAUT_OK;
 }
 
+/* Four curves, or a net. */
+static int has_boundary(const taut_plateau_problem *problem)
+{
+    const taut_curve *const *curves = problem->curves;
+    return taut_known_is_whole(&problem->net) ||
+           (curves[0] != NULL && curves[1] != NULL && curves[2] != NULL && curves[3] != NULL);
+}
+
 static taut_status read_request(const taut_model *model, const taut_plateau_problem *problem,
                                 request *r, taut_error *error)
 {
@@ -119,6 +127,11 @@ static taut_status read_request(const taut_model *model, const taut_plateau_prob
 
     const double deviation = taut_record_number(taut_record_get(details, "deviation"));
 
+    if (problem != NULL && !has_boundary(problem)) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "the problem needs four curves, or two bases, points and which of them "
+                         "are known");
+    }
     r->surface = taut_model_surface(model, 0);
     r->problem = problem;
     r->deviation = deviation > 0 && isfinite(deviation) ? deviation : 0;

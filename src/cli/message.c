@@ -1,15 +1,29 @@
 /* message.c -- what a person is told when something went wrong: one message, one line. */
 #include "cli.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
+/* One line, whatever the names and words in it are: what would move the cursor is a "?". */
+static void say(char *line)
+{
+    for (char *at = line; *at != '\0'; at++) {
+        if (iscntrl((unsigned char)*at)) {
+            *at = '?';
+        }
+    }
+    fprintf(stderr, "taut: %s\n", line);
+}
+
 int cli_fail(const taut_error *error)
 {
+    char line[sizeof error->where + sizeof error->message + 2];
     cli_monitor_done();
-    fprintf(stderr, "taut: %s%s%s\n", error->where, error->where[0] != '\0' ? ": " : "",
-            error->message[0] != '\0' ? error->message : taut_status_text(error->status));
+    snprintf(line, sizeof line, "%s%s%s", error->where, error->where[0] != '\0' ? ": " : "",
+             error->message[0] != '\0' ? error->message : taut_status_text(error->status));
+    say(line);
     return taut_status_exit_code(error->status);
 }
 
@@ -29,12 +43,12 @@ int cli_fail_in(const char *file, const taut_error *error)
 
 int cli_misuse(const char *format, ...)
 {
+    char line[2 * sizeof((taut_error *)0)->message];
     va_list arguments;
     va_start(arguments, format);
-    fputs("taut: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
+    say(line);
     return 2;
 }
 

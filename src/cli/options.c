@@ -129,7 +129,8 @@ static int take(char *base, const cli_option *option, const char *word)
 static int take_file(const cli_command *command, cli_options *options, const char *word)
 {
     if (options->file_count == command->files_max) {
-        return cli_misuse("`taut %s` does not know what to do with %.80s", command->name, word);
+        return cli_misuse("`taut %s` does not know what to do with %.80s: it takes %d at most",
+                          command->name, word, command->files_max);
     }
     options->files[options->file_count++] = word;
     return 0;

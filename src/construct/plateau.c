@@ -63,6 +63,22 @@ static taut_status check_tolerance_area(const taut_plateau_problem *problem, tau
                                                                 : TAUT_OK;
 }
 
+/* How many points the last net of an estimate has: each time all spans are halved. */
+static taut_status check_refine(const taut_plateau_problem *problem, taut_error *error)
+{
+    const taut_basis *u = problem->net.u, *v = problem->net.v;
+    const double more = ldexp(1, problem->refine) - 1;
+    const double points = (taut_basis_count(u) + more * taut_basis_span_count(u)) *
+                          (taut_basis_count(v) + more * taut_basis_span_count(v));
+
+    if (problem->refine > 0 && points > TAUT_PLATEAU_REFINED_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/refine", points, TAUT_PLATEAU_REFINED_MAX,
+                         "refine is %d, and makes a net of %.0f points, expected at most %d",
+                         problem->refine, points, TAUT_PLATEAU_REFINED_MAX);
+    }
+    return TAUT_OK;
+}
+
 /* What dirichlet does not check, or is needed before it does. */
 static taut_status check(const taut_plateau_problem *problem, taut_error *error)
 {
@@ -92,6 +108,9 @@ static taut_status check(const taut_plateau_problem *problem, taut_error *error)
         return taut_fail(error, TAUT_BAD_INPUT, "/refine", problem->refine, TAUT_PLATEAU_REFINE_MAX,
                          "refine is %d, expected 0 to %d", problem->refine,
                          TAUT_PLATEAU_REFINE_MAX);
+    }
+    if (check_refine(problem, error) != TAUT_OK) {
+        return TAUT_BAD_INPUT;
     }
     return check_tolerance_area(problem, error);
 }

@@ -36,7 +36,8 @@ static const double agreement = 2e-14;
  */
 static const double rough = 0.2, rough_points = 5e3;
 static const double unsettled = 1e-9;
-static const double points_max = 3e7; /* Gauss points of one film */
+static const double points_max = 3e7; /* Gauss points of one film, but for what its net needs: */
+static const double points_most = 6e7, points_each = 4e3; /* in all, or for each of its points */
 /* Residuals that agree to this, by rules of so many points that more cost little. */
 static const double sharp = 4e-15, sharp_points = 2e4;
 
@@ -109,24 +110,46 @@ static taut_status unscale(const work *w, double *points, taut_error *error)
     return TAUT_OK;
 }
 
+static double points_of(const taut_film *film)
+{
+    return (double)film->u.count * film->v.count;
+}
+
+/* Gauss points of the film after this one: on the same panels, with the nodes of the next rule. */
+static double points_after(const work *w, const taut_film *film, int rule)
+{
+    const int next = rule + 1 < RULES ? rule + 1 : rule;
+    const double u = taut_basis_local(w->problem->net.u) + extras[next];
+    const double v = taut_basis_local(w->problem->net.v) + extras[next];
+    return points_of(film) * u * v / (film->u.nodes * film->v.nodes);
+}
+
+static double points_allowed(const work *w)
+{
+    return fmax(points_most, points_each * (double)w->count);
+}
+
 /* The film with this rule; *is_last when a finer one would be too large. */
 static taut_status film_with(work *w, int rule, taut_film **film, int *is_last, taut_error *error)
 {
     const taut_dirichlet_problem *net = &w->problem->net;
-    const int next = rule + 1 < RULES ? rule + 1 : rule;
-    const double u = taut_basis_local(net->u) + extras[next];
-    const double v = taut_basis_local(net->v) + extras[next];
+    taut_film *made = NULL;
+    double points = 0;
 
-    *is_last = next == rule ||
-               u * v * taut_basis_span_count(net->u) * taut_basis_span_count(net->v) > points_max;
-    return taut_film_new(net->u, net->v, net->weights, extras[rule], film) == TAUT_OK
-               ? TAUT_OK
-               : taut_fail_memory(error);
-}
-
-static double points_of(const taut_film *film)
-{
-    return (double)film->u.count * film->v.count;
+    if (taut_film_new(net->u, net->v, net->weights, extras[rule], &made) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    points = points_of(made);
+    *is_last = rule + 1 >= RULES || points_after(w, made, rule) > points_max;
+    if (points > points_allowed(w)) {
+        taut_film_free(made);
+        return taut_fail(error, TAUT_NOT_CONVERGED, "/points", points, points_allowed(w),
+                         "the area asks for %.3g Gauss points, expected at most %.3g: the bases or "
+                         "weights vary too fast for so small a net",
+                         points, points_allowed(w));
+    }
+    *film = made;
+    return TAUT_OK;
 }
 
 /* Raises the rule until the next one gives the same area of the net; the film is the coarser of
@@ -137,7 +160,7 @@ static taut_status find_rule(work *w, const double *net, double *area, taut_erro
 {
     const int is_first = w->descent.work_max == 0;
     double change = INFINITY;
-    int is_last = 0;
+    int is_last = w->film != NULL && points_after(w, w->film, w->rule) > points_allowed(w);
     taut_status status = TAUT_OK;
 
     if (w->film == NULL) {

@@ -24,7 +24,11 @@ static char *text_copy(const char *text)
 
 taut_status taut_certificate_new(const char *construct, taut_certificate **certificate)
 {
-    taut_certificate *made = taut_alloc_zero(1, sizeof *made);
+    taut_certificate *made = NULL;
+    if (certificate == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    made = taut_alloc_zero(1, sizeof *made);
     if (made == NULL) {
         return TAUT_NO_MEMORY;
     }
@@ -55,10 +59,15 @@ void taut_certificate_free(taut_certificate *certificate)
 
 taut_status taut_certificate_add(taut_certificate *certificate, const taut_claim *claim)
 {
-    const size_t count = (size_t)certificate->claim_count;
-    taut_claim *claims = certificate->claims;
+    taut_claim *claims = NULL;
     char *name = NULL, *where = NULL;
+    size_t count = 0;
 
+    if (certificate == NULL || claim == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    count = (size_t)certificate->claim_count;
+    claims = certificate->claims;
     if ((count & (count - 1)) == 0) { /* full: room doubles at powers of two */
         claims = taut_realloc(claims, count > 0 ? 2 * count : 1, sizeof *claims);
         if (claims == NULL) {
@@ -82,14 +91,20 @@ taut_status taut_certificate_add(taut_certificate *certificate, const taut_claim
 
 void taut_certificate_set_figures(taut_certificate *certificate, taut_record *figures)
 {
-    taut_record_free(certificate->figures);
+    if (certificate->figures != figures) {
+        taut_record_free(certificate->figures);
+    }
     certificate->figures = figures;
 }
 
 taut_status taut_certificate_copy(const taut_certificate *certificate, taut_certificate **copy)
 {
     taut_certificate *made = NULL;
-    taut_status status = taut_certificate_new(certificate->construct, &made);
+    taut_status status = TAUT_OK;
+    if (certificate == NULL || copy == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    status = taut_certificate_new(certificate->construct, &made);
     for (int i = 0; status == TAUT_OK && i < certificate->claim_count; i++) {
         status = taut_certificate_add(made, &certificate->claims[i]);
     }

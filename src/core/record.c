@@ -4,14 +4,13 @@
 
 #include "core/memory.h"
 
-#include <assert.h>
 #include <math.h>
 #include <string.h>
 
 struct taut_record {
     taut_record *root; /* where a failure is remembered */
     taut_record_kind kind;
-    int failed; /* of the root only */
+    taut_status status; /* of the root only: what the first failed addition failed with */
     double number;
     char *text;
     char *key;
@@ -96,14 +95,17 @@ static taut_record *add(taut_record *record, const char *key, taut_record_kind k
 {
     taut_record *child = NULL;
     size_t slot = 0;
-    if (record == NULL || record->root->failed) {
+    if (record == NULL || record->root->status != TAUT_OK) {
         return NULL;
     }
-    assert(record->kind == (key != NULL ? TAUT_RECORD_OBJECT : TAUT_RECORD_LIST));
+    if (record->kind != (key != NULL ? TAUT_RECORD_OBJECT : TAUT_RECORD_LIST)) {
+        record->root->status = TAUT_BAD_ARGUMENT;
+        return NULL;
+    }
     slot = slot_of(record, key);
     child = node_new(record->root, kind);
     if (child == NULL || (key != NULL && (child->key = text_copy(key)) == NULL) || !grow(record)) {
-        record->root->failed = 1;
+        record->root->status = TAUT_NO_MEMORY;
         taut_record_free(child);
         return NULL;
     }
@@ -143,7 +145,7 @@ void taut_record_add_text(taut_record *record, const char *key, const char *valu
     if (child != NULL) {
         child->text = text_copy(value != NULL ? value : "");
         if (child->text == NULL) {
-            child->root->failed = 1;
+            child->root->status = TAUT_NO_MEMORY;
         }
     }
 }
@@ -180,6 +182,14 @@ void taut_record_add_record(taut_record *record, const char *key, const taut_rec
     taut_record *copy = NULL;
     if (child == NULL) {
         taut_record_add_null(record, key);
+    } else if (record != NULL && child->root == record->root) { /* it may hold its own new place */
+        copy = taut_record_copy(child);
+        if (copy == NULL) {
+            record->root->status = TAUT_NO_MEMORY;
+        } else {
+            taut_record_add_record(record, key, copy);
+            taut_record_free(copy);
+        }
     } else if (child->kind == TAUT_RECORD_TEXT) {
         taut_record_add_text(record, key, child->text);
     } else {
@@ -201,7 +211,7 @@ taut_record *taut_record_copy(const taut_record *record)
     if (copy != NULL) {
         copy->number = record->number;
         if (record->text != NULL && (copy->text = text_copy(record->text)) == NULL) {
-            copy->failed = 1;
+            copy->status = TAUT_NO_MEMORY;
         }
         copy_children(copy, record);
     }
@@ -214,7 +224,7 @@ taut_record *taut_record_copy(const taut_record *record)
 
 taut_status taut_record_status(const taut_record *root)
 {
-    return root != NULL && !root->root->failed ? TAUT_OK : TAUT_NO_MEMORY;
+    return root != NULL ? root->root->status : TAUT_NO_MEMORY;
 }
 
 taut_record_kind taut_record_kind_of(const taut_record *record)

@@ -71,6 +71,9 @@ taut_status taut_curve_new(const char *name, const taut_basis *t, const double *
 
 taut_status taut_curve_copy(const taut_curve *curve, taut_curve **copy)
 {
+    if (curve == NULL || copy == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
     return taut_curve_new(curve->name, curve->t, curve->points, curve->weights, copy, NULL);
 }
 

@@ -16,7 +16,11 @@ struct taut_model {
 
 taut_status taut_model_new(taut_model **model)
 {
-    taut_model *made = taut_alloc_zero(1, sizeof *made);
+    taut_model *made = NULL;
+    if (model == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    made = taut_alloc_zero(1, sizeof *made);
     if (made == NULL) {
         return TAUT_NO_MEMORY;
     }
@@ -55,7 +59,7 @@ static void *with_room(void *array, int count, size_t size)
 taut_status taut_model_add_surface(taut_model *model, taut_surface *surface)
 {
     taut_surface **surfaces = NULL;
-    if (model->surface_count >= TAUT_OBJECTS_MAX) {
+    if (model == NULL || surface == NULL || model->surface_count >= TAUT_OBJECTS_MAX) {
         return TAUT_BAD_ARGUMENT;
     }
     surfaces = with_room(model->surfaces, model->surface_count, sizeof(taut_surface *));
@@ -70,7 +74,7 @@ taut_status taut_model_add_surface(taut_model *model, taut_surface *surface)
 taut_status taut_model_add_curve(taut_model *model, taut_curve *curve)
 {
     taut_curve **curves = NULL;
-    if (model->curve_count >= TAUT_OBJECTS_MAX) {
+    if (model == NULL || curve == NULL || model->curve_count >= TAUT_OBJECTS_MAX) {
         return TAUT_BAD_ARGUMENT;
     }
     curves = with_room(model->curves, model->curve_count, sizeof(taut_curve *));
@@ -84,19 +88,26 @@ taut_status taut_model_add_curve(taut_model *model, taut_curve *curve)
 
 void taut_model_set_details(taut_model *model, taut_record *details)
 {
-    taut_record_free(model->details);
+    if (model->details != details) {
+        taut_record_free(model->details);
+    }
     model->details = details;
 }
 
 void taut_model_set_certificate(taut_model *model, taut_certificate *certificate)
 {
-    taut_certificate_free(model->certificate);
+    if (model->certificate != certificate) {
+        taut_certificate_free(model->certificate);
+    }
     model->certificate = certificate;
 }
 
 taut_status taut_model_set_unit(taut_model *model, const char *unit)
 {
     static const char *const units[] = {"mm", "m", "cm", "in", "ft"};
+    if (model == NULL || unit == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
     for (int i = 0; i < 5; i++) {
         if (strcmp(unit, units[i]) == 0) {
             memcpy(model->unit, units[i], strlen(units[i]) + 1);

@@ -125,6 +125,9 @@ taut_status taut_surface_new_exact(const char *name, const taut_basis *u, const 
 
 taut_status taut_surface_copy(const taut_surface *surface, taut_surface **copy)
 {
+    if (surface == NULL || copy == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
     return taut_surface_new_exact(surface->name, surface->u, surface->v, surface->points,
                                   surface->weights, surface->exact, copy, NULL);
 }

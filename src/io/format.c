@@ -75,10 +75,16 @@ static void list_endings(char *list, size_t size)
 int taut_format_of(const char *path, taut_error *error)
 {
     struct stat about;
-    const char *name = strrchr(path, '/') != NULL ? strrchr(path, '/') + 1 : path;
+    const char *slash = NULL;
     char list[200];
-    int i = find_ending(name);
+    int i = 0;
 
+    if (path == NULL) {
+        taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none, "a format needs a path");
+        return -1;
+    }
+    slash = strrchr(path, '/');
+    i = find_ending(slash != NULL ? slash + 1 : path);
     if (i >= 0) {
         return i;
     }

@@ -86,7 +86,12 @@ taut_status taut_record_read_text(const char *text, size_t length, const char *n
                                   taut_record **record, taut_error *error)
 {
     taut_json_document *document = NULL;
-    taut_status status = taut_json_parse(text, length, name, &document, error);
+    taut_status status = TAUT_OK;
+    if (text == NULL || name == NULL || record == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "reading needs a text, its name and a place for the record");
+    }
+    status = taut_json_parse(text, length, name, &document, error);
     if (status == TAUT_OK) {
         const taut_json root = taut_json_root(document);
         status = taut_json_record(&root, record, error);

@@ -93,8 +93,10 @@ taut_status taut_net_document_point(const taut_json *at, double point[3], taut_e
                 return status;
             }
         } else if (!taut_rational_value(text, &read[c]) || !isfinite(read[c])) {
-            return taut_json_expected(&item, error,
-                                      "a number, or a rational one as \"3/4\", not too large");
+            return taut_json_expected(
+                &item, error,
+                "a number, or a rational one as \"3/4\", not too large and in at most "
+                "20000 bytes");
         }
     }
     memcpy(point, read, sizeof read);

@@ -20,7 +20,11 @@ struct taut_outputs {
 
 taut_status taut_outputs_new(taut_outputs **outputs)
 {
-    taut_outputs *made = taut_alloc_zero(1, sizeof *made);
+    taut_outputs *made = NULL;
+    if (outputs == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    made = taut_alloc_zero(1, sizeof *made);
     if (made == NULL) {
         return TAUT_NO_MEMORY;
     }

@@ -22,9 +22,6 @@ static const char *read_whole(const char *text, whole *number)
         } else {
             number->power++;
         }
-        if (text - first > TAUT_RATIONAL_MAX) {
-            return NULL;
-        }
     }
     return text > first ? text : NULL;
 }
@@ -53,7 +50,7 @@ int taut_rational_value(const char *text, double *value)
     if (rest != NULL && *rest == '/') {
         rest = read_whole(rest + 1, &bottom);
     }
-    if (rest == NULL || *rest != '\0' || bottom.digits == 0) {
+    if (rest == NULL || *rest != '\0' || rest - text > TAUT_RATIONAL_MAX || bottom.digits == 0) {
         return 0;
     }
     const long double size =

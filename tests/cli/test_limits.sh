@@ -56,6 +56,48 @@ awk 'BEGIN { for (i = 0; i <= 25; i++) { printf "%s[", i ? ",\n" : ""
     printf "]" } printf "]}" }' >> d.json
 refused 4 '1e\+?15' make d.json
 
+# square CONSTRUCT U-AND-V N WHICH EXTRA: a problem on a net of N + 1 by N + 1 points (i, j, i j / N), of which those are known
+# where WHICH holds, an expression in i, j and n
+square() {
+    awk -v construct="$1" -v basis="$2" -v n="$3" -v extra="$5" "BEGIN {
+        printf \"{\\\"taut\\\": 1, \\\"construct\\\": \\\"%s\\\"%s, \\\"u\\\": %s, \\\"v\\\": %s, \\\"points\\\": [\", construct, extra, basis, basis
+        for (i = 0; i <= n; i++) { printf \"%s[\", i ? \",\" : \"\"
+            for (j = 0; j <= n; j++) printf \"%s%s\", j ? \",\" : \"\", $4 ? \"[\" i \",\" j \",\" i * j / n \"]\" : \"null\"
+            printf \"]\" } printf \"]}\" }" > d.json
+}
+edges='i % n == 0 || j % n == 0'
+square harmonic '{"type": "bezier", "degree": 65}' 65 "$edges" ', "fit": true'
+refused 4 'to degree 64' make d.json
+square biharmonic '{"type": "bezier", "degree": 19}' 19 "$edges" ''
+refused 4 '1e\+?11' make d.json
+square plateau '{"type": "bspline", "degree": 3, "count": 41}' 40 "$edges" ', "refine": 6'
+refused 3 'at most 1000000$' make d.json
+square plateau '{"type": "h-bspline", "beta": 700, "segments": 96}' 98 "$edges" ''
+refused 1 'at most 6e\+?07' make d.json
+[ "$(wc -c < d.json)" -lt 65536 ] || complain "the net that asks for many Gauss points is no small document"
+square plateau '{"type": "bspline", "degree": 2, "count": 52}' 51 "$edges" ', "tolerance_area": 1e-11'
+refused 1 'at most 2500 points' make d.json
+for degree in 27 33; do # of a flat surface, continued with equal second derivatives
+    square biharmonic "{\"type\": \"bezier\", \"degree\": $degree}" $degree 1 ''
+    sed 's/"u": /"edge": "u1", "contact": "c2", "surface": {&/; s/,[0-9.]*\]/,0]/g; s/$/}/' d.json > "neighbour$degree.json"
+done
+refused 4 '2e\+?09' make neighbour27.json
+refused 4 'at most 32.*up to degree 64' make neighbour33.json
+
+bonnet='"taut": 1, "construct": "bonnet", "sign": "-", "alpha": 1'
+printf '{%s, "lambda": [0, 0.5], "beta": 1, "frames": 100001}' "$bonnet" > d.json
+refused 3 'to 100000$' make d.json
+printf '{%s, "lambda": 0.5, "beta": 1, "mesh": "bspline", "segments": [1, 500001]}' "$bonnet" > d.json
+refused 3 'to 500000$' make d.json
+printf '{%s, "lambda": [0, 0.5], "beta": 1, "mesh": "bspline", "segments": [97, 97], "frames": 5001}' "$bonnet" > d.json
+refused 3 'at most 50000000$' make d.json
+printf '{%s, "lambda": 0.5, "beta": 178}' "$bonnet" > d.json
+refused 4 'at most 177' make d.json
+awk 'BEGIN { printf "["; for (i = 0; i <= 100000; i++) printf "%s{}", i ? "," : ""; printf "]" }' > d.json
+refused 3 'at most 100000 problems' make d.json
+too_much 'at most 20000 ' "{\"taut\": 1, \"curves\": [{\"t\": $line, \"points\": [[0, 0, \"1/$(awk 'BEGIN {
+    for (i = 0; i < 20000; i++) printf "9" }')\"], [1, 0, 0]]}]}"
+
 # Files that are too large are not read; those that are none are told as such.
 if truncate -s 4000000001 d.json 2> /dev/null; then
     refused 5 'larger than the 4000000000 bytes' measure d.json
@@ -69,6 +111,12 @@ refused 2 '1 to 1000$' convert line.json -o x.obj --divide 1001
 refused 2 '1 to 100$' convert line.json -o x.svg --isolines 101
 refused 2 '1 to 100$' convert line.json -o x.svg --reflections 101
 refused 2 '16 to 2400$' convert line.json -o x.svg --width 2401
+# shellcheck disable=SC2046
+refused 2 '12 at most$' convert $(awk 'BEGIN { for (i = 0; i < 13; i++) print "line.json" }') -o x.svg
+awk 'BEGIN { printf "{\"taut\": 1, \"curves\": [{\"t\": {\"type\": \"bezier\", \"degree\": 26}, \"points\": ["
+    for (i = 0; i <= 26; i++) printf "%s[%d,0,0]", i ? "," : "", i
+    printf "]}]}" }' > high.json
+[ ! -e "$(dirname "$TAUT")/../modules/taut-occt.so" ] || refused 4 'above 25$' convert high.json -o x.step
 refused 2 'from 1e-14 to 1$' convert line.json -o x.obj --tolerance 1e-15
 # shellcheck disable=SC2046
 refused 2 'more than 4096 times' eval line.json $(awk 'BEGIN { for (i = 0; i <= 4096; i++) printf "--at 0 " }')

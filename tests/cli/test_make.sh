@@ -67,6 +67,7 @@ absent model.xyz a.json more.json
 # Files that can't be read or written: 5, and nothing left behind.
 refused 5 'missing\.json' make missing.json
 refused 5 '\.' make .
+refused 5 'no\?\?file\.json: ' make "$(printf 'no\n\033file.json')" # one line, which cannot move the cursor
 refused 5 'nowhere' make saddle.json --quiet -o nowhere/m.json
 refused 5 'folder' make saddle.json --quiet -o good.json -o nowhere/folder.obj
 mkdir folder.json

@@ -132,6 +132,13 @@ static taut_status check_window(const taut_bonnet_problem *problem, taut_error *
     return check_far(problem, scale, error);
 }
 
+/* Control points of all frames together. */
+static double points_of(const taut_bonnet_problem *problem)
+{
+    const double frames = problem->frames > 1 ? problem->frames : 1;
+    return frames * (fmax(problem->segments[0], 1) + 3) * (fmax(problem->segments[1], 1) + 3);
+}
+
 static taut_status check_rest(const taut_bonnet_problem *problem, taut_error *error)
 {
     if (problem->sign != 1 && problem->sign != -1) {
@@ -151,6 +158,12 @@ static taut_status check_rest(const taut_bonnet_problem *problem, taut_error *er
         problem->frames < 0 || problem->frames > TAUT_OBJECTS_MAX) {
         return taut_fail(error, TAUT_BAD_INPUT, "/segments", taut_none, TAUT_COUNT_MAX / 2,
                          "segments and frames must be at least 1 and not more than taut takes");
+    }
+    if (points_of(problem) > TAUT_POINTS_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, problem->frames > 1 ? "/frames" : "/segments",
+                         points_of(problem), TAUT_POINTS_MAX,
+                         "the surfaces have %.0f points in all, expected at most %d",
+                         points_of(problem), TAUT_POINTS_MAX);
     }
     return TAUT_OK;
 }
