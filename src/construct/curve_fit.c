@@ -162,7 +162,10 @@ static void for_nodes(fit *f, const double ends[2][3], const double *points, dou
         for (int b = 0; b < taut_basis_local(f->basis); b++) {
             taut_add_scaled(-n[b], points + 3 * (first + b), x);
         }
-        *deviation = fmax(*deviation, taut_norm(x));
+        const double miss = taut_norm(x);
+        if (!(miss <= *deviation || isnan(*deviation))) { /* fmax passes over what is no number */
+            *deviation = miss;
+        }
     }
 }
 

@@ -134,15 +134,6 @@ static taut_status check_bases(const taut_dirichlet_problem *net, taut_error *er
     return TAUT_OK;
 }
 
-static int are_finite(size_t count, const double *x)
-{
-    size_t finite = 0;
-    while (finite < count && isfinite(x[finite])) {
-        finite++;
-    }
-    return finite == count;
-}
-
 /* points and known: the fitted curves around a hole. */
 static taut_status lay_curves(taut_plateau_space *space, const taut_plateau_problem *given,
                               double *points, unsigned char *known, taut_error *error)
@@ -158,9 +149,8 @@ static taut_status lay_curves(taut_plateau_space *space, const taut_plateau_prob
         memcpy(ends[1], corner[corner_of(e, 1)], sizeof ends[1]);
         status = taut_curve_fit(given->curves[e], e < 2 ? net->v : net->u, (const double(*)[3])ends,
                                 row, &deviation);
-        if (status == TAUT_NOT_CONVERGED ||
-            (status == TAUT_OK && !are_finite(3 * (size_t)(e < 2 ? nv : nu), row))) {
-            status = taut_fail(error, TAUT_NOT_CONVERGED, "/curves", taut_none, taut_none,
+        if (status == TAUT_NOT_CONVERGED) {
+            status = taut_fail(error, status, "/curves", taut_none, taut_none,
                                "curve %s cannot be fitted to the basis of its edge: the knots, "
                                "the degree or the points are too extreme",
                                names[e]);
