@@ -358,7 +358,8 @@ taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double as
     if (status == TAUT_OK && !(omega <= limit)) {
         status = taut_fail(error, TAUT_NOT_CONVERGED, NULL, omega, limit,
                            "the residual of the system stays at %.3g, expected at most %.3g after "
-                           "%d iterations",
+                           "%d iterations: the known points hardly determine the others; lower the "
+                           "degree, or bring the weights nearer to each other",
                            omega, limit, system->iterations);
     }
     return status;
