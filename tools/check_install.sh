@@ -103,9 +103,11 @@ ask me
 ask make --rep
 ask example dirichlet-t
 ask make --threads ''
+ask panels --kind ''
+ask join nothing-here u
 END
 bash complete.bash "$prefix" > said
-printf '%s\n' measure --report dirichlet-tent '' | cmp -s - said || fail "completion offers $(cat said)"
+printf '%s\n' measure --report dirichlet-tent '' 'conical circular' 'u0 u1' | cmp -s - said || fail "completion offers $(cat said)"
 mv "$work/modules" "$build/modules"
 
 (cd "$build" && cpack -G DEB -B "$work/deb") > log 2>&1 || { cat log; fail "no Debian package"; }
