@@ -27,6 +27,8 @@ enum { TAUT_PLATEAU_REFINE_MAX = 6 };
 /* Control points of the last net of such an estimate. */
 enum { TAUT_PLATEAU_REFINED_MAX = 1000000 };
 #define TAUT_PLATEAU_AREA_MIN 1e-11 /* of tolerance_area */
+/* Control points of a net that tolerance_area puts knots into. */
+enum { TAUT_PLATEAU_ADAPTED_MAX = 2500 };
 
 /* Zero means default everywhere. */
 typedef struct taut_plateau_problem {
