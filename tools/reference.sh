@@ -73,7 +73,7 @@ LC_ALL=C awk -F '\t' -v work="$work" '
         block = to
     }
     BEGIN {
-        shape = "[A-Za-z_0-9]*(\\[[^][ ]+( [+] [0-9a-z]+)?\\])+"
+        shape = "[A-Za-z_0-9]*(\\[[^][ ,]+( ([+] )?[0-9a-z]+)?\\])+"
         pattern = "`[^`]+`|\\[[A-Z][A-Za-z]+[0-9][0-9][0-9][0-9]\\]|taut/[a-z]+\\.h|docs/[a-z/-]+\\.md|(taut|TAUT)_[A-Za-z0-9_]+|" \
             "[a-z]+->[a-z]+|" shape "|\\*[a-z][a-z_]*"
     }

@@ -22,7 +22,7 @@ cat > "$tree/include/taut/x.h" <<'HEADER'
  *
  *     x_u = *y* | z
  *
- * With 1 < 2 and x_u x_v; see taut_one, [Known2001] and taut/x.h.
+ * With 1 < 2 and x_u x_v; see taut_one, [WuWang2011] and taut/x.h.
  */
 #ifndef TAUT_X_H
 #define TAUT_X_H
@@ -57,7 +57,7 @@ What x is, a \| b. [All headers](README.md)
 x_u = *y* | z
 ```
 
-With 1 \< 2 and x\_u x\_v; see [`taut_one`](#taut_one), [\[Known2001\]](../references.bib) and [taut/x.h](x.md).
+With 1 \< 2 and x\_u x\_v; see [`taut_one`](#taut_one), [\[WuWang2011\]](../references.bib) and [taut/x.h](x.md).
 
 ### <a id="taut_one"></a><a id="taut_two"></a>`taut_one`, `taut_two`
 
