@@ -27,6 +27,8 @@ typedef enum taut_plateau_method {
 enum { TAUT_PLATEAU_REFINE_MAX = 6 };
 enum { TAUT_PLATEAU_REFINED_MAX = 1000000 };
 #define TAUT_PLATEAU_AREA_MIN 1e-11 /* of tolerance_area */
+/* Control points of a net that tolerance_area puts knots into. */
+enum { TAUT_PLATEAU_ADAPTED_MAX = 2500 };
 
 /* Zero means default everywhere. */
 typedef struct taut_plateau_problem {

@@ -43,6 +43,7 @@ static taut_status check_start(const taut_plateau_problem *problem, taut_error *
 static taut_status check_tolerance_area(const taut_plateau_problem *problem, taut_error *error)
 {
     const double tolerance = problem->tolerance_area;
+    const int nu = taut_basis_count(problem->net.u), nv = taut_basis_count(problem->net.v);
 
     if (tolerance != 0 && !(tolerance >= TAUT_PLATEAU_AREA_MIN && tolerance < 1)) {
         return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", tolerance, TAUT_PLATEAU_AREA_MIN,
@@ -53,6 +54,13 @@ static taut_status check_tolerance_area(const taut_plateau_problem *problem, tau
         return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", taut_none, taut_none,
                          "tolerance_area finds its own spaces: expected neither refine nor start "
                          "beside it");
+    }
+    if (tolerance != 0 && (double)nu * nv > TAUT_PLATEAU_ADAPTED_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", (double)nu * nv,
+                         TAUT_PLATEAU_ADAPTED_MAX,
+                         "tolerance_area cannot put knots into a net of %d by %d points, expected "
+                         "at most %d: take fewer, or refine",
+                         nu, nv, TAUT_PLATEAU_ADAPTED_MAX);
     }
     if (problem->curves[0] != NULL && problem->start != NULL) {
         return taut_fail(error, TAUT_BAD_INPUT, "/start", taut_none, taut_none,

@@ -10,11 +10,12 @@
 #include "core/fail.h"
 #include "taut/operate.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { ROUNDS_MAX = 24, POINTS_MAX = 2500 };
+enum { ROUNDS_MAX = 24 };
 enum {
     MANY = 700
 }; /* points from which an estimate goes along the normals: hardly above the least */
@@ -180,13 +181,7 @@ static taut_status too_far(const rounds *r, double tolerance, taut_error *error)
 {
     const int last = r->count - 1;
     const double gap = r->areas[last] / r->limits[last] - 1;
-    if (last == 0) {
-        const int points = r->points[0][0] * r->points[0][1];
-        return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance_area", points, POINTS_MAX,
-                         "with %d by %d points the net takes no more knots, so that nothing tells "
-                         "how far its area is from the least: take at most %d points, or refine",
-                         r->points[0][0], r->points[0][1], POINTS_MAX);
-    }
+    assert(last > 0); /* the first net takes knots: see taut_plateau_make */
     return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance_area", gap, tolerance,
                      "with %d by %d points the area is estimated %.2g above the least, expected at "
                      "most %.2g: raise the degree, or the tolerance",
@@ -228,7 +223,8 @@ taut_status taut_plateau_adapt(const taut_plateau_problem *problem,
                 break;
             }
         }
-        if (r.count > ROUNDS_MAX || r.points[last][0] * r.points[last][1] > POINTS_MAX) {
+        if (r.count > ROUNDS_MAX ||
+            r.points[last][0] * r.points[last][1] > TAUT_PLATEAU_ADAPTED_MAX) {
             return too_far(&r, tolerance, error);
         }
         status = taut_plateau_insert(solution->surface, &finer, error);

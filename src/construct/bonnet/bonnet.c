@@ -8,6 +8,7 @@
 #include "core/arena.h"
 #include "core/fail.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -141,10 +142,7 @@ static taut_status fill_model(const taut_bonnet_problem *problem, const taut_mon
     taut_record *details = NULL;
     taut_status status = TAUT_OK;
 
-    if ((size_t)nu * (size_t)nv > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/segments", (double)nu * nv, TAUT_POINTS_MAX,
-                         "%d x %d control points, expected at most %d", nu, nv, TAUT_POINTS_MAX);
-    }
+    assert((double)frames * nu * nv <= TAUT_POINTS_MAX); /* see taut_bonnet_check */
     points = taut_arena_take(arena, 3 * (size_t)nu * (size_t)nv, sizeof(double));
     status = points != NULL ? take_rows(arena, nu, &u, error) : taut_fail_memory(error);
     if (status == TAUT_OK) {
