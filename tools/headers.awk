@@ -80,8 +80,8 @@ function declared(s,    i, n, part) {
         public("type", substr(s, RSTART, RLENGTH - 1))
     }
     if (s ~ /^(typedef )?enum/) {
-        sub(/^[^{]*{/, "", s)
-        sub(/}[^}]*$/, "", s)
+        sub(/^[^{]*[{]/, "", s)
+        sub(/[}][^}]*$/, "", s)
         n = split(s, part, ",")
         for (i = 1; i <= n; i++) {
             if (match(part[i], /^ *TAUT_[A-Z0-9_]+ *(=|$)/)) {
@@ -205,7 +205,7 @@ inside {
     whole = whole (whole == "" || macro ? "" : " ") code
     sub(/ +$/, "", whole)
     if (!macro) {
-        open += gsub(/{/, "{", code) - gsub(/}/, "}", code)
+        open += gsub(/[{]/, "{", code) - gsub(/[}]/, "}", code)
     }
     more = remarking || (macro ? whole ~ /\\$/ : whole !~ /;$/)
     if (!open && !more) {

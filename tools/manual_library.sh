@@ -1,6 +1,7 @@
 #!/bin/sh
 # manual_library.sh VERSION taut.h -- the manual page taut(3), made of the comments of the headers that taut.h includes.
 set -eu
+export LC_ALL=C
 awk -f "$(dirname "$0")/headers.awk" "$2" | awk -F '\t' -v version="$1" '
     function verbatim(s) {
         gsub(/\\/, "\\e", s)

@@ -13,7 +13,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/reference"
 touch "$work/calls"
-awk -f "$tools/headers.awk" include/taut/taut.h > "$work/said"
+LC_ALL=C awk -f "$tools/headers.awk" include/taut/taut.h > "$work/said"
 for header in include/taut/*.h; do
     if [ "$header" != include/taut/taut.h ] && ! grep -q "^header	${header#include/}\$" "$work/said"; then
         echo "$header: taut.h does not include it"
@@ -55,7 +55,7 @@ LC_ALL=C awk -F '\t' -v work="$work" '
     function capital(s) {
         return toupper(substr(s, 1, 1)) substr(s, 2)
     }
-    function turn(to,    i) { # from one kind of block to another
+    function turn(to) { # from one kind of block to another
         if (to == block && to != "para") {
             return
         }
