@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-evaluate bench-plateau format check mutants reproduction install deb \
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-evaluate bench-plateau format check mutants reproduction reference install deb \
   clean help
 
 demo: build
@@ -56,6 +56,9 @@ install: build
 
 reproduction: build
 	@tools/reproduction.sh
+
+reference:
+	@tools/reference.sh
 
 deb: build
 	@tools/deps.sh check

@@ -33,10 +33,10 @@ Cflags: -I\${includedir}
 ")
 install(FILES ${CMAKE_BINARY_DIR}/generated/taut.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-# Pages and completion, made of what the program says of itself and of the reference of the documents.
+# Pages and completion, made of what the program says of itself, of the headers and of the reference of the documents.
 set(made ${CMAKE_BINARY_DIR}/generated)
 function(taut_made file)
-  cmake_parse_arguments(PARSE_ARGV 1 made "" "FROM" "COMMAND")
+  cmake_parse_arguments(PARSE_ARGV 1 made "" "" "FROM;COMMAND")
   list(GET made_COMMAND 0 script)
   add_custom_command(OUTPUT ${made}/${file}
     COMMAND sh ${made_COMMAND} > ${made}/${file}.new
@@ -47,9 +47,13 @@ taut_made(taut.1 COMMAND ${CMAKE_SOURCE_DIR}/tools/manual.sh $<TARGET_FILE:taut_
 taut_made(taut.bash COMMAND ${CMAKE_SOURCE_DIR}/tools/completion.sh $<TARGET_FILE:taut_program>)
 taut_made(taut.5 FROM ${CMAKE_SOURCE_DIR}/docs/format.md
   COMMAND ${CMAKE_SOURCE_DIR}/tools/manual_documents.sh ${PROJECT_VERSION} ${CMAKE_SOURCE_DIR}/docs/format.md)
-add_custom_target(manual ALL DEPENDS ${made}/taut.1 ${made}/taut.5 ${made}/taut.bash)
+file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/include/taut/*.h)
+taut_made(taut.3 FROM ${headers} ${CMAKE_SOURCE_DIR}/tools/headers.awk
+  COMMAND ${CMAKE_SOURCE_DIR}/tools/manual_library.sh ${PROJECT_VERSION} ${CMAKE_SOURCE_DIR}/include/taut/taut.h)
+add_custom_target(manual ALL DEPENDS ${made}/taut.1 ${made}/taut.3 ${made}/taut.5 ${made}/taut.bash)
 add_dependencies(product manual)
 install(FILES ${made}/taut.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${made}/taut.3 DESTINATION ${CMAKE_INSTALL_MANDIR}/man3)
 install(FILES ${made}/taut.5 DESTINATION ${CMAKE_INSTALL_MANDIR}/man5)
 install(FILES ${made}/taut.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME taut)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples/c DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

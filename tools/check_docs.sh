@@ -1,7 +1,9 @@
 #!/bin/sh
 # check_docs.sh [ROOT] -- nothing public without a word about it: every declaration in include/taut has its comment or stands in
-# a group that has one; every construction, basis, format and command has its place in the pages; every link leads somewhere.
+# a group that has one; every construction, basis, format and command has its place in the pages; every link leads somewhere; docs/reference
+# is what the headers say.
 set -eu
+tools=$(cd "$(dirname "$0")" && pwd)
 cd "${1:-$(dirname "$0")/..}"
 bad=0
 lost=$(mktemp)
@@ -73,13 +75,72 @@ for name in $(sed -n 's/^ *X(\([a-z]*\)).*/\1/p' src/cli/command_list.h 2> /dev/
     grep -q "^| \`taut $name[ \`]" README.md || complain "README.md has no row for taut $name"
 done
 
-# Links of the pages, but those to the web and within a page.
-for page in README.md CONTRIBUTING.md docs/*.md docs/*/*.md; do
-    [ -e "$page" ] || continue
-    sed 's/`[^`]*`//g' "$page" | grep -o '](\([^)#]*\)[^)]*)' | sed 's/^](//; s/[)# ].*//' | sort -u | while read -r link; do
-        case $link in http:* | https:* | mailto:* | '') continue ;; esac
-        [ -e "$(dirname "$page")/$link" ] || echo "$page: leads to $link, which is not there"
-    done
+if [ -e include/taut/taut.h ]; then
+    "$tools/reference.sh" --check . || bad=1
+fi
+
+# Links of the pages, but those to the web: the file, and in pages the place, a heading in lower case without marks or an id.
+pages=$(ls README.md CONTRIBUTING.md docs/*.md docs/*/*.md 2> /dev/null || true)
+# shellcheck disable=SC2086
+[ -z "$pages" ] || awk '
+    function resolve(path,    folder) { # from the folder of this page
+        folder = FILENAME
+        sub(/[^\/]*$/, "", folder)
+        return path == "" ? FILENAME : folder path
+    }
+    function plain(path) {
+        while (sub(/[^\/]+\/\.\.\//, "", path)) { }
+        return path
+    }
+    FNR == 1 { fenced = 0; seen[FILENAME] = 1 }
+    /^```/ { fenced = !fenced }
+    fenced { next }
+    {
+        rest = $0
+        while (match(rest, /<a id="[^"]*"/)) {
+            place[FILENAME "#" substr(rest, RSTART + 7, RLENGTH - 8)] = 1
+            rest = substr(rest, RSTART + RLENGTH)
+        }
+    }
+    /^#+ / {
+        heading = $0
+        gsub(/^#+ |<[^>]*>/, "", heading)
+        heading = tolower(heading)
+        gsub(/[^a-z0-9_ -]/, "", heading)
+        gsub(/ /, "-", heading)
+        place[FILENAME "#" heading] = 1
+    }
+    {
+        rest = $0
+        gsub(/`[^`]*`/, "", rest)
+        while (match(rest, /\]\([^)]*\)/)) {
+            link = substr(rest, RSTART + 2, RLENGTH - 3)
+            rest = substr(rest, RSTART + RLENGTH)
+            sub(/ .*/, "", link)
+            if (link ~ /^(https?|mailto):/ || link == "") {
+                continue
+            }
+            mark = index(link "#", "#")
+            printf "%s\t%s\t%s\n", FILENAME, link, resolve(substr(link, 1, mark - 1))
+            if (mark < length(link)) {
+                from[++links] = FILENAME "\t" link
+                page[links] = plain(resolve(substr(link, 1, mark - 1)))
+                goal[links] = page[links] substr(link, mark)
+            }
+        }
+    }
+    END {
+        for (i = 1; i <= links; i++) {
+            if ((page[i] in seen) && !(goal[i] in place)) {
+                print from[i] "\t"
+            }
+        }
+    }' $pages | sort -u | while IFS='	' read -r page link file; do
+    if [ -z "$file" ]; then
+        echo "$page: leads to $link, where there is no such place"
+    elif [ ! -e "$file" ]; then
+        echo "$page: leads to $link, which is not there"
+    fi
 done > "$lost"
 if [ -s "$lost" ]; then
     cat "$lost"

@@ -91,6 +91,15 @@ for construct in $(sed -n 's/.*X([a-z_0-9]*, "\([a-z-]*\)".*/\1/p' "$source/src/
     name=$(echo "$construct" | sed 's/-/\\\\-/g')
     grep -q "^\.SS .*$name" "$prefix/share/man/man5/taut.5" || fail "taut(5) has no section $construct"
 done
+# So has each function of the library; and troff has nothing to say about the pages.
+while read -r symbol; do
+    grep -q "[ *]$symbol(" "$prefix/share/man/man3/taut.3" || fail "taut(3) does not know $symbol"
+done < "$source/tools/symbols.txt"
+if command -v man > /dev/null; then
+    for page in "$prefix"/share/man/man?/taut.?; do
+        LC_ALL=C.UTF-8 man --warnings -l "$page" 2>&1 > /dev/null | grep . && fail "man does not like $page"
+    done
+fi
 cat > complete.bash <<'END'
 . "$1/share/bash-completion/completions/taut"
 ask() { # ask WORD...: what the last word may become

@@ -21,5 +21,5 @@ for command in $("$taut" --help | sed -n 's/^  taut \([a-z]*\)  .*/\1/p'); do
     printf '.SS %s\n' "$command"
     "$taut" "$command" --help | verbatim
 done
-printf '.SH SEE ALSO\nThe formats of problems, models and reports are described in docs/format.md of the sources;\n'
+printf '.SH SEE ALSO\n.BR taut (3),\n.BR taut (5).\nThe formats of problems, models and reports are described in docs/format.md of the sources;\n'
 printf '.B taut schema\nprints them as JSON Schema.\n'

@@ -111,6 +111,6 @@ awk -v version="$1" '
     }
     END {
         leave()
-        print ".SH SEE ALSO\n.BR taut (1);\n.B taut schema\nprints the same as JSON Schema."
+        print ".SH SEE ALSO\n.BR taut (1),\n.BR taut (3);\n.B taut schema\nprints the same as JSON Schema."
     }
 ' "$2"

@@ -20,7 +20,7 @@ extern "C" {
 
 enum {
     TAUT_ASYMPTOTIC_DEGREE_MAX = 8, /* of the boundary curves; the least is 3 */
-    TAUT_ASYMPTOTIC_V0 = 0,
+    TAUT_ASYMPTOTIC_V0 = 0,         /* edges */
     TAUT_ASYMPTOTIC_U0 = 1,
     TAUT_ASYMPTOTIC_V1 = 2,
     TAUT_ASYMPTOTIC_U1 = 3,

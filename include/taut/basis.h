@@ -13,12 +13,13 @@
  *     "h-bezier"   4 over {1, t, sinh t, cosh t}, 0 < beta        [0, beta]
  *     "h-bspline"  the same, C^2 and uniform, 0 < beta            [0, segments beta]
  *     "ce-bezier"  4 quartic polynomials with three shape numbers [0, 1]
- *     (src/basis/basis_list.h names all; docs/format.md gives the members of each)
+ *
+ * src/basis/basis_list.h names all; docs/format.md gives the members of each.
  *
  * Lengths alpha and beta are at least TAUT_SPAN_MIN, beta at most 700 (cosh must not overflow); the
  * shape numbers of a ce-bezier are at most 1000 in size, those outside its legal box included.
  *
- * Accuracy of the five of the second part, t in the closed range: each value and derivative within
+ * Accuracy of the c-, h- and ce- bases, t in the closed range: each value and derivative within
  * 1e-14 of the largest of its order there (c-bspline: on that span; ce-bezier: the largest shape
  * number times that), t taken as exact to a rounding error of the ends of its range.
  *
@@ -37,6 +38,7 @@ extern "C" {
 
 enum { TAUT_ORDER_MAX = 3 }; /* highest derivative any evaluation gives */
 
+/* Immutable; every call on a const one is safe from any thread. */
 typedef struct taut_basis taut_basis;
 
 /* What a basis is made from, the members of its document. Zero-initialise, then fill what the
@@ -61,19 +63,22 @@ typedef struct taut_basis_spec {
  * TAUT_NO_MEMORY. The caller owns *basis. */
 TAUT_API taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basis **basis,
                                     taut_error *error);
+/* A deep copy, the caller's. TAUT_NO_MEMORY. */
 TAUT_API taut_status taut_basis_copy(const taut_basis *basis, taut_basis **copy);
 TAUT_API void taut_basis_free(taut_basis *basis); /* NULL is fine */
 
 /* The spec that makes this basis again, in full form; spec->knots is borrowed from the basis. */
 TAUT_API void taut_basis_spec_of(const taut_basis *basis, taut_basis_spec *spec);
-TAUT_API int taut_basis_equal(const taut_basis *a, const taut_basis *b); /* bit for bit */
+/* Nonzero: both are the same basis over the same range, bit for bit. */
+TAUT_API int taut_basis_equal(const taut_basis *a, const taut_basis *b);
 
-TAUT_API const char *taut_basis_type(const taut_basis *basis);
-TAUT_API int taut_basis_count(const taut_basis *basis);      /* functions */
-TAUT_API int taut_basis_local(const taut_basis *basis);      /* functions alive on one span */
-TAUT_API int taut_basis_span_count(const taut_basis *basis); /* non-empty spans */
+TAUT_API const char *taut_basis_type(const taut_basis *basis); /* such as "bezier"; borrowed */
+TAUT_API int taut_basis_count(const taut_basis *basis);        /* functions */
+TAUT_API int taut_basis_local(const taut_basis *basis);        /* functions alive on one span */
+TAUT_API int taut_basis_span_count(const taut_basis *basis);   /* non-empty spans */
 /* double[span_count + 1], strictly increasing; the ends are the range. Borrowed. */
 TAUT_API const double *taut_basis_breaks(const taut_basis *basis);
+/* The ends of the range. */
 TAUT_API double taut_basis_lo(const taut_basis *basis);
 TAUT_API double taut_basis_hi(const taut_basis *basis);
 /* Polynomial degree on each span, or -1 where the functions are not polynomials. */
@@ -84,7 +89,7 @@ TAUT_API int taut_basis_allows_weights(const taut_basis *basis);
 /* The span that holds t: the one on the right at an inner break, the last one at the upper end.
  * t outside the range takes the first or last span. */
 TAUT_API int taut_basis_span(const taut_basis *basis, double t);
-/* Index of the first function alive on a span. */
+/* Index of the first function alive on a span, 0 .. span_count-1. */
 TAUT_API int taut_basis_first(const taut_basis *basis, int span);
 
 /* The functions alive on a span, and their derivatives:

@@ -30,17 +30,22 @@ typedef struct taut_claim {
 typedef struct taut_certificate taut_certificate;
 
 TAUT_API void taut_certificate_free(taut_certificate *certificate); /* NULL is fine */
+/* A deep copy, the caller's. TAUT_NO_MEMORY. */
 TAUT_API taut_status taut_certificate_copy(const taut_certificate *certificate,
                                            taut_certificate **copy);
 
+/* The construction's name, such as "dirichlet"; borrowed. */
 TAUT_API const char *taut_certificate_construct(const taut_certificate *certificate);
 /* TAUT_FALSE if any claim is, else TAUT_UNDECIDED if any is, else TAUT_TRUE. */
 TAUT_API taut_verdict taut_certificate_holds(const taut_certificate *certificate);
+/* The claims, i = 0 .. count-1, NULL beyond; and the figures, an object. Borrowed. */
 TAUT_API int taut_certificate_claim_count(const taut_certificate *certificate);
 TAUT_API const taut_claim *taut_certificate_claim(const taut_certificate *certificate, int i);
 TAUT_API const taut_record *taut_certificate_figures(const taut_certificate *certificate);
 
-/* Building one, for certificates of your own: strings and figures are copied / taken over. */
+/* Building one, for certificates of your own. *certificate is the caller's; names and claims are
+ * copied; figures are owned by the certificate from then on, in place of what was there.
+ * TAUT_NO_MEMORY. */
 TAUT_API taut_status taut_certificate_new(const char *construct, taut_certificate **certificate);
 TAUT_API taut_status taut_certificate_add(taut_certificate *certificate, const taut_claim *claim);
 TAUT_API void taut_certificate_set_figures(taut_certificate *certificate, taut_record *figures);

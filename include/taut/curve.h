@@ -15,13 +15,18 @@ extern "C" {
 
 typedef struct taut_curve taut_curve;
 
-/* points double[n][3], weights double[n] or NULL, n the count of t; errors as taut_surface_new. */
+/* name     at most TAUT_NAME_MAX bytes of UTF-8, NULL means ""
+ * t        the basis, copied
+ * points   double[n][3], finite, n the count of t
+ * weights  double[n], finite and positive, or NULL; only on bases that allow them
+ * TAUT_BAD_INPUT with error->where such as "/weights/3"; TAUT_NO_MEMORY. The caller owns *curve. */
 TAUT_API taut_status taut_curve_new(const char *name, const taut_basis *t, const double *points,
                                     const double *weights, taut_curve **curve, taut_error *error);
+/* A deep copy, the caller's. TAUT_NO_MEMORY. */
 TAUT_API taut_status taut_curve_copy(const taut_curve *curve, taut_curve **copy);
 TAUT_API void taut_curve_free(taut_curve *curve); /* NULL is fine */
 
-TAUT_API const char *taut_curve_name(const taut_curve *curve);
+TAUT_API const char *taut_curve_name(const taut_curve *curve);      /* borrowed, never NULL */
 TAUT_API const taut_basis *taut_curve_t(const taut_curve *curve);   /* borrowed */
 TAUT_API const double *taut_curve_points(const taut_curve *curve);  /* borrowed */
 TAUT_API const double *taut_curve_weights(const taut_curve *curve); /* borrowed, or NULL */

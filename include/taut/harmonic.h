@@ -60,7 +60,7 @@ typedef enum taut_contact {
 } taut_contact;
 
 typedef struct taut_harmonic_extension_problem {
-    const taut_surface *surface; /* bezier bases, no weights, harmonic to 1e-10 of section 3 A */
+    const taut_surface *surface; /* bezier bases, no weights, harmonic to 1e-10 (section 3 A) */
     taut_edge edge;
     double width;                  /* in parameter length; 0: that of the given surface */
     const taut_surface *neighbour; /* NULL, or the other piece of one surface, which is to be merged

@@ -1,8 +1,11 @@
 /* taut/measure.h -- lengths, areas, energies, curvatures of what was made.
  *
- * First fundamental form  E = x_u.x_u  F = x_u.x_v  G = x_v.x_v,  W = |x_u x x_v| = sqrt(EG - F^2);
- * second, with the unit normal n = x_u x x_v / W:  L = x_uu.n  M = x_uv.n  N = x_vv.n;
+ * The fundamental forms, with the unit normal n = x_u x x_v / W, and mean and Gaussian curvature:
+ *
+ *     E = x_u.x_u   F = x_u.x_v   G = x_v.x_v   W = |x_u x x_v| = sqrt(E G - F^2)
+ *     L = x_uu.n    M = x_uv.n    N = x_vv.n
  *     H = (L G - 2 M F + N E) / (2 W^2)        K = (L N - M^2) / W^2
+ *
  * Source: [WuWang2011] sections 2.3 and 2.6. Where W = 0 there is no normal: such points are left
  * out of extremes and counted.
  */
@@ -84,16 +87,16 @@ typedef struct taut_surface_measure {
     double dirichlet_energy;
     double bending_energy; /* iint |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2; infinity where a crease makes
                               it so */
-    double box[2][3];
-    double max_abs_mean, mean_abs_mean;
-    double min_gaussian, max_gaussian;
-    double max_e_minus_g, max_f;
-    double isothermality; /* sqrt(iint (E-G)^2 + 4F^2) / iint (E+G); 0 for a point */
-    double max_laplacian;
-    double max_abs_mean_at[2];  /* parameters (u, v) of the largest |H| on the grid */
-    taut_edge_measure edges[4]; /* u0, u1, v0, v1 */
-    long singular_points;
-    taut_jacobian jacobian; /* of planar surfaces */
+    double box[2][3];      /* lowest and highest x, y, z of the whole surface */
+    double max_abs_mean, mean_abs_mean; /* of |H|: largest on the grid, mean over the area */
+    double min_gaussian, max_gaussian;  /* of K on the grid */
+    double max_e_minus_g, max_f;        /* of |E - G| and |F| on the grid */
+    double isothermality;               /* sqrt(iint (E-G)^2 + 4F^2) / iint (E+G); 0 for a point */
+    double max_laplacian;               /* of |x_uu + x_vv| on the grid */
+    double max_abs_mean_at[2];          /* parameters (u, v) of the largest |H| on the grid */
+    taut_edge_measure edges[4];         /* u0, u1, v0, v1 */
+    long singular_points;               /* of the grid: those without a normal */
+    taut_jacobian jacobian;             /* of planar surfaces */
 } taut_surface_measure;
 
 /* All of the above at once. TAUT_BAD_ARGUMENT (NULL, an option out of range), TAUT_NO_MEMORY. */
@@ -120,8 +123,8 @@ TAUT_API taut_status taut_surface_dirichlet_energy(const taut_surface *surface, 
 TAUT_API taut_status taut_surface_bending_energy(const taut_surface *surface, double *energy);
 TAUT_API taut_status taut_surface_isothermality(const taut_surface *surface, double *isothermality);
 
-/* The documents of `taut measure --json`, one surface or curve: adds the members of the
- * contract (name first) to `record`. */
+/* The documents of `taut measure --json`, one surface or curve: adds the members that
+ * docs/format.md lists (name first) to `record`. */
 TAUT_API void taut_measure_surface_record(const taut_surface *surface,
                                           const taut_surface_measure *measure, taut_record *record);
 TAUT_API void taut_measure_curve_record(const taut_curve *curve, const taut_curve_measure *measure,

@@ -7,8 +7,9 @@
  *                 that they do meet in a point. Panels are tangent to the surface; at each inner
  *                 vertex the panels touch a cone: offsets at constant distance are exact, beams
  *                 meet without twist.
- *     circular    vertex ((lambda n sin a + s sin u cosh v)/w, (m sinh b + s lambda cos u sinh
- * v)/w, s cos u cosh v) at u = u_0 + n a, v = v_0 + m b: each panel has a circumcircle.
+ *     circular    vertex (n, m) is ((lambda n sin a + s sin u cosh v) / w,
+ *                                   (m sinh b + s lambda cos u sinh v) / w, s cos u cosh v)
+ *                 at u = u_0 + n a, v = v_0 + m b: each panel has a circumcircle.
  *
  * Both tend to the surface like a^2 + b^2. Only for theta = 0: other associates have no curvature
  * lines along their parameters. Source: docs/papers/minimal-mesh.md; [XuWang2006] for the surface.

@@ -95,9 +95,12 @@ typedef struct taut_pipe_problem {
  * least three radii (a long-radius elbow).
  *
  * With TAUT_PIPE_CURVATURE_JOINT the axis is the quintic Bezier curve of V_0, Q_1, V_1, V_2, Q_4,
- * V_3, Q_1 = V_0 + (3 + alpha)/4 (V_1 - V_0),   Q_4 = V_3 - (3 + gamma)/4 (V_3 - V_2) without
- * curvature at its ends, so that blend and cylinders have equal curvatures at the joints; beta is
- * 0.
+ * V_3,
+ *
+ *     Q_1 = V_0 + (3 + alpha)/4 (V_1 - V_0),   Q_4 = V_3 - (3 + gamma)/4 (V_3 - V_2)
+ *
+ * without curvature at its ends, so that blend and cylinders have equal curvatures at the joints;
+ * beta is 0.
  *
  * With sections the pipes are elliptic: the ellipse is carried along by the rotation-minimising
  * frame and turned by t^2 (3 - 2 t) (with TAUT_PIPE_CURVATURE_JOINT t^3 (10 - 15 t + 6 t^2)) of the
@@ -117,7 +120,9 @@ typedef struct taut_pipe_problem {
  * lengths, ends, polygon.
  *
  * TAUT_BAD_INPUT: numbers out of range. TAUT_BAD_ARGUMENT: a tolerance below 1e-12.
- * TAUT_NO_SOLUTION, the message beginning with DEGENERATE_EDGE        V_0 = V_1 or V_2 = V_3
+ * TAUT_NO_SOLUTION, the message beginning with
+ *
+ *     DEGENERATE_EDGE        V_0 = V_1 or V_2 = V_3
  *     PARALLEL_AXES          no common perpendicular
  *     PARAMETER_DOMAIN       a shape number outside the legal box, not extended; beta with "g2"
  *     TANGENT_LOST           alpha or gamma at or below -3
@@ -139,10 +144,9 @@ TAUT_API taut_status taut_pipe_make(const taut_pipe_problem *problem,
                                     const taut_make_options *options, taut_model **model,
                                     taut_error *error);
 
-/* Proves it again: claims joint1, joint2, embedded, tube, for "g2" curvature1 and
- * curvature2, and with a problem ends, and optimal
- * where the shape was chosen; of a run joints, curvatures, embedded, tube, ends, bend_radius
- * (docs/pipe.md). problem may be NULL. */
+/* Proves it again: claims joint1, joint2, embedded, tube, for "g2" curvature1 and curvature2, and
+ * with a problem ends, and optimal where the shape was chosen; of a run joints, curvatures,
+ * embedded, tube, ends, bend_radius (docs/pipe.md). problem may be NULL. */
 TAUT_API taut_status taut_pipe_certify(const taut_model *model, const taut_pipe_problem *problem,
                                        const taut_certify_options *options,
                                        taut_certificate **certificate, taut_error *error);

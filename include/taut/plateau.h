@@ -23,8 +23,8 @@ typedef enum taut_plateau_method {
                             * as the net allows on fine ones */
 } taut_plateau_method;
 
+/* The most that `refine` may be, and the most control points of the last net it leads to. */
 enum { TAUT_PLATEAU_REFINE_MAX = 6 };
-/* Control points of the last net of such an estimate. */
 enum { TAUT_PLATEAU_REFINED_MAX = 1000000 };
 #define TAUT_PLATEAU_AREA_MIN 1e-11 /* of tolerance_area */
 /* Control points of a net that tolerance_area puts knots into. */

@@ -2,8 +2,9 @@
  *
  * Problems and models are JSON (docs/format.md). Errors say the file, line and column where JSON
  * broke, or the JSON pointer of the member, what was found and what was expected:
- * TAUT_BAD_INPUT for a document that is wrong, TAUT_NO_SOLUTION for the contract's exceptions,
- * TAUT_IO for a file that cannot be read, TAUT_NO_MEMORY. All input is taken to be hostile.
+ * TAUT_BAD_INPUT for a document that is wrong, TAUT_NO_SOLUTION for one that is well formed and
+ * asks for what does not exist, TAUT_IO for a file that cannot be read, TAUT_NO_MEMORY. All input
+ * is taken to be hostile.
  */
 #ifndef TAUT_READ_H
 #define TAUT_READ_H

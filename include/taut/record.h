@@ -35,7 +35,7 @@ typedef enum taut_record_kind {
 TAUT_API taut_record *taut_record_new(void);
 /* A new empty list as root. */
 TAUT_API taut_record *taut_record_new_list(void);
-TAUT_API void taut_record_free(taut_record *record);
+TAUT_API void taut_record_free(taut_record *record); /* NULL is fine */
 /* A deep copy as a root of its own, or NULL when memory runs out or `record` is NULL. */
 TAUT_API taut_record *taut_record_copy(const taut_record *record);
 

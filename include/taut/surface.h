@@ -21,14 +21,17 @@ typedef struct taut_surface taut_surface;
  * u, v     the bases, copied
  * points   double[nu][nv][3], finite, nu and nv the counts of u and v
  * weights  double[nu][nv], finite and positive, or NULL; only on bases that allow them
- * TAUT_BAD_INPUT with error->where such as "/weights/0/3"; TAUT_NO_MEMORY. */
+ * TAUT_BAD_INPUT with error->where such as "/weights/0/3"; TAUT_NO_MEMORY. The caller owns
+ * *surface. */
 TAUT_API taut_status taut_surface_new(const char *name, const taut_basis *u, const taut_basis *v,
                                       const double *points, const double *weights,
                                       taut_surface **surface, taut_error *error);
+/* A deep copy, the caller's. TAUT_NO_MEMORY. */
 TAUT_API taut_status taut_surface_copy(const taut_surface *surface, taut_surface **copy);
-/* The same with points that are rational: exact[nu][nv][3] are texts "p" or "p/q", of which
- * `points` are the nearest doubles; NULL where a coordinate is the double itself. The texts are
- * copied, and are written in place of the doubles as JSON; only operations that say so keep them.
+/* As taut_surface_new, with points that are rational: exact[nu][nv][3] are texts "p" or "p/q", of
+ * which `points` are the nearest doubles; NULL where a coordinate is the double itself. The texts
+ * are copied, and are written in place of the doubles as JSON; only operations that say so keep
+ * them.
  */
 TAUT_API taut_status taut_surface_new_exact(const char *name, const taut_basis *u,
                                             const taut_basis *v, const double *points,
@@ -36,7 +39,7 @@ TAUT_API taut_status taut_surface_new_exact(const char *name, const taut_basis *
                                             taut_surface **surface, taut_error *error);
 TAUT_API void taut_surface_free(taut_surface *surface); /* NULL is fine */
 
-TAUT_API const char *taut_surface_name(const taut_surface *surface);
+TAUT_API const char *taut_surface_name(const taut_surface *surface);      /* borrowed, never NULL */
 TAUT_API const taut_basis *taut_surface_u(const taut_surface *surface);   /* borrowed */
 TAUT_API const taut_basis *taut_surface_v(const taut_surface *surface);   /* borrowed */
 TAUT_API const double *taut_surface_points(const taut_surface *surface);  /* borrowed */

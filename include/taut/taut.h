@@ -1,32 +1,46 @@
-/* taut/taut.h -- all of taut's API. */
+/* taut/taut.h -- all of taut's API, in the order of the work. */
 #ifndef TAUT_TAUT_H
 #define TAUT_TAUT_H
 
-#include "taut/asymptotic.h"
+/* What surfaces are made of */
 #include "taut/basis.h"
+#include "taut/curve.h"
+#include "taut/surface.h"
+
+/* Problems: made and certified */
+#include "taut/construct.h"
+
+/* Constructions */
+#include "taut/asymptotic.h"
 #include "taut/biharmonic.h"
 #include "taut/bonnet.h"
-#include "taut/certify.h"
-#include "taut/construct.h"
-#include "taut/curve.h"
 #include "taut/dirichlet.h"
 #include "taut/harmonic.h"
-#include "taut/join.h"
-#include "taut/limits.h"
-#include "taut/measure.h"
-#include "taut/mesh.h"
-#include "taut/model.h"
-#include "taut/monitor.h"
-#include "taut/operate.h"
-#include "taut/panels.h"
 #include "taut/pipe.h"
 #include "taut/plateau.h"
-#include "taut/read.h"
-#include "taut/recognise.h"
+
+/* What comes out */
+#include "taut/certify.h"
+#include "taut/model.h"
 #include "taut/record.h"
-#include "taut/status.h"
-#include "taut/surface.h"
-#include "taut/version.h"
+
+/* Measured, joined, cut */
+#include "taut/join.h"
+#include "taut/measure.h"
+#include "taut/operate.h"
+#include "taut/recognise.h"
+
+/* Meshes, panels and files */
+#include "taut/mesh.h"
+#include "taut/panels.h"
+#include "taut/read.h"
 #include "taut/write.h"
+
+/* For every call */
+#include "taut/export.h"
+#include "taut/limits.h"
+#include "taut/monitor.h"
+#include "taut/status.h"
+#include "taut/version.h"
 
 #endif /* TAUT_TAUT_H */

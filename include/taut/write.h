@@ -63,7 +63,9 @@ TAUT_API int taut_format_of(const char *path, taut_error *error);
 /* Several outputs that appear together or not at all. */
 typedef struct taut_outputs taut_outputs;
 TAUT_API taut_status taut_outputs_new(taut_outputs **outputs);
-/* Writes the model beside `path` in the format of its ending; nothing is visible yet. */
+/* Writes the model beside `path` in the format of its ending; nothing is visible yet.
+ * TAUT_BAD_ARGUMENT: no such format or surface, an option out of its range; TAUT_NO_SOLUTION: what
+ * the format cannot hold; TAUT_IO; TAUT_NO_MEMORY; TAUT_INTERRUPTED. */
 TAUT_API taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model,
                                         const char *path, const taut_write_options *options,
                                         taut_error *error);
@@ -93,7 +95,7 @@ TAUT_API taut_status taut_model_write(const taut_model *model, const char *path,
 /* A record as JSON text, two spaces an indent, numbers to 17 digits as needed to read back the
  * same; *text is the caller's, to be freed by taut_text_free. */
 TAUT_API taut_status taut_record_write(const taut_record *record, char **text, size_t *length);
-TAUT_API void taut_text_free(char *text);
+TAUT_API void taut_text_free(char *text); /* NULL is fine */
 
 #ifdef __cplusplus
 }

@@ -96,8 +96,39 @@ catches docs docs/x.md 'which is not there' 'see [there](gone.md)\n'
 fresh
 printf '/* x.h */\n\n/* one */\nTAUT_API int taut_x(void);\nTAUT_API int taut_y(void);\n\nTAUT_API int taut_z(int a,\n    int b); %s\n' \
     '/* a sum */' > "$tree/include/taut/x.h"
-printf 'see [there](#here), [me](x.md#part) and `[no](link)`\n' > "$tree/docs/x.md"
+printf '# The part, here\n<a id="X_y"></a>\nsee [there](#the-part-here), [me](x.md#X_y) and `[no](link)`\n' > "$tree/docs/x.md"
 passes docs
+
+catches docs docs/x.md 'no such place' '# Here\n[there](#her)\n'
+catches docs docs/x.md 'no such place' '<a id="X_Y"></a>\n[there](x.md#x_y)\n'
+
+# The reference: made of the headers, and noticed where it is not what they say, lacks a page, or a symbol.
+library() {
+    fresh
+    mkdir -p "$tree/tools" "$tree/examples/c"
+    printf '## The library\n' > "$tree/README.md"
+    printf '/* taut/taut.h -- all. */\n\n/* First */\n#include "taut/status.h"\n#include "taut/known.h"\n' > "$tree/include/taut/taut.h"
+    printf 'taut_exempt\ntaut_known\n' > "$tree/tools/symbols.txt"
+    "$SOURCE/tools/reference.sh" "$tree" || fail "reference.sh refuses a clean tree"
+}
+stale() { # stale EXPECTED: check_docs fails and says so
+    said=$("$SOURCE/tools/check_docs.sh" "$tree" 2>&1) && fail "check_docs does not say: $1"
+    case $said in *"$1"*) ;; *) fail "check_docs says \"$said\", expected \"$1\"" ;; esac
+}
+library
+passes docs
+grep -q '^Two\.$' "$tree/docs/reference/known.md" || fail "the reference lacks the comment of a function"
+sed -i 's/Two\./Three./' "$tree/include/taut/known.h"
+stale 'docs/reference is not what the headers say'
+library
+rm "$tree/docs/reference/known.md"
+stale 'docs/reference is not what the headers say'
+library
+echo taut_new >> "$tree/tools/symbols.txt"
+stale 'docs/reference knows no taut_new'
+library
+printf '/* x.h -- more. */\n' > "$tree/include/taut/x.h"
+stale 'taut.h does not include it'
 
 catches faults include/taut/x.h 'taut_x: no test' '/* x.h */\nTAUT_API taut_status\ntaut_x(int n);\n'
 catches faults include/taut/x.h 'taut_x: no test' '/* x.h */\nTAUT_API void taut_x(taut_record *record);\n'
