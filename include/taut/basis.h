@@ -59,7 +59,8 @@ typedef struct taut_basis_spec {
 
 /* Makes a basis. `functions` is the number of control points it must serve, or 0 if not known yet;
  * a bspline needs it to tell the two knot forms apart (0 takes the full form).
- * TAUT_BAD_INPUT: the spec is illegal; error->where is the member, such as "/knots/3".
+ * TAUT_BAD_INPUT: the spec is illegal; error->where is the member, such as "/knots/3", "" where it
+ * is the spec as a whole. TAUT_NO_SOLUTION: alpha so large that the functions are dependent.
  * TAUT_NO_MEMORY. The caller owns *basis. */
 TAUT_API taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basis **basis,
                                     taut_error *error);

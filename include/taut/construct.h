@@ -39,20 +39,23 @@ TAUT_API void taut_workspace_free(taut_workspace *workspace);        /* NULL is 
 /* How many makes found their factors there. */
 TAUT_API size_t taut_workspace_reuses(const taut_workspace *workspace);
 
-/* Zero means default everywhere. */
+/* Zero means default everywhere. taut_make refuses what is out of its range (TAUT_BAD_ARGUMENT); a
+ * construction called through its own header reads only what it has a use for. */
 typedef struct taut_make_options {
     double tolerance; /* largest distance from the exact surface over its size; 0: 1e-6 */
     int threads;      /* 0: 1 */
     taut_monitor monitor;
     taut_workspace *workspace; /* borrowed; NULL: none */
     int exact; /* nonzero: in rational arithmetic (harmonic and harmonic-extension): surfaces come
-                * with their exact points. TAUT_BAD_ARGUMENT for other constructions, TAUT_IO
-                * without FLINT */
+                * with their exact points. TAUT_BAD_ARGUMENT from taut_make for other
+                * constructions, TAUT_IO without FLINT */
 } taut_make_options;
 
 /* Makes the model: surfaces, curves and `details`, no certificate yet. options may be NULL.
- * TAUT_NO_SOLUTION: well formed, but what it asks for does not exist; TAUT_NOT_CONVERGED;
- * TAUT_NO_MEMORY; TAUT_INTERRUPTED. *model is the caller's on success, untouched on failure. */
+ * TAUT_BAD_ARGUMENT: NULL, or an option out of its range; TAUT_BAD_INPUT: data that is,
+ * error->where the member; TAUT_NO_SOLUTION: well formed, but what it asks for does not exist;
+ * TAUT_NOT_CONVERGED; TAUT_NO_MEMORY; TAUT_INTERRUPTED. *model is the caller's on success,
+ * untouched on failure. */
 TAUT_API taut_status taut_make(const taut_problem *problem, const taut_make_options *options,
                                taut_model **model, taut_error *error);
 

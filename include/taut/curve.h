@@ -15,7 +15,7 @@ extern "C" {
 
 typedef struct taut_curve taut_curve;
 
-/* name     at most TAUT_NAME_MAX bytes of UTF-8, NULL means ""
+/* name     at most TAUT_NAME_MAX bytes of UTF-8 (else U+FFFD in JSON), NULL means ""
  * t        the basis, copied
  * points   double[n][3], finite, n the count of t
  * weights  double[n], finite and positive, or NULL; only on bases that allow them

@@ -119,7 +119,9 @@ typedef struct taut_pipe_problem {
  * what is left is distributed over its blends by their lengths. Not used: sections, radii, frame,
  * lengths, ends, polygon.
  *
- * TAUT_BAD_INPUT: numbers out of range. TAUT_BAD_ARGUMENT: a tolerance below 1e-12.
+ * With caps surfaces cap1 and cap2 stand behind the pipes whose free ends they close.
+ *
+ * TAUT_BAD_INPUT: numbers out of range. TAUT_BAD_ARGUMENT: NULL, or a tolerance below 1e-12.
  * TAUT_NO_SOLUTION, the message beginning with
  *
  *     DEGENERATE_EDGE        V_0 = V_1 or V_2 = V_3
@@ -127,6 +129,7 @@ typedef struct taut_pipe_problem {
  *     PARAMETER_DOMAIN       a shape number outside the legal box, not extended; beta with "g2"
  *     TANGENT_LOST           alpha or gamma at or below -3
  *     SECTION_ALONG          the direction of a section is along the axis
+ *     TOO_SMALL              a length that is lost in the rounding of the coordinates, or none
  *     NOT_REGULAR            the axis has a cusp
  *     CANAL_NOT_REAL         the radius changes as fast as the axis runs
  *     CANAL_NOT_REGULAR      the spheres' envelope has a crease
@@ -145,8 +148,9 @@ TAUT_API taut_status taut_pipe_make(const taut_pipe_problem *problem,
                                     taut_error *error);
 
 /* Proves it again: claims joint1, joint2, embedded, tube, for "g2" curvature1 and curvature2, and
- * with a problem ends, and optimal where the shape was chosen; of a run joints, curvatures,
- * embedded, tube, ends, bend_radius (docs/pipe.md). problem may be NULL. */
+ * with a problem ends, and optimal where the shape was chosen; of a canal surface regular and
+ * graph; with caps caps; of a run joints, curvatures, embedded, tube, ends, bend_radius
+ * (docs/pipe.md). problem may be NULL. */
 TAUT_API taut_status taut_pipe_certify(const taut_model *model, const taut_pipe_problem *problem,
                                        const taut_certify_options *options,
                                        taut_certificate **certificate, taut_error *error);

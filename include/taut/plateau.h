@@ -45,12 +45,14 @@ typedef struct taut_plateau_problem {
                             * of all surfaces with this boundary, from so many spaces with halved
                             * spans; only where the boundary is known and nothing else */
     double tolerance_area; /* above 0: put knots in, until that estimate is within so much of the
-                            * area; from TAUT_PLATEAU_AREA_MIN on, without refine and start */
+                            * area; from TAUT_PLATEAU_AREA_MIN on and below 1, without refine and
+                            * start */
 } taut_plateau_problem;
 
-/* Makes the model with its one surface; details: iterations, products, dirichlet_area, area,
- * residual, unknowns, known, method; with TAUT_PLATEAU_NORMAL also directions [nu][nv][3]; with
- * curves deviation; with refine or tolerance_area refinement.
+/* Makes the model with its one surface; details: iterations, products, dirichlet_area, areas (one
+ * an iteration), residual, tolerance, unknowns, known, method, solver; with TAUT_PLATEAU_NORMAL
+ * also directions [nu][nv][3]; with curves deviation; with refine or tolerance_area refinement.
+ * TAUT_BAD_INPUT: numbers out of range, error->where the member.
  * TAUT_NO_SOLUTION: the known points span no area, or a free edge lets the film shrink away.
  * TAUT_NOT_CONVERGED: max_iterations, or a film that folds. Others as taut_make. */
 TAUT_API taut_status taut_plateau_make(const taut_plateau_problem *problem,

@@ -17,7 +17,7 @@ extern "C" {
 
 typedef struct taut_surface taut_surface;
 
-/* name     at most TAUT_NAME_MAX bytes of UTF-8, NULL means ""
+/* name     at most TAUT_NAME_MAX bytes of UTF-8 (else U+FFFD in JSON), NULL means ""
  * u, v     the bases, copied
  * points   double[nu][nv][3], finite, nu and nv the counts of u and v
  * weights  double[nu][nv], finite and positive, or NULL; only on bases that allow them
@@ -29,10 +29,10 @@ TAUT_API taut_status taut_surface_new(const char *name, const taut_basis *u, con
 /* A deep copy, the caller's. TAUT_NO_MEMORY. */
 TAUT_API taut_status taut_surface_copy(const taut_surface *surface, taut_surface **copy);
 /* As taut_surface_new, with points that are rational: exact[nu][nv][3] are texts "p" or "p/q", of
- * which `points` are the nearest doubles; NULL where a coordinate is the double itself. The texts
- * are copied, and are written in place of the doubles as JSON; only operations that say so keep
- * them.
- */
+ * which `points` are the nearest doubles (not compared); NULL where a coordinate is the double
+ * itself. The texts are copied, and are written in place of the doubles as JSON; only operations
+ * that say so keep them. TAUT_BAD_INPUT also where a text is no rational number, error->where such
+ * as "/points/0/3/2". */
 TAUT_API taut_status taut_surface_new_exact(const char *name, const taut_basis *u,
                                             const taut_basis *v, const double *points,
                                             const double *weights, const char *const *exact,

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* "/points/3/5", or "/points/3" when columns is 0. */
 static void place(char *where, size_t size, const char *member, size_t index, int columns)
@@ -40,6 +41,34 @@ taut_status taut_net_check_weights(size_t count, int columns, const double *weig
             place(where, sizeof where, "weights", i, columns);
             return taut_fail(error, TAUT_BAD_INPUT, where, weights[i], 0,
                              "weight is %.17g, expected a positive number", weights[i]);
+        }
+    }
+    return TAUT_OK;
+}
+
+static int is_rational(const char *text)
+{
+    static const char digits[] = "0123456789";
+    const char *p = text + (*text == '-');
+    const size_t top = strspn(p, digits);
+
+    if (top == 0 || p[top] == '\0') {
+        return top > 0;
+    }
+    p += top + 1;
+    return p[-1] == '/' && p[strspn(p, "0")] != '\0' && p[strspn(p, digits)] == '\0';
+}
+
+taut_status taut_net_check_exact(size_t count, int columns, const char *const *exact,
+                                 taut_error *error)
+{
+    for (size_t i = 0; i < 3 * count; i++) {
+        if (exact[i] != NULL && !is_rational(exact[i])) {
+            char where[64], whole[80];
+            place(where, sizeof where, "points", i / 3, columns);
+            snprintf(whole, sizeof whole, "%s/%zu", where, i % 3);
+            return taut_fail(error, TAUT_BAD_INPUT, whole, taut_none, taut_none,
+                             "found \"%.40s\", expected a rational number as \"3/4\"", exact[i]);
         }
     }
     return TAUT_OK;

@@ -13,6 +13,10 @@ taut_status taut_net_check_points(size_t count, int columns, const double *point
 /* Are the weights finite and positive? */
 taut_status taut_net_check_weights(size_t count, int columns, const double *weights,
                                    taut_error *error);
+/* Are the texts, those that are not NULL, rational numbers "p" or "p/q": an optional minus, digits,
+ * and digits that are not all 0? error->where: "/points/i/j/c". */
+taut_status taut_net_check_exact(size_t count, int columns, const char *const *exact,
+                                 taut_error *error);
 
 /* net[k] = (w x, w y, w z, w) of each point: double[count][4]. */
 void taut_net_homogeneous(size_t count, const double *points, const double *weights, double *net);

@@ -133,9 +133,8 @@ static taut_status cut_piece(cutting *c, double share, taut_error *error)
         }
     }
     if (status == TAUT_OK && c->count > count) {
-        /* not reached: the last panel grows steadily as the others shrink, so that the halvings
-         * found their place in each of 17,500 pieces tried; only steps of `widest` could leave it
-         * none */
+        /* the halvings ended on too many: by the steps of `widest` the last panel does not always
+         * grow steadily as the others shrink */
         c->count = first;
         status = march(c, lo, hi, share * pow(high, 6), &last, error);
     }

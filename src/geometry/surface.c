@@ -111,14 +111,16 @@ taut_status taut_surface_new_exact(const char *name, const taut_basis *u, const 
     taut_surface *made = NULL;
     taut_status status = taut_surface_new(name, u, v, points, weights, &made, error);
     if (status == TAUT_OK && exact != NULL) {
+        status = taut_net_check_exact(point_count(u, v), taut_basis_count(v), exact, error);
+    }
+    if (status == TAUT_OK && exact != NULL) {
         made->exact = copy_texts(3 * point_count(u, v), exact);
-        if (made->exact == NULL) {
-            taut_surface_free(made);
-            status = taut_fail_memory(error);
-        }
+        status = made->exact != NULL ? TAUT_OK : taut_fail_memory(error);
     }
     if (status == TAUT_OK) {
         *surface = made;
+    } else {
+        taut_surface_free(made);
     }
     return status;
 }

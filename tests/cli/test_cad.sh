@@ -19,6 +19,10 @@ for file in model.step model.igs; do
     run 0 convert $file -o back.json
     points back.json > there.txt
     cmp -s here.txt there.txt || complain "$file does not give the same points back"
+    sed 's/"name": "[^"]*"/"name": "a\\nb"/' model.json > named.json
+    run 0 convert named.json -o named.${file#model.}
+    run 0 convert named.${file#model.} -o never.json
+    rm never.json
     head -c 2000 $file > cut.${file#model.}
     run 3 convert cut.${file#model.} -o never.json
     absent never.json

@@ -312,6 +312,24 @@ static void test_long_pieces_stay_small(void)
     }
 }
 
+/* Pieces whose last panel stays a sliver, or comes to be one too many, at every width tried: what
+ * was found with enough panels stands. */
+static void test_no_width_fits(void)
+{
+    const struct {
+        double beta, tolerance, points[12];
+    } cases[] = {{452, 1e-8, {1, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1}},
+                 {481, 1e-8, {0, 0, 1, 2, 2, 2, 0, 2, 1, 1, 2, 1}},
+                 {241.5, 1e-10, {2, 0, 2, 0, 2, 2, 2, 1, 1, 1, 2, 0}},
+                 {292.5, 1e-5, {0, 1, 2, 1, 1, 2, 1, 1, 1, 2, 1, 0}},
+                 {386.5, 1e-7, {1, 0, 2, 1, 2, 1, 1, 0, 2, 1, 0, 2}}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        double narrowest = 0;
+        const int spans = spans_of(cases[k].beta, cases[k].tolerance, cases[k].points, &narrowest);
+        CHECK(spans < 400, "%d spans of beta %g", spans, cases[k].beta);
+    }
+}
+
 int main(void)
 {
     random_seed(20260105);
@@ -325,6 +343,7 @@ int main(void)
     test_refusals();
     test_hard_lengths();
     test_long_pieces_stay_small();
+    test_no_width_fits();
     if (getenv("TAUT_TEST_SAY") != NULL) {
         printf("most pessimistic bound: %g times what was seen\n", most_pessimistic);
     }

@@ -262,6 +262,27 @@ static taut_status make_one(taut_pipe_task *task, double tolerance, taut_model *
     return status;
 }
 
+/* Is each choice one of those there are? */
+static taut_status check_words(const taut_pipe_problem *problem, taut_error *error)
+{
+    const struct {
+        const char *where;
+        int chosen, last;
+    } words[] = {{"/axis", (int)problem->axis, TAUT_PIPE_LEGS},
+                 {"/shape", (int)problem->shape, TAUT_PIPE_LEAST_CURVATURE},
+                 {"/frame", (int)problem->frame, TAUT_PIPE_FRENET},
+                 {"/joint", (int)problem->joint, TAUT_PIPE_CURVATURE_JOINT}};
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        if (words[i].chosen < 0 || words[i].chosen > words[i].last) {
+            return taut_fail(error, TAUT_BAD_INPUT, words[i].where, words[i].chosen, words[i].last,
+                             "found choice %d, expected one from 0 to %d", words[i].chosen,
+                             words[i].last);
+        }
+    }
+    return TAUT_OK;
+}
+
 taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_options *options,
                            taut_model **model, taut_error *error)
 {
@@ -280,6 +301,10 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
         return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, tolerance, tolerance_min,
                          "a tolerance of %g is below what rounding leaves: 1e-12 of the radius",
                          tolerance);
+    }
+    status = check_words(problem, error);
+    if (status != TAUT_OK) {
+        return status;
     }
     if (problem->axis == TAUT_PIPE_CORNERS || problem->axis == TAUT_PIPE_LEGS) {
         return taut_pipe_run_make(problem, fmin(tolerance, 0.1), model, error);

@@ -24,7 +24,11 @@ static taut_status check(const taut_pipe_problem *p, taut_error *error)
 {
     const int least = p->axis == TAUT_PIPE_CORNERS && p->closed ? 3 : 2;
     taut_status status = taut_pipe_check_length(p->radius, "/radius", error);
-    if (status == TAUT_OK && (p->leg_count < least || p->legs == NULL)) {
+    if (p->legs == NULL && p->leg_count > 0) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "a run of %d legs needs the legs", p->leg_count);
+    }
+    if (status == TAUT_OK && p->leg_count < least) {
         return taut_fail(error, TAUT_BAD_INPUT, "/run", p->leg_count, least,
                          "found %d, expected at least %d: a run has two pipes or more",
                          p->leg_count, least);

@@ -180,12 +180,21 @@ static void set_global(const taut_cad_job &job, const Handle(IGESData_IGESModel)
     }
 }
 
+/* A name in one line: the lines of the file are of fixed width, so that a control character in a
+ * name makes it unreadable. */
+static std::string printable(std::string name)
+{
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return name;
+}
+
 static void add_named(const Handle(IGESData_IGESModel) & model,
                       const Handle(IGESData_IGESEntity) & entity, const char *name)
 {
     if (name[0] != '\0') {
         Handle(IGESBasic_Name) property = new IGESBasic_Name();
-        property->Init(1, text(name));
+        property->Init(1, text(printable(name)));
         property->InitStatus(0, 1, 0, 0);
         entity->AddProperty(property);
         model->AddEntity(property);

@@ -225,6 +225,18 @@ static void test_bad_numbers(void)
     problem.ends[1].direction[0] = 1;
     problem.ends[0].handle = -1;
     (void)refused(&problem, TAUT_BAD_INPUT, "found");
+    for (int word = 0; word < 4; word++) {
+        problem = paper(0, 0, 0);
+        problem.axis = (taut_pipe_axis)(word == 0 ? TAUT_PIPE_LEGS + 1 : 0);
+        problem.shape = (taut_pipe_shape)(word == 1 ? TAUT_PIPE_LEAST_CURVATURE + 1 : 0);
+        problem.frame = (taut_pipe_frame)(word == 2 ? TAUT_PIPE_FRENET + 1 : 0);
+        problem.joint = (taut_pipe_joint)(word == 3 ? TAUT_PIPE_CURVATURE_JOINT + 1 : 0);
+        (void)refused(&problem, TAUT_BAD_INPUT, "found choice");
+    }
+    problem = paper(0, 0, 0);
+    problem.axis = TAUT_PIPE_LEGS;
+    problem.leg_count = 2;
+    (void)refused(&problem, TAUT_BAD_ARGUMENT, "a run of 2 legs needs the legs");
     taut_model *model = NULL;
     const taut_make_options options = {.tolerance = 1e-15};
     problem = paper(0, 0, 0);

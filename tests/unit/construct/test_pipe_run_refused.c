@@ -155,7 +155,7 @@ static void test_bad_numbers(void)
     pipe_refused(&problem, TAUT_BAD_INPUT, "at least 2");
     problem.leg_count = 3;
     problem.legs = NULL;
-    pipe_refused(&problem, TAUT_BAD_INPUT, "at least 2");
+    pipe_refused(&problem, TAUT_BAD_ARGUMENT, "needs the legs");
     problem.legs = legs;
     problem.bend_radius = NAN;
     pipe_refused(&problem, TAUT_BAD_INPUT, "positive length");

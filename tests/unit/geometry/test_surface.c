@@ -231,6 +231,41 @@ static void test_grid(void)
     taut_surface_free(surface);
 }
 
+/* Texts that are rational numbers are kept; others are refused by their place, before rational
+ * arithmetic would divide by their 0. */
+static void test_exact_texts(void)
+{
+    static const char *const legal[] = {"7/3", "-0", "-5/12", "007/3", "12345678901234567890/11"};
+    static const char *const other[] = {"1/0", "-1/00", "1/-3",  "1/",  "/3",   "",    "-",
+                                        " 1",  "1 ",    "1/2/3", "1e5", "0x10", "nan", "+3"};
+    const double points[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1};
+    const char *exact[12] = {NULL};
+    taut_basis_spec spec = {.type = "bezier", .degree = 1};
+    taut_basis *line = NULL;
+    taut_surface *surface = NULL;
+
+    CHECK(taut_basis_new(&spec, 2, &line, NULL) == TAUT_OK, "line");
+    for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
+        taut_error error = {.status = TAUT_OK};
+        exact[7] = other[i];
+        CHECK(taut_surface_new_exact("", line, line, points, NULL, exact, &surface, &error) ==
+                  TAUT_BAD_INPUT,
+              "\"%s\"", other[i]);
+        CHECK(strcmp(error.where, "/points/1/0/1") == 0, "\"%s\" at %s", other[i], error.where);
+        CHECK(surface == NULL, "nothing is made");
+    }
+    for (size_t i = 0; i < sizeof legal / sizeof *legal; i++) {
+        exact[7] = legal[i];
+        CHECK(taut_surface_new_exact("", line, line, points, NULL, exact, &surface, NULL) ==
+                  TAUT_OK,
+              "\"%s\"", legal[i]);
+        CHECK(strcmp(taut_surface_exact(surface)[7], legal[i]) == 0, "kept");
+        taut_surface_free(surface);
+        surface = NULL;
+    }
+    taut_basis_free(line);
+}
+
 int main(void)
 {
     random_seed(20260102);
@@ -239,5 +274,6 @@ int main(void)
     test_side_of_knot();
     test_grid();
     test_refusals();
+    test_exact_texts();
     return check_failures != 0;
 }
