@@ -7,10 +7,10 @@ find_package(Threads REQUIRED)
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
 list(FILTER library_sources EXCLUDE REGEX "/src/(cli|modules)/")
 
-# The page of `taut view`: our scripts and the part of three.js they need (src/viewer/three/bundle.sh makes it).
-file(GLOB viewer_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/viewer/page.* ${CMAKE_SOURCE_DIR}/src/viewer/script/*.js)
-taut_embed(${CMAKE_BINARY_DIR}/generated/viewer.c taut_viewer_files io/viewer_files.h taut_viewer_file
-  ${viewer_files} ${CMAKE_SOURCE_DIR}/src/viewer/three/three.min.js)
+# The page of `taut view`: our scripts and the part of three.js they need (src/page/viewer/three/bundle.sh makes it).
+file(GLOB viewer_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/page/viewer/page.* ${CMAKE_SOURCE_DIR}/src/page/viewer/script/*.js)
+taut_embed(${CMAKE_BINARY_DIR}/generated/viewer.c taut_viewer_files page/viewer_files.h taut_viewer_file
+  ${viewer_files} ${CMAKE_SOURCE_DIR}/src/page/viewer/three/three.min.js)
 
 add_library(taut_objects OBJECT ${library_sources} ${CMAKE_BINARY_DIR}/generated/viewer.c)
 target_link_libraries(taut_objects PUBLIC taut_flags Threads::Threads)
@@ -26,8 +26,10 @@ add_dependencies(product taut_shared)
 
 # Kernels for one instruction set each, chosen at run time; fused multiply-add is theirs to use.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  file(GLOB_RECURSE avx2_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*_avx2.c)
-  file(GLOB_RECURSE avx512_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*_avx512.c)
+  file(GLOB_RECURSE avx2_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*avx2.c)
+  file(GLOB_RECURSE avx512_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*avx512.c)
+  list(FILTER avx2_sources EXCLUDE REGEX "/numeric/kernel/") # these name their instruction set themselves
+  list(FILTER avx512_sources EXCLUDE REGEX "/numeric/kernel/")
   set_source_files_properties(${avx2_sources} PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
   set_source_files_properties(${avx512_sources} PROPERTIES COMPILE_OPTIONS
     "-mavx512f;-mavx2;-mfma;-ffp-contract=fast")

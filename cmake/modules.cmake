@@ -1,4 +1,4 @@
-# Parts that need a heavy library, loaded when first wanted (src/core/module.h): one shared object each.
+# Parts that need a heavy library, loaded when first wanted (src/platform/module.h): one shared object each.
 # taut_module(<name> <pkg-config package>): sources in src/modules/<name>/.
 set(TAUT_MODULE_DIR ${CMAKE_BINARY_DIR}/modules)
 set(TAUT_MODULE_INSTALL_DIR ${CMAKE_INSTALL_LIBDIR}/taut)
@@ -47,7 +47,7 @@ foreach(toolkit TKSTEP TKSTEPAttr TKSTEP209 TKSTEPBase TKIGES TKXSBase TKShHeali
   list(APPEND OCCT_LIBRARIES ${OCCT_${toolkit}})
 endforeach()
 if(OCCT_INCLUDE AND NOT OCCT_LIBRARIES MATCHES "NOTFOUND")
-  file(GLOB occt_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/modules/occt/*.cpp)
+  file(GLOB occt_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cad/*.cpp)
   add_library(taut_module_occt MODULE ${occt_sources})
   set_target_properties(taut_module_occt PROPERTIES
     OUTPUT_NAME taut-occt PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${TAUT_MODULE_DIR})
@@ -62,5 +62,5 @@ if(OCCT_INCLUDE AND NOT OCCT_LIBRARIES MATCHES "NOTFOUND")
 else()
   message(STATUS "Module occt is left out: libocct-data-exchange-dev is not installed")
 endif()
-set_source_files_properties(${CMAKE_SOURCE_DIR}/src/core/module.c PROPERTIES COMPILE_DEFINITIONS
+set_source_files_properties(${CMAKE_SOURCE_DIR}/src/platform/module.c PROPERTIES COMPILE_DEFINITIONS
   "TAUT_MODULE_BUILD_DIR=\"${TAUT_MODULE_DIR}\";TAUT_MODULE_INSTALL_DIR=\"${CMAKE_INSTALL_PREFIX}/${TAUT_MODULE_INSTALL_DIR}\"")

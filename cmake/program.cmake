@@ -1,7 +1,7 @@
 # The program `taut`: one file per command, public headers only; examples and paper tables are built in.
-file(GLOB program_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/cli/*.c)
+file(GLOB_RECURSE program_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/cli/*.c)
 file(GLOB example_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/examples/*.json)
-file(GLOB paper_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/paper/*.json)
+file(GLOB paper_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/data/papers/*.json)
 file(GLOB schema_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/schema/*.json)
 taut_embed(${CMAKE_BINARY_DIR}/generated/examples.c taut_examples cli/embedded_files.h taut_embedded ${example_files})
 taut_embed(${CMAKE_BINARY_DIR}/generated/papers.c taut_papers cli/embedded_files.h taut_embedded ${paper_files})

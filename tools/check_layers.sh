@@ -6,23 +6,24 @@ cd "${1:-$(dirname "$0")/..}"
 # layer: what it may include besides itself, <standard headers> and "taut/...". "layer" is all of a layer,
 # "layer/file.h" one file, <file.h> a library's header, <*.hxx> all of OpenCASCADE's. C++ may have C++'s own.
 table='
-core:
-numeric:   core
+platform:  core
+core:      platform
+numeric:   core platform
 basis:     core numeric
-geometry:  core numeric basis
+geometry:  core platform numeric basis
 problem:   core
-measure:   core numeric basis geometry
-construct: core numeric basis geometry problem
+measure:   core platform numeric basis geometry
+construct: core platform numeric basis geometry problem
 certify:   core numeric/quadrature.h numeric/sum.h basis geometry measure problem
 mesh:      core basis geometry measure
-draw:      core basis geometry measure mesh
-io:        core basis geometry problem measure mesh draw
+io:        core platform basis geometry problem measure mesh draw/colour.h
+draw:      core platform basis geometry measure mesh io
+page:      core basis geometry measure mesh io draw
 cli:
-viewer:
 modules/*: core draw
 modules/exact: core <flint/fmpq.h>
-modules/occt: io/cad.h <*.hxx>
 modules/cairo: core draw <cairo.h> <cairo-svg.h> <cairo-pdf.h>
+cad:       io/cad/cad.h <*.hxx>
 include/taut:
 '
 
@@ -31,7 +32,7 @@ standard='assert complex ctype dirent dlfcn errno fcntl fenv float immintrin int
 signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string strings sys/mman sys/random
 sys/resource sys/stat sys/time sys/types sys/wait termios threads time unistd'
 
-list=$(find src include/taut -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' 2>/dev/null | sort)
+list=$(find src cad include/taut -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' 2>/dev/null | sort)
 if [ -z "$list" ]; then
     echo "check_layers: no sources under $(pwd)" >&2
     exit 1
@@ -59,7 +60,7 @@ TABLE="$table" STANDARD="$standard" awk '
     }
     FNR == 1 {
         depth = split(FILENAME, part, "/")
-        layer = part[1] == "include" ? "include/taut" : part[2]
+        layer = part[1] == "include" ? "include/taut" : part[1] == "cad" ? "cad" : part[2]
         if (layer == "modules") {
             layer = ("modules/" part[3]) in known ? "modules/" part[3] : "modules/*"
             own = "modules/" part[3]
@@ -95,7 +96,7 @@ TABLE="$table" STANDARD="$standard" awk '
             if (header ~ /\.\./) {
                 complain("includes \"" header "\": name the layer instead")
             } else if (from == "") { # only in programs and modules
-                if (own !~ /^(cli|viewer|modules)/) {
+                if (own !~ /^(cad|cli|modules)/) {
                     complain("includes \"" header "\" without its layer")
                 }
             } else if (from != "taut" && index(header, own "/") != 1 && !((layer, from) in allowed) \

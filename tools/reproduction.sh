@@ -24,7 +24,7 @@ Each row names where the paper prints the number, what it prints digit for digit
 - **differs**: ours should agree and does not. There must be none: the program then exits with 1.
 
 Ours is written to the digits that its tolerance vouches for; points are counted from 0, also where a paper counts from 1. The rows, with tolerances and their reasons, are in
-[tests/paper](../tests/paper), the corrected mathematics in [papers](papers), the keys in [references.bib](references.bib).
+[data/papers](../data/papers), the corrected mathematics in [papers](papers), the keys in [references.bib](references.bib).
 
 | quantity | is |
 |---|---|

@@ -13,10 +13,10 @@
 #include "machine.h"
 #include "peer.h"
 
-#include "geometry/gram.h"
+#include "geometry/nurbs/gram.h"
 #include "numeric/kernel/kernel.h"
-#include "numeric/tensor_apply.h"
-#include "numeric/tensor_solver.h"
+#include "numeric/tensor/apply.h"
+#include "numeric/tensor/solver.h"
 #include "taut/taut.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* certify.c -- taut certify: proves a saved model again. */
-#include "cli.h"
-#include "report.h"
+#include "cli/cli.h"
+#include "cli/report.h"
 
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
 /* convert.c -- taut convert: a model into other formats. */
-#include "cli.h"
+#include "cli/cli.h"
 
 /* With --tolerance, JSON holds NURBS too: the model within the tolerance of every surface's size.
  */

@@ -1,6 +1,6 @@
-#include "embedded_files.h"
+#include "cli/embedded_files.h"
 
-#include "cli.h"
+#include "cli/cli.h"
 
 #include <stdio.h>
 #include <string.h>

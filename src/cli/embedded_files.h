@@ -13,7 +13,7 @@ typedef struct taut_embedded {
 } taut_embedded;
 
 extern const taut_embedded taut_examples[]; /* examples/NAME.json */
-extern const taut_embedded taut_papers[];   /* tests/paper/KEY.json */
+extern const taut_embedded taut_papers[];   /* data/papers/KEY.json */
 extern const taut_embedded taut_schemas[];  /* docs/schema/KIND.json */
 
 /* The file whose name is `name` plus ".json", or NULL. */

@@ -1,5 +1,5 @@
 /* eval.c -- taut eval: one surface or curve at given parameters. */
-#include "cli.h"
+#include "cli/cli.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* example.c -- taut example: the worked problems, ready to pipe into `taut make -`. */
-#include "cli.h"
-#include "embedded_files.h"
+#include "cli/cli.h"
+#include "cli/embedded_files.h"
 
 static int run(const cli_options *options)
 {

@@ -1,5 +1,5 @@
 /* join.c -- taut join: how two surfaces meet along an edge. */
-#include "cli.h"
+#include "cli/cli.h"
 
 #include <stdio.h>
 #include <string.h>

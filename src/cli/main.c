@@ -1,6 +1,6 @@
 /* main.c -- finds the command and runs it. */
-#include "cli.h"
-#include "command_list.h"
+#include "cli/cli.h"
+#include "cli/command_list.h"
 
 #include <signal.h>
 #include <stdio.h>

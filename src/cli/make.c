@@ -1,6 +1,6 @@
 /* make.c -- taut make: document -> problem -> model -> certificate -> files and a report. */
-#include "make.h"
-#include "cli.h"
+#include "cli/make.h"
+#include "cli/cli.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #ifndef TAUT_CLI_MAKE_H
 #define TAUT_CLI_MAKE_H
 
-#include "report.h"
+#include "cli/report.h"
 
 /* A problem on its way to its files. */
 typedef struct cli_made {

@@ -3,7 +3,7 @@
  * All documents are read before any is made, all are made before any file appears: one that is
  * wrong, or asks for what does not exist, leaves nothing. Problems on the same knots share factors.
  */
-#include "make.h"
+#include "cli/make.h"
 
 #include <math.h>
 #include <stdio.h>

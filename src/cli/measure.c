@@ -1,5 +1,5 @@
 /* measure.c -- taut measure: lengths, areas, energies, curvatures. */
-#include "cli.h"
+#include "cli/cli.h"
 
 #include <math.h>
 #include <stdio.h>

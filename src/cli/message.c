@@ -1,5 +1,5 @@
 /* message.c -- what a person is told when something went wrong: one message, one line. */
-#include "cli.h"
+#include "cli/cli.h"
 
 #include <ctype.h>
 #include <stdarg.h>

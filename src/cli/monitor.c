@@ -1,6 +1,6 @@
 /* monitor.c -- for a person who waits: on a terminal a progress line, after one second, ten times a
  * second; everywhere one line, after five seconds of work, that it may be long. */
-#include "cli.h"
+#include "cli/cli.h"
 
 #include <math.h>
 #include <signal.h>

@@ -1,5 +1,5 @@
 /* options.c -- the command line, by each command's table. */
-#include "cli.h"
+#include "cli/cli.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* outputs.c -- writing what a command made, whole or not at all, also when interrupted. */
-#include "cli.h"
+#include "cli/cli.h"
 
 #include <math.h>
 #include <signal.h>

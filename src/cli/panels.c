@@ -1,6 +1,6 @@
 /* panels.c -- taut panels: plane quads on a minimal surface with planar curvature lines. */
-#include "cli.h"
-#include "report.h"
+#include "cli/cli.h"
+#include "cli/report.h"
 
 #include <math.h>
 #include <stdio.h>

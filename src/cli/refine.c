@@ -1,5 +1,5 @@
 /* refine.c -- taut refine: halves every knot span without changing the surface. */
-#include "cli.h"
+#include "cli/cli.h"
 
 static int run(const cli_options *options)
 {

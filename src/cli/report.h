@@ -3,7 +3,7 @@
 #ifndef TAUT_CLI_REPORT_H
 #define TAUT_CLI_REPORT_H
 
-#include "cli.h"
+#include "cli/cli.h"
 
 typedef struct cli_report {
     const char *construct;

@@ -1,6 +1,6 @@
 /* schema.c -- taut schema: the JSON Schema of a document. */
-#include "cli.h"
-#include "embedded_files.h"
+#include "cli/cli.h"
+#include "cli/embedded_files.h"
 
 static int run(const cli_options *options)
 {

@@ -1,5 +1,5 @@
 /* split.c -- taut split: cuts the surfaces of a model at a parameter. */
-#include "cli.h"
+#include "cli/cli.h"
 
 static int run(const cli_options *options)
 {

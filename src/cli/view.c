@@ -1,5 +1,5 @@
 /* view.c -- taut view: a model as a page to turn it in. */
-#include "cli.h"
+#include "cli/cli.h"
 
 #include <string.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 #include "core/exact.h"
 
 #include "core/fail.h"
-#include "core/module.h"
+#include "platform/module.h"
 
 taut_status taut_exact_load(const taut_exact_ops **ops, taut_error *error)
 {

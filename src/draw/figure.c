@@ -4,12 +4,12 @@
 
 #include "core/arena.h"
 #include "core/fail.h"
-#include "core/module.h"
 #include "draw/colour.h"
 #include "draw/label.h"
 #include "draw/legend.h"
 #include "draw/pane.h"
 #include "draw/panes.h"
+#include "platform/module.h"
 
 #include <errno.h>
 #include <limits.h>

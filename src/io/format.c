@@ -2,8 +2,8 @@
 #include "io/format.h"
 
 #include "core/fail.h"
-#include "io/file_in.h"
-#include "io/json_in.h"
+#include "io/file/in.h"
+#include "io/json/in.h"
 #include "taut/limits.h"
 
 #include <errno.h>

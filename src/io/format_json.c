@@ -1,8 +1,8 @@
 /* format_json.c -- the format `json`: the model itself. */
 #include "core/fail.h"
 #include "io/format.h"
-#include "io/model_document.h"
-#include "io/surface_document.h"
+#include "io/model/model.h"
+#include "io/model/surface.h"
 
 /* The lists of surfaces and curves. One surface that was asked for goes alone: what was decided and
  * proved is about the whole model. */

@@ -2,10 +2,10 @@
 #include "taut/measure.h"
 
 #include "core/fail.h"
-#include "measure/box.h"
-#include "measure/edge.h"
-#include "measure/extremes.h"
-#include "measure/integrals.h"
+#include "measure/curvature/box.h"
+#include "measure/curvature/edge.h"
+#include "measure/curvature/extremes.h"
+#include "measure/integrate/integrals.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 #include "numeric/modes.h"
 
 #include "core/memory.h"
-#include "numeric/eigen_band.h"
+#include "numeric/eigen/band.h"
 #include "numeric/parity.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
 
 #include "core/memory.h"
 #include "draw/figure.h"
-#include "io/html_data.h"
+#include "page/html_data.h"
 
 #include <stdlib.h>
 

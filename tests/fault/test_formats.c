@@ -2,7 +2,7 @@
 #include "check.h"
 #include "fault.h"
 
-#include "geometry/boundary.h"
+#include "geometry/boundary/boundary.h"
 #include "taut/read.h"
 #include "taut/write.h"
 

@@ -4,7 +4,7 @@
 #include "gram.h"
 
 #include "numeric/modes.h"
-#include "numeric/tensor_solver.h"
+#include "numeric/tensor/solver.h"
 
 #include <string.h>
 

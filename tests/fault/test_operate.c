@@ -2,8 +2,8 @@
 #include "check.h"
 #include "fault.h"
 
-#include "certify/curve_distance.h"
-#include "geometry/boundary.h"
+#include "certify/common/curve_distance.h"
+#include "geometry/boundary/boundary.h"
 #include "taut/operate.h"
 
 #include <stddef.h>

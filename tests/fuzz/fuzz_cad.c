@@ -1,7 +1,7 @@
 /* fuzz_cad.c -- what is looked at in STEP and IGES files before a library reads them.
  *
  * The bytes are taken for both: they pass, or are refused with a message. */
-#include "io/cad_scan.h"
+#include "io/cad/scan.h"
 
 #include <stdint.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include "check.h"
 #include "problems.h"
 
-#include "geometry/gram.h"
+#include "geometry/nurbs/gram.h"
 #include "taut/measure.h"
 
 #include <lapacke.h>

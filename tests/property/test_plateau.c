@@ -3,9 +3,9 @@
 #include "problems.h"
 #include "shapes.h"
 
-#include "certify/curve_distance.h"
-#include "construct/curve_fit.h"
-#include "construct/film.h"
+#include "certify/common/curve_distance.h"
+#include "construct/common/curve_fit.h"
+#include "construct/plateau/area.h"
 #include "taut/measure.h"
 #include "taut/plateau.h"
 

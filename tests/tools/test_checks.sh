@@ -57,7 +57,7 @@ catches layers src/construct/x.c 'construct may not include' '#include "certify/
 catches layers src/certify/x.c 'certify may not include' '#include "construct/construct_ops.h"\n'
 catches layers src/certify/x.c 'certify may not include' '#include "numeric/banded.h"\n'
 catches layers src/construct/x.c 'construct may not include' '#include "io/format.h"\n'
-catches layers src/draw/x.c 'draw may not include' '#include "io/format.h"\n'
+catches layers src/io/x.c 'io may not include' '#include "draw/figure.h"\n'
 catches layers src/modules/cairo/x.c 'modules/cairo may not include' '#include "geometry/net.h"\n'
 catches layers src/modules/other/x.c 'may not include' '#include <cairo.h>\n'
 catches layers src/cli/x.c 'cli may not include' '  # include "core/memory.h"\n'

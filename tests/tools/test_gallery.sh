@@ -18,6 +18,6 @@ done
 for picture in $(grep -o '([a-z0-9-]*\.png)' $index | tr -d '()'); do
     [ -s "docs/gallery/$picture" ] || fail "docs/gallery/$picture is not there"
 done
-(cd src/viewer/three && sha256sum --check --quiet SHA256SUMS) || fail "three.min.js is not what bundle.sh made"
+(cd src/page/viewer/three && sha256sum --check --quiet SHA256SUMS) || fail "three.min.js is not what bundle.sh made"
 echo "$failures failures"
 [ "$failures" -eq 0 ]

@@ -11,5 +11,6 @@ typedef double v_double __attribute__((vector_size(64)));
 #define v_max(a, b) _mm512_max_pd((a), (b))
 #define v_all(x) _mm512_set1_pd(x)
 #define v_product_error(a, b, p)                                                                   \
-    _mm512_fmsub_pd((a), (b), (p)) /* the rounding error of p = a b                                \
+    _mm512_fmsub_pd((a), (b),                                                                      \
+                    (p)) /* the rounding error of p = a b                                \
                                     */

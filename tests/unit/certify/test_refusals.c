@@ -3,7 +3,7 @@
 #include "check.h"
 #include "shapes.h"
 
-#include "certify/curve_distance.h"
+#include "certify/common/curve_distance.h"
 #include "taut/construct.h"
 #include "taut/dirichlet.h"
 

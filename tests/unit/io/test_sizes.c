@@ -5,9 +5,9 @@
 #include "shapes.h"
 
 #include "core/memory.h"
-#include "io/cad_stream.h"
-#include "io/html_data.h"
-#include "io/net_document.h"
+#include "io/cad/stream.h"
+#include "io/problem/net_document.h"
+#include "page/html_data.h"
 #include "taut/limits.h"
 #include "taut/read.h"
 #include "taut/write.h"

@@ -1,0 +1,63 @@
+/* occt.hpp -- what the files of this module share. */
+#ifndef TAUT_CAD_OCCT_HPP
+#define TAUT_CAD_OCCT_HPP
+
+#include "io/cad/cad.h"
+
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+/* A failure with its status; the message is a sentence. */
+class occt_failure : public std::runtime_error
+{
+  public:
+    occt_failure(taut_status why, const std::string &message)
+        : std::runtime_error(message), status(why)
+    {
+    }
+    taut_status status;
+};
+
+/* Geometry of OpenCASCADE from an item: the same numbers. */
+Handle(Geom_BSplineSurface) occt_surface(const taut_cad_item &item);
+Handle(Geom_BSplineCurve) occt_curve(const taut_cad_item &item);
+
+/* Closed surfaces are to be read as they are; for a reader that has been made. */
+void occt_keep_closed();
+
+/* TAUT_NO_SOLUTION for a degree that OpenCASCADE does not have. */
+void occt_check_degree(const taut_cad_item &item);
+
+/* The unit as OpenCASCADE's settings and as taut's documents call it. */
+const char *occt_unit(const char *unit);
+
+void occt_write_step(const taut_cad_job &job, int count, const taut_cad_item *items);
+void occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *items);
+
+/* The names that entities of the file give to shapes: of a face or an edge, by the geometry it
+ * hangs on. */
+struct occt_names {
+    std::map<const void *, std::string> of;
+    void add(const TopoDS_Shape &shape, const std::string &name);
+    const char *find(const TopoDS_Shape &shape) const;
+};
+
+/* Reads a file: its shapes, names, and its unit told to the sink. */
+TopoDS_Shape occt_read_step(const taut_cad_job &job, const taut_cad_sink &sink, occt_names &names);
+TopoDS_Shape occt_read_iges(const taut_cad_job &job, const taut_cad_sink &sink, occt_names &names);
+
+/* TAUT_BAD_INPUT if the library found fault with the file, or with an entity of it that is not to
+ * be done without. */
+void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
+                       const Handle(Standard_Type) & needed);
+
+/* Every face and every edge that bounds no face, as items, in the order of the shape. */
+void occt_give(const TopoDS_Shape &shape, const occt_names &names, const taut_cad_sink &sink);
+
+#endif /* TAUT_CAD_OCCT_HPP */

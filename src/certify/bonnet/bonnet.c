@@ -1,0 +1,258 @@
+/* bonnet.c -- is this a minimal surface in isothermal parameters, and the one that was asked for?
+ * Claims, over all surfaces of the model:
+ *
+ *   isothermal, harmonic, minimal   largest residuals at samples (residuals.c)
+ *   algebraic     the relations that make a net on these bases minimal everywhere
+ *                 (algebra.c); left out on other bases
+ *   formula       with the problem: largest distance from its surface over the largest coordinate
+ *   closed-form   with the problem: relative difference of area and total curvature, by quadrature,
+ *                 from those in closed form (closed.c)
+ *
+ * Limit of each: min(c noise, 1e-6), c its number of `roundings`, noise what rounding explains
+ * (parts.h). What lies between that limit and c noise is undecided; `algebraic` and
+ * `closed-form`, which rounding spoils first, are left out where they could not hold the surface to
+ * 1e-6.
+ */
+#include "taut/bonnet.h"
+
+#include "certify/bonnet/parts.h"
+#include "certify/certify_ops.h"
+#include "core/fail.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double largest_limit = 1e-6;
+
+enum { ISOTHERMAL, HARMONIC, MINIMAL, ALGEBRAIC, FORMULA, CLOSED_FORM, CLAIMS };
+
+/* How many roundings the sums of sixteen products of three, and of all terms of a point, may add up
+ * to, claim by claim. Over random problems of the whole range at most 0.8 of each was seen
+ * (tests/property/test_bonnet.c). */
+static const double roundings[CLAIMS] = {16, 16, 12, 6, 8, 5};
+
+/* A claim over several surfaces: the largest residual and noise, and where. */
+typedef struct gathered {
+    const char *claim;
+    taut_bonnet_finding found;
+    const char *surface;
+    int seen; /* surfaces that it was judged on */
+} gathered;
+
+typedef struct report {
+    gathered claims[CLAIMS];
+    taut_record *figures; /* lists area, total_gaussian_curvature */
+    taut_record *area, *curvature;
+} report;
+
+static void gather(gathered *all, const taut_bonnet_finding *one, const char *surface)
+{
+    if (all->seen == 0 || one->residual > all->found.residual) {
+        all->surface = surface;
+    }
+    taut_bonnet_raise(&all->found, one->residual, one->noise, one->at[0], one->at[1]);
+    all->seen++;
+}
+
+/* The lambda of surface i of n. */
+static double lambda_of(const taut_bonnet_problem *problem, int i, int n)
+{
+    const double *l = problem->lambda;
+    return n == 1 ? l[0] : i + 1 == n ? l[1] : l[0] + (l[1] - l[0]) * i / (n - 1);
+}
+
+static double relative(double a, double b)
+{
+    return a == b ? 0 : fabs(a - b) / fabs(b);
+}
+
+/* The figures of one surface against closed forms: of area and curvature, and over all surfaces,
+ * the one that comes nearest to its limit is told. */
+static void compare_closed(const taut_bonnet_frame *frame, const taut_bonnet_integrals *found,
+                           const char *surface, gathered *all)
+{
+    double exact[2], noise[2];
+
+    taut_bonnet_closed_area(frame, &exact[0], &noise[0]);
+    taut_bonnet_closed_curvature(frame, &exact[1], &noise[1]);
+    for (int k = 0; k < 2; k++) {
+        taut_bonnet_finding one = {0, 0, {0, 0}};
+        taut_bonnet_raise(&one, relative(found->value[k], exact[k]), noise[k] + found->noise[k], 0,
+                          0);
+        if (roundings[CLOSED_FORM] * one.noise > largest_limit) {
+            continue;
+        }
+        if (all->seen == 0 || one.residual * all->found.noise > all->found.residual * one.noise) {
+            all->found = one;
+            all->surface = surface;
+        }
+        all->seen++;
+    }
+}
+
+static taut_status judge(const taut_surface *surface, const taut_bonnet_frame *frame, int is_exact,
+                         report *r)
+{
+    const char *name = taut_surface_name(surface);
+    taut_bonnet_finding sampled[TAUT_BONNET_SAMPLED] = {{0, 0, {0, 0}}};
+    taut_bonnet_integrals integrals;
+    taut_bonnet_finding other = {0, 0, {0, 0}};
+    taut_bonnet_scale scale;
+    taut_arena *arena = taut_arena_new();
+    taut_status status = TAUT_NO_MEMORY;
+
+    taut_bonnet_scale_of(surface, is_exact, &scale);
+    if (arena != NULL) {
+        status = taut_bonnet_sample(surface, &scale, arena, sampled);
+    }
+    if (status == TAUT_OK) {
+        status = taut_bonnet_integrate(surface, &scale, arena, &integrals);
+    }
+    taut_arena_free(arena);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int i = 0; i < TAUT_BONNET_SAMPLED; i++) {
+        gather(&r->claims[i], &sampled[i], name);
+    }
+    if (taut_bonnet_algebra(surface, &scale, &other) &&
+        roundings[ALGEBRAIC] * other.noise <= largest_limit) {
+        gather(&r->claims[ALGEBRAIC], &other, name);
+    }
+    if (frame != NULL) {
+        other = (taut_bonnet_finding){0, 0, {0, 0}};
+        taut_bonnet_against_formula(surface, frame, &other);
+        gather(&r->claims[FORMULA], &other, name);
+        compare_closed(frame, &integrals, name, &r->claims[CLOSED_FORM]);
+    }
+    taut_record_add_number(r->area, NULL, integrals.value[0]);
+    taut_record_add_number(r->curvature, NULL, integrals.value[1]);
+    return status;
+}
+
+static taut_status add_claim(const gathered *all, double factor, taut_certificate *certificate)
+{
+    const double noise = factor * all->found.noise;
+    char where[TAUT_NAME_MAX + 96];
+    taut_claim claim = {all->claim, all->found.residual, fmin(noise, largest_limit), TAUT_FALSE,
+                        where};
+
+    snprintf(where, sizeof where, "%s", all->surface);
+    if (strcmp(all->claim, "closed-form") != 0) {
+        snprintf(where, sizeof where, "%s at (%.6g, %.6g)", all->surface, all->found.at[0],
+                 all->found.at[1]);
+    }
+    if (claim.residual <= claim.limit) {
+        claim.holds = TAUT_TRUE;
+    } else if (claim.residual <= noise) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, "warning: rounding alone may leave %.3g in %s", noise,
+                 all->surface);
+    }
+    return taut_certificate_add(certificate, &claim);
+}
+
+/* Figures: one number, or a list for several surfaces. */
+static taut_status add_figures(const report *r, taut_certificate *certificate)
+{
+    static const char *const names[2] = {"area", "total_gaussian_curvature"};
+    const taut_record *const lists[2] = {r->area, r->curvature};
+    taut_record *figures = taut_record_new();
+    taut_status status = TAUT_OK;
+
+    for (int i = 0; i < 2; i++) {
+        if (taut_record_count(lists[i]) == 1) {
+            taut_record_add_number(figures, names[i],
+                                   taut_record_number(taut_record_at(lists[i], 0)));
+        } else {
+            taut_record_add_record(figures, names[i], lists[i]);
+        }
+    }
+    status = taut_record_status(figures);
+    taut_certificate_set_figures(certificate, figures);
+    return status;
+}
+
+static taut_status check_surfaces(const taut_model *model, const taut_bonnet_problem *problem,
+                                  taut_error *error)
+{
+    const int count = taut_model_surface_count(model);
+    const int wanted = problem == NULL ? count : problem->frames > 1 ? problem->frames : 1;
+
+    if (count == 0 || count != wanted) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", count, wanted > 0 ? wanted : 1,
+                         "the model has %d surfaces, expected %d: they do not belong together",
+                         count, wanted > 0 ? wanted : 1);
+    }
+    for (int i = 0; i < count; i++) {
+        if (taut_surface_weights(taut_model_surface(model, i)) != NULL) {
+            char where[64];
+            snprintf(where, sizeof where, "/surfaces/%d/weights", i);
+            return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+                             "a surface of this kind has no weights");
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status certify(const taut_model *model, const void *data,
+                           const taut_certify_options *options, taut_certificate *certificate,
+                           taut_error *error)
+{
+    static const char *const names[CLAIMS] = {"isothermal", "harmonic", "minimal",
+                                              "algebraic",  "formula",  "closed-form"};
+    const taut_bonnet_problem *problem = data;
+    const int count = taut_model_surface_count(model);
+    const int is_exact =
+        problem != NULL ? problem->normalize
+                        : taut_record_bool(taut_record_get(taut_model_details(model), "normalize"));
+    taut_record *lists = NULL;
+    report r;
+    taut_status status = check_surfaces(model, problem, error);
+
+    (void)options;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    memset(&r, 0, sizeof r);
+    for (int i = 0; i < CLAIMS; i++) {
+        r.claims[i].claim = names[i];
+    }
+    lists = taut_record_new();
+    r.area = taut_record_add_list(lists, "area");
+    r.curvature = taut_record_add_list(lists, "total_gaussian_curvature");
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        const taut_bonnet_frame frame = {problem,
+                                         problem != NULL ? lambda_of(problem, i, count) : 0, 0};
+        status = judge(taut_model_surface(model, i), problem != NULL ? &frame : NULL, is_exact, &r);
+    }
+    for (int i = 0; i < CLAIMS && status == TAUT_OK; i++) {
+        status =
+            r.claims[i].seen > 0 ? add_claim(&r.claims[i], roundings[i], certificate) : TAUT_OK;
+    }
+    if (status == TAUT_OK) {
+        status = taut_record_status(lists);
+    }
+    if (status == TAUT_OK) {
+        status = add_figures(&r, certificate);
+    }
+    taut_record_free(lists);
+    if (status == TAUT_NO_MEMORY) {
+        return taut_fail_memory(error);
+    }
+    return status == TAUT_OK
+               ? TAUT_OK
+               : taut_fail(error, status, "/surfaces", taut_none, taut_none,
+                           "a surface cannot be measured: %s", taut_status_text(status));
+}
+
+const taut_certify_ops taut_certify_bonnet = {.certify = certify};
+
+taut_status taut_bonnet_certify(const taut_model *model, const taut_bonnet_problem *problem,
+                                const taut_certify_options *options, taut_certificate **certificate,
+                                taut_error *error)
+{
+    return taut_certify_with(&taut_certify_bonnet, "bonnet", model, problem, options, certificate,
+                             error);
+}

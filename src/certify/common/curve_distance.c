@@ -1,0 +1,218 @@
+#include "certify/common/curve_distance.h"
+
+#include "core/fail.h"
+#include "core/memory.h"
+#include "core/vec3.h"
+#include "taut/operate.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { CUTS = 14, CHANNELS = 4 /* three of the numerator, the denominator */ };
+static const double near = 1.05; /* a bound so little above a distance seen is not made sharper */
+static const double unit_roundoff = 0x1p-53;
+static const double same_knot = 1e-12; /* of the range */
+static const double quasi_tolerance = 1e-11;
+
+double taut_certify_reach(const taut_curve *curve, const double *x)
+{
+    double reach = 0;
+    for (int i = 0; i < taut_basis_count(taut_curve_t(curve)); i++) {
+        reach = fmax(reach, taut_distance(taut_curve_points(curve) + 3 * i, x));
+    }
+    return reach;
+}
+
+taut_status taut_certify_edge(const taut_basis *u, const taut_basis *v, const double *points,
+                              const double *weights, int edge, taut_curve **curve,
+                              taut_error *error)
+{
+    const int nu = taut_basis_count(u), nv = taut_basis_count(v), count = edge < 2 ? nv : nu;
+    double *row = taut_alloc((size_t)count, 4 * sizeof(double));
+    taut_status status = row != NULL ? TAUT_OK : taut_fail_memory(error);
+
+    for (int k = 0; status == TAUT_OK && k < count; k++) {
+        const size_t i = edge < 2 ? (size_t)(edge == 0 ? 0 : nu - 1) : (size_t)k;
+        const size_t j = edge < 2 ? (size_t)k : (size_t)(edge == 2 ? 0 : nv - 1);
+        const size_t at = i * (size_t)nv + j;
+        memcpy(row + 3 * k, points + 3 * at, 3 * sizeof(double));
+        row[3 * count + k] = weights != NULL ? weights[at] : 1;
+    }
+    if (status == TAUT_OK) {
+        const taut_basis *along = edge < 2 ? v : u;
+        status = taut_curve_new(
+            "", along, row,
+            weights != NULL && taut_basis_allows_weights(along) ? row + 3 * count : NULL, curve,
+            error);
+    }
+    taut_free(row);
+    return status;
+}
+
+/* As a bspline over [lo, hi]; *bound gains what that costs. */
+static taut_status to_spline(const taut_curve *curve, double lo, double hi, taut_curve **spline,
+                             double *bound, taut_error *error)
+{
+    taut_curve *made = NULL;
+    double lost = 0;
+    taut_status status = taut_curve_to_nurbs(curve, quasi_tolerance, &made, &lost, error);
+
+    if (status == TAUT_OK) {
+        status = taut_curve_rerange(made, lo, hi, spline, error);
+    }
+    *bound += lost;
+    taut_curve_free(made);
+    return status;
+}
+
+/* Cuts *curve where the other has a knot and it has none near. */
+static taut_status share_breaks(taut_curve **curve, const taut_curve *other, taut_error *error)
+{
+    const taut_basis *basis = taut_curve_t(other);
+    const double *breaks = taut_basis_breaks(basis);
+    const int spans = taut_basis_span_count(basis);
+    const double close = same_knot * (breaks[spans] - breaks[0]);
+    taut_status status = TAUT_OK;
+
+    for (int s = 1; status == TAUT_OK && s < spans; s++) {
+        const taut_basis *own = taut_curve_t(*curve);
+        const double *there = taut_basis_breaks(own);
+        const int at = taut_basis_span(own, breaks[s]);
+        taut_curve *next = NULL;
+        if (fabs(there[at] - breaks[s]) <= close || fabs(there[at + 1] - breaks[s]) <= close) {
+            continue;
+        }
+        status = taut_curve_insert(*curve, breaks[s], 1, &next, error);
+        if (status == TAUT_OK) {
+            taut_curve_free(*curve);
+            *curve = next;
+        }
+    }
+    return status;
+}
+
+static double weight_of(const taut_curve *c, int i)
+{
+    return taut_curve_weights(c) != NULL ? taut_curve_weights(c)[i] : 1;
+}
+
+static double binomial(int n, int k)
+{
+    double value = 1;
+    for (int i = 1; i <= k; i++) {
+        value = value * (n - k + i) / i;
+    }
+    return value;
+}
+
+/* (max |X_i| + rounding) / min d_i, of halves of halves where that is not near what is seen at
+ * ends: *seen. c double[n+1][CHANNELS] is spoilt, spare is as long for each level. */
+static double largest_of(int n, double rounding, double *c, int cuts, double *spare, double *seen)
+{
+    double *const deeper = spare + CHANNELS * (n + 1);
+    double largest = 0, least = INFINITY;
+
+    for (int i = 0; i <= n; i++) {
+        const double size = taut_norm(c + CHANNELS * i), d = c[CHANNELS * i + 3];
+        largest = size <= largest ? largest : size; /* NaN stays */
+        least = fmin(least, d);
+        *seen = i == 0 || i == n ? fmax(*seen, size / d) : *seen;
+    }
+    const double bound = (largest + rounding) / least;
+    if (cuts == 0 || !(bound > near * *seen + 2 * rounding / least)) {
+        return bound;
+    }
+    for (int i = 0; i <= n; i++) { /* spare = the low half, c becomes the high one */
+        memcpy(spare + CHANNELS * i, c, CHANNELS * sizeof(double));
+        for (int k = 0; k < CHANNELS * (n - i); k++) {
+            c[k] = 0.5 * c[k] + 0.5 * c[k + CHANNELS];
+        }
+    }
+    const double high = largest_of(n, rounding, c, cuts - 1, deeper, seen);
+    const double low = largest_of(n, rounding, spare, cuts - 1, deeper, seen);
+    return high <= low ? low : high;
+}
+
+/* The bound on one pair of Bezier pieces. work double[(CUTS + 1)(p + q + 1)][CHANNELS]. */
+static double piece_distance(const taut_curve *a, const taut_curve *b, double *work, double *seen)
+{
+    const int p = taut_basis_degree(taut_curve_t(a)), q = taut_basis_degree(taut_curve_t(b));
+    const double *centre = taut_curve_points(a);
+    const double roundings = 32 * (p + q) * unit_roundoff;
+    double most = 0;
+
+    memset(work, 0, CHANNELS * (size_t)(p + q + 1) * sizeof(double));
+    for (int i = 0; i <= p; i++) {
+        for (int j = 0; j <= q; j++) {
+            const double weight = weight_of(a, i) * weight_of(b, j);
+            const double part = binomial(p, i) * binomial(q, j) / binomial(p + q, i + j) * weight;
+            double apart[3];
+            taut_difference(taut_curve_points(a) + 3 * i, taut_curve_points(b) + 3 * j, apart);
+            taut_add_scaled(part, apart, work + CHANNELS * (i + j));
+            work[CHANNELS * (i + j) + 3] += part * (1 - roundings);
+            most = fmax(most, weight);
+        }
+    }
+    const double size = fmax(taut_certify_reach(a, centre), taut_certify_reach(b, centre));
+    const double rounding = roundings * (most * size + taut_norm(centre) * most);
+    return largest_of(p + q, rounding, work, CUTS, work + CHANNELS * (p + q + 1), seen);
+}
+
+static taut_status pieces_distance(const taut_curve *a, const taut_curve *b, double *bound,
+                                   taut_error *error)
+{
+    const int degrees = taut_basis_degree(taut_curve_t(a)) + taut_basis_degree(taut_curve_t(b)) + 1;
+    double *work = taut_alloc((size_t)degrees * (CUTS + 1), CHANNELS * sizeof(double));
+    taut_model *of_a = NULL, *of_b = NULL;
+    double largest = 0, seen = 0;
+    taut_status status = work != NULL ? TAUT_OK : taut_fail_memory(error);
+
+    if (status == TAUT_OK) {
+        status = taut_curve_pieces(a, &of_a, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_curve_pieces(b, &of_b, error);
+    }
+    if (status == TAUT_OK && taut_model_curve_count(of_a) != taut_model_curve_count(of_b)) {
+        status = taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_none, taut_none,
+                           "knots of two curves lie too close to be told apart");
+    }
+    for (int k = 0; status == TAUT_OK && k < taut_model_curve_count(of_a); k++) {
+        const double here =
+            piece_distance(taut_model_curve(of_a, k), taut_model_curve(of_b, k), work, &seen);
+        largest = here <= largest ? largest : here; /* NaN stays */
+    }
+    *bound += largest;
+    taut_model_free(of_a);
+    taut_model_free(of_b);
+    taut_free(work);
+    return status;
+}
+
+taut_status taut_certify_distance(const taut_curve *a, const taut_curve *b, double *bound,
+                                  taut_error *error)
+{
+    const double lo = taut_basis_lo(taut_curve_t(a)), hi = taut_basis_hi(taut_curve_t(a));
+    taut_curve *spline_a = NULL, *spline_b = NULL;
+    double found = 0;
+    taut_status status = to_spline(a, lo, hi, &spline_a, &found, error);
+
+    if (status == TAUT_OK) {
+        status = to_spline(b, lo, hi, &spline_b, &found, error);
+    }
+    if (status == TAUT_OK) {
+        status = share_breaks(&spline_a, spline_b, error);
+    }
+    if (status == TAUT_OK) {
+        status = share_breaks(&spline_b, spline_a, error);
+    }
+    if (status == TAUT_OK) {
+        status = pieces_distance(spline_a, spline_b, &found, error);
+    }
+    if (status == TAUT_OK) {
+        *bound = found;
+    }
+    taut_curve_free(spline_a);
+    taut_curve_free(spline_b);
+    return status;
+}

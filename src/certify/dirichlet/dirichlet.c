@@ -1,0 +1,295 @@
+/* dirichlet.c -- is this the surface of least Dirichlet energy through its known points?
+ *
+ * D is convex in the points, so it is least exactly where its partial derivatives at the unknown
+ * points vanish ([WuWang2011] section 2.4). Claims:
+ *
+ *   stationary  largest |dD/dP| at an unknown point over the largest at any point, by quadrature of
+ *               the gradient (certify/dirichlet/gradient.h).
+ *               Limit  min(ROUNDINGS 2^-53 max(1, G/g), 1e-6),  G the largest gross sum at an
+ * unknown point, g the largest derivative: storing the points in doubles leaves 2^-53 G, and
+ *               summing leaves a few times that.
+ *   known       largest distance of a known point from the problem's, over their size; 0 exactly.
+ *   aspect      where the aspect was searched for: |log(lambda^2 iint |x_u|^2 / iint |x_v|^2)|
+ *               (section 7.3).
+ */
+#include "taut/dirichlet.h"
+
+#include "certify/certify_ops.h"
+#include "certify/common/known.h"
+#include "certify/dirichlet/gradient.h"
+#include "core/fail.h"
+#include "core/memory.h"
+#include "numeric/quadrature.h"
+#include "taut/measure.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ROUNDINGS = 4 };
+static const double unit_roundoff = 0x1p-53;
+static const double largest_limit = 1e-6;
+
+/* What is certified. */
+typedef struct request {
+    const taut_surface *surface;
+    const taut_dirichlet_problem *problem; /* or NULL */
+    int nu, nv;
+    int boundary_only; /* without a problem: the boundary is known; else every point is */
+    double aspect;
+    int has_aspect, is_searched;
+} request;
+
+static int is_known(const request *r, int i, int j)
+{
+    if (r->problem != NULL) {
+        return r->problem->known[(size_t)i * (size_t)r->nv + (size_t)j] != 0;
+    }
+    return !r->boundary_only || i == 0 || j == 0 || i == r->nu - 1 || j == r->nv - 1;
+}
+
+static taut_status needs_problem(const char *where, const char *reason, taut_error *error)
+{
+    return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+                     "%s: give the problem the model was made from too", reason);
+}
+
+/* Which points are known, when only the model is there. */
+static taut_status read_details(const taut_model *model, request *r, taut_error *error)
+{
+    const taut_record *details = taut_model_details(model);
+    const char *known = taut_record_text(taut_record_get(details, "known"));
+
+    r->boundary_only = strcmp(known, "boundary") == 0;
+    if (!r->boundary_only && strcmp(known, "all") != 0) {
+        return needs_problem("/details/known", "the model does not say which points were known",
+                             error);
+    }
+    return TAUT_OK;
+}
+
+/* The aspect the problem gives, or the one the model says was found. */
+static taut_status read_aspect(const taut_model *model, request *r, taut_error *error)
+{
+    const taut_record *said = taut_record_get(taut_model_details(model), "aspect");
+    const int given = r->problem != NULL && !r->problem->aspect_auto;
+
+    r->aspect = given ? r->problem->aspect : taut_record_number(said);
+    r->has_aspect = given ? r->problem->aspect > 0 : said != NULL;
+    r->is_searched = r->problem != NULL && r->problem->aspect_auto;
+    if (!r->has_aspect && !r->is_searched) {
+        r->aspect = 1;
+    }
+    if (!(r->aspect > 0) || !isfinite(r->aspect)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/details/aspect", r->aspect, 0,
+                         "the model does not say which aspect it was made with, expected a "
+                         "positive number");
+    }
+    return TAUT_OK;
+}
+
+static taut_status read_request(const taut_model *model, const taut_dirichlet_problem *problem,
+                                request *r, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+
+    if (problem != NULL && !taut_known_is_whole(problem)) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "the problem needs two bases, points and which of them are known");
+    }
+    memset(r, 0, sizeof *r);
+    r->surface = taut_model_surface(model, 0);
+    r->problem = problem;
+    if (r->surface == NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", 0, 1,
+                         "the model has no surface, expected the one of its problem");
+    }
+    r->nu = taut_basis_count(taut_surface_u(r->surface));
+    r->nv = taut_basis_count(taut_surface_v(r->surface));
+    if (problem == NULL) {
+        status = read_details(model, r, error);
+    } else if (taut_basis_count(problem->u) != r->nu || taut_basis_count(problem->v) != r->nv) {
+        status =
+            taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0/points", taut_none, taut_none,
+                      "the model's net is %d by %d, the problem's %d by %d: they do not "
+                      "belong together",
+                      r->nu, r->nv, taut_basis_count(problem->u), taut_basis_count(problem->v));
+    }
+    return status == TAUT_OK ? read_aspect(model, r, error) : status;
+}
+
+/* What a gradient says: the largest derivatives, and the rounding to be expected. */
+typedef struct finding {
+    double residual, limit, noise;
+    int at_u, at_v;
+} finding;
+
+static double largest_of(const double *p)
+{
+    return fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
+}
+
+static finding judge(const request *r, const taut_dirichlet_gradient *gradient)
+{
+    finding found = {0, 0, 0, 0, 0};
+    double unknown = 0, all = 0, gross = 0;
+
+    for (int i = 0; i < r->nu; i++) {
+        for (int j = 0; j < r->nv; j++) {
+            const size_t at = (size_t)i * (size_t)r->nv + (size_t)j;
+            const double size = largest_of(gradient->values + 3 * at);
+            all = fmax(all, size);
+            if (!is_known(r, i, j)) {
+                gross = fmax(gross, gradient->gross[at]);
+                if (size > unknown) {
+                    unknown = size;
+                    found.at_u = i;
+                    found.at_v = j;
+                }
+            }
+        }
+    }
+    found.residual = unknown > 0 ? unknown / all : 0;
+    found.noise = ROUNDINGS * unit_roundoff * (all > 0 ? fmax(1, gross / all) : 1);
+    found.limit = fmin(found.noise, largest_limit);
+    return found;
+}
+
+/* The gradient, with enough nodes: on polynomials one more a span than exactness needs; otherwise
+ * raised by half until its judgement stays: within the limit twice, or by a quarter of what is
+ * found or allowed. *settled tells whether it did. */
+static taut_status find_gradient(const request *r, taut_dirichlet_gradient *gradient,
+                                 finding *found, int *settled)
+{
+    const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
+    const int local =
+        taut_basis_local(u) > taut_basis_local(v) ? taut_basis_local(u) : taut_basis_local(v);
+    const int is_exact = taut_surface_weights(r->surface) == NULL && taut_basis_degree(u) >= 0 &&
+                         taut_basis_degree(v) >= 0;
+    int nodes = is_exact ? local + 1 : local + 6;
+    taut_status status = taut_dirichlet_gradient_new(r->surface, r->aspect, nodes, gradient);
+
+    *settled = is_exact;
+    *found = status == TAUT_OK ? judge(r, gradient) : (finding){0, 0, 0, 0, 0};
+    while (status == TAUT_OK && !*settled && nodes < TAUT_GAUSS_MAX) {
+        const double before = found->residual;
+        nodes = nodes + nodes / 2 < TAUT_GAUSS_MAX ? nodes + nodes / 2 : TAUT_GAUSS_MAX;
+        taut_dirichlet_gradient_clear(gradient);
+        status = taut_dirichlet_gradient_new(r->surface, r->aspect, nodes, gradient);
+        if (status == TAUT_OK) {
+            *found = judge(r, gradient);
+            *settled = fabs(found->residual - before) <=
+                           fmax(0.25 * found->limit, 0x1p-10 * fmin(found->residual, before)) ||
+                       fmax(found->residual, before) <= found->limit;
+        }
+    }
+    return status;
+}
+
+static taut_status add_stationary(const finding *found, int settled, taut_certificate *certificate)
+{
+    char where[128];
+    taut_claim claim = {"stationary", found->residual, found->limit, TAUT_FALSE, where};
+
+    snprintf(where, sizeof where, "/surfaces/0/points/%d/%d", found->at_u, found->at_v);
+    if (found->residual <= found->limit) {
+        claim.holds = TAUT_TRUE;
+    } else if (found->residual <= found->noise) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, "the rounding of the points alone may leave %.3g",
+                 found->noise);
+    }
+    if (!settled) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, "%d Gauss nodes do not settle the integrals", TAUT_GAUSS_MAX);
+    }
+    return taut_certificate_add(certificate, &claim);
+}
+
+/* lambda^2 iint |x_u|^2 = iint |x_v|^2. The points carry the rounding that `stationary` allows for;
+ * it weighs more in the lesser integral, by the root of their ratio over the unit square. */
+static taut_status add_aspect(const request *r, const taut_dirichlet_gradient *gradient,
+                              const finding *found, taut_certificate *certificate)
+{
+    const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
+    const double ratio =
+        (taut_basis_hi(v) - taut_basis_lo(v)) / (taut_basis_hi(u) - taut_basis_lo(u)) * r->aspect;
+    const double a = gradient->halves[0], b = gradient->halves[1];
+    taut_claim claim = {"aspect", 0, 0, TAUT_FALSE, ""};
+
+    claim.residual = a == 0 && b == 0 ? 0 : fabs(2 * log(r->aspect) + log(a) - log(b));
+    claim.limit = fmin(found->noise * (1 + fmax(ratio, 1 / ratio)), largest_limit);
+    claim.holds = claim.residual <= claim.limit ? TAUT_TRUE : TAUT_FALSE;
+    return taut_certificate_add(certificate, &claim);
+}
+
+static taut_status add_figures(const request *r, const taut_dirichlet_gradient *gradient,
+                               taut_certificate *certificate)
+{
+    const double a = gradient->halves[0], b = gradient->halves[1];
+    double energy = 0, area = 0, isothermality = 0;
+    taut_record *figures = NULL;
+    taut_status status = taut_surface_dirichlet_energy(r->surface, &energy);
+
+    if (status == TAUT_OK) {
+        status = taut_surface_area(r->surface, &area, NULL);
+    }
+    if (status == TAUT_OK) {
+        status = taut_surface_isothermality(r->surface, &isothermality);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    figures = taut_record_new();
+    taut_record_add_number(figures, "dirichlet_energy", energy);
+    taut_record_add_number(figures, "area", area);
+    taut_record_add_number(figures, "isothermality", isothermality);
+    if (r->has_aspect) {
+        const double share = a + b > 0 ? (r->aspect * a + b / r->aspect) / (a + b) : 1;
+        taut_record_add_number(figures, "aspect_energy", energy * share);
+    }
+    status = taut_record_status(figures);
+    taut_certificate_set_figures(certificate, figures);
+    return status;
+}
+
+static taut_status certify(const taut_model *model, const void *data,
+                           const taut_certify_options *options, taut_certificate *certificate,
+                           taut_error *error)
+{
+    taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}, 0, 0};
+    finding found;
+    request r;
+    int settled = 0;
+    taut_status status = read_request(model, data, &r, error);
+
+    (void)options;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = find_gradient(&r, &gradient, &found, &settled);
+    if (status == TAUT_OK) {
+        status = add_stationary(&found, settled, certificate);
+    }
+    if (status == TAUT_OK && r.problem != NULL) {
+        status = taut_certify_add_known(r.surface, r.problem, certificate);
+    }
+    if (status == TAUT_OK && r.is_searched) {
+        status = add_aspect(&r, &gradient, &found, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = add_figures(&r, &gradient, certificate);
+    }
+    taut_dirichlet_gradient_clear(&gradient);
+    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+const taut_certify_ops taut_certify_dirichlet = {.certify = certify};
+
+taut_status taut_dirichlet_certify(const taut_model *model, const taut_dirichlet_problem *problem,
+                                   const taut_certify_options *options,
+                                   taut_certificate **certificate, taut_error *error)
+{
+    return taut_certify_with(&taut_certify_dirichlet, "dirichlet", model, problem, options,
+                             certificate, error);
+}

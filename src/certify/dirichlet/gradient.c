@@ -1,0 +1,423 @@
+/* gradient.c -- one line u = const of quadrature points after another.
+ *
+ * On a line the integrals over v are gathered per column of the net, then spread over the rows
+ * whose functions are alive. Without weights phi = N_i N_j. With weights, w = sum w_st N_s N_t,
+ *
+ *     phi = w_ij N_i N_j / w,     phi_u = w_ij N_j (N_i' - N_i w_u / w) / w
+ *
+ * so the same sums run with x_u / w for x_u, and a third one takes N_i N_j (x_u w_u + ..) / w^2.
+ */
+#include "certify/dirichlet/gradient.h"
+
+#include "core/memory.h"
+#include "core/vec3.h"
+#include "geometry/grid/table.h"
+#include "geometry/nurbs/panels.h"
+#include "numeric/quadrature.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum {
+    VALUES = 9,   /* x, x_u, x_v of a point */
+    CHANNELS = 4, /* three coordinates, and the gross */
+    LINES = 16    /* evaluated at once */
+};
+
+/* Gauss nodes on every span of a direction; slopes in the table are over the unit interval. */
+typedef struct axis {
+    taut_table *table; /* order 1 */
+    double *t;
+    double *weights;   /* their sum is 1 */
+    double *roundings; /* degree |t| over the width of the span: what a rounding of t is there */
+    double length;
+    double reach; /* max |t| / length */
+    int count;
+} axis;
+
+typedef struct work {
+    axis u, v;
+    int nu, nv;
+    taut_surface *centred;
+    const double *weights; /* of the surface, or NULL */
+    double *sizes;         /* [nu][nv]: largest coordinate of each point as stored, in the unit */
+    double fu, fv;         /* the larger one is 1 */
+    int is_area;
+    int unit;         /* its power of two */
+    double *lines;    /* [LINES][v.count][3][3] */
+    double *polygons; /* [4][nv]: w and w_u; gross of values and of slopes in u */
+    double *spread;   /* [2][nv][CHANNELS]: what goes back with N_i, and with N_i' */
+} work;
+
+static void axis_clear(axis *a)
+{
+    taut_table_free(a->table);
+    taut_free(a->t);
+    taut_free(a->weights);
+    taut_free(a->roundings);
+}
+
+static taut_status axis_alloc(const taut_basis *basis, int count, axis *a)
+{
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+
+    a->count = count;
+    a->length = hi - lo;
+    a->reach = fmax(fabs(lo), fabs(hi)) / a->length;
+    a->t = taut_alloc((size_t)count, sizeof(double));
+    a->weights = taut_alloc((size_t)count, sizeof(double));
+    a->roundings = taut_alloc((size_t)count, sizeof(double));
+    return a->t != NULL && a->weights != NULL && a->roundings != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
+/* lines, step, next as in geometry/nurbs/panels.h. */
+static taut_status axis_new(const taut_basis *basis, int lines, const double *surface_weights,
+                            size_t step, size_t next, int nodes, axis *a)
+{
+    double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
+    const double *breaks = taut_basis_breaks(basis);
+    taut_panels *panels = NULL;
+    taut_status status = taut_panels_new(basis, lines, surface_weights, step, next, &panels);
+
+    if (status == TAUT_OK) {
+        status = axis_alloc(basis, panels->count * nodes, a);
+    }
+    taut_gauss_rule(nodes, node, weight);
+    for (int k = 0; status == TAUT_OK && k < a->count; k++) {
+        const int panel = k / nodes, span = panels->span[panel];
+        const double t = taut_panels_at(panels, panel, node[k % nodes]);
+        const double width = panels->hi[panel] - panels->lo[panel];
+        a->t[k] = t < breaks[span + 1] ? t : breaks[span]; /* the span of t must be this one */
+        a->weights[k] = 0.5 * weight[k % nodes] * (width / a->length);
+        a->roundings[k] = taut_basis_local(basis) * fabs(t) / taut_panels_finest(basis, span);
+    }
+    taut_panels_free(panels);
+    if (status == TAUT_OK) {
+        status = taut_table_new(basis, a->count, a->t, NULL, 1, &a->table);
+    }
+    for (int k = 0; status == TAUT_OK && k < a->count; k++) {
+        double *slopes = a->table->values + (2 * (size_t)k + 1) * (size_t)a->table->local;
+        for (int i = 0; i < a->table->local; i++) {
+            slopes[i] *= a->length;
+        }
+    }
+    return status;
+}
+
+/* The exponent e with largest < 2^e, 0 for 0. */
+static int exponent(double largest)
+{
+    int e = 0;
+    (void)frexp(largest, &e);
+    return e;
+}
+
+/* The surface with its points around 0 and of about unit size, and the sizes of the points as they
+ * are. The unit is a power of two, so that scaling rounds nothing. */
+static taut_status centre(const taut_surface *surface, work *w)
+{
+    const size_t count = (size_t)w->nu * (size_t)w->nv;
+    const double *p = taut_surface_points(surface);
+    double *moved = taut_alloc(3 * count, sizeof(double));
+    double largest = 0, size = 0;
+    taut_status status = TAUT_NO_MEMORY;
+    int coarse = 0, fine = 0;
+
+    w->sizes = taut_alloc(count, sizeof(double));
+    for (size_t i = 0; i < 3 * count; i++) {
+        largest = fmax(largest, fabs(p[i]));
+    }
+    coarse = exponent(largest);
+    for (size_t i = 0; moved != NULL && i < 3 * count; i++) {
+        moved[i] = ldexp(p[i], -coarse) - ldexp(p[i % 3], -coarse); /* from the first point */
+        size = fmax(size, fabs(moved[i]));
+    }
+    fine = exponent(size);
+    w->unit = coarse + fine;
+    if (moved != NULL && w->sizes != NULL) {
+        for (size_t i = 0; i < 3 * count; i++) {
+            moved[i] = ldexp(moved[i], -fine);
+        }
+        for (size_t i = 0; i < count; i++) {
+            /* numbers below DBL_MIN are stored with its rounding */
+            const double x =
+                fmax(fmax(fabs(p[3 * i]), DBL_MIN), fmax(fabs(p[3 * i + 1]), fabs(p[3 * i + 2])));
+            w->sizes[i] = ldexp(ldexp(x, -coarse), -fine);
+        }
+        status = taut_surface_new("", taut_surface_u(surface), taut_surface_v(surface), moved,
+                                  w->weights, &w->centred, NULL);
+    }
+    taut_free(moved);
+    return status;
+}
+
+static void work_clear(work *w)
+{
+    axis_clear(&w->u);
+    axis_clear(&w->v);
+    taut_surface_free(w->centred);
+    taut_free(w->sizes);
+    taut_free(w->lines);
+    taut_free(w->polygons);
+    taut_free(w->spread);
+}
+
+static taut_status work_new(const taut_surface *surface, double aspect, int nodes, work *w)
+{
+    taut_status status = TAUT_OK;
+    double f = 0;
+
+    memset(w, 0, sizeof *w);
+    w->nu = taut_basis_count(taut_surface_u(surface));
+    w->nv = taut_basis_count(taut_surface_v(surface));
+    w->weights = taut_surface_weights(surface);
+    status = axis_new(taut_surface_u(surface), w->nv, w->weights, (size_t)w->nv, 1, nodes, &w->u);
+    if (status == TAUT_OK) {
+        status =
+            axis_new(taut_surface_v(surface), w->nu, w->weights, 1, (size_t)w->nv, nodes, &w->v);
+    }
+    if (status == TAUT_OK) {
+        status = centre(surface, w);
+    }
+    if (status == TAUT_OK) {
+        w->lines = taut_alloc_aligned(LINES * VALUES * (size_t)w->v.count, sizeof(double));
+        w->polygons = taut_alloc_aligned(4 * (size_t)w->nv, sizeof(double));
+        w->spread = taut_alloc_aligned(2 * CHANNELS * (size_t)w->nv, sizeof(double));
+        f = aspect * (w->v.length / w->u.length);
+        w->fu = f >= 1 ? 1 : f * f;
+        w->fv = f >= 1 ? 1 / f / f : 1;
+        if (w->lines == NULL || w->polygons == NULL || w->spread == NULL) {
+            status = TAUT_NO_MEMORY;
+        }
+    }
+    return status;
+}
+
+/* polygons[0..1][t] = sum_s N_s w_st, N_s' w_st;   [2..3][t] = sum_s N_s w_st |P_st|, |N_s'| .. */
+static void contract(const work *w, int line)
+{
+    const taut_table *table = w->u.table;
+    const size_t nv = (size_t)w->nv;
+    double *p = w->polygons;
+
+    memset(p, 0, 4 * nv * sizeof(double));
+    for (int a = 0; a < table->local; a++) {
+        const double n = taut_table_row(table, line, 0)[a], d = taut_table_row(table, line, 1)[a];
+        const size_t row = (size_t)(table->first[line] + a) * nv;
+        for (size_t t = 0; t < nv; t++) {
+            const double weight = w->weights != NULL ? w->weights[row + t] : 1;
+            const double gross = weight * w->sizes[row + t];
+            p[t] += n * weight;
+            p[nv + t] += d * weight;
+            p[2 * nv + t] += n * gross;
+            p[3 * nv + t] += fabs(d) * gross;
+        }
+    }
+}
+
+/* w, w_u, w_v and the gross of x, x_u, x_v (before the division by w) at point k of the line. */
+static void point_sums(const work *w, int k, double sums[6])
+{
+    const taut_table *table = w->v.table;
+    const size_t nv = (size_t)w->nv;
+    const double *p = w->polygons + table->first[k];
+    const double *n = taut_table_row(table, k, 0), *d = taut_table_row(table, k, 1);
+
+    memset(sums, 0, 6 * sizeof(double));
+    sums[0] = w->weights == NULL;
+    for (size_t b = 0; w->weights != NULL && b < (size_t)table->local; b++) {
+        sums[0] += n[b] * p[b];
+        sums[1] += n[b] * p[nv + b];
+        sums[2] += d[b] * p[b];
+    }
+    for (size_t b = 0; b < (size_t)table->local; b++) {
+        sums[3] += n[b] * p[2 * nv + b];
+        sums[4] += n[b] * p[3 * nv + b];
+        sums[5] += fabs(d[b]) * p[2 * nv + b];
+    }
+}
+
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* The quadratic form in x_u, x_v that the gradient is of, over the unit square: the constant one of
+ * the Dirichlet energy, or for the area (G, -F, E) / W of the surface itself, 0 where W is. Returns
+ * W in the latter case. */
+static double coefficients(const work *w, const double *x, double form[3])
+{
+    const double *xu = x + 3 * TAUT_XU, *xv = x + 3 * TAUT_XV;
+    const double u = w->u.length, v = w->v.length;
+    double normal[3], element = 0;
+
+    form[0] = w->fu;
+    form[1] = 0;
+    form[2] = w->fv;
+    if (w->is_area) {
+        taut_cross(xu, xv, normal);
+        element = taut_norm(normal) * u * v;
+        const double inverse = element > 0x1p-500 ? 1 / element : 0;
+        form[0] = taut_dot(xv, xv) * v * v * inverse;
+        form[1] = -taut_dot(xu, xv) * u * v * inverse;
+        form[2] = taut_dot(xu, xu) * u * u * inverse;
+    }
+    return element;
+}
+
+/* What multiplies N_i' N_j (out[0]), N_i N_j' (out[1]) and -N_i N_j (out[2]) at one point, in each
+ * channel. In the gross one every sign is positive, and the slopes of the surface times what a
+ * rounding of (u, v) is to basis and w are added. */
+static void integrands(const work *w, double weight, double roundings, const double *x,
+                       const double sums[6], const double form[3], double out[3][CHANNELS])
+{
+    const double inverse = 1 / sums[0];
+    const double wu = w->weights != NULL ? sums[1] * inverse : 0;
+    const double wv = w->weights != NULL ? sums[2] * inverse : 0;
+    const double scale = weight * inverse;
+    const double fu = scale * form[0], mixed = scale * form[1], fv = scale * form[2];
+    const double all = roundings + w->u.reach * fabs(wu) + w->v.reach * fabs(wv);
+    double gross_u = 0, gross_v = 0;
+
+    for (int c = 0; c < 3; c++) {
+        const double xu = x[3 * TAUT_XU + c] * w->u.length, xv = x[3 * TAUT_XV + c] * w->v.length;
+        out[0][c] = fu * xu + mixed * xv;
+        out[1][c] = mixed * xu + fv * xv;
+        out[2][c] = out[0][c] * wu + out[1][c] * wv;
+        gross_u = larger(gross_u, fabs(xu));
+        gross_v = larger(gross_v, fabs(xv));
+    }
+    gross_u = all * gross_u + (sums[4] + fabs(wu) * sums[3]) * inverse;
+    gross_v = all * gross_v + (sums[5] + fabs(wv) * sums[3]) * inverse;
+    out[0][3] = fu * gross_u + fabs(mixed) * gross_v;
+    out[1][3] = fabs(mixed) * gross_u + fv * gross_v;
+    out[2][3] = -(out[0][3] * fabs(wu) + out[1][3] * fabs(wv));
+}
+
+/* spread[0] += N_j' V - N_j Z,   spread[1] += N_j U. */
+static void gather_point(const work *w, int k, double out[3][CHANNELS])
+{
+    const taut_table *table = w->v.table;
+    const double *n = taut_table_row(table, k, 0), *d = taut_table_row(table, k, 1);
+    double *still = w->spread + CHANNELS * (size_t)table->first[k];
+    double *along = still + CHANNELS * (size_t)w->nv;
+
+    for (int b = 0; b < table->local; b++) {
+        const double slopes[CHANNELS] = {d[b], d[b], d[b], fabs(d[b])};
+        for (int c = 0; c < CHANNELS; c++) {
+            still[c] += slopes[c] * out[1][c];
+            along[c] += n[b] * out[0][c];
+        }
+        for (int c = 0; w->weights != NULL && c < CHANNELS; c++) {
+            still[c] -= n[b] * out[2][c];
+        }
+        still += CHANNELS;
+        along += CHANNELS;
+    }
+}
+
+/* values and gross of the rows alive on the line += w_ij (N_i spread[0] + N_i' spread[1]). */
+static void add_line(const work *w, int line, taut_dirichlet_gradient *g)
+{
+    const taut_table *table = w->u.table;
+    const size_t nv = (size_t)w->nv;
+    for (int a = 0; a < table->local; a++) {
+        const double n = taut_table_row(table, line, 0)[a], d = taut_table_row(table, line, 1)[a];
+        const size_t row = (size_t)(table->first[line] + a) * nv;
+        for (size_t t = 0; t < nv; t++) {
+            const double *still = w->spread + CHANNELS * t, *along = still + CHANNELS * nv;
+            const double weight = w->weights != NULL ? w->weights[row + t] : 1;
+            for (size_t c = 0; c < 3; c++) {
+                g->values[3 * (row + t) + c] += weight * (n * still[c] + d * along[c]);
+            }
+            g->gross[row + t] += weight * (n * still[3] + fabs(d) * along[3]);
+        }
+    }
+}
+
+static double square(const double *x)
+{
+    return x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+}
+
+/* One line, from the values of its points. */
+static void integrate_line(work *w, int line, const double *values, taut_dirichlet_gradient *g)
+{
+    const double area = w->u.length * w->v.length;
+
+    contract(w, line);
+    memset(w->spread, 0, 2 * CHANNELS * (size_t)w->nv * sizeof(double));
+    for (int k = 0; k < w->v.count; k++) {
+        const double *x = values + VALUES * (size_t)k;
+        const double weight = w->u.weights[line] * w->v.weights[k];
+        double sums[6], form[3], out[3][CHANNELS];
+        point_sums(w, k, sums);
+        g->area += weight * coefficients(w, x, form);
+        integrands(w, weight, w->u.roundings[line] + w->v.roundings[k], x, sums, form, out);
+        gather_point(w, k, out);
+        g->halves[0] += weight * square(x + 3 * TAUT_XU) * area;
+        g->halves[1] += weight * square(x + 3 * TAUT_XV) * area;
+    }
+    add_line(w, line, g);
+}
+
+static taut_status integrate(work *w, taut_dirichlet_gradient *g)
+{
+    taut_status status = TAUT_OK;
+    for (int from = 0; status == TAUT_OK && from < w->u.count; from += LINES) {
+        const int count = w->u.count - from < LINES ? w->u.count - from : LINES;
+        status = taut_surface_eval_grid(w->centred, count, w->u.t + from, w->v.count, w->v.t, 1, 1,
+                                        w->lines);
+        for (int i = 0; status == TAUT_OK && i < count; i++) {
+            integrate_line(w, from + i, w->lines + VALUES * (size_t)w->v.count * (size_t)i, g);
+        }
+    }
+    return status;
+}
+
+static taut_status gradient_new(const taut_surface *surface, int is_area, double aspect, int nodes,
+                                taut_dirichlet_gradient *gradient)
+{
+    taut_dirichlet_gradient made = {NULL, NULL, {0, 0}, 0, 0};
+    work w;
+    taut_status status = work_new(surface, aspect, nodes, &w);
+    const size_t count = (size_t)w.nu * (size_t)w.nv;
+
+    w.is_area = is_area;
+    made.unit = w.unit;
+    if (status == TAUT_OK) {
+        made.values = taut_alloc_zero(3 * count, sizeof(double));
+        made.gross = taut_alloc_zero(count, sizeof(double));
+        status = made.values != NULL && made.gross != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    }
+    if (status == TAUT_OK) {
+        status = integrate(&w, &made);
+    }
+    work_clear(&w);
+    if (status != TAUT_OK) {
+        taut_dirichlet_gradient_clear(&made);
+        return status;
+    }
+    *gradient = made;
+    return TAUT_OK;
+}
+
+taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect, int nodes,
+                                        taut_dirichlet_gradient *gradient)
+{
+    return gradient_new(surface, 0, aspect, nodes, gradient);
+}
+
+taut_status taut_area_gradient_new(const taut_surface *surface, int nodes,
+                                   taut_dirichlet_gradient *gradient)
+{
+    return gradient_new(surface, 1, 1, nodes, gradient);
+}
+
+void taut_dirichlet_gradient_clear(taut_dirichlet_gradient *gradient)
+{
+    taut_free(gradient->values);
+    taut_free(gradient->gross);
+    memset(gradient, 0, sizeof *gradient);
+}

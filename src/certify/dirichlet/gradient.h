@@ -1,0 +1,37 @@
+/* gradient.h -- the gradient of the Dirichlet energy of a finished surface, by
+ * quadrature.
+ *
+ *     g_ij = dD/dP_ij = iint lambda phi_u x_u + phi_v x_v / lambda du dv,   phi = dx/dP_ij
+ *     D    = 1/2 iint lambda |x_u|^2 + |x_v|^2 / lambda du dv               ([WuWang2011] 2.3, 2.4)
+ *
+ * from the derivatives that evaluation gives at Gauss nodes, not from Gram matrices. Lengths are in
+ * units of a power of two near the size of the surface, so that nothing overflows.
+ */
+#ifndef TAUT_CERTIFY_DIRICHLET_GRADIENT_H
+#define TAUT_CERTIFY_DIRICHLET_GRADIENT_H
+
+#include "taut/surface.h"
+
+typedef struct taut_dirichlet_gradient {
+    double *values; /* [nu][nv][3]: g over max(lambda Lv/Lu, Lu/Lv/lambda) and the unit */
+    double *gross; /* [nu][nv]: the sum of what rounding acts on, 2^-53 of it is what storing points
+                    * and parameters in doubles leaves:
+                    *     iint |phi_u| (sum |phi_u,st| |P_st| + rho |x_u|) + the same in v,
+                    *     rho = |u| (k/du + |w_u|/w) + |v| (h/dv + |w_v|/w)
+                    * points as stored, not centred; k, h functions alive, du, dv widths of spans
+                    * (at most 1 on hyperbolic bases, whose layers are as wide) */
+    double halves[2]; /* iint |x_u|^2, iint |x_v|^2, in squares of the unit */
+    double area;      /* in squares of the unit; 0 of the Dirichlet energy's gradient */
+    int unit;         /* the unit is 2 to this power */
+} taut_dirichlet_gradient;
+
+/* `nodes` Gauss nodes a panel (geometry/nurbs/panels.h), 1..TAUT_GAUSS_MAX. TAUT_NO_MEMORY. */
+taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect, int nodes,
+                                        taut_dirichlet_gradient *gradient);
+/* The gradient of the area instead, from the form (G, -F, E) / W in place of (lambda, 0, 1/lambda)
+ * ([WuWang2011] 7.1: at the surface itself it has the area's gradient). */
+taut_status taut_area_gradient_new(const taut_surface *surface, int nodes,
+                                   taut_dirichlet_gradient *gradient);
+void taut_dirichlet_gradient_clear(taut_dirichlet_gradient *gradient);
+
+#endif /* TAUT_CERTIFY_DIRICHLET_GRADIENT_H */

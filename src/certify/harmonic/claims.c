@@ -1,0 +1,203 @@
+#include "certify/harmonic/claims.h"
+
+#include "certify/harmonic/residual.h"
+#include "core/exact.h"
+#include "core/fail.h"
+#include "core/memory.h"
+#include "taut/measure.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double unit_roundoff = 0x1p-53;
+static const double largest_limit = 1e-6;
+
+taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_error *error)
+{
+    if (taut_model_surface_count(model) < least) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", taut_model_surface_count(model), least,
+                         "the model has %d surfaces, expected at least %d",
+                         taut_model_surface_count(model), least);
+    }
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        const taut_surface *surface = taut_model_surface(model, i);
+        if (strcmp(taut_basis_type(taut_surface_u(surface)), "bezier") != 0 ||
+            strcmp(taut_basis_type(taut_surface_v(surface)), "bezier") != 0 ||
+            taut_surface_weights(surface) != NULL) {
+            char where[32];
+            snprintf(where, sizeof where, "/surfaces/%d", i);
+            return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+                             "expected a polynomial surface on \"bezier\" bases");
+        }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_harmonic_add_claim(const char *name, double residual, double limit,
+                                    const char *where, taut_certificate *certificate)
+{
+    const double held = fmin(limit, largest_limit);
+    const int open = residual > held && residual <= limit;
+    const taut_claim claim = {name, residual, held,
+                              residual <= held ? TAUT_TRUE
+                              : open           ? TAUT_UNDECIDED
+                                               : TAUT_FALSE,
+                              open ? "the rounding of points so far from the origin hides it"
+                                   : where};
+    return taut_certificate_add(certificate, &claim);
+}
+
+/* The largest residual of the exact points, scaled as the other is. */
+static taut_status add_exact(const taut_model *model, taut_certificate *certificate,
+                             taut_error *error)
+{
+    const taut_exact_ops *ops = NULL;
+    double worst = 0;
+    char where[96] = "in rational arithmetic";
+    taut_status status = taut_exact_load(&ops, error);
+
+    for (int k = 0; k < taut_model_surface_count(model) && status == TAUT_OK; k++) {
+        const taut_surface *surface = taut_model_surface(model, k);
+        const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+        const double rectangle[4] = {taut_basis_lo(u), taut_basis_hi(u), taut_basis_lo(v),
+                                     taut_basis_hi(v)};
+        const taut_exact_numbers net = {taut_surface_points(surface), taut_surface_exact(surface)};
+        const taut_harmonic_residual rounded = taut_harmonic_residual_of(surface, 0);
+        const double scale = rounded.scaled > 0 ? rounded.scaled / rounded.largest : 1;
+        double largest = 0;
+        if (!ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, rectangle, &largest)) {
+            return TAUT_NO_MEMORY; /* not reached: FLINT's numbers abort without memory */
+        }
+        if (largest * scale > worst) {
+            worst = largest * scale;
+            snprintf(where, sizeof where, "in rational arithmetic, surface %.40s",
+                     taut_surface_name(surface));
+        }
+    }
+    return status == TAUT_OK ? taut_harmonic_add_claim("harmonic", worst, 0, where, certificate)
+                             : status;
+}
+
+/* How far two opposite edges of even degree miss the condition of harmonic patches of bidegree
+ * (n, n), that their top differences agree ([NiWang2015] section 2.4): d = |Delta^n (row n - row
+ * 0)|; direction 0: the edges are u = 0 and 1. 0 for other bidegrees. */
+static double missed(const taut_surface *surface, int direction)
+{
+    const int n = taut_basis_degree(taut_surface_u(surface));
+    const double *points = taut_surface_points(surface);
+    const size_t step = direction == 0 ? 3 : 3 * ((size_t)n + 1);
+    const size_t across = (size_t)n * (direction == 0 ? 3 * ((size_t)n + 1) : 3);
+    double most = 0;
+    if (n % 2 != 0 || taut_basis_degree(taut_surface_v(surface)) != n) {
+        return 0;
+    }
+    for (int c = 0; c < 3; c++) {
+        double binomial = 1, sum = 0;
+        for (int j = 0; j <= n; j++) {
+            const double *point = points + step * (size_t)j + c;
+            sum += binomial * (point[across] - point[0]);
+            binomial *= -(double)(n - j) / (j + 1);
+        }
+        most = fmax(most, fabs(sum));
+    }
+    return most;
+}
+
+/* What such a d leaves of the Laplacian at least, scaled as the residual is: with k = n/2 - 1
+ *     w_v mu^k (n! d / 2) |Lambda_k(u) - Lambda_k(1 - u)|,   mu = w_v / w_u,
+ * where the difference is at most 1 for k = 0 and 4 zeta(3) / (2 pi)^(2k+1) else (its sine series);
+ * its Bernstein coefficients are taken for four times that. */
+static double forced(const taut_surface *surface, const taut_harmonic_residual *found)
+{
+    const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
+    const int n = taut_basis_degree(bases[0]), k = n / 2 - 1;
+    const double width[2] = {taut_basis_hi(bases[0]) - taut_basis_lo(bases[0]),
+                             taut_basis_hi(bases[1]) - taut_basis_lo(bases[1])};
+    const double least = fmin(width[0], width[1]);
+    const double size = found->size * n * n / (least * least);
+    double most = 0;
+    for (int d = 0; d < 2 && size > 0 && k >= 0; d++) {
+        const double across = width[d], along = width[1 - d];
+        const double lambda = k == 0 ? 1 : 16 * 1.2020569 * exp(-(2 * k + 1) * log(2 * 3.14159265));
+        const double miss = missed(surface, d);
+        if (miss > 0 && miss <= 1e-10 * found->size) {
+            most = fmax(most, pow(across / along, 2.0 * k) / (along * along) * 0.5 * miss *
+                                  tgamma(n + 1.0) * lambda / size);
+        }
+    }
+    return most;
+}
+
+/* The claim of edges that are told to too few digits to bound a harmonic patch of even degree. */
+static taut_status add_missed(double residual, double limit, const taut_surface *surface,
+                              taut_certificate *certificate)
+{
+    char where[160];
+    snprintf(
+        where, sizeof where,
+        "two edges of even degree miss the condition of a harmonic patch by %.3g, which leaves "
+        "so much; \"even\" can repair them",
+        fmax(missed(surface, 0), missed(surface, 1)));
+    const taut_claim claim = {"harmonic", residual, limit, TAUT_UNDECIDED, where};
+    return taut_certificate_add(certificate, &claim);
+}
+
+taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, double growth,
+                                       taut_certificate *certificate, taut_error *error)
+{
+    if (exact) {
+        return add_exact(model, certificate, error);
+    }
+
+    char where[96] = "";
+    double worst = -1, residual = 0, limit = 0, carried = 0, spared = 0;
+    const taut_surface *worst_surface = NULL;
+
+    for (int k = 0; k < taut_model_surface_count(model); k++) {
+        const taut_surface *surface = taut_model_surface(model, k);
+        const taut_harmonic_residual found = taut_harmonic_residual_of(surface, 0);
+        const int degrees =
+            taut_basis_degree(taut_surface_u(surface)) + taut_basis_degree(taut_surface_v(surface));
+        const double noise = found.size > 0 && k > 0 ? carried / found.size : 0;
+        const double allowed = 2 * degrees * unit_roundoff * fmax(found.reach, noise);
+        carried = k == 0 ? growth * found.reach * found.size : carried;
+        if (!(found.scaled / allowed <= worst)) {
+            worst = found.scaled / allowed;
+            residual = found.scaled;
+            limit = allowed;
+            spared = forced(surface, &found);
+            worst_surface = surface;
+            snprintf(where, sizeof where, "surface %.40s, its own rectangle, point %d %d",
+                     taut_surface_name(surface), found.i, found.j);
+        }
+    }
+    if (residual > limit && residual <= limit + spared) {
+        return add_missed(residual, limit, worst_surface, certificate);
+    }
+    return taut_harmonic_add_claim("harmonic", residual, limit, where, certificate);
+}
+
+taut_status taut_harmonic_add_figures(const taut_model *model, taut_record *figures)
+{
+    const int count = taut_model_surface_count(model);
+    double *energy = taut_alloc(2 * (size_t)count, sizeof *energy);
+    double *isothermality = energy != NULL ? energy + count : NULL;
+    taut_status status = energy != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        status = taut_surface_dirichlet_energy(taut_model_surface(model, i), &energy[i]);
+        if (status == TAUT_OK) {
+            status = taut_surface_isothermality(taut_model_surface(model, i), &isothermality[i]);
+        }
+    }
+    if (status == TAUT_OK && count == 1) {
+        taut_record_add_number(figures, "dirichlet_energy", energy[0]);
+        taut_record_add_number(figures, "isothermality", isothermality[0]);
+    } else if (status == TAUT_OK) {
+        taut_record_add_numbers(figures, "dirichlet_energy", count, energy);
+        taut_record_add_numbers(figures, "isothermality", count, isothermality);
+    }
+    taut_free(energy);
+    return status;
+}

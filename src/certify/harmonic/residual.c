@@ -1,0 +1,117 @@
+#include "certify/harmonic/residual.h"
+
+#include <float.h>
+#include <math.h>
+
+/* The five factors of relation (2) at index i of degree n: of points i+2, i+1, i, i-1, i-2. They
+ * vanish by themselves where those are outside the net. */
+static void factors(int n, int i, double f[5])
+{
+    const double a0 = (double)(n - i) * (n - i - 1), a1 = 2.0 * i * (n - i),
+                 a2 = (double)i * (i - 1);
+    f[0] = a0;
+    f[1] = a1 - 2 * a0;
+    f[2] = a0 - 2 * a1 + a2;
+    f[3] = a1 - 2 * a2;
+    f[4] = a2;
+}
+
+/* sum_k f[k] (p[i + 2 - k] s - mean), s = 2^-unit, points outside the net left out; p strides
+ * `stride` points. */
+static double apply(const double f[5], int n, int i, const double *points, long first, long stride,
+                    int c, int unit, double mean)
+{
+    double sum = 0;
+    for (int k = 0; k < 5; k++) {
+        const int at = i + 2 - k;
+        if (at >= 0 && at <= n && f[k] != 0) {
+            sum += f[k] * (ldexp(points[3 * (first + at * stride) + c], -unit) - mean);
+        }
+    }
+    return sum;
+}
+
+/* 2^unit is within a factor 2 of the largest coordinate. */
+static int unit_of(const double *points, long count)
+{
+    double largest = 0;
+    for (long k = 0; k < 3 * count; k++) {
+        largest = fmax(largest, fabs(points[k]));
+    }
+    return largest > 0 ? ilogb(largest) : 0;
+}
+
+/* The mean point, and the largest coordinate about it, over 2^unit. */
+static double size_about_mean(const double *points, long count, int unit, double mean[3])
+{
+    double size = 0;
+    for (int c = 0; c < 3; c++) {
+        mean[c] = 0;
+        for (long k = 0; k < count; k++) {
+            mean[c] += ldexp(points[3 * k + c], -unit) / (double)count;
+        }
+        for (long k = 0; k < count; k++) {
+            size = fmax(size, fabs(ldexp(points[3 * k + c], -unit) - mean[c]));
+        }
+    }
+    return size;
+}
+
+void taut_certify_laplacian(int n, int m, double wu, double wv, const double *net,
+                            double *laplacian)
+{
+    for (int i = 0; i <= n; i++) {
+        double fu[5];
+        factors(n, i, fu);
+        for (int j = 0; j <= m; j++) {
+            double fv[5];
+            factors(m, j, fv);
+            for (int c = 0; c < 3; c++) {
+                laplacian[3 * (i * (m + 1) + j) + c] =
+                    wu * apply(fu, n, i, net, j, m + 1, c, 0, 0) +
+                    wv * apply(fv, m, j, net, (long)i * (m + 1), 1, c, 0, 0);
+            }
+        }
+    }
+}
+
+taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, int square)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const int n = taut_basis_degree(u), m = taut_basis_degree(v);
+    const double a = square ? 1 : taut_basis_hi(u) - taut_basis_lo(u);
+    const double b = square ? 1 : taut_basis_hi(v) - taut_basis_lo(v);
+    const double wu = 1 / (a * a), wv = 1 / (b * b);
+    const double *points = taut_surface_points(surface);
+    taut_harmonic_residual found = {0, 0, 0, 1, 0, 0};
+    double mean[3];
+    const int unit = unit_of(points, (long)(n + 1) * (m + 1));
+    const double size = size_about_mean(points, (long)(n + 1) * (m + 1), unit, mean);
+
+    for (int i = 0; i <= n; i++) {
+        double fu[5];
+        factors(n, i, fu);
+        for (int j = 0; j <= m; j++) {
+            double fv[5];
+            factors(m, j, fv);
+            for (int c = 0; c < 3; c++) {
+                const double along_u = apply(fu, n, i, points, j, m + 1, c, unit, mean[c]);
+                const double along_v =
+                    apply(fv, m, j, points, (long)i * (m + 1), 1, c, unit, mean[c]);
+                const double r = fabs(wu * along_u + wv * along_v);
+                if (!(r <= found.largest)) {
+                    found.largest = r;
+                    found.i = i;
+                    found.j = j;
+                }
+            }
+        }
+    }
+    for (long k = 0; size > 0 && k < 3L * (n + 1) * (m + 1); k++) {
+        found.reach = fmax(found.reach, ldexp(fmax(fabs(points[k]), DBL_MIN), -unit) / size);
+    }
+    found.scaled = size > 0 ? found.largest / (fmax(wu * n * n, wv * m * m) * size) : 0;
+    found.size = ldexp(size, unit);
+    found.largest = ldexp(found.largest, unit);
+    return found;
+}

@@ -1,0 +1,27 @@
+/* residual.h -- is a Bezier net harmonic over its own rectangle? */
+#ifndef TAUT_CERTIFY_HARMONIC_RESIDUAL_H
+#define TAUT_CERTIFY_HARMONIC_RESIDUAL_H
+
+#include "taut/surface.h"
+
+typedef struct taut_harmonic_residual {
+    double largest; /* max |R_ij|, the control points of x_uu + x_vv in the parameters of the
+                       rectangle */
+    double scaled;  /* rho = largest / (max(n^2/a^2, m^2/b^2) S), S the size about the mean point; 0
+                       where S is */
+    double size;    /* S */
+    double reach;   /* the largest coordinate over S, at least 1 */
+    int i, j;       /* where */
+} taut_harmonic_residual;
+
+/* By relation (2) of [NiWang2015] section 2.2 with weights 1/a^2, 1/b^2, a and b the widths of the
+ * ranges; `square` nonzero: with weights 1, as over the unit square. Bezier bases without weights.
+ */
+taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, int square);
+
+/* The control points of w_u x_uu + w_v x_vv, in the bidegree of the net double[n+1][m+1][3], by
+ * relation (2). Not in place. */
+void taut_certify_laplacian(int n, int m, double wu, double wv, const double *net,
+                            double *laplacian);
+
+#endif /* TAUT_CERTIFY_HARMONIC_RESIDUAL_H */

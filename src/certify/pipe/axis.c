@@ -1,0 +1,371 @@
+#include "certify/pipe/axis.h"
+
+#include "core/fail.h"
+#include "core/vec3.h"
+#include "numeric/quadrature.h"
+#include "numeric/sum.h"
+#include "taut/operate.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { GAUSS = 12, DEPTH_MAX = 40, PANELS = 8, INTEGRALS = 4, HALVINGS = 4000 };
+
+void taut_pipe_halve(int degree, const double (*points)[3], int upper, double (*half)[3])
+{
+    double b[TAUT_PIPE_PIECE_DEGREE + 1][3];
+    memcpy(b, points, ((size_t)degree + 1) * sizeof b[0]);
+    for (int level = 0; level <= degree; level++) {
+        const int from = upper ? degree - level : 0, to = upper ? degree - level : level;
+        memcpy(half[to], b[from], sizeof b[0]);
+        for (int i = 0; i < degree - level; i++) {
+            for (int k = 0; k < 3; k++) {
+                b[i][k] = 0.5 * (b[i][k] + b[i + 1][k]);
+            }
+        }
+    }
+}
+
+/* The differences of each order, each then evaluated by de Casteljau's algorithm. */
+void taut_pipe_piece_eval(const taut_pipe_piece *piece, double t, int order, double (*d)[3])
+{
+    double differences[TAUT_PIPE_PIECE_DEGREE + 1][3];
+    double factor = 1;
+    memcpy(differences, piece->points, sizeof differences);
+    for (int k = 0; k <= order; k++) {
+        const int n = piece->degree - k;
+        double b[TAUT_PIPE_PIECE_DEGREE + 1][3] = {{0, 0, 0}};
+        for (int i = 0; i <= n; i++) {
+            memcpy(b[i], differences[i], sizeof b[i]);
+        }
+        for (int level = n; level > 0; level--) {
+            for (int i = 0; i < level; i++) {
+                for (int c = 0; c < 3; c++) {
+                    b[i][c] += t * (b[i + 1][c] - b[i][c]);
+                }
+            }
+        }
+        for (int c = 0; c < 3; c++) {
+            d[k][c] = factor * b[0][c];
+        }
+        for (int i = 0; i < n; i++) {
+            taut_difference(differences[i + 1], differences[i], differences[i]);
+        }
+        factor *= n;
+    }
+}
+
+double taut_pipe_piece_curvature(const taut_pipe_piece *piece, double t)
+{
+    double d[3][3], cross[3], speed = 0;
+    taut_pipe_piece_eval(piece, t, 2, d);
+    taut_cross(d[1], d[2], cross);
+    speed = taut_norm(d[1]);
+    return speed > 0 ? taut_norm(cross) / (speed * speed * speed) : 0;
+}
+
+static double power_below(double size)
+{
+    int exponent = 0;
+    (void)frexp(size, &exponent);
+    return size > 0 ? ldexp(1, exponent - 1) : 1;
+}
+
+/* Origin, scale and noise, of all curves together. */
+static void place(const taut_curve *const *curves, int count, taut_pipe_line *line)
+{
+    double size = 0, largest = 0;
+    memcpy(line->origin, taut_curve_points(curves[0]), sizeof line->origin);
+    for (int c = 0; c < count; c++) {
+        const double *points = taut_curve_points(curves[c]);
+        for (int i = 0; i < 3 * taut_basis_count(taut_curve_t(curves[c])); i++) {
+            size = fmax(size, fabs(points[i] - line->origin[i % 3]));
+            largest = fmax(largest, fabs(points[i]));
+        }
+    }
+    line->scale = power_below(size);
+    line->noise = DBL_EPSILON / 2 * (largest + size) / line->scale;
+}
+
+/* The Bezier pieces of one curve, in local coordinates. */
+static taut_status local_pieces(const taut_curve *curve, const taut_pipe_line *line,
+                                taut_model **pieces, taut_error *error)
+{
+    const double s = 1 / line->scale, *o = line->origin;
+    const double matrix[12] = {s, 0, 0, -s * o[0], 0, s, 0, -s * o[1], 0, 0, s, -s * o[2]};
+    taut_curve *local = NULL;
+    taut_status status = taut_curve_transform(curve, matrix, &local, error);
+    if (status == TAUT_OK) {
+        status = taut_curve_pieces(local, pieces, error);
+    }
+    taut_curve_free(local);
+    return status;
+}
+
+static taut_status take_piece(const taut_curve *curve, taut_pipe_piece *piece, taut_error *error)
+{
+    const taut_basis *t = taut_curve_t(curve);
+    const int n = taut_basis_degree(t);
+    if (n < 1 || n > TAUT_PIPE_PIECE_DEGREE || taut_curve_weights(curve) != NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/curves/0", n, TAUT_PIPE_PIECE_DEGREE,
+                         "the axis is no polynomial curve of a degree up to %d",
+                         TAUT_PIPE_PIECE_DEGREE);
+    }
+    *piece = (taut_pipe_piece){.degree = n, .lo = taut_basis_lo(t), .hi = taut_basis_hi(t)};
+    memcpy(piece->points, taut_curve_points(curve), 3 * ((size_t)n + 1) * sizeof(double));
+    return TAUT_OK;
+}
+
+static taut_status pieces_of(const taut_curve *curve, taut_pipe_line *line, taut_error *error)
+{
+    taut_model *pieces = NULL;
+    taut_status status = local_pieces(curve, line, &pieces, error);
+
+    if (status == TAUT_OK) {
+        line->count = taut_model_curve_count(pieces);
+        line->pieces = taut_arena_take(line->arena, (size_t)line->count, sizeof *line->pieces);
+        status = line->pieces != NULL ? TAUT_OK : taut_fail_memory(error);
+    }
+    for (int i = 0; i < line->count && status == TAUT_OK; i++) {
+        status = take_piece(taut_model_curve(pieces, i), &line->pieces[i], error);
+    }
+    taut_model_free(pieces);
+    return status;
+}
+
+/* Unit tangents at both ends. */
+static taut_status find_tangents(taut_pipe_line *line, taut_error *error)
+{
+    for (int side = 0; side < 2; side++) {
+        const taut_pipe_piece *piece = &line->pieces[side == 0 ? 0 : line->count - 1];
+        double d[2][3], speed = 0;
+        taut_pipe_piece_eval(piece, side, 1, d);
+        speed = taut_norm(d[1]);
+        if (!(speed > 0)) {
+            return taut_fail(error, TAUT_BAD_INPUT, "/curves/0", speed, 0,
+                             "the axis has no direction at its %s", side == 0 ? "start" : "end");
+        }
+        for (int k = 0; k < 3; k++) {
+            line->tangent[side][k] = d[1][k] / speed;
+        }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, taut_arena *arena,
+                                  taut_pipe_line *line, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    *line = (taut_pipe_line){.arena = arena, .count = count, .run = 1};
+    place(curves, count, line);
+    line->pieces = taut_arena_take(arena, (size_t)count, sizeof *line->pieces);
+    status = line->pieces != NULL ? TAUT_OK : taut_fail_memory(error);
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        taut_model *pieces = NULL;
+        status = local_pieces(curves[i], line, &pieces, error);
+        if (status == TAUT_OK && taut_model_curve_count(pieces) != 1) {
+            status = taut_fail(error, TAUT_BAD_INPUT, "/curves", taut_model_curve_count(pieces), 1,
+                               "an axis of the run has several pieces");
+        }
+        if (status == TAUT_OK) {
+            status = take_piece(taut_model_curve(pieces, 0), &line->pieces[i], error);
+        }
+        line->pieces[i].lo = i;
+        line->pieces[i].hi = i + 1;
+        taut_model_free(pieces);
+    }
+    return status == TAUT_OK ? find_tangents(line, error) : status;
+}
+
+taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_pipe_line *line,
+                              taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    *line = (taut_pipe_line){.arena = arena, .lengths = {INFINITY, INFINITY}};
+    place(&curve, 1, line);
+    status = pieces_of(curve, line, error);
+    return status == TAUT_OK ? find_tangents(line, error) : status;
+}
+
+/* K = P' x P'' of a quintic without curvature at its ends is t (1 - t) C(t), C of degree 4:
+ *     C_i = K_{i+1} (6 over i+1) / (4 over i),
+ *     K_k = sum over i + j = k of (4 i-th by j-th) binomials p'_i x p'_{j+1} / (6 over k) */
+static void binormal_of(const taut_pipe_piece *piece, double c[5][3])
+{
+    static const double three[4] = {1, 3, 3, 1}, four[5] = {1, 4, 6, 4, 1};
+    double legs[5][3];
+    memset(c, 0, 15 * sizeof(double));
+    for (int i = 0; i < 5; i++) {
+        taut_difference(piece->points[i + 1], piece->points[i], legs[i]);
+    }
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            double product[3];
+            taut_cross(legs[i], legs[j + 1], product);
+            if (i + j > 0 && i + j < 6) {
+                taut_add_scaled(100 * three[i] * three[j] / four[i + j - 1], product, c[i + j - 1]);
+            }
+        }
+    }
+}
+
+/* Torsion from a binormal C(t) of any length: -det(C', C, T) / C . C, which needs no division by
+ * what vanishes at the ends. */
+static double flat_torsion(const double (*c)[3], double t, const double tangent[3])
+{
+    double b[5][3], slope[3], square = 0;
+    memcpy(b, c, sizeof b);
+    for (int level = 4; level > 1; level--) {
+        for (int i = 0; i < level; i++) {
+            for (int k = 0; k < 3; k++) {
+                b[i][k] += t * (b[i + 1][k] - b[i][k]);
+            }
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        slope[k] = 4 * (b[1][k] - b[0][k]);
+        b[0][k] += t * (b[1][k] - b[0][k]);
+    }
+    square = taut_dot(b[0], b[0]);
+    return square > 0 ? -taut_det(slope, b[0], tangent) / square : 0;
+}
+
+/* Length, turning, torsion and bending per unit of parameter. */
+static void integrands(const taut_pipe_piece *piece, int planar, const double (*binormal)[3],
+                       double t, double out[INTEGRALS])
+{
+    double d[4][3], cross[3], speed = 0, square = 0;
+    taut_pipe_piece_eval(piece, t, 3, d);
+    taut_cross(d[1], d[2], cross);
+    speed = taut_norm(d[1]);
+    square = taut_dot(cross, cross);
+    memset(out, 0, INTEGRALS * sizeof *out);
+    out[0] = speed;
+    if (speed > 0) {
+        const double curvature = sqrt(square) / (speed * speed * speed);
+        out[1] = curvature * speed;
+        out[3] = curvature * curvature * speed;
+    }
+    if (binormal != NULL && speed > 0 && !planar) {
+        for (int k = 0; k < 3; k++) {
+            d[1][k] /= speed;
+        }
+        out[2] = flat_torsion(binormal, t, d[1]);
+    } else if (square > 0 && !planar) {
+        out[2] = taut_dot(cross, d[3]) / square * speed;
+    }
+}
+
+/* One piece under quadrature. */
+typedef struct quadrature {
+    double tolerance;
+    const taut_pipe_piece *piece;
+    int planar, flat;
+    double binormal[5][3]; /* of a flat one */
+    double nodes[GAUSS], weights[GAUSS];
+    double size[INTEGRALS]; /* what errors are measured against */
+    taut_sum sums[INTEGRALS];
+    int left; /* panels that may still be halved */
+} quadrature;
+
+static void gauss(const quadrature *q, double lo, double hi, double out[INTEGRALS])
+{
+    memset(out, 0, INTEGRALS * sizeof *out);
+    for (int i = 0; i < GAUSS; i++) {
+        double value[INTEGRALS];
+        integrands(q->piece, q->planar, q->flat ? (const double(*)[3])q->binormal : NULL,
+                   0.5 * (lo + hi) + 0.5 * (hi - lo) * q->nodes[i], value);
+        for (int k = 0; k < INTEGRALS; k++) {
+            out[k] += 0.5 * (hi - lo) * q->weights[i] * value[k];
+        }
+    }
+}
+
+/* Halved until both halves agree with the whole: kinks at inflections are met by depth. */
+static void adapt(quadrature *q, double lo, double hi, const double whole[INTEGRALS], int depth)
+{
+    const double middle = 0.5 * (lo + hi);
+    double left[INTEGRALS], right[INTEGRALS];
+    int agree = 1;
+    gauss(q, lo, middle, left);
+    gauss(q, middle, hi, right);
+    for (int k = 0; k < INTEGRALS; k++) {
+        agree = agree && fabs(left[k] + right[k] - whole[k]) <= q->tolerance * q->size[k];
+    }
+    if (agree || depth >= DEPTH_MAX || q->left <= 0) {
+        for (int k = 0; k < INTEGRALS; k++) {
+            taut_sum_add(&q->sums[k], left[k]);
+            taut_sum_add(&q->sums[k], right[k]);
+        }
+        return;
+    }
+    q->left--;
+    adapt(q, lo, middle, left, depth + 1);
+    adapt(q, middle, hi, right, depth + 1);
+}
+
+/* Do all edges lie in one plane, as far as rounding lets that be told? Then there is no torsion. */
+static int is_planar(const taut_pipe_line *line, const taut_pipe_piece *piece)
+{
+    double edges[TAUT_PIPE_PIECE_DEGREE][3], longest = 0;
+    for (int i = 0; i < piece->degree; i++) {
+        taut_difference(piece->points[i + 1], piece->points[i], edges[i]);
+        longest = fmax(longest, taut_norm(edges[i]));
+    }
+    for (int i = 0; i < piece->degree; i++) {
+        for (int j = 0; j < i; j++) {
+            for (int k = 0; k < j; k++) {
+                if (fabs(taut_det(edges[i], edges[j], edges[k])) >
+                    16 * line->noise * longest * longest) {
+                    return 0;
+                }
+            }
+        }
+    }
+    return 1;
+}
+
+/* All integrals of one piece, added to `figures`. */
+static void integrate_piece(quadrature *q, taut_pipe_figures *figures)
+{
+    double panels[PANELS][INTEGRALS];
+    for (int k = 0; k < INTEGRALS; k++) {
+        q->size[k] = k == 1 || k == 2 ? 1 : 0; /* angles are absolute */
+        q->sums[k] = (taut_sum){0, 0};
+    }
+    for (int i = 0; i < PANELS; i++) {
+        gauss(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i]);
+        for (int k = 0; k < INTEGRALS; k++) {
+            q->size[k] += fabs(panels[i][k]);
+        }
+    }
+    q->left = HALVINGS;
+    for (int i = 0; i < PANELS; i++) {
+        adapt(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i], 0);
+    }
+    figures->length += taut_sum_total(&q->sums[0]);
+    figures->turning += taut_sum_total(&q->sums[1]);
+    figures->torsion += taut_sum_total(&q->sums[2]);
+    figures->bending += taut_sum_total(&q->sums[3]);
+}
+
+void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures)
+{
+    quadrature q;
+    taut_gauss_rule(GAUSS, q.nodes, q.weights);
+    /* of one panel; a few dozen count, and no better than the points are rounded */
+    q.tolerance = fmax(1e-14, 0.1 * line->noise);
+    figures->length = figures->turning = figures->torsion = figures->bending = 0;
+    for (int i = 0; i < line->count; i++) {
+        q.piece = &line->pieces[i];
+        q.planar = is_planar(line, q.piece);
+        q.flat = line->flat && q.piece->degree == 5;
+        if (q.flat) {
+            binormal_of(q.piece, q.binormal);
+        }
+        integrate_piece(&q, figures);
+    }
+    figures->ends[0] = taut_pipe_piece_curvature(&line->pieces[0], 0);
+    figures->ends[1] = taut_pipe_piece_curvature(&line->pieces[line->count - 1], 1);
+}

@@ -1,0 +1,62 @@
+/* axis.h -- the axis of a finished pipe as the certificate sees it: plain Bezier pieces in
+ * coordinates of unit size about its first point, worked out from the model's curve, and nothing of
+ * what the construction knew about it. */
+#ifndef TAUT_CERTIFY_PIPE_AXIS_H
+#define TAUT_CERTIFY_PIPE_AXIS_H
+
+#include "core/arena.h"
+#include "taut/model.h"
+
+enum { TAUT_PIPE_PIECE_DEGREE = 15 };
+
+/* A curvature below this, over the size of the axis, cannot be told from none. */
+#define TAUT_PIPE_STRAIGHT 1e-12
+
+typedef struct taut_pipe_piece {
+    int degree;
+    double points[TAUT_PIPE_PIECE_DEGREE + 1][3];
+    double lo, hi; /* its parameters on the curve */
+} taut_pipe_piece;
+
+typedef struct taut_pipe_figures {
+    double length, turning, torsion, bending; /* integrals of 1, curvature, torsion, curvature^2 */
+    double curvature, curvature_at;           /* the largest, and the curve's parameter there */
+    double ends[2];                           /* curvature at either end */
+    double rho;                               /* the largest radius; INFINITY where unbounded */
+    int by_distance;   /* what binds it: a pair of points, or the curvature */
+    double binding[2]; /* arc lengths from the first point */
+} taut_pipe_figures;
+
+typedef struct taut_pipe_line {
+    taut_arena *arena;
+    int count;
+    taut_pipe_piece *pieces;
+    double origin[3], scale; /* x = origin + scale * local */
+    double noise;            /* how far rounding of the coordinates moves a local one */
+    double tangent[2][3];    /* unit, at either end */
+    int flat;                /* nonzero: quintics have no curvature at their ends */
+    double lengths[2];       /* local, of the straight pipes; INFINITY: half lines */
+    int run;                 /* nonzero: the pieces are all there is, straight pipes among them, */
+    int closed;              /* and the last ends where the first begins */
+} taut_pipe_line;
+
+/* From the curve. TAUT_BAD_INPUT for one that is rational, no polynomial, of too high a degree, or
+ * without a direction at an end. The arena owns the pieces. */
+taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_pipe_line *line,
+                              taut_error *error);
+/* From the curves of a run, one Bezier piece each, piece i over [i, i + 1]. */
+taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, taut_arena *arena,
+                                  taut_pipe_line *line, taut_error *error);
+/* d[k][3]: the k-th derivative by the piece's own parameter in [0, 1], k = 0..order <= 3. */
+void taut_pipe_piece_eval(const taut_pipe_piece *piece, double t, int order, double (*d)[3]);
+/* The half [0, 1/2] or [1/2, 1] of Bezier points double[degree+1][3]. */
+void taut_pipe_halve(int degree, const double (*points)[3], int upper, double (*half)[3]);
+double taut_pipe_piece_curvature(const taut_pipe_piece *piece, double t);
+
+/* Figures, local: integrals by adaptive quadrature (axis.c), the largest curvature by bounds
+ * on ever smaller pieces (bend.c), rho by bounds on pairs of them (reach.c). */
+void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures);
+taut_status taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figures *figures);
+taut_status taut_pipe_bound_reach(const taut_pipe_line *line, taut_pipe_figures *figures);
+
+#endif /* TAUT_CERTIFY_PIPE_AXIS_H */

@@ -1,0 +1,114 @@
+/* parts.h -- a finished pipe taken apart, for its certificate. */
+#ifndef TAUT_CERTIFY_PIPE_PARTS_H
+#define TAUT_CERTIFY_PIPE_PARTS_H
+
+#include "certify/pipe/axis.h"
+#include "taut/pipe.h"
+
+typedef struct taut_pipe_parts {
+    const taut_surface *blend, *pipes[2];
+    const taut_curve *axis;
+    const taut_pipe_problem *problem; /* or NULL */
+    int quintic;                      /* nonzero: a quintic with three points on either end edge */
+    double polygon[4][3];             /* V_0 .. V_3 of the axis, */
+    double shape[3];                  /* and its shape numbers */
+    taut_pipe_line line;
+    taut_pipe_figures figures;
+    double radius; /* the user's unit; with sections, of the circle around the larger */
+    taut_pipe_section sections[2]; /* a of the first 0: round */
+    double flatness;               /* the largest semi-axis over the smallest; 1 for round ones */
+    int unlike;                    /* nonzero: sections are circles of unlike radii */
+    int canal;                     /* nonzero: sections are of a canal surface, a = b = r */
+    double turn;                   /* psi at the end */
+    double (*frames)[3];           /* U along the pieces (section.c) */
+    double size;                   /* the largest coordinate of any control point, */
+    double sizes[3];               /* and the largest x, y, z */
+} taut_pipe_parts;
+
+/* How far rounding moves one control point against another at right angles to the axis, where both
+ * should lie along it at end `side`: coordinates that do not change along it, nor between them, are
+ * exact. */
+double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double changes[3]);
+
+/* quintic, polygon and shape from the axis; TAUT_BAD_INPUT for an axis of another kind. */
+taut_status taut_pipe_read_axis(taut_pipe_parts *parts, taut_error *error);
+/* The axis with other shape numbers. */
+taut_status taut_pipe_axis_with(const taut_pipe_parts *parts, const double shape[3],
+                                taut_curve **curve, taut_error *error);
+
+/* sections, flatness, turn and frames; radius, where there are sections. TAUT_NO_MEMORY. */
+taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *parts);
+/* How far a point is from the ellipse at parameter s of a piece, over the radius; `offset` is where
+ * it is from the axis there, local. */
+double taut_pipe_section_miss(const taut_pipe_parts *parts, int piece, double s,
+                              const double offset[3]);
+/* pi times the integral of a b along the axis; the area, by quadrature both ways. */
+double taut_pipe_section_volume(const taut_pipe_parts *parts);
+double taut_pipe_section_area(const taut_pipe_parts *parts);
+/* U, W and dT/ds at parameter s of a piece. */
+void taut_pipe_section_frame(const taut_pipe_parts *parts, int piece, double s, double u[3],
+                             double w[3], double turn[3]);
+
+/* How far a point (local) is from the canal surface, over the radius: |x - P(t)| - r(t) at its
+ * least, sought from t; *convex is how it bends there, over |P'|^2 / |x - P|, 0 on a crease. */
+double taut_pipe_canal_miss(const taut_pipe_parts *parts, const double x[3], double t,
+                            double *convex);
+/* Area and volume by their closed forms. */
+void taut_pipe_canal_measures(const taut_pipe_parts *parts, double *area, double *volume);
+
+/* What taut_surface_eval gives at v of the edge u0, or u1 where `last`, order 1 or 2, with
+ * derivatives along u of the accuracy of differences of neighbouring points (edge.c). */
+void taut_pipe_edge_eval(const taut_surface *s, int last, double v, int order, double (*d)[3]);
+
+/* Two surfaces at the end `side` of the blend and its straight pipe, as a claim that is made: the
+ * residual, what rounding leaves of it, and where. */
+typedef struct taut_pipe_meeting {
+    double residual, noise;
+    char where[64];
+} taut_pipe_meeting;
+
+/* The larger of gap over radius and sine between the normals; jumps of principal curvatures. */
+void taut_pipe_meet(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
+void taut_pipe_meet_curved(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
+
+/* The foot of a local point on the axis, sought from parameter `t` of the curve, and the way from
+ * it. */
+void taut_pipe_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
+                    double *at_s, double offset[3]);
+void taut_pipe_to_local(const taut_pipe_line *line, const double x[3], double local[3]);
+
+/* Surface and curve of a name, or NULL. */
+const taut_surface *taut_pipe_surface(const taut_model *model, const char *name);
+const taut_curve *taut_pipe_curve(const taut_model *model, const char *name);
+/* The radius that the problem, or the details tell; `seen` where neither does. */
+double taut_pipe_radius_of(const taut_model *model, const taut_pipe_problem *problem, double seen);
+/* sizes, of one more surface. */
+void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts);
+/* Is this the model of a run? Its certificate. */
+int taut_pipe_is_run(const taut_model *model);
+taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_problem *problem,
+                                  const taut_certify_options *options,
+                                  taut_certificate *certificate, taut_error *error);
+
+/* The claims: tube.c, curvature.c, ends.c. Each adds one, or returns TAUT_NO_MEMORY.
+ */
+taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
+                                  taut_certificate *certificate);
+taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
+                                      taut_certificate *certificate);
+taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
+                                 taut_certificate *certificate);
+/* `caps`, where there are any, over the free ends of the first and the last surface. */
+taut_status taut_pipe_claim_caps(const taut_model *model, const taut_pipe_parts *parts,
+                                 const taut_surface *const ends[2], taut_certificate *certificate);
+taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate *certificate);
+taut_status taut_pipe_claim_optimal(const taut_pipe_parts *parts, taut_certificate *certificate,
+                                    taut_error *error);
+
+/* A claim about a residual that rounding makes uncertain by `noise`: it holds up to the limit, is
+ * open up to the noise, and else is false. The limit is `noise`, at most 1e-6, where `limit` is 0.
+ */
+taut_status taut_pipe_add_claim(const char *name, double residual, double limit, double noise,
+                                const char *where, taut_certificate *certificate);
+
+#endif /* TAUT_CERTIFY_PIPE_PARTS_H */

@@ -1,0 +1,396 @@
+/* run.c -- the certificate of a run of pipes: from its surfaces and axes alone.
+ *
+ *     joints       each surface meets the next, with equal normals, and so do their axes
+ *     curvatures   equal principal curvatures there; about quintics
+ *     embedded     radius over the largest radius of the whole axis               reach.c
+ *     bend_radius  the least radius of curvature asked for, times the largest curvature
+ *     tube         the surfaces are at the radius from their axes
+ *     caps         discs over the free ends, where there are any                   caps.c
+ *     ends         the run goes where it was asked to; with a problem              run_ends.c
+ */
+#include "certify/pipe/run.h"
+
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { RING = 32, PER_SPAN = 8 };
+
+static const double pi = 3.14159265358979323846;
+static const double tolerance_default = 1e-6, bend_of_corners = 3;
+
+int taut_pipe_is_run(const taut_model *model)
+{
+    return taut_pipe_curve(model, "axis-blend1") != NULL;
+}
+
+int taut_pipe_is_blend(const taut_pipe_run_parts *run, int piece)
+{
+    return strncmp(taut_surface_name(run->surfaces[piece]), "blend", 5) == 0;
+}
+
+void taut_pipe_run_tangent(const taut_pipe_run_parts *run, int piece, double t, double tangent[3])
+{
+    double d[2][3], speed = 0;
+    taut_pipe_piece_eval(&run->parts.line.pieces[piece], t, 1, d);
+    speed = taut_norm(d[1]);
+    for (int k = 0; k < 3; k++) {
+        tangent[k] = speed > 0 ? d[1][k] / speed : 0;
+    }
+}
+
+/* Surfaces and their axes, by their names. */
+static taut_status find_pieces(taut_pipe_run_parts *run, taut_arena *arena, taut_error *error)
+{
+    const int most = taut_model_surface_count(run->model);
+    const taut_record *told = taut_record_get(taut_model_details(run->model), "blends");
+    size_t blends = 0;
+    run->surfaces = taut_arena_take(arena, (size_t)most + 1, sizeof *run->surfaces);
+    run->curves = taut_arena_take(arena, (size_t)most + 1, sizeof *run->curves);
+    if (run->surfaces == NULL || run->curves == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int i = 0; i < most; i++) {
+        const taut_surface *surface = taut_model_surface(run->model, i);
+        const char *name = taut_surface_name(surface);
+        char axis[64];
+        if (strncmp(name, "pipe", 4) != 0 && strncmp(name, "blend", 5) != 0) {
+            continue;
+        }
+        snprintf(axis, sizeof axis, "axis-%s", name);
+        blends += strncmp(name, "blend", 5) == 0;
+        run->surfaces[run->count] = surface;
+        run->curves[run->count] = taut_pipe_curve(run->model, axis);
+        if (run->curves[run->count++] == NULL) {
+            return taut_fail(error, TAUT_BAD_INPUT, "/curves", taut_none, taut_none,
+                             "surface \"%s\" of a run has no curve \"%s\"", name, axis);
+        }
+    }
+    if (taut_record_kind_of(told) == TAUT_RECORD_LIST && taut_record_count(told) != blends) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", (double)blends,
+                         (double)taut_record_count(told),
+                         "the details tell of %zu blends, of which %zu are here",
+                         taut_record_count(told), blends);
+    }
+    if (run->count == 0) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", 0, 1,
+                         "a run has surfaces \"pipe1\", \"blend1\", ...");
+    }
+    return TAUT_OK;
+}
+
+/* Radius and bend radius: the problem's, or what the model shows and tells. */
+static void find_data(taut_pipe_run_parts *run)
+{
+    const taut_record *details = taut_model_details(run->model);
+    const taut_pipe_problem *problem = run->parts.problem;
+    const taut_surface *first = run->surfaces[0];
+    double x[3];
+    taut_surface_eval(first, taut_basis_lo(taut_surface_u(first)),
+                      taut_basis_lo(taut_surface_v(first)), 0, x);
+    run->parts.radius =
+        taut_pipe_radius_of(run->model, problem, taut_distance(x, run->parts.line.origin));
+    run->bend_radius = problem == NULL ? taut_record_number(taut_record_get(details, "bend_radius"))
+                       : problem->bend_radius > 0           ? problem->bend_radius
+                       : problem->axis == TAUT_PIPE_CORNERS ? bend_of_corners * problem->radius
+                                                            : 0;
+    run->parts.flatness = 1;
+    for (int i = 0; i < run->count; i++) {
+        taut_pipe_see_sizes(run->surfaces[i], &run->parts);
+        if (taut_pipe_is_blend(run, i)) {
+            run->parts.quintic = taut_basis_degree(taut_curve_t(run->curves[i])) == 5;
+        }
+    }
+    run->parts.line.flat = run->parts.quintic;
+}
+
+/* Does the last piece end where the first begins, in its direction? */
+static int comes_round(const taut_pipe_run_parts *run)
+{
+    const taut_pipe_line *line = &run->parts.line;
+    const taut_pipe_piece *last = &line->pieces[line->count - 1];
+    const double near = 1e-6 * run->parts.radius / line->scale;
+    return taut_distance(last->points[last->degree], line->pieces[0].points[0]) < near &&
+           taut_distance(line->tangent[0], line->tangent[1]) < 1e-6;
+}
+
+/* As the problem, or the details tell; else as it looks. */
+static int is_closed(const taut_pipe_run_parts *run)
+{
+    const taut_record *told = taut_record_get(taut_model_details(run->model), "closed");
+    return run->parts.problem != NULL                      ? run->parts.problem->closed != 0
+           : taut_record_kind_of(told) == TAUT_RECORD_BOOL ? taut_record_bool(told)
+                                                           : comes_round(run);
+}
+
+/* The joint after piece i, as that of a blend with what is beside it. */
+static taut_pipe_parts joint_of(const taut_pipe_run_parts *run, int i, int *side)
+{
+    const int next = (i + 1) % run->count;
+    taut_pipe_parts joint = run->parts;
+    *side = taut_pipe_is_blend(run, i);
+    joint.blend = run->surfaces[*side ? i : next];
+    joint.pipes[*side] = run->surfaces[*side ? next : i];
+    taut_pipe_run_tangent(run, i, 1, joint.line.tangent[*side]);
+    return joint;
+}
+
+/* What rounding of blend `next` adds to the jump of curvatures from blend i. */
+static double noise_of_other(const taut_pipe_run_parts *run, int i, int next)
+{
+    taut_pipe_parts joint = run->parts;
+    taut_pipe_meeting m;
+    joint.blend = run->surfaces[next];
+    joint.pipes[0] = run->surfaces[i];
+    taut_pipe_run_tangent(run, next, 0, joint.line.tangent[0]);
+    taut_pipe_meet_curved(&joint, 0, &m);
+    return m.noise;
+}
+
+/* The joint that is worst against what rounding explains. */
+static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
+                                taut_certificate *certificate)
+{
+    const taut_pipe_line *line = &run->parts.line;
+    taut_pipe_meeting worst = {.noise = 1};
+    char where[160] = "";
+    for (int i = 0; i + !line->closed < run->count; i++) {
+        const int next = (i + 1) % run->count;
+        const taut_pipe_piece *piece = &line->pieces[i];
+        const double gap =
+            taut_distance(piece->points[piece->degree], line->pieces[next].points[0]);
+        taut_pipe_meeting m;
+        int side = 0;
+        const taut_pipe_parts joint = joint_of(run, i, &side);
+        (curved ? taut_pipe_meet_curved : taut_pipe_meet)(&joint, side, &m);
+        if (curved && side == 1 && taut_pipe_is_blend(run, next)) { /* both are rounded */
+            m.noise += noise_of_other(run, i, next);
+        }
+        if (!curved) {
+            m.residual = fmax(m.residual, gap * line->scale / run->parts.radius);
+        }
+        if (i == 0 || !(m.residual * worst.noise <= worst.residual * m.noise)) {
+            worst = m;
+            snprintf(where, sizeof where, "%.32s.u1, %.32s.u0, %s",
+                     taut_surface_name(run->surfaces[i]), taut_surface_name(run->surfaces[next]),
+                     m.where);
+        }
+    }
+    return taut_pipe_add_claim(curved ? "curvatures" : "joints", worst.residual, 0, worst.noise,
+                               where, certificate);
+}
+
+/* The piece at an arc length from the start of the run, and how far along it. */
+static void place_of(const taut_pipe_run_parts *run, double at, char *text, size_t size)
+{
+    const taut_pipe_line *line = &run->parts.line;
+    double from = 0;
+    int i = 0;
+    for (;; i++) {
+        const taut_pipe_line one = {.count = 1,
+                                    .pieces = &line->pieces[i],
+                                    .flat = line->flat,
+                                    .noise = line->noise}; /* else rounding is torsion */
+        taut_pipe_figures f = {.length = 0};
+        taut_pipe_integrate(&one, &f);
+        if (i + 1 == run->count || at <= from + f.length) {
+            break;
+        }
+        from += f.length;
+    }
+    snprintf(text, size, "%.6g along %.32s", (at - from) * line->scale,
+             taut_surface_name(run->surfaces[i]));
+}
+
+/* Piece and parameter of the largest curvature. */
+static void place_of_curvature(const taut_pipe_run_parts *run, char *text, size_t size)
+{
+    const double at = run->parts.figures.curvature_at;
+    const int i = (int)fmin(run->count - 1, floor(at));
+    snprintf(text, size, "%.32s, t = %.9g", taut_surface_name(run->surfaces[i]), at - i);
+}
+
+static taut_status claim_embedded(const taut_pipe_run_parts *run, taut_certificate *certificate)
+{
+    const taut_pipe_figures *f = &run->parts.figures;
+    const taut_pipe_line *line = &run->parts.line;
+    const double residual = isfinite(f->rho) ? run->parts.radius / (f->rho * line->scale) : 0;
+    const double wide = fmax(f->rho, run->parts.radius / line->scale);
+    const double open = 1e-11 + 8 * line->noise * (1 + 1 / wide);
+    char where[200] = "", from[80], to[80];
+    taut_claim claim = {.claim = "embedded", .residual = residual, .limit = 1, .where = where};
+
+    if (isfinite(f->rho) && f->by_distance) {
+        place_of(run, f->binding[0], from, sizeof from);
+        place_of(run, f->binding[1], to, sizeof to);
+        snprintf(where, sizeof where, "%s, %s", from, to);
+    } else if (isfinite(f->rho)) {
+        snprintf(where, sizeof where, "the curvature of ");
+        place_of_curvature(run, where + strlen(where), sizeof where - strlen(where));
+    }
+    claim.holds = fabs(residual - 1) <= open ? TAUT_UNDECIDED
+                  : residual < 1             ? TAUT_TRUE
+                                             : TAUT_FALSE;
+    return taut_certificate_add(certificate, &claim);
+}
+
+static taut_status claim_bend(const taut_pipe_run_parts *run, taut_certificate *certificate)
+{
+    const taut_pipe_line *line = &run->parts.line;
+    const double open = 8 * line->noise * (1 + run->parts.figures.curvature);
+    char where[80];
+    place_of_curvature(run, where, sizeof where);
+    return taut_pipe_add_claim("bend_radius",
+                               run->bend_radius * run->parts.figures.curvature / line->scale, 1,
+                               1 + open, where, certificate);
+}
+
+static double share(const taut_basis *basis, int k, int n)
+{
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    return k == n ? hi : lo + (hi - lo) * k / n;
+}
+
+/* The largest distance of a piece from its tube, over the radius. */
+static double miss_of(const taut_pipe_run_parts *run, int i, double at[2])
+{
+    const taut_pipe_line *line = &run->parts.line;
+    const taut_basis *u = taut_surface_u(run->surfaces[i]), *v = taut_surface_v(run->surfaces[i]);
+    const double *breaks = taut_basis_breaks(u);
+    double worst = -1;
+    for (int n = 0; n < taut_basis_span_count(u) * (PER_SPAN + 1) * RING; n++) {
+        const int span = n / ((PER_SPAN + 1) * RING), k = n / RING % (PER_SPAN + 1);
+        const double s = k == PER_SPAN
+                             ? breaks[span + 1]
+                             : breaks[span] + (breaks[span + 1] - breaks[span]) * k / PER_SPAN;
+        double x[3], local[3], offset[3], foot = 0, miss = 0;
+        int piece = 0;
+        taut_surface_eval(run->surfaces[i], s, share(v, n % RING, RING), 0, x);
+        taut_pipe_to_local(line, x, local);
+        taut_pipe_foot(line, local, i + s, &piece, &foot, offset);
+        miss = fabs(taut_norm(offset) * line->scale - run->parts.radius) / run->parts.radius;
+        if (!(miss <= worst)) {
+            worst = miss;
+            at[0] = s;
+            at[1] = share(v, n % RING, RING);
+        }
+    }
+    return worst;
+}
+
+static taut_status claim_tube(const taut_pipe_run_parts *run, double tolerance, double *fit_error,
+                              taut_certificate *certificate)
+{
+    const double noise = 8 * DBL_EPSILON * run->parts.size / run->parts.radius;
+    double worst = -1;
+    char where[96] = "";
+    *fit_error = 0;
+    for (int i = 0; i < run->count; i++) {
+        double at[2] = {0, 0};
+        const double miss = miss_of(run, i, at);
+        *fit_error = taut_pipe_is_blend(run, i) ? fmax(*fit_error, miss) : *fit_error;
+        if (!(miss <= worst)) {
+            worst = miss;
+            snprintf(where, sizeof where, "%.32s, u = %.6g, v = %.6g",
+                     taut_surface_name(run->surfaces[i]), at[0], at[1]);
+        }
+    }
+    return taut_pipe_add_claim("tube", worst, tolerance, tolerance + noise, where, certificate);
+}
+
+static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
+{
+    const taut_pipe_figures *f = &run->parts.figures;
+    const double scale = run->parts.line.scale, a = run->parts.radius;
+    taut_record *figures = taut_record_new();
+    char where[80];
+
+    place_of_curvature(run, where, sizeof where);
+    taut_record_add_number(figures, "length", f->length * scale);
+    taut_record_add_number(figures, "max_curvature", f->curvature / scale);
+    taut_record_add_text(figures, "max_curvature_at", where);
+    taut_record_add_number(figures, "least_bend_radius", scale / f->curvature);
+    taut_record_add_number(figures, "total_curvature", f->turning);
+    taut_record_add_number(figures, "total_torsion", f->torsion);
+    taut_record_add_number(figures, "bending", f->bending / scale);
+    taut_record_add_number(figures, "largest_radius", f->rho * scale);
+    taut_record_add_number(figures, "area", 2 * pi * a * f->length * scale);
+    taut_record_add_number(figures, "volume", pi * a * a * f->length * scale);
+    taut_record_add_number(figures, "fit_error", fit_error);
+    taut_record_add_text(figures, "binding",
+                         !isfinite(f->rho) ? "none"
+                         : f->by_distance  ? "distance"
+                                           : "curvature");
+    return figures;
+}
+
+static taut_status claims(taut_pipe_run_parts *run, const taut_certify_options *options,
+                          taut_certificate *certificate)
+{
+    const double tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default;
+    const taut_surface *ends[2] = {run->surfaces[0], run->surfaces[run->count - 1]};
+    double fit_error = 0;
+    taut_status status = claim_joints(run, 0, certificate);
+
+    if (status == TAUT_OK && run->parts.quintic) {
+        status = claim_joints(run, 1, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = claim_embedded(run, certificate);
+    }
+    if (status == TAUT_OK && run->bend_radius > 0) {
+        status = claim_bend(run, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = claim_tube(run, tolerance, &fit_error, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_claim_caps(run->model, &run->parts, ends, certificate);
+    }
+    if (status == TAUT_OK && run->parts.problem != NULL) {
+        status = taut_pipe_claim_run_ends(run, certificate);
+    }
+    if (status == TAUT_OK) {
+        taut_record *const figures = figures_of(run, fit_error);
+        taut_certificate_set_figures(certificate, figures);
+        status = taut_record_status(figures);
+    }
+    return status;
+}
+
+taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_problem *problem,
+                                  const taut_certify_options *options,
+                                  taut_certificate *certificate, taut_error *error)
+{
+    taut_pipe_run_parts run = {.model = model, .parts = {.problem = problem}};
+    taut_arena *const arena = taut_arena_new();
+    taut_status status = arena != NULL ? find_pieces(&run, arena, error) : taut_fail_memory(error);
+
+    if (status == TAUT_OK) {
+        status = taut_pipe_line_of_run(run.curves, run.count, arena, &run.parts.line, error);
+    }
+    if (status == TAUT_OK) {
+        find_data(&run);
+        run.parts.line.closed = is_closed(&run);
+        if (!(run.parts.radius > 0)) {
+            status = taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0", run.parts.radius, 0,
+                               "the run begins on its own axis: it has no radius");
+        }
+    }
+    if (status == TAUT_OK) {
+        taut_pipe_integrate(&run.parts.line, &run.parts.figures);
+        status = taut_pipe_bound_curvature(&run.parts.line, &run.parts.figures);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_bound_reach(&run.parts.line, &run.parts.figures);
+    }
+    if (status == TAUT_OK) {
+        status = claims(&run, options, certificate);
+    }
+    taut_arena_free(arena);
+    return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
+}

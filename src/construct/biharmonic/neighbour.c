@@ -1,0 +1,428 @@
+/* neighbour.c -- the biharmonic surface of least bending that meets another C^1 or C^2.
+ *
+ *  1. Rows 0..r of the neighbour, from the given surface: its polynomial carried on has them
+ *     ([NiWang2015] section 2.6 (3)).
+ *  2. Among the biharmonic polynomials of the bidegree over the neighbour's rectangle these rows
+ * are linear conditions of known rank (section 8.4): one solution, and a basis of what is free.
+ *  3. The free part that makes the bending energy least: a linear least-squares problem over Gauss
+ *     points, exact for the polynomials.
+ */
+#include "construct/harmonic/neighbour.h"
+#include "construct/biharmonic/biharmonic.h"
+#include "construct/harmonic/space.h"
+#include "construct/harmonic/wide_solve.h"
+#include "core/fail.h"
+#include "numeric/quadrature.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* A given surface counts as biharmonic up to this scaled residual. */
+static const double biharmonic_limit = 1e-10;
+/* Past this growth the net of least bending is no longer found within its rounding: on squares from
+ * degree 26 with C^2 contact on; past this degree, 33^2 points, finding it takes seconds to minutes
+ * to learn as much. */
+static const double amplification_limit = 2e9;
+enum { DEGREE_MAX = 32 };
+/* The rows that meet must be met within some roundings of the coordinates: on a rectangle 50 times
+ * as long as wide they are not from degree 20 on. */
+static const double meeting_limit = 4 * DBL_EPSILON;
+
+typedef struct neighbour {
+    taut_neighbour given;
+    int contact, n, free; /* numbers that are free, a coordinate */
+    int lines;            /* rows that are given */
+    int sides;            /* right-hand sides: three coordinates, then unit rows: 1 at a point */
+    double across, along; /* of the neighbour */
+    taut_space space;
+    taut_wide *fixed;  /* [sides][n+1][n+1]: a net for each, with the rows */
+    taut_wide *moving; /* [free][n+1][n+1]: nets that leave the rows alone */
+} neighbour;
+
+static size_t numbers_of(const neighbour *b)
+{
+    return (size_t)(b->n + 1) * (size_t)(b->n + 1);
+}
+
+/* to = sum_f factors[f] net_f */
+static void combine(const neighbour *b, const taut_wide *factors, taut_wide *to)
+{
+    const size_t numbers = numbers_of(b);
+    memset(to, 0, numbers * sizeof *to);
+    for (int f = 0; f < b->space.count; f++) {
+        for (size_t k = 0; k < numbers; k++) {
+            to[k] += factors[f] * b->space.nets[(size_t)f * numbers + k];
+        }
+    }
+}
+
+/* Row k of the neighbour is sum_a share(k, a) of row n - a of the given net:
+ *     share = sum_l C(k,l) C(l,a) (-1)^a h^l,  as Delta^l q_0 = h^l nabla^l p_n  (section 2.6 (3)).
+ */
+static taut_wide share_of(taut_wide h, int k, int a)
+{
+    taut_wide sum = 0, power = 1, outer = 1; /* h^l, C(k,l) */
+    for (int l = 0; l <= k; l++) {
+        taut_wide inner = l >= a ? 1 : 0; /* C(l,a) */
+        for (int i = 0; i < a && l >= a; i++) {
+            inner = inner * (l - i) / (i + 1);
+        }
+        sum += outer * inner * power;
+        power *= h;
+        outer = outer * (k - l) / (l + 1);
+    }
+    return a % 2 != 0 ? -sum : sum;
+}
+
+/* What the rows are to be: d[rows][sides]. */
+static void fill_sides(const neighbour *b, const double *beyond, taut_wide *d)
+{
+    const int columns = b->n + 1;
+    for (int k = 0; k < b->lines * columns; k++) {
+        for (int side = 0; side < 3; side++) {
+            d[k * b->sides + side] = beyond[3 * k + side];
+        }
+        for (int a = 0; a < b->lines; a++) {
+            d[k * b->sides + 3 + a * columns + k % columns] =
+                share_of(b->given.ratio, k / columns, a);
+        }
+    }
+}
+
+/* Step 2. `beyond` double[n+1][n+1][3] has the rows that are wanted. */
+static taut_status meet_rows(neighbour *b, const double *beyond, taut_error *error)
+{
+    taut_arena *arena = b->given.arena;
+    const int unknowns = b->space.count, rank = unknowns - b->free, rows = b->lines * (b->n + 1);
+    const size_t n = (size_t)unknowns, numbers = numbers_of(b);
+    taut_wide *c = taut_arena_take(arena, (size_t)rows * n, sizeof *c);
+    taut_wide *d = taut_arena_take(arena, (size_t)rows * (size_t)b->sides, sizeof *d);
+    taut_wide *basis = taut_arena_take(arena, n * n, sizeof *basis);
+    taut_wide *x = taut_arena_take(arena, (size_t)b->sides * n, sizeof *x);
+
+    b->fixed = taut_arena_take(arena, (size_t)b->sides * numbers, sizeof(taut_wide));
+    b->moving = taut_arena_take(arena, (size_t)b->free * numbers, sizeof(taut_wide));
+    if (c == NULL || d == NULL || basis == NULL || x == NULL || b->fixed == NULL ||
+        b->moving == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k < rows; k++) {
+        for (int f = 0; f < unknowns; f++) {
+            c[k * unknowns + f] = b->space.nets[(size_t)f * numbers + (size_t)k];
+        }
+    }
+    fill_sides(b, beyond, d);
+    taut_wide_constrain(rows, unknowns, rank, b->sides, c, d, basis, x);
+    for (int side = 0; side < b->sides; side++) {
+        combine(b, x + side * unknowns, b->fixed + (size_t)side * numbers);
+    }
+    for (int k = 0; k < b->free; k++) {
+        combine(b, basis + (rank + k) * unknowns, b->moving + (size_t)k * numbers);
+    }
+    return TAUT_OK;
+}
+
+/* B, B', B'' of degree n at t, [3][n+1]. */
+static void basis_at(int n, taut_wide t, taut_wide *b)
+{
+    taut_wide low[TAUT_SPACE_DEGREE_MAX + 3] = {0};
+    const int size = n + 1;
+
+    memset(b, 0, 3 * (size_t)size * sizeof *b);
+    for (int order = 0; order < 3 && order <= n; order++) { /* degree n - order, then differences */
+        const int d = n - order;
+        taut_wide *to = b + order * size, factor = 1;
+        memset(low, 0, sizeof low);
+        low[0] = 1;
+        for (int k = 1; k <= d; k++) {
+            for (int i = k; i > 0; i--) {
+                low[i] = t * low[i - 1] + (i < k ? (1 - t) * low[i] : 0);
+            }
+            low[0] *= 1 - t;
+        }
+        for (int k = 0; k < order; k++) {
+            factor *= n - k;
+        }
+        for (int i = 0; i <= n; i++) { /* (-1)^order Delta^order of the shifted functions */
+            const taut_wide a = i - order >= 0 && i - order <= d ? low[i - order] : 0;
+            const taut_wide m = i - 1 >= 0 && i - 1 <= d ? low[i - 1] : 0;
+            const taut_wide z = i <= d ? low[i] : 0;
+            to[i] = factor * (order == 0 ? z : order == 1 ? a - z : a - 2 * m + z);
+        }
+    }
+}
+
+/* polygons[3][n+1]: the net along the line where the functions across have the values bu, of its
+ * second derivative across, its first and itself. */
+static void lay(const neighbour *b, const taut_wide *net, const taut_wide *bu, taut_wide *polygons)
+{
+    const int size = b->n + 1;
+    memset(polygons, 0, 3 * (size_t)size * sizeof *polygons);
+    for (int order = 0; order < 3; order++) {
+        for (int i = 0; i < size; i++) {
+            for (int j = 0; j < size; j++) {
+                polygons[(2 - order) * size + j] += bu[order * size + i] * net[i * size + j];
+            }
+        }
+    }
+}
+
+/* weight times (P_uu, sqrt 2 P_uv, P_vv) by parameter length, at a point of that line; out[row] is
+ * `stride` apart. */
+static void bend(const neighbour *b, const taut_wide *polygons, const taut_wide *bv,
+                 taut_wide weight, long stride, taut_wide *out)
+{
+    const int size = b->n + 1;
+    taut_wide sum[3] = {0, 0, 0};
+    for (int k = 0; k < 3; k++) {
+        for (int j = 0; j < size; j++) {
+            sum[k] += bv[k * size + j] * polygons[k * size + j];
+        }
+    }
+    out[0] = weight * sum[0] / ((taut_wide)b->across * b->across);
+    out[stride] = weight * sqrtl(2) * sum[1] / ((taut_wide)b->across * b->along);
+    out[2 * stride] = weight * sum[2] / ((taut_wide)b->along * b->along);
+}
+
+/* Step 3: y[side][free]. */
+static taut_status relax(const neighbour *b, taut_wide *y, taut_error *error)
+{
+    taut_arena *arena = b->given.arena;
+    const int nodes = b->n + 1, width = b->free + b->sides, size = b->n + 1;
+    const size_t numbers = numbers_of(b);
+    double t[TAUT_GAUSS_MAX], w[TAUT_GAUSS_MAX];
+    taut_wide polygons[3 * (TAUT_SPACE_DEGREE_MAX + 1)];
+    taut_wide *r = taut_arena_take(arena, (size_t)b->free * (size_t)width, sizeof *r);
+    taut_wide *block = taut_arena_take(arena, 3 * (size_t)nodes * (size_t)width, sizeof *block);
+    taut_wide *table = taut_arena_take(arena, 3 * (size_t)nodes * (size_t)size, sizeof *table);
+
+    if (r == NULL || block == NULL || table == NULL) {
+        return taut_fail_memory(error);
+    }
+    taut_gauss_rule(nodes, t, w);
+    for (int s = 0; s < nodes; s++) {
+        basis_at(b->n, ((taut_wide)t[s] + 1) / 2, table + 3 * s * size);
+    }
+    for (int s = 0; s < nodes; s++) {
+        for (int k = 0; k < width; k++) {
+            lay(b,
+                k < b->free ? b->moving + (size_t)k * numbers
+                            : b->fixed + (size_t)(k - b->free) * numbers,
+                table + 3 * s * size, polygons);
+            for (int q = 0; q < nodes; q++) {
+                bend(b, polygons, table + 3 * q * size, sqrtl((taut_wide)w[s] * w[q]), width,
+                     block + 3 * q * width + k);
+            }
+        }
+        taut_wide_append(b->free, width, r, 3 * nodes, block);
+    }
+    for (int side = 0; side < b->sides; side++) {
+        for (int k = 0; k < b->free; k++) {
+            y[side * b->free + k] = -r[k * width + b->free + side];
+        }
+        taut_wide_back(b->free, width, r, 1, y + side * b->free);
+    }
+    return TAUT_OK;
+}
+
+/* Point k of the neighbour that a right-hand side leads to. */
+static taut_wide point_of(const neighbour *b, const taut_wide *y, int side, size_t k)
+{
+    const size_t numbers = numbers_of(b);
+    taut_wide sum = b->fixed[(size_t)side * numbers + k];
+    for (int f = 0; f < b->free; f++) {
+        sum += y[side * b->free + f] * b->moving[(size_t)f * numbers + k];
+    }
+    return sum;
+}
+
+/* The largest growth from the given surface's rows to the neighbour's net, in the
+ * largest-coordinate norm: all of it is linear, the unit rows are its columns. */
+static double amplification_of(const neighbour *b, const taut_wide *y)
+{
+    taut_wide most = 0;
+    for (size_t k = 0; k < numbers_of(b); k++) {
+        taut_wide sum = 0;
+        for (int side = 3; side < b->sides; side++) {
+            sum += fabsl(point_of(b, y, side, k));
+        }
+        most = fmaxl(most, sum);
+    }
+    return (double)most;
+}
+
+static double size_of(const double *net, size_t points)
+{
+    double size = 0;
+    for (size_t i = 0; i < 3 * points; i++) {
+        size = fmax(size, fabs(net[i]));
+    }
+    return size;
+}
+
+/* How far the rows that were to be met were missed, over the size of the given net. */
+static double miss_of(const neighbour *b, const double *net, const taut_wide *y)
+{
+    const double size = size_of(b->given.net, numbers_of(b));
+    double miss = 0;
+    for (size_t k = (size_t)(b->n + 1); k < (size_t)(b->lines * (b->n + 1)); k++) {
+        for (int side = 0; side < 3; side++) {
+            const taut_wide found = point_of(b, y, side, k);
+            miss = fmax(miss, fabs((double)(found - net[3 * k + (size_t)side])));
+        }
+    }
+    return size > 0 ? miss / size : 0;
+}
+
+/* Refused where rounding leaves nothing of what the certificate claims. */
+static taut_status check_digits(const neighbour *b, double amplification, double miss,
+                                taut_error *error)
+{
+    /* rows of a neighbour h times as wide are up to h^k as large */
+    const double limit = meeting_limit * fmax(1, taut_frame_reach(&b->given.frame)) *
+                         pow(fmax(1, b->given.ratio), b->contact);
+
+    if (!(amplification <= amplification_limit)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", amplification, amplification_limit,
+                         "rounding in the surface of degree %d would grow %.3g times in its "
+                         "neighbour, past %.0e: least bending would not be found (a narrower "
+                         "neighbour or a lower degree is better; \"insist\": true builds it all "
+                         "the same)",
+                         b->n, amplification, amplification_limit);
+    }
+    if (!(miss <= limit)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/width", miss, limit,
+                         "the rows that meet would be missed by %.3g of the size, past %.1e: on a "
+                         "rectangle of %.3g by %.3g too few digits are left at degree %d (a width "
+                         "nearer to the length of the edge or a lower degree is better; "
+                         "\"insist\": true builds it all the same)",
+                         miss, limit, b->across, b->along, b->n);
+    }
+    return TAUT_OK;
+}
+
+/* Steps 1 to 3: the net, in the frame. */
+static taut_status solve(neighbour *b, double *net, double *amplification, int insist,
+                         taut_error *error)
+{
+    taut_arena *arena = b->given.arena;
+    taut_wide *y = taut_arena_take(arena, (size_t)b->sides * (size_t)b->free, sizeof *y);
+    taut_status status = y != NULL ? TAUT_OK : taut_fail_memory(error);
+
+    taut_neighbour_extrapolate(&b->given, 0, net);
+    memcpy(net, b->given.net + 3 * b->n * (b->n + 1), 3 * (size_t)(b->n + 1) * sizeof(double));
+    if (status == TAUT_OK && !taut_space_biharmonic(b->n, b->across, b->along, arena, &b->space)) {
+        status = taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        status = meet_rows(b, net, error);
+    }
+    if (status == TAUT_OK && b->free > 0) {
+        status = relax(b, y, error);
+    }
+    if (status == TAUT_OK) {
+        *amplification = amplification_of(b, y);
+        status = insist ? TAUT_OK : check_digits(b, *amplification, miss_of(b, net, y), error);
+    }
+    for (size_t k = (size_t)(b->n + 1); status == TAUT_OK && k < numbers_of(b); k++) {
+        for (int side = 0; side < 3; side++) {
+            net[3 * k + (size_t)side] = (double)point_of(b, y, side, k);
+        }
+    }
+    return status;
+}
+
+static taut_status check(const taut_neighbour *given, int insist, taut_error *error)
+{
+    const size_t numbers = (size_t)(given->n + 1) * (size_t)(given->m + 1);
+    const double limit = fmax(biharmonic_limit, 16 * DBL_EPSILON * taut_frame_reach(&given->frame));
+    double *scratch = taut_arena_take(given->arena, 6 * numbers, sizeof(double));
+    double residual = 0;
+
+    if (scratch == NULL) {
+        return taut_fail_memory(error);
+    }
+    if (given->n != given->m || given->n > TAUT_SPACE_DEGREE_MAX) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", given->n, given->m,
+                         "a biharmonic neighbour needs one degree both ways, at most %d, found %d "
+                         "and %d",
+                         TAUT_SPACE_DEGREE_MAX, given->n, given->m);
+    }
+    if (given->n > DEGREE_MAX && !insist) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", given->n, DEGREE_MAX,
+                         "a neighbour of degree %d, expected at most %d: rounding leaves little of "
+                         "least bending beyond, and finding it takes up to minutes (a lower degree "
+                         "is better; \"insist\": true builds it all the same, up to degree %d)",
+                         given->n, DEGREE_MAX, TAUT_SPACE_DEGREE_MAX);
+    }
+    residual = taut_neighbour_residual(given, 2, scratch);
+    if (!(residual <= limit)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", residual, limit,
+                         "not biharmonic: the surface's scaled residual is %.3g, expected at most "
+                         "%.0e over its own rectangle",
+                         residual, limit);
+    }
+    return TAUT_OK;
+}
+
+static taut_status add_both(const neighbour *b, double *net, double amplification,
+                            taut_model *model, taut_error *error)
+{
+    taut_surface *surfaces[2] = {NULL, NULL};
+    taut_record *details = NULL;
+    taut_status status = taut_surface_copy(b->given.surface, &surfaces[0]) == TAUT_OK
+                             ? TAUT_OK
+                             : taut_fail_memory(error);
+
+    if (status == TAUT_OK) {
+        status = taut_neighbour_surface(&b->given, "extension", net, 0, &surfaces[1], error);
+    }
+    for (int i = 0; i < 2; i++) {
+        if (status == TAUT_OK && taut_model_add_surface(model, surfaces[i]) == TAUT_OK) {
+            continue;
+        }
+        taut_surface_free(surfaces[i]);
+        status = status == TAUT_OK ? taut_fail_memory(error) : status;
+    }
+    if (status == TAUT_OK) {
+        details = taut_record_new();
+        taut_record_add_text(details, "contact", b->contact == 1 ? "c1" : "c2");
+        taut_record_add_number(details, "free", b->free);
+        taut_biharmonic_tell(amplification, details);
+        taut_model_set_details(model, details);
+        status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    }
+    return status;
+}
+
+taut_status taut_biharmonic_neighbour(const taut_biharmonic_problem *problem, taut_arena *arena,
+                                      taut_model *model, taut_error *error)
+{
+    neighbour b = {.contact = problem->contact};
+    double *net = NULL, amplification = 0;
+    taut_status status = taut_neighbour_check(problem->surface, problem->width, error);
+
+    b.given.surface = problem->surface;
+    b.given.edge = problem->edge;
+    b.given.arena = arena;
+    if (status == TAUT_OK) {
+        status = taut_neighbour_turn(&b.given, problem->width, error);
+    }
+    if (status == TAUT_OK) {
+        status = check(&b.given, problem->insist, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    b.n = b.given.n;
+    b.free = b.contact == 1 ? 2 * (b.n - 1) : 2 * ((b.n - 1) / 2);
+    b.lines = b.contact < b.n ? b.contact + 1 : b.n + 1;
+    b.sides = 3 + b.lines * (b.n + 1);
+    b.across = b.given.ratio * b.given.across;
+    b.along = b.given.along;
+    net = taut_arena_take(arena, 3 * numbers_of(&b), sizeof(double));
+    status = net != NULL ? solve(&b, net, &amplification, problem->insist, error)
+                         : taut_fail_memory(error);
+    return status == TAUT_OK ? add_both(&b, net, amplification, model, error) : status;
+}

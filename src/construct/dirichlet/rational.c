@@ -1,0 +1,416 @@
+/* rational.c -- the matrix by quadrature, block row by block row.
+ *
+ *     R_ij = w_ij N_i N_j / w,     w = sum_s c_s N_s,     c_s = sum_t w_st N_t
+ *     R_ij,u = w_ij N_j (N_i' w - N_i w_u) / w^2 = w_ij N_j sum_s c_s (N_i' N_s - N_i N_s') / w^2
+ *
+ * likewise in v. Written so, the term s = i drops out: where one function is nearly all of w, its
+ * small slope is not the difference of two large numbers. At each node of the tensor rule the
+ * slopes of the k h functions alive there, then the products of all pairs.
+ */
+#include "construct/dirichlet/rational.h"
+
+#include "construct/common/line_rule.h"
+#include "core/fail.h"
+#include "core/memory.h"
+#include "numeric/quadrature.h"
+
+#include <math.h>
+#include <string.h>
+
+struct taut_dirichlet_rational {
+    const taut_basis *u, *v;
+    int nu, nv, k, h; /* functions, and functions alive on a span */
+    taut_panels *panels_u, *panels_v;
+    double *weights; /* [nu][nv] */
+    int nodes;       /* a panel */
+    taut_line_rule along_u, along_v;
+    double fu, fv;
+    double *blocks;   /* [nu][k][nv][2h-1]: A(ij, (i+e)(j+d)) at [i][e][j][d + h-1] */
+    double *row_sums; /* [nu][nv] */
+    double *slopes;   /* [2][k][h]: R_u and R_v at one node */
+    double *sums;     /* [2][k h][k h]: of a pair of panels, and of one line of it */
+    double roundings;
+    double work; /* pairs of functions at nodes, of all assemblies so far */
+};
+
+/* Assemblies of all rules together may cost so many pairs, some ten seconds, or so many times those
+ * of the first rule if no span were cut. */
+static const double work_least = 1e10, times = 60;
+
+void taut_dirichlet_rational_free(taut_dirichlet_rational *form)
+{
+    if (form != NULL) {
+        taut_line_rule_clear(&form->along_u);
+        taut_line_rule_clear(&form->along_v);
+        taut_panels_free(form->panels_u);
+        taut_panels_free(form->panels_v);
+        taut_free(form->weights);
+        taut_free(form->blocks);
+        taut_free(form->row_sums);
+        taut_free(form->slopes);
+        taut_free(form->sums);
+        taut_free(form);
+    }
+}
+
+/* out[a] = sum_s c_s (N_a' N_s - N_a N_s'), over the `count` functions alive. */
+static void wronskians(int count, const double *c, const double *n, const double *dn, double *out)
+{
+    for (int a = 0; a < count; a++) {
+        out[a] = 0;
+        for (int s = 0; s < count; s++) {
+            out[a] += c[s] * (dn[a] * n[s] - n[a] * dn[s]);
+        }
+    }
+}
+
+static double dot(int count, const double *x, const double *y)
+{
+    double sum = 0;
+    for (int i = 0; i < count; i++) {
+        sum += x[i] * y[i];
+    }
+    return sum;
+}
+
+/* slopes = R_ij,u, then R_ij,v, of the functions alive at node (p, q). Returns what a rounding of
+ * the parameters does there. */
+static double find_slopes(const taut_dirichlet_rational *form, int p, int q, double *slopes)
+{
+    const int k = form->k, h = form->h;
+    const taut_line_rule *ru = &form->along_u, *rv = &form->along_v;
+    const double *n = taut_table_row(ru->table, p, 0), *dn = taut_table_row(ru->table, p, 1);
+    const double *m = taut_table_row(rv->table, q, 0), *dm = taut_table_row(rv->table, q, 1);
+    const double *weights = form->weights + (size_t)ru->table->first[p] * (size_t)form->nv +
+                            (size_t)rv->table->first[q];
+    double rows[TAUT_DEGREE_MAX + 1], columns[TAUT_DEGREE_MAX + 1];
+    double along_u[TAUT_DEGREE_MAX + 1], along_v[TAUT_DEGREE_MAX + 1];
+    double w = 0;
+
+    memset(columns, 0, (size_t)h * sizeof(double));
+    for (int a = 0; a < k; a++) {
+        rows[a] = dot(h, weights + (size_t)a * (size_t)form->nv, m);
+        for (int b = 0; b < h; b++) {
+            columns[b] += weights[(size_t)a * (size_t)form->nv + (size_t)b] * n[a];
+        }
+    }
+    w = dot(k, rows, n);
+    wronskians(k, rows, n, dn, along_u);
+    wronskians(h, columns, m, dm, along_v);
+    for (int a = 0; a < k; a++) {
+        for (int b = 0; b < h; b++) {
+            const double share = weights[(size_t)a * (size_t)form->nv + (size_t)b] / w;
+            slopes[a * h + b] = share * m[b] * (along_u[a] / w);
+            slopes[(k + a) * h + b] = share * n[a] * (along_v[b] / w);
+        }
+    }
+    return 1 + ru->roundings[p] + rv->roundings[q] + ru->reach * fabs(dot(k, rows, dn) / w) +
+           rv->reach * fabs(dot(h, columns, dm) / w);
+}
+
+static double *block_row(const taut_dirichlet_rational *form, int i, int e, int j)
+{
+    const size_t width = 2 * (size_t)form->h - 1;
+    return form->blocks +
+           (((size_t)i * (size_t)form->k + (size_t)e) * (size_t)form->nv + (size_t)j) * width;
+}
+
+/* line[ab][a'b'] += the products of all pairs with a <= a' at node (p, q). */
+static void add_node(taut_dirichlet_rational *form, int p, int q, double *line)
+{
+    const int k = form->k, h = form->h;
+    const double weight = form->along_u.weights[p] * form->along_v.weights[q];
+    const double *su = form->slopes, *sv = form->slopes + k * h;
+
+    form->roundings = fmax(form->roundings, find_slopes(form, p, q, form->slopes));
+    for (int ab = 0; ab < k * h; ab++) {
+        const double fu = weight * form->fu * su[ab], fv = weight * form->fv * sv[ab];
+        double *row = line + (size_t)ab * (size_t)(k * h);
+        for (int other = ab / h * h; other < k * h; other++) {
+            row[other] += fu * su[other] + fv * sv[other];
+        }
+    }
+}
+
+/* Moves the sums of one pair of panels, whose first functions are i and j, to the blocks. */
+static void scatter(taut_dirichlet_rational *form, int i, int j, const double *sums)
+{
+    const int k = form->k, h = form->h;
+    for (int ab = 0; ab < k * h; ab++) {
+        const int a = ab / h, b = ab % h;
+        for (int e = 0; a + e < k; e++) {
+            const double *from = sums + (size_t)ab * (size_t)(k * h) + (size_t)((a + e) * h);
+            double *row = block_row(form, i + a, e, j + b) + (h - 1 - b);
+            for (int d = 0; d < h; d++) {
+                row[d] += from[d];
+            }
+        }
+    }
+}
+
+/* One pair of panels: nodes of a line first, then lines, then, in the blocks, panels. Sums of a few
+ * dozen terms each keep the rounding of hundreds of thousands small ([Higham2002] 4.2). */
+static void add_panels(taut_dirichlet_rational *form, int panel_u, int panel_v)
+{
+    const size_t size = (size_t)(form->k * form->h) * (size_t)(form->k * form->h);
+    double *sums = form->sums, *line = form->sums + size;
+    const int p0 = panel_u * form->nodes, q0 = panel_v * form->nodes;
+
+    memset(sums, 0, size * sizeof(double));
+    for (int p = p0; p < p0 + form->nodes; p++) {
+        memset(line, 0, size * sizeof(double));
+        for (int q = q0; q < q0 + form->nodes; q++) {
+            add_node(form, p, q, line);
+        }
+        for (size_t i = 0; i < size; i++) {
+            sums[i] += line[i];
+        }
+    }
+    scatter(form, form->along_u.table->first[p0], form->along_v.table->first[q0], sums);
+}
+
+static void add_row_sums(taut_dirichlet_rational *form)
+{
+    memset(form->row_sums, 0, (size_t)form->nu * (size_t)form->nv * sizeof(double));
+    for (int i = 0; i < form->nu; i++) {
+        for (int e = 0; e < form->k && i + e < form->nu; e++) {
+            double *here = form->row_sums + (size_t)i * (size_t)form->nv;
+            double *there = form->row_sums + (size_t)(i + e) * (size_t)form->nv;
+            for (int j = 0; j < form->nv; j++) {
+                const double *row = block_row(form, i, e, j);
+                const int from = form->h - 1 < j ? 1 - form->h : -j;
+                const int to = form->h - 1 < form->nv - 1 - j ? form->h - 1 : form->nv - 1 - j;
+                for (int d = from; d <= to; d++) {
+                    here[j] += fabs(row[d + form->h - 1]);
+                    there[j + d] += e > 0 ? fabs(row[d + form->h - 1]) : 0;
+                }
+            }
+        }
+    }
+}
+
+static size_t blocks_size(const taut_dirichlet_rational *form)
+{
+    return (size_t)form->nu * (size_t)form->k * (size_t)form->nv * (2 * (size_t)form->h - 1);
+}
+
+static double pairs(const taut_dirichlet_rational *form, double cells, int nodes)
+{
+    const double alive = (double)form->k * form->h;
+    return cells * nodes * nodes * alive * alive;
+}
+
+static int first_nodes(const taut_dirichlet_rational *form)
+{
+    return (form->k > form->h ? form->k : form->h) + 2;
+}
+
+/* May another assembly with so many nodes be made? */
+static int may_assemble(const taut_dirichlet_rational *form, int nodes)
+{
+    const double cells = (double)form->panels_u->count * form->panels_v->count;
+    const double spans =
+        (double)taut_basis_span_count(form->u) * (double)taut_basis_span_count(form->v);
+    return form->work + pairs(form, cells, nodes) <=
+           fmax(work_least, times * pairs(form, spans, first_nodes(form)));
+}
+
+static void assemble(taut_dirichlet_rational *form)
+{
+    form->work += pairs(form, (double)form->panels_u->count * form->panels_v->count, form->nodes);
+    memset(form->blocks, 0, blocks_size(form) * sizeof(double));
+    form->roundings = 0;
+    for (int a = 0; a < form->panels_u->count; a++) {
+        for (int b = 0; b < form->panels_v->count; b++) {
+            add_panels(form, a, b);
+        }
+    }
+    add_row_sums(form);
+}
+
+static taut_status set_nodes(taut_dirichlet_rational *form, int nodes)
+{
+    taut_line_rule u, v;
+    taut_status status = taut_line_rule_init(form->u, form->panels_u, nodes, &u);
+    if (status == TAUT_OK) {
+        status = taut_line_rule_init(form->v, form->panels_v, nodes, &v);
+    }
+    if (status != TAUT_OK) {
+        taut_line_rule_clear(&u);
+        return status;
+    }
+    taut_line_rule_clear(&form->along_u);
+    taut_line_rule_clear(&form->along_v);
+    form->along_u = u;
+    form->along_v = v;
+    form->nodes = nodes;
+    assemble(form);
+    return TAUT_OK;
+}
+
+static taut_status alloc(taut_dirichlet_rational *form, const double *weights)
+{
+    const size_t nu = (size_t)form->nu, nv = (size_t)form->nv;
+    const size_t alive = (size_t)form->k * (size_t)form->h;
+    taut_status status = TAUT_OK;
+
+    form->weights = taut_alloc(nu * nv, sizeof(double));
+    form->row_sums = taut_alloc(nu * nv, sizeof(double));
+    form->slopes = taut_alloc(2 * alive, sizeof(double));
+    form->sums = taut_alloc(2 * alive * alive, sizeof(double));
+    form->blocks = taut_alloc_aligned(blocks_size(form), sizeof(double));
+    if (form->weights == NULL || form->row_sums == NULL || form->slopes == NULL ||
+        form->sums == NULL || form->blocks == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    memcpy(form->weights, weights, nu * nv * sizeof(double));
+    status = taut_panels_new(form->u, form->nv, weights, nv, 1, &form->panels_u);
+    return status == TAUT_OK ? taut_panels_new(form->v, form->nu, weights, 1, nv, &form->panels_v)
+                             : status;
+}
+
+taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v,
+                                        const double *weights, taut_dirichlet_rational **form,
+                                        taut_error *error)
+{
+    taut_dirichlet_rational *made = taut_alloc_zero(1, sizeof *made);
+    taut_status status = TAUT_OK;
+
+    if (made == NULL) {
+        return taut_fail_memory(error);
+    }
+    made->u = u;
+    made->v = v;
+    made->nu = taut_basis_count(u);
+    made->nv = taut_basis_count(v);
+    made->k = taut_basis_local(u);
+    made->h = taut_basis_local(v);
+    made->fu = made->fv = 1;
+    status = alloc(made, weights);
+    if (status == TAUT_OK) {
+        made->nodes = first_nodes(made);
+        status = may_assemble(made, made->nodes) ? set_nodes(made, made->nodes)
+                                                 : taut_dirichlet_rational_refuse(made, error);
+    }
+    if (status != TAUT_OK) {
+        taut_dirichlet_rational_free(made);
+        return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
+    }
+    *form = made;
+    return TAUT_OK;
+}
+
+taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form)
+{
+    const int more = form->nodes + form->nodes / 2;
+    const int nodes = more < TAUT_GAUSS_MAX ? more : TAUT_GAUSS_MAX;
+    return form->nodes < TAUT_GAUSS_MAX && may_assemble(form, nodes) ? set_nodes(form, nodes)
+                                                                     : TAUT_NOT_CONVERGED;
+}
+
+taut_status taut_dirichlet_rational_refuse(const taut_dirichlet_rational *form, taut_error *error)
+{
+    return taut_fail(error, TAUT_NOT_CONVERGED, "/weights", taut_none, taut_none,
+                     "the weights vary too much from point to point: the integrals ask for more "
+                     "than %d x %d Gauss nodes on each of %d x %d panels; bring the weights nearer "
+                     "to each other",
+                     form->nodes, form->nodes, form->panels_u->count, form->panels_v->count);
+}
+
+void taut_dirichlet_rational_scale(taut_dirichlet_rational *form, double fu, double fv)
+{
+    if (fu != form->fu || fv != form->fv) {
+        form->fu = fu;
+        form->fv = fv;
+        assemble(form);
+    }
+}
+
+double taut_dirichlet_rational_row_sum(const taut_dirichlet_rational *form, int i, int j)
+{
+    return form->row_sums[(size_t)i * (size_t)form->nv + (size_t)j];
+}
+
+double taut_dirichlet_rational_diagonal(const taut_dirichlet_rational *form, int i, int j)
+{
+    return block_row(form, i, 0, j)[form->h - 1];
+}
+
+double taut_dirichlet_rational_roundings(const taut_dirichlet_rational *form)
+{
+    return form->roundings;
+}
+
+static void add_multiple(double factor, const double *x, double *y)
+{
+    y[0] += factor * x[0];
+    y[1] += factor * x[1];
+    y[2] += factor * x[2];
+}
+
+/* y_i += B x_{i+e} and, off the diagonal, y_{i+e} += B^T x_i. */
+static void apply_block(const taut_dirichlet_rational *form, int i, int e, const double *x,
+                        double *y)
+{
+    const size_t here = 3 * (size_t)i * (size_t)form->nv;
+    const size_t there = 3 * (size_t)(i + e) * (size_t)form->nv;
+    for (int j = 0; j < form->nv; j++) {
+        const double *row = block_row(form, i, e, j) + (form->h - 1);
+        const int from = form->h - 1 < j ? 1 - form->h : -j;
+        const int to = form->h - 1 < form->nv - 1 - j ? form->h - 1 : form->nv - 1 - j;
+        const size_t point = here + 3 * (size_t)j;
+        for (int d = from; d <= to; d++) {
+            const size_t other = there + 3 * (size_t)(j + d);
+            add_multiple(row[d], x + other, y + point);
+            if (e > 0) {
+                add_multiple(row[d], x + point, y + other);
+            }
+        }
+    }
+}
+
+void taut_dirichlet_rational_apply(const taut_dirichlet_rational *form, const double *x, double *y)
+{
+    memset(y, 0, 3 * (size_t)form->nu * (size_t)form->nv * sizeof(double));
+    for (int i = 0; i < form->nu; i++) {
+        for (int e = 0; e < form->k && i + e < form->nu; e++) {
+            apply_block(form, i, e, x, y);
+        }
+    }
+}
+
+/* x_u and x_v at node (p, q): sums over R_st of their slopes. */
+static void surface_slopes(const taut_dirichlet_rational *form, int p, int q, const double *x,
+                           double found[2][3])
+{
+    const int k = form->k, h = form->h;
+    const size_t first = (size_t)form->along_v.table->first[q];
+
+    (void)find_slopes(form, p, q, form->slopes);
+    memset(found, 0, 6 * sizeof(double));
+    for (int a = 0; a < k; a++) {
+        const size_t i = (size_t)(form->along_u.table->first[p] + a);
+        const double *row = x + 3 * (i * (size_t)form->nv + first);
+        for (int b = 0; b < h; b++) {
+            add_multiple(form->slopes[a * h + b], row + 3 * b, found[0]);
+            add_multiple(form->slopes[(k + a) * h + b], row + 3 * b, found[1]);
+        }
+    }
+}
+
+void taut_dirichlet_rational_energies(const taut_dirichlet_rational *form, const double *x,
+                                      double halves[2])
+{
+    halves[0] = halves[1] = 0;
+    for (int p = 0; p < form->along_u.count; p++) {
+        for (int q = 0; q < form->along_v.count; q++) {
+            const double weight = 0.5 * form->along_u.weights[p] * form->along_v.weights[q];
+            double found[2][3];
+            surface_slopes(form, p, q, x, found);
+            for (int c = 0; c < 3; c++) {
+                halves[0] += weight * found[0][c] * found[0][c];
+                halves[1] += weight * found[1][c] * found[1][c];
+            }
+        }
+    }
+}

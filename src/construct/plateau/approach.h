@@ -1,0 +1,20 @@
+/* approach.h -- large nets come near the least area along normals first.
+ *
+ * Where banded factors do not pay, steps of the whole net are by conjugate gradients, and moves
+ * within the surface make those slow. Along normals there are none ([WuWang2011] 7.2): a few steps
+ * bring the area to where the whole net has little left to gain. */
+#ifndef TAUT_CONSTRUCT_PLATEAU_APPROACH_H
+#define TAUT_CONSTRUCT_PLATEAU_APPROACH_H
+
+#include "construct/plateau/trust_region.h"
+#include "taut/surface.h"
+
+/* The net moves along the normals of `first`, whose net it is, and the descent and *products go on
+ * as they would have; all stay as they are where no rest is found that way. TAUT_INTERRUPTED,
+ * TAUT_NO_MEMORY. */
+taut_status taut_plateau_approach(taut_film *film, const taut_dirichlet_form *form,
+                                  const taut_pattern *pattern, const taut_surface *first,
+                                  double aspect, const taut_monitor *monitor, taut_descent *descent,
+                                  double *net, int *products, taut_error *error);
+
+#endif /* TAUT_CONSTRUCT_PLATEAU_APPROACH_H */

@@ -1,0 +1,87 @@
+/* area.h -- the area of a net, its gradient and its Hessian, at Gauss points.
+ *
+ *     A      = sum_g w_g W,    W = |x_u x x_v|,    n = x_u x x_v / W       ([WuWang2011] 2.3, 6)
+ *     dA     = iint f_u . d_u + f_v . d_v,         f_u = x_v x n,  f_v = n x x_u
+ *     df_u   = n (G n.d_u - F n.d_v) / W + d_v x n
+ *     df_v   = n (E n.d_v - F n.d_u) / W + n x d_u
+ *
+ * The last two are section 6's, with dn written out: what acts along the normal is the operator of
+ * the metric, E = |x_u|^2, F = x_u.x_v, G = |x_v|^2, and what is left is an antisymmetric part.
+ * Without the projection on n and the antisymmetric part it is the metric operator L_g itself
+ * (7.1): for every d, A(x + d) <= A(x) + dA d + 1/2 d L_g d, at each Gauss point and so in the sum.
+ * Hence the operators here,
+ *
+ *     B = (1 - theta) H + theta L_g,    0 <= theta <= 1,
+ *
+ * lead from Newton's step (0) to one that always falls (1).
+ *
+ * With weights, x = X / w has x_u = (X_u - (w_u / w) X) / w: linear in the points too. Points where
+ * W is zero have no normal and count for nothing.
+ */
+#ifndef TAUT_CONSTRUCT_PLATEAU_AREA_H
+#define TAUT_CONSTRUCT_PLATEAU_AREA_H
+
+#include "construct/plateau/area_kernel.h"
+#include "taut/basis.h"
+
+#include <stddef.h>
+
+/* Gauss nodes in one direction; slopes are over the unit interval. */
+typedef struct taut_film_axis {
+    int count; /* nodes in all */
+    int nodes; /* on each panel */
+    int local;
+    int *first;      /* [count] */
+    double *value;   /* [count][local] */
+    double *slope;   /* [count][local] */
+    double *weights; /* [count]: their sum is 1 */
+    /* For kernels, by panel, whole vectors of nodes or functions, zeros where there are none: */
+    int group, wide;          /* nodes, local, rounded up */
+    double *values, *slopes;  /* [panels][local][group] */
+    double *by_node, *sloped; /* [count][wide]: value and slope */
+    double *group_weights;    /* [panels][group] */
+} taut_film_axis;
+
+typedef struct taut_film {
+    int nu, nv;
+    taut_film_axis u, v;
+    const taut_film_ops *ops;
+    size_t stride, width; /* of a plane of a row of the net; 3 of them */
+    double *weights;      /* [nu][nv] over the largest, or NULL */
+    double *quotient;     /* [u.count][panels of v][3][group], area_kernel.h, or NULL */
+    double *state;        /* [u.count][panels of v][TAUT_FILM_STATE][group] of the last gradient */
+    double *net;          /* [nu][width], then as many for what comes back: in planes, weighted */
+    double *polygons;     /* [2][width] */
+    double *spread;       /* [2][width] */
+    double *elements;     /* [2][group]: W of a panel; weights */
+    double work;          /* about so many flops were spent on it, its factors included */
+} taut_film;
+
+/* What a net is worth. */
+typedef struct taut_film_value {
+    double area;
+    double least; /* smallest W over the area (the mean of W) */
+} taut_film_value;
+
+/* local + extra nodes a panel in each direction. weights double[nu][nv] or NULL. TAUT_NO_MEMORY. */
+taut_status taut_film_new(const taut_basis *u, const taut_basis *v, const double *weights,
+                          int extra, taut_film **film);
+void taut_film_free(taut_film *film); /* NULL is fine */
+
+/* The area of net double[nu][nv][3]. */
+taut_film_value taut_film_area(taut_film *film, const double *net);
+/* The same, with gradient double[nu][nv][3] at every point, known ones too; the operators below are
+ * those of this net from now on. */
+taut_film_value taut_film_gradient(taut_film *film, const double *net, double *gradient);
+
+/* The state, and the quotient where there are weights, of node k of v on line `line`. */
+void taut_film_state_at(const taut_film *film, int line, int k, double state[TAUT_FILM_STATE]);
+void taut_film_quotient_at(const taut_film *film, int line, int k, double quotient[3]);
+
+/* About so many flops: one look at the area of a net. */
+double taut_film_cost(const taut_film *film);
+
+/* product = B direction, nets double[nu][nv][3], apart. */
+void taut_film_product(taut_film *film, double theta, const double *direction, double *product);
+
+#endif /* TAUT_CONSTRUCT_PLATEAU_AREA_H */

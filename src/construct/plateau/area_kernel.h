@@ -1,0 +1,57 @@
+/* area_kernel.h -- the inner loops of a film, one table per instruction set.
+ *
+ * Points of one panel see the same functions of v, so they are worked on side by side: `group` of
+ * them, the last ones no points at all, with zeros for functions and weights. Nets lie in planes,
+ * one per coordinate, `stride` apart.
+ */
+#ifndef TAUT_CONSTRUCT_PLATEAU_AREA_KERNEL_H
+#define TAUT_CONSTRUCT_PLATEAU_AREA_KERNEL_H
+
+#include <stddef.h>
+
+enum {
+    TAUT_FILM_GROUP_MAX = 256, /* TAUT_GAUSS_MAX, a multiple of TAUT_FILM_PAD */
+    TAUT_FILM_STATE = 7,       /* n, w_g E / W, w_g F / W, w_g G / W, w_g */
+    TAUT_FILM_PAD = 8          /* numbers beyond a plane that kernels may read and add 0 to */
+};
+
+/* The points of a line u = const in one panel of v. */
+typedef struct taut_film_panel {
+    int nodes, group; /* points; the same rounded up to lanes */
+    int local, wide;  /* functions alive; the same rounded up */
+    size_t stride;
+    const double *value, *slope;     /* [local][group] */
+    const double *values, *slopes;   /* [nodes][wide]: the same by node */
+    const double *still, *along;     /* [3] planes from the first point alive: x, x_u on the line */
+    const double *quotient;          /* [3][group]: 1 / w, w_u / w, w_v / w; or NULL */
+    double *spread_still, *spread_u; /* [3] planes: what goes back with N_i, with N_i' */
+} taut_film_panel;
+
+typedef struct taut_film_ops {
+    const char *name;
+    int lanes; /* a power of two up to TAUT_FILM_PAD */
+    /* still = sum_a n[a] row[a], along = sum_a d[a] row[a]; length a multiple of TAUT_FILM_PAD. */
+    void (*contract)(int local, const double *n, const double *d, const double *rows, size_t length,
+                     double *still, double *along);
+    /* row[a] += n[a] still + d[a] along. */
+    void (*spread)(int local, const double *n, const double *d, const double *still,
+                   const double *along, size_t length, double *rows);
+    /* w[group] = W. */
+    void (*area)(const taut_film_panel *panel, double *w);
+    /* The same, and the state [TAUT_FILM_STATE][group], and the gradient into the spread; weights
+     * [group]. */
+    void (*gradient)(const taut_film_panel *panel, const double *weights, double *state, double *w);
+    /* The product of the direction in the polygons with the operator of the state and theta. */
+    void (*product)(const taut_film_panel *panel, double theta, const double *state);
+} taut_film_ops;
+
+/* As taut_grid_ops_chosen. */
+const taut_film_ops *taut_film_ops_chosen(void);
+
+extern const taut_film_ops taut_film_baseline;
+#if defined(__x86_64__)
+extern const taut_film_ops taut_film_avx2;
+extern const taut_film_ops taut_film_avx512;
+#endif
+
+#endif /* TAUT_CONSTRUCT_PLATEAU_AREA_KERNEL_H */

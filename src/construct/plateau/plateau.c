@@ -1,0 +1,189 @@
+/* plateau.c -- the surface of least area through the known points of a net, or between four curves.
+ *
+ *     1. a spline space and a boundary in it (construct/plateau/space.h)
+ *     2. the film of least area there (construct/plateau/solve.h)
+ *     3. more spaces, to say how far it is from the least area of all, or to come as near as was
+ *        asked for (construct/plateau/refine.h)
+ *
+ * [WuWang2011] sections 6, 7.1 to 7.4; docs/plateau.md.
+ */
+#include "taut/plateau.h"
+
+#include "construct/construct_ops.h"
+#include "construct/plateau/refine.h"
+#include "core/fail.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static taut_status check_start(const taut_plateau_problem *problem, taut_error *error)
+{
+    const int nv = taut_basis_count(problem->net.v);
+    const size_t count = (size_t)taut_basis_count(problem->net.u) * (size_t)nv;
+
+    for (size_t i = 0; problem->start != NULL && i < 3 * count; i++) {
+        const size_t at = i / 3;
+        char where[64];
+        snprintf(where, sizeof where, "/start/points/%zu/%zu", at / (size_t)nv, at % (size_t)nv);
+        if (!isfinite(problem->start[i])) {
+            return taut_fail(error, TAUT_BAD_INPUT, where, problem->start[i], taut_none,
+                             "found %.17g, expected a finite number", problem->start[i]);
+        }
+        if (problem->net.known[at] && problem->start[i] != problem->net.points[i]) {
+            return taut_fail(error, TAUT_BAD_INPUT, where, problem->start[i],
+                             problem->net.points[i],
+                             "the start has %.17g where the known point of the net has %.17g",
+                             problem->start[i], problem->net.points[i]);
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_tolerance_area(const taut_plateau_problem *problem, taut_error *error)
+{
+    const double tolerance = problem->tolerance_area;
+    const int nu = taut_basis_count(problem->net.u), nv = taut_basis_count(problem->net.v);
+
+    if (tolerance != 0 && !(tolerance >= TAUT_PLATEAU_AREA_MIN && tolerance < 1)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", tolerance, TAUT_PLATEAU_AREA_MIN,
+                         "tolerance_area is %.17g, expected a number from %g on and below 1",
+                         tolerance, TAUT_PLATEAU_AREA_MIN);
+    }
+    if (tolerance != 0 && (problem->refine > 0 || problem->start != NULL)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", taut_none, taut_none,
+                         "tolerance_area finds its own spaces: expected neither refine nor start "
+                         "beside it");
+    }
+    if (tolerance != 0 && (double)nu * nv > TAUT_PLATEAU_ADAPTED_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", (double)nu * nv,
+                         TAUT_PLATEAU_ADAPTED_MAX,
+                         "tolerance_area cannot put knots into a net of %d by %d points, expected "
+                         "at most %d: take fewer, or refine",
+                         nu, nv, TAUT_PLATEAU_ADAPTED_MAX);
+    }
+    if (problem->curves[0] != NULL && problem->start != NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/start", taut_none, taut_none,
+                         "found a start beside curves, expected none: its boundary would not be "
+                         "theirs");
+    }
+    return problem->curves[0] == NULL && problem->start != NULL ? check_start(problem, error)
+                                                                : TAUT_OK;
+}
+
+/* How many points the last net of an estimate has: each time all spans are halved. */
+static taut_status check_refine(const taut_plateau_problem *problem, taut_error *error)
+{
+    const taut_basis *u = problem->net.u, *v = problem->net.v;
+    const double more = ldexp(1, problem->refine) - 1;
+    const double points = (taut_basis_count(u) + more * taut_basis_span_count(u)) *
+                          (taut_basis_count(v) + more * taut_basis_span_count(v));
+
+    if (problem->refine > 0 && points > TAUT_PLATEAU_REFINED_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/refine", points, TAUT_PLATEAU_REFINED_MAX,
+                         "refine is %d, and makes a net of %.0f points, expected at most %d",
+                         problem->refine, points, TAUT_PLATEAU_REFINED_MAX);
+    }
+    return TAUT_OK;
+}
+
+/* What dirichlet does not check, or is needed before it does. */
+static taut_status check(const taut_plateau_problem *problem, taut_error *error)
+{
+    const taut_dirichlet_problem *net = &problem->net;
+    const int curves = (problem->curves[0] != NULL) + (problem->curves[1] != NULL) +
+                       (problem->curves[2] != NULL) + (problem->curves[3] != NULL);
+
+    if (net->u == NULL || net->v == NULL || (curves != 0 && curves != 4) ||
+        (curves == 0 && (net->points == NULL || net->known == NULL))) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "a problem of least area needs two bases, and a net or four curves");
+    }
+    if (!(problem->tolerance >= 0) || problem->tolerance >= 1) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance", problem->tolerance, 1,
+                         "tolerance is %.17g, expected a number above 0 and below 1",
+                         problem->tolerance);
+    }
+    if (problem->max_iterations < 0) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/max_iterations", problem->max_iterations, 0,
+                         "max_iterations is %d, expected at least 1", problem->max_iterations);
+    }
+    if (problem->method != TAUT_PLATEAU_FULL && problem->method != TAUT_PLATEAU_NORMAL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/method", taut_none, taut_none,
+                         "expected the method \"full\" or \"normal\"");
+    }
+    if (problem->refine < 0 || problem->refine > TAUT_PLATEAU_REFINE_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "/refine", problem->refine, TAUT_PLATEAU_REFINE_MAX,
+                         "refine is %d, expected 0 to %d", problem->refine,
+                         TAUT_PLATEAU_REFINE_MAX);
+    }
+    if (check_refine(problem, error) != TAUT_OK) {
+        return TAUT_BAD_INPUT;
+    }
+    return check_tolerance_area(problem, error);
+}
+
+static taut_status make_model(taut_plateau_solution *solution, taut_model **model,
+                              taut_error *error)
+{
+    taut_model *made = NULL;
+    taut_status status = taut_model_new(&made);
+
+    if (status == TAUT_OK) {
+        status = taut_model_add_surface(made, solution->surface);
+    }
+    if (status == TAUT_OK) {
+        solution->surface = NULL; /* the model's now */
+        status = taut_record_status(solution->details);
+        taut_model_set_details(made, solution->details);
+        solution->details = NULL;
+    }
+    if (status != TAUT_OK) {
+        taut_model_free(made);
+        return taut_fail_memory(error);
+    }
+    *model = made;
+    return TAUT_OK;
+}
+
+taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_make_options *options,
+                              taut_model **model, taut_error *error)
+{
+    static const taut_make_options none;
+    taut_plateau_space *space = NULL;
+    taut_plateau_solution solution = {NULL, NULL, 0};
+    taut_status status = TAUT_OK;
+
+    if (problem == NULL || model == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_plateau_make needs a problem and a place for the model");
+    }
+    options = options != NULL ? options : &none;
+    status = check(problem, error);
+    if (status == TAUT_OK) {
+        status = taut_plateau_space_new(problem, NULL, &space, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_plateau_solve(&space->problem, options, &solution, error);
+    }
+    if (status == TAUT_OK && problem->refine > 0) {
+        status = taut_plateau_estimate(problem, options, &solution, error);
+    } else if (status == TAUT_OK && problem->tolerance_area > 0) {
+        status = taut_plateau_adapt(problem, options, &space, &solution, error);
+    }
+    if (status == TAUT_OK) {
+        taut_plateau_space_describe(space, solution.details);
+        status = make_model(&solution, model, error);
+    }
+    taut_plateau_solution_clear(&solution);
+    taut_plateau_space_free(space);
+    return status;
+}
+
+static taut_status make(const void *data, const taut_make_options *options, taut_model **model,
+                        taut_error *error)
+{
+    return taut_plateau_make(data, options, model, error);
+}
+
+const taut_construct_ops taut_construct_plateau = {.make = make};

@@ -1,0 +1,21 @@
+/* refine.h -- least areas in nested spaces, and what they tell of the least of all. */
+#ifndef TAUT_CONSTRUCT_PLATEAU_REFINE_H
+#define TAUT_CONSTRUCT_PLATEAU_REFINE_H
+
+#include "construct/plateau/solve.h"
+#include "construct/plateau/space.h"
+
+/* Solves on problem->refine spaces, each with every span of the one before halved, and adds the
+ * member `refinement` to the solution's details. */
+taut_status taut_plateau_estimate(const taut_plateau_problem *problem,
+                                  const taut_make_options *options, taut_plateau_solution *solution,
+                                  taut_error *error);
+
+/* Puts knots in where the film bends, solves again, and so on until the estimated distance from the
+ * least area is within problem->tolerance_area of it. *space and *solution become the last ones.
+ * TAUT_NOT_CONVERGED: too many rounds or points. */
+taut_status taut_plateau_adapt(const taut_plateau_problem *problem,
+                               const taut_make_options *options, taut_plateau_space **space,
+                               taut_plateau_solution *solution, taut_error *error);
+
+#endif /* TAUT_CONSTRUCT_PLATEAU_REFINE_H */

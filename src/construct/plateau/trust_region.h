@@ -1,0 +1,37 @@
+/* trust_region.h -- from a net to the net of least area.
+ *
+ *     z = ((1 - theta) H + theta L_g)^-1 (-g),    x <- x + z
+ *
+ * theta is small where Newton's model is good and near 1 where it is not; at 1 the area falls
+ * whatever the net, so no line search is needed ([WuWang2011] 7.1). The area never rises by more
+ * than its rounding. A net where the gradient vanishes but a direction of negative curvature is
+ * left is a saddle: it is stepped off along that direction.
+ */
+#ifndef TAUT_CONSTRUCT_PLATEAU_TRUST_REGION_H
+#define TAUT_CONSTRUCT_PLATEAU_TRUST_REGION_H
+
+#include "construct/plateau/newton_step.h"
+
+typedef struct taut_descent {
+    /* given */
+    double tolerance;
+    int max_iterations;
+    int has_free_edge;
+    double *areas; /* [areas_max]: after each iteration, or NULL */
+    int areas_max;
+    double work_max; /* flops, about: more are not spent on the way */
+    /* found; iterations and work are added to */
+    int iterations;
+    double work;
+    int areas_count;
+    double area;
+    double residual; /* largest derivative along an unknown over the largest in the net */
+    double gain;     /* what the last model still had to gain, over the area */
+} taut_descent;
+
+/* net double[nu][nv][3] is improved in place, on failure too. TAUT_NOT_CONVERGED, TAUT_NO_SOLUTION,
+ * TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
+taut_status taut_film_descend(taut_film *film, taut_film_solver *solver, taut_descent *descent,
+                              double *net, taut_error *error);
+
+#endif /* TAUT_CONSTRUCT_PLATEAU_TRUST_REGION_H */

@@ -1,0 +1,159 @@
+/* surface_grid.c -- evaluation on a grid, by the tensor structure.
+ *
+ * Basis functions are worked out once per line, then each row contracts the net along u into one
+ * polygon per derivative of u, and the points of the row contract those along v:
+ *     Q_k[j] = sum_a d^kN_a(u) P[a][j],     x_{u^k v^l} = sum_b d^lN_b(v) Q_k[b]
+ * The v parameters are taken in blocks whose basis functions stay in the first cache while all rows
+ * pass over them; only the columns of the net that a block needs are contracted.
+ */
+#include "core/memory.h"
+#include "geometry/grid/lines.h"
+#include "geometry/grid/table.h"
+#include "geometry/net.h"
+#include "platform/parallel.h"
+#include "taut/surface.h"
+
+#include <stdint.h>
+#include <string.h>
+
+/* Streamed stores pay once the result is larger than the caches keep for later use. */
+static const size_t streaming_bytes = (size_t)4 << 20;
+
+enum { VECTORS_MAX = 6, ORDERS = 3 };
+
+/* What all threads share; nothing in it changes while they run. */
+typedef struct grid {
+    const taut_grid_ops *ops;
+    const taut_table *u;
+    const taut_grid_lines *lines; /* of v */
+    int nv, order, dim, columns;
+    const double *net; /* [nu][columns][dim] */
+    int streaming;
+    double *values;
+    double *scratch; /* one part per thread: polygons, then the points of one block */
+    size_t scratch_part, polygons_part;
+} grid;
+
+/* The first points of the groups, from where whole groups were written to where they belong. */
+static void place_block(const grid *g, const taut_grid_block *block, const double *points,
+                        double *values)
+{
+    const size_t numbers = (size_t)TAUT_SURFACE_VECTORS(g->order) * 3;
+    if (!block->single && g->streaming) {
+        g->ops->copy((size_t)block->points * numbers, points, values);
+    } else if (!block->single) {
+        memcpy(values, points, (size_t)block->points * numbers * sizeof(double));
+    } else {
+        for (int i = 0; i < block->points; i++) {
+            memcpy(values + (size_t)i * numbers, points + (size_t)(i * g->lines->size) * numbers,
+                   numbers * sizeof(double));
+        }
+    }
+}
+
+/* One block of one row. */
+static void fill_block(const grid *g, int row, const taut_grid_block *block, double *polygons,
+                       double *points)
+{
+    const size_t row_stride = (size_t)g->columns * (size_t)g->dim;
+    const double *rows =
+        g->net + (size_t)g->u->first[row] * row_stride + (size_t)(block->low * g->dim);
+    double *values = g->values + ((size_t)row * (size_t)g->nv + (size_t)block->start) *
+                                     (size_t)(3 * TAUT_SURFACE_VECTORS(g->order));
+    const int whole = block->count * g->lines->size == block->points;
+    const int direct = whole && (!g->streaming || (uintptr_t)values % 32 == 0);
+
+    for (int k = 0; k <= g->order; k++) {
+        g->ops->contract(g->u->local, taut_table_row(g->u, row, k), rows, row_stride,
+                         (size_t)((block->high - block->low) * g->dim),
+                         polygons + (size_t)k * row_stride);
+    }
+    g->ops->fill(g->order, g->dim, direct && g->streaming, g->lines->groups + block->group,
+                 block->count, polygons, row_stride, direct ? values : points);
+    if (!direct) {
+        place_block(g, block, points, values);
+    }
+}
+
+/* Rows from..to-1: blocks outside, rows inside. */
+static void fill_rows(void *context, int part, int from, int to)
+{
+    const grid *g = context;
+    double *polygons = g->scratch + (size_t)part * g->scratch_part;
+    for (int i = 0; i < g->lines->block_count; i++) {
+        for (int row = from; row < to; row++) {
+            fill_block(g, row, &g->lines->blocks[i], polygons, polygons + g->polygons_part);
+        }
+    }
+    g->ops->fence();
+}
+
+/* Takes scratch, cuts v into groups, brings the net into homogeneous form if it has weights, and
+ * runs the threads. */
+static taut_status fill_grid(const taut_surface *surface, const taut_table *tu,
+                             const taut_table *tv, int threads, double *values)
+{
+    const double *weights = taut_surface_weights(surface);
+    const int columns = taut_basis_count(taut_surface_v(surface));
+    const size_t points = (size_t)taut_basis_count(taut_surface_u(surface)) * (size_t)columns;
+    const int dim = weights != NULL ? 4 : 3;
+    const size_t polygons = ((size_t)ORDERS * (size_t)columns * (size_t)dim + 7) / 8 * 8;
+    const size_t part = polygons + (size_t)TAUT_GRID_BLOCK_MAX * VECTORS_MAX * 3;
+    const int parts = threads > 1 ? threads : 1;
+    const size_t bytes = (size_t)tu->count * (size_t)tv->count *
+                         (size_t)TAUT_SURFACE_VECTORS(tv->order) * 3 * sizeof(double);
+    const taut_grid_ops *ops = taut_grid_ops_chosen();
+    double *net = weights != NULL ? taut_alloc_aligned(4 * points, sizeof(double)) : NULL;
+    double *scratch = taut_alloc_aligned(part * (size_t)parts, sizeof(double));
+    taut_grid_lines lines = {0};
+    taut_status status = taut_grid_lines_make(tv, ops->group, &lines);
+
+    if (scratch == NULL || (weights != NULL && net == NULL)) {
+        status = TAUT_NO_MEMORY;
+    }
+    if (status == TAUT_OK) {
+        grid g = {.ops = ops,
+                  .u = tu,
+                  .lines = &lines,
+                  .nv = tv->count,
+                  .order = tv->order,
+                  .dim = dim,
+                  .columns = columns,
+                  .net = net != NULL ? net : taut_surface_points(surface),
+                  .streaming = bytes >= streaming_bytes,
+                  .values = values,
+                  .scratch = scratch,
+                  .scratch_part = part,
+                  .polygons_part = polygons};
+        if (net != NULL) {
+            taut_net_homogeneous(points, taut_surface_points(surface), weights, net);
+        }
+        taut_parallel_for(tu->count, parts, fill_rows, &g);
+    }
+    taut_grid_lines_clear(&lines);
+    taut_free(net);
+    taut_free(scratch);
+    return status;
+}
+
+taut_status taut_surface_eval_grid(const taut_surface *surface, int nu, const double *u, int nv,
+                                   const double *v, int order, int threads, double *values)
+{
+    taut_table *tu = NULL, *tv = NULL;
+    taut_status status = TAUT_OK;
+
+    if (surface == NULL || u == NULL || v == NULL || values == NULL || nu < 0 || nv < 0 ||
+        order < 0 || order > 2 || threads < 0 || threads > TAUT_THREADS_MAX) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    status = taut_table_new(taut_surface_u(surface), nu, u, NULL, order, &tu);
+    if (status == TAUT_OK) {
+        status = taut_table_new(taut_surface_v(surface), nv, v, NULL, order, &tv);
+    }
+    if (status == TAUT_OK && nu > 0 && nv > 0) {
+        status = fill_grid(surface, tu, tv, threads, values);
+    }
+    taut_table_free(tu);
+    taut_table_free(tv);
+    return status;
+}

@@ -1,7 +1,0 @@
-/* grid_baseline.c -- grid kernels for any processor. */
-#define GRID_LANES 2
-#define GRID_STREAM(pointer, value) (FOUR_AT(pointer) = (value))
-#define GRID_FENCE() ((void)0)
-#include "geometry/grid_kernel_body.h"
-
-const taut_grid_ops taut_grid_baseline = GRID_OPS("baseline");

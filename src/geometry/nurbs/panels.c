@@ -1,0 +1,155 @@
+#include "geometry/nurbs/panels.h"
+
+#include "basis/basis_ops.h"
+#include "core/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { DEPTH_MAX = 24 }; /* a pole nearer than 2^-24 of its span is no longer resolved */
+static const double layer_width = 4;
+
+/* What is asked about, and the panels so far; `room` of them fit. */
+typedef struct cutting {
+    const taut_basis *basis;
+    int lines;
+    const double *weights;
+    size_t step, next;
+    taut_panels *panels;
+    int room;
+    double *values; /* [local + 1][local] */
+} cutting;
+
+void taut_panels_free(taut_panels *panels)
+{
+    if (panels != NULL) {
+        taut_free(panels->lo);
+        taut_free(panels->hi);
+        taut_free(panels->span);
+        taut_free(panels);
+    }
+}
+
+/* Does w on some line vary by more than 4 among `local` + 1 places from lo to hi? As many as w has
+ * bends: at the ends and in the middle alone a bump in between would go unseen. */
+static int varies(const cutting *c, int span, double lo, double hi)
+{
+    const int local = taut_basis_local(c->basis);
+    const double *first = c->weights + (size_t)taut_basis_first(c->basis, span) * c->step;
+
+    for (int k = 0; k <= local; k++) {
+        const double t = k < local ? lo + (hi - lo) * ((double)k / local) : hi;
+        taut_basis_eval(c->basis, span, t, 0, c->values + k * local);
+    }
+    for (size_t l = 0; l < (size_t)c->lines; l++) {
+        double least = INFINITY, largest = 0;
+        for (int k = 0; k <= local; k++) {
+            double w = 0;
+            for (int i = 0; i < local; i++) {
+                w += first[(size_t)i * c->step + l * c->next] * c->values[k * local + i];
+            }
+            least = fmin(least, w);
+            largest = fmax(largest, w);
+        }
+        if (largest > 4 * least) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Is [lo, hi] long against the exponentials in it? They fade towards the middle of the span: there
+ * a panel may be as wide as it is far from the nearer end. */
+static int has_layer(const taut_basis *basis, int span, double lo, double hi)
+{
+    const double *ends = taut_basis_breaks(basis) + span;
+    return basis->ops->layers && hi - lo > fmax(layer_width, fmin(lo - ends[0], ends[1] - hi));
+}
+
+static taut_status add(cutting *c, int span, double lo, double hi)
+{
+    taut_panels *p = c->panels;
+    if (p->count == c->room) {
+        const size_t room = 2 * (size_t)c->room;
+        double *low = taut_realloc(p->lo, room, sizeof *low);
+        p->lo = low != NULL ? low : p->lo;
+        double *high = taut_realloc(p->hi, room, sizeof *high);
+        p->hi = high != NULL ? high : p->hi;
+        int *spans = taut_realloc(p->span, room, sizeof *spans);
+        p->span = spans != NULL ? spans : p->span;
+        if (low == NULL || high == NULL || spans == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+        c->room *= 2;
+    }
+    p->lo[p->count] = lo;
+    p->hi[p->count] = hi;
+    p->span[p->count++] = span;
+    return TAUT_OK;
+}
+
+/* Cuts one span; the stack holds the right halves still to do. */
+static taut_status cut(cutting *c, int span)
+{
+    const double *breaks = taut_basis_breaks(c->basis);
+    double ends[DEPTH_MAX + 1];
+    double lo = breaks[span];
+    int depth = 0;
+    taut_status status = TAUT_OK;
+
+    ends[0] = breaks[span + 1];
+    while (status == TAUT_OK && depth >= 0) {
+        const double hi = ends[depth], middle = lo + 0.5 * (hi - lo);
+        if (depth < DEPTH_MAX && middle > lo && middle < hi &&
+            hi - lo > ldexp(breaks[span + 1] - breaks[span], -DEPTH_MAX) &&
+            (has_layer(c->basis, span, lo, hi) ||
+             (c->weights != NULL && varies(c, span, lo, hi)))) {
+            ends[++depth] = middle;
+        } else {
+            status = add(c, span, lo, hi);
+            lo = hi;
+            depth--;
+        }
+    }
+    return status;
+}
+
+double taut_panels_finest(const taut_basis *basis, int span)
+{
+    const double *ends = taut_basis_breaks(basis) + span;
+    return basis->ops->layers ? fmin(ends[1] - ends[0], 1) : ends[1] - ends[0];
+}
+
+taut_status taut_panels_new(const taut_basis *basis, int lines, const double *weights, size_t step,
+                            size_t next, taut_panels **panels)
+{
+    const int spans = taut_basis_span_count(basis);
+    taut_panels *made = taut_alloc_zero(1, sizeof *made);
+    const size_t local = (size_t)taut_basis_local(basis);
+    cutting c = {basis, lines, weights, step, next, made, spans, NULL};
+    taut_status status = TAUT_OK;
+
+    if (made == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    made->lo = taut_alloc((size_t)spans, sizeof(double));
+    made->hi = taut_alloc((size_t)spans, sizeof(double));
+    made->span = taut_alloc((size_t)spans, sizeof(int));
+    if (weights != NULL) {
+        c.values = taut_alloc(local + 1, local * sizeof(double));
+    }
+    if (made->lo == NULL || made->hi == NULL || made->span == NULL ||
+        (weights != NULL && c.values == NULL)) {
+        status = TAUT_NO_MEMORY;
+    }
+    for (int k = 0; status == TAUT_OK && k < spans; k++) {
+        status = cut(&c, k);
+    }
+    taut_free(c.values);
+    if (status != TAUT_OK) {
+        taut_panels_free(made);
+        return status;
+    }
+    *panels = made;
+    return TAUT_OK;
+}

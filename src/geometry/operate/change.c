@@ -1,0 +1,120 @@
+#include "geometry/operate/change.h"
+
+#include "core/fail.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Is t inside the open range? */
+static taut_status check_inside(const taut_basis *basis, double t, taut_error *error)
+{
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    if (!(t > lo && t < hi)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, NULL, t, t <= lo ? lo : hi,
+                         "parameter %.17g is not inside the open range from %.17g to %.17g", t, lo,
+                         hi);
+    }
+    return TAUT_OK;
+}
+
+static taut_status lacks(const taut_basis *basis, const char *what, taut_error *error)
+{
+    return taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_none, taut_none,
+                     "a basis of type \"%s\" has no %s; convert it to NURBS first",
+                     taut_basis_type(basis), what);
+}
+
+taut_status taut_operate_split(const taut_basis *basis, double t, taut_change_list *list,
+                               taut_error *error)
+{
+    const taut_status status = check_inside(basis, t, error);
+    return status == TAUT_OK ? basis->ops->changes->split(basis, t, list, error) : status;
+}
+
+taut_status taut_operate_insert(const taut_basis *basis, double t, int times, taut_change **change,
+                                taut_error *error)
+{
+    if (basis->ops->changes->insert == NULL) {
+        return lacks(basis, "knots to insert", error);
+    }
+    const taut_status status = check_inside(basis, t, error);
+    return status == TAUT_OK ? basis->ops->changes->insert(basis, t, times, change, error) : status;
+}
+
+taut_status taut_operate_elevate(const taut_basis *basis, int times, taut_change **change,
+                                 taut_error *error)
+{
+    const taut_basis *from = basis;
+    taut_change *made = NULL;
+    taut_status status = TAUT_OK;
+
+    if (basis->ops->changes->elevate == NULL) {
+        return lacks(basis, "degree to raise", error);
+    }
+    if (times < 0 || times > TAUT_DEGREE_MAX - taut_basis_degree(basis)) {
+        return taut_fail(
+            error, TAUT_BAD_ARGUMENT, NULL, times, TAUT_DEGREE_MAX - taut_basis_degree(basis),
+            "degree %d cannot be raised by %d, expected 0 to %d", taut_basis_degree(basis), times,
+            TAUT_DEGREE_MAX - taut_basis_degree(basis));
+    }
+    if (times == 0) {
+        return taut_change_select(&basis->spec, basis->shape.count, 0, 0, change, error);
+    }
+    for (int i = 0; status == TAUT_OK && i < times; i++) {
+        taut_change *step = NULL, *both = NULL;
+        status = from->ops->changes->elevate(from, &step, error);
+        if (status == TAUT_OK && made != NULL) {
+            status = taut_change_compose(made, step, &both, error);
+            taut_change_free(step);
+            step = NULL;
+        }
+        if (status == TAUT_OK) {
+            taut_change_free(made);
+            made = both != NULL ? both : step;
+            from = made->to;
+        }
+    }
+    if (status != TAUT_OK) {
+        taut_change_free(made);
+        return status;
+    }
+    *change = made;
+    return TAUT_OK;
+}
+
+taut_status taut_operate_rerange(const taut_basis *basis, double lo, double hi,
+                                 taut_change **change, taut_error *error)
+{
+    if (!(lo < hi) || !isfinite(hi - lo)) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, hi - lo, 0,
+                         "range is [%.17g, %.17g], expected two increasing numbers", lo, hi);
+    }
+    return basis->ops->changes->rerange(basis, lo, hi, change, error);
+}
+
+void taut_operate_piece_name(const char *name, int dashes, int i, char out[TAUT_NAME_MAX + 1])
+{
+    const char *whole = name[0] != '\0' ? name : "piece";
+    char tail[64];
+    size_t length = strlen(whole), tail_length = 0;
+
+    dashes = dashes < 32 ? dashes : 32;
+    memset(tail, '-', (size_t)dashes);
+    snprintf(tail + dashes, sizeof tail - (size_t)dashes, "%d", i);
+    tail_length = strlen(tail);
+    if (length + tail_length > TAUT_NAME_MAX) {
+        length = TAUT_NAME_MAX - tail_length;
+        while (length > 0 && ((unsigned char)whole[length] & 0xc0) == 0x80) {
+            length--; /* not within a character of UTF-8 */
+        }
+    }
+    memcpy(out, whole, length);
+    memcpy(out + length, tail, tail_length + 1);
+}
+
+taut_status taut_operate_null(taut_error *error)
+{
+    return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                     "an object to work on, a direction, or a place for the result is missing");
+}

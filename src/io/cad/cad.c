@@ -1,0 +1,266 @@
+/* cad.c -- the formats step, stp, igs and iges: models to NURBS and on to the module, and back.
+ *
+ * What is polynomial or rational goes out exactly as it is; c- and h- directions within the
+ * tolerance, by conversions whose bound is proved (taut/operate.h). The bound stands in the file's
+ * header. */
+#include "core/arena.h"
+#include "core/fail.h"
+#include "core/memory.h"
+#include "io/cad/child.h"
+#include "io/cad/format_nurbs.h"
+#include "io/cad/scan.h"
+#include "io/file/in.h"
+#include "io/format.h"
+#include "taut/operate.h"
+#include "taut/version.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+
+static const double default_tolerance = 1e-6;
+static const double precision_of_size = 1e-7; /* what CAD systems take for one point */
+
+/* The seconds that SOURCE_DATE_EPOCH says, else 0: same model, same bytes. */
+static void tell_date(char text[32])
+{
+    const char *found = getenv("SOURCE_DATE_EPOCH");
+    const long long seconds = found != NULL ? strtoll(found, NULL, 10) : 0;
+    const time_t date = seconds >= 0 && seconds <= 253402300799LL ? (time_t)seconds : 0;
+    struct tm parts;
+    if (gmtime_r(&date, &parts) == NULL || strftime(text, 32, "%Y-%m-%dT%H:%M:%S", &parts) == 0) {
+        /* not reached: up to the year 9999 every second has a date, of 19 characters */
+        text[0] = '\0';
+    }
+}
+
+static void set_direction(taut_cad_item *item, int d, const taut_basis *basis)
+{
+    taut_basis_spec spec;
+    taut_basis_spec_of(basis, &spec);
+    item->degree[d] = spec.degree;
+    item->count[d] = taut_basis_count(basis);
+    item->knots[d] = spec.knots;
+}
+
+/* Items that borrow all their numbers from a model of NURBS. */
+static void list_items(const taut_model *nurbs, taut_cad_item *items)
+{
+    const int surfaces = taut_model_surface_count(nurbs);
+    for (int i = 0; i < surfaces; i++) {
+        const taut_surface *surface = taut_model_surface(nurbs, i);
+        items[i].name = taut_surface_name(surface);
+        set_direction(&items[i], 0, taut_surface_u(surface));
+        set_direction(&items[i], 1, taut_surface_v(surface));
+        items[i].points = taut_surface_points(surface);
+        items[i].weights = taut_surface_weights(surface);
+    }
+    for (int i = 0; i < taut_model_curve_count(nurbs); i++) {
+        const taut_curve *curve = taut_model_curve(nurbs, i);
+        taut_cad_item *item = &items[surfaces + i];
+        item->name = taut_curve_name(curve);
+        set_direction(item, 0, taut_curve_t(curve));
+        item->points = taut_curve_points(curve);
+        item->weights = taut_curve_weights(curve);
+    }
+}
+
+/* The diagonal of the box around all control points. */
+static double size_of(const taut_cad_item *items, int count)
+{
+    double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY};
+    double sum = 0;
+    for (int i = 0; i < count; i++) {
+        const size_t n =
+            (size_t)items[i].count[0] * (items[i].count[1] > 0 ? (size_t)items[i].count[1] : 1);
+        for (size_t k = 0; k < 3 * n; k++) {
+            lo[k % 3] = fmin(lo[k % 3], items[i].points[k]);
+            hi[k % 3] = fmax(hi[k % 3], items[i].points[k]);
+        }
+    }
+    for (int c = 0; c < 3; c++) {
+        sum += (hi[c] - lo[c]) * (hi[c] - lo[c]);
+    }
+    return sqrt(sum);
+}
+
+/* A face that is a single point has no edges: STEP's readers leave it out without a word. */
+static taut_status check_faces(const taut_cad_item *items, int count, taut_error *error)
+{
+    for (int i = 0; i < count; i++) {
+        if (items[i].count[1] > 0 && size_of(&items[i], 1) == 0) {
+            return taut_fail(error, TAUT_NO_SOLUTION, NULL, 0, taut_none,
+                             "surface \"%s\" is a single point, which no STEP file gives back: "
+                             "leave it out (--surface), or write IGES or JSON",
+                             items[i].name);
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status send_items(taut_cad_kind kind, const taut_model *nurbs, double bound,
+                              const char *path, taut_error *error)
+{
+    const int count = taut_model_surface_count(nurbs) + taut_model_curve_count(nurbs);
+    taut_arena *arena = taut_arena_new();
+    taut_cad_item *items =
+        arena != NULL ? taut_arena_take(arena, (size_t)count, sizeof *items) : NULL;
+    taut_cad_result result = {NULL, NULL, 0, TAUT_OK};
+    char date[32], made[64], exact[128];
+    const char *const notes[] = {made, exact};
+    taut_status status = TAUT_OK;
+
+    if (items == NULL) {
+        taut_arena_free(arena);
+        return taut_fail_memory(error);
+    }
+    list_items(nurbs, items);
+    tell_date(date);
+    snprintf(made, sizeof made, "NURBS by taut %s", TAUT_VERSION);
+    if (bound > 0) {
+        snprintf(exact, sizeof exact, "proved to lie within %.3g %s of the exact model", bound,
+                 taut_model_unit(nurbs));
+    } else {
+        snprintf(exact, sizeof exact, "the exact model");
+    }
+    const taut_cad_job job = {
+        .kind = kind,
+        .path = path,
+        .unit = taut_model_unit(nurbs),
+        .name = "taut",
+        .notes = notes,
+        .note_count = 2,
+        .date = date,
+        .precision = fmax(fmax(bound, precision_of_size * size_of(items, count)), 1e-290)};
+    if (kind == TAUT_CAD_STEP) {
+        status = check_faces(items, count, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_cad_run(&job, count, items, &result, error);
+    }
+    taut_arena_free(arena);
+    return status;
+}
+
+static taut_status write_cad(taut_cad_kind kind, const taut_model *model,
+                             const taut_write_options *options, const char *path, taut_error *error)
+{
+    const double tolerance = options->tolerance > 0 ? options->tolerance : default_tolerance;
+    taut_model *nurbs = NULL;
+    double bound = 0;
+    taut_status status = taut_format_nurbs(model, options, tolerance, &nurbs, &bound, error);
+
+    if (status == TAUT_OK) {
+        status = send_items(kind, nurbs, bound, path, error);
+    }
+    if (status == TAUT_OK && options->bound != NULL) {
+        *options->bound = bound;
+    }
+    taut_model_free(nurbs);
+    return status;
+}
+
+static taut_status write_step(const taut_model *model, const taut_write_options *options,
+                              const char *path, taut_error *error)
+{
+    return write_cad(TAUT_CAD_STEP, model, options, path, error);
+}
+
+static taut_status write_iges(const taut_model *model, const taut_write_options *options,
+                              const char *path, taut_error *error)
+{
+    return write_cad(TAUT_CAD_IGES, model, options, path, error);
+}
+
+/* A file that is there, and nothing else than a file. */
+static taut_status check_file(const char *path, taut_error *error)
+{
+    struct stat about;
+    if (stat(path, &about) != 0) {
+        return taut_fail_file(error, path, "read", errno);
+    }
+    if (!S_ISREG(about.st_mode)) {
+        return taut_fail_file(error, path, "read", S_ISDIR(about.st_mode) ? EISDIR : ESPIPE);
+    }
+    return TAUT_OK;
+}
+
+/* What the file says of itself must hold before the library sees it. */
+static taut_status scan_file(taut_cad_kind kind, const char *path, taut_error *error)
+{
+    char *text = NULL;
+    size_t length = 0;
+    taut_status status = taut_file_read(path, &text, &length, error);
+    if (status == TAUT_OK) {
+        status =
+            (kind == TAUT_CAD_STEP ? taut_cad_scan_step : taut_cad_scan_iges)(text, length, error);
+    }
+    taut_free(text);
+    return status;
+}
+
+/* What was read, with notes where there are any. */
+static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, taut_error *error)
+{
+    taut_record *details = taut_record_new();
+    taut_record_add_text(details, "read_from", kind == TAUT_CAD_STEP ? "STEP" : "IGES");
+    taut_record_add_record(details, "notes", result->notes);
+    if (taut_record_status(details) != TAUT_OK || taut_record_status(result->notes) != TAUT_OK) {
+        taut_record_free(details);
+        return taut_fail_memory(error);
+    }
+    if (taut_record_count(result->notes) > 0) {
+        taut_model_set_details(result->model, details);
+    } else {
+        taut_record_free(details);
+    }
+    return TAUT_OK;
+}
+
+static taut_status read_cad(taut_cad_kind kind, const char *path, taut_model **model,
+                            taut_error *error)
+{
+    const taut_cad_job job = {.kind = kind, .path = path};
+    taut_cad_result result = {NULL, NULL, 0, TAUT_OK};
+    taut_status status = check_file(path, error);
+
+    if (status == TAUT_OK) {
+        status = scan_file(kind, path, error);
+    }
+    if (status == TAUT_OK) {
+        result.notes = taut_record_new_list();
+        status = result.notes != NULL ? taut_model_new(&result.model) : TAUT_NO_MEMORY;
+        if (status == TAUT_OK) {
+            status = taut_cad_run(&job, 0, NULL, &result, error);
+        } else {
+            taut_fail_memory(error);
+        }
+    }
+    if (status == TAUT_OK) {
+        status = finish_model(kind, &result, error);
+    }
+    taut_record_free(result.notes);
+    if (status != TAUT_OK) {
+        taut_model_free(result.model);
+        return status;
+    }
+    *model = result.model;
+    return TAUT_OK;
+}
+
+static taut_status read_step(const char *path, taut_model **model, taut_error *error)
+{
+    return read_cad(TAUT_CAD_STEP, path, model, error);
+}
+
+static taut_status read_iges(const char *path, taut_model **model, taut_error *error)
+{
+    return read_cad(TAUT_CAD_IGES, path, model, error);
+}
+
+const taut_format_ops taut_format_step = {.write_path = write_step, .read = read_step};
+const taut_format_ops taut_format_iges = {.write_path = write_iges, .read = read_iges};

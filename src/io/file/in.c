@@ -1,0 +1,132 @@
+/* in.c -- a whole file into memory, in as few reads as the system allows. */
+#include "io/file/in.h"
+
+#include "core/fail.h"
+#include "core/memory.h"
+#include "taut/limits.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { FIRST_ROOM = 1 << 16 }; /* bytes taken at first where the size is not known */
+
+/* What is printed to a terminal holds no control characters; the end of a long path says more than
+ * its beginning. */
+static void show_path(const char *path, char *shown, size_t size)
+{
+    const size_t length = strlen(path);
+    const size_t skip = length >= size ? length - size + 4 : 0;
+    size_t n = 0;
+    if (skip > 0) {
+        memcpy(shown, "...", 3);
+        n = 3;
+    }
+    for (const char *from = path + skip; *from != '\0'; from++) {
+        const unsigned char byte = (unsigned char)*from;
+        shown[n++] = byte < 0x20 || byte == 0x7f ? '?' : *from;
+    }
+    shown[n] = '\0';
+}
+
+/* strerror without its shared buffer. */
+static const char *reason_text(int reason, char *text, size_t size)
+{
+    return strerror_r(reason, text, size) == 0 ? text : "unknown reason";
+}
+
+taut_status taut_fail_file(taut_error *error, const char *path, const char *verb, int reason)
+{
+    char shown[160], text[96];
+    show_path(strcmp(path, "-") == 0 ? "standard input or output" : path, shown, sizeof shown);
+    return taut_fail(error, TAUT_IO, NULL, taut_none, taut_none, "cannot %s %s: %s", verb, shown,
+                     reason_text(reason, text, sizeof text));
+}
+
+static taut_status too_large(const char *path, double size, taut_error *error)
+{
+    char shown[160];
+    show_path(path, shown, sizeof shown);
+    return taut_fail(error, TAUT_IO, NULL, size, TAUT_FILE_MAX,
+                     "%s is larger than the %.0f bytes that a document may have", shown,
+                     TAUT_FILE_MAX);
+}
+
+/* All bytes up to the end, into a block that doubles. One byte more than the file says it has is
+ * asked for, so that its end is seen without growing. */
+static taut_status read_all(int file, const char *path, size_t room, char **text, size_t *length,
+                            taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    char *block = taut_alloc(room, 1);
+    size_t filled = 0;
+    ssize_t got = 1;
+
+    if (block == NULL) {
+        return taut_fail_memory(error);
+    }
+    while (status == TAUT_OK && got != 0) {
+        if (filled == room) {
+            char *larger = taut_realloc(block, 2, room);
+            status = larger != NULL ? TAUT_OK : taut_fail_memory(error);
+            block = larger != NULL ? larger : block;
+            room *= larger != NULL ? 2 : 1;
+        } else {
+            got = read(file, block + filled, room - filled);
+            if (got < 0 && errno != EINTR) {
+                status = taut_fail_file(error, path, "read", errno);
+            }
+            filled += got > 0 ? (size_t)got : 0;
+            if (status == TAUT_OK && (double)filled > TAUT_FILE_MAX) {
+                /* not reached: an endless file fills 4 GB of memory before it is too large */
+                status = too_large(path, (double)filled, error);
+            }
+        }
+    }
+    if (status != TAUT_OK) {
+        taut_free(block);
+        return status;
+    }
+    *text = block;
+    *length = filled;
+    return TAUT_OK;
+}
+
+/* Room for the file and one byte, from what the system says of it. */
+static taut_status room_of(int file, const char *path, size_t *room, taut_error *error)
+{
+    struct stat about;
+    if (fstat(file, &about) != 0) {
+        return taut_fail_file(error, path, "read", errno);
+    }
+    if (S_ISDIR(about.st_mode)) {
+        return taut_fail_file(error, path, "read", EISDIR);
+    }
+    if (S_ISREG(about.st_mode) && (double)about.st_size > TAUT_FILE_MAX) {
+        return too_large(path, (double)about.st_size, error);
+    }
+    *room = S_ISREG(about.st_mode) && about.st_size > 0 ? (size_t)about.st_size + 1 : FIRST_ROOM;
+    return TAUT_OK;
+}
+
+taut_status taut_file_read(const char *path, char **text, size_t *length, taut_error *error)
+{
+    const int standard = strcmp(path, "-") == 0;
+    const int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
+    taut_status status = TAUT_OK;
+    size_t room = 0;
+
+    if (file < 0) {
+        return taut_fail_file(error, path, "read", errno);
+    }
+    status = room_of(file, path, &room, error);
+    if (status == TAUT_OK) {
+        status = read_all(file, path, room, text, length, error);
+    }
+    if (!standard) {
+        close(file);
+    }
+    return status;
+}

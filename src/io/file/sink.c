@@ -1,0 +1,117 @@
+#include "io/file/sink.h"
+
+#include "core/memory.h"
+#include "io/json/number_text.h"
+
+#include <errno.h>
+#include <string.h>
+
+enum { BUFFER_ROOM = 1 << 16, FIRST_ROOM = 1 << 10 };
+
+taut_sink taut_sink_to(FILE *file)
+{
+    taut_sink sink = {file, NULL, 0, 0, TAUT_OK, 0};
+    sink.room = file != NULL ? BUFFER_ROOM : FIRST_ROOM;
+    sink.text = taut_alloc(sink.room, 1);
+    if (sink.text == NULL) {
+        sink.status = TAUT_NO_MEMORY;
+        sink.room = 0;
+    }
+    return sink;
+}
+
+static void send(taut_sink *sink, const char *bytes, size_t length)
+{
+    errno = 0;
+    if (fwrite(bytes, 1, length, sink->file) != length) {
+        sink->status = TAUT_IO;
+        sink->reason = errno != 0 ? errno : EIO;
+    }
+}
+
+/* Makes room for `length` bytes more: by emptying the buffer, or by growing it. */
+static void make_room(taut_sink *sink, size_t length)
+{
+    if (sink->file != NULL) {
+        send(sink, sink->text, sink->length);
+        sink->length = 0;
+    } else {
+        size_t factor = 2;
+        char *larger = NULL;
+        while (factor * sink->room - sink->length < length) {
+            factor *= 2;
+        }
+        larger = taut_realloc(sink->text, factor, sink->room);
+        if (larger == NULL) {
+            sink->status = TAUT_NO_MEMORY;
+        } else {
+            sink->text = larger;
+            sink->room *= factor;
+        }
+    }
+}
+
+void taut_sink_bytes(taut_sink *sink, const char *bytes, size_t length)
+{
+    if (sink->status == TAUT_OK && length > sink->room - sink->length) {
+        make_room(sink, length);
+    }
+    if (sink->status != TAUT_OK) {
+        return;
+    }
+    if (length > sink->room) {
+        send(sink, bytes, length);
+        return;
+    }
+    memcpy(sink->text + sink->length, bytes, length);
+    sink->length += length;
+}
+
+void taut_sink_text(taut_sink *sink, const char *text)
+{
+    taut_sink_bytes(sink, text, strlen(text));
+}
+
+void taut_sink_number(taut_sink *sink, double x)
+{
+    char text[TAUT_NUMBER_ROOM];
+    const size_t length = taut_number_text(x, text);
+    taut_sink_bytes(sink, text, length);
+}
+
+void taut_sink_count(taut_sink *sink, size_t n)
+{
+    char text[24];
+    char *begin = text + sizeof text;
+    do {
+        *--begin = (char)('0' + n % 10);
+        n /= 10;
+    } while (n > 0);
+    taut_sink_bytes(sink, begin, (size_t)(text + sizeof text - begin));
+}
+
+taut_status taut_sink_finish(taut_sink *sink)
+{
+    if (sink->file != NULL) {
+        if (sink->status == TAUT_OK) {
+            send(sink, sink->text, sink->length);
+        }
+        errno = 0;
+        if (sink->status == TAUT_OK && fflush(sink->file) != 0) {
+            sink->status = TAUT_IO;
+            sink->reason = errno != 0 ? errno : EIO;
+        }
+        taut_free(sink->text);
+        sink->text = NULL;
+    } else {
+        taut_sink_bytes(sink, "", 1);
+        if (sink->status != TAUT_OK) {
+            taut_free(sink->text);
+            sink->text = NULL;
+        } else {
+            sink->length--;
+        }
+    }
+    errno = sink->reason;
+    return sink->status;
+}

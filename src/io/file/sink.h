@@ -1,0 +1,32 @@
+/* sink.h -- text going out: to a file through a large buffer, or into memory.
+ *
+ * A failure is remembered; later calls do nothing. Check taut_sink_finish once, at the end.
+ */
+#ifndef TAUT_IO_FILE_SINK_H
+#define TAUT_IO_FILE_SINK_H
+
+#include "taut/status.h"
+
+#include <stddef.h>
+#include <stdio.h>
+
+typedef struct taut_sink {
+    FILE *file; /* NULL: into memory */
+    char *text; /* the buffer, or all of the text */
+    size_t length, room;
+    taut_status status; /* TAUT_OK, TAUT_IO or TAUT_NO_MEMORY */
+    int reason;         /* errno with TAUT_IO */
+} taut_sink;
+
+/* file may be NULL: then the text grows in memory. */
+taut_sink taut_sink_to(FILE *file);
+void taut_sink_bytes(taut_sink *sink, const char *bytes, size_t length);
+void taut_sink_text(taut_sink *sink, const char *text);
+void taut_sink_number(taut_sink *sink, double x); /* null where it is not finite */
+void taut_sink_count(taut_sink *sink, size_t n);
+/* Sends what is left to the file and frees the buffer; errno is the reason with TAUT_IO. Into
+ * memory: the text stays in sink->text, ended by a 0 byte, and is the caller's (taut_free), or is
+ * freed on failure. */
+taut_status taut_sink_finish(taut_sink *sink);
+
+#endif /* TAUT_IO_FILE_SINK_H */

@@ -1,0 +1,155 @@
+/* get.c -- typed getters. */
+#include "core/fail.h"
+#include "io/json/in.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Refuses a member that the list does not have, and names the one it may have been meant for. */
+static taut_status unknown_member(const taut_json *object, const char *key,
+                                  const char *const *members, taut_error *error)
+{
+    const taut_json at = taut_json_member(object, key);
+    const char *near = taut_nearest(key, members);
+    return taut_json_fail(&at, error, taut_none, taut_none,
+                          "there is no such member here; the nearest one known is \"%s\"",
+                          near != NULL ? near : "");
+}
+
+static int is_listed(const char *key, const char *const *members)
+{
+    while (*members != NULL && strcmp(*members, key) != 0) {
+        members++;
+    }
+    return *members != NULL;
+}
+
+taut_status taut_json_object(const taut_json *at, const char *const *members, taut_error *error)
+{
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
+        return taut_json_expected(at, error, "an object");
+    }
+    for (size_t i = 0; i < at->value->count; i++) {
+        const char *key = at->value->as.members[i].key;
+        if (!is_listed(key, members)) {
+            return unknown_member(at, key, members, error);
+        }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_json_array(const taut_json *at, size_t least, size_t most, const char *items,
+                            size_t *count, taut_error *error)
+{
+    const int is_array = taut_json_kind_at(at) == TAUT_JSON_ARRAY;
+    const size_t size = taut_json_count_at(at);
+    if (is_array && size >= least && size <= most) {
+        *count = size;
+        return TAUT_OK;
+    }
+    if (least == 1 && most == 1) {
+        return taut_json_expected(at, error, "an array of one item");
+    }
+    if (least == most) {
+        return taut_json_expected(at, error, "an array of %zu %s", least, items);
+    }
+    if (is_array && size > most) {
+        return taut_json_expected(at, error, "an array of at most %zu %s", most, items);
+    }
+    if (least == 1) {
+        return taut_json_expected(at, error, "an array of %s, one at least", items);
+    }
+    if (least > 0) {
+        return taut_json_expected(at, error, "an array of at least %zu %s", least, items);
+    }
+    return taut_json_expected(at, error, "an array of %s", items);
+}
+
+taut_status taut_json_number(const taut_json *at, double *value, taut_error *error)
+{
+    if (taut_json_kind_at(at) != TAUT_JSON_NUMBER) {
+        return taut_json_expected(at, error, "a number");
+    }
+    *value = at->value->as.number; /* finite: the parser sees to that */
+    return TAUT_OK;
+}
+
+taut_status taut_json_integer(const taut_json *at, int least, int most, int *value,
+                              taut_error *error)
+{
+    const int is_number = taut_json_kind_at(at) == TAUT_JSON_NUMBER;
+    const double number = taut_json_number_at(at);
+    if (!is_number || number != floor(number) || number < least || number > most) {
+        const taut_status status =
+            taut_json_expected(at, error, "a whole number from %d to %d", least, most);
+        if (error != NULL && is_number) {
+            error->limit = number < least ? least : most;
+        }
+        return status;
+    }
+    *value = (int)number;
+    return TAUT_OK;
+}
+
+taut_status taut_json_numbers(const taut_json *at, size_t count, double *values, taut_error *error)
+{
+    size_t size = 0;
+    taut_status status = taut_json_array(at, count, count, "numbers", &size, error);
+    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
+        const taut_json item = taut_json_item(at, i);
+        status = taut_json_number(&item, &values[i], error);
+    }
+    return status;
+}
+
+taut_status taut_json_text(const taut_json *at, const char **text, taut_error *error)
+{
+    if (taut_json_kind_at(at) != TAUT_JSON_STRING) {
+        return taut_json_expected(at, error, "a string");
+    }
+    *text = at->value->as.string;
+    return TAUT_OK;
+}
+
+/* "\"mm\", \"m\" or \"cm\"" */
+static void list_words(const char *const *words, char *text, size_t size)
+{
+    size_t n = 0;
+    text[0] = '\0';
+    for (int i = 0; words[i] != NULL; i++) {
+        const char *between = i == 0 ? "" : words[i + 1] == NULL ? " or " : ", ";
+        const size_t more = strlen(between) + strlen(words[i]) + 2;
+        if (n + more + 1 > size) {
+            return;
+        }
+        n += (size_t)sprintf(text + n, "%s\"%s\"", between, words[i]);
+    }
+}
+
+taut_status taut_json_word(const taut_json *at, const char *const *words, int *word,
+                           taut_error *error)
+{
+    char list[160];
+    const char *found = taut_json_text_at(at);
+    for (int i = 0; found != NULL && words[i] != NULL; i++) {
+        if (strcmp(found, words[i]) == 0) {
+            *word = i;
+            return TAUT_OK;
+        }
+    }
+    list_words(words, list, sizeof list);
+    return taut_json_expected(at, error, "%s", list);
+}
+
+taut_status taut_json_flag(const taut_json *document, const char *key, int *value,
+                           taut_error *error)
+{
+    const taut_json at = taut_json_member(document, key);
+    const taut_json_kind kind = taut_json_kind_at(&at);
+    if (at.value != NULL && kind != TAUT_JSON_TRUE && kind != TAUT_JSON_FALSE) {
+        return taut_json_expected(&at, error, "true or false");
+    }
+    *value = kind == TAUT_JSON_TRUE;
+    return TAUT_OK;
+}

@@ -1,0 +1,57 @@
+/* in.c -- documents from files, and the places in them. */
+#include "io/json/in.h"
+
+#include "core/memory.h"
+#include "io/file/in.h"
+
+#include <string.h>
+
+taut_status taut_json_load(const char *path, taut_json_document **document, taut_error *error)
+{
+    const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
+    char *text = NULL;
+    size_t length = 0;
+    taut_status status = taut_file_read(path, &text, &length, error);
+    if (status == TAUT_OK) {
+        status = taut_json_parse(text, length, name, document, error);
+    }
+    taut_free(text);
+    return status;
+}
+
+taut_json taut_json_root(const taut_json_document *document)
+{
+    return (taut_json){taut_json_document_root(document), NULL, NULL, 0};
+}
+
+taut_json taut_json_item(const taut_json *array, size_t i)
+{
+    const int is_there = taut_json_kind_at(array) == TAUT_JSON_ARRAY && i < array->value->count;
+    return (taut_json){is_there ? array->value->as.items + i : NULL, array, NULL, i};
+}
+
+taut_json taut_json_member(const taut_json *object, const char *key)
+{
+    return (taut_json){taut_json_find(object->value, key), object, key, 0};
+}
+
+taut_json_kind taut_json_kind_at(const taut_json *at)
+{
+    return at->value != NULL ? (taut_json_kind)at->value->kind : TAUT_JSON_MISSING;
+}
+
+double taut_json_number_at(const taut_json *at)
+{
+    return taut_json_kind_at(at) == TAUT_JSON_NUMBER ? at->value->as.number : 0;
+}
+
+size_t taut_json_count_at(const taut_json *at)
+{
+    const taut_json_kind kind = taut_json_kind_at(at);
+    return kind == TAUT_JSON_ARRAY || kind == TAUT_JSON_OBJECT ? at->value->count : 0;
+}
+
+const char *taut_json_text_at(const taut_json *at)
+{
+    return taut_json_kind_at(at) == TAUT_JSON_STRING ? at->value->as.string : NULL;
+}

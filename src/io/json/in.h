@@ -1,0 +1,75 @@
+/* in.h -- JSON documents in: loading, typed getters, and messages that name the place.
+ *
+ * A `taut_json` is a value together with the way to it, as a chain of places on the stack; the JSON
+ * pointer (RFC 6901) is spelled only when something is wrong. Getters check everything: the kind,
+ * finiteness, the range; they return TAUT_OK or TAUT_BAD_INPUT with found, expected and the pointer
+ * in *error, their outputs untouched.
+ */
+#ifndef TAUT_IO_JSON_IN_H
+#define TAUT_IO_JSON_IN_H
+
+#include "io/json/tree.h"
+#include "taut/record.h"
+
+#include <stddef.h>
+
+typedef struct taut_json {
+    const taut_json_value *value; /* borrowed; NULL: a member that is missing */
+    const struct taut_json *up;   /* the object or array it is in; NULL at the root */
+    const char *key;              /* its name there, or NULL: item `index` */
+    size_t index;
+} taut_json;
+
+/* The document of a file, "-" is standard input: errors as taut_json_parse, and TAUT_IO. */
+taut_status taut_json_load(const char *path, taut_json_document **document, taut_error *error);
+
+/* The place of the root. */
+taut_json taut_json_root(const taut_json_document *document);
+/* Item i of an array; its value is NULL if it is missing. */
+taut_json taut_json_item(const taut_json *array, size_t i);
+/* A member of an object; its value is NULL if it is missing. */
+taut_json taut_json_member(const taut_json *object, const char *key);
+
+/* What is there. */
+taut_json_kind taut_json_kind_at(const taut_json *at);
+/* Its number, items or text; 0, 0 or NULL where it is something else. */
+double taut_json_number_at(const taut_json *at);
+size_t taut_json_count_at(const taut_json *at);
+const char *taut_json_text_at(const taut_json *at);
+
+/* Is it an object, and does it have only members of this list (ended by NULL)? */
+taut_status taut_json_object(const taut_json *at, const char *const *members, taut_error *error);
+/* Is it an array of least to most items? `items` says of what, in plural: "points". */
+taut_status taut_json_array(const taut_json *at, size_t least, size_t most, const char *items,
+                            size_t *count, taut_error *error);
+taut_status taut_json_number(const taut_json *at, double *value, taut_error *error);
+taut_status taut_json_integer(const taut_json *at, int least, int most, int *value,
+                              taut_error *error);
+/* An array of exactly `count` numbers. */
+taut_status taut_json_numbers(const taut_json *at, size_t count, double *values, taut_error *error);
+taut_status taut_json_text(const taut_json *at, const char **text, taut_error *error);
+/* One of the words of a list ended by NULL; *word is its index. */
+taut_status taut_json_word(const taut_json *at, const char *const *words, int *word,
+                           taut_error *error);
+/* The member `key` of an object: true, or false, or not there, which is false too. */
+taut_status taut_json_flag(const taut_json *document, const char *key, int *value,
+                           taut_error *error);
+
+/* TAUT_BAD_INPUT at this place: "found <what is there>, expected <expected>". */
+taut_status taut_json_expected(const taut_json *at, taut_error *error, const char *expected, ...)
+    __attribute__((format(printf, 3, 4)));
+/* TAUT_BAD_INPUT at this place with a sentence of one's own. */
+taut_status taut_json_fail(const taut_json *at, taut_error *error, double found, double limit,
+                           const char *format, ...) __attribute__((format(printf, 5, 6)));
+/* Puts the pointer of this place before error->where, and returns `status`: for errors that come
+ * from checks below that know only the rest of the way. */
+taut_status taut_json_within(const taut_json *at, taut_status status, taut_error *error);
+
+/* Any value as a record: the root of *record is an object or a list. */
+taut_status taut_json_record(const taut_json *at, taut_record **record, taut_error *error);
+
+/* The name of a list (ended by NULL) that is nearest to `word`, in single edits; NULL if the list
+ * is empty. */
+const char *taut_nearest(const char *word, const char *const *names);
+
+#endif /* TAUT_IO_JSON_IN_H */

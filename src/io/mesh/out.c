@@ -1,0 +1,106 @@
+#include "io/mesh/out.h"
+
+#include "core/fail.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+taut_status taut_mesh_out_new(const taut_model *model, const taut_write_options *options,
+                              taut_mesh **mesh, taut_error *error)
+{
+    const taut_mesh_options wish = {options->tolerance, options->divide, options->threads,
+                                    options->surface, options->monitor};
+    return taut_mesh_new(model, &wish, mesh, error);
+}
+
+int taut_mesh_out_is_kept(const taut_mesh *mesh, const uint32_t *triangle)
+{
+    const uint32_t *welded = taut_mesh_welded(mesh);
+    const uint32_t a = welded[triangle[0]], b = welded[triangle[1]], c = welded[triangle[2]];
+    return a != b && b != c && c != a;
+}
+
+const uint32_t *taut_mesh_out_triangles(const taut_mesh *mesh, const taut_mesh_group *group,
+                                        size_t *count)
+{
+    *count = 2 * (size_t)(group->nu - 1) * (size_t)(group->nv - 1);
+    return taut_mesh_triangles(mesh) + 6 * group->first_quad;
+}
+
+size_t taut_mesh_out_count(const taut_mesh *mesh, const taut_mesh_group *group)
+{
+    size_t count = 2 * taut_mesh_quad_count(mesh), kept = 0;
+    const uint32_t *triangles = taut_mesh_triangles(mesh);
+    if (group != NULL) {
+        triangles = taut_mesh_out_triangles(mesh, group, &count);
+    }
+    for (size_t i = 0; i < count; i++) {
+        kept += (size_t)taut_mesh_out_is_kept(mesh, triangles + 3 * i);
+    }
+    return kept;
+}
+
+taut_status taut_mesh_out_check_float(const taut_mesh *mesh, const char *format, taut_error *error)
+{
+    const double *positions = taut_mesh_positions(mesh);
+    for (size_t i = 0; i < 3 * taut_mesh_vertex_count(mesh); i++) {
+        if (!(fabs(positions[i]) <= FLT_MAX)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, NULL, positions[i], FLT_MAX,
+                             "a coordinate of %g is too large for %s, which has single precision: "
+                             "write .ply or .obj",
+                             positions[i], format);
+        }
+    }
+    return TAUT_OK;
+}
+
+static void put_low_bytes(taut_sink *sink, uint64_t value, size_t count)
+{
+    char bytes[8];
+    for (size_t i = 0; i < count; i++) {
+        bytes[i] = (char)(unsigned char)(value >> (8 * i) & 0xff);
+    }
+    taut_sink_bytes(sink, bytes, count);
+}
+
+void taut_put_u16(taut_sink *sink, unsigned value)
+{
+    put_low_bytes(sink, value, 2);
+}
+
+void taut_put_u32(taut_sink *sink, uint32_t value)
+{
+    put_low_bytes(sink, value, 4);
+}
+
+void taut_put_f32(taut_sink *sink, double value)
+{
+    const float rounded = (float)value;
+    uint32_t bits = 0;
+    memcpy(&bits, &rounded, sizeof bits);
+    put_low_bytes(sink, bits, 4);
+}
+
+void taut_put_f64(taut_sink *sink, double value)
+{
+    uint64_t bits = 0;
+    memcpy(&bits, &value, sizeof bits);
+    put_low_bytes(sink, bits, 8);
+}
+
+const char *taut_mesh_out_name(const taut_mesh_group *group, char *room)
+{
+    if (group->name[0] != '\0') {
+        return group->name;
+    }
+    snprintf(room, TAUT_NAME_MAX + 1, "surface%d", group->surface + 1);
+    return room;
+}
+
+taut_status taut_mesh_out_finish(taut_sink *sink, taut_error *error)
+{
+    const taut_status status = taut_sink_finish(sink);
+    return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
+}

@@ -1,0 +1,38 @@
+/* out.h -- what the mesh formats share: the mesh of the options, the triangles that have an
+ * area, and numbers as little-endian bytes. */
+#ifndef TAUT_IO_MESH_OUT_H
+#define TAUT_IO_MESH_OUT_H
+
+#include "io/file/sink.h"
+#include "taut/mesh.h"
+#include "taut/write.h"
+
+#include <stdint.h>
+
+/* Meshes what the options ask for. */
+taut_status taut_mesh_out_new(const taut_model *model, const taut_write_options *options,
+                              taut_mesh **mesh, taut_error *error);
+
+/* The triangles of a mesh (or of one group) but those with a place twice. */
+size_t taut_mesh_out_count(const taut_mesh *mesh, const taut_mesh_group *group);
+/* Are the three corners in three places? */
+int taut_mesh_out_is_kept(const taut_mesh *mesh, const uint32_t *triangle);
+/* The triangles of a group: taut_mesh_triangles from here on, so many. */
+const uint32_t *taut_mesh_out_triangles(const taut_mesh *mesh, const taut_mesh_group *group,
+                                        size_t *count);
+
+/* TAUT_NO_SOLUTION where a coordinate is too large for single precision, which `format` has. */
+taut_status taut_mesh_out_check_float(const taut_mesh *mesh, const char *format, taut_error *error);
+
+void taut_put_u16(taut_sink *sink, unsigned value);
+void taut_put_u32(taut_sink *sink, uint32_t value);
+void taut_put_f32(taut_sink *sink, double value);
+void taut_put_f64(taut_sink *sink, double value);
+
+/* The group's name, or "surface<i>" where it has none, in room for TAUT_NAME_MAX + 1 bytes. */
+const char *taut_mesh_out_name(const taut_mesh_group *group, char *room);
+
+/* Ends writing: the sink's own trouble goes before `status`. */
+taut_status taut_mesh_out_finish(taut_sink *sink, taut_error *error);
+
+#endif /* TAUT_IO_MESH_OUT_H */

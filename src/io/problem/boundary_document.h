@@ -1,0 +1,33 @@
+/* boundary_document.h -- "boundary": a file of four curves in place of a net with holes. */
+#ifndef TAUT_IO_PROBLEM_BOUNDARY_DOCUMENT_H
+#define TAUT_IO_PROBLEM_BOUNDARY_DOCUMENT_H
+
+#include "geometry/boundary/boundary.h"
+#include "io/problem/net_document.h"
+#include "problem/problem.h"
+
+/* The members that go with it, for a list of members. */
+#define TAUT_BOUNDARY_MEMBERS "boundary", "degree", "refine"
+
+/* Has the document the member "boundary"? */
+int taut_boundary_document_is(const taut_json *document);
+
+/* The four sides out of the file that "boundary" names (any that taut reads, beside the problem's
+ * own document), in order and closed; the caller's. */
+taut_status taut_boundary_document_sides(const taut_json *document, const taut_problem *problem,
+                                         taut_curve *sides[TAUT_SIDES], taut_error *error);
+
+/* The net that they bound, its inside unknown, on common bases: with at least the degrees of
+ * "degree": [p, q], and spans halved as often as "refine": [k, l] says. The problem's arena owns
+ * it. The members u, v, points and weights must not be there. */
+taut_status taut_boundary_document_read(const taut_json *document, taut_problem *problem,
+                                        taut_net_document *net, taut_error *error);
+
+/* The four sides as Bezier curves over [0, 1], in order, their weights made to agree at the corners
+ * where that is asked for; the arena owns them. The document must not have any of the members
+ * `others` (ends with NULL). */
+taut_status taut_boundary_document_bezier(const taut_json *document, taut_problem *problem,
+                                          const char *const *others, int agree,
+                                          const taut_curve *sides[TAUT_SIDES], taut_error *error);
+
+#endif /* TAUT_IO_PROBLEM_BOUNDARY_DOCUMENT_H */

@@ -1,0 +1,272 @@
+#include "io/problem/net_document.h"
+
+#include "core/fail.h"
+#include "io/json/rational_text.h"
+#include "io/model/basis.h"
+#include "taut/limits.h"
+
+#include <math.h>
+#include <string.h>
+
+taut_status taut_net_document_shape(const taut_json *points, int *rows, int *columns,
+                                    taut_error *error)
+{
+    size_t count = 0, length = 0;
+    taut_status status =
+        taut_json_array(points, 1, TAUT_COUNT_MAX, "rows of points", &count, error);
+
+    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
+        const taut_json row = taut_json_item(points, i);
+        if (i == 0) {
+            status = taut_json_array(&row, 1, TAUT_COUNT_MAX, "points", &length, error);
+        } else if (taut_json_kind_at(&row) != TAUT_JSON_ARRAY ||
+                   taut_json_count_at(&row) != length) {
+            status =
+                taut_json_expected(&row, error, "an array of %zu points, as row 0 has", length);
+        }
+    }
+    if (status == TAUT_OK && (double)count * (double)length > TAUT_POINTS_MAX) {
+        status = taut_json_fail(points, error, (double)count * (double)length, TAUT_POINTS_MAX,
+                                "found a net of %zu x %zu points, expected at most %d points",
+                                count, length, TAUT_POINTS_MAX);
+    }
+    if (status == TAUT_OK) {
+        *rows = (int)count;
+        *columns = (int)length;
+    }
+    return status;
+}
+
+/* A basis whose functions must be as many as the points along it. */
+static taut_status read_basis(const taut_json *object, const char *key, int functions,
+                              const char *things, const char *where, taut_basis **basis,
+                              taut_error *error)
+{
+    const taut_json at = taut_json_member(object, key);
+    const taut_json points = taut_json_member(object, "points");
+    taut_basis *made = NULL;
+    taut_status status = taut_basis_document_read(&at, functions, &made, error);
+
+    if (status == TAUT_OK && taut_basis_count(made) != functions) {
+        status = taut_json_fail(&points, error, functions, taut_basis_count(made),
+                                "found %d %s%s%s, expected %d, one for each function of \"%s\"",
+                                functions, things, functions == 1 ? "" : "s", where,
+                                taut_basis_count(made), key);
+        taut_basis_free(made);
+        made = NULL;
+    }
+    if (status == TAUT_OK) {
+        *basis = made;
+    }
+    return status;
+}
+
+taut_status taut_net_document_bases(const taut_json *object, int rows, int columns, taut_basis **u,
+                                    taut_basis **v, taut_error *error)
+{
+    taut_basis *made_u = NULL, *made_v = NULL;
+    taut_status status = read_basis(object, "u", rows, "row", "", &made_u, error);
+    if (status == TAUT_OK) {
+        status = read_basis(object, "v", columns, "point", " in each row", &made_v, error);
+    }
+    if (status != TAUT_OK) {
+        taut_basis_free(made_u);
+        return status;
+    }
+    *u = made_u;
+    *v = made_v;
+    return TAUT_OK;
+}
+
+taut_status taut_net_document_point(const taut_json *at, double point[3], taut_error *error)
+{
+    if (taut_json_kind_at(at) != TAUT_JSON_ARRAY || taut_json_count_at(at) != 3) {
+        return taut_json_expected(at, error, "a point [x, y, z]");
+    }
+    double read[3];
+    for (size_t c = 0; c < 3; c++) {
+        const taut_json item = taut_json_item(at, c);
+        const char *text = taut_json_text_at(&item);
+        if (text == NULL) {
+            const taut_status status = taut_json_number(&item, &read[c], error);
+            if (status != TAUT_OK) {
+                return status;
+            }
+        } else if (!taut_rational_value(text, &read[c]) || !isfinite(read[c])) {
+            return taut_json_expected(
+                &item, error,
+                "a number, or a rational one as \"3/4\", not too large and in at most "
+                "20000 bytes");
+        }
+    }
+    memcpy(point, read, sizeof read);
+    return TAUT_OK;
+}
+
+static int row_texts(const taut_json *row, int columns, const char **texts)
+{
+    int found = 0;
+    for (int j = 0; j < columns; j++) {
+        const taut_json point = taut_json_item(row, (size_t)j);
+        for (int c = 0; c < 3; c++) {
+            const taut_json at = taut_json_item(&point, (size_t)c);
+            texts[3 * j + c] = taut_json_text_at(&at);
+            found = found || texts[3 * j + c] != NULL;
+        }
+    }
+    return found;
+}
+
+void taut_net_document_texts(const taut_json *at, int rows, int columns, const char **texts,
+                             int *found)
+{
+    *found = rows == 0 && row_texts(at, columns, texts);
+    for (int i = 0; i < rows; i++) {
+        const taut_json row = taut_json_item(at, (size_t)i);
+        *found = row_texts(&row, columns, texts + 3 * (size_t)i * (size_t)columns) || *found;
+    }
+}
+
+/* A row of points, or of nulls where `known` is given. */
+static taut_status read_row(const taut_json *row, int columns, double *points, unsigned char *known,
+                            taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    for (int j = 0; status == TAUT_OK && j < columns; j++) {
+        const taut_json at = taut_json_item(row, (size_t)j);
+        if (known != NULL && taut_json_kind_at(&at) == TAUT_JSON_NULL) {
+            memset(points + 3 * j, 0, 3 * sizeof(double));
+            known[j] = 0;
+        } else if (known != NULL && taut_json_kind_at(&at) != TAUT_JSON_ARRAY) {
+            status = taut_json_expected(&at, error, "a point [x, y, z], or null: to be found");
+        } else {
+            status = taut_net_document_point(&at, points + 3 * j, error);
+            if (known != NULL) {
+                known[j] = 1;
+            }
+        }
+    }
+    return status;
+}
+
+taut_status taut_net_document_points(const taut_json *at, int rows, int columns, double *points,
+                                     unsigned char *known, taut_error *error)
+{
+    const size_t length = (size_t)columns;
+    taut_status status = TAUT_OK;
+
+    if (rows == 0) {
+        return read_row(at, columns, points, known, error);
+    }
+    for (size_t i = 0; status == TAUT_OK && i < (size_t)rows; i++) {
+        const taut_json row = taut_json_item(at, i);
+        status = read_row(&row, columns, points + 3 * i * length,
+                          known != NULL ? known + i * length : NULL, error);
+    }
+    return status;
+}
+
+static taut_status read_weight_row(const taut_json *row, int columns, double *weights,
+                                   taut_error *error)
+{
+    taut_status status = taut_json_numbers(row, (size_t)columns, weights, error);
+    for (int j = 0; status == TAUT_OK && j < columns; j++) {
+        if (!(weights[j] > 0)) {
+            const taut_json at = taut_json_item(row, (size_t)j);
+            status = taut_json_expected(&at, error, "a positive weight");
+        }
+    }
+    return status;
+}
+
+taut_status taut_net_document_weights(const taut_json *at, int rows, int columns, double *weights,
+                                      taut_error *error)
+{
+    const size_t length = (size_t)columns;
+    taut_status status = TAUT_OK;
+    size_t count = 0;
+
+    if (rows == 0) {
+        return read_weight_row(at, columns, weights, error);
+    }
+    status = taut_json_array(at, (size_t)rows, (size_t)rows, "rows of weights", &count, error);
+    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
+        const taut_json row = taut_json_item(at, i);
+        status = read_weight_row(&row, columns, weights + i * length, error);
+    }
+    return status;
+}
+
+static void release_basis(void *basis)
+{
+    taut_basis_free(basis);
+}
+
+/* The bases, with both of them handed to the arena. */
+static taut_status keep_bases(const taut_json *document, taut_arena *arena, int rows, int columns,
+                              taut_net_document *net, taut_error *error)
+{
+    taut_basis *u = NULL, *v = NULL;
+    taut_status status = taut_net_document_bases(document, rows, columns, &u, &v, error);
+    int kept = 0;
+    if (status == TAUT_OK) {
+        kept = taut_arena_keep(arena, u, release_basis);
+        kept += taut_arena_keep(arena, v, release_basis);
+        status = kept == 2 ? TAUT_OK : taut_fail_memory(error);
+        net->u = u;
+        net->v = v;
+    }
+    return status;
+}
+
+static taut_status check_weighable(const taut_json *document, const taut_net_document *net,
+                                   taut_error *error)
+{
+    const taut_json at = taut_json_member(document, "weights");
+    const taut_basis *basis = taut_basis_allows_weights(net->u) ? net->v : net->u;
+    if (!taut_basis_allows_weights(basis)) {
+        return taut_json_fail(&at, error, taut_none, taut_none,
+                              "found weights, expected none: a basis of type \"%s\" carries no "
+                              "weights",
+                              taut_basis_type(basis));
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_net_document_read(const taut_json *document, taut_arena *arena,
+                                   taut_net_document *net, taut_error *error)
+{
+    const taut_json points = taut_json_member(document, "points");
+    const taut_json weights = taut_json_member(document, "weights");
+    taut_net_document read = {NULL, NULL, NULL, NULL, NULL};
+    int rows = 0, columns = 0;
+    taut_status status = taut_net_document_shape(&points, &rows, &columns, error);
+
+    if (status == TAUT_OK) {
+        status = keep_bases(document, arena, rows, columns, &read, error);
+    }
+    if (status == TAUT_OK && weights.value != NULL) {
+        status = check_weighable(document, &read, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const size_t count = (size_t)rows * (size_t)columns;
+    read.points = taut_arena_take(arena, 3 * count, sizeof(double));
+    read.known = taut_arena_take(arena, count, 1);
+    if (weights.value != NULL) {
+        read.weights = taut_arena_take(arena, count, sizeof(double));
+    }
+    if (read.points == NULL || read.known == NULL ||
+        (weights.value != NULL && read.weights == NULL)) {
+        return taut_fail_memory(error);
+    }
+    status = taut_net_document_points(&points, rows, columns, read.points, read.known, error);
+    if (status == TAUT_OK && read.weights != NULL) {
+        status = taut_net_document_weights(&weights, rows, columns, read.weights, error);
+    }
+    if (status == TAUT_OK) {
+        *net = read;
+    }
+    return status;
+}

@@ -1,0 +1,43 @@
+/* net_document.h -- what documents with control points share: nets and the bases that go with them.
+ */
+#ifndef TAUT_IO_PROBLEM_NET_DOCUMENT_H
+#define TAUT_IO_PROBLEM_NET_DOCUMENT_H
+
+#include "core/arena.h"
+#include "io/json/in.h"
+#include "taut/basis.h"
+
+/* A net of a problem: some points may be unknown. */
+typedef struct taut_net_document {
+    const taut_basis *u, *v;
+    double *points;       /* double[nu][nv][3], 0 where unknown */
+    unsigned char *known; /* [nu][nv] */
+    double *weights;      /* double[nu][nv], or NULL */
+} taut_net_document;
+
+/* Reads the members `u`, `v`, `points` (null: unknown) and `weights` of a problem; the arena owns
+ * it all. */
+taut_status taut_net_document_read(const taut_json *document, taut_arena *arena,
+                                   taut_net_document *net, taut_error *error);
+
+/* The rows and columns of an array of arrays, each row as long as the first. */
+taut_status taut_net_document_shape(const taut_json *points, int *rows, int *columns,
+                                    taut_error *error);
+/* The members `u` and `v` for a net of this shape. On failure neither is made. */
+taut_status taut_net_document_bases(const taut_json *object, int rows, int columns, taut_basis **u,
+                                    taut_basis **v, taut_error *error);
+/* One point [x, y, z], each a number or the text of a rational one. */
+taut_status taut_net_document_point(const taut_json *at, double point[3], taut_error *error);
+/* points double[rows][columns][3]; known [rows][columns] or NULL where every point must be given.
+ * rows 0: a plain list of columns points. The shape has been read already. */
+taut_status taut_net_document_points(const taut_json *at, int rows, int columns, double *points,
+                                     unsigned char *known, taut_error *error);
+/* The texts of rational coordinates, [rows][columns][3], borrowed from the document, NULL for
+ * numbers and unknown points; *found whether there are any. The points have been read already. */
+void taut_net_document_texts(const taut_json *at, int rows, int columns, const char **texts,
+                             int *found);
+/* weights double[rows][columns], positive; rows 0 as above. */
+taut_status taut_net_document_weights(const taut_json *at, int rows, int columns, double *weights,
+                                      taut_error *error);
+
+#endif /* TAUT_IO_PROBLEM_NET_DOCUMENT_H */

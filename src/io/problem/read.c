@@ -1,0 +1,249 @@
+/* read.c -- problems from documents, one or a list of them: what all share, then the
+ * construction's own reader. */
+#include "taut/read.h"
+#include "core/fail.h"
+#include "core/memory.h"
+#include "io/model/model.h"
+#include "io/problem/document_ops.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const taut_document_ops *const ops_table[] = {
+#define TAUT_DOCUMENT_ROW(identifier, name) &taut_document_##identifier,
+    TAUT_CONSTRUCT_LIST(TAUT_DOCUMENT_ROW)
+#undef TAUT_DOCUMENT_ROW
+};
+
+/* The index of the construction that the document names. */
+static taut_status read_construct(const taut_json *document, int *construct, taut_error *error)
+{
+    const taut_json at = taut_json_member(document, "construct");
+    const char *names[TAUT_CONSTRUCT_COUNT + 1] = {NULL};
+    const char *name = NULL;
+
+    for (int i = 0; i < TAUT_CONSTRUCT_COUNT; i++) {
+        names[i] = taut_construct_name(i);
+    }
+    if (taut_json_kind_at(document) != TAUT_JSON_OBJECT) {
+        return taut_json_expected(document, error, "an object");
+    }
+    if (at.value == NULL && taut_json_find(document->value, "surfaces") != NULL) {
+        return taut_json_fail(&at, error, taut_none, taut_none,
+                              "found nothing, expected a construction: this is a model, not a "
+                              "problem");
+    }
+    name = taut_json_text_at(&at);
+    if (name == NULL) {
+        return taut_json_expected(&at, error, "the name of a construction, such as \"%s\"",
+                                  names[0]);
+    }
+    *construct = taut_construct_find(name);
+    if (*construct < 0) {
+        return taut_json_expected(&at, error, "a construction; the nearest one is \"%s\"",
+                                  taut_nearest(name, names));
+    }
+    return TAUT_OK;
+}
+
+/* Has it members of its construction only? */
+static taut_status check_members(const taut_json *document, const taut_document_ops *ops,
+                                 taut_error *error)
+{
+    const char *names[TAUT_DOCUMENT_MEMBERS + 4] = {"taut", "construct", "unit"};
+    int count = 3;
+    for (int i = 0; i < TAUT_DOCUMENT_MEMBERS && ops->members[i] != NULL; i++) {
+        names[count++] = ops->members[i];
+    }
+    names[count] = NULL;
+    return taut_json_object(document, names, error);
+}
+
+/* Other files that the document names lie beside it. */
+static taut_status set_folder(taut_problem *problem, const char *path, taut_error *error)
+{
+    const char *slash = path != NULL ? strrchr(path, '/') : NULL;
+    char *folder = NULL;
+    if (slash == NULL) {
+        return TAUT_OK;
+    }
+    folder = taut_arena_text(problem->arena, path);
+    if (folder == NULL) {
+        return taut_fail_memory(error);
+    }
+    folder[slash - path + 1] = '\0';
+    problem->folder = folder;
+    return TAUT_OK;
+}
+
+/* The problem of a document that has been parsed; path NULL: it came from no file. */
+static taut_status problem_of(const taut_json *document, const char *path, taut_problem **problem,
+                              taut_error *error)
+{
+    const char *unit = "mm";
+    taut_problem *made = NULL;
+    int construct = 0;
+    taut_status status = read_construct(document, &construct, error);
+
+    if (status == TAUT_OK) {
+        status = check_members(document, ops_table[construct], error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_version_document_check(document, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_unit_document_read(document, &unit, error);
+    }
+    if (status == TAUT_OK && taut_problem_new(construct, &made) != TAUT_OK) {
+        status = taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        status = set_folder(made, path, error);
+    }
+    if (status == TAUT_OK) {
+        snprintf(made->unit, sizeof made->unit, "%s", unit);
+        status = ops_table[construct]->read(document, made, error);
+    }
+    if (status != TAUT_OK) {
+        taut_problem_free(made);
+        return status;
+    }
+    *problem = made;
+    return TAUT_OK;
+}
+
+taut_status taut_problem_of_document(const taut_json_document *root, const char *path,
+                                     taut_problem **problem, taut_error *error)
+{
+    const taut_json document = taut_json_root(root);
+    return problem_of(&document, path, problem, error);
+}
+
+taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
+                                   taut_problem **problem, taut_error *error)
+{
+    taut_json_document *root = NULL;
+    taut_status status = TAUT_OK;
+    if ((text == NULL && length > 0) || problem == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_problem_read_text needs a text and a place for the problem");
+    }
+    status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
+    if (status == TAUT_OK) {
+        status = taut_problem_of_document(root, NULL, problem, error);
+    }
+    taut_json_document_free(root);
+    return status;
+}
+
+taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error)
+{
+    taut_json_document *root = NULL;
+    taut_status status = TAUT_OK;
+    if (path == NULL || problem == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_problem_read needs a path and a place for the problem");
+    }
+    status = taut_json_load(path, &root, error);
+    if (status == TAUT_OK) {
+        status = taut_problem_of_document(root, path, problem, error);
+    }
+    taut_json_document_free(root);
+    return status;
+}
+
+struct taut_problem_list {
+    taut_problem **problems;
+    int count, is_list;
+};
+
+void taut_problem_list_free(taut_problem_list *list)
+{
+    if (list != NULL) {
+        for (int i = 0; i < list->count; i++) {
+            taut_problem_free(list->problems[i]);
+        }
+        taut_free(list->problems);
+        taut_free(list);
+    }
+}
+
+int taut_problem_list_count(const taut_problem_list *list)
+{
+    return list->count;
+}
+
+const taut_problem *taut_problem_list_at(const taut_problem_list *list, int i)
+{
+    return i >= 0 && i < list->count ? list->problems[i] : NULL;
+}
+
+int taut_problem_list_is_list(const taut_problem_list *list)
+{
+    return list->is_list;
+}
+
+/* Fills a list that is empty; what was read before a failure is in it. */
+static taut_status fill(const taut_json *root, const char *path, taut_problem_list *list,
+                        taut_error *error)
+{
+    size_t count = 1;
+    taut_status status = TAUT_OK;
+
+    list->is_list = taut_json_kind_at(root) == TAUT_JSON_ARRAY;
+    if (list->is_list) {
+        status = taut_json_array(root, 1, TAUT_OBJECTS_MAX, "problems", &count, error);
+    }
+    if (status == TAUT_OK) {
+        list->problems = taut_alloc_zero(count, sizeof(taut_problem *));
+        status = list->problems != NULL ? TAUT_OK : taut_fail_memory(error);
+    }
+    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
+        const taut_json item = list->is_list ? taut_json_item(root, i) : *root;
+        status = problem_of(&item, path, &list->problems[i], error);
+        list->count += status == TAUT_OK;
+    }
+    return status;
+}
+
+/* Of a document that has been parsed, which it frees. */
+static taut_status list_of(taut_json_document *document, const char *path, taut_problem_list **list,
+                           taut_error *error)
+{
+    const taut_json root = taut_json_root(document);
+    taut_problem_list *made = taut_alloc_zero(1, sizeof *made);
+    taut_status status = made != NULL ? fill(&root, path, made, error) : taut_fail_memory(error);
+
+    taut_json_document_free(document);
+    if (status != TAUT_OK) {
+        taut_problem_list_free(made);
+        return status;
+    }
+    *list = made;
+    return TAUT_OK;
+}
+
+taut_status taut_problem_list_read_text(const char *text, size_t length, const char *name,
+                                        taut_problem_list **list, taut_error *error)
+{
+    taut_json_document *document = NULL;
+    taut_status status = TAUT_OK;
+    if ((text == NULL && length > 0) || list == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_problem_list_read_text needs a text and a place for the list");
+    }
+    status = taut_json_parse(text, length, name != NULL ? name : "text", &document, error);
+    return status == TAUT_OK ? list_of(document, NULL, list, error) : status;
+}
+
+taut_status taut_problem_list_read(const char *path, taut_problem_list **list, taut_error *error)
+{
+    taut_json_document *document = NULL;
+    taut_status status = TAUT_OK;
+    if (path == NULL || list == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+                         "taut_problem_list_read needs a path and a place for the list");
+    }
+    status = taut_json_load(path, &document, error);
+    return status == TAUT_OK ? list_of(document, path, list, error) : status;
+}

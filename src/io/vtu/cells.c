@@ -1,0 +1,342 @@
+/* cells.c -- a polynomial or rational surface as Bezier cells.
+ *
+ * Every span is cut into equal cells by de Casteljau's algorithm in homogeneous coordinates
+ * ([Farin2002] 5.4), which changes nothing. A field f is no polynomial: VTK shows
+ *
+ *     sum_ij w_ij f_ij B_i B_j / sum_ij w_ij B_i B_j,
+ *
+ * so that the f_ij are found such that this equals f at the Chebyshev points of the cell, which lie
+ * inside, away from edges that may be collapsed: with A_ki = B_i(t_k) and W = sum w_ij B_i B_j,
+ *     w_ij f_ij = sum_kl inv(A_u)_ik inv(A_v)_jl (f W)(s_k, t_l). */
+#include "core/fail.h"
+#include "core/memory.h"
+#include "io/vtu/grid.h"
+#include "taut/operate.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { ORDER_MAX = VTU_DEGREE_MAX + 1, CELLS_WISHED = 4 };
+
+int vtu_cells_plan(const taut_surface *surface, int divide, vtu_cells *plan)
+{
+    const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
+    for (int d = 0; d < 2; d++) {
+        const int spans = taut_basis_span_count(bases[d]);
+        plan->degree[d] = taut_basis_degree(bases[d]);
+        plan->per_span[d] = divide > 0 ? divide : (CELLS_WISHED + spans - 1) / spans;
+        if (plan->degree[d] < 1 || plan->degree[d] > VTU_DEGREE_MAX ||
+            plan->per_span[d] > TAUT_POINTS_MAX / spans) {
+            return 0;
+        }
+        plan->count[d] = plan->per_span[d] * spans;
+    }
+    return (double)taut_basis_span_count(bases[0]) * taut_basis_span_count(bases[1]) <=
+           TAUT_OBJECTS_MAX;
+}
+
+/* What one direction needs: the nodes, Bernstein's values there, and their inverse. */
+typedef struct node_rule {
+    int order;
+    double nodes[ORDER_MAX];
+    double values[ORDER_MAX][ORDER_MAX]; /* [k][i]: B_i at node k */
+    double inverse[ORDER_MAX][ORDER_MAX];
+} node_rule;
+
+static void bernstein(int degree, double t, double *b)
+{
+    b[0] = 1;
+    for (int m = 1; m <= degree; m++) {
+        double carried = 0;
+        for (int i = 0; i < m; i++) {
+            const double lower = b[i];
+            b[i] = (1 - t) * lower + carried;
+            carried = t * lower;
+        }
+        b[m] = carried;
+    }
+}
+
+/* Gauss-Jordan with the largest pivot; the matrix is regular and small. */
+static void invert(node_rule *rule)
+{
+    const int n = rule->order;
+    double a[ORDER_MAX][2 * ORDER_MAX];
+    for (int k = 0; k < n; k++) {
+        for (int i = 0; i < n; i++) {
+            a[k][i] = rule->values[k][i];
+            a[k][n + i] = k == i;
+        }
+    }
+    for (int c = 0; c < n; c++) {
+        int pivot = c;
+        for (int k = c + 1; k < n; k++) {
+            pivot = fabs(a[k][c]) > fabs(a[pivot][c]) ? k : pivot;
+        }
+        for (int i = 0; i < 2 * n; i++) {
+            const double kept = a[c][i];
+            a[c][i] = a[pivot][i];
+            a[pivot][i] = kept;
+        }
+        for (int i = 2 * n - 1; i >= 0; i--) {
+            a[c][i] /= a[c][c];
+        }
+        for (int k = 0; k < n; k++) {
+            const double factor = a[k][c];
+            for (int i = 0; k != c && i < 2 * n; i++) {
+                a[k][i] -= factor * a[c][i];
+            }
+        }
+    }
+    for (int k = 0; k < n; k++) {
+        memcpy(rule->inverse[k], a[k] + n, (size_t)n * sizeof(double));
+    }
+}
+
+static void make_rule(int degree, node_rule *rule)
+{
+    rule->order = degree + 1;
+    for (int k = 0; k <= degree; k++) {
+        rule->nodes[k] = (1 - cos(acos(-1) * (2 * k + 1) / (2 * degree + 2))) / 2;
+        bernstein(degree, rule->nodes[k], rule->values[k]);
+    }
+    invert(rule);
+}
+
+/* The part [a, b] of a Bezier curve whose points, of four numbers, lie `stride` numbers apart. */
+static void clip(double *points, int degree, size_t stride, double a, double b)
+{
+    for (int r = 1; r <= degree; r++) { /* [0, b] */
+        for (int i = degree; i >= r; i--) {
+            double *p = points + stride * (size_t)i;
+            for (size_t c = 0; c < 4; c++) {
+                p[c] = b == 1 ? p[c] : (1 - b) * (p - stride)[c] + b * p[c];
+            }
+        }
+    }
+    for (int r = 1; a > 0 && r <= degree; r++) { /* [a/b, 1] of it */
+        for (int i = 0; i <= degree - r; i++) {
+            double *p = points + stride * (size_t)i;
+            for (size_t c = 0; c < 4; c++) {
+                p[c] = (1 - a / b) * p[c] + a / b * (p + stride)[c];
+            }
+        }
+    }
+}
+
+/* All that one surface's cells share. */
+typedef struct cell_work {
+    const vtu_cells *plan;
+    node_rule rules[2];
+    double net[ORDER_MAX * ORDER_MAX][4]; /* homogeneous, of the cell; [i][j] */
+    double *v, *vectors;                  /* [nodes along v], and their six vectors */
+    double *fields;                       /* [order u][nodes along v][TAUT_FIELDS] */
+    double at[ORDER_MAX * ORDER_MAX];     /* one field at the nodes, then its coefficients */
+    double half[ORDER_MAX * ORDER_MAX];
+} cell_work;
+
+/* out = in with the matrix applied along both directions: sum_kl mu[i][k] mv[j][l] in[k][l]. */
+static void apply_both(const cell_work *work, double mu[][ORDER_MAX], double mv[][ORDER_MAX],
+                       const double *in, double *half, double *out)
+{
+    const int nu = work->rules[0].order, nv = work->rules[1].order;
+    for (int i = 0; i < nu; i++) {
+        for (int l = 0; l < nv; l++) {
+            double sum = 0;
+            for (int k = 0; k < nu; k++) {
+                sum += mu[i][k] * in[k * nv + l];
+            }
+            half[i * nv + l] = sum;
+        }
+    }
+    for (int i = 0; i < nu; i++) {
+        for (int j = 0; j < nv; j++) {
+            double sum = 0;
+            for (int l = 0; l < nv; l++) {
+                sum += mv[j][l] * half[i * nv + l];
+            }
+            out[i * nv + j] = sum;
+        }
+    }
+}
+
+/* The corners in VTK's order: four corners, the edges v0, u1, v1, u0 without them, the inside with
+ * u fastest. place(i, j) of the net [i][j], v fastest. */
+static void order_corners(int p, int q, size_t first, int64_t *corners)
+{
+    const int64_t base = (int64_t)first;
+    const int64_t row = q + 1;
+    int n = 0;
+    corners[n++] = base;
+    corners[n++] = base + p * row;
+    corners[n++] = base + p * row + q;
+    corners[n++] = base + q;
+    for (int i = 1; i < p; i++) {
+        corners[n++] = base + i * row;
+    }
+    for (int j = 1; j < q; j++) {
+        corners[n++] = base + p * row + j;
+    }
+    for (int i = 1; i < p; i++) {
+        corners[n++] = base + i * row + q;
+    }
+    for (int j = 1; j < q; j++) {
+        corners[n++] = base + j;
+    }
+    for (int j = 1; j < q; j++) {
+        for (int i = 1; i < p; i++) {
+            corners[n++] = base + i * row + j;
+        }
+    }
+}
+
+/* The net of part (a, b) of per_span of a Bezier piece. */
+static void cut_net(const taut_surface *piece, cell_work *work, int a, int b)
+{
+    const vtu_cells *plan = work->plan;
+    const int p = plan->degree[0], q = plan->degree[1];
+    const double *points = taut_surface_points(piece), *weights = taut_surface_weights(piece);
+    for (int i = 0; i < (p + 1) * (q + 1); i++) {
+        const double w = weights != NULL ? weights[i] : 1;
+        for (int c = 0; c < 3; c++) {
+            work->net[i][c] = w * points[3 * i + c];
+        }
+        work->net[i][3] = w;
+    }
+    for (int j = 0; j <= q; j++) {
+        clip(work->net[j], p, 4 * (size_t)(q + 1), (double)a / plan->per_span[0],
+             (double)(a + 1) / plan->per_span[0]);
+    }
+    for (int i = 0; i <= p; i++) {
+        clip(work->net[i * (q + 1)], q, 4, (double)b / plan->per_span[1],
+             (double)(b + 1) / plan->per_span[1]);
+    }
+}
+
+/* Coefficients of every field on the cell whose points begin at `first` and whose nodes along v
+ * begin at column `column`. */
+static void fit_fields(cell_work *work, vtu_grid *grid, size_t first, int column)
+{
+    const int nu = work->rules[0].order, nv = work->rules[1].order;
+    const int columns = work->plan->count[1] * nv;
+    double weights[ORDER_MAX * ORDER_MAX], at_nodes[ORDER_MAX * ORDER_MAX];
+    for (int i = 0; i < nu * nv; i++) {
+        weights[i] = work->net[i][3];
+    }
+    apply_both(work, work->rules[0].values, work->rules[1].values, weights, work->half, at_nodes);
+    for (int f = 0; f < TAUT_FIELDS; f++) {
+        for (int k = 0; k < nu; k++) {
+            for (int l = 0; l < nv; l++) {
+                work->at[k * nv + l] =
+                    at_nodes[k * nv + l] * work->fields[TAUT_FIELDS * ((size_t)k * (size_t)columns +
+                                                                       (size_t)(column + l)) +
+                                                        (size_t)f];
+            }
+        }
+        apply_both(work, work->rules[0].inverse, work->rules[1].inverse, work->at, work->half,
+                   work->at);
+        for (int i = 0; i < nu * nv; i++) {
+            grid->fields[TAUT_FIELDS * (first + (size_t)i) + (size_t)f] = work->at[i] / weights[i];
+        }
+    }
+}
+
+static void add_cell(cell_work *work, int index, int column, vtu_grid *grid)
+{
+    const int p = work->plan->degree[0], q = work->plan->degree[1];
+    const size_t first = grid->points;
+    int64_t *corners = vtu_grid_add_cell(grid, VTK_BEZIER_QUADRILATERAL,
+                                         (size_t)(p + 1) * (size_t)(q + 1), p, q, index);
+    for (int i = 0; i < (p + 1) * (q + 1); i++) {
+        const double w = work->net[i][3];
+        const double point[3] = {work->net[i][0] / w, work->net[i][1] / w, work->net[i][2] / w};
+        vtu_grid_add_point(grid, point, w);
+    }
+    order_corners(p, q, first, corners);
+    fit_fields(work, grid, first, column);
+}
+
+/* Node k of cell `cell`, counted over all spans. */
+static double node_at(const taut_basis *basis, int per_span, int cell, double node)
+{
+    const double *breaks = taut_basis_breaks(basis);
+    const int span = cell / per_span;
+    const double share = (cell % per_span + node) / per_span;
+    return fmin(breaks[span] + share * (breaks[span + 1] - breaks[span]), breaks[span + 1]);
+}
+
+/* The fields at the nodes of one row of cells. */
+static taut_status sample_row(const taut_surface *surface, int row, cell_work *work)
+{
+    const vtu_cells *plan = work->plan;
+    const int columns = plan->count[1] * work->rules[1].order;
+    taut_status status = TAUT_OK;
+    for (int k = 0; status == TAUT_OK && k < work->rules[0].order; k++) {
+        const double u =
+            node_at(taut_surface_u(surface), plan->per_span[0], row, work->rules[0].nodes[k]);
+        status = taut_surface_eval_grid(surface, 1, &u, columns, work->v, 2, 1, work->vectors);
+        for (int l = 0; status == TAUT_OK && l < columns; l++) {
+            taut_fields_of(work->vectors + 18 * (size_t)l,
+                           work->fields + TAUT_FIELDS * ((size_t)k * (size_t)columns + (size_t)l));
+        }
+    }
+    return status;
+}
+
+static taut_status add_cells(const taut_surface *surface, const taut_model *pieces, int index,
+                             cell_work *work, vtu_grid *grid)
+{
+    const vtu_cells *plan = work->plan;
+    const int order = work->rules[1].order, spans_v = plan->count[1] / plan->per_span[1];
+    taut_status status = TAUT_OK;
+    for (int l = 0; l < plan->count[1] * order; l++) {
+        work->v[l] = node_at(taut_surface_v(surface), plan->per_span[1], l / order,
+                             work->rules[1].nodes[l % order]);
+    }
+    for (int a = 0; status == TAUT_OK && a < plan->count[0]; a++) {
+        status = sample_row(surface, a, work);
+        for (int b = 0; status == TAUT_OK && b < plan->count[1]; b++) {
+            const int piece = a / plan->per_span[0] * spans_v + b / plan->per_span[1];
+            cut_net(taut_model_surface(pieces, piece), work, a % plan->per_span[0],
+                    b % plan->per_span[1]);
+            add_cell(work, index, b * order, grid);
+        }
+    }
+    return status;
+}
+
+taut_status vtu_cells_add(const taut_surface *surface, const vtu_cells *plan, int index,
+                          vtu_grid *grid, taut_error *error)
+{
+    const size_t columns = (size_t)plan->count[1] * (size_t)(plan->degree[1] + 1);
+    taut_model *pieces = NULL;
+    cell_work *work = taut_alloc_zero(1, sizeof *work);
+    taut_status status = TAUT_OK;
+
+    if (work == NULL) {
+        return taut_fail_memory(error);
+    }
+    work->plan = plan;
+    work->v = taut_alloc(columns, sizeof(double));
+    work->vectors = taut_alloc_aligned(columns, 18 * sizeof(double));
+    work->fields =
+        taut_alloc(columns * (size_t)(plan->degree[0] + 1), TAUT_FIELDS * sizeof(double));
+    if (work->v == NULL || work->vectors == NULL || work->fields == NULL) {
+        status = taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_surface_pieces(surface, &pieces, error);
+    }
+    if (status == TAUT_OK) {
+        make_rule(plan->degree[0], &work->rules[0]);
+        make_rule(plan->degree[1], &work->rules[1]);
+        status = add_cells(surface, pieces, index, work, grid) == TAUT_OK ? TAUT_OK
+                                                                          : taut_fail_memory(error);
+    }
+    taut_model_free(pieces);
+    taut_free(work->v);
+    taut_free(work->vectors);
+    taut_free(work->fields);
+    taut_free(work);
+    return status;
+}

@@ -1,0 +1,49 @@
+#include "io/vtu/grid.h"
+
+#include <math.h>
+#include <string.h>
+
+taut_status vtu_grid_new(size_t points, size_t cells, size_t corners, taut_arena *arena,
+                         vtu_grid *grid)
+{
+    *grid = (vtu_grid){0};
+    grid->positions = taut_arena_take(arena, points, 3 * sizeof(double));
+    grid->weights = taut_arena_take(arena, points, sizeof(double));
+    grid->fields = taut_arena_take(arena, points, TAUT_FIELDS * sizeof(double));
+    grid->connectivity = taut_arena_take(arena, corners, sizeof(int64_t));
+    grid->offsets = taut_arena_take(arena, cells, sizeof(int64_t));
+    grid->types = taut_arena_take(arena, cells, 1);
+    grid->degrees = taut_arena_take(arena, cells, 3 * sizeof(int32_t));
+    grid->surfaces = taut_arena_take(arena, cells, sizeof(int32_t));
+    return grid->positions != NULL && grid->weights != NULL && grid->fields != NULL &&
+                   grid->connectivity != NULL && grid->offsets != NULL && grid->types != NULL &&
+                   grid->degrees != NULL && grid->surfaces != NULL
+               ? TAUT_OK
+               : TAUT_NO_MEMORY;
+}
+
+int64_t *vtu_grid_add_cell(vtu_grid *grid, int type, size_t corners, int degree_u, int degree_v,
+                           int surface)
+{
+    int64_t *place = grid->connectivity + grid->corners;
+    grid->corners += corners;
+    grid->offsets[grid->cells] = (int64_t)grid->corners;
+    grid->types[grid->cells] = (uint8_t)type;
+    grid->degrees[3 * grid->cells] = degree_u;
+    grid->degrees[3 * grid->cells + 1] = degree_v;
+    grid->degrees[3 * grid->cells + 2] = 1;
+    grid->surfaces[grid->cells] = surface;
+    grid->cells++;
+    return place;
+}
+
+size_t vtu_grid_add_point(vtu_grid *grid, const double *position, double weight)
+{
+    const size_t index = grid->points++;
+    memcpy(grid->positions + 3 * index, position, 3 * sizeof(double));
+    grid->weights[index] = weight;
+    for (size_t f = 0; f < TAUT_FIELDS; f++) {
+        grid->fields[TAUT_FIELDS * index + f] = nan("");
+    }
+    return index;
+}

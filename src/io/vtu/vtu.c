@@ -1,0 +1,201 @@
+/* vtu.c -- the format `vtu`: VTK's XML for unstructured grids, with what engineers look at.
+ *
+ * Two pieces: the surfaces, and their control nets as lines (cell data `part` is 0 or 1). A
+ * polynomial or rational surface goes as Bezier cells, exactly; any other as quads to the chord
+ * tolerance. Point data: H and K, E_minus_G and F, the weights; NaN where there is no value. */
+#include "core/fail.h"
+#include "io/format.h"
+#include "io/mesh/out.h"
+#include "io/vtu/grid.h"
+#include "io/vtu/xml.h"
+
+#include <string.h>
+
+/* One surface on its way. */
+typedef struct vtu_part {
+    const taut_surface *surface;
+    int index, is_exact;
+    vtu_cells cells;
+    const taut_mesh_group *group; /* of the mesh, where it is not exact */
+} vtu_part;
+
+typedef struct vtu_file {
+    vtu_part *parts;
+    int count;
+    taut_mesh *mesh; /* NULL where all is exact */
+    vtu_grid surfaces, nets;
+} vtu_file;
+
+static taut_status choose_parts(const taut_model *model, const taut_write_options *options,
+                                taut_arena *arena, vtu_file *file, taut_error *error)
+{
+    const int count = taut_model_surface_count(model);
+    int inexact = 0;
+    file->parts = taut_arena_take(arena, (size_t)count, sizeof *file->parts);
+    if (file->parts == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int i = 0; i < count; i++) {
+        vtu_part *part = &file->parts[file->count];
+        if (taut_format_wants(model, options, i)) {
+            part->surface = taut_model_surface(model, i);
+            part->index = i;
+            part->is_exact = vtu_cells_plan(part->surface, options->divide, &part->cells);
+            inexact += !part->is_exact;
+            file->count++;
+        }
+    }
+    if (file->count == 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_none, taut_none,
+                         "the model has no surface to make a grid of");
+    }
+    return inexact > 0 ? taut_mesh_out_new(model, options, &file->mesh, error) : TAUT_OK;
+}
+
+static const taut_mesh_group *group_of(const taut_mesh *mesh, int surface)
+{
+    int g = 0;
+    while (taut_mesh_group_at(mesh, g)->surface != surface) {
+        g++;
+    }
+    return taut_mesh_group_at(mesh, g);
+}
+
+static size_t net_points(const taut_surface *surface)
+{
+    return (size_t)taut_basis_count(taut_surface_u(surface)) *
+           (size_t)taut_basis_count(taut_surface_v(surface));
+}
+
+static taut_status take_grids(taut_arena *arena, vtu_file *file, taut_error *error)
+{
+    double points = 0, cells = 0, corners = 0, of_nets = 0, lines = 0;
+    for (int i = 0; i < file->count; i++) {
+        vtu_part *part = &file->parts[i];
+        if (part->is_exact) {
+            const double count = (double)part->cells.count[0] * part->cells.count[1];
+            const double each = (part->cells.degree[0] + 1.0) * (part->cells.degree[1] + 1.0);
+            points += count * each;
+            corners += count * each;
+            cells += count;
+        } else {
+            part->group = group_of(file->mesh, part->index);
+            points += (double)part->group->nu * part->group->nv;
+            cells += (part->group->nu - 1.0) * (part->group->nv - 1.0);
+            corners += 4 * (part->group->nu - 1.0) * (part->group->nv - 1.0);
+        }
+        of_nets += (double)net_points(part->surface);
+        lines += taut_basis_count(taut_surface_u(part->surface)) +
+                 taut_basis_count(taut_surface_v(part->surface));
+    }
+    if (points > TAUT_POINTS_MAX || of_nets > TAUT_POINTS_MAX) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, points > of_nets ? points : of_nets,
+                         TAUT_POINTS_MAX,
+                         "a grid of %.0f points, expected at most %d: ask for a coarser one",
+                         points > of_nets ? points : of_nets, TAUT_POINTS_MAX);
+    }
+    if (vtu_grid_new((size_t)points, (size_t)cells, (size_t)corners, arena, &file->surfaces) !=
+            TAUT_OK ||
+        vtu_grid_new((size_t)of_nets, (size_t)lines, 2 * (size_t)of_nets, arena, &file->nets) !=
+            TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return TAUT_OK;
+}
+
+/* The quads of the mesh of one surface. */
+static taut_status add_mesh(const vtu_part *part, const taut_mesh *mesh, int threads,
+                            vtu_grid *grid)
+{
+    const taut_mesh_group *group = part->group;
+    const size_t first = grid->points;
+    const size_t quads = (size_t)(group->nu - 1) * (size_t)(group->nv - 1);
+    const size_t vertices = (size_t)group->nu * (size_t)group->nv;
+    const uint32_t *corners = taut_mesh_quads(mesh) + 4 * group->first_quad;
+    for (size_t i = 0; i < vertices; i++) {
+        vtu_grid_add_point(grid, taut_mesh_positions(mesh) + 3 * (group->first_vertex + i), 1);
+    }
+    for (size_t i = 0; i < quads; i++) {
+        int64_t *cell = vtu_grid_add_cell(grid, VTK_QUAD, 4, 1, 1, part->index);
+        for (size_t c = 0; c < 4; c++) {
+            cell[c] = (int64_t)(corners[4 * i + c] - group->first_vertex + first);
+        }
+    }
+    return taut_mesh_fields(part->surface, mesh, group, threads,
+                            grid->fields + TAUT_FIELDS * first);
+}
+
+/* The control net: a line for each of its rows and columns. */
+static void add_net(const vtu_part *part, vtu_grid *grid)
+{
+    const int nu = taut_basis_count(taut_surface_u(part->surface));
+    const int nv = taut_basis_count(taut_surface_v(part->surface));
+    const double *points = taut_surface_points(part->surface);
+    const double *weights = taut_surface_weights(part->surface);
+    const int64_t first = (int64_t)grid->points;
+    for (size_t i = 0; i < net_points(part->surface); i++) {
+        vtu_grid_add_point(grid, points + 3 * i, weights != NULL ? weights[i] : 1);
+    }
+    for (int i = 0; i < nu; i++) {
+        int64_t *cell = vtu_grid_add_cell(grid, VTK_POLY_LINE, (size_t)nv, 1, 1, part->index);
+        for (int j = 0; j < nv; j++) {
+            cell[j] = first + (int64_t)i * nv + j;
+        }
+    }
+    for (int j = 0; j < nv; j++) {
+        int64_t *cell = vtu_grid_add_cell(grid, VTK_POLY_LINE, (size_t)nu, 1, 1, part->index);
+        for (int i = 0; i < nu; i++) {
+            cell[i] = first + (int64_t)i * nv + j;
+        }
+    }
+}
+
+static taut_status fill_grids(const taut_write_options *options, vtu_file *file, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    for (int i = 0; status == TAUT_OK && i < file->count; i++) {
+        const vtu_part *part = &file->parts[i];
+        if (part->is_exact) {
+            status =
+                vtu_cells_add(part->surface, &part->cells, part->index, &file->surfaces, error);
+        } else if (add_mesh(part, file->mesh, options->threads, &file->surfaces) != TAUT_OK) {
+            status = taut_fail_memory(error);
+        }
+        add_net(part, &file->nets);
+    }
+    return status;
+}
+
+static taut_status write_vtu(const taut_model *model, const taut_write_options *options, FILE *out,
+                             taut_error *error)
+{
+    taut_arena *arena = taut_arena_new();
+    vtu_file file;
+    taut_sink sink;
+    taut_status status = TAUT_OK;
+
+    memset(&file, 0, sizeof file);
+    if (arena == NULL) {
+        return taut_fail_memory(error);
+    }
+    status = choose_parts(model, options, arena, &file, error);
+    if (status == TAUT_OK) {
+        status = take_grids(arena, &file, error);
+    }
+    if (status == TAUT_OK) {
+        status = fill_grids(options, &file, error);
+    }
+    if (status == TAUT_OK) {
+        sink = taut_sink_to(out);
+        vtu_xml_begin(&sink, taut_model_unit(model));
+        vtu_xml_piece(&sink, &file.surfaces, 0);
+        vtu_xml_piece(&sink, &file.nets, 1);
+        vtu_xml_end(&sink);
+        status = taut_mesh_out_finish(&sink, error);
+    }
+    taut_mesh_free(file.mesh);
+    taut_arena_free(arena);
+    return status;
+}
+
+const taut_format_ops taut_format_vtu = {.write = write_vtu};

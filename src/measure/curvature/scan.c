@@ -1,0 +1,137 @@
+#include "measure/curvature/scan.h"
+
+#include "core/memory.h"
+#include "geometry/net.h"
+
+#include <string.h>
+
+void taut_scan_free(taut_scan *scan)
+{
+    if (scan != NULL) {
+        taut_table_free(scan->u);
+        taut_table_free(scan->v);
+        taut_free(scan->own);
+        taut_free(scan);
+    }
+}
+
+/* net[k] = (w (x - centre), w), the centre the middle point of the list. */
+static taut_status homogeneous(const taut_surface *surface, size_t count, taut_scan *scan)
+{
+    const double *points = taut_surface_points(surface);
+    const double *weights = taut_surface_weights(surface);
+
+    scan->own = taut_alloc_aligned(4 * count, sizeof(double));
+    if (scan->own == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    memcpy(scan->centre, points + 3 * (count / 2), sizeof scan->centre);
+    for (size_t k = 0; k < count; k++) {
+        for (size_t c = 0; c < 3; c++) {
+            scan->own[4 * k + c] = weights[k] * (points[3 * k + c] - scan->centre[c]);
+        }
+        scan->own[4 * k + 3] = weights[k];
+    }
+    scan->net = scan->own;
+    return TAUT_OK;
+}
+
+taut_status taut_scan_new(const taut_surface *surface, const taut_lines *u, const taut_lines *v,
+                          taut_scan **scan)
+{
+    const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
+    const size_t count = (size_t)taut_basis_count(bu) * (size_t)taut_basis_count(bv);
+    taut_scan *made = taut_alloc_zero(1, sizeof *made);
+    taut_status status = made != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+
+    if (status == TAUT_OK) {
+        made->dim = taut_surface_weights(surface) != NULL ? 4 : 3;
+        made->columns = taut_basis_count(bv);
+        made->net = taut_surface_points(surface);
+        status = made->dim == 4 ? homogeneous(surface, count, made) : TAUT_OK;
+    }
+    if (status == TAUT_OK) {
+        status = taut_table_new(bu, u->count, u->t, u->span, 2, &made->u);
+    }
+    if (status == TAUT_OK) {
+        status = taut_table_new(bv, v->count, v->t, v->span, 2, &made->v);
+    }
+    if (status != TAUT_OK) {
+        taut_scan_free(made);
+        return status;
+    }
+    *scan = made;
+    return TAUT_OK;
+}
+
+size_t taut_scan_scratch(const taut_scan *scan)
+{
+    return 3 * (size_t)scan->columns * (size_t)scan->dim;
+}
+
+/* polygons[j][k][c] for the derivatives k = 0, 1, 2 by u. */
+static void contract_u(const taut_scan *scan, int i, double *polygons)
+{
+    const size_t dim = (size_t)scan->dim, columns = (size_t)scan->columns;
+    const double *base = scan->net + (size_t)scan->u->first[i] * columns * dim;
+
+    memset(polygons, 0, 3 * columns * dim * sizeof(double));
+    for (size_t k = 0; k <= 2; k++) {
+        const double *n = taut_table_row(scan->u, i, (int)k);
+        for (size_t a = 0; a < (size_t)scan->u->local; a++) {
+            const double *row = base + a * columns * dim;
+            double *out = polygons + k * dim;
+            for (size_t j = 0; j < columns; j++, out += 3 * dim) {
+                for (size_t c = 0; c < dim; c++) {
+                    out[c] +=
+                        n[a] * (k > 0 ? row[j * dim + c] - base[j * dim + c] : row[j * dim + c]);
+                }
+            }
+        }
+    }
+}
+
+/* h[6][dim] at entry j: x, x_u, x_uu with N_b, x_v, x_uv with N_b', x_vv with N_b''. */
+static inline void contract_v(const taut_scan *scan, int j, size_t dim, const double *polygons,
+                              double *h)
+{
+    const double *n = taut_table_row(scan->v, j, 0), *d = taut_table_row(scan->v, j, 1);
+    const double *e = taut_table_row(scan->v, j, 2);
+    const double *base = polygons + (size_t)scan->v->first[j] * 3 * dim, *at = base;
+    double still[12] = {0}, once[8] = {0}, twice[4] = {0};
+
+    for (size_t b = 0; b < (size_t)scan->v->local; b++, at += 3 * dim) {
+        for (size_t c = 0; c < 3 * dim; c++) {
+            still[c] += n[b] * at[c];
+        }
+        for (size_t c = 0; c < 2 * dim; c++) {
+            once[c] += d[b] * (at[c] - base[c]);
+        }
+        for (size_t c = 0; c < dim; c++) {
+            twice[c] += e[b] * (at[c] - base[c]);
+        }
+    }
+    memcpy(h, still, 2 * dim * sizeof(double));
+    memcpy(h + 2 * dim, once, dim * sizeof(double));
+    memcpy(h + 3 * dim, still + 2 * dim, dim * sizeof(double));
+    memcpy(h + 4 * dim, once + dim, dim * sizeof(double));
+    memcpy(h + 5 * dim, twice, dim * sizeof(double));
+}
+
+void taut_scan_line(const taut_scan *scan, int i, double *scratch, double *values)
+{
+    double h[6 * 4];
+    contract_u(scan, i, scratch);
+    for (int j = 0; j < scan->v->count; j++) {
+        double *out = values + (size_t)j * 18;
+        if (scan->dim == 3) {
+            contract_v(scan, j, 3, scratch, out);
+            continue;
+        }
+        contract_v(scan, j, 4, scratch, h);
+        taut_net_project(2, h, out);
+        for (int c = 0; c < 3; c++) {
+            out[c] += scan->centre[c];
+        }
+    }
+}

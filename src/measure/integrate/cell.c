@@ -1,0 +1,273 @@
+#include "measure/integrate/cell.h"
+
+#include "basis/basis_ops.h"
+#include "core/memory.h"
+#include "measure/curvature/place.h"
+#include "measure/curvature/scaling.h"
+
+#include <math.h>
+#include <string.h>
+
+static const int order_u[6] = {0, 1, 0, 2, 1, 0};
+static const int order_v[6] = {0, 0, 1, 0, 1, 2};
+
+enum { BATCH = 64 }; /* nodes handled at a time: all of a batch stays in the first cache */
+
+void taut_cells_init(const taut_surface *surface, taut_cells *cells)
+{
+    cells->basis[0] = taut_surface_u(surface);
+    cells->basis[1] = taut_surface_v(surface);
+    cells->points = taut_surface_points(surface);
+    cells->weights = taut_surface_weights(surface);
+    cells->dim = cells->weights != NULL ? 4 : 3;
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *basis = cells->basis[d];
+        cells->local[d] = taut_basis_local(basis);
+        cells->shift[d] = taut_range_exponent(basis);
+    }
+    cells->scale = taut_exponent(taut_half_size(taut_point_count(surface), cells->points)) + 1;
+}
+
+void taut_nodes_fill(const taut_cells *cells, int direction, int span, double lo, double hi,
+                     int order, int count, const double *rule_nodes, const double *rule_weights,
+                     taut_nodes *nodes)
+{
+    const taut_basis *basis = cells->basis[direction];
+    const int local = cells->local[direction], shift = cells->shift[direction];
+    const double half = (hi - lo) / 2;
+
+    nodes->count = count;
+    memset(nodes->largest, 0, sizeof nodes->largest);
+    for (int i = 0; i < count; i++) {
+        double *values = nodes->values + (size_t)i * (size_t)(order + 1) * (size_t)local;
+        nodes->weights[i] = ldexp(half, -shift) * rule_weights[i];
+        double rest = 0;
+        const double t = taut_node_place(lo, hi, rule_nodes[i], &rest);
+        taut_basis_eval_beside(basis, span, t, rest, order, values);
+        for (int k = 0; k <= order; k++) {
+            const double factor = ldexp(1, k * shift);
+            double sum = 0;
+            for (int a = 0; a < local; a++) {
+                values[k * local + a] *= factor;
+                sum += fabs(values[k * local + a]);
+            }
+            nodes->largest[k] = fmax(nodes->largest[k], sum);
+        }
+    }
+}
+
+int taut_cell_work_init(const taut_cells *cells, int row, taut_cell_work *work)
+{
+    const size_t line = (size_t)cells->local[1] * (size_t)cells->dim;
+
+    memset(work, 0, sizeof *work);
+    work->stride = row > BATCH ? row : BATCH;
+    work->net = taut_alloc_aligned((size_t)cells->local[0] * line, sizeof(double));
+    work->polygons = taut_alloc_aligned(3 * line, sizeof(double));
+    work->field = taut_alloc_aligned(24 * (size_t)work->stride, sizeof(double));
+    work->out = taut_alloc_aligned(TAUT_FIELDS_MAX * (size_t)work->stride, sizeof(double));
+    work->kept[0] = taut_alloc_aligned(TAUT_KEPT_MAX * TAUT_NODES_KEPT, sizeof(double));
+    for (int k = 1; k < TAUT_KEPT_MAX && work->kept[0] != NULL; k++) {
+        work->kept[k] = work->kept[0] + k * TAUT_NODES_KEPT;
+    }
+    return work->kept[0] != NULL && work->net != NULL && work->polygons != NULL &&
+           work->field != NULL && work->out != NULL;
+}
+
+void taut_cell_work_free(taut_cell_work *work)
+{
+    taut_free(work->net);
+    taut_free(work->polygons);
+    taut_free(work->field);
+    taut_free(work->out);
+    taut_free(work->kept[0]);
+}
+
+void taut_cell_load(const taut_cells *cells, int su, int sv, taut_cell_work *work)
+{
+    const size_t columns = (size_t)taut_basis_count(cells->basis[1]);
+    const size_t first = (size_t)taut_basis_first(cells->basis[0], su) * columns +
+                         (size_t)taut_basis_first(cells->basis[1], sv);
+    const double *origin = cells->points + 3 * first;
+    const double factor = taut_half_factor(cells->scale);
+    const double unit = cells->dim == 4 ? cells->weights[first] : 1;
+    double *out = work->net, least = 1, most = 1;
+
+    work->size = 0;
+    for (int a = 0; a < cells->local[0]; a++) {
+        const size_t row = first + (size_t)a * columns;
+        for (int b = 0; b < cells->local[1]; b++) {
+            const double *x = cells->points + 3 * (row + (size_t)b);
+            const double w = cells->dim == 4 ? cells->weights[row + (size_t)b] / unit : 1;
+            least = fmin(least, w);
+            most = fmax(most, w);
+            for (int c = 0; c < 3; c++) {
+                const double value = (x[c] / 2 - origin[c] / 2) * factor;
+                work->size = fmax(work->size, fabs(value));
+                out[c] = cells->dim == 4 ? w * value : value;
+            }
+            if (cells->dim == 4) {
+                out[3] = w;
+            }
+            out += cells->dim;
+        }
+    }
+    work->size *= most / least;
+}
+
+/* polygons[k][b][c] = sum_a N_a^(k)(u_i) net[a][b][c]. */
+static void contract_u(const taut_cells *cells, const taut_nodes *u, int i, int order,
+                       taut_cell_work *work)
+{
+    const int local = cells->local[0];
+    const int length = cells->local[1] * cells->dim;
+    for (int k = 0; k <= order; k++) {
+        const double *n = u->values + ((size_t)i * (size_t)(order + 1) + (size_t)k) * (size_t)local;
+        double *polygon = work->polygons + (size_t)k * (size_t)length;
+        for (int c = 0; c < length; c++) {
+            polygon[c] = n[0] * work->net[c];
+        }
+        for (int a = 1; a < local; a++) {
+            const double *row = work->net + (size_t)a * (size_t)length;
+            for (int c = 0; c < length; c++) {
+                polygon[c] += n[a] * row[c];
+            }
+        }
+    }
+}
+
+/* One vector k at all nodes j of v: field[c][at + j] = sum_b N_b^(l)(v_j) polygon[b][c]. */
+static inline void contract_row(int dim, int local, const taut_nodes *v, int step, const double *n,
+                                const double *polygon, size_t stride, double *field)
+{
+    for (int j = 0; j < v->count; j++) {
+        double sum[4] = {0, 0, 0, 0};
+        for (int b = 0; b < local; b++) {
+            for (int c = 0; c < dim; c++) {
+                sum[c] += n[b] * polygon[b * dim + c];
+            }
+        }
+        for (int c = 0; c < dim; c++) {
+            field[(size_t)c * stride + (size_t)j] = sum[c];
+        }
+        n += step;
+    }
+}
+
+/* field[k][c][at + j] for all nodes j of v; without weights the position is not wanted. */
+static void contract_v(const taut_cells *cells, const taut_nodes *v, int order, int at,
+                       taut_cell_work *work)
+{
+    const int local = cells->local[1], dim = cells->dim, step = (order + 1) * local;
+    const size_t stride = (size_t)work->stride;
+    const int vectors = TAUT_SURFACE_VECTORS(order);
+    for (int k = dim == 4 ? 0 : 1; k < vectors; k++) {
+        const double *polygon = work->polygons + (size_t)(order_u[k] * local * dim);
+        const double *n = v->values + (size_t)(order_v[k] * local);
+        double *field = work->field + (size_t)(k * dim) * stride + at;
+        if (dim == 3) {
+            contract_row(3, local, v, step, n, polygon, stride, field);
+        } else {
+            contract_row(4, local, v, step, n, polygon, stride, field);
+        }
+    }
+}
+
+/* The quotient rule of net.h over a batch, in place: field[k][4] becomes field[k][3]. */
+static void project(int order, int count, int stride, double *field)
+{
+    const int vectors = TAUT_SURFACE_VECTORS(order);
+    for (int j = 0; j < count; j++) {
+        double h[6][4], x[6][3] = {{0}};
+        for (int k = 0; k < 4 * vectors; k++) {
+            h[k / 4][k % 4] = field[k * stride + j];
+        }
+        for (int c = 0; c < 3; c++) {
+            const double w = h[0][3];
+            x[0][c] = h[0][c] / w;
+            x[1][c] = (h[1][c] - h[1][3] * x[0][c]) / w;
+            x[2][c] = (h[2][c] - h[2][3] * x[0][c]) / w;
+            if (order == 2) {
+                x[3][c] = (h[3][c] - 2 * h[1][3] * x[1][c] - h[3][3] * x[0][c]) / w;
+                x[4][c] = (h[4][c] - h[1][3] * x[2][c] - h[2][3] * x[1][c] - h[4][3] * x[0][c]) / w;
+                x[5][c] = (h[5][c] - 2 * h[2][3] * x[2][c] - h[5][3] * x[0][c]) / w;
+            }
+        }
+        for (int k = 0; k < 3 * vectors; k++) {
+            field[k * stride + j] = x[k / 3][k % 3];
+        }
+    }
+}
+
+static taut_bounds bounds_of(const taut_nodes *u, const taut_nodes *v, int order,
+                             const taut_cell_work *work)
+{
+    taut_bounds bounds = {{0}};
+    for (int k = 0; k < TAUT_SURFACE_VECTORS(order); k++) {
+        bounds.of[k] = work->size * u->largest[order_u[k]] * v->largest[order_v[k]];
+    }
+    return bounds;
+}
+
+/* The fields at the nodes of rows first .. first + rows - 1, one after the other. */
+static void evaluate(const taut_cells *cells, const taut_nodes *u, int first, int rows,
+                     const taut_nodes *v, int order, taut_fields *fields, taut_cell_work *work)
+{
+    const taut_bounds bounds = bounds_of(u, v, order, work);
+    const double ratio = ldexp(1, cells->shift[1] - cells->shift[0]);
+    for (int r = 0; r < rows; r++) {
+        contract_u(cells, u, first + r, order, work);
+        contract_v(cells, v, order, r * v->count, work);
+    }
+    if (cells->dim == 4) {
+        project(order, rows * v->count, work->stride, work->field);
+    }
+    fields(rows * v->count, work->stride, work->field, &bounds, ratio, work->out);
+}
+
+void taut_cell_row(const taut_cells *cells, const taut_nodes *u, int i, const taut_nodes *v,
+                   int order, taut_fields *fields, taut_cell_work *work)
+{
+    evaluate(cells, u, i, 1, v, order, fields, work);
+}
+
+/* Adds the fields of one batch, `rows` lines of nodes from `first`. */
+static void add_batch(const taut_nodes *u, int first, int rows, const taut_nodes *v,
+                      int field_count, const taut_cell_work *work, double *sums)
+{
+    for (int f = 0; f < field_count; f++) {
+        const double *out = work->out + (size_t)f * (size_t)work->stride;
+        for (int i = 0; i < rows; i++) {
+            double sum = 0;
+            for (int j = 0; j < v->count; j++) {
+                sum += v->weights[j] * out[i * v->count + j];
+            }
+            sums[f] += u->weights[first + i] * sum;
+        }
+    }
+}
+
+static void keep_batch(int first_field, int kept, int from, int count, const taut_cell_work *work)
+{
+    for (int k = 0; k < kept; k++) {
+        memcpy(work->kept[k] + from, work->out + (size_t)(first_field + k) * (size_t)work->stride,
+               (size_t)count * sizeof(double));
+    }
+}
+
+void taut_cell_sum(const taut_cells *cells, const taut_nodes *u, const taut_nodes *v, int order,
+                   taut_fields *fields, int field_count, int kept, taut_cell_work *work,
+                   double *sums)
+{
+    const int batch = work->stride / v->count;
+
+    memset(sums, 0, (size_t)field_count * sizeof(double));
+    for (int i = 0; i < u->count; i += batch) {
+        const int rows = u->count - i < batch ? u->count - i : batch;
+        evaluate(cells, u, i, rows, v, order, fields, work);
+        add_batch(u, i, rows, v, field_count, work, sums);
+        if (u->count * v->count <= TAUT_NODES_KEPT) {
+            keep_batch(field_count, kept, i * v->count, rows * v->count, work);
+        }
+    }
+}

@@ -1,0 +1,283 @@
+/* integrals.c -- area, Dirichlet energy, bending energy, isothermality, mean |H|.
+ *
+ *     A = iint W,   D = 1/2 iint E + G,   B = iint |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2,
+ *     iota = sqrt(iint (E-G)^2 + 4 F^2) / iint E + G,   mean |H| = iint |H| W / A
+ * ([WuWang2011] sections 2.3, 2.6; [NiWang2015] section 8.7). B is the sum over the spans: a crease
+ * (a knot where x_u jumps) adds nothing.
+ *
+ * Fields are integrated with points and parameters scaled to size 1 (cell.h): a field of dimension
+ * length^l u^-i v^-j is brought back by 2^(l scale + (1-i) shift_u + (1-j) shift_v).
+ */
+#include "measure/integrate/integrals.h"
+
+#include "measure/integrate/integrate.h"
+#include "taut/measure.h"
+
+#include <math.h>
+
+/* Tolerances. A derivative is good to a few roundings of its bound b, so W to 1e-15 b_u b_v; a
+ * square s^2 whose root has the error d to 2 s d + d^2 <= t s^2 + (1 + 1/t) d^2 for any t: with d =
+ * 1e-15 b and t = 1e-12, to 1e-18 b^2; |H| W like W, with the second derivatives' bounds. */
+static const taut_target area_target[] = {{1e-11, 1e-15}};
+static const taut_target square_targets[] = {{1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18}};
+static const taut_target all_targets[] = {{1e-11, 1e-15}, {1e-11, 1e-18}, {1e-11, 1e-18},
+                                          {1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18},
+                                          {1e-11, 1e-18}, {2e-7, 1e-12}};
+static const taut_target mean_targets[] = {{1e-11, 1e-15}, {2e-7, 1e-12}};
+
+/* The vectors at node j of a batch. */
+#define AT(k, c) (x[(3 * (k) + (c)) * stride + j])
+#define DOT(k, l) (AT(k, 0) * AT(l, 0) + AT(k, 1) * AT(l, 1) + AT(k, 2) * AT(l, 2))
+
+/* n[0..2] = x_u x x_v, w its size, reference[0] what w's rounding is proportional to. */
+static void normal_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                          double *w, double *reference, double *n)
+{
+    for (int j = 0; j < count; j++) {
+        const double n0 = AT(TAUT_XU, 1) * AT(TAUT_XV, 2) - AT(TAUT_XU, 2) * AT(TAUT_XV, 1);
+        const double n1 = AT(TAUT_XU, 2) * AT(TAUT_XV, 0) - AT(TAUT_XU, 0) * AT(TAUT_XV, 2);
+        const double n2 = AT(TAUT_XU, 0) * AT(TAUT_XV, 1) - AT(TAUT_XU, 1) * AT(TAUT_XV, 0);
+        n[j] = n0;
+        n[stride + j] = n1;
+        n[2 * stride + j] = n2;
+        w[j] = sqrt(n0 * n0 + n1 * n1 + n2 * n2);
+        reference[j] = bounds->of[TAUT_XU] * bounds->of[TAUT_XV];
+    }
+}
+
+/* Pair: W; then x_u x x_v. */
+static void area_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                        double ratio, double *out)
+{
+    (void)ratio;
+    normal_fields(count, stride, x, bounds, out, out + stride, out + 2 * stride);
+}
+
+/* out[0], out[2] = E, G. */
+static void stretch_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                           double ratio, double *out)
+{
+    (void)ratio;
+    for (int j = 0; j < count; j++) {
+        out[j] = DOT(TAUT_XU, TAUT_XU);
+        out[stride + j] = bounds->of[TAUT_XU] * bounds->of[TAUT_XU];
+        out[2 * stride + j] = DOT(TAUT_XV, TAUT_XV);
+        out[3 * stride + j] = bounds->of[TAUT_XV] * bounds->of[TAUT_XV];
+    }
+}
+
+/* out[0], out[2], out[4] = |x_uu|^2, |x_uv|^2, |x_vv|^2. */
+static void bending_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                           double ratio, double *out)
+{
+    (void)ratio;
+    for (int k = 0; k < 3; k++) {
+        const double bound = bounds->of[TAUT_XUU + k];
+        for (int j = 0; j < count; j++) {
+            out[2 * k * stride + j] = DOT(TAUT_XUU + k, TAUT_XUU + k);
+            out[(2 * k + 1) * stride + j] = bound * bound;
+        }
+    }
+}
+
+/* out[0] = (r E - G/r)^2 + 4 F^2; out[2], out[4] = E, G. */
+static void isothermality_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                                 double ratio, double *out)
+{
+    const double bu = bounds->of[TAUT_XU], bv = bounds->of[TAUT_XV];
+    const double noise = ratio * bu * bu + bv * bv / ratio;
+    stretch_fields(count, stride, x, bounds, ratio, out + 2 * stride);
+    for (int j = 0; j < count; j++) {
+        const double f = DOT(TAUT_XU, TAUT_XV);
+        const double difference = ratio * out[2 * stride + j] - out[4 * stride + j] / ratio;
+        out[j] = difference * difference + 4 * f * f;
+        out[stride + j] = noise * noise;
+    }
+}
+
+/* s = H W = (l G - 2 m F + n E) / (2 W^2), l = x_uu . (x_u x x_v) and so on, 0 where there is no
+ * normal; pair[0] = |s|. The reference has the bounds in place of the second derivatives. */
+static void mean_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                        const double *normal, double *pair, double *s)
+{
+    for (int j = 0; j < count; j++) {
+        const double n0 = normal[j], n1 = normal[stride + j], n2 = normal[2 * stride + j];
+        const double e = DOT(TAUT_XU, TAUT_XU), f = DOT(TAUT_XU, TAUT_XV);
+        const double g = DOT(TAUT_XV, TAUT_XV), w2 = n0 * n0 + n1 * n1 + n2 * n2;
+        const double l = AT(TAUT_XUU, 0) * n0 + AT(TAUT_XUU, 1) * n1 + AT(TAUT_XUU, 2) * n2;
+        const double m = AT(TAUT_XUV, 0) * n0 + AT(TAUT_XUV, 1) * n1 + AT(TAUT_XUV, 2) * n2;
+        const double n = AT(TAUT_XVV, 0) * n0 + AT(TAUT_XVV, 1) * n1 + AT(TAUT_XVV, 2) * n2;
+        const double bound = bounds->of[TAUT_XUU] * g + 2 * bounds->of[TAUT_XUV] * fabs(f) +
+                             bounds->of[TAUT_XVV] * e;
+        const int regular = w2 > 0x1p-80 * e * g;
+        s[j] = regular ? (l * g - 2 * m * f + n * e) / (2 * w2) : 0;
+        pair[j] = fabs(s[j]);
+        pair[stride + j] = regular ? bound / (2 * sqrt(w2)) : 0;
+    }
+}
+
+/* Pairs: W; (r E - G/r)^2 + 4 F^2, E, G; |x_uu|^2, |x_uv|^2, |x_vv|^2; |s|. Then x_u x x_v, s. */
+static void all_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                       double ratio, double *out)
+{
+    normal_fields(count, stride, x, bounds, out, out + stride, out + 16 * stride);
+    isothermality_fields(count, stride, x, bounds, ratio, out + 2 * stride);
+    bending_fields(count, stride, x, bounds, ratio, out + 8 * stride);
+    mean_fields(count, stride, x, bounds, out + 16 * stride, out + 14 * stride, out + 19 * stride);
+}
+
+/* Pairs: W; |s|. Then x_u x x_v, s. */
+static void bent_fields(int count, int stride, const double *x, const taut_bounds *bounds,
+                        double ratio, double *out)
+{
+    (void)ratio;
+    normal_fields(count, stride, x, bounds, out, out + stride, out + 4 * stride);
+    mean_fields(count, stride, x, bounds, out + 4 * stride, out + 2 * stride, out + 7 * stride);
+}
+
+/* Figures from the integrals; the pointers are at the fields of each. */
+
+static double area_of(const taut_integrals *in, double value)
+{
+    return ldexp(value, 2 * in->scale);
+}
+
+static double dirichlet_of(const taut_integrals *in, const double *eg)
+{
+    const int ratio = in->shift[1] - in->shift[0];
+    return ldexp(eg[0], 2 * in->scale + ratio - 1) + ldexp(eg[2], 2 * in->scale - ratio - 1);
+}
+
+static double bending_of(const taut_integrals *in, const double *second)
+{
+    const int u = in->shift[0], v = in->shift[1], l = 2 * in->scale;
+    return ldexp(second[0], l - 3 * u + v) + ldexp(second[2], l - u - v + 1) +
+           ldexp(second[4], l + u - 3 * v);
+}
+
+/* The square root of the integral has dimension length^2 (u v)^-1/2. */
+static double isothermality_of(const taut_integrals *in, const double *iso)
+{
+    const int ratio = in->shift[1] - in->shift[0];
+    const double both = ldexp(iso[2], ratio) + ldexp(iso[4], -ratio);
+    const double root = sqrt(ldexp(iso[0], -((in->shift[0] + in->shift[1]) & 1)));
+    return both > 0 ? ldexp(root / both, -((in->shift[0] + in->shift[1]) >> 1)) : 0;
+}
+
+/* The estimate is that of the last but one rule: far above the error unless the cells were cut
+ * until the limits of integrate.c. Within 1e-10 it is not worth a word. */
+static double area_error_of(const taut_integrals *in)
+{
+    const int good = in->error[0] <= 1e-10 * in->value[0] || in->error[0] <= 1e-15 * in->value[1];
+    return good ? 0 : area_of(in, in->error[0]);
+}
+
+/* of: the integral of |s| in in->value. Where x_u x x_v vanishes but for rounding there is none. */
+static double mean_of(const taut_integrals *in, int of)
+{
+    /* as for single normals: an area of 2^-40 of what the net allows is rounding */
+    const int has_normal = in->value[0] > 0x1p-40 * in->value[1];
+    return has_normal ? ldexp(in->value[of] / in->value[0], -in->scale) : nan("");
+}
+
+static int is_polynomial(const taut_surface *surface)
+{
+    return taut_basis_degree(taut_surface_u(surface)) >= 0 &&
+           taut_basis_degree(taut_surface_v(surface)) >= 0 && taut_surface_weights(surface) == NULL;
+}
+
+taut_status taut_surface_area(const taut_surface *surface, double *area, double *error_estimate)
+{
+    const taut_integrand integrand = {area_fields, 1, 1, 0, area_target, 1};
+    taut_integrals in;
+    taut_status status = TAUT_BAD_ARGUMENT;
+
+    if (surface != NULL && area != NULL) {
+        status = taut_integrate(surface, &integrand, 1, &in);
+    }
+    if (status == TAUT_OK) {
+        *area = area_of(&in, in.value[0]);
+        if (error_estimate != NULL) {
+            *error_estimate = area_error_of(&in);
+        }
+    }
+    return status;
+}
+
+taut_status taut_surface_dirichlet_energy(const taut_surface *surface, double *energy)
+{
+    taut_integrand integrand = {stretch_fields, 2, 1, 0, square_targets, 0};
+    taut_integrals in;
+    taut_status status = TAUT_BAD_ARGUMENT;
+
+    if (surface != NULL && energy != NULL) {
+        integrand.exact = is_polynomial(surface);
+        status = taut_integrate(surface, &integrand, 1, &in);
+    }
+    if (status == TAUT_OK) {
+        *energy = dirichlet_of(&in, in.value);
+    }
+    return status;
+}
+
+taut_status taut_surface_bending_energy(const taut_surface *surface, double *energy)
+{
+    taut_integrand integrand = {bending_fields, 3, 2, 0, square_targets, 0};
+    taut_integrals in;
+    taut_status status = TAUT_BAD_ARGUMENT;
+
+    if (surface != NULL && energy != NULL) {
+        integrand.exact = is_polynomial(surface);
+        status = taut_integrate(surface, &integrand, 1, &in);
+    }
+    if (status == TAUT_OK) {
+        *energy = bending_of(&in, in.value);
+    }
+    return status;
+}
+
+taut_status taut_surface_isothermality(const taut_surface *surface, double *isothermality)
+{
+    const taut_integrand integrand = {isothermality_fields, 3, 1, 0, square_targets, 0};
+    taut_integrals in;
+    taut_status status = TAUT_BAD_ARGUMENT;
+
+    if (surface != NULL && isothermality != NULL) {
+        status = taut_integrate(surface, &integrand, 1, &in);
+    }
+    if (status == TAUT_OK) {
+        *isothermality = isothermality_of(&in, in.value);
+    }
+    return status;
+}
+
+taut_status taut_figures_of(const taut_surface *surface, int threads, taut_figures *figures)
+{
+    const taut_integrand integrand = {all_fields, 8, 2, 0, all_targets, 2};
+    taut_integrals in;
+    const taut_status status = taut_integrate(surface, &integrand, threads, &in);
+
+    if (status == TAUT_OK) {
+        figures->area = area_of(&in, in.value[0]);
+        figures->area_error = area_error_of(&in);
+        figures->isothermality = isothermality_of(&in, in.value + 2);
+        figures->dirichlet = dirichlet_of(&in, in.value + 4);
+        figures->bending = bending_of(&in, in.value + 8);
+        figures->mean_abs = mean_of(&in, 14);
+    }
+    return status;
+}
+
+taut_status taut_surface_mean(const taut_surface *surface, int threads, double *area,
+                              double *mean_abs)
+{
+    const taut_integrand integrand = {bent_fields, 2, 2, 0, mean_targets, 2};
+    taut_integrals in;
+    const taut_status status = taut_integrate(surface, &integrand, threads, &in);
+
+    if (status == TAUT_OK) {
+        *area = area_of(&in, in.value[0]);
+        *mean_abs = mean_of(&in, 2);
+    }
+    return status;
+}

@@ -1,0 +1,42 @@
+/* integrate.h -- integrals of functions of the derivative vectors over a surface.
+ *
+ * Cell by cell (span by span, so that nothing is asked to be smooth across a knot) by tensor Gauss
+ * rules. In each cell the number of nodes is raised until two rules agree; where that is slow (the
+ * normal vanishes, an absolute value has a kink) the cell is cut in four, those first that carry
+ * the most error. Compensated sums in a fixed order: the result is the same for any number of
+ * threads.
+ */
+#ifndef TAUT_MEASURE_INTEGRATE_INTEGRATE_H
+#define TAUT_MEASURE_INTEGRATE_INTEGRATE_H
+
+#include "measure/integrate/cell.h"
+
+/* When the integral of a field is good: error <= relative * |integral| + floor * |integral of its
+ * reference|. The reference, the odd field that follows it, is what the rounding of the integrand
+ * is proportional to. Single cells are judged against a tenth of `relative`. */
+typedef struct taut_target {
+    double relative, floor;
+} taut_target;
+
+typedef struct taut_integrand {
+    taut_fields *fields;
+    int count; /* pairs of field and reference: out[2*f], out[2*f + 1] */
+    int order; /* 1 or 2, of the derivatives that are wanted */
+    int exact; /* nonzero: squares of derivatives of polynomials, which the first rule integrates */
+    const taut_target *targets; /* [count] */
+    /* 0; or 1: the field of the first pair is W = |x_u x x_v|, and that vector's components follow
+     * the pairs; or 2: besides, the field of the last pair is |s|, and s follows. Absolute values
+     * have kinks where their argument is 0, which nodes resolve badly or miss. */
+    int kinks;
+} taut_integrand;
+
+typedef struct taut_integrals {
+    double value[TAUT_FIELDS_MAX]; /* [2*count], of scaled points and parameters: see cell.h */
+    double error[TAUT_FIELDS_MAX]; /* estimates */
+    int scale, shift[2];
+} taut_integrals;
+
+taut_status taut_integrate(const taut_surface *surface, const taut_integrand *integrand,
+                           int threads, taut_integrals *integrals);
+
+#endif /* TAUT_MEASURE_INTEGRATE_INTEGRATE_H */

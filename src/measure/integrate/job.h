@@ -1,0 +1,100 @@
+/* job.h -- what the parts of one adaptive integral share. */
+#ifndef TAUT_MEASURE_INTEGRATE_JOB_H
+#define TAUT_MEASURE_INTEGRATE_JOB_H
+
+#include "geometry/nurbs/panels.h"
+#include "measure/integrate/absolute.h"
+#include "measure/integrate/integrate.h"
+#include "measure/integrate/rules.h"
+#include "numeric/sum.h"
+
+enum { TAUT_BLOCK = 16 }; /* panels per side of a task of the first pass */
+
+/* A part of a cell that resists. */
+typedef struct taut_rectangle {
+    int span[2];
+    double lo[2], hi[2];
+} taut_rectangle;
+
+/* What one task found. */
+typedef struct taut_share {
+    taut_sum value[TAUT_FIELDS_MAX]; /* of what is good enough */
+    double error[TAUT_FIELDS_MAX];
+    double pending[TAUT_FIELDS_MAX]; /* estimates of what is not */
+} taut_share;
+
+/* Scratch of one worker. */
+typedef struct taut_bench {
+    taut_cell_work cell;
+    taut_nodes nodes[2];                /* made for one cell */
+    double *samples[3];                 /* [samples u][samples v] */
+    taut_nodes block[2][2][TAUT_BLOCK]; /* [direction][level 0, 1][panel of the block] */
+    double *numbers;                    /* behind all of them */
+} taut_bench;
+
+typedef struct taut_job {
+    taut_cells cells;
+    taut_basis *moved[2]; /* near_zero.h; NULL: as the surface has it */
+    const taut_integrand *integrand;
+    taut_rules rules;
+    taut_panels *panels[2]; /* the spans, long ones of hyperbolic bases cut: a cell is a pair */
+    int side;               /* panels per side of a block */
+    int blocks[2];
+    int worker_count;
+    taut_bench *benches; /* [worker_count] */
+    taut_share *shares;  /* [tasks] */
+    long share_count;
+    unsigned char *hard;    /* [panels u][panels v], first pass */
+    taut_rectangle *active; /* rounds */
+    unsigned char *split;
+    long active_count;
+    double allowed[TAUT_FIELDS_MAX]; /* error a cell of the round may keep */
+    int last;                        /* nonzero: this round takes everything */
+} taut_job;
+
+/* Raises the number of nodes in a cell whose net is loaded, along a ladder of rules, until every
+ * field is good by its own target or within `allowed` (NULL: by its own), and returns 1; or 0 if
+ * more nodes do not pay. first, second: the nodes of levels 0 and 1; second[0] NULL takes the first
+ * rule's word. */
+int taut_cell_try(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
+                  const taut_nodes *const first[2], const taut_nodes *const second[2],
+                  const double *allowed, double *value, double *error);
+
+/* The arguments of W and |s| in one cell, as polynomials through two rules' nodes. */
+typedef struct taut_arguments {
+    taut_fit fit[2][2];  /* [W, s][level % 2] */
+    int near[2], had[2]; /* [W, s]: comes near 0, and is known, at this rule; at the one before */
+    int now;             /* level % 2 of this rule */
+    int doubt; /* W comes near 0, but x_u x x_v keeps to no line: no polynomial is known */
+} taut_arguments;
+
+/* After a rule's sums: takes its values into `a`, and where an argument comes near 0 makes the
+ * error of its field what the last two polynomials differ by. */
+void taut_arguments_take(const taut_job *job, const taut_bench *bench, int ladder, int level,
+                         const taut_rectangle *r, taut_arguments *a, const double *value,
+                         double *error);
+
+/* Replaces the integrals of W and |s|, where their arguments come near 0, by those of the absolute
+ * values of the polynomials. */
+void taut_arguments_settle(const taut_job *job, const taut_rectangle *r, const taut_arguments *a,
+                           double *value);
+
+/* Looks at closed samples of the cell for places where x_u x x_v turns over between the nodes, and
+ * raises error[0] to what those may amount to. */
+void taut_cell_turns(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
+                     double *error);
+
+/* Takes the cell's numbers into the share: for good, or as pending. */
+void taut_share_take(taut_share *share, int is_good, int count, const double *value,
+                     const double *error);
+
+/* The cell of panels i in u and j in v. */
+taut_rectangle taut_job_cell(const taut_job *job, int i, int j);
+
+/* Adds up the shares in their order; *pending is replaced. */
+void taut_job_gather(const taut_job *job, taut_sum *value, taut_sum *error, double *pending);
+
+/* The rounds over the cells marked hard. TAUT_NO_MEMORY. */
+taut_status taut_job_rounds(taut_job *job, taut_sum *value, taut_sum *error, double *pending);
+
+#endif /* TAUT_MEASURE_INTEGRATE_JOB_H */

@@ -1,0 +1,273 @@
+#include "measure/integrate/line.h"
+
+#include "basis/basis_ops.h"
+#include "core/memory.h"
+#include "geometry/nurbs/panels.h"
+#include "measure/curvature/place.h"
+#include "measure/curvature/scaling.h"
+#include "numeric/quadrature.h"
+#include "numeric/sum.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* points[k] Euclidean, weights or NULL: fills net, scale and shift. */
+static taut_status fill(const taut_basis *basis, const double *points, const double *weights,
+                        taut_line *line)
+{
+    const int count = taut_basis_count(basis);
+
+    *line = (taut_line){.basis = basis, .dim = weights != NULL ? 4 : 3};
+    line->net = taut_alloc((size_t)count * (size_t)line->dim, sizeof(double));
+    if (line->net == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    line->scale = taut_exponent(taut_half_size((size_t)count, points)) + 1;
+    line->shift = taut_range_exponent(basis);
+    const double factor = taut_half_factor(line->scale);
+    for (long k = 0; k < count; k++) {
+        double *out = line->net + k * line->dim;
+        const double w = weights != NULL ? weights[k] / weights[0] : 1;
+        for (int c = 0; c < 3; c++) {
+            out[c] = w * ((points[3 * k + c] / 2 - points[c] / 2) * factor);
+        }
+        if (weights != NULL) {
+            out[3] = w;
+        }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_line_of_curve(const taut_curve *curve, taut_line *line)
+{
+    return fill(taut_curve_t(curve), taut_curve_points(curve), taut_curve_weights(curve), line);
+}
+
+/* The control points of an edge: sum_a N_a(end) P[a][j], the functions at the end of their range.
+ */
+static void edge_net(const taut_surface *surface, int edge, const double *n, int first,
+                     double *points, double *weights)
+{
+    const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
+    const double *net = taut_surface_points(surface), *w = taut_surface_weights(surface);
+    const int held = edge / 2, columns = taut_basis_count(bases[1]);
+    const int local = taut_basis_local(bases[held]), count = taut_basis_count(bases[1 - held]);
+
+    for (int j = 0; j < count; j++) {
+        double sum[4] = {0, 0, 0, 0};
+        for (int a = 0; a < local; a++) {
+            const long at =
+                held == 0 ? (long)(first + a) * columns + j : (long)j * columns + first + a;
+            const double factor = n[a] * (w != NULL ? w[at] : 1);
+            for (int c = 0; c < 3; c++) {
+                sum[c] += factor * net[3 * at + c];
+            }
+            sum[3] += factor;
+        }
+        for (int c = 0; c < 3; c++) {
+            points[3 * j + c] = w != NULL ? sum[c] / sum[3] : sum[c];
+        }
+        if (w != NULL) {
+            weights[j] = sum[3];
+        }
+    }
+}
+
+taut_status taut_line_of_edge(const taut_surface *surface, int edge, taut_line *line)
+{
+    const taut_basis *held = edge < 2 ? taut_surface_u(surface) : taut_surface_v(surface);
+    const taut_basis *runs = edge < 2 ? taut_surface_v(surface) : taut_surface_u(surface);
+    const int span = edge % 2 == 0 ? 0 : taut_basis_span_count(held) - 1;
+    const double t = edge % 2 == 0 ? taut_basis_lo(held) : taut_basis_hi(held);
+    const size_t count = (size_t)taut_basis_count(runs);
+    const int rational = taut_surface_weights(surface) != NULL;
+    double n[TAUT_DEGREE_MAX + 1];
+    double *points = taut_alloc(count, 3 * sizeof(double));
+    double *weights = rational ? taut_alloc(count, sizeof(double)) : NULL;
+    taut_status status = TAUT_NO_MEMORY;
+
+    if (points != NULL && (!rational || weights != NULL)) {
+        taut_basis_eval(held, span, t, 0, n);
+        edge_net(surface, edge, n, taut_basis_first(held, span), points, weights);
+        status = fill(runs, points, weights, line);
+    }
+    taut_free(points);
+    taut_free(weights);
+    return status;
+}
+
+void taut_line_free(taut_line *line)
+{
+    taut_free(line->net);
+}
+
+/* x^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) x^(k-i)) / w ([PieglTiller1997] eq. 4.8). */
+static void project(int order, double h[4][4], double *d)
+{
+    static const double binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
+    for (int k = 0; k <= order; k++) {
+        for (int c = 0; c < 3; c++) {
+            double sum = h[k][c];
+            for (int i = 1; i <= k; i++) {
+                sum -= binomial[k][i] * h[i][3] * d[3 * (k - i) + c];
+            }
+            d[3 * k + c] = sum / h[0][3];
+        }
+    }
+}
+
+/* The derivatives of the functions sum to 0: taken of differences from the first point alive. */
+void taut_line_eval(const taut_line *line, int span, double t, double rest, int order, double *d,
+                    double *bound)
+{
+    double n[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
+    double h[4][4] = {{0}};
+    const int local = taut_basis_local(line->basis);
+    const double *net = line->net + (long)taut_basis_first(line->basis, span) * line->dim;
+    double size = 0;
+
+    taut_basis_eval_beside(line->basis, span, t, rest, order, n);
+    for (int a = 1; a < local; a++) {
+        for (int c = 0; c < line->dim; c++) {
+            size = fmax(size, fabs(net[a * line->dim + c] - net[c]));
+        }
+    }
+    for (int k = 0; k <= order; k++) {
+        const double factor = ldexp(1, k * line->shift);
+        double sum = 0;
+        for (int a = 0; a < local; a++) {
+            const double value = factor * n[k * local + a];
+            sum += fabs(value);
+            for (int c = 0; c < line->dim; c++) {
+                h[k][c] += value * (net[a * line->dim + c] - (k > 0 ? net[c] : 0));
+            }
+        }
+        if (bound != NULL) {
+            bound[k] = size * sum;
+        }
+    }
+    if (line->dim == 4) {
+        project(order, h, d);
+    } else {
+        for (int k = 0; k <= order; k++) {
+            memcpy(d + 3 * k, h[k], 3 * sizeof(double));
+        }
+    }
+}
+
+/* Length. */
+
+enum { DEPTH_MAX = 60 };
+
+typedef struct rule {
+    int count;
+    double nodes[TAUT_GAUSS_MAX], weights[TAUT_GAUSS_MAX];
+} rule;
+
+static double speed_integral(const taut_line *line, int span, double lo, double hi, const rule *r)
+{
+    const double half = (hi - lo) / 2;
+    double sum = 0, d[6];
+    for (int i = 0; i < r->count; i++) {
+        double rest = 0;
+        const double t = taut_node_place(lo, hi, r->nodes[i], &rest);
+        taut_line_eval(line, span, t, rest, 1, d, NULL);
+        sum += r->weights[i] * sqrt(d[3] * d[3] + d[4] * d[4] + d[5] * d[5]);
+    }
+    return sum * ldexp(half, -line->shift);
+}
+
+/* int |x'| over one panel: two rules until they agree, else halves. Where x' = 0 one piece a level
+ * is left, whose share falls fourfold. `floor` is what may be neglected. */
+static double panel_length(const taut_line *line, const taut_panels *panels, int k,
+                           const rule rules[2], double floor)
+{
+    const int span = panels->span[k];
+    double lo[DEPTH_MAX + 1], hi[DEPTH_MAX + 1];
+    taut_sum sum = {0, 0};
+    int depth = 0;
+
+    lo[0] = panels->lo[k];
+    hi[0] = panels->hi[k];
+    while (depth >= 0) {
+        const double a = speed_integral(line, span, lo[depth], hi[depth], &rules[0]);
+        const double b = speed_integral(line, span, lo[depth], hi[depth], &rules[1]);
+        const double middle = lo[depth] + (hi[depth] - lo[depth]) / 2;
+        if (fabs(a - b) <= 1e-13 * b + floor || depth == DEPTH_MAX || !isfinite(b)) {
+            taut_sum_add(&sum, b);
+            depth--;
+        } else {
+            lo[depth + 1] = lo[depth];
+            hi[depth + 1] = middle;
+            lo[depth] = middle;
+            depth++;
+        }
+    }
+    return taut_sum_total(&sum);
+}
+
+taut_status taut_line_length(const taut_line *line, double *length)
+{
+    const int local = taut_basis_local(line->basis);
+    taut_panels *panels = NULL;
+    rule rules[2];
+    taut_sum sum = {0, 0};
+
+    if (taut_panels_new(line->basis, 1, NULL, 1, 0, &panels) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+
+    for (int r = 0; r < 2; r++) {
+        rules[r].count = (local < 4 ? 4 : local) + 2 * r;
+        taut_gauss_rule(rules[r].count, rules[r].nodes, rules[r].weights);
+    }
+    for (int k = 0; k < panels->count; k++) {
+        taut_sum_add(&sum, panel_length(line, panels, k, rules, DBL_EPSILON / 16));
+    }
+    taut_panels_free(panels);
+    *length = ldexp(taut_sum_total(&sum), line->scale);
+    return TAUT_OK;
+}
+
+/* Curvature. */
+
+static double norm(const double *a)
+{
+    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
+
+void taut_line_bend(const taut_line *line, int span, double t, int order, taut_bend *bend)
+{
+    double bound[4];
+    taut_line_eval(line, span, t, 0, order, &bend->d[0][0], bound);
+    const double *a = bend->d[1], *b = bend->d[2];
+    bend->binormal[0] = a[1] * b[2] - a[2] * b[1];
+    bend->binormal[1] = a[2] * b[0] - a[0] * b[2];
+    bend->binormal[2] = a[0] * b[1] - a[1] * b[0];
+    bend->speed = norm(a);
+    bend->curvature = nan("");
+    bend->trust = 0;
+    /* a speed of 2^-40 of what the net allows is a sum that cancels but for its rounding */
+    if (bend->speed > 0x1p-40 * bound[1]) {
+        bend->curvature = norm(bend->binormal) / bend->speed / bend->speed / bend->speed;
+        bend->trust = 8 * DBL_EPSILON * bound[2] / bend->speed / bend->speed;
+    }
+}
+
+double taut_line_curvature(const taut_line *line, const taut_lines *lines)
+{
+    double largest = nan("");
+    for (int i = 0; i < lines->count; i++) {
+        taut_bend bend;
+        taut_line_bend(line, lines->span[i], lines->t[i], 2, &bend);
+        largest = fmax(largest, bend.curvature);
+    }
+    return largest;
+}
+
+int taut_bend_is_straight(const taut_bend *bend, double largest, double length)
+{
+    return !(bend->curvature > 0x1p-26 * fmax(largest, 1 / length)) ||
+           !(bend->curvature > 0x1p16 * bend->trust);
+}

@@ -1,0 +1,123 @@
+/* mean.c -- the largest |H| of a grid, row by row.
+ *
+ * Of most points it is enough to know that |H| is below what another point of the row has:
+ *
+ *     |H| = |l G - 2 m F + n E| / (2 W^3),   l = x_uu . (x_u x x_v), ..
+ *
+ * as it stands, with what rounding may do to it added. Only points that may be the largest are
+ * looked at with forms.c's care, and so are those whose numbers are too small, too large or too
+ * nearly singular for a bound. */
+#include "measure/integrate/mean.h"
+
+#include "core/memory.h"
+#include "core/vec3.h"
+#include "measure/curvature/scan.h"
+#include "measure/integrate/integrals.h"
+#include "taut/measure.h"
+
+#include <math.h>
+
+/* Products of up to nine of these neither overflow nor underflow. */
+static const double smallest = 0x1p-100, largest = 0x1p100;
+/* Above W^2 / (E G) the relative rounding of W is below 1e-9; that of the sum is `noise` of its
+ * terms. */
+static const double flattest = 1e-10, noise = 0x1p-44;
+
+/* A number that |H| is not above; INFINITY where none is known. */
+static double bound_of(const double *x)
+{
+    const double *xu = x + 3 * TAUT_XU, *xv = x + 3 * TAUT_XV;
+    const double e = taut_dot(xu, xu), f = taut_dot(xu, xv), g = taut_dot(xv, xv);
+    double normal[3];
+
+    taut_cross(xu, xv, normal);
+    const double w2 = taut_dot(normal, normal);
+    const double l = taut_dot(x + 3 * TAUT_XUU, normal) * g;
+    const double m = taut_dot(x + 3 * TAUT_XUV, normal) * 2 * f;
+    const double n = taut_dot(x + 3 * TAUT_XVV, normal) * e;
+    if (!(e > smallest && e < largest && g > smallest && g < largest && w2 > flattest * e * g)) {
+        return INFINITY;
+    }
+    const double w = sqrt(w2);
+    /* l, m, n cancel by themselves too: |x_uu| W in place of |x_uu . (x_u x x_v)| */
+    const double sizes = w * (sqrt(taut_dot(x + 3 * TAUT_XUU, x + 3 * TAUT_XUU)) * g +
+                              2 * sqrt(taut_dot(x + 3 * TAUT_XUV, x + 3 * TAUT_XUV)) * fabs(f) +
+                              sqrt(taut_dot(x + 3 * TAUT_XVV, x + 3 * TAUT_XVV)) * e);
+    const double bound = (fabs(l - m + n) + noise * sizes) / (2 * w2 * w);
+    return sizes < largest ? bound * (1 + 1e-8) : INFINITY;
+}
+
+static double exactly(const double *x)
+{
+    taut_forms forms;
+    taut_forms_of((const double(*)[3])x, &forms);
+    return forms.regular ? fabs(forms.mean) : -1;
+}
+
+/* The largest |H| of `count` points and of `most`, which is -1 before there is one. */
+static double raise(int count, const double *values, double *bounds, double most)
+{
+    int best = 0;
+    for (int j = 0; j < count; j++) {
+        bounds[j] = bound_of(values + 18 * (size_t)j);
+        best = bounds[j] > bounds[best] ? j : best;
+    }
+    if (count > 0 && bounds[best] > most) { /* the likeliest first: it spares the others */
+        most = fmax(most, exactly(values + 18 * (size_t)best));
+        bounds[best] = -1;
+    }
+    for (int j = 0; j < count; j++) {
+        if (bounds[j] > most) {
+            most = fmax(most, exactly(values + 18 * (size_t)j));
+        }
+    }
+    return most;
+}
+
+static taut_status find_largest(const taut_surface *surface, int grid, double *most)
+{
+    taut_lines *u = NULL, *v = NULL;
+    taut_scan *scan = NULL;
+    double *scratch = NULL, *values = NULL, *bounds = NULL, found = -1;
+    taut_status status = taut_lines_new(taut_surface_u(surface), grid, 0, &u);
+
+    if (status == TAUT_OK) {
+        status = taut_lines_new(taut_surface_v(surface), grid, 0, &v);
+    }
+    if (status == TAUT_OK) {
+        status = taut_scan_new(surface, u, v, &scan);
+    }
+    if (status == TAUT_OK) {
+        scratch = taut_alloc_aligned(taut_scan_scratch(scan), sizeof(double));
+        values = taut_alloc_aligned((size_t)v->count, 18 * sizeof(double));
+        bounds = taut_alloc_aligned((size_t)v->count, sizeof(double));
+        status = scratch != NULL && values != NULL && bounds != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    }
+    for (int i = 0; status == TAUT_OK && i < u->count; i++) {
+        taut_scan_line(scan, i, scratch, values);
+        found = raise(v->count, values, bounds, found);
+    }
+    *most = found >= 0 ? found : nan("");
+    taut_free(scratch);
+    taut_free(values);
+    taut_free(bounds);
+    taut_scan_free(scan);
+    taut_lines_free(u);
+    taut_lines_free(v);
+    return status;
+}
+
+taut_status taut_mean_figures_of(const taut_surface *surface, int grid, int threads,
+                                 taut_mean_figures *figures)
+{
+    taut_mean_figures made = {0, 0, 0};
+    taut_status status = taut_surface_mean(surface, threads, &made.area, &made.mean_abs);
+
+    if (status == TAUT_OK) {
+        status = find_largest(surface, grid, &made.max_abs);
+    }
+    if (status == TAUT_OK) {
+        *figures = made;
+    }
+    return status;
+}

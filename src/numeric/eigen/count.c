@@ -1,0 +1,70 @@
+/* By Sylvester's law the number of eigenvalues of (K, M) below s is the number of negative pivots
+ * of K - s M ([Parlett1998] 3.3.1); the product of the pivots is its determinant. */
+#include "numeric/eigen/internal.h"
+
+#include "core/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { CHUNK = 48 }; /* rows of factors kept: they fit the first-level cache */
+
+taut_status taut_counter_init(const taut_pencil *pencil, taut_counter *counter)
+{
+    const size_t w = (size_t)pencil->k.width, lanes = (size_t)pencil->kernel->lanes;
+    counter->pencil = pencil;
+    counter->factor = taut_alloc_aligned((CHUNK + w) * (w + 1), lanes * sizeof(double));
+    return counter->factor == NULL ? TAUT_NO_MEMORY : TAUT_OK;
+}
+
+void taut_counter_clear(taut_counter *counter)
+{
+    taut_free(counter->factor);
+    counter->factor = NULL;
+}
+
+/* One shift a lane. Rows of factors are made CHUNK at a time, and the last `width` carried over. */
+static void run_lanes(const taut_counter *counter, const double *minus, double *negative,
+                      double *log)
+{
+    const taut_pencil *p = counter->pencil;
+    const int n = p->k.n, w = p->k.width, lanes = p->kernel->lanes;
+    const size_t row = ((size_t)w + 1) * (size_t)lanes, carried = (size_t)w * row;
+    double mantissa[TAUT_LANES_MAX];
+    long long exponent[TAUT_LANES_MAX] = {0};
+
+    for (int l = 0; l < lanes; l++) {
+        mantissa[l] = 1.0;
+        negative[l] = 0.0;
+    }
+    memset(counter->factor, 0, carried * sizeof(double));
+    for (int first = 0; first < n; first += CHUNK) {
+        const int end = first + CHUNK < n ? first + CHUNK : n;
+        if (first > 0) {
+            memmove(counter->factor, counter->factor + CHUNK * row, carried * sizeof(double));
+        }
+        p->kernel->band_factor(first, end, w, p->k.a, p->m.a, 1.0, minus, p->tiny, counter->factor,
+                               negative);
+        p->kernel->lane_product(end - first, row, counter->factor + carried, mantissa, exponent);
+    }
+    for (int l = 0; l < lanes; l++) { /* slot 0 of a factor is 1/D */
+        log[l] = -(double)exponent[l] - log2(fabs(mantissa[l]));
+    }
+}
+
+void taut_counter_run(const taut_counter *counter, int shifts, const double *shift, int *count,
+                      double *log)
+{
+    const int lanes = counter->pencil->kernel->lanes;
+    for (int start = 0; start < shifts; start += lanes) {
+        double minus[TAUT_LANES_MAX], negative[TAUT_LANES_MAX], logs[TAUT_LANES_MAX];
+        for (int l = 0; l < lanes; l++) {
+            minus[l] = -shift[start + l < shifts ? start + l : shifts - 1];
+        }
+        run_lanes(counter, minus, negative, logs);
+        for (int l = 0; l < lanes && start + l < shifts; l++) {
+            count[start + l] = (int)negative[l];
+            log[start + l] = logs[l];
+        }
+    }
+}

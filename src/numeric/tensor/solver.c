@@ -1,0 +1,289 @@
+#include "numeric/tensor/solver.h"
+
+#include "core/memory.h"
+#include "numeric/tensor/apply.h"
+#include "numeric/tensor/internal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* From this size on a second set of modes costs less than what it saves in one solve for boundary
+ * values. */
+enum { FRAME_SIZE = 500 };
+
+enum { BLOCK = 16 };
+
+static int is_weight(double s)
+{
+    return isfinite(s) && s > 0.0;
+}
+
+/* Is  weight_d lambda M + weight_e K  positive definite for the least lambda? It is then for all.
+ */
+static taut_status check_definite(const taut_tensor_solver *solver, const double *weight)
+{
+    const int d = solver->diagonal;
+    const taut_modes *modes = solver->direction[d].modes;
+    const taut_direction *banded = &solver->direction[1 - d];
+    double least = modes->values[0];
+    for (int p = 1; p < modes->parts; p++) {
+        least = fmin(least, modes->values[modes->part[p].first]);
+    }
+    taut_band system = {0, 0, NULL};
+    taut_status status = taut_band_widen(&banded->m, banded->m.width, &system);
+    for (size_t i = 0; status == TAUT_OK && i < (size_t)system.n * ((size_t)system.width + 1);
+         i++) {
+        system.a[i] = weight[d] * least * system.a[i] + weight[1 - d] * banded->k.a[i];
+    }
+    if (status == TAUT_OK) {
+        status = taut_band_factor(&system);
+    }
+    taut_band_clear(&system);
+    return status;
+}
+
+/* Rounding leaves eigenvalues that are zero a little to either side; below zero they would spoil
+ * definiteness. Those that are truly negative are left for check_definite to find. */
+static void clamp_values(taut_modes *modes)
+{
+    double most = 0.0;
+    for (int i = 0; i < modes->n; i++) {
+        most = fmax(most, fabs(modes->values[i]));
+    }
+    for (int i = 0; i < modes->n; i++) {
+        if (modes->values[i] < 0.0 && modes->values[i] > -0x1p-40 * most) {
+            modes->values[i] = 0.0;
+        }
+    }
+}
+
+static taut_status copy_direction(const taut_band *k, const taut_band *m, taut_direction *out)
+{
+    const int width = k->width > m->width ? k->width : m->width;
+    taut_band factor = {0, 0, NULL};
+    taut_status status = taut_band_widen(k, width, &out->k);
+    if (status == TAUT_OK) {
+        status = taut_band_widen(m, width, &out->m);
+    }
+    if (status == TAUT_OK) {
+        status = taut_band_widen(m, width, &factor);
+    }
+    if (status == TAUT_OK) { /* M must be definite also where no modes are made */
+        status = taut_band_factor(&factor);
+    }
+    taut_band_clear(&factor);
+    return status;
+}
+
+static taut_status make_modes(taut_direction *direction)
+{
+    const taut_status status = taut_modes_new(&direction->k, &direction->m, &direction->modes);
+    if (status == TAUT_OK) {
+        clamp_values(direction->modes);
+    }
+    return status;
+}
+
+/* Modes of one direction are enough; those of the other, where it pays, make solves for boundary
+ * values cheap. */
+static taut_status fill(const taut_band *const *given, taut_tensor_solver *solver)
+{
+    taut_direction *u = &solver->direction[0], *v = &solver->direction[1];
+    taut_status status = copy_direction(given[0], given[1], u);
+    if (status == TAUT_OK) {
+        status = copy_direction(given[2], given[3], v);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    solver->diagonal = u->k.n <= v->k.n ? 0 : 1;
+    solver->has_shared = taut_band_equal(&u->k, &v->k) && taut_band_equal(&u->m, &v->m);
+    status = make_modes(&solver->direction[solver->diagonal]);
+    if (status == TAUT_OK && solver->has_shared) {
+        v->modes = u->modes;
+    } else if (status == TAUT_OK && u->k.n >= FRAME_SIZE && v->k.n >= FRAME_SIZE) {
+        status = make_modes(&solver->direction[1 - solver->diagonal]);
+    }
+    return status;
+}
+
+taut_status taut_tensor_solver_new(const taut_band *ku, const taut_band *mu, const taut_band *kv,
+                                   const taut_band *mv, double su, double sv,
+                                   taut_tensor_solver **out)
+{
+    const taut_band *const given[] = {ku, mu, kv, mv};
+    for (int i = 0; i < 4; i++) {
+        if (!taut_band_is_legal(given[i])) {
+            return TAUT_BAD_ARGUMENT;
+        }
+    }
+    if (ku->n != mu->n || kv->n != mv->n || out == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    taut_tensor_solver *solver = taut_alloc_zero(1, sizeof *solver);
+    if (solver == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_status status = is_weight(su) && is_weight(sv) ? fill(given, solver) : TAUT_BAD_ARGUMENT;
+    if (status == TAUT_OK) {
+        status = taut_tensor_solver_rescale(solver, su, sv);
+    }
+    if (status != TAUT_OK) {
+        taut_tensor_solver_free(solver);
+        return status;
+    }
+    *out = solver;
+    return TAUT_OK;
+}
+
+void taut_tensor_solver_free(taut_tensor_solver *solver)
+{
+    if (solver == NULL) {
+        return;
+    }
+    for (int d = 0; d < 2; d++) {
+        taut_direction *direction = &solver->direction[d];
+        if (d == 0 || !solver->has_shared) {
+            taut_modes_free(direction->modes);
+        }
+        taut_band_clear(&direction->k);
+        taut_band_clear(&direction->m);
+    }
+    taut_free(solver);
+}
+
+taut_status taut_tensor_solver_rescale(taut_tensor_solver *solver, double su, double sv)
+{
+    if (solver == NULL || !is_weight(su) || !is_weight(sv)) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    const double weight[2] = {su, sv};
+    const taut_status status = check_definite(solver, weight);
+    if (status == TAUT_OK) {
+        solver->direction[0].weight = su;
+        solver->direction[1].weight = sv;
+    }
+    return status;
+}
+
+/* Entry (j, c) of mode i, a row of the net by now, is at x[i * row + j * step + c]. */
+struct layout {
+    size_t row, step, n, rhs;
+};
+
+/* Modes first..first+used-1 to and from lanes: inside[(j * rhs + c) * lanes + l]. A few j at a
+ * time, so that what is written with gaps stays in the first-level cache. */
+static void gather(const struct layout *at, size_t first, size_t used, size_t lanes,
+                   const double *x, double *inside)
+{
+    for (size_t block = 0; block < at->n; block += BLOCK) {
+        const size_t end = block + BLOCK < at->n ? block + BLOCK : at->n;
+        for (size_t l = 0; l < used; l++) {
+            const double *from = x + (first + l) * at->row;
+            for (size_t j = block; j < end; j++) {
+                for (size_t c = 0; c < at->rhs; c++) {
+                    inside[(j * at->rhs + c) * lanes + l] = from[j * at->step + c];
+                }
+            }
+        }
+    }
+}
+
+static void scatter(const struct layout *at, size_t first, size_t used, size_t lanes,
+                    const double *inside, double *x)
+{
+    for (size_t block = 0; block < at->n; block += BLOCK) {
+        const size_t end = block + BLOCK < at->n ? block + BLOCK : at->n;
+        for (size_t l = 0; l < used; l++) {
+            double *to = x + (first + l) * at->row;
+            for (size_t j = block; j < end; j++) {
+                for (size_t c = 0; c < at->rhs; c++) {
+                    to[j * at->step + c] = inside[(j * at->rhs + c) * lanes + l];
+                }
+            }
+        }
+    }
+}
+
+/* Solves the banded systems of all modes in place. */
+static void solve_rows(const taut_systems *systems, const struct layout *at, double *x)
+{
+    const taut_modes *modes = systems->solver->direction[systems->d].modes;
+    const size_t lanes = (size_t)modes->kernel->lanes, count = (size_t)modes->n;
+
+    for (size_t first = 0; first < count; first += lanes) {
+        const size_t used = count - first < lanes ? count - first : lanes;
+        if (used < lanes) {
+            memset(systems->x, 0, at->n * at->rhs * lanes * sizeof *x);
+        }
+        gather(at, first, used, lanes, x, systems->x);
+        taut_systems_solve(systems, (int)first, (int)used, 0, (int)at->n, (int)at->rhs);
+        scatter(at, first, used, lanes, systems->x, x);
+    }
+}
+
+static taut_status solve_dense(const taut_tensor_solver *solver, int nrhs, double *x)
+{
+    const int d = solver->diagonal;
+    const size_t nu = (size_t)solver->direction[0].k.n, nv = (size_t)solver->direction[1].k.n;
+    const size_t rhs = (size_t)nrhs;
+    const taut_lines lines =
+        d == 0 ? taut_lines_first(nu, nv, rhs) : taut_lines_second(nu, nv, rhs);
+    taut_panel panel = {NULL, NULL, NULL};
+    taut_systems systems;
+    taut_status status = taut_systems_init(solver, d, nrhs, &systems);
+    if (status == TAUT_OK) {
+        status = taut_panel_init(solver->direction[d].modes, &panel);
+    }
+    if (status == TAUT_OK) {
+        taut_analyse(&panel, &lines, x);
+        const struct layout layout = {lines.stride, d == 0 ? rhs : nv * rhs, d == 0 ? nv : nu, rhs};
+        solve_rows(&systems, &layout, x);
+        taut_synthesise(&panel, &lines, x);
+    }
+    taut_panel_clear(&panel);
+    taut_systems_clear(&systems);
+    return status;
+}
+
+taut_status taut_tensor_solver_solve(const taut_tensor_solver *solver, int nrhs, double *x)
+{
+    if (solver == NULL || nrhs < 1 || x == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    const taut_direction *u = &solver->direction[0], *v = &solver->direction[1];
+    const int may_frame =
+        u->modes != NULL && v->modes != NULL && u->k.n >= FRAME_SIZE && v->k.n >= FRAME_SIZE;
+    return may_frame && taut_frame_holds(solver, nrhs, x) ? taut_frame_solve(solver, nrhs, x)
+                                                          : solve_dense(solver, nrhs, x);
+}
+
+taut_status taut_tensor_solver_refine(const taut_tensor_solver *solver, int nrhs,
+                                      const double *right, double *x, double *before)
+{
+    if (solver == NULL || nrhs < 1 || right == NULL || x == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    const taut_direction *u = &solver->direction[0], *v = &solver->direction[1];
+    const taut_tensor tensor = {&u->k, &u->m, &v->k, &v->m, u->weight, v->weight};
+    const size_t entries = (size_t)u->k.n * (size_t)v->k.n * (size_t)nrhs;
+    double *r = taut_alloc(entries, sizeof *r);
+    double norm = 0.0;
+    taut_status status = r == NULL ? TAUT_NO_MEMORY : TAUT_OK;
+    if (status == TAUT_OK) {
+        status = taut_tensor_residual(&tensor, nrhs, right, x, r, &norm);
+    }
+    if (status == TAUT_OK) {
+        status = taut_tensor_solver_solve(solver, nrhs, r);
+    }
+    if (status == TAUT_OK) {
+        for (size_t i = 0; i < entries; i++) {
+            x[i] += r[i];
+        }
+        if (before != NULL) {
+            *before = norm;
+        }
+    }
+    taut_free(r);
+    return status;
+}

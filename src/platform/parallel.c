@@ -1,0 +1,44 @@
+#include "platform/parallel.h"
+
+#include "taut/limits.h"
+
+#include <pthread.h>
+
+typedef struct job {
+    void (*work)(void *context, int part, int from, int to);
+    void *context;
+    int part, from, to;
+} job;
+
+static void *run(void *argument)
+{
+    const job *j = argument;
+    j->work(j->context, j->part, j->from, j->to);
+    return NULL;
+}
+
+void taut_parallel_for(int count, int threads,
+                       void (*work)(void *context, int part, int from, int to), void *context)
+{
+    job jobs[TAUT_THREADS_MAX];
+    pthread_t handles[TAUT_THREADS_MAX];
+    int started[TAUT_THREADS_MAX];
+    int parts = threads < 1 ? 1 : threads > TAUT_THREADS_MAX ? TAUT_THREADS_MAX : threads;
+
+    if (parts > count) {
+        parts = count > 0 ? count : 1;
+    }
+    for (int p = parts - 1; p >= 0; p--) {
+        const int from = (int)((long)count * p / parts), to = (int)((long)count * (p + 1) / parts);
+        jobs[p] = (job){work, context, p, from, to};
+        started[p] = p > 0 && pthread_create(&handles[p], NULL, run, &jobs[p]) == 0;
+        if (!started[p]) {
+            run(&jobs[p]);
+        }
+    }
+    for (int p = 1; p < parts; p++) {
+        if (started[p]) {
+            pthread_join(handles[p], NULL);
+        }
+    }
+}

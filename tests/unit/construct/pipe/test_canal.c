@@ -1,0 +1,182 @@
+/* test_canal.c -- pipes of unlike radii: the canal surface against its spheres, areas and
+ * volumes against quadrature, the naive sweep, false claims, refusals. */
+#include "check.h"
+#include "pipes.h"
+
+#include "core/vec3.h"
+
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+static taut_pipe_problem random_problem(void)
+{
+    taut_pipe_problem problem = pipe_random_ends();
+    problem.radii[0] = random_in(0.1, 0.5);
+    problem.radii[1] = random_in(0.1, 0.5);
+    return problem;
+}
+
+/* At u = t the point is at r(t) from P(t), and the normal of the surface is the sphere's: what
+ * tells a canal surface from a sweep. At the joints both are the cylinder's to 1e-13. */
+static void test_spheres(void)
+{
+    for (int trial = 0; trial < random_trials(10); trial++) {
+        const taut_pipe_problem problem = random_problem();
+        const int ends =
+            trial % 2; /* of few segments: rounding counts over the first ring's distance */
+        taut_model *model = pipe_made(&problem, ends ? 1e-3 : 1e-8);
+        for (int k = 0; k <= 60 && model != NULL; k += ends ? 60 : 1) {
+            const double t = k / 60.0, end = ends ? 1e-13 : 1e-6;
+            const double r =
+                problem.radii[0] + (problem.radii[1] - problem.radii[0]) * t * t * (3 - 2 * t);
+            double d[3][3], x[3], normal[3], radial[3], across[3];
+            taut_surface_eval(taut_model_surface(model, 0), t, random_in(0, 1), 1, d[0]);
+            taut_curve_eval(taut_model_curve(model, 0), t, 0, x);
+            taut_difference(d[TAUT_X], x, radial);
+            taut_cross(d[TAUT_XU], d[TAUT_XV], normal);
+            taut_cross(normal, radial, across);
+            CHECK_NEAR(taut_norm(radial), r, fmin(end, 1e-8), "trial %d, t = %g", trial, t);
+            CHECK(taut_norm(across) < end * taut_norm(normal) * r, "trial %d, t = %g: %g", trial, t,
+                  taut_norm(across) / taut_norm(normal) / r);
+        }
+        taut_model_free(model);
+    }
+}
+
+/* The integrals of 1 and X . n / 3 over the blend, and over the discs at its ends. */
+static double volume_of(const taut_model *model, const taut_pipe_problem *problem, double *area)
+{
+    double volume = 0;
+    *area = 0;
+    pipe_integrate(taut_model_surface(model, 0), area, &volume);
+    for (int side = 0; side < 2; side++) {
+        const taut_pipe_end *end = &problem->ends[side];
+        const double disc = pi * problem->radii[side] * problem->radii[side];
+        volume += (side == 0 ? -1 : 1) * pipe_end_volume(end->point, end->direction, disc);
+    }
+    return volume;
+}
+
+static void test_measures(void)
+{
+    for (int trial = 0; trial < random_trials(3); trial++) {
+        taut_pipe_problem problem = random_problem();
+        problem.naive = trial == 2;
+        taut_model *model = pipe_made(&problem, 2e-11);
+        taut_certificate *certificate = pipe_proved(model, &problem, 1e-10);
+        double area = 0;
+        const double volume = volume_of(model, &problem, &area);
+        CHECK_NEAR(volume, pipe_figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
+        CHECK_NEAR(area, pipe_figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+}
+
+/* A canal surface is no naive sweep, nor the other way round; another radius is another surface. */
+static void test_claims(void)
+{
+    static const char *const names[] = {"joint1", "joint2",  "embedded", "tube",
+                                        "ends",   "regular", "graph"};
+    for (int trial = 0; trial < random_trials(6); trial++) {
+        taut_pipe_problem problem = random_problem(), naive, other;
+        problem.radii[0] = 0.5;
+        problem.radii[1] = random_in(0.1, 0.3);
+        naive = other = problem;
+        naive.naive = 1;
+        other.radii[trial % 2] *= 1 - 1e-5;
+        taut_model *canal = pipe_made(&problem, 1e-6), *sweep = pipe_made(&naive, 1e-6);
+        for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
+            CHECK(pipe_verdict(canal, &problem, names[k]) == TAUT_TRUE, "trial %d: %s", trial,
+                  names[k]);
+        }
+        CHECK(pipe_verdict(canal, NULL, "tube") == TAUT_TRUE, "trial %d, from the details", trial);
+        CHECK(pipe_verdict(sweep, &naive, "tube") == TAUT_TRUE, "trial %d, naive", trial);
+        CHECK(pipe_verdict(sweep, NULL, "tube") == TAUT_TRUE, "trial %d, naive details", trial);
+        CHECK(pipe_verdict(sweep, &problem, "tube") == TAUT_FALSE, "trial %d: no canal", trial);
+        CHECK(pipe_verdict(canal, &naive, "tube") == TAUT_FALSE, "trial %d: no sweep", trial);
+        CHECK(pipe_verdict(canal, &other, "tube") == TAUT_FALSE, "trial %d: other radius", trial);
+        taut_model_free(canal);
+        taut_model_free(sweep);
+    }
+}
+
+/* In other units and far from the origin: the same claims, and figures in those units. */
+static void test_scale_and_shift(void)
+{
+    static const double moves[][2] = {{1e-3, 0}, {1e3, 0}, {1, 1e5}, {1e-60, 0}, {1e60, 0}};
+    static const char *const claims[] = {"embedded", "tube", "regular", "graph"};
+    for (int trial = 0; trial < random_trials(4); trial++) {
+        const taut_pipe_problem problem = random_problem();
+        taut_model *model = pipe_made(&problem, 1e-6);
+        taut_certificate *here = pipe_proved(model, &problem, 1e-6);
+        const double area = pipe_figure(here, "area"), volume = pipe_figure(here, "volume");
+        for (size_t i = 0; i < sizeof moves / sizeof moves[0]; i++) {
+            const double scale = moves[i][0];
+            taut_pipe_problem other = problem;
+            for (int side = 0; side < 2; side++) {
+                other.radii[side] *= scale;
+                other.ends[side].handle *= scale;
+                for (int k = 0; k < 3; k++) {
+                    other.ends[side].point[k] = scale * problem.ends[side].point[k] + moves[i][1];
+                }
+            }
+            taut_model *moved = pipe_made(&other, 1e-6);
+            taut_certificate *there = pipe_proved(moved, &other, 1e-6);
+            for (size_t k = 0; k < sizeof claims / sizeof claims[0]; k++) {
+                const taut_claim *a = pipe_claim(here, claims[k]),
+                                 *b = pipe_claim(there, claims[k]);
+                CHECK(a->holds == TAUT_TRUE && b->holds == TAUT_TRUE, "trial %d, move %zu: %s",
+                      trial, i, claims[k]);
+                /* the least of the same places, moved by 1e5 roundings of the axis: 1e-11 */
+                CHECK_NEAR(b->residual, a->residual, 1e-8, "trial %d, move %zu: %s", trial, i,
+                           claims[k]);
+            }
+            CHECK_NEAR(pipe_figure(there, "area") / scale / scale, area, 1e-10 * area,
+                       "trial %d, move %zu", trial, i);
+            CHECK_NEAR(pipe_figure(there, "volume") / scale / scale / scale, volume, 1e-10 * volume,
+                       "trial %d, move %zu", trial, i);
+            taut_certificate_free(there);
+            taut_model_free(moved);
+        }
+        taut_certificate_free(here);
+        taut_model_free(model);
+    }
+}
+
+static void test_refusals(void)
+{
+    taut_pipe_problem line = {.axis = TAUT_PIPE_ENDS,
+                              .ends = {{{0, 0, 0}, {1, 0, 0}, 1}, {{3, 0, 0}, {1, 0, 0}, 1}},
+                              .radii = {2.5, 0.1}};
+    taut_pipe_problem other = random_problem();
+    pipe_refused(&line, TAUT_NO_SOLUTION, "CANAL_NOT_REAL"); /* r_s = 1.5 * 2.4 / 3 in the middle */
+    line.radii[0] = 3;
+    line.radii[1] = 1.3;
+    pipe_refused(&line, TAUT_NO_SOLUTION, "CANAL_NOT_REGULAR");
+    other.joint = TAUT_PIPE_CURVATURE_JOINT;
+    pipe_refused(&other, TAUT_NO_SOLUTION, "CANAL_JOINT");
+    other = random_problem();
+    other.frame = TAUT_PIPE_FRENET;
+    pipe_refused(&other, TAUT_NO_SOLUTION, "FRENET_UNDEFINED");
+    other = random_problem();
+    other.radii[1] = -1;
+    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
+    other.radii[1] = NAN;
+    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
+    other = random_problem();
+    other.sections[0].a = 1;
+    pipe_refused(&other, TAUT_BAD_INPUT, "one of them");
+}
+
+int main(void)
+{
+    random_seed(20261124);
+    test_spheres();
+    test_measures();
+    test_claims();
+    test_scale_and_shift();
+    test_refusals();
+    return check_failures != 0;
+}

@@ -1,0 +1,171 @@
+/* test_approach.c -- coming near along normals: what the method "normal" finds, or nothing
+ * at all; and a net that is large enough for it. */
+#include "check.h"
+#include "films.h"
+#include "problems.h"
+
+#include "construct/plateau/approach.h"
+#include "taut/plateau.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const taut_monitor silent;
+
+static taut_status approach(int example, int max_iterations, const taut_monitor *monitor,
+                            taut_descent *descent, double *net, int *products, taut_error *error)
+{
+    test_problem problem = problem_example(example);
+    const double *start = NULL;
+    taut_model *model = problem_make(&problem, &start);
+    taut_arena *arena = taut_arena_new();
+    const int nu = taut_basis_count(problem.u), nv = taut_basis_count(problem.v);
+    taut_pattern pattern;
+    taut_dirichlet_form form;
+    taut_film *film = NULL;
+    taut_status status = TAUT_NO_MEMORY;
+    int made = 0;
+
+    memcpy(net, start, 3 * (size_t)nu * (size_t)nv * sizeof(double));
+    CHECK(taut_pattern_new(nu, nv, problem.known, arena, &pattern) == TAUT_OK &&
+              taut_dirichlet_form_new(problem.u, problem.v, NULL, &form, NULL) == TAUT_OK &&
+              taut_film_new(problem.u, problem.v, NULL, 9, &film) == TAUT_OK,
+          "the parts of a film");
+    *descent =
+        (taut_descent){.tolerance = 1e-10, .max_iterations = max_iterations, .work_max = INFINITY};
+    status = taut_plateau_approach(film, &form, &pattern, taut_model_surface(model, 0), 1, monitor,
+                                   descent, net, &made, error);
+    *products = made;
+    taut_film_free(film);
+    taut_dirichlet_form_clear(&form);
+    taut_arena_free(arena);
+    taut_model_free(model);
+    problem_free(&problem);
+    return status;
+}
+
+/* The normal method's points of example 4, to the residual that is asked for on the way: 1e-7 of
+ * the gradient is 1e-6 of the points here. */
+static void test_near(void)
+{
+    test_problem net = problem_example(4);
+    taut_plateau_problem problem = {.net = net.data, .method = TAUT_PLATEAU_NORMAL};
+    taut_model *model = NULL;
+    taut_descent descent;
+    double found[3 * 64];
+    int products = 0;
+
+    CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK, "normal");
+    CHECK(approach(4, 100, &silent, &descent, found, &products, NULL) == TAUT_OK, "approach");
+    CHECK(descent.iterations > 1 && products > 1, "%d steps", descent.iterations);
+    for (size_t i = 0; model != NULL && i < 60; i++) {
+        CHECK_NEAR(found[i], taut_surface_points(taut_model_surface(model, 0))[i], 1e-6, "%zu", i);
+    }
+    taut_model_free(model);
+    problem_free(&net);
+}
+
+/* Stopped short, it leaves the net, and the count of steps, as they were. */
+static void test_nothing(void)
+{
+    test_problem problem = problem_example(4);
+    const double *start = NULL;
+    taut_model *model = problem_make(&problem, &start);
+    taut_descent descent;
+    double found[3 * 64];
+    int products = 0;
+
+    CHECK(approach(4, 1, &silent, &descent, found, &products, NULL) == TAUT_OK, "approach");
+    CHECK(descent.iterations == 0 && products > 0, "%d steps", descent.iterations);
+    CHECK(memcmp(found, start, 60 * sizeof(double)) == 0, "the net has moved");
+    taut_model_free(model);
+    problem_free(&problem);
+}
+
+static int stop(void *context, double done, const char *what)
+{
+    (void)done;
+    return strcmp(what, "least area") == 0 && --*(int *)context < 0;
+}
+
+/* Stopped on request it says so, and the net is as it was. */
+static void test_stopped(void)
+{
+    test_problem problem = problem_example(4);
+    const double *start = NULL;
+    taut_model *model = problem_make(&problem, &start);
+    int left = 1;
+    const taut_monitor monitor = {stop, &left};
+    taut_descent descent;
+    taut_error error = {0};
+    double found[3 * 64];
+    int products = 0;
+
+    CHECK(approach(4, 100, &monitor, &descent, found, &products, &error) == TAUT_INTERRUPTED &&
+              strcmp(error.message, "stopped on request") == 0,
+          "%s", error.message);
+    CHECK(memcmp(found, start, 60 * sizeof(double)) == 0 && left == -1, "the net has moved");
+    taut_model_free(model);
+    problem_free(&problem);
+}
+
+static int note(void *context, double done, const char *what)
+{
+    (void)done;
+    *(int *)context += strcmp(what, "least area") == 0;
+    return 0;
+}
+
+/* So many points that factors would cost more than conjugate gradients: first along the normals,
+ * then all ways, in steps that go on beyond Newton's while they gain. Four edges of a tetrahedron:
+ * Schwarz's surface, from above, as in the coarser nets of test_plateau.c. Between the products of
+ * one step it reports, so that there are more reports than steps, and fewer than products. */
+static void test_large(void)
+{
+    enum { N = 54 };
+    test_problem net = problem_new(basis_uniform(3, N), basis_uniform(3, N));
+    const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
+    taut_model *model = NULL;
+    taut_error error = {0};
+    double at[N];
+    int reports = 0;
+    const taut_make_options options = {.monitor = {note, &reports}};
+
+    for (int i = 0; i < N; i++) { /* the means of three knots each */
+        at[i] = 0;
+        for (int k = i - 2; k <= i; k++) {
+            at[i] += fmin(1, fmax(0, (double)k / (N - 3))) / 3;
+        }
+    }
+    for (int k = 0; k < N * N; k++) {
+        const double u = at[k / N], v = at[k % N];
+        const double point[3] = {u, v, u * (1 - v) + v * (1 - u)};
+        net.known[k] = k / N == 0 || k / N == N - 1 || k % N == 0 || k % N == N - 1;
+        memcpy(net.points + 3 * k, point, sizeof point);
+    }
+    CHECK(taut_plateau_make(&problem, &options, &model, &error) == TAUT_OK, "%s", error.message);
+    if (model != NULL) {
+        const taut_record *details = taut_model_details(model);
+        const double steps = taut_record_number(taut_record_get(details, "iterations"));
+        const double products = taut_record_number(taut_record_get(details, "products"));
+        const double least = 1.2792615711710065;
+        const double area = film_proved_area(model, &problem, "54 x 54");
+        const char *solver = taut_record_text(taut_record_get(details, "solver"));
+        CHECK(area > least * (1 - 1e-14) && area < least * (1 + 1e-11), "area %.16g", area);
+        CHECK(solver != NULL && strcmp(solver, "conjugate-gradients") == 0, "by %s", solver);
+        CHECK(reports > 2 * steps + 8 && reports < products / 8, "%d, %g steps, %g products",
+              reports, steps, products);
+    }
+    taut_model_free(model);
+    problem_free(&net);
+}
+
+int main(void)
+{
+    test_near();
+    test_nothing();
+    test_stopped();
+    test_large();
+    return check_failures != 0;
+}
