@@ -29,7 +29,7 @@ static taut_status build(const char *path, taut_model **model, taut_error *error
         status = taut_certify(*model, problem, NULL, &certificate, error);
     }
     if (status == TAUT_OK) {
-        printf("%s: what it claims %s\n", taut_problem_construct(problem),
+        printf("%s: what it claims %s\n", taut_problem_construction(problem),
                taut_certificate_holds(certificate) == TAUT_TRUE ? "holds" : "does not hold");
         taut_model_set_certificate(*model, certificate); /* which is the model's from now on */
     }

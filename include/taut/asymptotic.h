@@ -38,8 +38,8 @@ typedef struct taut_asymptotic_edge {
 } taut_asymptotic_edge;
 
 typedef enum taut_asymptotic_surface {
-    TAUT_ASYMPTOTIC_5N_7 = 0, /* the source's bidegree, 5n - 7 */
-    TAUT_ASYMPTOTIC_N_3 = 1   /* the low-degree patch, n + 3 */
+    TAUT_BIDEGREE_5N_MINUS_7 = 0, /* the source's bidegree, 5n - 7 */
+    TAUT_BIDEGREE_N_PLUS_3 = 1    /* the low-degree patch, n + 3 */
 } taut_asymptotic_surface;
 
 typedef struct taut_asymptotic_problem {

@@ -22,7 +22,7 @@ typedef struct taut_problem taut_problem;
 
 TAUT_API void taut_problem_free(taut_problem *problem); /* NULL is fine */
 /* The construction's name, such as "dirichlet". */
-TAUT_API const char *taut_problem_construct(const taut_problem *problem);
+TAUT_API const char *taut_problem_construction(const taut_problem *problem);
 
 /* The names of all constructions, i = 0 .. count-1; NULL beyond. */
 TAUT_API int taut_construct_count(void);

@@ -37,13 +37,26 @@ typedef enum taut_status {
 #undef TAUT_STATUS_ENUM
 } taut_status;
 
-/* What went wrong, in numbers first. Plain data: copy it, keep it, no free. */
+/* Reasons that any call may give: word, meaning, remedy. What can be wrong with a document is
+ * listed in taut/read.h, with a file in taut/write.h, and with what a construction is asked for in
+ * its own header. */
+#define TAUT_REASON_LIST(X)                                                                        \
+    X("argument", "an argument of a C call is NULL or outside its documented range",               \
+      "see the call in its header")                                                                \
+    X("memory", "memory ran out", "take fewer points, or give the process more memory")            \
+    X("interrupted", "the caller, or the person at the keyboard, asked it to stop",                \
+      "start it again")                                                                            \
+    X("fault", "a fault of taut's own", "report it, with the document")
+
+/* What went wrong, as data first. Plain data: copy it, keep it, no free. */
 typedef struct taut_error {
     taut_status status;
-    double found;      /* the quantity that failed, NaN if none */
-    double limit;      /* what it had to stay within, NaN if none */
-    char where[192];   /* "" or a JSON pointer such as "/points/1/2", or file:line:column */
-    char message[768]; /* one sentence: which condition, and what would mend it */
+    char reason[32];    /* one of the words listed with the call, such as "range"; never empty */
+    double found;       /* the quantity that failed, NaN if none */
+    double limit;       /* what it had to stay within, NaN if none */
+    char expected[192]; /* what should have been there, in words; "" where `limit` says it */
+    char where[192];    /* "" or a JSON pointer such as "/points/1/2", or file:line:column */
+    char message[768];  /* one sentence: which condition, and what would mend it */
 } taut_error;
 
 /* The meaning of a status; never NULL, also for values that are none. */

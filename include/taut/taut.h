@@ -27,7 +27,7 @@
 /* Measured, joined, cut */
 #include "taut/join.h"
 #include "taut/measure.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 #include "taut/recognise.h"
 
 /* Meshes, panels and files */

@@ -53,24 +53,24 @@ static taut_status check_spec(const taut_basis_ops *ops, const taut_basis_spec *
 
     for (int i = 0; i < 5; i++) {
         if (!isfinite(numbers[i])) {
-            return taut_fail(error, TAUT_BAD_INPUT, names[i], numbers[i], taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", names[i], numbers[i], taut_none,
                              "a number is not finite");
         }
     }
     if ((members_given(spec) & ~(ops->needs | ops->allows)) != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
                          "a basis of type \"%s\" was given a member it does not have", ops->type);
     }
     if (((ops->needs | ops->allows) & TAUT_MEMBER_DEGREE) != 0 &&
         (spec->degree < 1 || spec->degree > TAUT_DEGREE_MAX)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/degree", spec->degree, TAUT_DEGREE_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/degree", spec->degree, TAUT_DEGREE_MAX,
                          "degree is %d, expected 1 to %d", spec->degree, TAUT_DEGREE_MAX);
     }
     if (spec->has_range &&
         !(spec->range[0] < spec->range[1] && isfinite(spec->range[1] - spec->range[0]))) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/range", spec->range[1] - spec->range[0], 0,
-                         "range is [%.17g, %.17g], expected two increasing numbers", spec->range[0],
-                         spec->range[1]);
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/range", spec->range[1] - spec->range[0],
+                         0, "range is [%.17g, %.17g], expected two increasing numbers",
+                         spec->range[0], spec->range[1]);
     }
     return TAUT_OK;
 }
@@ -109,12 +109,12 @@ static taut_status check_breaks(const taut_basis *basis, taut_error *error)
     for (int i = 0; i <= basis->shape.span_count; i++) {
         const double now = basis->breaks[i];
         if (!(fabs(now) <= TAUT_PARAMETER_MAX)) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, now, TAUT_PARAMETER_MAX,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, now, TAUT_PARAMETER_MAX,
                              "parameter %.17g, expected at most %g in absolute value", now,
                              TAUT_PARAMETER_MAX);
         }
         if (i > 0 && !(now - basis->breaks[i - 1] >= TAUT_SPAN_MIN)) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, now - basis->breaks[i - 1],
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, now - basis->breaks[i - 1],
                              TAUT_SPAN_MIN, "the span from %.17g to %.17g is narrower than %g",
                              basis->breaks[i - 1], now, TAUT_SPAN_MIN);
         }
@@ -131,12 +131,12 @@ taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basi
     taut_status status = TAUT_OK;
 
     if (spec == NULL || basis == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a basis needs a spec and a place to go");
     }
     ops = taut_basis_ops_find(spec->type);
     if (ops == NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/type", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/type", taut_none, taut_none,
                          "there is no basis of type \"%.40s\"",
                          spec->type != NULL ? spec->type : "");
     }
@@ -148,7 +148,7 @@ taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basi
         return status;
     }
     if (shape.count > TAUT_COUNT_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "", shape.count, TAUT_COUNT_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "", shape.count, TAUT_COUNT_MAX,
                          "a basis of %d functions, expected at most %d", shape.count,
                          TAUT_COUNT_MAX);
     }

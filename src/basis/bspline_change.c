@@ -157,8 +157,9 @@ static taut_status bspline_halve(const taut_basis *basis, taut_change **change, 
             const double a = basis->knots[i], b = basis->knots[i + 1];
             const double middle = a + (b - a) / 2;
             if (!(middle > a && middle < b)) {
-                status = taut_fail(error, TAUT_NO_SOLUTION, "/knots", b - a, taut_none,
-                                   "the span from %.17g to %.17g is too short to be halved", a, b);
+                status =
+                    taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/knots", b - a, taut_none,
+                              "the span from %.17g to %.17g is too short to be halved", a, b);
             }
             knots[n++] = middle;
         }
@@ -187,7 +188,7 @@ static taut_status bspline_insert(const taut_basis *basis, double t, int times,
         upto++;
     }
     if (times < 0 || times > p - (upto - below)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, times, p - (upto - below),
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, times, p - (upto - below),
                          "knot %.17g is there %d times; with %d more it would pass the degree, %d",
                          t, upto - below, times, p);
     }

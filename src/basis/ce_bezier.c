@@ -26,7 +26,7 @@ static taut_status ce_bezier_plan(const taut_basis_spec *spec, int functions,
     (void)functions;
     for (int i = 0; i < 3; i++) {
         if (!(fabs(shapes[i]) <= TAUT_SHAPE_MAX)) {
-            return taut_fail(error, TAUT_BAD_INPUT, names[i], shapes[i], TAUT_SHAPE_MAX,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", names[i], shapes[i], TAUT_SHAPE_MAX,
                              "%s is %.17g, expected at most %g in size", names[i] + 1, shapes[i],
                              TAUT_SHAPE_MAX);
         }

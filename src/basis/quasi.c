@@ -55,18 +55,18 @@ static taut_status check_length(const taut_quasi_kind *kind, double length, int 
     const char *name = kind->where + 1;
 
     if (!(length >= TAUT_SPAN_MIN)) {
-        return taut_fail(error, TAUT_BAD_INPUT, kind->where, length, TAUT_SPAN_MIN,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", kind->where, length, TAUT_SPAN_MIN,
                          "%s is %.17g, expected a positive number, at least %g", name, length,
                          TAUT_SPAN_MIN);
     }
     if (bspline && !kind->longest_bspline && length >= kind->longest) {
-        return taut_fail(error, TAUT_NO_SOLUTION, kind->where, length, kind->longest,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", kind->where, length, kind->longest,
                          "%s is %.17g, but from pi on the functions of a %s are dependent: use "
                          "more segments, each at most 2.5, say",
                          name, length, kind->bspline);
     }
     if (length > kind->longest) {
-        return taut_fail(error, TAUT_BAD_INPUT, kind->where, length, kind->longest,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", kind->where, length, kind->longest,
                          "%s is %.17g, expected at most %.17g: cut it into shorter pieces", name,
                          length, kind->longest);
     }
@@ -83,12 +83,12 @@ static taut_status check_range(const taut_basis_spec *spec, double length, int s
     const double far = fmax(fabs(spec->range[0]), fabs(spec->range[1]));
 
     if (length < TAUT_QUASI_APART * far) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/range", far, length / TAUT_QUASI_APART,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/range", far, length / TAUT_QUASI_APART,
                          "range [%.17g, %.17g] is too far from 0 for segments of length %.17g",
                          spec->range[0], spec->range[1], length);
     }
     if (!(fabs(width - expected) <= 2 * DBL_EPSILON * (far + expected))) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/range", width, expected,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/range", width, expected,
                          "range [%.17g, %.17g] has length %.17g, expected %.17g", spec->range[0],
                          spec->range[1], width, expected);
     }
@@ -103,8 +103,9 @@ taut_status taut_quasi_plan(const taut_quasi_kind *kind, const taut_basis_spec *
     taut_status status = check_length(kind, length, bspline, error);
 
     if (status == TAUT_OK && (segments < 1 || segments > TAUT_COUNT_MAX - 3)) {
-        status = taut_fail(error, TAUT_BAD_INPUT, "/segments", segments, TAUT_COUNT_MAX - 3,
-                           "%d segments, expected 1 to %d", segments, TAUT_COUNT_MAX - 3);
+        status =
+            taut_fail(error, TAUT_BAD_INPUT, "value", "/segments", segments, TAUT_COUNT_MAX - 3,
+                      "%d segments, expected 1 to %d", segments, TAUT_COUNT_MAX - 3);
     }
     if (status == TAUT_OK && spec->has_range) {
         status = check_range(spec, length, segments, error);

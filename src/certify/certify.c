@@ -31,7 +31,7 @@ taut_status taut_certify_with(const taut_certify_ops *ops, const char *construct
     taut_status status = TAUT_OK;
 
     if (model == NULL || certificate == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "certifying `%s` needs a model and a place for the certificate",
                          construct);
     }
@@ -54,17 +54,18 @@ taut_status taut_certify(const taut_model *model, const taut_problem *problem,
     int construct = 0;
 
     if (model == NULL || certificate == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_certify needs a model and a place for the certificate");
     }
     construct = construct_of(model, problem);
     if (construct < 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/certificate/construct", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/certificate/construct", taut_none,
+                         taut_none,
                          "the model does not say which construction it came from: give its "
                          "problem too");
     }
     if (options != NULL && options->exact && !ops_table[construct]->exact) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "rational arithmetic is for harmonic and harmonic-extension, not for %s",
                          taut_construct_name(construct));
     }

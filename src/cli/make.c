@@ -39,7 +39,7 @@ static int stage(taut_outputs *outputs, const cli_options *options, cli_report *
 static int stage_report(taut_outputs *outputs, const char *path, const cli_report *report)
 {
     taut_record *record = cli_report_record(report);
-    taut_error error = {TAUT_NO_MEMORY, 0, 0, "", "memory ran out"};
+    taut_error error = {.status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
     taut_status status = taut_record_status(record);
     if (status == TAUT_OK) {
         status = taut_outputs_record(outputs, record, path, &error);
@@ -95,7 +95,7 @@ int cli_make_model(const taut_problem *problem, const cli_options *options,
     const double start = cli_seconds();
     taut_status status = taut_make(problem, &chosen, &model, &error);
 
-    report->construct = taut_problem_construct(problem);
+    report->construct = taut_problem_construction(problem);
     report->seconds_made = cli_seconds() - start;
     if (status == TAUT_OK) {
         status = taut_certify(model, problem, &proof, &certificate, &error);

@@ -24,7 +24,8 @@ typedef struct batch {
 
 static int no_memory(void)
 {
-    const taut_error error = {TAUT_NO_MEMORY, 0, 0, "", "memory ran out"};
+    const taut_error error = {
+        .status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
     return cli_fail(&error);
 }
 
@@ -124,7 +125,7 @@ static int stage_lists(batch *b, taut_outputs *outputs, const taut_write_options
 static int stage_report(const batch *b, taut_outputs *outputs)
 {
     taut_record *list = taut_record_new_list();
-    taut_error error = {TAUT_NO_MEMORY, 0, 0, "", "memory ran out"};
+    taut_error error = {.status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
     taut_status status = TAUT_OK;
     for (int i = 0; i < b->count; i++) {
         taut_record *record = cli_report_record(&b->made[i].report);

@@ -99,7 +99,7 @@ static int run(const cli_options *options)
 {
     taut_model *model = NULL;
     taut_record *record = NULL;
-    taut_error error = {TAUT_NO_MEMORY, 0, 0, "", "memory ran out"};
+    taut_error error = {.status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
     taut_status status = taut_model_read(options->files[0], &model, &error);
     int code = 0;
 

@@ -92,7 +92,8 @@ static int append(char *base, const cli_option *option, const char *word)
     if ((*count & (*count - 1)) == 0) {
         const char **grown = realloc(*list, (size_t)(*count > 0 ? 2 * *count : 1) * sizeof **list);
         if (grown == NULL) {
-            taut_error error = {TAUT_NO_MEMORY, 0, 0, "", "memory ran out"};
+            taut_error error = {
+                .status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
             return cli_fail(&error);
         }
         *list = grown;

@@ -21,7 +21,8 @@ int cli_outputs_new(taut_outputs **outputs)
 {
     const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     if (taut_outputs_new(outputs) != TAUT_OK) {
-        taut_error error = {TAUT_NO_MEMORY, 0, 0, "", "memory ran out"};
+        taut_error error = {
+            .status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
         return cli_fail(&error);
     }
     at_risk = *outputs;
@@ -211,7 +212,10 @@ int cli_write_models(int count, const taut_model *const *models, const cli_optio
 int cli_print_text(const char *text, size_t length)
 {
     if (fwrite(text, 1, length, stdout) != length || fflush(stdout) != 0 || ferror(stdout)) {
-        taut_error error = {TAUT_IO, 0, 0, "standard output", "it could not be written"};
+        taut_error error = {.status = TAUT_IO,
+                            .reason = "write",
+                            .where = "standard output",
+                            .message = "it could not be written"};
         return cli_fail(&error);
     }
     return 0;
@@ -228,7 +232,7 @@ int cli_print_record(taut_record *record)
         status = taut_record_write(record, &text, &length);
     }
     if (status != TAUT_OK) {
-        taut_error error = {status, 0, 0, "", ""};
+        taut_error error = {.status = status};
         code = cli_fail(&error);
     } else {
         code = cli_print_text(text, length);

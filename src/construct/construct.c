@@ -21,11 +21,11 @@ taut_status taut_make(const taut_problem *problem, const taut_make_options *opti
 
     if (problem == NULL || model == NULL || !(chosen->tolerance >= 0) || isinf(chosen->tolerance) ||
         chosen->threads < 0 || chosen->threads > TAUT_THREADS_MAX) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an argument of taut_make is out of its range");
     }
     if (chosen->exact && !ops_table[problem->construct]->exact) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "rational arithmetic is for harmonic and harmonic-extension, not for %s",
                          taut_construct_name(problem->construct));
     }
@@ -36,7 +36,8 @@ taut_status taut_make(const taut_problem *problem, const taut_make_options *opti
     status = taut_model_set_unit(made, problem->unit);
     if (status != TAUT_OK) {
         taut_model_free(made);
-        return taut_fail(error, TAUT_INTERNAL, NULL, taut_none, taut_none, "an unknown unit");
+        return taut_fail(error, TAUT_INTERNAL, "fault", NULL, taut_none, taut_none,
+                         "an unknown unit");
     }
     *model = made;
     return TAUT_OK;

@@ -15,6 +15,7 @@ typedef struct arena_block {
 
 struct taut_arena {
     arena_block *blocks;
+    int has_failed;
 };
 
 taut_arena *taut_arena_new(void)
@@ -36,15 +37,22 @@ void taut_arena_free(taut_arena *arena)
     taut_free(arena);
 }
 
+taut_status taut_arena_status(const taut_arena *arena)
+{
+    return arena != NULL && !arena->has_failed ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
 int taut_arena_keep(taut_arena *arena, void *object, void (*release)(void *))
 {
-    arena_block *block = NULL;
-    if (object == NULL) {
-        return 0;
-    }
-    block = taut_alloc(1, sizeof *block);
+    const int is_sound = object != NULL && arena != NULL && !arena->has_failed;
+    arena_block *block = is_sound ? taut_alloc(1, sizeof *block) : NULL;
     if (block == NULL) {
-        release(object);
+        if (object != NULL) {
+            release(object);
+        }
+        if (arena != NULL) {
+            arena->has_failed = 1;
+        }
         return 0;
     }
     *block = (arena_block){arena->blocks, object, release};
@@ -54,7 +62,8 @@ int taut_arena_keep(taut_arena *arena, void *object, void (*release)(void *))
 
 void *taut_arena_take(taut_arena *arena, size_t count, size_t size)
 {
-    void *memory = taut_alloc_aligned(count, size);
+    const int is_sound = arena != NULL && !arena->has_failed;
+    void *memory = is_sound ? taut_alloc_aligned(count, size) : NULL;
     if (!taut_arena_keep(arena, memory, taut_free)) {
         return NULL;
     }

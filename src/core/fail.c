@@ -7,15 +7,23 @@
 
 const double taut_none = (double)NAN;
 
-taut_status taut_fail(taut_error *error, taut_status status, const char *where, double found,
-                      double limit, const char *format, ...)
+static void fill(taut_error *error, taut_status status, const char *reason, const char *where,
+                 double found, double limit)
+{
+    error->status = status;
+    snprintf(error->reason, sizeof error->reason, "%s", reason);
+    error->found = found;
+    error->limit = limit;
+    error->expected[0] = '\0';
+    snprintf(error->where, sizeof error->where, "%s", where != NULL ? where : "");
+}
+
+taut_status taut_fail(taut_error *error, taut_status status, const char *reason, const char *where,
+                      double found, double limit, const char *format, ...)
 {
     if (error != NULL) {
         va_list arguments;
-        error->status = status;
-        error->found = found;
-        error->limit = limit;
-        snprintf(error->where, sizeof error->where, "%s", where != NULL ? where : "");
+        fill(error, status, reason, where, found, limit);
         va_start(arguments, format);
         vsnprintf(error->message, sizeof error->message, format, arguments);
         va_end(arguments);
@@ -23,9 +31,28 @@ taut_status taut_fail(taut_error *error, taut_status status, const char *where, 
     return status;
 }
 
+taut_status taut_fail_expected(taut_error *error, taut_status status, const char *reason,
+                               const char *where, double found, const char *expected,
+                               const char *format, ...)
+{
+    if (error != NULL) {
+        size_t length = 0;
+        va_list arguments;
+        fill(error, status, reason, where, found, taut_none);
+        snprintf(error->expected, sizeof error->expected, "%s", expected);
+        va_start(arguments, format);
+        vsnprintf(error->message, sizeof error->message, format, arguments);
+        va_end(arguments);
+        length = strlen(error->message);
+        snprintf(error->message + length, sizeof error->message - length, ", expected %s",
+                 expected);
+    }
+    return status;
+}
+
 taut_status taut_fail_memory(taut_error *error)
 {
-    return taut_fail(error, TAUT_NO_MEMORY, NULL, taut_none, taut_none, "memory ran out");
+    return taut_fail(error, TAUT_NO_MEMORY, "memory", NULL, taut_none, taut_none, "memory ran out");
 }
 
 void taut_error_prefix(taut_error *error, const char *prefix)

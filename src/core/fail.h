@@ -4,10 +4,18 @@
 
 #include "taut/status.h"
 
-/* Fills *error (if not NULL) and returns `status`. `where` may be NULL; found and limit NaN if
- * there are none: TAUT_NONE. The message is one sentence, cut if too long. */
-taut_status taut_fail(taut_error *error, taut_status status, const char *where, double found,
-                      double limit, const char *format, ...) __attribute__((format(printf, 6, 7)));
+/* Fills *error (if not NULL) and returns `status`. `reason` is a word of the list of the room that
+ * fails (TAUT_REASON_LIST and its like in include/taut), which tools/check_reasons.sh sees to.
+ * `where` may be NULL; found and limit are taut_none if there are none. The message is one
+ * sentence, cut if too long. */
+taut_status taut_fail(taut_error *error, taut_status status, const char *reason, const char *where,
+                      double found, double limit, const char *format, ...)
+    __attribute__((format(printf, 7, 8)));
+/* The same where words say what should have been there: the message is "<format>, expected
+ * <expected>". */
+taut_status taut_fail_expected(taut_error *error, taut_status status, const char *reason,
+                               const char *where, double found, const char *expected,
+                               const char *format, ...) __attribute__((format(printf, 7, 8)));
 
 /* TAUT_NO_MEMORY with its usual sentence. */
 taut_status taut_fail_memory(taut_error *error);

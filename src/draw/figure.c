@@ -222,11 +222,11 @@ static taut_status paint(figure *f, const taut_canvas_ops *ops, const char *kind
         if (errno != 0) {
             strerror_r(errno, reason, sizeof reason);
         }
-        return taut_fail(error, TAUT_IO, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_IO, "file", NULL, taut_none, taut_none,
                          "the figure could not be written: %s", reason);
     }
     return status == TAUT_OK ? TAUT_OK
-                             : taut_fail(error, status, NULL, taut_none, taut_none, "%s",
+                             : taut_fail(error, status, "value", NULL, taut_none, taut_none, "%s",
                                          taut_status_text(status));
 }
 
@@ -244,7 +244,7 @@ static taut_status draw(figure *f, const taut_canvas_ops *ops, const char *kind,
                                                          : 30,
                                 page_width - (wide || names ? 160 : 0), page_height};
         if (!taut_panes_aim(&f->panes, &f->options, page)) {
-            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, 0, 1,
+            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, 0, 1,
                              "there is nothing to draw: no surface or curve has a finite point");
         }
         status = wide ? choose_limit(f) : TAUT_OK;
@@ -259,7 +259,7 @@ static taut_status draw(figure *f, const taut_canvas_ops *ops, const char *kind,
         status = TAUT_INTERRUPTED;
     }
     return status == TAUT_OK ? paint(f, ops, kind, out, error)
-                             : taut_fail(error, status, NULL, taut_none, taut_none, "%s",
+                             : taut_fail(error, status, "value", NULL, taut_none, taut_none, "%s",
                                          taut_status_text(status));
 }
 
@@ -273,7 +273,7 @@ static taut_status find_canvas(const char *kind, const taut_canvas_ops **ops, ta
         return TAUT_OK;
     }
     if (strcmp(kind, "pdf") != 0 && strcmp(kind, "png") != 0) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "no figure is of kind \"%s\", only svg, pdf and png", kind);
     }
     status = taut_module_load("cairo", "libcairo2-dev", &table, error);
@@ -289,13 +289,13 @@ static taut_status check_numbers(const taut_write_options *o, taut_error *error)
     static const char *const names[] = {"divide", "threads", "isolines", "reflections", "width"};
     for (size_t i = 0; i < sizeof least / sizeof least[0]; i++) {
         if (least[i] < 0 || least[i] > most[i]) {
-            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, least[i], most[i],
+            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, least[i], most[i],
                              "the option %s of a figure must lie between 0 and %d", names[i],
                              most[i]);
         }
     }
     if (o->colour > TAUT_COLOUR_ISOTHERMALITY) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, (double)o->colour,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, (double)o->colour,
                          TAUT_COLOUR_ISOTHERMALITY, "there is no such colour");
     }
     return TAUT_OK;
@@ -305,7 +305,7 @@ static taut_status check(const taut_write_options *options, taut_error *error)
 {
     const double a = options->view[0], e = options->view[1];
     if (options->has_view && !(isfinite(a) && e >= -90 && e <= 90)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, isfinite(a) ? e : a,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, isfinite(a) ? e : a,
                          isfinite(a) ? 90 : taut_none,
                          "a view needs a finite azimuth and an elevation from -90 to 90 degrees");
     }
@@ -321,7 +321,7 @@ taut_status taut_draw_figures(int count, const taut_model *const *models,
     taut_status status = TAUT_OK;
 
     if (count < 1 || count > TAUT_MODELS_MAX || models == NULL || kind == NULL || out == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, TAUT_MODELS_MAX,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, count, TAUT_MODELS_MAX,
                          "a figure needs 1 to %d models, a kind and a stream", TAUT_MODELS_MAX);
     }
     if (options != NULL) {
@@ -350,7 +350,7 @@ taut_status taut_draw_figure(const taut_model *model, const taut_write_options *
                              const char *kind, FILE *out, taut_error *error)
 {
     if (model == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a figure needs a model");
     }
     return taut_draw_figures(1, &model, options, kind, out, error);

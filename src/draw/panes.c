@@ -50,12 +50,12 @@ taut_status taut_panes_new(int count, const taut_model *const *models,
     memset(panes, 0, sizeof *panes);
     for (int i = 0; i < count; i++) {
         if (models[i] == NULL) {
-            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                              "a figure needs a model");
         }
         if (options->surface != NULL && shown_of(models[i], options) == 0) {
-            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, 0, 1, "no surface is named \"%s\"",
-                             options->surface);
+            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, 0, 1,
+                             "no surface is named \"%s\"", options->surface);
         }
     }
     if (count == 1 && options->surface == NULL &&

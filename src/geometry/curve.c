@@ -20,17 +20,18 @@ static taut_status check(const char *name, const taut_basis *t, const double *po
 {
     taut_status status = TAUT_OK;
     if (t == NULL || points == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a curve needs a basis and points");
     }
     if (name != NULL && strlen(name) > TAUT_NAME_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/name", (double)strlen(name), TAUT_NAME_MAX,
-                         "a name of %zu bytes, expected at most %d", strlen(name), TAUT_NAME_MAX);
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/name", (double)strlen(name),
+                         TAUT_NAME_MAX, "a name of %zu bytes, expected at most %d", strlen(name),
+                         TAUT_NAME_MAX);
     }
     status = taut_net_check_points((size_t)taut_basis_count(t), 0, points, error);
     if (status == TAUT_OK && weights != NULL) {
         if (!taut_basis_allows_weights(t)) {
-            return taut_fail(error, TAUT_BAD_INPUT, "/weights", taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", "/weights", taut_none, taut_none,
                              "a basis of type \"%s\" carries no weights", taut_basis_type(t));
         }
         status = taut_net_check_weights((size_t)taut_basis_count(t), 0, weights, error);

@@ -3,7 +3,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "geometry/net.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <string.h>
 
@@ -16,7 +16,7 @@ static size_t point_count(const taut_lattice *lattice)
 static taut_status take(taut_lattice *lattice, taut_error *error)
 {
     if (point_count(lattice) > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, (double)point_count(lattice),
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, (double)point_count(lattice),
                          TAUT_POINTS_MAX, "%zu control points, expected at most %d",
                          point_count(lattice), TAUT_POINTS_MAX);
     }

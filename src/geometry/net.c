@@ -25,7 +25,7 @@ taut_status taut_net_check_points(size_t count, int columns, const double *point
         if (!isfinite(points[i])) {
             char where[64];
             place(where, sizeof where, "points", i / 3, columns);
-            return taut_fail(error, TAUT_BAD_INPUT, where, points[i], taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, points[i], taut_none,
                              "a coordinate is not a finite number");
         }
     }
@@ -39,7 +39,7 @@ taut_status taut_net_check_weights(size_t count, int columns, const double *weig
         if (!(weights[i] > 0) || !isfinite(weights[i])) {
             char where[64];
             place(where, sizeof where, "weights", i, columns);
-            return taut_fail(error, TAUT_BAD_INPUT, where, weights[i], 0,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, weights[i], 0,
                              "weight is %.17g, expected a positive number", weights[i]);
         }
     }
@@ -67,7 +67,7 @@ taut_status taut_net_check_exact(size_t count, int columns, const char *const *e
             char where[64], whole[80];
             place(where, sizeof where, "points", i / 3, columns);
             snprintf(whole, sizeof whole, "%s/%zu", where, i % 3);
-            return taut_fail(error, TAUT_BAD_INPUT, whole, taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", whole, taut_none, taut_none,
                              "found \"%.40s\", expected a rational number as \"3/4\"", exact[i]);
         }
     }

@@ -26,22 +26,23 @@ static taut_status check(const char *name, const taut_basis *u, const taut_basis
 {
     taut_status status = TAUT_OK;
     if (u == NULL || v == NULL || points == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a surface needs two bases and points");
     }
     if (name != NULL && strlen(name) > TAUT_NAME_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/name", (double)strlen(name), TAUT_NAME_MAX,
-                         "a name of %zu bytes, expected at most %d", strlen(name), TAUT_NAME_MAX);
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/name", (double)strlen(name),
+                         TAUT_NAME_MAX, "a name of %zu bytes, expected at most %d", strlen(name),
+                         TAUT_NAME_MAX);
     }
     if (point_count(u, v) > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/points", (double)point_count(u, v),
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/points", (double)point_count(u, v),
                          TAUT_POINTS_MAX, "%zu control points, expected at most %d",
                          point_count(u, v), TAUT_POINTS_MAX);
     }
     status = taut_net_check_points(point_count(u, v), taut_basis_count(v), points, error);
     if (status == TAUT_OK && weights != NULL) {
         if (!taut_basis_allows_weights(u) || !taut_basis_allows_weights(v)) {
-            return taut_fail(error, TAUT_BAD_INPUT, "/weights", taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", "/weights", taut_none, taut_none,
                              "a basis of type \"%s\" carries no weights",
                              taut_basis_type(taut_basis_allows_weights(u) ? v : u));
         }

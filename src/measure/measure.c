@@ -20,12 +20,14 @@ static taut_status settle(const taut_measure_options *given, taut_measure_option
     options->grid = options->grid == 0 ? GRID : options->grid;
     options->threads = options->threads == 0 ? 1 : options->threads;
     if (options->grid < 2 || options->grid > TAUT_GRID_MAX) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "/grid", options->grid, TAUT_GRID_MAX,
-                         "a grid of %d parameters, expected 2 to %d", options->grid, TAUT_GRID_MAX);
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/grid", options->grid,
+                         TAUT_GRID_MAX, "a grid of %d parameters, expected 2 to %d", options->grid,
+                         TAUT_GRID_MAX);
     }
     if (options->threads < 1 || options->threads > TAUT_THREADS_MAX) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "/threads", options->threads, TAUT_THREADS_MAX,
-                         "%d threads, expected 1 to %d", options->threads, TAUT_THREADS_MAX);
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/threads", options->threads,
+                         TAUT_THREADS_MAX, "%d threads, expected 1 to %d", options->threads,
+                         TAUT_THREADS_MAX);
     }
     return TAUT_OK;
 }
@@ -60,7 +62,7 @@ taut_status taut_measure_surface(const taut_surface *surface, const taut_measure
     taut_status status = TAUT_OK;
 
     if (surface == NULL || measure == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "measuring needs a surface and a place for its figures");
     }
     status = settle(options, &settled, error);
@@ -118,7 +120,7 @@ taut_status taut_measure_curve(const taut_curve *curve, const taut_measure_optio
     taut_status status = TAUT_OK;
 
     if (curve == NULL || measure == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "measuring needs a curve and a place for its figures");
     }
     status = settle(options, &settled, error);

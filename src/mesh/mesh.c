@@ -62,7 +62,7 @@ static taut_status choose_surfaces(taut_mesh *mesh, const taut_model *model, con
         }
     }
     if (mesh->group_count == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
                          "the model has no surface to make a mesh of");
     }
     return TAUT_OK;
@@ -91,7 +91,7 @@ static taut_status count_vertices(taut_mesh *mesh, const mesh_plan *plan, taut_e
         const double nu = plan->directions[2 * i].wish + 1;
         const double nv = plan->directions[2 * i + 1].wish + 1;
         if (!(nu * nv <= TAUT_POINTS_MAX)) {
-            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, nu * nv, TAUT_POINTS_MAX,
+            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, nu * nv, TAUT_POINTS_MAX,
                              "a mesh of %.0f x %.0f vertices, expected at most %d in all: ask for "
                              "a coarser one",
                              nu, nv, TAUT_POINTS_MAX);
@@ -103,7 +103,7 @@ static taut_status count_vertices(taut_mesh *mesh, const mesh_plan *plan, taut_e
         mesh->vertex_count += (size_t)group->nu * (size_t)group->nv;
         mesh->quad_count += (size_t)(group->nu - 1) * (size_t)(group->nv - 1);
         if (mesh->vertex_count > TAUT_POINTS_MAX) {
-            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, (double)mesh->vertex_count,
+            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, (double)mesh->vertex_count,
                              TAUT_POINTS_MAX,
                              "a mesh of %zu vertices and more, expected at most %d: ask for a "
                              "coarser one",
@@ -235,7 +235,7 @@ static taut_status fill_mesh(taut_mesh *mesh, const mesh_plan *plan,
     for (int i = 0; status == TAUT_OK && i < mesh->group_count; i++) {
         if (monitor->progress != NULL &&
             monitor->progress(monitor->context, (double)i / mesh->group_count, "mesh") != 0) {
-            status = taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none,
+            status = taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
                                "stopped on request");
         } else {
             status = fill_vertices(mesh, plan, i, options->threads, error);
@@ -262,7 +262,7 @@ taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *opti
 
     if (model == NULL || mesh == NULL || !(chosen->tolerance >= 0) || isinf(chosen->tolerance) ||
         chosen->divide < 0 || chosen->threads < 0 || chosen->threads > TAUT_THREADS_MAX) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an argument of taut_mesh_new is out of its range");
     }
     scratch = taut_arena_new();

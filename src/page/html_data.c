@@ -324,7 +324,7 @@ taut_status taut_html_data(const taut_model *model, const taut_write_options *op
     if (status == TAUT_OK) {
         status = put_page(&p, text, length);
         if (status != TAUT_OK) {
-            status = taut_fail(error, status, NULL, taut_none, taut_none, "%s",
+            status = taut_fail(error, status, "value", NULL, taut_none, taut_none, "%s",
                                taut_status_text(status));
         }
     }

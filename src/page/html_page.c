@@ -177,7 +177,7 @@ taut_status taut_page_prepare(taut_page_model *p, taut_error *error)
     taut_status status = sample(p);
 
     if (status == TAUT_OK && !choose_box(p)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, 0, 1,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, 0, 1,
                          "there is nothing to show: no surface or curve has a finite point");
     }
     if (status == TAUT_OK) {
@@ -187,6 +187,6 @@ taut_status taut_page_prepare(taut_page_model *p, taut_error *error)
         status = choose_view(p);
     }
     return status == TAUT_OK ? TAUT_OK
-                             : taut_fail(error, status, NULL, taut_none, taut_none, "%s",
+                             : taut_fail(error, status, "value", NULL, taut_none, taut_none, "%s",
                                          taut_status_text(status));
 }

@@ -56,7 +56,7 @@ void taut_problem_free(taut_problem *problem)
     }
 }
 
-const char *taut_problem_construct(const taut_problem *problem)
+const char *taut_problem_construction(const taut_problem *problem)
 {
     return names[problem->construct];
 }

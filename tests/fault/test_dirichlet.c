@@ -35,7 +35,9 @@ static taut_status make_twice(const void *context, void **result, taut_error *er
     taut_model *first = NULL, *model = *result;
     taut_status status = taut_workspace_new(&options.workspace);
     if (status != TAUT_OK) {
-        *error = (taut_error){TAUT_NO_MEMORY, 0, 0, "", "memory ran out"}; /* it takes none */
+        *error = (taut_error){.status = TAUT_NO_MEMORY,
+                              .reason = "memory",
+                              .message = "memory ran out"}; /* it takes none */
         return status;
     }
     status = taut_dirichlet_make(&f->problem.data, &options, &first, error);

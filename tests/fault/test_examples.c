@@ -97,7 +97,7 @@ static const taut_embedded *smallest(const char *construct)
         if ((best == NULL || file->length < best->length) &&
             taut_problem_read_text(file->text, file->length, file->name, &problem, NULL) ==
                 TAUT_OK) {
-            best = strcmp(taut_problem_construct(problem), construct) == 0 ? file : best;
+            best = strcmp(taut_problem_construction(problem), construct) == 0 ? file : best;
         }
         taut_problem_free(problem);
     }

@@ -143,7 +143,7 @@ static void check_call(const char *name, taut_status (*call)(const void *, void 
 static taut_model *model_of(const char *text)
 {
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_model_read_text(text, strlen(text), "text", &model, &error) == TAUT_OK, "%s: %s",
           error.where, error.message);
     return model;

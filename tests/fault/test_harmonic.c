@@ -7,7 +7,7 @@
 #include "problem/problem.h"
 #include "taut/biharmonic.h"
 #include "taut/harmonic.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <string.h>
 

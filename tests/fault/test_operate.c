@@ -4,7 +4,7 @@
 
 #include "certify/common/curve_distance.h"
 #include "geometry/boundary/boundary.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <stddef.h>
 

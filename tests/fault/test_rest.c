@@ -5,7 +5,7 @@
 
 #include "taut/join.h"
 #include "taut/measure.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 #include "taut/panels.h"
 #include "taut/read.h"
 #include "taut/recognise.h"

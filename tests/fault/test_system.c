@@ -73,7 +73,7 @@ FILE *fdopen(int file, const char *mode)
     }
     FILE *const stream = own(file, mode);
     if (canned && is_child && stream != NULL) {
-        static const taut_error none = {TAUT_OK, 0, 0, "", ""};
+        static const taut_error none = {.status = TAUT_OK};
         const int is_reader = canned == READER;
         int whole = !is_reader || taut_cad_put_unit(stream, "in");
         canned = 0;
@@ -199,7 +199,7 @@ static void test_outputs(void)
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const char *const path = rows[i].name != NULL ? in_folder(rows[i].name) : "/dev/null";
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         const taut_status status =
             put(path, rows[i].staging, rows[i].placing, rows[i].reason, &error);
         CHECK(status == rows[i].expected && error.status == status &&
@@ -219,7 +219,7 @@ static void test_owner_and_mode(void)
         const char *const path = in_folder("old");
         char found[8] = "";
         struct stat about;
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         FILE *file = fopen(path, "w");
         CHECK(file != NULL && fclose(file) == 0 && chmod(path, 0604) == 0, "%s", path);
         CHECK(put(path, calls[k], CALL_NONE, EPERM, &error) == TAUT_OK, "%s", error.message);
@@ -266,7 +266,7 @@ static void test_processes(const taut_model *model, const char *path)
 {
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         for (int writing = 0; writing < 2; writing++) {
-            taut_error error = {TAUT_OK, 0, 0, "", ""};
+            taut_error error = {.status = TAUT_OK};
             taut_model *read = NULL;
             failing = ends[i].call;
             failing_reason = ends[i].reason;
@@ -288,7 +288,7 @@ static void test_processes(const taut_model *model, const char *path)
 /* Neither end of the pipe can be opened, in parent and child alike. */
 static void test_no_stream(const char *path)
 {
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_model *read = NULL;
     failing = CALL_FDOPEN;
     failing_reason = ENOMEM;
@@ -348,7 +348,7 @@ static void test_memory(const taut_model *model, const char *path)
 static void test_notes(const char *path)
 {
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     canned = READER;
     CHECK(taut_model_read(path, &model, &error) == TAUT_OK, "%s", error.message);
     canned = 0;

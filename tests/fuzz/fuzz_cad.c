@@ -12,7 +12,7 @@ typedef taut_status scan_function(const char *text, size_t length, taut_error *e
 
 static void check(scan_function *scan, const char *text, size_t size)
 {
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     const taut_status status = scan(text, size, &error);
     if (status != TAUT_OK && (status != TAUT_BAD_INPUT || error.message[0] == '\0')) {
         abort();

@@ -8,7 +8,7 @@
 #include "taut/join.h"
 #include "taut/measure.h"
 #include "taut/mesh.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -134,7 +134,7 @@ static void exchange(taut_surface **surface, taut_status status, taut_surface *m
 static void operate(input *in, taut_surface **surface)
 {
     taut_surface *made = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_status status = TAUT_OK;
     const int direction = byte(in) % 3, times = integer(in), kind = byte(in) % 7;
     const double a = number(in), b = number(in);
@@ -171,7 +171,7 @@ static void operate(input *in, taut_surface **surface)
 static void split(input *in, const taut_surface *surface)
 {
     taut_model *pieces = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     const int direction = byte(in) % 3;
     const taut_status status = taut_surface_split(surface, direction, number(in), &pieces, &error);
     require((status == TAUT_OK) == (pieces != NULL));
@@ -205,7 +205,7 @@ static void mesh(input *in, const taut_surface *surface)
     taut_model *model = NULL;
     taut_surface *copy = NULL;
     taut_mesh *made = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     options.threads = integer(in);
     if (options.threads > 4 && options.threads <= TAUT_THREADS_MAX) {
         options.threads = 4;

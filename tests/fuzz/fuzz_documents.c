@@ -18,7 +18,7 @@ static void make_and_certify(const taut_problem *problem)
 {
     taut_model *model = NULL;
     taut_certificate *certificate = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     const taut_make_options options = {.monitor = patient_monitor(2)};
     taut_status status = taut_make(problem, &options, &model, &error);
     if (status != TAUT_OK) {
@@ -41,7 +41,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const char *text = (const char *)data;
     taut_problem *problem = NULL;
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_status status = taut_problem_read_text(text, size, "problem", &problem, &error);
 
     if (status != TAUT_OK) {

@@ -21,7 +21,7 @@ static void make_and_certify(const taut_problem *problem)
     const taut_make_options options = {.monitor = patient_monitor(1)};
     taut_model *model = NULL;
     taut_certificate *certificate = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_status status = taut_make(problem, &options, &model, &error);
     if (status != TAUT_OK) {
         require_error(status, &error);
@@ -44,7 +44,7 @@ static void make_and_certify(const taut_problem *problem)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     taut_problem *problem = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_status status = TAUT_OK;
     if (size > SMALL) {
         return 0;

@@ -175,7 +175,7 @@ static void test_branches(void)
         const taut_record *branches = NULL;
         int found = 0;
         double before = 0.0;
-        problem.surface = TAUT_ASYMPTOTIC_N_3;
+        problem.surface = TAUT_BIDEGREE_N_PLUS_3;
         problem.report_singular = 1;
         model = asymptotic_make(&problem, page->branch);
         branches = taut_record_get(taut_model_details(model), "branches");

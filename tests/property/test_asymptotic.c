@@ -154,7 +154,7 @@ static void test_flat_edges(void)
         taut_error error = {.message = ""};
         taut_status status = TAUT_OK;
         (void)snprintf(what, sizeof what, "net %d flat to %g", trial, bend);
-        problem.surface = trial % 3 == 2 ? TAUT_ASYMPTOTIC_N_3 : TAUT_ASYMPTOTIC_5N_7;
+        problem.surface = trial % 3 == 2 ? TAUT_BIDEGREE_N_PLUS_3 : TAUT_BIDEGREE_5N_MINUS_7;
         status = taut_asymptotic_make(&problem, NULL, &model, &error);
         CHECK(status == TAUT_OK || strstr(error.message, "take surface \"5n-7\"") != NULL, "%s: %s",
               what, error.message);
@@ -248,7 +248,7 @@ static void test_ruled(void)
         taut_model *model = NULL;
         const double x0 = 0.2, x1 = 1.1;
         memset(&problem, 0, sizeof problem);
-        problem.surface = low ? TAUT_ASYMPTOTIC_N_3 : TAUT_ASYMPTOTIC_5N_7;
+        problem.surface = low ? TAUT_BIDEGREE_N_PLUS_3 : TAUT_BIDEGREE_5N_MINUS_7;
         for (int side = 0; side < 2; side++) {
             const double c = side, x = side == 0 ? x0 : x1, h = (x1 - x0) / 3;
             /* blossoms of (x, x^2/2 + c, x^3/6 + c x) at x0 .. x1 */

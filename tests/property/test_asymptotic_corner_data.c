@@ -184,7 +184,7 @@ static void test_degrees(void)
         taut_asymptotic_problem problem = asymptotic_example(1, branches[n - 6]);
         taut_model *model = NULL;
         problem.degree = n;
-        problem.surface = n == 6 ? TAUT_ASYMPTOTIC_5N_7 : TAUT_ASYMPTOTIC_N_3;
+        problem.surface = n == 6 ? TAUT_BIDEGREE_5N_MINUS_7 : TAUT_BIDEGREE_N_PLUS_3;
         for (int e = 0; e < 4; e++) {
             for (int k = 0; k < 6; k++) {
                 problem.edges[e].legs[k / 3][k % 3] *= 4.0 / n;

@@ -60,7 +60,7 @@ static void test_turned_units(void)
         taut_asymptotic_problem problem = asymptotic_example(number < 7 ? number : 1, NULL);
         taut_model *model = NULL;
         double curves = 0.0, plate = 0.0;
-        problem.surface = number == 7 ? TAUT_ASYMPTOTIC_N_3 : TAUT_ASYMPTOTIC_5N_7;
+        problem.surface = number == 7 ? TAUT_BIDEGREE_N_PLUS_3 : TAUT_BIDEGREE_5N_MINUS_7;
         problem.report_singular = number == 3;
         if (number == 4) {
             continue; /* a quintic takes long */

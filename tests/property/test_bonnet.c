@@ -4,7 +4,7 @@
 #include "check.h"
 
 #include "taut/bonnet.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <arb.h>
 #include <string.h>

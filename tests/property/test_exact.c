@@ -6,7 +6,7 @@
 
 #include "problem/problem.h"
 #include "taut/harmonic.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <gmp.h>
 #include <stdlib.h>

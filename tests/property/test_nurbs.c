@@ -2,7 +2,7 @@
  * far from what is seen, below what was asked. */
 #include "check.h"
 
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
  * types; refusals. */
 #include "check.h"
 
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <stdlib.h>
 #include <string.h>

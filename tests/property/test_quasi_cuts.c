@@ -2,7 +2,7 @@
  * published, where its formulas have their limits, and what kinds of pieces come out. */
 #include "check.h"
 
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <string.h>
 

@@ -73,20 +73,20 @@ static taut_status take_model(const taut_model *model, taut_asymptotic_model *pa
     parts->patch = taut_model_surface_count(model) > 0 ? taut_model_surface(model, 0) : NULL;
     if (parts->patch == NULL || !is_unit_bezier(taut_surface_u(parts->patch)) ||
         !is_unit_bezier(taut_surface_v(parts->patch))) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", taut_none, taut_none,
                          "the model's first surface must be the patch, on bezier bases over "
                          "[0, 1]");
     }
     nu = taut_basis_count(taut_surface_u(parts->patch));
     nv = taut_basis_count(taut_surface_v(parts->patch));
     if (nu < 3 || nv < 3) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0", fmin(nu, nv) - 1, 2,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", fmin(nu, nv) - 1, 2,
                          "the patch must have degree 2 at least in each direction");
     }
     for (int e = 0; e < 4; e++) {
         parts->curves[e] = find_curve(model, taut_asymptotic_edge_name(e));
         if (parts->curves[e] == NULL || !is_unit_bezier(taut_curve_t(parts->curves[e]))) {
-            return taut_fail(error, TAUT_BAD_INPUT, "/curves", taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", taut_none, taut_none,
                              "the model must have a bezier curve %s over [0, 1]",
                              taut_asymptotic_edge_name(e));
         }

@@ -287,7 +287,7 @@ static taut_status check_model(const taut_model *model, const taut_biharmonic_pr
                   m = taut_basis_degree(taut_surface_v(s));
         if (count != wanted || count > 2 ||
             (count == 2 && (n != m || n > 64 || n != taut_basis_degree(taut_surface_u(first))))) {
-            status = taut_fail(error, TAUT_BAD_INPUT, "/surfaces", count, wanted,
+            status = taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", count, wanted,
                                "the model is no biharmonic surface, nor one and its neighbour, of "
                                "this problem");
         }

@@ -181,7 +181,8 @@ static taut_status check_surfaces(const taut_model *model, const taut_bonnet_pro
     const int wanted = problem == NULL ? count : problem->frames > 1 ? problem->frames : 1;
 
     if (count == 0 || count != wanted) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", count, wanted > 0 ? wanted : 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", count,
+                         wanted > 0 ? wanted : 1,
                          "the model has %d surfaces, expected %d: they do not belong together",
                          count, wanted > 0 ? wanted : 1);
     }
@@ -189,7 +190,7 @@ static taut_status check_surfaces(const taut_model *model, const taut_bonnet_pro
         if (taut_surface_weights(taut_model_surface(model, i)) != NULL) {
             char where[64];
             snprintf(where, sizeof where, "/surfaces/%d/weights", i);
-            return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
                              "a surface of this kind has no weights");
         }
     }
@@ -243,7 +244,7 @@ static taut_status certify(const taut_model *model, const void *data,
     }
     return status == TAUT_OK
                ? TAUT_OK
-               : taut_fail(error, status, "/surfaces", taut_none, taut_none,
+               : taut_fail(error, status, "value", "/surfaces", taut_none, taut_none,
                            "a surface cannot be measured: %s", taut_status_text(status));
 }
 

@@ -3,7 +3,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <math.h>
 #include <string.h>
@@ -174,7 +174,7 @@ static taut_status pieces_distance(const taut_curve *a, const taut_curve *b, dou
         status = taut_curve_pieces(b, &of_b, error);
     }
     if (status == TAUT_OK && taut_model_curve_count(of_a) != taut_model_curve_count(of_b)) {
-        status = taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_none, taut_none,
+        status = taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
                            "knots of two curves lie too close to be told apart");
     }
     for (int k = 0; status == TAUT_OK && k < taut_model_curve_count(of_a); k++) {

@@ -50,7 +50,7 @@ static int is_known(const request *r, int i, int j)
 
 static taut_status needs_problem(const char *where, const char *reason, taut_error *error)
 {
-    return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+    return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
                      "%s: give the problem the model was made from too", reason);
 }
 
@@ -81,7 +81,7 @@ static taut_status read_aspect(const taut_model *model, request *r, taut_error *
         r->aspect = 1;
     }
     if (!(r->aspect > 0) || !isfinite(r->aspect)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/details/aspect", r->aspect, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/details/aspect", r->aspect, 0,
                          "the model does not say which aspect it was made with, expected a "
                          "positive number");
     }
@@ -94,14 +94,14 @@ static taut_status read_request(const taut_model *model, const taut_dirichlet_pr
     taut_status status = TAUT_OK;
 
     if (problem != NULL && !taut_known_is_whole(problem)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "the problem needs two bases, points and which of them are known");
     }
     memset(r, 0, sizeof *r);
     r->surface = taut_model_surface(model, 0);
     r->problem = problem;
     if (r->surface == NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", 0, 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", 0, 1,
                          "the model has no surface, expected the one of its problem");
     }
     r->nu = taut_basis_count(taut_surface_u(r->surface));
@@ -110,7 +110,7 @@ static taut_status read_request(const taut_model *model, const taut_dirichlet_pr
         status = read_details(model, r, error);
     } else if (taut_basis_count(problem->u) != r->nu || taut_basis_count(problem->v) != r->nv) {
         status =
-            taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0/points", taut_none, taut_none,
+            taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0/points", taut_none, taut_none,
                       "the model's net is %d by %d, the problem's %d by %d: they do not "
                       "belong together",
                       r->nu, r->nv, taut_basis_count(problem->u), taut_basis_count(problem->v));

@@ -16,7 +16,8 @@ static const double largest_limit = 1e-6;
 taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_error *error)
 {
     if (taut_model_surface_count(model) < least) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", taut_model_surface_count(model), least,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces",
+                         taut_model_surface_count(model), least,
                          "the model has %d surfaces, expected at least %d",
                          taut_model_surface_count(model), least);
     }
@@ -27,7 +28,7 @@ taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_e
             taut_surface_weights(surface) != NULL) {
             char where[32];
             snprintf(where, sizeof where, "/surfaces/%d", i);
-            return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
                              "expected a polynomial surface on \"bezier\" bases");
         }
     }

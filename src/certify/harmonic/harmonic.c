@@ -164,7 +164,7 @@ static taut_status add_boundary(const taut_model *model, const taut_harmonic_pro
         taut_basis_count(taut_surface_u(surface)) < nu ||
         (p->fit && (!taut_basis_equal(taut_surface_u(surface), p->u) ||
                     !taut_basis_equal(taut_surface_v(surface), p->v)))) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", taut_none, taut_none,
                          "the model and the problem do not belong together");
     }
     if (p->fit) {

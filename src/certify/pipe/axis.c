@@ -4,7 +4,7 @@
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <float.h>
 #include <math.h>
@@ -108,7 +108,7 @@ static taut_status take_piece(const taut_curve *curve, taut_pipe_piece *piece, t
     const taut_basis *t = taut_curve_t(curve);
     const int n = taut_basis_degree(t);
     if (n < 1 || n > TAUT_PIPE_PIECE_DEGREE || taut_curve_weights(curve) != NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/curves/0", n, TAUT_PIPE_PIECE_DEGREE,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves/0", n, TAUT_PIPE_PIECE_DEGREE,
                          "the axis is no polynomial curve of a degree up to %d",
                          TAUT_PIPE_PIECE_DEGREE);
     }
@@ -143,7 +143,7 @@ static taut_status find_tangents(taut_pipe_line *line, taut_error *error)
         taut_pipe_piece_eval(piece, side, 1, d);
         speed = taut_norm(d[1]);
         if (!(speed > 0)) {
-            return taut_fail(error, TAUT_BAD_INPUT, "/curves/0", speed, 0,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves/0", speed, 0,
                              "the axis has no direction at its %s", side == 0 ? "start" : "end");
         }
         for (int k = 0; k < 3; k++) {
@@ -165,8 +165,9 @@ taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, ta
         taut_model *pieces = NULL;
         status = local_pieces(curves[i], line, &pieces, error);
         if (status == TAUT_OK && taut_model_curve_count(pieces) != 1) {
-            status = taut_fail(error, TAUT_BAD_INPUT, "/curves", taut_model_curve_count(pieces), 1,
-                               "an axis of the run has several pieces");
+            status =
+                taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", taut_model_curve_count(pieces),
+                          1, "an axis of the run has several pieces");
         }
         if (status == TAUT_OK) {
             status = take_piece(taut_model_curve(pieces, 0), &line->pieces[i], error);

@@ -18,7 +18,7 @@ taut_status taut_pipe_read_axis(taut_pipe_parts *parts, taut_error *error)
     taut_basis_spec_of(t, &spec);
     parts->quintic = strcmp(taut_basis_type(t), "bezier") == 0 && taut_basis_degree(t) == 5;
     if (!parts->quintic && strcmp(taut_basis_type(t), "ce-bezier") != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/curves/0/t/type", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves/0/t/type", taut_none, taut_none,
                          "the axis of a pipe is on a basis of type \"ce-bezier\", or \"bezier\" of "
                          "degree 5");
     }

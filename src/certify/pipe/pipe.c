@@ -71,7 +71,7 @@ static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, t
     if (parts->blend == NULL || parts->pipes[0] == NULL || parts->pipes[1] == NULL ||
         parts->axis == NULL) {
         return taut_fail(
-            error, TAUT_BAD_INPUT, "", taut_none, taut_none,
+            error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
             "a pipe has surfaces \"blend\", \"pipe1\", \"pipe2\" and a curve \"axis\"");
     }
     return taut_pipe_read_axis(parts, error);
@@ -245,7 +245,7 @@ static taut_status certify(const taut_model *model, const void *data,
         find_data(model, data, &parts);
         status = taut_pipe_read_sections(model, &parts);
         if (status == TAUT_OK && !(parts.radius > 0)) {
-            status = taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0", parts.radius, 0,
+            status = taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", parts.radius, 0,
                                "the blend begins on its own axis: it has no radius");
         }
     }

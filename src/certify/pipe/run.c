@@ -66,18 +66,18 @@ static taut_status find_pieces(taut_pipe_run_parts *run, taut_arena *arena, taut
         run->surfaces[run->count] = surface;
         run->curves[run->count] = taut_pipe_curve(run->model, axis);
         if (run->curves[run->count++] == NULL) {
-            return taut_fail(error, TAUT_BAD_INPUT, "/curves", taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", taut_none, taut_none,
                              "surface \"%s\" of a run has no curve \"%s\"", name, axis);
         }
     }
     if (taut_record_kind_of(told) == TAUT_RECORD_LIST && taut_record_count(told) != blends) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", (double)blends,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", (double)blends,
                          (double)taut_record_count(told),
                          "the details tell of %zu blends, of which %zu are here",
                          taut_record_count(told), blends);
     }
     if (run->count == 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", 0, 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", 0, 1,
                          "a run has surfaces \"pipe1\", \"blend1\", ...");
     }
     return TAUT_OK;
@@ -377,7 +377,7 @@ taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_probl
         find_data(&run);
         run.parts.line.closed = is_closed(&run);
         if (!(run.parts.radius > 0)) {
-            status = taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0", run.parts.radius, 0,
+            status = taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", run.parts.radius, 0,
                                "the run begins on its own axis: it has no radius");
         }
     }

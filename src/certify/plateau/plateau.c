@@ -63,7 +63,7 @@ static int is_known(const request *r, int i, int j)
 
 static taut_status wrong_detail(const char *where, const char *what, taut_error *error)
 {
-    return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+    return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
                      "the model does not tell %s: make it again", what);
 }
 
@@ -103,7 +103,7 @@ static taut_status read_details(const taut_record *details, request *r, taut_err
     r->tolerance = taut_record_number(taut_record_get(details, "tolerance"));
     r->boundary_only = strcmp(known, "boundary") == 0;
     if (!r->boundary_only && strcmp(known, "all") != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/details/known", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/details/known", taut_none, taut_none,
                          "the model does not say which points were known: give the problem the "
                          "model was made from too");
     }
@@ -128,7 +128,7 @@ static taut_status read_request(const taut_model *model, const taut_plateau_prob
     const double deviation = taut_record_number(taut_record_get(details, "deviation"));
 
     if (problem != NULL && !has_boundary(problem)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "the problem needs four curves, or two bases, points and which of them "
                          "are known");
     }
@@ -136,7 +136,7 @@ static taut_status read_request(const taut_model *model, const taut_plateau_prob
     r->problem = problem;
     r->deviation = deviation > 0 && isfinite(deviation) ? deviation : 0;
     if (r->surface == NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/surfaces", 0, 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", 0, 1,
                          "the model has no surface, expected the one of its problem");
     }
     r->nu = taut_basis_count(taut_surface_u(r->surface));
@@ -150,11 +150,11 @@ static taut_status read_request(const taut_model *model, const taut_plateau_prob
         is_normal = problem->method == TAUT_PLATEAU_NORMAL;
     } else if (taut_basis_count(problem->net.u) != r->nu ||
                taut_basis_count(problem->net.v) != r->nv) {
-        status = taut_fail(error, TAUT_BAD_INPUT, "/surfaces/0/points", taut_none, taut_none,
-                           "the model's net is %d by %d, the problem's %d by %d: they do not "
-                           "belong together",
-                           r->nu, r->nv, taut_basis_count(problem->net.u),
-                           taut_basis_count(problem->net.v));
+        status = taut_fail(
+            error, TAUT_BAD_INPUT, "value", "/surfaces/0/points", taut_none, taut_none,
+            "the model's net is %d by %d, the problem's %d by %d: they do not "
+            "belong together",
+            r->nu, r->nv, taut_basis_count(problem->net.u), taut_basis_count(problem->net.v));
     } else {
         r->tolerance = problem->tolerance;
         is_normal = problem->method == TAUT_PLATEAU_NORMAL &&

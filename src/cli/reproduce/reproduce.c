@@ -23,7 +23,9 @@ static taut_status make(const char *name, cli_subject *subject, taut_error *erro
     taut_status status = TAUT_OK;
     clear(subject);
     if (file == NULL) {
-        *error = (taut_error){TAUT_INTERNAL, 0, 0, "", "a row names an example that is not there"};
+        *error = (taut_error){.status = TAUT_INTERNAL,
+                              .reason = "fault",
+                              .message = "a row names an example that is not there"};
         return TAUT_INTERNAL;
     }
     status = taut_problem_read_text(file->text, file->length, file->name, &subject->problem, error);

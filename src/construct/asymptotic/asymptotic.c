@@ -59,7 +59,7 @@ static taut_status check_size(const double *corners, const double center[3], con
         far = fmax(far, fabs(corners[k]));
     }
     if (isfinite(far) && *size > 0 && 0.5 * DBL_EPSILON * far > most_rounding * *size) {
-        return taut_fail(error, TAUT_BAD_INPUT, where, 0.5 * DBL_EPSILON * far / *size,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, 0.5 * DBL_EPSILON * far / *size,
                          most_rounding,
                          "coordinates of %.3g hold the corners, %.3g from their mean, to %.1e of "
                          "that only, expected %.0e at the most: move the origin nearer",
@@ -68,7 +68,7 @@ static taut_status check_size(const double *corners, const double center[3], con
     if (isfinite(center[0]) && isfinite(center[1]) && isfinite(center[2]) && *size > 0 &&
         !(*size >= least_size && *size <= most_size)) {
         return taut_fail(
-            error, TAUT_BAD_INPUT, where, *size, taut_none,
+            error, TAUT_BAD_INPUT, "value", where, *size, taut_none,
             "the corners lie %.3g from their mean, expected %.0e to %.0e: take another "
             "unit of length",
             *size, least_size, most_size);
@@ -99,7 +99,7 @@ static taut_status check_points(const taut_quad *quad, taut_error *error)
         for (int j = 0; j <= quad->degree; j++) {
             const double w = quad->edges[e].weights[j];
             if (!(w >= least_weight && w <= 1 / least_weight)) {
-                return taut_fail(error, TAUT_BAD_INPUT, "/curves", w, taut_none,
+                return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", w, taut_none,
                                  "weights of %s are %.3g of those at the corners, expected %.0e to "
                                  "%.0e",
                                  taut_asymptotic_edge_name(e), w, least_weight, 1 / least_weight);
@@ -109,7 +109,7 @@ static taut_status check_points(const taut_quad *quad, taut_error *error)
             const double *const p = quad->edges[e].points[j];
             const double far = fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]));
             if (!(far <= most_size)) {
-                return taut_fail(error, TAUT_BAD_INPUT, "/curves", far, most_size,
+                return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", far, most_size,
                                  "a control point of %s has a coordinate of %.3g, expected %.0e at "
                                  "the most",
                                  taut_asymptotic_edge_name(e), far, most_size);
@@ -209,7 +209,7 @@ static taut_status check_regular(const work *w, taut_error *error)
     for (int e = 0; e < 4; e++) {
         const double at = taut_ribbon_singular(&w->ribbons[e]);
         if (isfinite(at)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "", at, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", at, taut_none,
                              "edge %s is singular at parameter %.6f: its normal would have to "
                              "turn over (sigma %+d and %+d at its ends, no inflection between); "
                              "other legs, or \"singular\": \"report\", build it",
@@ -288,7 +288,7 @@ static taut_status fill_low(const taut_asymptotic_problem *problem, const taut_m
                             work *w, taut_error *error)
 {
     if (problem->free_all) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/free", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/free", taut_none, taut_none,
                          "the free alpha belong to surface \"5n-7\": leave out \"free\" or "
                          "\"surface\"");
     }
@@ -361,7 +361,7 @@ static taut_status fill_model(const taut_asymptotic_problem *problem, const work
     const taut_asymptotic_story story = {
         .quad = &w->quad,
         .patch = &w->patch,
-        .ribbons = problem->surface == TAUT_ASYMPTOTIC_5N_7 ? w->ribbons : NULL,
+        .ribbons = problem->surface == TAUT_BIDEGREE_5N_MINUS_7 ? w->ribbons : NULL,
         .branches = w->branches.count > 0 ? &w->branches : NULL,
         .curve_energy = w->curve_energy,
         .patch_energy = w->patch_energy,
@@ -387,7 +387,7 @@ static taut_status fill_model(const taut_asymptotic_problem *problem, const work
 static taut_status build(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
                          taut_arena *arena, work *w, taut_model *model, taut_error *error)
 {
-    const int low = problem->surface == TAUT_ASYMPTOTIC_N_3;
+    const int low = problem->surface == TAUT_BIDEGREE_N_PLUS_3;
     taut_status status = find_quad(problem, monitor, w, error);
     if (status == TAUT_OK) {
         status = taut_quad_check(&w->quad, error);
@@ -414,7 +414,7 @@ taut_status taut_asymptotic_make(const taut_asymptotic_problem *problem,
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_asymptotic_make needs a problem and a place for the model");
     }
     arena = taut_arena_new();

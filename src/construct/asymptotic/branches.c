@@ -73,7 +73,7 @@ static taut_status fail_none(const taut_corner_data *data, int allowed, double g
     if (gap != 0.0) {
         return taut_closing_fail(data, gap, 1, error);
     }
-    return taut_fail(error, TAUT_NOT_CONVERGED, "/edges", taut_none, taut_none,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/edges", taut_none, taut_none,
                      "the curve energy has no minimum in any of the %d sign branches that the "
                      "corner data allows, from several starts each",
                      allowed);
@@ -90,7 +90,8 @@ static taut_status find_with(const taut_family *family, const taut_corner_data *
     for (int code = 0; code < TAUT_BRANCHES_MAX && status == TAUT_OK; code++) {
         int signs[4];
         if (stopped(monitor, code)) {
-            status = taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped");
+            status = taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                               "stopped");
         } else if (signs_of(data, code, signs) && family->allows(room, signs)) {
             allowed++;
             family->minimise(room, signs, branch);
@@ -176,6 +177,6 @@ taut_status taut_branch_choose(const taut_asymptotic_problem *problem,
         }
         (void)snprintf(list + strlen(list), sizeof list - strlen(list), " %s", found);
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "/branch", taut_none, taut_none,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/branch", taut_none, taut_none,
                      "there is no branch %s; those that exist:%s", asked, list);
 }

@@ -69,7 +69,7 @@ taut_status taut_quad_check_closed(const taut_quad *quad, taut_error *error)
         if (!(gap <= most)) {
             char text[160];
             turned_text(quad, most, text);
-            return taut_fail(error, TAUT_NO_SOLUTION, "/curves", gap, most,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/curves", gap, most,
                              "curves %s and %s do not meet at corner %s: the gap is %.3g%s", first,
                              second, taut_asymptotic_corner_name(c), gap, text);
         }

@@ -34,7 +34,7 @@ static int finite_all(int count, const double *x)
 
 static taut_status bad(taut_error *error, const char *where, double found, const char *what)
 {
-    return taut_fail(error, TAUT_BAD_INPUT, where, found, taut_none, "%s", what);
+    return taut_fail(error, TAUT_BAD_INPUT, "value", where, found, taut_none, "%s", what);
 }
 
 static taut_status check_edge(const taut_asymptotic_problem *problem, int e, taut_error *error)
@@ -93,7 +93,7 @@ static taut_status check_corners(const taut_asymptotic_problem *problem, taut_er
         const int *const c = taut_corner_of_edge[e];
         const double length = taut_distance(problem->corners[c[0]], problem->corners[c[1]]);
         if (!(length > 0) || !isfinite(length)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/corners", length, 0.0,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/corners", length, 0.0,
                              "edge %s begins and ends at the same corner point",
                              taut_asymptotic_edge_name(e));
         }
@@ -105,8 +105,9 @@ taut_status taut_corner_check(const taut_asymptotic_problem *problem, taut_error
 {
     taut_status status = TAUT_OK;
     if (problem->degree < 3 || problem->degree > TAUT_QUAD_DEGREE) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/degree", problem->degree, TAUT_QUAD_DEGREE,
-                         "the degree of the boundary must be 3 to %d", TAUT_QUAD_DEGREE);
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/degree", problem->degree,
+                         TAUT_QUAD_DEGREE, "the degree of the boundary must be 3 to %d",
+                         TAUT_QUAD_DEGREE);
     }
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
         status = check_edge(problem, e, error);
@@ -129,7 +130,7 @@ static taut_status check_straight(const taut_corner_edge *edge, int e, double ro
         taut_cross(edge->leg[k], chord, normal);
         if (taut_norm(normal) > (off_chord * length + 4 * rounding) * taut_norm(edge->leg[k]) ||
             !(along > 0) || !(along < length)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/edges",
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges",
                              taut_norm(normal) / (length * taut_norm(edge->leg[k])), off_chord,
                              "edge %s has curvature 0 at its ends, but leg %d does not lie along "
                              "the chord and within it: a straight edge's legs must",
@@ -156,7 +157,7 @@ static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, doub
         edge->curvature[k] = problem->edges[e].curvature[k];
         sine = taut_norm(edge->normal[k]) / (taut_norm(leg) * taut_norm(other));
         if (!(sine >= least_sine)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/edges", sine, least_sine,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", sine, least_sine,
                              "the legs of %s and %s are parallel at corner %s: they must span the "
                              "tangent plane",
                              taut_asymptotic_edge_name(e), taut_asymptotic_edge_name(f->edge),

@@ -62,7 +62,7 @@ static taut_status fail_planar(const cubic *c, int e, const double rest[3], taut
     sine[0] = taut_norm(cross[0]) / taut_norm(c->legs[e]);
     sine[1] = taut_norm(cross[1]) / taut_norm(rest);
     return taut_fail(
-        error, TAUT_NO_SOLUTION, "/edges", fmin(sine[0], sine[1]), planar_cut,
+        error, TAUT_NO_SOLUTION, "no-solution", "/edges", fmin(sine[0], sine[1]), planar_cut,
         "edge %s cannot bend at corner %s: its first control point and that corner lie "
         "along the line common to the tangent planes at its ends; turn its leg or "
         "those it meets",
@@ -88,7 +88,7 @@ static taut_status fill_edge(cubic *c, int e, double normals[4][3], taut_error *
     if (edge->straight) { /* whatever the planes at its ends are */
         memcpy(edge->direction, chord, sizeof chord);
     } else if (!(sine > plane_cut)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/edges", sine, plane_cut,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", sine, plane_cut,
                          "the tangent planes at the two ends of edge %s are one plane (or "
                          "undefined): turn its leg or those it meets",
                          taut_asymptotic_edge_name(e));
@@ -220,14 +220,14 @@ static taut_status fail_closing(cubic *c, taut_error *error)
 {
     const double gap = c->closing;
     if (!nearest_legs(c)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", gap, closing_cut,
                          "the torsions cannot close around the four corners: they miss it by a "
                          "factor of %.9g, which no weights and no free length mend; change the "
                          "legs",
                          exp(gap));
     }
     return taut_fail(
-        error, TAUT_NO_SOLUTION, "/edges", gap, closing_cut,
+        error, TAUT_NO_SOLUTION, "no-solution", "/edges", gap, closing_cut,
         "the torsions miss closing around the corners by a factor of %.12g; nearest "
         "legs: v0 [%.15g,%.15g,%.15g] v1 [%.15g,%.15g,%.15g] u0 [%.15g,%.15g,%.15g] u1 "
         "[%.15g,%.15g,%.15g]",
@@ -282,7 +282,7 @@ static taut_status solve(const cubic *c, taut_branches *branches, taut_error *er
         const double scale = best_scale(c, &rule, c->edges[e].chain);
         const double s = c->edges[e].scale * scale;
         if (!isfinite(s) || !(fabs(s) > 0)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/edges", s, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", s, taut_none,
                              "the curve energy of edge %s has no minimum with a free length "
                              "that is not zero",
                              taut_asymptotic_edge_name(e));

@@ -37,7 +37,7 @@ static taut_status fail_at(int c, const char *where, double ends[4][2], const ch
 {
     const taut_quad_meeting *const m = taut_quad_corner[c];
     const double w0 = ends[m[0].edge][m[0].end], w1 = ends[m[1].edge][m[1].end];
-    return taut_fail(error, TAUT_NO_SOLUTION, where, w0 / w1, 1.0,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, w0 / w1, 1.0,
                      "the end weights of %s and %s differ at corner %s (%.6g and %.6g): %s",
                      taut_asymptotic_edge_name(m[0].edge), taut_asymptotic_edge_name(m[1].edge),
                      taut_asymptotic_corner_name(c), w0, w1, text);

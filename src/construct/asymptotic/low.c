@@ -49,7 +49,7 @@ static taut_status check_regular(const taut_low *l, taut_error *error)
                 to = middle;
             }
         }
-        return taut_fail(error, TAUT_NO_SOLUTION, "", from, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", from, taut_none,
                          "edge %s is singular at parameter %.6f: its normal would have to turn "
                          "over (sigma %+d and %+d at its ends, no inflection between); other legs, "
                          "or \"singular\": \"report\", build it",
@@ -65,7 +65,8 @@ static taut_status check_inflections(const taut_quad *quad, taut_error *error)
         taut_ribbon ribbon;
         taut_ribbon_fill(quad, e, &ribbon);
         if (ribbon.inflections > 0) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "", ribbon.inflection[0], taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", ribbon.inflection[0],
+                             taut_none,
                              "edge %s has an inflection at parameter %.6f, where the patch of "
                              "degree n+3 would be singular: take surface \"5n-7\"",
                              taut_asymptotic_edge_name(e), ribbon.inflection[0]);
@@ -165,7 +166,7 @@ static taut_status find(search *s, int report_singular, double *energy, taut_err
     taut_patch_boundary(s->low.quad, s->patch);
     taut_low_limit(&s->low, s->patch, &s->limits);
     if (!taut_low_nearest(&s->limits, NULL, zero, x)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "", taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", taut_none, taut_none,
                          "no corner twists keep the weights of the patch of degree n+3 positive "
                          "and its boundary regular: take surface \"5n-7\"");
     }

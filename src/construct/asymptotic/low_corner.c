@@ -132,7 +132,8 @@ static taut_status normal_part(const taut_low *l, int c, double part[3], taut_er
     }
     if (count == 2 &&
         !(fabs(found[0] - found[1]) <= plane_match * size + noise * taut_dot(normal, normal))) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "", (found[0] - found[1]) / size, plane_match,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", (found[0] - found[1]) / size,
+                         plane_match,
                          "the edges have no common twist at corner %s, because their torsions are "
                          "not opposite",
                          taut_asymptotic_corner_name(c));

@@ -187,7 +187,8 @@ static taut_status triangularise(plate *p, const taut_monitor *monitor, taut_err
     for (int a = 0; a < p->nodes; a++) {
         if (monitor != NULL && monitor->progress != NULL &&
             monitor->progress(monitor->context, 0.5 + 0.5 * a / p->nodes, "inner points") != 0) {
-            return taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped");
+            return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                             "stopped");
         }
         for (int b = 0; b < p->nodes; b++) {
             fill_node(p, a, b);
@@ -294,7 +295,7 @@ static void add_bubbles(const plate *p, const double *c, int component)
 
 static taut_status fail_singular(taut_error *error)
 {
-    return taut_fail(error, TAUT_NOT_CONVERGED, NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, taut_none, taut_none,
                      "the least-squares problem for the inner points is singular");
 }
 

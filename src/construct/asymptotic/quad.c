@@ -158,17 +158,18 @@ static taut_status common_degree(const taut_curve *const curves[4], int *degree,
         char where[32];
         (void)snprintf(where, sizeof where, "/curves/%s", edge_names[a]);
         if (curves[a] == NULL) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
                              "curve %s is missing: all four are needed", edge_names[a]);
         }
         t = taut_curve_t(curves[a]);
         if (strcmp(taut_basis_type(t), "bezier") != 0 || taut_basis_lo(t) != 0.0 ||
             taut_basis_hi(t) != 1.0) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
                              "curve %s must be a bezier curve over [0, 1]", edge_names[a]);
         }
         if (taut_basis_degree(t) > TAUT_QUAD_DEGREE) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, taut_basis_degree(t), TAUT_QUAD_DEGREE,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_basis_degree(t),
+                             TAUT_QUAD_DEGREE,
                              "curve %s has degree %d: boundary curves have degree at most %d",
                              edge_names[a], taut_basis_degree(t), TAUT_QUAD_DEGREE);
         }

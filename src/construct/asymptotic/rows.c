@@ -88,7 +88,7 @@ static taut_status check_weights(const taut_patch *patch, taut_error *error)
         for (int k = 1; k < patch->m; k++) {
             const double w = taut_patch_at(patch, e, 1, k)[3];
             if (!(w > 0) || !isfinite(w)) {
-                return taut_fail(error, TAUT_NO_SOLUTION, "", w, 0.0,
+                return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", w, 0.0,
                                  "weight %d beside edge %s comes out as %.3g: take end weights and "
                                  "curvatures that differ less, or surface \"n+3\"",
                                  k, taut_asymptotic_edge_name(e), w);

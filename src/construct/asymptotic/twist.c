@@ -52,7 +52,7 @@ static taut_status match(const taut_quad *quad, int c, taut_ribbon ribbons[4], d
     noise *= taut_norm(ribbons[m[0].edge].tangent[m[0].end]) *
              taut_norm(ribbons[m[1].edge].tangent[m[1].end]);
     if (!(taut_norm(miss) <= twist_match * fmax(taut_norm(twist), taut_norm(slope[0])) + noise)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "", taut_norm(miss), taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", taut_norm(miss), taut_none,
                          "the ribbons of %s and %s have no common twist at corner %s: they differ "
                          "by %.3g of it, because their torsions are not opposite",
                          taut_asymptotic_edge_name(m[0].edge), taut_asymptotic_edge_name(m[1].edge),

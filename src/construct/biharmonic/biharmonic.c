@@ -21,14 +21,15 @@ static taut_status check_pattern(const taut_biharmonic_problem *problem, taut_er
         for (int j = 0; j < nv; j++) {
             const int edge = i == 0 || i == nu - 1 || j == 0 || j == nv - 1;
             if ((problem->known[i * nv + j] != 0) != edge) {
-                return taut_fail(error, TAUT_BAD_INPUT, "/points", taut_none, taut_none,
+                return taut_fail(error, TAUT_BAD_INPUT, "value", "/points", taut_none, taut_none,
                                  "expected the four boundary rows, and null inside");
             }
         }
     }
     if (nu != nv) {
-        return taut_fail(error, TAUT_NO_SOLUTION, nu < nv ? "/u/degree" : "/v/degree",
-                         nu < nv ? nu - 1 : nv - 1, nu < nv ? nv - 1 : nu - 1,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution",
+                         nu < nv ? "/u/degree" : "/v/degree", nu < nv ? nu - 1 : nv - 1,
+                         nu < nv ? nv - 1 : nu - 1,
                          "four rows determine a biharmonic surface of one degree both ways, found "
                          "%d and %d: raise the lower one",
                          nu - 1, nv - 1);
@@ -39,7 +40,8 @@ static taut_status check_pattern(const taut_biharmonic_problem *problem, taut_er
 static taut_status check_amplification(int degree, double amplification, taut_error *error)
 {
     if (!(amplification <= amplification_limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/u/degree", amplification, amplification_limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/u/degree", amplification,
+                         amplification_limit,
                          "rounding in four rows of degree %d would grow more than %.0e times: the "
                          "result would mean nothing (a lower degree is better)",
                          degree, amplification_limit);
@@ -135,17 +137,17 @@ static taut_status check_problem(const taut_biharmonic_problem *problem, taut_er
     if (problem == NULL ||
         (problem->surface == NULL && (problem->u == NULL || problem->v == NULL ||
                                       problem->points == NULL || problem->known == NULL))) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a biharmonic problem needs two bases and points, or a surface");
     }
     if (problem->surface == NULL && (strcmp(taut_basis_type(problem->u), "bezier") != 0 ||
                                      strcmp(taut_basis_type(problem->v), "bezier") != 0)) {
-        return taut_fail(error, TAUT_BAD_INPUT,
+        return taut_fail(error, TAUT_BAD_INPUT, "value",
                          strcmp(taut_basis_type(problem->u), "bezier") != 0 ? "/u" : "/v",
                          taut_none, taut_none, "expected a basis of type \"bezier\"");
     }
     if (problem->surface != NULL && problem->contact != 1 && problem->contact != 2) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/contact", problem->contact, 2,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/contact", problem->contact, 2,
                          "contact of order %d, expected 1 or 2", problem->contact);
     }
     return TAUT_OK;

@@ -284,7 +284,8 @@ static taut_status check_digits(const neighbour *b, double amplification, double
                          pow(fmax(1, b->given.ratio), b->contact);
 
     if (!(amplification <= amplification_limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", amplification, amplification_limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", amplification,
+                         amplification_limit,
                          "rounding in the surface of degree %d would grow %.3g times in its "
                          "neighbour, past %.0e: least bending would not be found (a narrower "
                          "neighbour or a lower degree is better; \"insist\": true builds it all "
@@ -292,7 +293,7 @@ static taut_status check_digits(const neighbour *b, double amplification, double
                          b->n, amplification, amplification_limit);
     }
     if (!(miss <= limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/width", miss, limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/width", miss, limit,
                          "the rows that meet would be missed by %.3g of the size, past %.1e: on a "
                          "rectangle of %.3g by %.3g too few digits are left at degree %d (a width "
                          "nearer to the length of the edge or a lower degree is better; "
@@ -344,13 +345,13 @@ static taut_status check(const taut_neighbour *given, int insist, taut_error *er
         return taut_fail_memory(error);
     }
     if (given->n != given->m || given->n > TAUT_SPACE_DEGREE_MAX) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", given->n, given->m,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", given->n, given->m,
                          "a biharmonic neighbour needs one degree both ways, at most %d, found %d "
                          "and %d",
                          TAUT_SPACE_DEGREE_MAX, given->n, given->m);
     }
     if (given->n > DEGREE_MAX && !insist) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", given->n, DEGREE_MAX,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", given->n, DEGREE_MAX,
                          "a neighbour of degree %d, expected at most %d: rounding leaves little of "
                          "least bending beyond, and finding it takes up to minutes (a lower degree "
                          "is better; \"insist\": true builds it all the same, up to degree %d)",
@@ -358,7 +359,7 @@ static taut_status check(const taut_neighbour *given, int insist, taut_error *er
     }
     residual = taut_neighbour_residual(given, 2, scratch);
     if (!(residual <= limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", residual, limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", residual, limit,
                          "not biharmonic: the surface's scaled residual is %.3g, expected at most "
                          "%.0e over its own rectangle",
                          residual, limit);

@@ -157,7 +157,8 @@ static taut_status fill_model(const taut_bonnet_problem *problem, const taut_mon
                            model, error);
         if (status == TAUT_OK && monitor->progress != NULL &&
             monitor->progress(monitor->context, (i + 1.0) / frames, "frames") != 0) {
-            status = taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped");
+            status = taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                               "stopped");
         }
     }
     if (status == TAUT_OK) {
@@ -177,7 +178,7 @@ taut_status taut_bonnet_make(const taut_bonnet_problem *problem, const taut_make
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_bonnet_make needs a problem and a place for the model");
     }
     status = taut_bonnet_check(problem, error);

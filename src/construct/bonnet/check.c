@@ -19,24 +19,24 @@ static taut_status check_lambda(const taut_bonnet_problem *problem, taut_error *
         const double lambda = problem->lambda[i];
         const char *where = problem->frames > 1 ? (i == 0 ? "/lambda/0" : "/lambda/1") : "/lambda";
         if (!isfinite(lambda)) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, lambda, 1,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, lambda, 1,
                              "lambda is not a finite number");
         }
         if (lambda < 0) {
-            return taut_fail(error, TAUT_NO_SOLUTION, where, lambda, 0,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, lambda, 0,
                              "lambda is %.17g, expected 0 or more: the other sign is this surface "
                              "turned by pi about the y axis",
                              lambda);
         }
         if (lambda > 1) {
-            return taut_fail(error, TAUT_NO_SOLUTION, where, lambda, 1,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, lambda, 1,
                              "lambda is %.17g, expected less than 1 (or 1 with \"normalize\": "
                              "true): beyond, 1 - lambda^2 has no real root",
                              lambda);
         }
         if (lambda == 1 && !problem->normalize) {
             return taut_fail(
-                error, TAUT_NO_SOLUTION, where, lambda, 1,
+                error, TAUT_NO_SOLUTION, "no-solution", where, lambda, 1,
                 "lambda is %.17g, expected less than 1, where the surface grows without "
                 "bound: \"normalize\": true has lambda = 1, Enneper's surface",
                 lambda);
@@ -55,30 +55,32 @@ static double widest(const taut_bonnet_problem *problem)
 static taut_status check_lengths(const taut_bonnet_problem *problem, taut_error *error)
 {
     if (!(problem->alpha > 0) || !isfinite(problem->alpha)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/alpha", problem->alpha, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/alpha", problem->alpha, 0,
                          "alpha is %.17g, expected a positive length", problem->alpha);
     }
     if (!(problem->beta > 0) || !isfinite(problem->beta)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/beta", problem->beta, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/beta", problem->beta, 0,
                          "beta is %.17g, expected a positive length", problem->beta);
     }
     if (!isfinite(problem->start[0]) || !isfinite(problem->start[1]) || !isfinite(problem->theta)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "", taut_none, taut_none, "a number is not finite");
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
+                         "a number is not finite");
     }
     if (problem->bspline && problem->alpha >= pi) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/alpha", problem->alpha, pi,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/alpha", problem->alpha, pi,
                          "alpha is %.17g, expected less than pi, where the four functions of a "
                          "c-bspline become dependent: use more segments",
                          problem->alpha);
     }
     if (!problem->bspline && !problem->normalize && problem->alpha > pi) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/alpha", problem->alpha, pi,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/alpha", problem->alpha, pi,
                          "alpha is %.17g, expected at most pi for one c-bezier segment: use "
                          "\"mesh\": \"bspline\" with more segments",
                          problem->alpha);
     }
     if (problem->normalize && widest(problem) * problem->alpha > pi) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/alpha", problem->alpha, pi / widest(problem),
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/alpha", problem->alpha,
+                         pi / widest(problem),
                          "alpha is %.17g, expected at most pi / sqrt(1 - lambda^2) = %.6g for one "
                          "segment: make it of two windows",
                          problem->alpha, pi / widest(problem));
@@ -94,13 +96,13 @@ static taut_status check_far(const taut_bonnet_problem *problem, double scale, t
     const double most = scale > 0 ? fmin(farthest / scale, farthest_enneper) : farthest_enneper;
 
     if (fabs(start) > most) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/start/1", start, most,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/start/1", start, most,
                          "the window begins at v = %.6g, expected at most %.6g in size: beyond, "
                          "curvatures overflow. Begin nearer to 0, where the surface has its waist",
                          start, most);
     }
     if (fabs(end) > most) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/beta", end, most,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/beta", end, most,
                          "the window reaches v = %.6g, expected at most %.6g in size: beyond, "
                          "curvatures overflow. From its start a beta of up to %.6g will do",
                          end, most, (most - start) / segments);
@@ -116,7 +118,7 @@ static taut_status check_window(const taut_bonnet_problem *problem, taut_error *
 
     for (int d = 0; d < 2; d++) {
         if (fabs(problem->start[d]) > farthest_start * lengths[d]) {
-            return taut_fail(error, TAUT_BAD_INPUT, d == 0 ? "/start/0" : "/start/1",
+            return taut_fail(error, TAUT_BAD_INPUT, "value", d == 0 ? "/start/0" : "/start/1",
                              problem->start[d], farthest_start * lengths[d],
                              "the window begins at %.6g, expected at most %g of its lengths from "
                              "zero: u may be moved by 2 pi",
@@ -124,7 +126,8 @@ static taut_status check_window(const taut_bonnet_problem *problem, taut_error *
         }
     }
     if (problem->normalize && fabs(problem->start[0]) + problem->alpha > farthest_enneper) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/alpha", problem->alpha, farthest_enneper,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/alpha", problem->alpha,
+                         farthest_enneper,
                          "the window reaches %.6g in p, expected at most %g: beyond, curvatures "
                          "overflow",
                          fabs(problem->start[0]) + problem->alpha, farthest_enneper);
@@ -142,26 +145,28 @@ static double points_of(const taut_bonnet_problem *problem)
 static taut_status check_rest(const taut_bonnet_problem *problem, taut_error *error)
 {
     if (problem->sign != 1 && problem->sign != -1) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/sign", problem->sign, 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/sign", problem->sign, 1,
                          "expected \"+\" or \"-\"");
     }
     if (problem->normalize && (problem->sign != -1 || problem->bspline)) {
-        return taut_fail(error, TAUT_BAD_INPUT, problem->bspline ? "/mesh" : "/sign", taut_none,
-                         taut_none, "the normalised family has sign \"-\" and mesh \"bezier\"");
+        return taut_fail(error, TAUT_BAD_INPUT, "value", problem->bspline ? "/mesh" : "/sign",
+                         taut_none, taut_none,
+                         "the normalised family has sign \"-\" and mesh \"bezier\"");
     }
     if (!problem->bspline && (problem->segments[0] > 1 || problem->segments[1] > 1)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/segments", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/segments", taut_none, taut_none,
                          "the quasi-Bezier mesh has one segment: use \"mesh\": \"bspline\"");
     }
     if (problem->segments[0] < 0 || problem->segments[1] < 0 ||
         problem->segments[0] > TAUT_COUNT_MAX / 2 || problem->segments[1] > TAUT_COUNT_MAX / 2 ||
         problem->frames < 0 || problem->frames > TAUT_OBJECTS_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/segments", taut_none, TAUT_COUNT_MAX / 2,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/segments", taut_none, TAUT_COUNT_MAX / 2,
                          "segments and frames must be at least 1 and not more than taut takes");
     }
     if (points_of(problem) > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, problem->frames > 1 ? "/frames" : "/segments",
-                         points_of(problem), TAUT_POINTS_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "value",
+                         problem->frames > 1 ? "/frames" : "/segments", points_of(problem),
+                         TAUT_POINTS_MAX,
                          "the surfaces have %.0f points in all, expected at most %d",
                          points_of(problem), TAUT_POINTS_MAX);
     }

@@ -46,7 +46,7 @@ static taut_status take(taut_dirichlet_system *system, double log_aspect, double
 
 static taut_status no_aspect(int towards_infinity, taut_error *error)
 {
-    return taut_fail(error, TAUT_NO_SOLUTION, "/aspect", taut_none, taut_none,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/aspect", taut_none, taut_none,
                      "the energy keeps falling as the aspect goes to %s: the surface shrinks to a "
                      "curve, so no aspect is best; give a number",
                      towards_infinity ? "infinity" : "0");

@@ -34,7 +34,7 @@ typedef struct outcome {
 static taut_status check_basis(const taut_basis *basis, const char *where, taut_error *error)
 {
     if (strcmp(taut_basis_type(basis), "ce-bezier") == 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
                          "a basis of type \"ce-bezier\" is for curves, expected any other type");
     }
     return TAUT_OK;
@@ -45,8 +45,8 @@ static taut_status check_place(const char *member, size_t index, int nv, double 
 {
     char where[64];
     snprintf(where, sizeof where, "/%s/%zu/%zu", member, index / (size_t)nv, index % (size_t)nv);
-    return taut_fail(error, TAUT_BAD_INPUT, where, found, taut_none, "found %.17g, expected %s",
-                     found, expected);
+    return taut_fail(error, TAUT_BAD_INPUT, "value", where, found, taut_none,
+                     "found %.17g, expected %s", found, expected);
 }
 
 static taut_status check_numbers(const taut_dirichlet_problem *problem, taut_error *error)
@@ -69,7 +69,7 @@ static taut_status check_numbers(const taut_dirichlet_problem *problem, taut_err
         }
     }
     if (known == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/points", 0, 1,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", 0, 1,
                          "no point of the net is known, so every surface that is a single point "
                          "has the least energy: give at least one point");
     }
@@ -81,18 +81,18 @@ static taut_status check(const taut_dirichlet_problem *problem, taut_error *erro
     taut_status status = TAUT_OK;
     if (problem == NULL || problem->u == NULL || problem->v == NULL || problem->points == NULL ||
         problem->known == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a dirichlet problem needs two bases, points and which of them are known");
     }
     if (problem->aspect < 0 || !isfinite(problem->aspect)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/aspect", problem->aspect, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/aspect", problem->aspect, 0,
                          "aspect is %.17g, expected a positive number or \"auto\"",
                          problem->aspect);
     }
     const double count =
         (double)taut_basis_count(problem->u) * (double)taut_basis_count(problem->v);
     if (count > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/points", count, TAUT_POINTS_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/points", count, TAUT_POINTS_MAX,
                          "%.0f control points, expected at most %d", count, TAUT_POINTS_MAX);
     }
     status = check_basis(problem->u, "/u", error);
@@ -102,7 +102,7 @@ static taut_status check(const taut_dirichlet_problem *problem, taut_error *erro
     if (status == TAUT_OK && problem->weights != NULL &&
         !(taut_basis_allows_weights(problem->u) && taut_basis_allows_weights(problem->v))) {
         return taut_fail(
-            error, TAUT_BAD_INPUT, "/weights", taut_none, taut_none,
+            error, TAUT_BAD_INPUT, "value", "/weights", taut_none, taut_none,
             "a basis of type \"%s\" carries no weights",
             taut_basis_type(taut_basis_allows_weights(problem->u) ? problem->v : problem->u));
     }
@@ -135,7 +135,8 @@ static taut_status unscale_net(const taut_dirichlet_problem *problem, size_t cou
     }
     for (size_t i = 0; i < 3 * count; i++) {
         if (!isfinite(net[i])) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/points", taut_none, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", taut_none,
+                             taut_none,
                              "a point of the solution is beyond the range of double precision: "
                              "scale the points down");
         }
@@ -288,7 +289,7 @@ taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
         return status;
     }
     if (model == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_dirichlet_make needs a place for the model");
     }
     net = taut_alloc_aligned(3 * (size_t)taut_basis_count(problem->u) *

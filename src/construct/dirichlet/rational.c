@@ -310,7 +310,7 @@ taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form)
 
 taut_status taut_dirichlet_rational_refuse(const taut_dirichlet_rational *form, taut_error *error)
 {
-    return taut_fail(error, TAUT_NOT_CONVERGED, "/weights", taut_none, taut_none,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/weights", taut_none, taut_none,
                      "the weights vary too much from point to point: the integrals ask for more "
                      "than %d x %d Gauss nodes on each of %d x %d panels; bring the weights nearer "
                      "to each other",

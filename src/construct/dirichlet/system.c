@@ -136,7 +136,7 @@ static taut_status solver_failed(taut_status status, taut_error *error)
     if (status == TAUT_NO_MEMORY) {
         return taut_fail_memory(error);
     }
-    return taut_fail(error, TAUT_NOT_CONVERGED, NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, taut_none, taut_none,
                      "the system is too ill-conditioned for double precision: the knots, the "
                      "degree or the weights are too extreme (%s)",
                      taut_status_text(status));
@@ -226,7 +226,7 @@ taut_status taut_dirichlet_stopped(const taut_dirichlet_system *system, taut_err
     const taut_monitor *monitor = system->monitor;
     if (monitor != NULL && monitor->progress != NULL &&
         monitor->progress(monitor->context, taut_none, "solving") != 0) {
-        return taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
                          "stopped while solving");
     }
     return TAUT_OK;
@@ -356,7 +356,7 @@ taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double as
     }
     limit = rounding_of(system, net);
     if (status == TAUT_OK && !(omega <= limit)) {
-        status = taut_fail(error, TAUT_NOT_CONVERGED, NULL, omega, limit,
+        status = taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, omega, limit,
                            "the residual of the system stays at %.3g, expected at most %.3g after "
                            "%d iterations: the known points hardly determine the others; lower the "
                            "degree, or bring the weights nearer to each other",

@@ -61,14 +61,14 @@ static taut_status refuse(const taut_harmonic_task *task, double defect, double 
                           taut_error *error)
 {
     if (task->problem->from_derivative) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/cross_derivative", defect, limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/cross_derivative", defect, limit,
                          "inconsistent derivative: the degree %d is even and the top difference of "
                          "the cross derivative is %.6g, not 0; \"even\": \"raise\" gives bidegree "
                          "(%d, %d)",
                          task->m, defect, task->n + 1, task->m);
     }
     return taut_fail(
-        error, TAUT_NO_SOLUTION, "/points", defect, limit,
+        error, TAUT_NO_SOLUTION, "no-solution", "/points", defect, limit,
         "inconsistent boundary: the degree %d is even and the top differences of the two "
         "rows differ by %.6g, not 0; \"even\" can be \"corner\", \"project\" or \"raise\"",
         task->m, defect);
@@ -84,7 +84,7 @@ taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error)
 
     if (task->m % 2 != 0 || task->n != task->m) {
         if (task->corner_missing) {
-            return taut_fail(error, TAUT_BAD_INPUT, "/points", taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", "/points", taut_none, taut_none,
                              "the last point of the second row is null, but this bidegree does not "
                              "decide it");
         }

@@ -120,7 +120,7 @@ taut_status taut_harmonic_collect(taut_harmonic_task *task, taut_error *error)
     if (is_two_lines(task, 0) || is_two_lines(task, 1)) {
         return collect_lines(task, error);
     }
-    return taut_fail(error, TAUT_BAD_INPUT, "/points", taut_none, taut_none,
+    return taut_fail(error, TAUT_BAD_INPUT, "value", "/points", taut_none, taut_none,
                      "expected two opposite boundary rows, or two opposite columns, and null "
                      "everywhere else");
 }

@@ -42,7 +42,7 @@ static taut_status line_of(const taut_harmonic_task *task, int side, taut_exact_
 
 static taut_status refuse(const taut_harmonic_task *task, double defect, taut_error *error)
 {
-    return taut_fail(error, TAUT_NO_SOLUTION,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution",
                      task->problem->from_derivative ? "/cross_derivative" : "/points", defect, 0,
                      "inconsistent %s: the degree %d is even and the top difference is %.6g, not "
                      "exactly 0; \"even\" can mend it",

@@ -63,7 +63,7 @@ static taut_status complete_g1(const taut_neighbour *e,
     }
     if (n < m) {
         return taut_fail(
-            error, TAUT_NO_SOLUTION, "/surface", n, m,
+            error, TAUT_NO_SOLUTION, "no-solution", "/surface", n, m,
             "a neighbour with the same tangent planes needs degree %d across the edge, "
             "found %d",
             m, n);
@@ -72,7 +72,7 @@ static taut_status complete_g1(const taut_neighbour *e,
     taut_top_difference(m, cross, top);
     const double defect = fmax(fabs(top[0]), fmax(fabs(top[1]), fabs(top[2])));
     if (m % 2 == 0 && n == m && defect > limit) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/beta", defect * e->frame.size,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/beta", defect * e->frame.size,
                          limit * e->frame.size,
                          "inconsistent derivative: the degree %d is even, so \"beta\" must be 0 "
                          "here (the top difference is %.6g)",
@@ -90,7 +90,7 @@ static taut_status check_problem(const taut_harmonic_extension_problem *problem,
     taut_status status = TAUT_OK;
 
     if (surface == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an extension needs a surface");
     }
     status = taut_neighbour_check(surface, problem->width, error);
@@ -98,14 +98,14 @@ static taut_status check_problem(const taut_harmonic_extension_problem *problem,
         return status;
     }
     if (problem->neighbour != NULL && (problem->width > 0 || problem->contact != TAUT_CONTACT_C1)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/neighbour", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/neighbour", taut_none, taut_none,
                          "found \"neighbour\" beside \"width\" or contact \"g1\": it has a width, "
                          "and must be the surface carried on");
     }
     if (problem->contact == TAUT_CONTACT_G1 &&
         !(problem->c > 0 && isfinite(problem->c) && isfinite(problem->alpha) &&
           isfinite(problem->beta))) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/c", problem->c, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/c", problem->c, 0,
                          "bad parameter: c is %.17g, expected a positive number", problem->c);
     }
     return TAUT_OK;
@@ -129,7 +129,7 @@ static taut_status check_exact(const taut_surface *surface, taut_error *error)
         return taut_fail_memory(error);
     }
     if (status == TAUT_OK && residual > 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/surface", residual, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", residual, 0,
                          "not harmonic in rational arithmetic: the surface's residual is %.3g, "
                          "not 0; coordinates written as texts such as \"3/4\" are not rounded",
                          residual);
@@ -206,7 +206,7 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
     taut_status status = check_problem(problem, error);
 
     if (status == TAUT_OK && exact && problem->contact == TAUT_CONTACT_G1) {
-        status = taut_fail(error, TAUT_BAD_ARGUMENT, "/contact", taut_none, taut_none,
+        status = taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/contact", taut_none, taut_none,
                            "contact \"g1\" is not done in rational arithmetic");
     }
     if (status != TAUT_OK) {
@@ -233,7 +233,7 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
         const double residual = taut_neighbour_residual(&e, 1, scratch);
         const double limit = fmax(harmonic_limit, 4 * DBL_EPSILON * taut_frame_reach(&e.frame));
         if (!(residual <= limit)) {
-            status = taut_fail(error, TAUT_NO_SOLUTION, "/surface", residual, limit,
+            status = taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", residual, limit,
                                "not harmonic: the surface's scaled residual is %.3g, expected at "
                                "most %.0e over its own rectangle",
                                residual, limit);

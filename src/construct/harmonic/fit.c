@@ -12,16 +12,16 @@ static taut_status check_pattern(const taut_harmonic_problem *problem, taut_erro
         for (int j = 0; j < nv; j++) {
             const int edge = i == 0 || i == nu - 1 || j == 0 || j == nv - 1;
             if ((problem->known[i * nv + j] != 0) != edge) {
-                return taut_fail(error, TAUT_BAD_INPUT, "/points", taut_none, taut_none,
+                return taut_fail(error, TAUT_BAD_INPUT, "value", "/points", taut_none, taut_none,
                                  "expected, with \"fit\", the four boundary rows and null inside");
             }
         }
     }
     if (nu - 1 > TAUT_SPACE_DEGREE_MAX || nv - 1 > TAUT_SPACE_DEGREE_MAX) {
         const int degree = nu > nv ? nu - 1 : nv - 1;
-        return taut_fail(error, TAUT_NO_SOLUTION, nu > nv ? "/u/degree" : "/v/degree", degree,
-                         TAUT_SPACE_DEGREE_MAX, "\"fit\" goes to degree %d, found %d",
-                         TAUT_SPACE_DEGREE_MAX, degree);
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution",
+                         nu > nv ? "/u/degree" : "/v/degree", degree, TAUT_SPACE_DEGREE_MAX,
+                         "\"fit\" goes to degree %d, found %d", TAUT_SPACE_DEGREE_MAX, degree);
     }
     return TAUT_OK;
 }

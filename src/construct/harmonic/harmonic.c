@@ -37,7 +37,7 @@ static taut_status check_amplification(const taut_harmonic_task *task, taut_erro
 {
     if (!(task->amplification <= amplification_limit) && !task->problem->insist) {
         return taut_fail(
-            error, TAUT_NO_SOLUTION, "", task->amplification, amplification_limit,
+            error, TAUT_NO_SOLUTION, "no-solution", "", task->amplification, amplification_limit,
             "rounding in the data would grow %.3g times, past %.0e: the result would mean "
             "nothing (\"insist\": true builds it all the same; a lower degree or data "
             "from one edge is better)",
@@ -50,7 +50,8 @@ static taut_status check_degrees(const taut_harmonic_task *task, taut_error *err
 {
     if (task->n < task->m) {
         return taut_fail(
-            error, TAUT_NO_SOLUTION, task->turned ? "/v/degree" : "/u/degree", task->n, task->m,
+            error, TAUT_NO_SOLUTION, "no-solution", task->turned ? "/v/degree" : "/u/degree",
+            task->n, task->m,
             "rows of degree %d need degree %d across them for a harmonic surface, found %d",
             task->m, task->m % 2 != 0 ? task->m : task->m + 1, task->n);
     }
@@ -76,7 +77,8 @@ static taut_status complete(taut_harmonic_task *task, taut_error *error)
     taut_frame_leave(&task->frame, points, task->net);
     for (size_t i = 0; i < 3 * points; i++) {
         if (!isfinite(task->net[i])) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "", task->amplification, amplification_limit,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", task->amplification,
+                             amplification_limit,
                              "the control points overflow: degree %d amplifies the data %.3g times",
                              task->m, task->amplification);
         }
@@ -215,12 +217,12 @@ static taut_status check_problem(const taut_harmonic_problem *problem, taut_erro
     if (problem == NULL || problem->u == NULL || problem->v == NULL ||
         (problem->from_derivative ? problem->edge == NULL || problem->cross_derivative == NULL
                                   : problem->points == NULL || problem->known == NULL)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a harmonic problem needs two bases and its data");
     }
     if (strcmp(taut_basis_type(problem->u), "bezier") != 0 ||
         strcmp(taut_basis_type(problem->v), "bezier") != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT,
+        return taut_fail(error, TAUT_BAD_INPUT, "value",
                          strcmp(taut_basis_type(problem->u), "bezier") != 0 ? "/u" : "/v",
                          taut_none, taut_none, "expected a basis of type \"bezier\"");
     }
@@ -237,7 +239,8 @@ static taut_status check_exact(taut_harmonic_task *task, taut_error *error)
     for (int i = 0; status == TAUT_OK && i < 3 * (task->n + 1) * (task->m + 1); i++) {
         if (!isfinite(task->net[i])) {
             return taut_fail(
-                error, TAUT_NO_SOLUTION, "", task->amplification, amplification_limit,
+                error, TAUT_NO_SOLUTION, "no-solution", "", task->amplification,
+                amplification_limit,
                 "the control points are too large for doubles: degree %d amplifies the "
                 "data %.3g times",
                 task->m, task->amplification);
@@ -251,7 +254,7 @@ static taut_status solve(taut_harmonic_task *task, int exact, taut_error *error)
 {
     taut_status status = TAUT_OK;
     if (exact && task->problem->fit) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "/fit", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/fit", taut_none, taut_none,
                          "\"fit\" is not done in rational arithmetic");
     }
     if (task->problem->fit) {

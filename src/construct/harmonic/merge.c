@@ -16,7 +16,7 @@ taut_status taut_neighbour_match(const taut_neighbour *e, double *width, taut_er
     const taut_status status = taut_neighbour_check(other, 0, error);
 
     if (status != TAUT_OK) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/neighbour", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/neighbour", taut_none, taut_none,
                          "expected a polynomial surface on \"bezier\" bases");
     }
     const int n = taut_basis_degree(taut_surface_u(given));
@@ -24,7 +24,7 @@ taut_status taut_neighbour_match(const taut_neighbour *e, double *width, taut_er
     const int other_n = taut_basis_degree(taut_surface_u(other));
     const int other_m = taut_basis_degree(taut_surface_v(other));
     if (n != other_n || m != other_m) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/neighbour", taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/neighbour", taut_none, taut_none,
                          "not the same surface: the neighbour's degrees are %d and %d, the "
                          "surface's %d and %d",
                          other_n, other_m, n, m);
@@ -97,7 +97,7 @@ taut_status taut_neighbour_compare(const taut_neighbour *e, const taut_surface *
         status = differ(e, beyond, &apart, error);
     }
     if (status == TAUT_OK && (apart || !(gap <= limit))) {
-        status = taut_fail(error, TAUT_NO_SOLUTION, "/neighbour", gap, limit,
+        status = taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/neighbour", gap, limit,
                            "not the same surface: carried on across %s the surface misses the "
                            "neighbour's points by %.3g (u and v must run alike in both)",
                            taut_edge_name(e->edge), gap);

@@ -33,7 +33,7 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
     const double edge = e->reversed ? lo : hi;
     const double end = taut_neighbour_end(e, edge, e->reversed ? hi - reach : lo + reach);
     if (end == edge || !(fabs(end) <= TAUT_PARAMETER_MAX)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/width", width, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/width", width, taut_none,
                          "bad parameter: the width %.17g from the edge at %.17g leads to %.17g, "
                          "expected another parameter, at most %g in absolute value",
                          width, edge, end, TAUT_PARAMETER_MAX);
@@ -62,11 +62,11 @@ taut_status taut_neighbour_check(const taut_surface *surface, double width, taut
     if (strcmp(taut_basis_type(taut_surface_u(surface)), "bezier") != 0 ||
         strcmp(taut_basis_type(taut_surface_v(surface)), "bezier") != 0 ||
         taut_surface_weights(surface) != NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/surface", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surface", taut_none, taut_none,
                          "expected a polynomial surface on \"bezier\" bases");
     }
     if (!(width >= 0) || !isfinite(width)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/width", width, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/width", width, 0,
                          "bad parameter: width is %.17g, expected a positive number", width);
     }
     return TAUT_OK;

@@ -39,12 +39,12 @@ static taut_status check_options(const taut_panels_options *options, taut_error 
     const double vertices = (panels_along(options, 0) + 1.0) * (panels_along(options, 1) + 1.0);
     if ((options->kind != TAUT_PANELS_CONICAL && options->kind != TAUT_PANELS_CIRCULAR) ||
         options->divide[0] < 0 || options->divide[1] < 0) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "panels are conical or circular, and their numbers positive");
     }
     if (panels_along(options, 0) >= TAUT_COUNT_MAX || panels_along(options, 1) >= TAUT_COUNT_MAX ||
         vertices > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, NULL, vertices, TAUT_POINTS_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", NULL, vertices, TAUT_POINTS_MAX,
                          "%.0f vertices, expected at most %d", vertices, TAUT_POINTS_MAX);
     }
     return TAUT_OK;
@@ -56,7 +56,7 @@ static taut_status check_theta(double theta, taut_error *error)
     if (fabs(sin(theta)) <= 1e-9) {
         return TAUT_OK;
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "/theta", theta, 0,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/theta", theta, 0,
                      "theta is %.6g, expected 0: the panels follow lines of curvature, which the "
                      "parameter lines of other associates are not",
                      theta);
@@ -95,7 +95,8 @@ static taut_status fill(const making *m, const taut_panels_window *window, int t
             } else {
                 const double share = taut_panels_conical(window, a, b, x);
                 if (!(share > least_share)) {
-                    return taut_fail(error, TAUT_NO_SOLUTION, NULL, share, least_share,
+                    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, share,
+                                     least_share,
                                      "the tangent planes of such large panels do not meet near "
                                      "the surface: use more panels");
                 }
@@ -252,7 +253,7 @@ static taut_status add_member(making *m, const taut_surface *surface, taut_error
     taut_status status = taut_surface_recognise(surface, &f, error);
 
     if (status == TAUT_OK && f.lambda == 1) {
-        status = taut_fail(error, TAUT_NO_SOLUTION, NULL, f.lambda, 1,
+        status = taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, f.lambda, 1,
                            "this is Enneper's surface: make its panels from its problem, with "
                            "\"normalize\": true and \"lambda\": 1");
     }
@@ -285,7 +286,8 @@ static taut_status step(const making *m, double part, taut_error *error)
 {
     const taut_monitor *monitor = &m->options->monitor;
     return monitor->progress != NULL && monitor->progress(monitor->context, part, "panels") != 0
-               ? taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped")
+               ? taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                           "stopped")
                : TAUT_OK;
 }
 
@@ -299,7 +301,7 @@ taut_status taut_panels_of_bonnet(const taut_bonnet_problem *problem,
     taut_status status = TAUT_OK;
 
     if (problem == NULL || panels == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_panels_of_bonnet needs a problem and a place for the panels");
     }
     status = taut_bonnet_make(problem, NULL, &made, error); /* is it legal? */
@@ -331,7 +333,7 @@ taut_status taut_panels_of_model(const taut_model *model, const taut_panels_opti
     taut_status status = TAUT_OK;
 
     if (model == NULL || panels == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_panels_of_model needs a model and a place for the panels");
     }
     status = begin(options != NULL ? options : &none, &m, error);
@@ -339,7 +341,8 @@ taut_status taut_panels_of_model(const taut_model *model, const taut_panels_opti
         status = taut_model_set_unit(m.model, taut_model_unit(model));
     }
     if (status == TAUT_OK && taut_model_surface_count(model) == 0) {
-        status = taut_fail(error, TAUT_NO_SOLUTION, "/surfaces", 0, 1, "the model has no surface");
+        status = taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surfaces", 0, 1,
+                           "the model has no surface");
     }
     for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(model); i++) {
         const taut_surface *surface = taut_model_surface(model, i);
@@ -366,10 +369,10 @@ taut_status taut_panels_of_problem(const taut_problem *problem, const taut_panel
     taut_status status = TAUT_OK;
 
     if (problem == NULL || panels == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_panels_of_problem needs a problem and a place for the panels");
     }
-    if (strcmp(taut_problem_construct(problem), "bonnet") == 0) {
+    if (strcmp(taut_problem_construction(problem), "bonnet") == 0) {
         status = taut_panels_of_bonnet(problem->data, options, &made, error);
         if (status == TAUT_OK) {
             (void)taut_model_set_unit(made, problem->unit); /* a problem has no unknown unit */

@@ -14,7 +14,7 @@ static const double length_min = 1e-90, length_max = 1e90;
 taut_status taut_pipe_check_length(double value, const char *where, taut_error *error)
 {
     if (!(value >= length_min && value <= length_max)) {
-        return taut_fail(error, TAUT_BAD_INPUT, where, value, length_min,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, value, length_min,
                          "found %.17g, expected a positive length (1e-90 to 1e90)", value);
     }
     return TAUT_OK;
@@ -24,7 +24,7 @@ taut_status taut_pipe_check_point(const double point[3], const char *where, taut
 {
     for (int k = 0; k < 3; k++) {
         if (!(fabs(point[k]) <= length_max)) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, point[k], length_max,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, point[k], length_max,
                              "a coordinate is %.17g, expected at most 1e90 in size", point[k]);
         }
     }
@@ -46,7 +46,7 @@ static taut_status check_end(const taut_pipe_end *end, const char *where, double
     }
     length = taut_norm(end->direction);
     if (status == TAUT_OK && !(length >= length_min)) {
-        return taut_fail(error, TAUT_BAD_INPUT, place, length, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", place, length, 0,
                          "the direction is zero: which way does the pipe flow?");
     }
     snprintf(place, sizeof place, "%s/handle", where);
@@ -68,25 +68,25 @@ static taut_status check_shape(const taut_pipe_problem *p, taut_error *error)
     for (int k = 0; k < 3 && p->shape == TAUT_PIPE_SHAPE_GIVEN; k++) {
         const double low = -3, high = k == 1 ? 3 : 1;
         if (!(fabs(shape[k]) <= shape_max)) {
-            return taut_fail(error, isfinite(shape[k]) ? TAUT_NO_SOLUTION : TAUT_BAD_INPUT,
+            return taut_fail(error, isfinite(shape[k]) ? TAUT_NO_SOLUTION : TAUT_BAD_INPUT, "value",
                              names[k], shape[k], shape_max,
                              "PARAMETER_DOMAIN: %s is %g, expected at most 1000 in size",
                              names[k] + 7, shape[k]);
         }
         if (k == 1 && p->joint == TAUT_PIPE_CURVATURE_JOINT && shape[k] != 0) {
-            return taut_fail(error, TAUT_NO_SOLUTION, names[k], shape[k], 0,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", names[k], shape[k], 0,
                              "PARAMETER_DOMAIN: beta is %.17g, but has no part in a \"g2\" joint: "
                              "leave it out",
                              shape[k]);
         }
         if (k != 1 && shape[k] <= low) {
-            return taut_fail(error, TAUT_NO_SOLUTION, names[k], shape[k], low,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", names[k], shape[k], low,
                              "TANGENT_LOST: %s is %.17g; at -3 the axis stands still at the joint, "
                              "below it turns back: take more than -3",
                              names[k] + 7, shape[k]);
         }
         if (!p->extended && !(shape[k] >= low && shape[k] <= high)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, names[k], shape[k],
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", names[k], shape[k],
                              shape[k] > high ? high : low,
                              "PARAMETER_DOMAIN: %s is %.17g, outside [%g, %g]: the axis may leave "
                              "the hull of its polygon (\"domain\": \"extended\" allows it)",
@@ -123,7 +123,7 @@ static taut_status find_feet(taut_pipe_task *task, taut_error *error)
     taut_cross(task->directions[0], task->directions[1], n);
     square = taut_dot(n, n);
     if (!(square > parallel * parallel)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/axes", sqrt(square), parallel,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/axes", sqrt(square), parallel,
                          "PARALLEL_AXES: parallel lines have no common perpendicular of their own; "
                          "give \"from\" and \"to\" instead, where each pipe ends");
     }
@@ -215,7 +215,7 @@ static taut_status check_section(const taut_pipe_section *section, const char *w
         status = taut_pipe_check_point(section->direction, place, error);
     }
     if (status == TAUT_OK && !(taut_norm(section->direction) >= length_min)) {
-        return taut_fail(error, TAUT_BAD_INPUT, place, 0, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", place, 0, 0,
                          "the direction is zero: where does the semi-axis a point?");
     }
     return status;
@@ -233,7 +233,7 @@ taut_status taut_pipe_begin(taut_pipe_task *task, taut_error *error)
         status = taut_pipe_check_length(p->radii[side], side == 0 ? "/radii/0" : "/radii/1", error);
     }
     if (status == TAUT_OK && elliptic && unlike) {
-        status = taut_fail(error, TAUT_BAD_INPUT, "/radii", taut_none, taut_none,
+        status = taut_fail(error, TAUT_BAD_INPUT, "value", "/radii", taut_none, taut_none,
                            "found radii beside sections, expected one of them");
     }
     for (int side = 0; side < 2 && status == TAUT_OK && elliptic; side++) {
@@ -317,7 +317,7 @@ static taut_status check_sizes(const taut_pipe_task *task, taut_error *error)
     }
     for (int i = 0; i < 9; i++) {
         if (sizes[i] > 0 && sizes[i] < least) {
-            return taut_fail(error, TAUT_NO_SOLUTION, names[i], sizes[i], least,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", names[i], sizes[i], least,
                              "TOO_SMALL: %.6g is lost in the rounding of coordinates of this size; "
                              "move the origin near, or take more than %.6g",
                              sizes[i], least);
@@ -342,7 +342,8 @@ taut_status taut_pipe_settle(taut_pipe_task *task, taut_error *error)
         const double rounding = 0x1p-50 * fmax(largest(a), largest(b)) / task->scale;
         task->handles[side] = taut_norm(task->edges[2 * side]);
         if (!(task->handles[side] > rounding)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, side == 0 ? "/polygon/1" : "/polygon/2",
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution",
+                             side == 0 ? "/polygon/1" : "/polygon/2",
                              task->scale * task->handles[side], task->scale * rounding,
                              "DEGENERATE_EDGE: V_%d and V_%d coincide, so that pipe %d has no "
                              "direction: move them apart",

@@ -216,7 +216,7 @@ taut_status taut_pipe_choose_shape(taut_pipe_task *task, taut_error *error)
     s.goal =
         task->problem->shape == TAUT_PIPE_LEAST_CURVATURE ? TAUT_PIPE_CURVATURE : TAUT_PIPE_BENDING;
     if (search_from_grid(3, lo, hi, plain, shape_merit, &s, task->shape) >= cusped) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/shape", taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/shape", taut_none, taut_none,
                          "NOT_REGULAR: the axis has a cusp with all shape numbers tried; move an "
                          "end aside, turn a direction, or give other handles");
     }

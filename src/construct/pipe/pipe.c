@@ -54,13 +54,15 @@ taut_status taut_pipe_judge_bends(const taut_pipe_task *task, const char *name, 
 {
     const double least = task->scale / task->bend.curvature, asked = task->problem->bend_radius;
     if (taut_pipe_bend_is_cusp(&task->bend)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/shape", task->bend.least_speed, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/shape", task->bend.least_speed,
+                         0,
                          "NOT_REGULAR: %s has a cusp at t = %.6g; other shape numbers or shorter "
                          "handles avoid it",
                          name, task->bend.least_speed_at);
     }
     if (asked * task->bend.curvature > task->scale) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/bend_radius", asked, TAUT_PIPE_ROOM * least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/bend_radius", asked,
+                         TAUT_PIPE_ROOM * least,
                          "BEND_RADIUS: %s bends with a radius of %.12g at t = %.6g; a bend radius "
                          "below %.12g would work, or more room between its ends",
                          name, least, task->bend.curvature_at, TAUT_PIPE_ROOM * least);
@@ -85,7 +87,7 @@ static taut_status judge(taut_pipe_task *task, taut_error *error)
     if (!(task->radius * task->reach.curvature < 1)) {
         char rest[128];
         taut_pipe_say_radius(rho, rest, sizeof rest);
-        return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
                          "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
                          "curvature %.12g, at t = %.6g; %s",
                          a, task->scale / task->reach.curvature, task->reach.curvature_at, rest);
@@ -95,7 +97,7 @@ static taut_status judge(taut_pipe_task *task, taut_error *error)
         place_of(task, task->reach.binding[1], to, sizeof to);
         char rest[128];
         taut_pipe_say_radius(rho, rest, sizeof rest);
-        return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
                          "SELF_INTERSECT_GLOBAL: the pipe touches itself (%s; %s); %s", from, to,
                          rest);
     }
@@ -108,18 +110,18 @@ static taut_status check_frenet(const taut_pipe_task *task, taut_pipe_binormal *
 {
     const double limit = 1e-9; /* the binormal would turn through pi within 1e-9 of the axis */
     if (task->problem->joint == TAUT_PIPE_CURVATURE_JOINT) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
                          "FRENET_UNDEFINED: a \"g2\" joint has no curvature, and so no normal; use "
                          "\"rotation-minimizing\"");
     }
     taut_pipe_binormal_of(&task->arc, binormal);
     if (!(binormal->least > 0) && task->bend.curvature == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
                          "FRENET_UNDEFINED: the axis is straight and has no normal; use "
                          "\"rotation-minimizing\"");
     }
     if (!(binormal->least > limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", binormal->least, limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", binormal->least, limit,
                          "FRENET_UNDEFINED: the curvature vanishes at t = %.6g, where the normal "
                          "turns over; use \"rotation-minimizing\"",
                          binormal->least_at);
@@ -135,7 +137,7 @@ static taut_status find_ellipse(const taut_pipe_task *task, taut_pipe_ellipse *e
     const double *const directions[2] = {p->sections[0].direction, p->sections[1].direction};
     int side = 0;
     if (p->frame == TAUT_PIPE_FRENET) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
                          "FRENET_UNDEFINED: sections have frames of their own; use "
                          "\"rotation-minimizing\"");
     }
@@ -147,8 +149,9 @@ static taut_status find_ellipse(const taut_pipe_task *task, taut_pipe_ellipse *e
     ellipse->canal = 0;
     if (!taut_pipe_ellipse_turn(&task->arc, directions, ellipse, &side)) {
         return taut_fail(
-            error, TAUT_NO_SOLUTION, side == 0 ? "/sections/0/direction" : "/sections/1/direction",
-            0, 0, "SECTION_ALONG: the direction is along the axis there; give one across it");
+            error, TAUT_NO_SOLUTION, "no-solution",
+            side == 0 ? "/sections/0/direction" : "/sections/1/direction", 0, 0,
+            "SECTION_ALONG: the direction is along the axis there; give one across it");
     }
     return TAUT_OK;
 }
@@ -164,12 +167,12 @@ static taut_status find_canal(const taut_pipe_task *task, taut_pipe_ellipse *ell
     taut_pipe_jet jet;
 
     if (p->joint == TAUT_PIPE_CURVATURE_JOINT && !p->naive) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/joint", taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/joint", taut_none, taut_none,
                          "CANAL_JOINT: a canal surface is joined with \"g1\"; use that, or "
                          "\"surface\": \"naive-sweep\"");
     }
     if (p->frame == TAUT_PIPE_FRENET) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/frame", 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
                          "FRENET_UNDEFINED: radii have frames of their own; use "
                          "\"rotation-minimizing\"");
     }
@@ -185,14 +188,14 @@ static taut_status find_canal(const taut_pipe_task *task, taut_pipe_ellipse *ell
     ellipse->canal = task->radius;
     taut_pipe_canal_room_of(ellipse, &task->arc, &room);
     if (!(room.real > least)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/radii", room.real, least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radii", room.real, least,
                          "CANAL_NOT_REAL: the radius changes as fast as the axis runs at t = %.6g, "
                          "so that no envelope is there; radii nearer to each other, ends farther "
                          "apart or longer handles give one",
                          room.real_at);
     }
     if (!(room.regular > least)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/radii", room.regular, least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radii", room.regular, least,
                          "CANAL_NOT_REGULAR: the envelope has a crease at t = %.6g; smaller radii, "
                          "nearer to each other, or ends farther apart avoid it",
                          room.regular_at);
@@ -218,7 +221,7 @@ static taut_status sweep(taut_pipe_task *task, double tolerance, taut_pipe_blend
             taut_pipe_blend_make(&task->arc, task->radius, tolerance, frenet ? &binormal : NULL,
                                  elliptic ? &ellipse : NULL, task->arena, blend);
         if (status == TAUT_NO_SOLUTION) {
-            status = taut_fail(error, status, "", tolerance, taut_none,
+            status = taut_fail(error, status, "value", "", tolerance, taut_none,
                                "the tube needs more than 100000 segments for a tolerance of %g: "
                                "ask for less, or for a smaller radius",
                                tolerance);
@@ -275,9 +278,9 @@ static taut_status check_words(const taut_pipe_problem *problem, taut_error *err
 
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         if (words[i].chosen < 0 || words[i].chosen > words[i].last) {
-            return taut_fail(error, TAUT_BAD_INPUT, words[i].where, words[i].chosen, words[i].last,
-                             "found choice %d, expected one from 0 to %d", words[i].chosen,
-                             words[i].last);
+            return taut_fail(error, TAUT_BAD_INPUT, "value", words[i].where, words[i].chosen,
+                             words[i].last, "found choice %d, expected one from 0 to %d",
+                             words[i].chosen, words[i].last);
         }
     }
     return TAUT_OK;
@@ -294,11 +297,11 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_pipe_make needs a problem and a place for the model");
     }
     if (!(tolerance >= tolerance_min && isfinite(tolerance))) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, tolerance, tolerance_min,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, tolerance, tolerance_min,
                          "a tolerance of %g is below what rounding leaves: 1e-12 of the radius",
                          tolerance);
     }

@@ -122,7 +122,7 @@ taut_status taut_pipe_run_judge(taut_pipe_run *run, taut_error *error)
     rho = run->reach.radius * run->scale;
     taut_pipe_say_radius(rho, rest, sizeof rest);
     if (!(a * run->reach.curvature < run->scale)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
                          "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
                          "curvature %.12g, of %s at t = %.6g; %s",
                          a, run->scale / run->reach.curvature, c.names[run->reach.curvature_arc],
@@ -131,7 +131,7 @@ taut_status taut_pipe_run_judge(taut_pipe_run *run, taut_error *error)
     if (!(a < rho)) {
         const char *one = name_at(&c, run->reach.binding[0] * run->scale, &along[0]);
         const char *two = name_at(&c, run->reach.binding[1] * run->scale, &along[1]);
-        return taut_fail(error, TAUT_NO_SOLUTION, "/radius", a, rho,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
                          "SELF_INTERSECT_GLOBAL: %s, %.6g along it, touches %s, %.6g along it; %s",
                          one, along[0], two, along[1], rest);
     }

@@ -25,16 +25,16 @@ static taut_status check(const taut_pipe_problem *p, taut_error *error)
     const int least = p->axis == TAUT_PIPE_CORNERS && p->closed ? 3 : 2;
     taut_status status = taut_pipe_check_length(p->radius, "/radius", error);
     if (p->legs == NULL && p->leg_count > 0) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a run of %d legs needs the legs", p->leg_count);
     }
     if (status == TAUT_OK && p->leg_count < least) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/run", p->leg_count, least,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/run", p->leg_count, least,
                          "found %d, expected at least %d: a run has two pipes or more",
                          p->leg_count, least);
     }
     if (status == TAUT_OK && p->sections[0].a + p->radii[0] + p->radii[1] + p->sections[1].a != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/run", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/run", taut_none, taut_none,
                          "a run is round and of one radius: give \"radius\"");
     }
     for (int i = 0; i < p->leg_count && status == TAUT_OK; i++) {
@@ -64,13 +64,14 @@ static taut_status measure(taut_pipe_straight *s, const double *direction, doubl
     }
     snprintf(where, sizeof where, "/run/%d", at);
     if (radius < least) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/radius", radius, least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", radius, least,
                          "TOO_SMALL: %.6g is lost in the rounding of coordinates of this size; "
                          "move the origin near, or take more than %.6g",
                          radius, least);
     }
     if (s->length > 0 && s->length < fmax(least, no_length * radius)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, where, s->length, no_length * radius,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, s->length,
+                         no_length * radius,
                          "TOO_SMALL: a straight pipe of length %.6g is none; give one place with "
                          "its direction, or places farther apart than %.6g",
                          s->length, fmax(least, no_length * radius));
@@ -80,7 +81,7 @@ static taut_status measure(taut_pipe_straight *s, const double *direction, doubl
     }
     size = taut_norm(d);
     if (!(size >= 1e-90)) {
-        return taut_fail(error, TAUT_BAD_INPUT, where, size, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, size, 0,
                          "the direction is zero: which way does the pipe flow?");
     }
     for (int k = 0; k < 3; k++) {
@@ -150,7 +151,7 @@ static taut_status check_gap(const taut_pipe_run *run, int i, const taut_pipe_st
         return TAUT_OK;
     }
     snprintf(where, sizeof where, "/run/%d", (i + 1) % run->straight_count);
-    return taut_fail(error, TAUT_NO_SOLUTION, where, gap, least,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, gap, least,
                      "TOO_SMALL: the straight pipe begins where the one before it ends, which "
                      "leaves no room for blend%d; end the one earlier or begin the other later, "
                      "make one of both where they are in line, or give corners",
@@ -203,13 +204,13 @@ static taut_status check_corner(const taut_pipe_run *run, int i, const taut_pipe
         return TAUT_OK;
     }
     if (length > 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, where, length, least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, length, least,
                          "TOO_SMALL: the corner is only %.6g from the %s; leave one out, or take "
                          "more than %.6g",
                          length, again ? "first, to which the run comes back" : "one before it",
                          least);
     }
-    return taut_fail(error, TAUT_BAD_INPUT, where, 0, 0,
+    return taut_fail(error, TAUT_BAD_INPUT, "value", where, 0, 0,
                      again
                          ? "the corner is where the first is, to which a closed run comes back by "
                            "itself: leave it out"
@@ -252,7 +253,7 @@ static taut_status check_turn(const taut_pipe_straight *a, const taut_pipe_strai
     taut_cross(a->direction, b->direction, across);
     snprintf(where, sizeof where, "/run/%d", place);
     if (taut_norm(across) <= turns_not) {
-        return taut_fail(error, TAUT_NO_SOLUTION, where, 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, 0, 0,
                          "TURNS_BACK: the run turns back on itself at this corner; two corners, "
                          "more than two radii apart, make a bend of it");
     }
@@ -386,7 +387,7 @@ static taut_status fail_short(const taut_pipe_run *run, int leg, int place, doub
                  "radius below that",
                  needed, largest * (1 - digits));
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, where, run->bend_radius, largest,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, run->bend_radius, largest,
                      "LEG_TOO_SHORT: with a bend radius of %.12g%s the elbows take more than the "
                      "leg of %.6g that begins here; %s",
                      run->bend_radius,
@@ -425,7 +426,7 @@ static taut_status lay_corners(taut_pipe_run *run, taut_error *error)
         join_legs(run, places);
     }
     if (status == TAUT_OK && run->elbow_count < 1) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/run", 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/run", 0, 0,
                          "RUN_STRAIGHT: no corner turns, so that the run is one cylinder; give a "
                          "corner off the line");
     }

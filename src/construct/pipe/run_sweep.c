@@ -67,7 +67,7 @@ static taut_status sweep(taut_pipe_run *run, taut_pipe_elbow *e, double toleranc
     status = taut_pipe_blend_make(&task->arc, task->radius, tolerance, NULL, &circle, run->arena,
                                   &e->blend);
     if (status == TAUT_NO_SOLUTION) {
-        return taut_fail(error, status, "", tolerance, taut_none,
+        return taut_fail(error, status, "value", "", tolerance, taut_none,
                          "%s needs more than 100000 segments for a tolerance of %g: ask for less, "
                          "or for a smaller radius",
                          e->name, tolerance);

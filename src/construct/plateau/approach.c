@@ -41,7 +41,7 @@ taut_status taut_plateau_approach(taut_film *film, const taut_dirichlet_form *fo
     taut_free(directions);
     taut_free(moved);
     if (status == TAUT_INTERRUPTED) {
-        return taut_fail(error, status, NULL, taut_none, taut_none, "stopped on request");
+        return taut_fail(error, status, "value", NULL, taut_none, taut_none, "stopped on request");
     }
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : TAUT_OK;
 }

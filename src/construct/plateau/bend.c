@@ -4,7 +4,7 @@
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <math.h>
 #include <string.h>

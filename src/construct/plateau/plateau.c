@@ -27,11 +27,11 @@ static taut_status check_start(const taut_plateau_problem *problem, taut_error *
         char where[64];
         snprintf(where, sizeof where, "/start/points/%zu/%zu", at / (size_t)nv, at % (size_t)nv);
         if (!isfinite(problem->start[i])) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, problem->start[i], taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, problem->start[i], taut_none,
                              "found %.17g, expected a finite number", problem->start[i]);
         }
         if (problem->net.known[at] && problem->start[i] != problem->net.points[i]) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, problem->start[i],
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, problem->start[i],
                              problem->net.points[i],
                              "the start has %.17g where the known point of the net has %.17g",
                              problem->start[i], problem->net.points[i]);
@@ -46,24 +46,25 @@ static taut_status check_tolerance_area(const taut_plateau_problem *problem, tau
     const int nu = taut_basis_count(problem->net.u), nv = taut_basis_count(problem->net.v);
 
     if (tolerance != 0 && !(tolerance >= TAUT_PLATEAU_AREA_MIN && tolerance < 1)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", tolerance, TAUT_PLATEAU_AREA_MIN,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/tolerance_area", tolerance,
+                         TAUT_PLATEAU_AREA_MIN,
                          "tolerance_area is %.17g, expected a number from %g on and below 1",
                          tolerance, TAUT_PLATEAU_AREA_MIN);
     }
     if (tolerance != 0 && (problem->refine > 0 || problem->start != NULL)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/tolerance_area", taut_none, taut_none,
                          "tolerance_area finds its own spaces: expected neither refine nor start "
                          "beside it");
     }
     if (tolerance != 0 && (double)nu * nv > TAUT_PLATEAU_ADAPTED_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance_area", (double)nu * nv,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/tolerance_area", (double)nu * nv,
                          TAUT_PLATEAU_ADAPTED_MAX,
                          "tolerance_area cannot put knots into a net of %d by %d points, expected "
                          "at most %d: take fewer, or refine",
                          nu, nv, TAUT_PLATEAU_ADAPTED_MAX);
     }
     if (problem->curves[0] != NULL && problem->start != NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/start", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/start", taut_none, taut_none,
                          "found a start beside curves, expected none: its boundary would not be "
                          "theirs");
     }
@@ -80,7 +81,8 @@ static taut_status check_refine(const taut_plateau_problem *problem, taut_error 
                           (taut_basis_count(v) + more * taut_basis_span_count(v));
 
     if (problem->refine > 0 && points > TAUT_PLATEAU_REFINED_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/refine", points, TAUT_PLATEAU_REFINED_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/refine", points,
+                         TAUT_PLATEAU_REFINED_MAX,
                          "refine is %d, and makes a net of %.0f points, expected at most %d",
                          problem->refine, points, TAUT_PLATEAU_REFINED_MAX);
     }
@@ -96,25 +98,25 @@ static taut_status check(const taut_plateau_problem *problem, taut_error *error)
 
     if (net->u == NULL || net->v == NULL || (curves != 0 && curves != 4) ||
         (curves == 0 && (net->points == NULL || net->known == NULL))) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a problem of least area needs two bases, and a net or four curves");
     }
     if (!(problem->tolerance >= 0) || problem->tolerance >= 1) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/tolerance", problem->tolerance, 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/tolerance", problem->tolerance, 1,
                          "tolerance is %.17g, expected a number above 0 and below 1",
                          problem->tolerance);
     }
     if (problem->max_iterations < 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/max_iterations", problem->max_iterations, 0,
-                         "max_iterations is %d, expected at least 1", problem->max_iterations);
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/max_iterations", problem->max_iterations,
+                         0, "max_iterations is %d, expected at least 1", problem->max_iterations);
     }
     if (problem->method != TAUT_PLATEAU_FULL && problem->method != TAUT_PLATEAU_NORMAL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/method", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/method", taut_none, taut_none,
                          "expected the method \"full\" or \"normal\"");
     }
     if (problem->refine < 0 || problem->refine > TAUT_PLATEAU_REFINE_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "/refine", problem->refine, TAUT_PLATEAU_REFINE_MAX,
-                         "refine is %d, expected 0 to %d", problem->refine,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/refine", problem->refine,
+                         TAUT_PLATEAU_REFINE_MAX, "refine is %d, expected 0 to %d", problem->refine,
                          TAUT_PLATEAU_REFINE_MAX);
     }
     if (check_refine(problem, error) != TAUT_OK) {
@@ -155,7 +157,7 @@ taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_ma
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_plateau_make needs a problem and a place for the model");
     }
     options = options != NULL ? options : &none;

@@ -8,7 +8,7 @@
 
 #include "construct/plateau/bend.h"
 #include "core/fail.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <assert.h>
 #include <math.h>
@@ -182,7 +182,7 @@ static taut_status too_far(const rounds *r, double tolerance, taut_error *error)
     const int last = r->count - 1;
     const double gap = r->areas[last] / r->limits[last] - 1;
     assert(last > 0); /* the first net takes knots: see taut_plateau_make */
-    return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance_area", gap, tolerance,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/tolerance_area", gap, tolerance,
                      "with %d by %d points the area is estimated %.2g above the least, expected at "
                      "most %.2g: raise the degree, or the tolerance",
                      r->points[last][0], r->points[last][1], gap, tolerance);

@@ -102,7 +102,8 @@ static taut_status unscale(const work *w, double *points, taut_error *error)
     }
     for (size_t i = 0; i < 3 * w->count; i++) {
         if (!isfinite(points[i])) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "/points", taut_none, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", taut_none,
+                             taut_none,
                              "a point of the solution is beyond the range of double precision: "
                              "scale the points down");
         }
@@ -143,7 +144,8 @@ static taut_status film_with(work *w, int rule, taut_film **film, int *is_last, 
     *is_last = rule + 1 >= RULES || points_after(w, made, rule) > points_max;
     if (points > points_allowed(w)) {
         taut_film_free(made);
-        return taut_fail(error, TAUT_NOT_CONVERGED, "/points", points, points_allowed(w),
+        return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/points", points,
+                         points_allowed(w),
                          "the area asks for %.3g Gauss points, expected at most %.3g: the bases or "
                          "weights vary too fast for so small a net",
                          points, points_allowed(w));
@@ -251,11 +253,12 @@ static taut_status descend(work *w, taut_error *error)
         status = taut_film_descend(w->film, solver, &w->descent, w->net, error);
         w->products += taut_film_solver_products(solver);
     } else {
-        status = status == TAUT_NO_MEMORY
-                     ? taut_fail_memory(error)
-                     : taut_fail(error, TAUT_NOT_CONVERGED, NULL, taut_none, taut_none,
-                                 "the system is too ill-conditioned for double precision: the "
-                                 "knots, the degree or the weights are too extreme");
+        status =
+            status == TAUT_NO_MEMORY
+                ? taut_fail_memory(error)
+                : taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, taut_none, taut_none,
+                            "the system is too ill-conditioned for double precision: the "
+                            "knots, the degree or the weights are too extreme");
     }
     taut_film_solver_free(solver);
     return status;
@@ -271,7 +274,8 @@ static taut_status measure_first(work *w, taut_error *error)
     status = find_rule(w, w->net, &w->dirichlet_area, error);
     taut_dirichlet_form_energies(&w->form, w->net, halves);
     if (status == TAUT_OK && !(w->dirichlet_area > 1e-12 * sqrt(halves[0] * halves[1]))) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/points", w->dirichlet_area, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", w->dirichlet_area,
+                         taut_none,
                          "the known points span no area: every surface through them that has none "
                          "is a minimum; give a boundary that is not a point or a line");
     }
@@ -372,7 +376,7 @@ static taut_status check_rule(const work *w, taut_error *error)
     if (!(w->change > unsettled)) {
         return TAUT_OK;
     }
-    return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->change, unsettled,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->change, unsettled,
                      "the film folds: with %d Gauss nodes in a panel its area still changes by "
                      "%.2g of it; take fewer points, or give points inside",
                      w->film->v.nodes, w->change);

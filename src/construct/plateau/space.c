@@ -95,7 +95,7 @@ static taut_status find_corners(const taut_plateau_problem *given, double corner
         memcpy(where + 8, names[e], 2);
         const double gap = taut_distance(x, corner[c]);
         if (!(gap <= meeting * size)) {
-            return taut_fail(error, TAUT_BAD_INPUT, where, gap, meeting * size,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, gap, meeting * size,
                              "curve %s misses %s by %.3g where they should meet, expected at most "
                              "%.3g: u0 and u1 run with v, v0 and v1 with u",
                              names[e], names[seen[c]], gap, meeting * size);
@@ -124,7 +124,8 @@ static taut_status check_bases(const taut_dirichlet_problem *net, taut_error *er
     for (int k = 0; k < 2; k++) {
         const taut_basis *basis = k == 0 ? net->u : net->v;
         if (!ends_in_its_ends(basis)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, k == 0 ? "/u" : "/v", taut_none, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", k == 0 ? "/u" : "/v",
+                             taut_none, taut_none,
                              "curves cannot be the edges of a surface on this %s: its edges do not "
                              "end in its outermost points; take a bezier, c-bezier, h-bezier or "
                              "bspline basis",
@@ -150,7 +151,7 @@ static taut_status lay_curves(taut_plateau_space *space, const taut_plateau_prob
         status = taut_curve_fit(given->curves[e], e < 2 ? net->v : net->u, (const double(*)[3])ends,
                                 row, &deviation);
         if (status == TAUT_NOT_CONVERGED) {
-            status = taut_fail(error, status, "/curves", taut_none, taut_none,
+            status = taut_fail(error, status, "value", "/curves", taut_none, taut_none,
                                "curve %s cannot be fitted to the basis of its edge: the knots, "
                                "the degree or the points are too extreme",
                                names[e]);
@@ -249,10 +250,10 @@ taut_status taut_plateau_space_new(const taut_plateau_problem *given, const taut
     if (made->arena == NULL) {
         status = taut_fail_memory(error);
     } else if (has_curves && given->net.weights != NULL) {
-        status = taut_fail(error, TAUT_BAD_INPUT, "/weights", taut_none, taut_none,
+        status = taut_fail(error, TAUT_BAD_INPUT, "value", "/weights", taut_none, taut_none,
                            "found weights beside curves, expected none: curves are fitted without");
     } else if (is_refined && !has_curves && !is_frame(&given->net)) {
-        status = taut_fail(error, TAUT_BAD_INPUT, "/points", taut_none, taut_none,
+        status = taut_fail(error, TAUT_BAD_INPUT, "value", "/points", taut_none, taut_none,
                            "finer spaces need a net whose boundary is known and whose inside is "
                            "not: leave refine and tolerance_area out");
     } else if (finer != NULL || has_curves) {

@@ -307,11 +307,12 @@ static taut_status check_minimum(taut_walk *w, int *at_rest, taut_error *error)
         if (curvature < -slack) {
             *at_rest = 0;
             if (!step_off(w)) {
-                status = taut_fail(error, TAUT_NOT_CONVERGED, NULL, curvature, -slack,
-                                   "the film stands on a saddle: its area has a direction of "
-                                   "negative curvature %.3g, but no step along it was found that "
-                                   "lowers the area; give another start",
-                                   curvature);
+                status =
+                    taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, curvature, -slack,
+                              "the film stands on a saddle: its area has a direction of "
+                              "negative curvature %.3g, but no step along it was found that "
+                              "lowers the area; give another start",
+                              curvature);
             }
         }
     }
@@ -325,7 +326,8 @@ static taut_status check_film(const taut_walk *w, taut_error *error)
     const double area = w->here.value.area;
 
     if (d->has_free_edge && area < shrunk * w->start_area) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/points", area / w->start_area, shrunk,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", area / w->start_area,
+                         shrunk,
                          "a free edge lets the film shrink away: its area fell to %.3g of what "
                          "it was; make the points of that edge known",
                          area / w->start_area);
@@ -348,7 +350,8 @@ static taut_status give_up(const taut_walk *w, const char *why, taut_error *erro
     const taut_descent *d = w->descent;
     double lost = 0;
     if (d->has_free_edge) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "/points", w->here.residual, d->tolerance,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", w->here.residual,
+                         d->tolerance,
                          "with a free edge the film finds no rest (%s, residual %.3g): there may "
                          "be no least area; make the points of that edge known",
                          why, w->here.residual);
@@ -356,7 +359,7 @@ static taut_status give_up(const taut_walk *w, const char *why, taut_error *erro
     if (w->is_barred || w->here.value.least < 1.5 * w->barrier) {
         const double next = w->is_barred ? w->there.value.least : w->here.value.least;
         const double least = fmin(next, w->here.value.least);
-        return taut_fail(error, TAUT_NOT_CONVERGED, NULL, least, w->barrier,
+        return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, least, w->barrier,
                          "the film wants to fold: after %d iterations its smallest area element "
                          "goes to %.2g of the mean; take %sfewer points, or give points inside",
                          d->iterations, least,
@@ -364,13 +367,15 @@ static taut_status give_up(const taut_walk *w, const char *why, taut_error *erro
                                                                 : "the method \"normal\", or ");
     }
     if (is_creeping(w, &lost)) {
-        return taut_fail(error, TAUT_NOT_CONVERGED, "/tolerance", lost, d->tolerance,
+        return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/tolerance", lost,
+                         d->tolerance,
                          "%s after %d iterations, and five steps still lower the area by %.1e of "
                          "it, since the net slides within the surface: take the method \"normal\", "
                          "or a tolerance of %.0e",
                          why, d->iterations, lost, pow(10, ceil(log10(lost / slow))));
     }
-    return taut_fail(error, TAUT_NOT_CONVERGED, NULL, w->here.residual, d->tolerance,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->here.residual,
+                     d->tolerance,
                      "%s after %d iterations: the residual is %.3g, expected at most %.3g; the "
                      "smallest area element is %.2g of the mean (0 where the film folds)",
                      why, d->iterations, w->here.residual, d->tolerance, w->here.value.least);
@@ -436,7 +441,7 @@ taut_status taut_film_descend(taut_film *film, taut_film_solver *solver, taut_de
         if (status == TAUT_OK) {
             taut_walk_polish(&w);
         } else if (status == TAUT_INTERRUPTED) {
-            status = taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none,
+            status = taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
                                "stopped on request");
         }
         descent->work += film->work - w.first_work;

@@ -3,7 +3,7 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -78,7 +78,7 @@ static taut_status check_clamped(const taut_curve *const curves[TAUT_SIDES],
         const double *last = points + 3 * (taut_basis_count(taut_curve_t(curves[i])) - 1);
         if (!(distance(points, loose->ends[i][0]) <= 1e-12 * loose->size) ||
             !(distance(last, loose->ends[i][1]) <= 1e-12 * loose->size)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_none, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
                              "curve %d, a %s, does not begin and end in control points: convert it "
                              "to a B-spline",
                              i, taut_basis_type(taut_curve_t(curves[i])));
@@ -156,7 +156,7 @@ static taut_status refuse_gap(const taut_curve *const curves[TAUT_SIDES], const 
     char names[2][64];
     name_curve(curves[first], first, names[0], sizeof names[0]);
     name_curve(curves[second], second, names[1], sizeof names[1]);
-    return taut_fail(error, TAUT_NO_SOLUTION, NULL, gap, limit,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, gap, limit,
                      "the curves do not close: a gap of %.3g is left between %s and %s at (%.6g, "
                      "%.6g, %.6g), more than %.3g",
                      gap, names[0], names[1], at[0], at[1], at[2], limit);

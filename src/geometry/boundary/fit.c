@@ -2,7 +2,7 @@
 #include "geometry/boundary/boundary.h"
 
 #include "core/fail.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <math.h>
 #include <string.h>
@@ -87,7 +87,7 @@ static taut_status share_basis(taut_curve **curve, const taut_curve *other, taut
     taut_curve *next = NULL;
     taut_status status = TAUT_OK;
     if (taut_basis_count(taut_curve_t(*curve)) != taut_basis_count(taut_curve_t(other))) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
                          "the knots of two opposite curves lie too close to be told apart");
     }
     status = taut_curve_new(taut_curve_name(*curve), taut_curve_t(other), taut_curve_points(*curve),
@@ -111,7 +111,7 @@ static taut_status fit_quasi(const taut_curve *a, const taut_curve *b, taut_curv
                              taut_error *error)
 {
     if (!taut_basis_equal(taut_curve_t(a), taut_curve_t(b))) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
                          "opposite curves are on bases of type %s and %s that differ: give both on "
                          "the same one, or convert them to B-splines",
                          taut_basis_type(taut_curve_t(a)), taut_basis_type(taut_curve_t(b)));
@@ -202,7 +202,7 @@ static taut_status to_bezier(taut_curve **side, taut_error *error)
     taut_curve *next = NULL;
     taut_status status = TAUT_OK;
     if (!is_polynomial(*side) || taut_basis_span_count(t) != 1) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_basis_span_count(t), 1,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_basis_span_count(t), 1,
                          "a curve \"%.40s\" of type %s with %d spans, expected a Bezier curve",
                          taut_curve_name(*side), taut_basis_type(t), taut_basis_span_count(t));
     }

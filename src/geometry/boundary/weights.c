@@ -73,7 +73,7 @@ static taut_status close_weights(taut_curve *sides[TAUT_SIDES], taut_error *erro
         return TAUT_OK;
     }
     return taut_fail(
-        error, TAUT_NO_SOLUTION, NULL, off, 1,
+        error, TAUT_NO_SOLUTION, "no-solution", NULL, off, 1,
         "the weights do not agree at the corners: around them they grow by a factor of "
         "%.6g, expected 1",
         off);

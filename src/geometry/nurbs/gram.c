@@ -270,7 +270,7 @@ static taut_status raise(const taut_basis *basis, const double *weights, taut_gr
     }
     if (status == TAUT_OK && all_finite(&gram->stiffness) && !(moved <= enough)) {
         taut_gram_clear(gram);
-        return taut_fail(error, TAUT_NOT_CONVERGED, NULL, moved, enough,
+        return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, moved, enough,
                          "%d Gauss nodes on each panel leave a relative change of %.3g in the "
                          "integrals of the basis, expected at most %.3g: the weights or the shape "
                          "of the basis are too extreme",
@@ -287,7 +287,7 @@ static taut_status finish(taut_status status, taut_gram *made, taut_gram *gram, 
     }
     if (status == TAUT_OK && !(all_finite(&made->mass) && all_finite(&made->stiffness))) {
         taut_gram_clear(made);
-        status = taut_fail(error, TAUT_BAD_INPUT, "", taut_none, taut_none,
+        status = taut_fail(error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
                            "a span of the basis is too short against its range: its slopes "
                            "overflow");
     }

@@ -10,7 +10,7 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <math.h>
 #include <string.h>
@@ -75,7 +75,7 @@ static taut_status march(cutting *c, double lo, double hi, double share, double 
     while (status == TAUT_OK && lo < hi) {
         width = widest(c, lo, hi, width, share);
         if (c->count >= c->most || !(lo + width > lo)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, NULL, c->count, c->most,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, c->count, c->most,
                              "a NURBS so near needs more than %d spans one way, more than fit: ask "
                              "for a larger tolerance",
                              c->count);

@@ -21,7 +21,7 @@
 #include "geometry/nurbs/proof.h"
 
 #include "core/memory.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <math.h>
 

@@ -11,7 +11,7 @@ static taut_status check_inside(const taut_basis *basis, double t, taut_error *e
 {
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
     if (!(t > lo && t < hi)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, t, t <= lo ? lo : hi,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, t, t <= lo ? lo : hi,
                          "parameter %.17g is not inside the open range from %.17g to %.17g", t, lo,
                          hi);
     }
@@ -20,7 +20,7 @@ static taut_status check_inside(const taut_basis *basis, double t, taut_error *e
 
 static taut_status lacks(const taut_basis *basis, const char *what, taut_error *error)
 {
-    return taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
                      "a basis of type \"%s\" has no %s; convert it to NURBS first",
                      taut_basis_type(basis), what);
 }
@@ -53,10 +53,11 @@ taut_status taut_operate_elevate(const taut_basis *basis, int times, taut_change
         return lacks(basis, "degree to raise", error);
     }
     if (times < 0 || times > TAUT_DEGREE_MAX - taut_basis_degree(basis)) {
-        return taut_fail(
-            error, TAUT_BAD_ARGUMENT, NULL, times, TAUT_DEGREE_MAX - taut_basis_degree(basis),
-            "degree %d cannot be raised by %d, expected 0 to %d", taut_basis_degree(basis), times,
-            TAUT_DEGREE_MAX - taut_basis_degree(basis));
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, times,
+                         TAUT_DEGREE_MAX - taut_basis_degree(basis),
+                         "degree %d cannot be raised by %d, expected 0 to %d",
+                         taut_basis_degree(basis), times,
+                         TAUT_DEGREE_MAX - taut_basis_degree(basis));
     }
     if (times == 0) {
         return taut_change_select(&basis->spec, basis->shape.count, 0, 0, change, error);
@@ -87,7 +88,7 @@ taut_status taut_operate_rerange(const taut_basis *basis, double lo, double hi,
                                  taut_change **change, taut_error *error)
 {
     if (!(lo < hi) || !isfinite(hi - lo)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, hi - lo, 0,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, hi - lo, 0,
                          "range is [%.17g, %.17g], expected two increasing numbers", lo, hi);
     }
     return basis->ops->changes->rerange(basis, lo, hi, change, error);
@@ -115,6 +116,6 @@ void taut_operate_piece_name(const char *name, int dashes, int i, char out[TAUT_
 
 taut_status taut_operate_null(taut_error *error)
 {
-    return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                      "an object to work on, a direction, or a place for the result is missing");
 }

@@ -1,4 +1,4 @@
-/* change.h -- the changes of basis behind taut/operate.h, with their arguments checked, and
+/* change.h -- the changes of basis behind taut/operations.h, with their arguments checked, and
  * the names of pieces. */
 #ifndef TAUT_GEOMETRY_OPERATE_CHANGE_H
 #define TAUT_GEOMETRY_OPERATE_CHANGE_H

@@ -1,5 +1,5 @@
-/* curve.c -- taut/operate.h for curves: a change of basis, applied. */
-#include "taut/operate.h"
+/* curve.c -- taut/operations.h for curves: a change of basis, applied. */
+#include "taut/operations.h"
 
 #include "core/fail.h"
 #include "core/memory.h"

@@ -3,7 +3,7 @@
 #include "core/exact.h"
 #include "core/arena.h"
 #include "core/fail.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <string.h>
 
@@ -22,7 +22,7 @@ static taut_status check_surface(const taut_surface *surface, taut_error *error)
     if (strcmp(taut_basis_type(taut_surface_u(surface)), "bezier") != 0 ||
         strcmp(taut_basis_type(taut_surface_v(surface)), "bezier") != 0 ||
         taut_surface_weights(surface) != NULL) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
                          "rational arithmetic is for polynomial surfaces on \"bezier\" bases");
     }
     return TAUT_OK;

@@ -1,6 +1,6 @@
-/* model.c -- taut/operate.h for whole models: what is named is worked on, the rest copied.
+/* model.c -- taut/operations.h for whole models: what is named is worked on, the rest copied.
  */
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include "core/fail.h"
 #include "geometry/lattice.h"
@@ -113,11 +113,11 @@ static taut_status split_curve(const taut_model *model, int i, double t, taut_mo
 taut_status taut_operate_named(const taut_model *model, const char *name, taut_error *error)
 {
     if (name != NULL && !has_name(model, name, -1)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "nothing in the model has the name \"%.80s\"", name);
     }
     if (object_count(model) == 0) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "the model holds no surface and no curve");
     }
     return TAUT_OK;

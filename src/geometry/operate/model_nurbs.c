@@ -1,5 +1,5 @@
 /* model_nurbs.c -- every surface and curve of a model as NURBS, each by its own size. */
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include "core/fail.h"
 #include "geometry/operate/change.h"
@@ -58,7 +58,7 @@ static double curve_size(const taut_curve *curve)
 static taut_status over_size(taut_status status, double tolerance, double size, taut_error *error)
 {
     if (status == TAUT_BAD_ARGUMENT && error != NULL && error->limit > 0) {
-        return taut_fail(error, status, NULL, tolerance, error->limit / size,
+        return taut_fail(error, status, "value", NULL, tolerance, error->limit / size,
                          "tolerance %g (over the size, %g) is below what rounding leaves; ask for "
                          "%g at least",
                          tolerance, size, error->limit / size);

@@ -1,5 +1,5 @@
 /* model_pieces.c -- every span of every surface and curve of a model on its own. */
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include "geometry/operate/change.h"
 #include "geometry/operate/model.h"

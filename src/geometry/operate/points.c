@@ -12,7 +12,7 @@ taut_status taut_operate_points(const double *matrix, size_t count, const double
     double *made = NULL;
     for (int i = 0; i < 12; i++) {
         if (!isfinite(matrix[i])) {
-            return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, matrix[i], taut_none,
+            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, matrix[i], taut_none,
                              "a number of the matrix is not finite");
         }
     }
@@ -35,8 +35,9 @@ static taut_status too_many(taut_status status, taut_error *error)
     if (status == TAUT_NO_MEMORY) {
         return taut_fail_memory(error);
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, NULL, TAUT_OBJECTS_MAX, TAUT_OBJECTS_MAX,
-                     "a model holds at most %d surfaces and as many curves", TAUT_OBJECTS_MAX);
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, TAUT_OBJECTS_MAX,
+                     TAUT_OBJECTS_MAX, "a model holds at most %d surfaces and as many curves",
+                     TAUT_OBJECTS_MAX);
 }
 
 taut_status taut_operate_add_surface(taut_model *model, taut_surface *surface, taut_error *error)

@@ -1,6 +1,6 @@
-/* surface.c -- taut/operate.h for surfaces: a change of basis along one direction, applied
+/* surface.c -- taut/operations.h for surfaces: a change of basis along one direction, applied
  * to every row of control points. */
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include "core/fail.h"
 #include "core/memory.h"
@@ -115,7 +115,7 @@ taut_status taut_surface_pieces(const taut_surface *surface, taut_model **pieces
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const double patches = (double)taut_basis_span_count(u) * taut_basis_span_count(v);
     if (patches > TAUT_OBJECTS_MAX) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, patches, TAUT_OBJECTS_MAX,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, patches, TAUT_OBJECTS_MAX,
                          "%.0f pieces, but a model holds at most %d surfaces", patches,
                          TAUT_OBJECTS_MAX);
     }

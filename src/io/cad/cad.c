@@ -1,7 +1,7 @@
 /* cad.c -- the formats step, stp, igs and iges: models to NURBS and on to the module, and back.
  *
  * What is polynomial or rational goes out exactly as it is; c- and h- directions within the
- * tolerance, by conversions whose bound is proved (taut/operate.h). The bound stands in the file's
+ * tolerance, by conversions whose bound is proved (taut/operations.h). The bound stands in the file's
  * header. */
 #include "core/arena.h"
 #include "core/fail.h"
@@ -11,7 +11,7 @@
 #include "io/cad/scan.h"
 #include "io/file/in.h"
 #include "io/format.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 #include "taut/version.h"
 
 #include <errno.h>
@@ -93,7 +93,7 @@ static taut_status check_faces(const taut_cad_item *items, int count, taut_error
 {
     for (int i = 0; i < count; i++) {
         if (items[i].count[1] > 0 && size_of(&items[i], 1) == 0) {
-            return taut_fail(error, TAUT_NO_SOLUTION, NULL, 0, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, 0, taut_none,
                              "surface \"%s\" is a single point, which no STEP file gives back: "
                              "leave it out (--surface), or write IGES or JSON",
                              items[i].name);

@@ -84,7 +84,7 @@ static void settle(void)
 /* The child's whole life. */
 static void work(int pipe_end, const taut_cad_job *job, int count, const taut_cad_item *items)
 {
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     const void *table = NULL;
     FILE *file = NULL;
     taut_status status = TAUT_OK;
@@ -123,19 +123,20 @@ static taut_status died(int how, int is_reading, taut_error *error)
     const taut_status status = is_reading ? TAUT_BAD_INPUT : TAUT_INTERNAL;
     const int number = how >= 0 && WIFSIGNALED(how) ? WTERMSIG(how) : 0;
     if (number == SIGXCPU || number == SIGKILL) {
-        return taut_fail(error, status, NULL, taut_none, taut_none,
+        return taut_fail(error, status, "value", NULL, taut_none, taut_none,
                          "OpenCASCADE was stopped: the %s takes more time than its size explains",
                          is_reading ? "file" : "model");
     }
     if (number == SIGINT || number == SIGTERM || number == SIGHUP) {
-        return taut_fail(error, TAUT_INTERRUPTED, NULL, taut_none, taut_none, "stopped on request");
+        return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                         "stopped on request");
     }
     if (number == 0) {
-        return taut_fail(error, status, NULL, taut_none, taut_none,
+        return taut_fail(error, status, "value", NULL, taut_none, taut_none,
                          "OpenCASCADE gave up on the %s without a word",
                          is_reading ? "file" : "model");
     }
-    return taut_fail(error, status, NULL, number, taut_none,
+    return taut_fail(error, status, "value", NULL, number, taut_none,
                      "OpenCASCADE broke down over the %s (signal %d)",
                      is_reading ? "file" : "model", number);
 }
@@ -143,7 +144,7 @@ static taut_status died(int how, int is_reading, taut_error *error)
 /* The child had the memory that a file of this size may take. */
 static taut_status refuse_claim(taut_error *error)
 {
-    return taut_fail(error, TAUT_BAD_INPUT, NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_BAD_INPUT, "value", NULL, taut_none, taut_none,
                      "the file claims to hold more than its size explains");
 }
 
@@ -154,7 +155,7 @@ static taut_status refuse_start(int reason, taut_error *error)
     if (reason == ENOMEM) {
         return taut_fail_memory(error);
     }
-    return taut_fail(error, TAUT_IO, NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_IO, "file", NULL, taut_none, taut_none,
                      "OpenCASCADE cannot be started in a process of its own: %s",
                      strerror_r(reason, text, sizeof text) == 0 ? text : "unknown reason");
 }

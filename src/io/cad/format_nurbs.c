@@ -2,7 +2,7 @@
 
 #include "core/fail.h"
 #include "io/format.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 /* Only the surface that is asked for, or all there is. */
 static taut_status choose(const taut_model *model, const taut_write_options *options,
@@ -49,7 +49,7 @@ taut_status taut_format_nurbs(const taut_model *model, const taut_write_options 
     taut_status status = TAUT_OK;
 
     if (taut_model_surface_count(model) + taut_model_curve_count(model) == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, 0, 1,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, 0, 1,
                          "the model has neither surfaces nor curves");
     }
     if (choose(model, options, &chosen) != TAUT_OK) {

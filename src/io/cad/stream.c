@@ -84,7 +84,7 @@ static void mend_name(char *name, size_t length)
 
 static taut_status broken(taut_error *error)
 {
-    return taut_fail(error, TAUT_BAD_INPUT, NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_BAD_INPUT, "value", NULL, taut_none, taut_none,
                      "OpenCASCADE gave nothing that can be read");
 }
 
@@ -98,14 +98,14 @@ static taut_status check_head(const item_head *head, taut_error *error)
     for (int d = 0; d < directions; d++) {
         if (head->degree[d] < 1 || head->degree[d] > TAUT_DEGREE_MAX ||
             head->count[d] <= head->degree[d] || head->count[d] > TAUT_COUNT_MAX) {
-            return taut_fail(error, TAUT_BAD_INPUT, NULL, head->count[d], TAUT_COUNT_MAX,
+            return taut_fail(error, TAUT_BAD_INPUT, "value", NULL, head->count[d], TAUT_COUNT_MAX,
                              "found degree %d with %d points, expected a degree of 1 to %d and at "
                              "most %d points",
                              head->degree[d], head->count[d], TAUT_DEGREE_MAX, TAUT_COUNT_MAX);
         }
     }
     if (point_count(head->count) > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, NULL, (double)point_count(head->count),
+        return taut_fail(error, TAUT_BAD_INPUT, "value", NULL, (double)point_count(head->count),
                          TAUT_POINTS_MAX, "found a net of %d x %d points, expected at most %d",
                          head->count[0], head->count[1], TAUT_POINTS_MAX);
     }
@@ -228,9 +228,9 @@ static taut_status get_item(FILE *file, taut_cad_result *result, taut_error *err
     if (!get(file, block, sizeof *block, count)) {
         status = broken(error);
     } else if (index >= TAUT_OBJECTS_MAX) {
-        status =
-            taut_fail(error, TAUT_BAD_INPUT, NULL, index, TAUT_OBJECTS_MAX, "found more than %d %s",
-                      TAUT_OBJECTS_MAX, is_surface ? "surfaces" : "curves");
+        status = taut_fail(error, TAUT_BAD_INPUT, "value", NULL, index, TAUT_OBJECTS_MAX,
+                           "found more than %d %s", TAUT_OBJECTS_MAX,
+                           is_surface ? "surfaces" : "curves");
     } else {
         status =
             (is_surface ? add_surface : add_curve)(&head, name, &numbers, result->model, error);

@@ -41,15 +41,15 @@ taut_status taut_fail_file(taut_error *error, const char *path, const char *verb
 {
     char shown[160], text[96];
     show_path(strcmp(path, "-") == 0 ? "standard input or output" : path, shown, sizeof shown);
-    return taut_fail(error, TAUT_IO, NULL, taut_none, taut_none, "cannot %s %s: %s", verb, shown,
-                     reason_text(reason, text, sizeof text));
+    return taut_fail(error, TAUT_IO, "file", NULL, taut_none, taut_none, "cannot %s %s: %s", verb,
+                     shown, reason_text(reason, text, sizeof text));
 }
 
 static taut_status too_large(const char *path, double size, taut_error *error)
 {
     char shown[160];
     show_path(path, shown, sizeof shown);
-    return taut_fail(error, TAUT_IO, NULL, size, TAUT_FILE_MAX,
+    return taut_fail(error, TAUT_IO, "file", NULL, size, TAUT_FILE_MAX,
                      "%s is larger than the %.0f bytes that a document may have", shown,
                      TAUT_FILE_MAX);
 }

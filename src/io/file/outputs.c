@@ -80,7 +80,7 @@ static taut_status stage(taut_outputs *outputs, const char *path, taut_staged **
     taut_status status = taut_staged_new(path, &made, error);
 
     if (status == TAUT_OK && is_taken(outputs, made)) {
-        status = taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        status = taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                            "two outputs go to %.200s",
                            made->kind == TAUT_TARGET_STANDARD ? "standard output" : path);
     }
@@ -121,7 +121,7 @@ static taut_status write_by_path(taut_staged *staged, const taut_format_ops *ops
 {
     char own[TAUT_STAGED_ROOM];
     if (staged->kind != TAUT_TARGET_FILE) {
-        return taut_fail(error, TAUT_IO, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_IO, "file", NULL, taut_none, taut_none,
                          "%.200s is no regular file: this format can be written to nothing else",
                          staged->path);
     }
@@ -132,7 +132,7 @@ static taut_status write_by_path(taut_staged *staged, const taut_format_ops *ops
 static const taut_format_ops *format_of(const char *path, const taut_write_options *options,
                                         taut_error *error)
 {
-    taut_error reason = {TAUT_OK, 0, 0, "", ""};
+    taut_error reason = {.status = TAUT_OK};
     const char *ending = options->format;
     char name[32] = ".";
     const taut_format_ops *ops = NULL;
@@ -169,13 +169,13 @@ static taut_status write_models(taut_outputs *outputs, int count, const taut_mod
         return TAUT_BAD_ARGUMENT;
     }
     if (together && ops->write_many == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, 1,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, count, 1,
                          "the format of %.200s holds one model a file; several go into .json, or "
                          "side by side into .svg, .pdf and .png",
                          path);
     }
     if (together && count > ops->models_max) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, count, ops->models_max,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, count, ops->models_max,
                          "%.200s would hold %d models, %d at most", path, count, ops->models_max);
     }
     for (int i = 0; status == TAUT_OK && i < count; i++) {
@@ -198,7 +198,7 @@ taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model, c
 {
     static const taut_write_options none;
     if (outputs == NULL || model == NULL || path == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an output needs a model and a path");
     }
     return write_models(outputs, 1, &model, 0, path, options != NULL ? options : &none, error);
@@ -214,7 +214,7 @@ taut_status taut_outputs_models(taut_outputs *outputs, int count, const taut_mod
         whole = models[i] != NULL;
     }
     if (!whole) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an output of several models needs them all and a path");
     }
     return write_models(outputs, count, models, 1, path, options != NULL ? options : &none, error);
@@ -228,7 +228,7 @@ taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record
     taut_status status = TAUT_OK;
 
     if (outputs == NULL || record == NULL || path == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an output needs a record and a path");
     }
     status = stage(outputs, path, &staged, error);
@@ -248,7 +248,7 @@ taut_status taut_outputs_text(taut_outputs *outputs, const char *text, size_t le
     taut_status status = TAUT_OK;
 
     if (outputs == NULL || (text == NULL && length > 0) || path == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an output needs a text and a path");
     }
     status = stage(outputs, path, &staged, error);
@@ -279,7 +279,7 @@ taut_status taut_outputs_commit(taut_outputs *outputs, taut_error *error)
 {
     taut_status status = TAUT_OK;
     if (outputs == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "there are no outputs to put in place");
     }
     status = place_all(outputs, 0, error); /* a full device or a closed pipe is found here... */

@@ -13,7 +13,7 @@
 #include "io/cad/format_nurbs.h"
 #include "io/format.h"
 #include "io/json/out.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 static const double default_tolerance = 1e-6;
 static const double delta = 0.02; /* how finely geomdl is to evaluate */

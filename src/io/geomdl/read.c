@@ -24,7 +24,7 @@ static taut_status read_basis(const taut_json *object, const char *degree_key,
     taut_basis_spec spec = {.type = "bspline"};
     size_t knot_count = 0;
     double *knots = NULL;
-    taut_error found = {TAUT_OK, 0, 0, "", ""};
+    taut_error found = {.status = TAUT_OK};
     taut_status status = taut_json_integer(&degree_at, 1, TAUT_DEGREE_MAX, &spec.degree, error);
 
     if (status == TAUT_OK) {
@@ -41,8 +41,8 @@ static taut_status read_basis(const taut_json *object, const char *degree_key,
         spec.knot_count = (int)knot_count;
         status = taut_basis_new(&spec, count, basis, &found);
         if (status == TAUT_BAD_INPUT) {
-            status =
-                taut_json_fail(&knots_at, error, found.found, found.limit, "%s", found.message);
+            status = taut_json_fail(&knots_at, error, "value", found.found, found.limit, "%s",
+                                    found.message);
         } else if (status != TAUT_OK && error != NULL) {
             *error = found;
         }
@@ -103,7 +103,7 @@ static taut_status add_surface(const taut_json *at, const char *name, taut_model
         status = taut_json_integer(&v_at, 2, TAUT_COUNT_MAX, &nv, error);
     }
     if (status == TAUT_OK && (double)nu * nv > TAUT_POINTS_MAX) {
-        status = taut_json_fail(at, error, (double)nu * nv, TAUT_POINTS_MAX,
+        status = taut_json_fail(at, error, "value", (double)nu * nv, TAUT_POINTS_MAX,
                                 "found a net of %d x %d points, expected at most %d points", nu, nv,
                                 TAUT_POINTS_MAX);
     }

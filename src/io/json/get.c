@@ -12,7 +12,7 @@ static taut_status unknown_member(const taut_json *object, const char *key,
 {
     const taut_json at = taut_json_member(object, key);
     const char *near = taut_nearest(key, members);
-    return taut_json_fail(&at, error, taut_none, taut_none,
+    return taut_json_fail(&at, error, "value", taut_none, taut_none,
                           "there is no such member here; the nearest one known is \"%s\"",
                           near != NULL ? near : "");
 }

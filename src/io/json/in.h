@@ -59,8 +59,9 @@ taut_status taut_json_flag(const taut_json *document, const char *key, int *valu
 taut_status taut_json_expected(const taut_json *at, taut_error *error, const char *expected, ...)
     __attribute__((format(printf, 3, 4)));
 /* TAUT_BAD_INPUT at this place with a sentence of one's own. */
-taut_status taut_json_fail(const taut_json *at, taut_error *error, double found, double limit,
-                           const char *format, ...) __attribute__((format(printf, 5, 6)));
+taut_status taut_json_fail(const taut_json *at, taut_error *error, const char *reason, double found,
+                           double limit, const char *format, ...)
+    __attribute__((format(printf, 6, 7)));
 /* Puts the pointer of this place before error->where, and returns `status`: for errors that come
  * from checks below that know only the rest of the way. */
 taut_status taut_json_within(const taut_json *at, taut_status status, taut_error *error);

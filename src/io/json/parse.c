@@ -276,7 +276,7 @@ static taut_status report(const taut_json_scan *scan, const char *name, taut_err
         *c = (unsigned char)*c < 0x20 || *c == 0x7f ? '?' : *c;
     }
     if (ended || scan->reason == NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
                          "the text ends before the document does");
     }
     if (scan->place < scan->end) {
@@ -286,7 +286,7 @@ static taut_status report(const taut_json_scan *scan, const char *name, taut_err
     const int before = (int)(hole != NULL ? (size_t)(hole - scan->reason) : strlen(scan->reason));
     snprintf(message, sizeof message, "%.*s%s%s", before, scan->reason, hole != NULL ? quoted : "",
              hole != NULL ? hole + 2 : "");
-    return taut_fail(error, TAUT_BAD_INPUT, where, taut_none, taut_none, "%s", message);
+    return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none, "%s", message);
 }
 
 taut_status taut_json_parse(const char *text, size_t length, const char *name,
@@ -300,7 +300,7 @@ taut_status taut_json_parse(const char *text, size_t length, const char *name,
     parser p = {.scan = {.begin = begin, .at = begin, .end = begin + (length - skip)}};
 
     if ((double)length > TAUT_FILE_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, NULL, (double)length, TAUT_FILE_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "value", NULL, (double)length, TAUT_FILE_MAX,
                          "a document of %zu bytes, expected at most %.0f", length, TAUT_FILE_MAX);
     }
     made = taut_alloc_zero(1, sizeof *made);

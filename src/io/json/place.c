@@ -117,14 +117,14 @@ taut_status taut_json_expected(const taut_json *at, taut_error *error, const cha
     va_end(arguments);
     spell_pointer(at, pointer);
     describe(at, found, sizeof found);
-    return taut_fail(error, TAUT_BAD_INPUT, pointer,
+    return taut_fail(error, TAUT_BAD_INPUT, "value", pointer,
                      taut_json_kind_at(at) == TAUT_JSON_NUMBER ? taut_json_number_at(at)
                                                                : taut_none,
                      taut_none, "found %s, expected %s", found, wish);
 }
 
-taut_status taut_json_fail(const taut_json *at, taut_error *error, double found, double limit,
-                           const char *format, ...)
+taut_status taut_json_fail(const taut_json *at, taut_error *error, const char *reason, double found,
+                           double limit, const char *format, ...)
 {
     char pointer[POINTER_ROOM], sentence[sizeof error->message];
     va_list arguments;
@@ -133,7 +133,7 @@ taut_status taut_json_fail(const taut_json *at, taut_error *error, double found,
     vsnprintf(sentence, sizeof sentence, format, arguments);
     va_end(arguments);
     spell_pointer(at, pointer);
-    return taut_fail(error, TAUT_BAD_INPUT, pointer, found, limit, "%s", sentence);
+    return taut_fail(error, TAUT_BAD_INPUT, reason, pointer, found, limit, "%s", sentence);
 }
 
 taut_status taut_json_within(const taut_json *at, taut_status status, taut_error *error)

@@ -15,7 +15,7 @@ static taut_status add_members(taut_record *record, const taut_json *at, taut_er
     taut_status status = TAUT_OK;
 
     if (count > TAUT_MEMBERS_MAX) {
-        return taut_json_fail(at, error, (double)count, TAUT_MEMBERS_MAX,
+        return taut_json_fail(at, error, "value", (double)count, TAUT_MEMBERS_MAX,
                               "found an object of %zu members, expected at most %d", count,
                               TAUT_MEMBERS_MAX);
     }
@@ -88,7 +88,7 @@ taut_status taut_record_read_text(const char *text, size_t length, const char *n
     taut_json_document *document = NULL;
     taut_status status = TAUT_OK;
     if (text == NULL || name == NULL || record == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "reading needs a text, its name and a place for the record");
     }
     status = taut_json_parse(text, length, name, &document, error);

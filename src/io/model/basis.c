@@ -74,7 +74,7 @@ static taut_status check_members(const taut_json *at, const taut_basis_ops *ops,
     for (int i = 0; i < MEMBER_COUNT; i++) {
         const taut_json member = taut_json_member(at, member_table[i].name);
         if (member.value != NULL && ((ops->needs | ops->allows) & member_table[i].bit) == 0) {
-            return taut_json_fail(&member, error, taut_none, taut_none,
+            return taut_json_fail(&member, error, "value", taut_none, taut_none,
                                   "there is no such member in a basis of type \"%s\"", ops->type);
         }
         if (((ops->needs | ops->allows) & member_table[i].bit) != 0) {

@@ -140,7 +140,7 @@ taut_status taut_model_of_document(const taut_json_document *root, taut_model **
     if (taut_json_find(document.value, "construct") != NULL &&
         taut_json_find(document.value, "surfaces") == NULL) {
         const taut_json at = taut_json_member(&document, "construct");
-        return taut_json_fail(&at, error, taut_none, taut_none,
+        return taut_json_fail(&at, error, "value", taut_none, taut_none,
                               "this is a problem, expected a model: `taut make` makes one from it");
     }
     if (taut_geomdl_is(&document)) {
@@ -170,7 +170,7 @@ taut_status taut_model_read_text(const char *text, size_t length, const char *na
     taut_json_document *root = NULL;
     taut_status status = TAUT_OK;
     if ((text == NULL && length > 0) || model == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_model_read_text needs a text and a place for the model");
     }
     status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
@@ -187,7 +187,7 @@ taut_status taut_model_read(const char *path, taut_model **model, taut_error *er
     const taut_format_ops *ops = NULL;
     taut_status status = TAUT_OK;
     if (path == NULL || model == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_model_read needs a path and a place for the model");
     }
     ops = taut_format_ops_at(taut_format_of(path, NULL));

@@ -17,7 +17,7 @@ taut_status taut_name_document_read(const taut_json *object, const char **name, 
     const char *text = "";
     taut_status status = at.value != NULL ? taut_json_text(&at, &text, error) : TAUT_OK;
     if (status == TAUT_OK && strlen(text) > TAUT_NAME_MAX) {
-        status = taut_json_fail(&at, error, (double)strlen(text), TAUT_NAME_MAX,
+        status = taut_json_fail(&at, error, "value", (double)strlen(text), TAUT_NAME_MAX,
                                 "found a name of %zu bytes, expected at most %d", strlen(text),
                                 TAUT_NAME_MAX);
     }
@@ -129,7 +129,7 @@ static taut_status read_parameter(const taut_json *at, int count, taut_basis **t
     const taut_json points_at = taut_json_member(at, "points");
     taut_status status = taut_basis_document_read(&basis_at, count, t, error);
     if (status == TAUT_OK && taut_basis_count(*t) != count) {
-        status = taut_json_fail(&points_at, error, count, taut_basis_count(*t),
+        status = taut_json_fail(&points_at, error, "value", count, taut_basis_count(*t),
                                 "found %d point%s, expected %d, one for each function of \"t\"",
                                 count, count == 1 ? "" : "s", taut_basis_count(*t));
     }

@@ -63,7 +63,7 @@ static taut_status read_edge(const taut_json *edge, int degree, taut_asymptotic_
         status = read_legs(edge, degree, data, error);
     }
     if (status == TAUT_OK && degree == 3 && curvature.value != NULL) {
-        status = taut_json_fail(&curvature, error, taut_none, taut_none,
+        status = taut_json_fail(&curvature, error, "value", taut_none, taut_none,
                                 "degree 3 takes no curvature: legs and weights determine it");
     }
     if (status == TAUT_OK && degree > 3) {
@@ -112,7 +112,7 @@ static taut_status read_curves(const taut_json *document, taut_arena *arena,
                             strcmp(members[k], "corners") == 0 ||
                             strcmp(members[k], "edges") == 0 || strcmp(members[k], "branch") == 0;
         if (clashes && other.value != NULL) {
-            status = taut_json_fail(&other, error, taut_none, taut_none,
+            status = taut_json_fail(&other, error, "value", taut_none, taut_none,
                                     "found \"%s\" beside \"curves\": curves that are given say "
                                     "all there is to say of the boundary",
                                     members[k]);
@@ -175,7 +175,7 @@ static taut_status asymptotic_read(const taut_json *document, taut_problem *prob
 {
     taut_asymptotic_problem *const data = taut_arena_take(problem->arena, 1, sizeof *data);
     const taut_json curves = taut_json_member(document, "curves");
-    int surface = TAUT_ASYMPTOTIC_5N_7;
+    int surface = TAUT_BIDEGREE_5N_MINUS_7;
     taut_status status = data != NULL ? TAUT_OK : taut_fail_memory(error);
     if (status == TAUT_OK) {
         status = read_word(document, "surface", surface_words, &surface, error);
@@ -195,7 +195,7 @@ static taut_status asymptotic_read(const taut_json *document, taut_problem *prob
                                         : read_corner_data(document, data, error);
     }
     if (status == TAUT_OK) {
-        data->surface = surface == 1 ? TAUT_ASYMPTOTIC_N_3 : TAUT_ASYMPTOTIC_5N_7;
+        data->surface = surface == 1 ? TAUT_BIDEGREE_N_PLUS_3 : TAUT_BIDEGREE_5N_MINUS_7;
         problem->data = data;
     }
     return status;

@@ -23,8 +23,8 @@ static taut_status refuse_strangers(const taut_json *document, const char *const
     for (int i = 0; strangers[i] != NULL; i++) {
         const taut_json at = taut_json_member(document, strangers[i]);
         if (at.value != NULL) {
-            return taut_json_fail(&at, error, taut_none, taut_none, "found \"%s\" %s \"surface\"",
-                                  strangers[i], beside);
+            return taut_json_fail(&at, error, "value", taut_none, taut_none,
+                                  "found \"%s\" %s \"surface\"", strangers[i], beside);
         }
     }
     return TAUT_OK;
@@ -52,7 +52,7 @@ static taut_status read_rows(const taut_json *document, taut_arena *arena,
         const taut_json at = taut_json_member(document, i == 0 ? "u" : "v");
         const taut_basis *basis = i == 0 ? net.u : net.v;
         if (strcmp(taut_basis_type(basis), "bezier") != 0) {
-            status = taut_json_fail(&at, error, taut_none, taut_none,
+            status = taut_json_fail(&at, error, "value", taut_none, taut_none,
                                     "found a basis of type \"%s\", expected \"bezier\"",
                                     taut_basis_type(basis));
         }

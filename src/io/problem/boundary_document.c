@@ -39,7 +39,7 @@ static taut_status blame_file(const taut_json *at, const taut_error *found, taut
 {
     char where[sizeof found->where];
     snprintf(where, sizeof where, "%s", found->where);
-    taut_json_fail(at, error, found->found, found->limit, "%s%s%s", where,
+    taut_json_fail(at, error, "value", found->found, found->limit, "%s%s%s", where,
                    where[0] != '\0' ? ": " : "", found->message);
     if (error != NULL) {
         error->status = status;
@@ -52,7 +52,7 @@ taut_status taut_boundary_document_sides(const taut_json *document, const taut_p
 {
     const taut_json at = taut_json_member(document, "boundary");
     const taut_curve *curves[TAUT_SIDES];
-    taut_error found = {TAUT_OK, 0, 0, "", ""};
+    taut_error found = {.status = TAUT_OK};
     taut_model *model = NULL;
     char path[PATH_ROOM];
     taut_status status = find_path(&at, problem, path, error);
@@ -65,7 +65,7 @@ taut_status taut_boundary_document_sides(const taut_json *document, const taut_p
         return blame_file(&at, &found, status, error);
     }
     if (taut_model_curve_count(model) != TAUT_SIDES) {
-        status = taut_json_fail(&at, error, taut_model_curve_count(model), TAUT_SIDES,
+        status = taut_json_fail(&at, error, "value", taut_model_curve_count(model), TAUT_SIDES,
                                 "found %d curves in that file, expected %d",
                                 taut_model_curve_count(model), TAUT_SIDES);
     }
@@ -106,7 +106,7 @@ static taut_status check_alone(const taut_json *document, const char *const *oth
     for (; *others != NULL; others++) {
         const taut_json at = taut_json_member(document, *others);
         if (at.value != NULL) {
-            return taut_json_fail(&at, error, taut_none, taut_none,
+            return taut_json_fail(&at, error, "value", taut_none, taut_none,
                                   "found \"%s\" beside \"boundary\", which says it all", *others);
         }
     }
@@ -137,7 +137,7 @@ static taut_status fill_net(taut_curve *const fitted[TAUT_SIDES], const taut_jso
     taut_net_document made = {NULL, NULL, NULL, NULL, NULL};
 
     if ((double)nu * (double)nv > TAUT_POINTS_MAX) {
-        return taut_json_fail(at, error, (double)nu * (double)nv, TAUT_POINTS_MAX,
+        return taut_json_fail(at, error, "value", (double)nu * (double)nv, TAUT_POINTS_MAX,
                               "a net of %zu x %zu points, expected at most %d points", nu, nv,
                               TAUT_POINTS_MAX);
     }
@@ -162,7 +162,7 @@ taut_status taut_boundary_document_read(const taut_json *document, taut_problem 
     const taut_json at = taut_json_member(document, "boundary");
     taut_curve *sides[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
     taut_curve *fitted[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
-    taut_error found = {TAUT_OK, 0, 0, "", ""};
+    taut_error found = {.status = TAUT_OK};
     int degree[2], halvings[2];
     taut_status status = check_alone(document, others, error);
 
@@ -199,7 +199,7 @@ taut_status taut_boundary_document_bezier(const taut_json *document, taut_proble
     const taut_json at = taut_json_member(document, "boundary");
     taut_curve *loose[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
     taut_curve *made[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
-    taut_error found = {TAUT_OK, 0, 0, "", ""};
+    taut_error found = {.status = TAUT_OK};
     taut_status status = check_alone(document, others, error);
 
     if (status == TAUT_OK) {

@@ -17,7 +17,7 @@ static taut_status check_basis(const taut_json *document, const char *key, const
 {
     const taut_json at = taut_json_member(document, key);
     if (strcmp(taut_basis_type(basis), "ce-bezier") == 0) {
-        return taut_json_fail(&at, error, taut_none, taut_none,
+        return taut_json_fail(&at, error, "value", taut_none, taut_none,
                               "found a basis of type \"ce-bezier\", expected any other: it is a "
                               "basis of pipe axes, not of surfaces that are solved for");
     }

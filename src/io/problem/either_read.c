@@ -14,7 +14,7 @@ taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,
     taut_status status = TAUT_OK;
 
     if (path == NULL || problem == NULL || model == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_or_model_read needs a path and places for both");
     }
     ops = taut_format_ops_at(taut_format_of(path, NULL));

@@ -26,7 +26,7 @@ static taut_status check_basis(const taut_json *document, const char *key, const
 {
     const taut_json at = taut_json_member(document, key);
     if (strcmp(taut_basis_type(basis), "bezier") != 0) {
-        return taut_json_fail(&at, error, taut_none, taut_none,
+        return taut_json_fail(&at, error, "value", taut_none, taut_none,
                               "found a basis of type \"%s\", expected \"bezier\"",
                               taut_basis_type(basis));
     }
@@ -114,7 +114,7 @@ static taut_status read_derivative(const taut_json *document, taut_arena *arena,
 
     if (points.value != NULL) {
         return taut_json_fail(
-            &points, error, taut_none, taut_none,
+            &points, error, "value", taut_none, taut_none,
             "found \"points\" beside \"from\": the edge and the derivative across "
             "it say all");
     }
@@ -144,7 +144,7 @@ static taut_status read_net(const taut_json *document, taut_arena *arena,
     for (int i = 0; i < 2 && status == TAUT_OK; i++) {
         const taut_json at = taut_json_member(document, strangers[i]);
         if (at.value != NULL) {
-            status = taut_json_fail(&at, error, taut_none, taut_none,
+            status = taut_json_fail(&at, error, "value", taut_none, taut_none,
                                     "found \"%s\" without \"from\": \"derivative\"", strangers[i]);
         }
     }
@@ -181,7 +181,7 @@ static taut_status read_choices(const taut_json *document, taut_arena *arena,
         status = taut_json_flag(document, "fit", &data->fit, error);
     }
     if (status == TAUT_OK && data->fit && (data->from_derivative || at.value != NULL)) {
-        status = taut_json_fail(&fit, error, taut_none, taut_none,
+        status = taut_json_fail(&fit, error, "value", taut_none, taut_none,
                                 "found \"fit\" beside \"%s\": it takes four boundary rows as they "
                                 "are",
                                 data->from_derivative ? "from" : "even");

@@ -2,7 +2,7 @@
 
 #include "core/fail.h"
 #include "io/problem/boundary_document.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <string.h>
 
@@ -81,7 +81,7 @@ static taut_status take_pair(const taut_json *document, const taut_curve *const 
         const int n = taut_basis_degree(taut_curve_t(rows->pair[k]));
         rows->degree = n > rows->degree ? n : rows->degree;
         if (!is_polynomial(rows->pair[k])) {
-            taut_json_fail(&at, error, taut_none, taut_none,
+            taut_json_fail(&at, error, "value", taut_none, taut_none,
                            "the curve \"%.40s\" is rational, but harmonic surfaces are polynomial",
                            taut_curve_name(rows->pair[k]));
             if (error != NULL) {

@@ -39,7 +39,7 @@ static taut_status read_contact(const taut_json *document, taut_harmonic_extensi
     for (int i = 0; i < 3 && status == TAUT_OK; i++) {
         const taut_json number = taut_json_member(document, own[i]);
         if (number.value != NULL && word == TAUT_CONTACT_C1) {
-            return taut_json_fail(&number, error, taut_none, taut_none,
+            return taut_json_fail(&number, error, "value", taut_none, taut_none,
                                   "found \"%s\" without \"contact\": \"g1\"", own[i]);
         }
         status = read_number(document, own[i], values[i], error);

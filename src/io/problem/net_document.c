@@ -26,9 +26,10 @@ taut_status taut_net_document_shape(const taut_json *points, int *rows, int *col
         }
     }
     if (status == TAUT_OK && (double)count * (double)length > TAUT_POINTS_MAX) {
-        status = taut_json_fail(points, error, (double)count * (double)length, TAUT_POINTS_MAX,
-                                "found a net of %zu x %zu points, expected at most %d points",
-                                count, length, TAUT_POINTS_MAX);
+        status =
+            taut_json_fail(points, error, "value", (double)count * (double)length, TAUT_POINTS_MAX,
+                           "found a net of %zu x %zu points, expected at most %d points", count,
+                           length, TAUT_POINTS_MAX);
     }
     if (status == TAUT_OK) {
         *rows = (int)count;
@@ -48,7 +49,7 @@ static taut_status read_basis(const taut_json *object, const char *key, int func
     taut_status status = taut_basis_document_read(&at, functions, &made, error);
 
     if (status == TAUT_OK && taut_basis_count(made) != functions) {
-        status = taut_json_fail(&points, error, functions, taut_basis_count(made),
+        status = taut_json_fail(&points, error, "value", functions, taut_basis_count(made),
                                 "found %d %s%s%s, expected %d, one for each function of \"%s\"",
                                 functions, things, functions == 1 ? "" : "s", where,
                                 taut_basis_count(made), key);
@@ -225,7 +226,7 @@ static taut_status check_weighable(const taut_json *document, const taut_net_doc
     const taut_json at = taut_json_member(document, "weights");
     const taut_basis *basis = taut_basis_allows_weights(net->u) ? net->v : net->u;
     if (!taut_basis_allows_weights(basis)) {
-        return taut_json_fail(&at, error, taut_none, taut_none,
+        return taut_json_fail(&at, error, "value", taut_none, taut_none,
                               "found weights, expected none: a basis of type \"%s\" carries no "
                               "weights",
                               taut_basis_type(basis));

@@ -84,7 +84,7 @@ static taut_status read_axis(const taut_json *document, taut_arena *arena, taut_
 
     if (given != 1) {
         return taut_json_fail(
-            document, error, given, 1,
+            document, error, "value", given, 1,
             "found %s of \"polygon\", \"from\" with \"to\", \"axes\" and \"run\", expected one: "
             "where the axis comes from",
             given == 0 ? "none" : "more than one");
@@ -93,7 +93,7 @@ static taut_status read_axis(const taut_json *document, taut_arena *arena, taut_
         return taut_document_pipe_run(document, arena, data, error);
     }
     if (closed.value != NULL) {
-        return taut_json_fail(&closed, error, taut_none, taut_none,
+        return taut_json_fail(&closed, error, "value", taut_none, taut_none,
                               "found \"closed\" without \"run\": only a run comes round");
     }
     if (polygon.value != NULL) {
@@ -134,7 +134,7 @@ static taut_status read_shape(const taut_json *document, taut_pipe_problem *data
     status = taut_json_object(&at, shape_members, error);
     if (status == TAUT_OK && chosen.value != NULL) {
         if (taut_json_count_at(&at) != 1) {
-            return taut_json_fail(&at, error, taut_none, taut_none,
+            return taut_json_fail(&at, error, "value", taut_none, taut_none,
                                   "found shape numbers beside \"auto\", which chooses them");
         }
         status = taut_json_word(&chosen, goal_words, &goal, error);
@@ -178,7 +178,7 @@ static taut_status read_sections(const taut_json *document, taut_pipe_problem *d
     size_t count = 0;
     taut_status status = TAUT_OK;
     if ((radius.value != NULL) + (at.value != NULL) + (radii.value != NULL) > 1) {
-        return taut_json_fail(document, error, taut_none, taut_none,
+        return taut_json_fail(document, error, "value", taut_none, taut_none,
                               "found more than one of \"radius\", \"radii\" and \"sections\", "
                               "expected one: how wide the pipes are");
     }

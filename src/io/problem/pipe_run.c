@@ -36,7 +36,7 @@ static taut_status read_leg(const taut_json *at, taut_pipe_leg *leg, taut_error 
     taut_status status = taut_json_object(at, leg_members, error);
 
     if (status == TAUT_OK && placed && (from.value != NULL || to.value != NULL)) {
-        return taut_json_fail(at, error, taut_none, taut_none,
+        return taut_json_fail(at, error, "value", taut_none, taut_none,
                               "found both forms of a straight pipe, expected \"from\" and \"to\", "
                               "or \"point\" and \"direction\"");
     }
@@ -73,7 +73,7 @@ taut_status taut_document_pipe_run(const taut_json *document, taut_arena *arena,
     for (int i = 0; others[i] != NULL && status == TAUT_OK; i++) {
         const taut_json other = taut_json_member(document, others[i]);
         if (other.value != NULL) {
-            status = taut_json_fail(&other, error, taut_none, taut_none,
+            status = taut_json_fail(&other, error, "value", taut_none, taut_none,
                                     "found \"%s\" beside \"run\": a run is round, of one "
                                     "\"radius\", and carries its frame through: leave it out",
                                     others[i]);

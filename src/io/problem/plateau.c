@@ -22,7 +22,7 @@ static taut_status check_basis(const taut_json *document, const char *key, const
 {
     const taut_json at = taut_json_member(document, key);
     if (strcmp(taut_basis_type(basis), "ce-bezier") == 0) {
-        return taut_json_fail(&at, error, taut_none, taut_none,
+        return taut_json_fail(&at, error, "value", taut_none, taut_none,
                               "found a basis of type \"ce-bezier\", expected any other: it is a "
                               "basis of pipe axes, not of surfaces that are solved for");
     }
@@ -94,7 +94,7 @@ static taut_status read_start(const taut_json *document, taut_arena *arena,
     }
     if (!taut_basis_equal(taut_surface_u(surface), data->net.u) ||
         !taut_basis_equal(taut_surface_v(surface), data->net.v)) {
-        status = taut_json_fail(&at, error, taut_none, taut_none,
+        status = taut_json_fail(&at, error, "value", taut_none, taut_none,
                                 "found a surface of %d by %d points on other bases, expected the "
                                 "bases of the problem, %d by %d points",
                                 taut_basis_count(taut_surface_u(surface)),
@@ -131,7 +131,7 @@ static taut_status read_curves(const taut_json *document, taut_arena *arena,
     for (int k = 0; status == TAUT_OK && k < 3; k++) {
         const taut_json other = taut_json_member(document, apart[k]);
         if (other.value != NULL) {
-            status = taut_json_fail(&other, error, taut_none, taut_none,
+            status = taut_json_fail(&other, error, "value", taut_none, taut_none,
                                     "found \"%s\" beside \"curves\": curves that are given are the "
                                     "boundary",
                                     apart[k]);

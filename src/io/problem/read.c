@@ -29,7 +29,7 @@ static taut_status read_construct(const taut_json *document, int *construct, tau
         return taut_json_expected(document, error, "an object");
     }
     if (at.value == NULL && taut_json_find(document->value, "surfaces") != NULL) {
-        return taut_json_fail(&at, error, taut_none, taut_none,
+        return taut_json_fail(&at, error, "value", taut_none, taut_none,
                               "found nothing, expected a construction: this is a model, not a "
                               "problem");
     }
@@ -125,7 +125,7 @@ taut_status taut_problem_read_text(const char *text, size_t length, const char *
     taut_json_document *root = NULL;
     taut_status status = TAUT_OK;
     if ((text == NULL && length > 0) || problem == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_read_text needs a text and a place for the problem");
     }
     status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
@@ -141,7 +141,7 @@ taut_status taut_problem_read(const char *path, taut_problem **problem, taut_err
     taut_json_document *root = NULL;
     taut_status status = TAUT_OK;
     if (path == NULL || problem == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_read needs a path and a place for the problem");
     }
     status = taut_json_load(path, &root, error);
@@ -229,7 +229,7 @@ taut_status taut_problem_list_read_text(const char *text, size_t length, const c
     taut_json_document *document = NULL;
     taut_status status = TAUT_OK;
     if ((text == NULL && length > 0) || list == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_list_read_text needs a text and a place for the list");
     }
     status = taut_json_parse(text, length, name != NULL ? name : "text", &document, error);
@@ -241,7 +241,7 @@ taut_status taut_problem_list_read(const char *path, taut_problem_list **list, t
     taut_json_document *document = NULL;
     taut_status status = TAUT_OK;
     if (path == NULL || list == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_list_read needs a path and a place for the list");
     }
     status = taut_json_load(path, &document, error);

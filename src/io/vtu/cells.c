@@ -11,7 +11,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "io/vtu/grid.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <math.h>
 #include <string.h>

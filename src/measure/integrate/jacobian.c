@@ -12,7 +12,7 @@
 #include "measure/integrate/jacobian_cell.h"
 #include "taut/limits.h"
 #include "taut/measure.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <float.h>
 #include <math.h>

@@ -227,7 +227,7 @@ taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a, const tau
 
     if (a == NULL || b == NULL || join == NULL || taut_edge_name(edge_a)[0] == '\0' ||
         taut_edge_name(edge_b)[0] == '\0') {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a join needs two surfaces and an edge of each: u0, u1, v0 or v1");
     }
     sides[0] = side_of(a, edge_a, 1);

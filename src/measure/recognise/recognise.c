@@ -247,7 +247,7 @@ taut_status taut_surface_recognise(const taut_surface *surface, taut_family_memb
     taut_family_member best = {.residual = INFINITY};
 
     if (surface == NULL || member == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_surface_recognise needs a surface and a place for the answer");
     }
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
@@ -261,7 +261,7 @@ taut_status taut_surface_recognise(const taut_surface *surface, taut_family_memb
         }
     }
     if (!(best.residual <= close_enough)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, NULL, best.residual, close_enough,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, best.residual, close_enough,
                          "the surface is none of the minimal surfaces with planar curvature lines "
                          "and their associates on the bases that hold them");
     }

@@ -63,7 +63,6 @@ static void test_arena(void)
     CHECK(strcmp(taut_arena_text(arena, "text"), "text") == 0, "text");
     CHECK(taut_arena_copy(arena, NULL, 1, 1) == NULL && taut_arena_text(arena, NULL) == NULL,
           "nothing to copy");
-    CHECK(taut_arena_keep(arena, NULL, note) == 0, "nothing to keep");
     CHECK(taut_arena_keep(arena, first, note) == 1, "kept");
     CHECK(taut_arena_keep(arena, second, note) == 1, "kept");
     CHECK(order[0] == '\0', "released too early");
@@ -72,10 +71,31 @@ static void test_arena(void)
     taut_arena_free(NULL);
 }
 
+/* Once something failed all that comes after does, and what is given to keep is released. */
+static void test_arena_sticks(void)
+{
+    static char object[] = "c";
+    taut_arena *arena = taut_arena_new();
+    CHECK(taut_arena_status(arena) == TAUT_OK, "nothing failed yet");
+    CHECK(taut_arena_take(arena, SIZE_MAX, 2) == NULL, "too much");
+    CHECK(taut_arena_status(arena) == TAUT_NO_MEMORY, "it sticks");
+    CHECK(taut_arena_take(arena, 1, 1) == NULL, "and so does a little");
+    order[0] = '\0';
+    CHECK(taut_arena_keep(arena, object, note) == 0 && strcmp(order, "c") == 0, "released at once");
+    taut_arena_free(arena);
+    arena = taut_arena_new();
+    CHECK(taut_arena_keep(arena, NULL, note) == 0, "making the object failed");
+    CHECK(taut_arena_status(arena) == TAUT_NO_MEMORY, "which sticks");
+    taut_arena_free(arena);
+    CHECK(taut_arena_take(NULL, 1, 1) == NULL && taut_arena_status(NULL) == TAUT_NO_MEMORY,
+          "no arena");
+}
+
 int main(void)
 {
     test_overflow();
     test_nothing();
     test_arena();
+    test_arena_sticks();
     return check_failures != 0;
 }

@@ -30,7 +30,7 @@ static void test_fail(void)
     taut_error error;
     char longest[1000];
     memset(&error, 1, sizeof error);
-    CHECK(taut_fail(&error, TAUT_BAD_INPUT, "/knots/3", 2, 1, "%d of %s", 2, "them") ==
+    CHECK(taut_fail(&error, TAUT_BAD_INPUT, "value", "/knots/3", 2, 1, "%d of %s", 2, "them") ==
               TAUT_BAD_INPUT,
           "the status comes back");
     CHECK(error.status == TAUT_BAD_INPUT && error.found == 2 && error.limit == 1, "numbers");
@@ -41,7 +41,8 @@ static void test_fail(void)
 
     memset(longest, 'x', sizeof longest - 1);
     longest[sizeof longest - 1] = '\0';
-    CHECK(taut_fail(&error, TAUT_IO, longest, taut_none, taut_none, "%s", longest) == TAUT_IO,
+    CHECK(taut_fail(&error, TAUT_IO, "file", longest, taut_none, taut_none, "%s", longest) ==
+              TAUT_IO,
           "too long");
     CHECK(strlen(error.where) == sizeof error.where - 1, "cut");
     CHECK(strlen(error.message) == sizeof error.message - 1, "cut");
@@ -49,7 +50,13 @@ static void test_fail(void)
     CHECK(strlen(error.where) == sizeof error.where - 1, "cut");
     CHECK(isnan(error.found) && isnan(error.limit), "no numbers");
 
-    CHECK(taut_fail(NULL, TAUT_IO, NULL, 0, 0, "x") == TAUT_IO, "nobody listens");
+    CHECK(taut_fail(NULL, TAUT_IO, "file", NULL, 0, 0, "x") == TAUT_IO, "nobody listens");
+    CHECK(taut_fail_expected(&error, TAUT_BAD_INPUT, "type", "/u", 3, "a list", "found %d", 3) ==
+              TAUT_BAD_INPUT,
+          "the status comes back");
+    CHECK(strcmp(error.reason, "type") == 0 && strcmp(error.expected, "a list") == 0 &&
+              strcmp(error.message, "found 3, expected a list") == 0 && isnan(error.limit),
+          "%s, %s, %s", error.reason, error.expected, error.message);
     CHECK(taut_fail_memory(&error) == TAUT_NO_MEMORY && error.status == TAUT_NO_MEMORY, "memory");
     CHECK(error.where[0] == '\0', "nowhere");
     taut_error_prefix(NULL, "/u");

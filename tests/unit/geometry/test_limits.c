@@ -6,7 +6,7 @@
 #include "taut/asymptotic.h"
 #include "taut/limits.h"
 #include "taut/model.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -95,7 +95,7 @@ static double time_many(int count)
     n += (size_t)sprintf(text + n, "]}");
     for (int trial = 0; trial < 5; trial++) {
         taut_model *model = NULL;
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         const double start = seconds();
         CHECK(taut_model_read_text(text, n, "many", &model, &error) == TAUT_OK, "%s %s",
               error.where, error.message);

@@ -260,7 +260,7 @@ static void test_problems(void)
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
         const refusal *row = &problems[i];
         taut_problem *problem = NULL;
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         const taut_status status =
             taut_problem_read_text(row->document, strlen(row->document), "doc", &problem, &error);
         check_refused(row, status, &error);
@@ -276,7 +276,7 @@ static void test_models(void)
     for (size_t i = 0; i < sizeof models / sizeof models[0]; i++) {
         const refusal *row = &models[i];
         taut_model *model = NULL;
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         const taut_status status =
             taut_model_read_text(row->document, strlen(row->document), "doc", &model, &error);
         check_refused(row, status, &error);
@@ -292,7 +292,7 @@ static void test_no_solution(void)
         "3.2, \"segments\": 1}, \"points\": "
         "[[0,0,0],[1,1,1],[2,2,2],[3,3,3]]}]}";
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_model_read_text(text, sizeof text - 1, "doc", &model, &error) == TAUT_NO_SOLUTION,
           "alpha above pi: %s", error.message);
     CHECK(strcmp(error.where, "/curves/0/t/alpha") == 0 && error.found == 3.2, "where \"%s\"",
@@ -304,7 +304,7 @@ static void test_zero_byte(void)
 {
     static const char text[] = "{\"taut\":\n 1\0}";
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_model_read_text(text, sizeof text - 1, "doc", &model, &error) == TAUT_BAD_INPUT,
           "a 0 byte");
     CHECK(strcmp(error.where, "doc:2:3") == 0, "where \"%s\"", error.where);
@@ -316,7 +316,7 @@ static void test_depth(void)
     enum { DEPTH = 200000 };
     char *text = malloc(DEPTH * 5 + 64);
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
 
     memset(text, '[', DEPTH);
     CHECK(taut_model_read_text(text, DEPTH, "doc", &model, &error) == TAUT_BAD_INPUT, "lists");
@@ -336,7 +336,7 @@ static void test_long_names(void)
 {
     char name[1000], text[2200];
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     size_t n = 0;
 
     memset(name, 'x', sizeof name - 1);
@@ -368,7 +368,7 @@ static void test_deep_place(void)
     enum { DEPTH = 100 };
     char *text = malloc(20000), expected[512];
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     size_t n = (size_t)sprintf(text, "{\"taut\": 1, \"details\": {\"x\": "), m = 0;
     memset(text + n, '[', DEPTH);
     n += DEPTH;
@@ -397,7 +397,7 @@ static void test_twice(void)
     char text[600];
     size_t n = (size_t)sprintf(text, "{");
     taut_record *record = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     for (int i = 0; i < 40; i++) {
         n += (size_t)sprintf(text + n, "\"%d\": 1,\n", 100 - i);
     }
@@ -415,7 +415,7 @@ static void test_records(void)
     static const char *const texts[] = {"3", "\"text\"", "null"};
     for (int i = 0; i < 3; i++) {
         taut_record *record = NULL;
-        taut_error error = {TAUT_OK, 0, 0, "", "x"};
+        taut_error error = {.message = "x"};
         CHECK(taut_record_read_text(texts[i], strlen(texts[i]), "doc", &record, &error) ==
                       TAUT_BAD_INPUT &&
                   record == NULL,
@@ -431,7 +431,7 @@ static void test_many_members(void)
     char *text = malloc(40000);
     size_t n = (size_t)sprintf(text, "{\"taut\": 1, \"details\": {\"x\": {");
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     for (int i = 0; i <= TAUT_MEMBERS_MAX; i++) {
         n += (size_t)sprintf(text + n, "%s\"%d\": 1", i > 0 ? "," : "", i);
     }

@@ -136,7 +136,7 @@ static void test_models(int trials)
     for (int trial = 0; trial < trials; trial++) {
         taut_model *model = any_model();
         taut_model *back = NULL;
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         CHECK(taut_model_write(model, path, NULL, &error) == TAUT_OK, "%s", error.message);
         CHECK(taut_model_read(path, &back, &error) == TAUT_OK, "%s: %s", error.where,
               error.message);
@@ -172,7 +172,7 @@ static void test_least_model(void)
                                         "{\"unit\": \"mm\", \"curves\": [], \"taut\": 1}"};
     for (size_t i = 0; i < 3; i++) {
         taut_model *model = NULL;
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         CHECK(taut_model_read_text(texts[i], strlen(texts[i]), "doc", &model, &error) == TAUT_OK,
               "%s %s", error.where, error.message);
         CHECK(model != NULL && taut_model_surface_count(model) == 0 &&
@@ -267,7 +267,7 @@ static void test_no_figures(void)
 {
     taut_model *model = NULL, *back = NULL;
     taut_certificate *certificate = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_model_new(&model) == TAUT_OK &&
               taut_certificate_new("plateau", &certificate) == TAUT_OK,
           "model");

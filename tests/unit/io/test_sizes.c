@@ -23,7 +23,7 @@ static void test_text(void)
     const size_t length = (size_t)TAUT_FILE_MAX + 1;
     char *text = mmap(NULL, length, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(text != MAP_FAILED, "room for addresses");
     if (text == MAP_FAILED) {
         return;
@@ -60,7 +60,7 @@ static taut_status shape_of(uint32_t n, int shape[2], taut_error *error)
 static void test_net(void)
 {
     int shape[2] = {-1, -1};
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(shape_of(7071, shape, &error) == TAUT_BAD_INPUT && shape[0] == -1 && shape[1] == -1,
           "7072 x 7071");
     CHECK(strcmp(error.where, "/points") == 0 && error.found == 7072.0 * 7071 &&
@@ -77,7 +77,7 @@ static void test_items(void)
     static const double knots[4] = {0, 0, 1, 1}, points[6] = {0, 0, 0, 1, 2, 3};
     const taut_cad_item line = {"", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, 0};
     taut_cad_result result = {NULL, taut_record_new_list(), 0, TAUT_OK};
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     FILE *file = tmpfile();
     CHECK(taut_model_new(&result.model) == TAUT_OK, "model");
     for (int i = 0; i <= TAUT_OBJECTS_MAX; i++) {
@@ -103,7 +103,7 @@ static void test_page(void)
     const taut_write_options options = {.title = ""};
     taut_surface *saddle = shape_saddle(0.5);
     taut_curve *curve = shape_curve(shape_bezier(1, 0, 1), &line[0][0], NULL);
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_model *model = NULL;
     char *text = NULL;
     size_t length = 0;
@@ -137,7 +137,7 @@ static void test_point(void)
     const taut_write_options options = {.divide = 2, .format = "glb"};
     const int file = mkstemp(path);
     char *bytes = calloc(1, 1 << 16);
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_model *model = NULL;
     CHECK(taut_model_new(&model) == TAUT_OK, "model");
     CHECK(taut_model_add_surface(model, shape_surface(shape_bezier(1, 0, 1), shape_bezier(1, 0, 1),

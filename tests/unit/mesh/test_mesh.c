@@ -73,7 +73,7 @@ static taut_mesh *mesh_of(const taut_model *model, double tolerance, int divide)
 {
     const taut_mesh_options options = {.tolerance = tolerance, .divide = divide};
     taut_mesh *mesh = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_mesh_new(model, &options, &mesh, &error) == TAUT_OK, "%s", error.message);
     return mesh;
 }
@@ -309,7 +309,7 @@ static void test_refusals(void)
 {
     taut_model *model = model_of(hills("a", 3, 5, 0.1)), *none = NULL;
     taut_mesh *mesh = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_model_new(&none) == TAUT_OK, "model");
     CHECK(taut_mesh_new(none, NULL, &mesh, &error) == TAUT_NO_SOLUTION, "no surface");
     CHECK(taut_mesh_new(model, &(taut_mesh_options){.tolerance = 1e-18}, &mesh, &error) ==
@@ -395,7 +395,7 @@ static void test_extreme_sizes(void)
               "2^%d", powers[k]);
         taut_model *models[2] = {model_of(surface), model_of(large)};
         for (int m = 0; m < 2; m++) {
-            taut_error error = {TAUT_OK, 0, 0, "", ""};
+            taut_error error = {.status = TAUT_OK};
             CHECK(taut_mesh_new(models[m], NULL, &meshes[m], &error) == TAUT_OK, "2^%d: %s",
                   powers[k], error.message);
         }

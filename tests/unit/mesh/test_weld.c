@@ -4,7 +4,7 @@
 #include "shapes.h"
 
 #include "taut/mesh.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +25,7 @@ static taut_mesh *mesh_of(const taut_model *model, double tolerance, int divide)
 {
     const taut_mesh_options options = {.tolerance = tolerance, .divide = divide};
     taut_mesh *mesh = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_mesh_new(model, &options, &mesh, &error) == TAUT_OK, "%s", error.message);
     return mesh;
 }

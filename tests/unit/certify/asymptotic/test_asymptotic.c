@@ -164,7 +164,7 @@ static void test_straight_explains_nothing(void)
     taut_asymptotic_problem problem;
     taut_model *model = NULL;
     memset(&problem, 0, sizeof problem);
-    problem.surface = TAUT_ASYMPTOTIC_N_3;
+    problem.surface = TAUT_BIDEGREE_N_PLUS_3;
     problem.curves[TAUT_ASYMPTOTIC_V0] = asymptotic_curve("v0", 3, v0[0], NULL);
     problem.curves[TAUT_ASYMPTOTIC_V1] = asymptotic_curve("v1", 3, v1[0], NULL);
     problem.curves[TAUT_ASYMPTOTIC_U0] = asymptotic_curve("u0", 1, u0[0], NULL);

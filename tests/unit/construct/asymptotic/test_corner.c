@@ -390,7 +390,7 @@ static void test_refusals(void)
     memset(p.edges[3].legs[1], 0, sizeof p.edges[3].legs[1]);
     expect(&p, (wrong){"no leg", TAUT_BAD_INPUT, "/edges/u1/legs", "length zero"});
     p = asymptotic_example(1, NULL);
-    p.surface = TAUT_ASYMPTOTIC_N_3;
+    p.surface = TAUT_BIDEGREE_N_PLUS_3;
     p.free_all = 1;
     expect(&p, (wrong){"free", TAUT_BAD_INPUT, "/free", "5n-7"});
     p = asymptotic_example(3, NULL);

@@ -150,7 +150,7 @@ static void test_uneven_weights(void)
         }
         const taut_error error = refused(&problem, TAUT_NO_SOLUTION, "", "weight 8 beside edge v0");
         CHECK(error.found < 0 && error.limit == 0, "weight %g", error.found);
-        problem.surface = TAUT_ASYMPTOTIC_N_3;
+        problem.surface = TAUT_BIDEGREE_N_PLUS_3;
         if (i == 0) {
             made(&problem, "uneven weights, n+3");
         } else {
@@ -176,7 +176,7 @@ static void test_straight_edges(void)
     for (int degree = 4; degree <= 5; degree++) {
         static const int ends[4][2] = {{0, 1}, {0, 2}, {2, 3}, {1, 3}};
         static const double corners[4][3] = {{0, 0, 0}, {2, 0, 1}, {0, 1.5, 1}, {2, 1.5, -0.5}};
-        taut_asymptotic_problem problem = {.degree = degree, .surface = TAUT_ASYMPTOTIC_N_3};
+        taut_asymptotic_problem problem = {.degree = degree, .surface = TAUT_BIDEGREE_N_PLUS_3};
         memcpy(problem.corners, corners, sizeof corners);
         for (int e = 0; e < 4; e++) {
             for (int end = 0; end < 2; end++) {
@@ -401,14 +401,14 @@ static double turning(const lelieuvre *net, int edge, double t)
 static void test_low(void)
 {
     taut_asymptotic_problem problem = asymptotic_example(3, NULL);
-    problem.surface = TAUT_ASYMPTOTIC_N_3;
+    problem.surface = TAUT_BIDEGREE_N_PLUS_3;
     taut_error error = refused(&problem, TAUT_NO_SOLUTION, "", "is singular at parameter 0.");
     CHECK(error.found > 0 && error.found < 1, "%g", error.found);
     for (int trial = 0, met = 0; trial < 40 && !met; trial++) {
         const lelieuvre net = lelieuvre_random(3);
         taut_model *model = NULL;
         problem = lelieuvre_problem(&net);
-        problem.surface = TAUT_ASYMPTOTIC_N_3;
+        problem.surface = TAUT_BIDEGREE_N_PLUS_3;
         (void)taut_asymptotic_make(&problem, NULL, &model, &error);
         met = model == NULL && strstr(error.message, "has an inflection at parameter") != NULL;
         for (int e = 0; e < 4 && met; e++) {

@@ -7,7 +7,7 @@
 #include "taut/biharmonic.h"
 #include "taut/harmonic.h"
 #include "taut/measure.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <string.h>
 
@@ -60,7 +60,7 @@ static taut_biharmonic_problem rows_of(const net *g)
 static taut_model *make(const taut_biharmonic_problem *problem, const char *what)
 {
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     const taut_status status = taut_biharmonic_make(problem, NULL, &model, &error);
     CHECK(status == TAUT_OK, "%s: %s", what, error.message);
     return model;
@@ -359,7 +359,7 @@ static void test_amplification(void)
 static void refused(const taut_biharmonic_problem *problem, taut_status wanted, const char *pattern)
 {
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_biharmonic_make(problem, NULL, &model, &error) == wanted && model == NULL, "%s",
           pattern);
     CHECK(strstr(error.message, pattern) != NULL, "said '%s', expected %s", error.message, pattern);

@@ -4,7 +4,7 @@
 
 #include "taut/bonnet.h"
 #include "taut/measure.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <string.h>
 

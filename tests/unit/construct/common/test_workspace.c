@@ -15,7 +15,7 @@ static void compare(const test_problem *problem, taut_workspace *workspace, cons
         (size_t)taut_basis_count(problem->u) * (size_t)taut_basis_count(problem->v);
     const double *alone = NULL, *shared = NULL;
     taut_model *one = problem_make(problem, &alone), *two = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     char *texts[2] = {NULL, NULL};
     size_t lengths[2] = {0, 0};
 

@@ -85,7 +85,7 @@ static void test_degenerate(void)
             taut_harmonic_problem problem = start(&g, m % 2 != 0 ? m : m + 1, m);
             taut_harmonic_extension_problem extension;
             taut_model *model = NULL, *pair = NULL;
-            taut_error error = {TAUT_OK, 0, 0, "", ""};
+            taut_error error = {.status = TAUT_OK};
             place(&g, kind);
             CHECK(taut_harmonic_make(&problem, NULL, &model, &error) == TAUT_OK, "%s m=%d: %s",
                   kinds[kind], m, error.message);
@@ -119,7 +119,7 @@ static void test_even_far(void)
     for (int m = 2; m <= 8; m += 2) {
         taut_harmonic_problem problem = start(&g, m, m);
         taut_model *model = NULL;
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         place(&g, 0);
         g.known[(m + 1) * (m + 1) - 1] = 0;
         CHECK(taut_harmonic_make(&problem, NULL, &model, NULL) == TAUT_OK, "m=%d", m);

@@ -7,7 +7,7 @@
 #include "construct/plateau/bend.h"
 #include "construct/plateau/directions.h"
 #include "taut/measure.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 #include "taut/plateau.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
 #include "check.h"
 
 #include "geometry/boundary/boundary.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 #include "taut/surface.h"
 
 #include <stdlib.h>
@@ -208,7 +208,7 @@ static void test_any_four(void)
         const int degree[2] = {random_int(0, 6), random_int(0, 6)};
         const int halvings[2] = {random_int(0, 2), random_int(0, 1)};
         taut_curve *curves[4], *sides[4], *fitted[4];
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         for (int i = 0; i < 4; i++) {
             curves[i] = any_between(square[i], square[(i + 1) % 4], random_int(1, 5), rational);
             disguise(&curves[i], rational);
@@ -237,7 +237,7 @@ static void test_gap(void)
     const double gaps[] = {1e-3, 1e-8};
     for (int g = 0; g < 2; g++) {
         taut_curve *curves[4], *sides[4] = {NULL, NULL, NULL, NULL};
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         for (int i = 0; i < 4; i++) {
             double begin[3], end[3];
             memcpy(begin, square[i], sizeof begin);
@@ -273,7 +273,7 @@ static void test_quasi(void)
     static const int none[2] = {0, 0};
     for (int trial = 0; trial < 3; trial++) {
         taut_curve *curves[4], *sides[4], *fitted[4] = {NULL, NULL, NULL, NULL};
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         taut_status status = TAUT_OK;
         for (int i = 0; i < 4; i++) {
             taut_basis_spec spec = {.type = "c-bezier", .alpha = trial == 1 && i == 2 ? 1.1 : 1.2};
@@ -312,7 +312,7 @@ static void test_bezier(void)
 {
     for (int trial = 0; trial < 20; trial++) {
         taut_curve *curves[4], *sides[4], *made[4] = {NULL, NULL, NULL, NULL};
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         const int torn = trial % 5 == 4;
         taut_status status = TAUT_OK;
         for (int i = 0; i < 4; i++) {
@@ -393,7 +393,7 @@ static void test_weights_around(void)
     for (int trial = 0; trial < 3; trial++) {
         const double ratio[4] = {2, last[trial], 0.25, 4};
         taut_curve *curves[4], *sides[4];
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         two_spans(knots, ratio, curves);
         CHECK(taut_boundary_order((const taut_curve *const *)curves, 1e-9, sides, &error) ==
                   TAUT_OK,
@@ -419,7 +419,7 @@ static void test_knots_apart(void)
     const double knots[4] = {0.5, 0.5, 0.5, 0.5};
     const taut_basis_spec spec = {.type = "bspline", .degree = 2, .knots = t, .knot_count = 8};
     taut_curve *curves[4], *sides[4], *fitted[4] = {NULL, NULL, NULL, NULL};
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     double points[5][3];
     two_spans(knots, NULL, curves);
     for (int k = 0; k < 5; k++) {

@@ -2,7 +2,7 @@
  */
 #include "check.h"
 
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
 #include "shapes.h"
 
 #include "taut/limits.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -49,7 +49,7 @@ static void test_rows(void)
 {
     static const double v0[3][3] = {{0, 0, 0}, {1, 0, 3}, {2, 0, 0}};
     static const double v1[3][3] = {{0, 2, 1}, {1, 2, 0.5}, {2, 2, 0}};
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_problem *problem =
         read_problem("{\"taut\": 1, \"construct\": \"harmonic\", \"boundary\": \"frame.json\", "
                      "\"known\": \"v\", \"widths\": [1, 2]}",
@@ -73,7 +73,7 @@ static void test_rows(void)
 
 static void check_refused(const char *text, double found, double limit, const char *message)
 {
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_problem *problem = read_problem(text, &error);
     CHECK(problem == NULL && error.status == TAUT_BAD_INPUT, "%.80s is taken", text);
     CHECK(strcmp(error.where, "/boundary") == 0 && strstr(error.message, message) != NULL, "%s: %s",

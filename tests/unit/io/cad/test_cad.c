@@ -4,7 +4,7 @@
 #include "shapes.h"
 
 #include "taut/limits.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 #include "taut/read.h"
 #include "taut/write.h"
 
@@ -27,7 +27,7 @@ static const char *const endings[] = {"model.step", "model.igs", "model.stp", "m
 static taut_model *read_back(const char *path)
 {
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_model_read(path, &model, &error) == TAUT_OK, "%s: %s: %s", path, error.where,
           error.message);
     return model;
@@ -37,7 +37,7 @@ static taut_model *written_and_read(const taut_model *model, const char *path, d
                                     double *bound)
 {
     const taut_write_options options = {.tolerance = tolerance, .bound = bound};
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_model_write(model, path, &options, &error) == TAUT_OK, "%s: %s", path,
           error.message);
     return error.status == TAUT_OK ? read_back(path) : NULL;
@@ -270,7 +270,7 @@ static void test_degree(void)
     CHECK(taut_model_new(&model) == TAUT_OK && taut_model_add_curve(model, curve) == TAUT_OK,
           "add");
     for (int e = 0; e < 2; e++) {
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         const char *path = in_folder(e == 0 ? "high.step" : "high.igs");
         CHECK(taut_model_write(model, path, NULL, &error) == TAUT_NO_SOLUTION, "%s", path);
         CHECK(strstr(error.message, "degree 26") != NULL, "%s", error.message);
@@ -285,7 +285,7 @@ static void test_degree(void)
 static int is_refused(const char *path)
 {
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     const taut_status status = taut_model_read(path, &model, &error);
     CHECK(status == TAUT_OK || status == TAUT_BAD_INPUT || status == TAUT_IO, "%s: %d %s", path,
           (int)status, error.message);
@@ -423,7 +423,7 @@ static void test_no_files(void)
 static int is_there(void)
 {
     const char *required = getenv("TAUT_REQUIRE");
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_model *model = NULL;
     taut_status status = TAUT_OK;
     CHECK(taut_model_new(&model) == TAUT_OK, "model");
@@ -450,7 +450,7 @@ static void test_point(void)
         taut_surface *surface =
             shape_surface(shape_bspline(1, 2), shape_bspline(1, 2), points, NULL);
         taut_model *model = NULL;
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
 
         CHECK(taut_model_new(&model) == TAUT_OK &&
                   taut_model_add_surface(model, surface) == TAUT_OK,

@@ -48,7 +48,7 @@ static void test_step(void)
         {BEGIN "#1=A();\n", "line 3", "the file is broken off: END-ISO-10303-21; is missing"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         const taut_status status = taut_cad_scan_step(rows[i].text, strlen(rows[i].text), &error);
         check_told(status, &error, rows[i].where, rows[i].message, rows[i].text);
     }
@@ -59,7 +59,7 @@ static void test_depth(void)
 {
     for (int depth = 100; depth <= 101; depth++) {
         char text[300] = BEGIN;
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         memset(text + strlen(text), '(', (size_t)depth);
         memset(text + strlen(text), ')', (size_t)depth);
         memcpy(text + strlen(text), END, sizeof END);
@@ -71,7 +71,7 @@ static void test_depth(void)
 static void test_zero_byte(void)
 {
     static const char text[] = BEGIN "#1=A();\n\0" END;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     check_told(taut_cad_scan_step(text, sizeof text - 1, &error), &error, "line 3",
                "a byte that is 0", text);
 }
@@ -140,7 +140,7 @@ static void test_iges(void)
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         char text[12 * 82];
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         const size_t length = drawing(rows[i].lines, text);
         check_told(taut_cad_scan_iges(text, length, &error), &error, rows[i].where, rows[i].message,
                    text);

@@ -22,7 +22,7 @@ static const taut_cad_item edge = {
 /* free() it. */
 static char *written(const taut_cad_item *items, int count, size_t *length)
 {
-    static const taut_error none = {TAUT_OK, 0, 0, "", ""};
+    static const taut_error none = {.status = TAUT_OK};
     char *bytes = NULL;
     FILE *file = open_memstream(&bytes, length);
     CHECK(taut_cad_put_unit(file, "cm"), "unit");
@@ -43,7 +43,7 @@ typedef struct outcome {
 
 static outcome read_back(const char *bytes, size_t length)
 {
-    outcome o = {.status = TAUT_OK, .error = {TAUT_OK, 0, 0, "", ""}};
+    outcome o = {.status = TAUT_OK, .error = {.status = TAUT_OK}};
     taut_cad_result result = {NULL, taut_record_new_list(), 0, TAUT_OK};
     FILE *file = fmemopen((void *)(size_t)bytes, length, "rb");
     CHECK(taut_model_new(&result.model) == TAUT_OK && file != NULL, "begin");

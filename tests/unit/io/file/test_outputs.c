@@ -155,7 +155,7 @@ static void check_descriptors(const char *what, int few,
                               taut_status (*call)(const taut_model *, taut_error *))
 {
     struct rlimit old = {256, 1024};
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     taut_model *model = NULL;
     const int next = open("/dev/null", O_RDONLY);
     close(next);
@@ -184,7 +184,7 @@ static void test_no_descriptor(void)
 static void test_target_became_folder(void)
 {
     taut_outputs *outputs = new_outputs();
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
     CHECK(mkdir(in_folder("a"), 0700) == 0, "mkdir");
     CHECK(taut_outputs_commit(outputs, &error) == TAUT_IO, "commit");
@@ -198,7 +198,7 @@ static void test_target_became_folder(void)
 static void test_full_device(void)
 {
     taut_outputs *outputs = new_outputs();
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
     CHECK(put(outputs, "two", "/dev/full") == TAUT_OK, "full");
     CHECK(taut_outputs_commit(outputs, &error) == TAUT_IO, "commit");
@@ -218,7 +218,7 @@ static void test_no_space(void)
     for (int k = 0; k < 2; k++) {
         struct rlimit old = {RLIM_INFINITY, RLIM_INFINITY};
         taut_outputs *outputs = new_outputs();
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         CHECK(getrlimit(RLIMIT_FSIZE, &old) == 0 &&
                   setrlimit(RLIMIT_FSIZE, &(struct rlimit){1024, old.rlim_max}) == 0,
               "limit");
@@ -238,7 +238,7 @@ static void test_no_space(void)
 static void check_refused(const char *path, const char *reason)
 {
     taut_outputs *outputs = new_outputs();
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_outputs_text(outputs, "x", 1, path, &error) == TAUT_IO, "%s", path);
     CHECK(strstr(error.message, reason) != NULL, "%s: \"%s\"", path, error.message);
     taut_outputs_free(outputs);
@@ -346,7 +346,7 @@ static void test_fifo(void)
 
 static void test_formats(void)
 {
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_format_count() >= 5, "formats");
     for (int i = 0; i < taut_format_count(); i++) {
         char path[32];
@@ -376,7 +376,7 @@ static taut_status write_with(const taut_model *model, const taut_write_options 
 static void test_options(void)
 {
     taut_model *model = NULL, *back = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_model_new(&model) == TAUT_OK, "model");
     add_any_surface(model, "one");
     add_any_surface(model, "two");

@@ -1,7 +1,7 @@
 /* test_geomdl.c -- geomdl's exchange JSON, out and in; B-spline knots in openNURBS's convention. */
 #include "models.h"
 
-#include "taut/operate.h"
+#include "taut/operations.h"
 #include "taut/read.h"
 #include "taut/write.h"
 
@@ -15,7 +15,7 @@ static taut_model *written_and_read(const taut_model *model, const char *name,
 {
     char path[96];
     taut_model *back = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     snprintf(path, sizeof path, "%s/%s", folder, name);
     CHECK(taut_model_write(model, path, options, &error) == TAUT_OK, "%s", error.message);
     CHECK(taut_model_read(path, &back, &error) == TAUT_OK, "%s: %s", error.where, error.message);
@@ -83,7 +83,7 @@ static void test_plane_curve(void)
         " 0.0, 1.0, 1.0, 1.0], \"control_points\": {\"points\": [[1, 0], [1, 1], [0, 1]], "
         "\"weights\": [1, 0.7071067811865476, 1]}, \"delta\": 0.01}]}}";
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_model_read_text(text, strlen(text), "text", &model, &error) == TAUT_OK, "%s: %s",
           error.where, error.message);
     for (int k = 0; model != NULL && k <= 10; k++) {
@@ -131,7 +131,7 @@ static void test_refused(void)
     };
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         taut_model *model = NULL;
-        taut_error error = {TAUT_OK, 0, 0, "", ""};
+        taut_error error = {.status = TAUT_OK};
         const taut_status status =
             taut_model_read_text(wrong[i].text, strlen(wrong[i].text), "text", &model, &error);
         CHECK(status == TAUT_BAD_INPUT && model == NULL, "%zu: status %d", i, (int)status);
@@ -147,7 +147,7 @@ static void test_numbers(void)
     static const char large[] = "{\"shape\": {\"type\": \"surface\", \"data\": [{\"size_u\": "
                                 "1000000, \"size_v\": 51}]}}";
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     char path[96];
     CHECK(taut_model_read_text(large, sizeof large - 1, "text", &model, &error) == TAUT_BAD_INPUT &&
               error.found == 51e6 && error.limit == 5e7,

@@ -70,7 +70,7 @@ static int compare(const char *text, size_t length)
     json_error_t broken;
     json_t *other = json_loadb(text, length, flags, &broken);
     taut_json_document *document = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     const taut_status status = taut_json_parse(text, length, "text", &document, &error);
     const int accepted = status == TAUT_OK;
 

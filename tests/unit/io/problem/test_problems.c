@@ -25,14 +25,14 @@ static void test_members(void)
 {
     static const unsigned char known[12] = {1, 1, 1, 1, 1, 0, 0, 1, 1, 0, 1, 1};
     taut_problem *problem = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_problem_read_text(text, sizeof text - 1, "text", &problem, &error) == TAUT_OK,
           "%s %s", error.where, error.message);
     if (problem == NULL) {
         return;
     }
     const taut_dirichlet_problem *data = problem->data;
-    CHECK(strcmp(taut_problem_construct(problem), "dirichlet") == 0, "construct");
+    CHECK(strcmp(taut_problem_construction(problem), "dirichlet") == 0, "construct");
     CHECK(strcmp(problem->unit, "in") == 0 && strcmp(data->name, "lid") == 0, "unit and name");
     CHECK(data->aspect == 2.5 && !data->aspect_auto, "aspect");
     CHECK(taut_basis_lo(data->u) == -1 && taut_basis_hi(data->u) == 3, "range of u");
@@ -91,7 +91,7 @@ static void check_io(const char *path, const char *reason)
 {
     taut_problem *problem = NULL;
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_problem_read(path, &problem, &error) == TAUT_IO, "problem %s", path);
     CHECK(strstr(error.message, path) != NULL && strstr(error.message, reason) != NULL,
           "\"%s\" does not say %s and %s", error.message, path, reason);
@@ -107,7 +107,7 @@ static void test_files(void)
     char folder[] = "/tmp/taut-test-XXXXXX";
     char path[64];
     taut_problem *problem = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     FILE *file = NULL;
 
     CHECK(mkdtemp(folder) != NULL, "folder");
@@ -142,7 +142,7 @@ static void test_no_file(void)
 {
     char folder[] = "/tmp/taut-test-XXXXXX", path[64];
     taut_model *model = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(mkdtemp(folder) != NULL, "folder");
     snprintf(path, sizeof path, "%s/none.step", folder);
     check_io(path, "No such file");
@@ -167,7 +167,7 @@ static void test_unreadable(void)
     }
     close(STDIN_FILENO);
     taut_problem *problem = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(taut_problem_read("-", &problem, &error) == TAUT_IO && problem == NULL, "no input");
     CHECK(strstr(error.message, "cannot read standard input") != NULL &&
               strstr(error.message, "Bad file descriptor") != NULL,
@@ -184,7 +184,7 @@ static void test_pipe(void)
     char command[64];
     int ends[2];
     taut_problem *problem = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
+    taut_error error = {.status = TAUT_OK};
     CHECK(pipe(ends) == 0, "pipe");
     CHECK(write(ends[1], text, sizeof text - 1) == (ssize_t)sizeof text - 1, "write");
     close(ends[1]);

@@ -4,7 +4,7 @@
 #include "shapes.h"
 
 #include "taut/measure.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <string.h>
 

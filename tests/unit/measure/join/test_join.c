@@ -3,7 +3,7 @@
 #include "shapes.h"
 
 #include "taut/join.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #include "check.h"
 
 #include "taut/bonnet.h"
-#include "taut/operate.h"
+#include "taut/operations.h"
 #include "taut/recognise.h"
 
 #include <string.h>

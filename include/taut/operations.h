@@ -1,4 +1,4 @@
-/* taut/operate.h -- exact operations on curves, surfaces and models; and NURBS within a tolerance.
+/* taut/operations.h -- exact operations on curves, surfaces and models; and NURBS within a tolerance.
  *
  * Each makes new objects and leaves the old ones as they were. All but taut_*_to_nurbs represent
  * the same points exactly: their only error is rounding, a few units of 2^-53 of the largest
@@ -23,8 +23,8 @@
  * Sources: [PieglTiller1997] ch. 5, [Farin2002] ch. 5-6 (bezier, bspline); [XuWang2006] sections 3,
  * 4, 6 (c-, h-); [WangBai2018] section 2 (ce-).
  */
-#ifndef TAUT_OPERATE_H
-#define TAUT_OPERATE_H
+#ifndef TAUT_OPERATIONS_H
+#define TAUT_OPERATIONS_H
 
 #include "taut/model.h"
 
@@ -137,4 +137,4 @@ TAUT_API taut_status taut_model_to_nurbs(const taut_model *model, double toleran
 #ifdef __cplusplus
 }
 #endif
-#endif /* TAUT_OPERATE_H */
+#endif /* TAUT_OPERATIONS_H */
