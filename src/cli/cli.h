@@ -182,12 +182,33 @@ int cli_number(const char *word, double *value);
 /* "U,V" as two numbers; 0 if it is none. */
 int cli_pair(const char *word, double *a, double *b);
 
-/* Prints "taut: WHERE: message" and returns the status's exit code. */
+/* Reasons that the command line itself is wrong (exit 2): word, meaning, remedy. */
+#define CLI_REASON_LIST(X)                                                                         \
+    X("command", "there is no such command, or none was given", "see taut --help")                 \
+    X("operand", "too few files or words, or too many", "see the command's --help")                \
+    X("option", "an unknown option, one that is missing, or some that exclude each other",         \
+      "see the command's --help")                                                                  \
+    X("value", "the value of an option is not one that it takes", "give one that `expected` says") \
+    X("name", "the model, or the list of examples, papers or schemas, has nothing of this name",   \
+      "take one of the names that are there")                                                      \
+    X("range", "a parameter outside the range of its basis", "give one inside the range")
+
+/* From now on what goes wrong is told as JSON: one line on standard error. */
+void cli_speak_json(void);
+int cli_speaks_json(void);
+
+/* Prints "taut: WHERE: message", or the error as JSON, and returns the status's exit code. */
 int cli_fail(const taut_error *error);
 /* The same about a document: where the place is a JSON pointer the file's name comes first. */
 int cli_fail_in(const char *file, const taut_error *error);
-/* Prints "taut: message" and returns 2: the command line is wrong. */
-int cli_misuse(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* Prints "taut: message" and returns 2: the command line is wrong. `reason` is a word of the list
+ * above. */
+int cli_misuse(const char *reason, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* "taut: OPTION WORD: expected EXPECTED", and 2: the value of an option is wrong. */
+int cli_misuse_value(const char *option, const char *word, const char *expected, ...)
+    __attribute__((format(printf, 3, 4)));
+/* Memory ran out: 6, after its message. */
+int cli_no_memory(void);
 /* The known word nearest to a wrong one, or NULL if none is near; words ended by NULL. */
 const char *cli_nearest(const char *word, const char *const *words);
 
@@ -218,6 +239,8 @@ int cli_write_model(const taut_model *model, const cli_options *options);
 /* Prints a record as JSON on standard output; 0 or the exit code after one message. Frees the
  * record. */
 int cli_print_record(taut_record *record);
+/* The same on standard error. */
+int cli_report_json(taut_record *record);
 /* Prints text on standard output, checking that it arrived. */
 int cli_print_text(const char *text, size_t length);
 

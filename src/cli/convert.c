@@ -59,13 +59,13 @@ static int run(const cli_options *options)
     int code = cli_check_outputs(options);
 
     if (code == 0 && options->output_count == 0) {
-        code = cli_misuse("`taut convert` needs at least one -o FILE");
+        code = cli_misuse("option", "`taut convert` needs at least one -o FILE");
     }
     if (code != 0) {
         return code;
     }
     if (options->file_count > 1 && options->pieces) {
-        return cli_misuse("--pieces takes one model at a time");
+        return cli_misuse("operand", "--pieces takes one model at a time");
     }
     if (options->file_count > 1) {
         return run_many(options);

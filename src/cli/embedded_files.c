@@ -31,5 +31,5 @@ int cli_embedded_unknown(const taut_embedded *files, const char *kind, const cha
         used += (size_t)snprintf(known + used, sizeof known - used, "%s%.*s", used > 0 ? ", " : "",
                                  (int)(strlen(file->name) - strlen(".json")), file->name);
     }
-    return cli_misuse("there is no %s \"%.60s\"; there are: %s", kind, name, known);
+    return cli_misuse("name", "there is no %s \"%.60s\"; there are: %s", kind, name, known);
 }

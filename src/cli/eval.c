@@ -42,8 +42,8 @@ static int clamp(const taut_basis *basis, double *t)
 
 static int outside(const char *name, double t, const taut_basis *basis)
 {
-    return cli_misuse("--at: %s is %.17g, expected %.17g to %.17g", name, t, taut_basis_lo(basis),
-                      taut_basis_hi(basis));
+    return cli_misuse("range", "--at: %s is %.17g, expected %.17g to %.17g", name, t,
+                      taut_basis_lo(basis), taut_basis_hi(basis));
 }
 
 static void add_or_null(taut_record *record, const char *key, int regular, int count,
@@ -67,7 +67,7 @@ static int eval_surface(const taut_surface *surface, const char *at, taut_record
     double u = 0, v = 0;
 
     if (!cli_pair(at, &u, &v)) {
-        return cli_misuse("--at %.40s: expected two numbers U,V", at);
+        return cli_misuse_value("--at", at, "two numbers U,V");
     }
     if (!clamp(taut_surface_u(surface), &u)) {
         return outside("u", u, taut_surface_u(surface));
@@ -76,7 +76,7 @@ static int eval_surface(const taut_surface *surface, const char *at, taut_record
         return outside("v", v, taut_surface_v(surface));
     }
     if (taut_surface_eval(surface, u, v, 2, &values[0][0]) != TAUT_OK) {
-        return cli_misuse("--at %.40s: it cannot be evaluated there", at);
+        return cli_misuse("range", "--at %.40s: it cannot be evaluated there", at);
     }
     taut_forms_of((const double(*)[3])values, &forms);
     row = taut_record_add_object(list, NULL);
@@ -111,13 +111,13 @@ static int eval_curve(const taut_curve *curve, const char *at, taut_record *list
     double t = 0, curvature = 0, torsion = 0;
 
     if (!cli_number(at, &t)) {
-        return cli_misuse("--at %.40s: expected one number T", at);
+        return cli_misuse_value("--at", at, "one number T");
     }
     if (!clamp(taut_curve_t(curve), &t)) {
         return outside("t", t, taut_curve_t(curve));
     }
     if (taut_curve_eval(curve, t, 3, &values[0][0]) != TAUT_OK) {
-        return cli_misuse("--at %.40s: it cannot be evaluated there", at);
+        return cli_misuse("range", "--at %.40s: it cannot be evaluated there", at);
     }
     curvature_torsion(values, &curvature, &torsion);
     row = taut_record_add_object(list, NULL);
@@ -158,7 +158,8 @@ static int eval_model(const taut_model *model, const cli_options *options)
     int code = 0;
 
     if (surface == NULL && curve == NULL) {
-        return cli_misuse("the model has no %s %.80s", options->curve != NULL ? "curve" : "surface",
+        return cli_misuse("name", "the model has no %s %.80s",
+                          options->curve != NULL ? "curve" : "surface",
                           options->curve != NULL     ? options->curve
                           : options->surface != NULL ? options->surface
                                                      : "or curve at all");
@@ -186,10 +187,11 @@ static int run(const cli_options *options)
     int code = 0;
 
     if (options->at_count == 0) {
-        return cli_misuse("`taut eval` needs at least one --at U,V (or --at T for a curve)");
+        return cli_misuse("option",
+                          "`taut eval` needs at least one --at U,V (or --at T for a curve)");
     }
     if (options->surface != NULL && options->curve != NULL) {
-        return cli_misuse("give either --surface or --curve");
+        return cli_misuse("option", "give either --surface or --curve");
     }
     if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);

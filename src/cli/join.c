@@ -12,8 +12,8 @@ static int find_edge(const taut_model *model, const char *word, const taut_surfa
     const size_t length = dot != NULL ? (size_t)(dot - word) : 0;
 
     if (taut_edge_of_name(dot != NULL ? dot + 1 : word, edge) != TAUT_OK) {
-        return cli_misuse("%.80s is no edge: expected u0, u1, v0 or v1, or NAME.u0 and so on",
-                          word);
+        return cli_misuse(
+            "value", "%.80s is no edge: expected u0, u1, v0 or v1, or NAME.u0 and so on", word);
     }
     for (int i = 0; i < taut_model_surface_count(model); i++) {
         const char *name = taut_surface_name(taut_model_surface(model, i));
@@ -26,10 +26,10 @@ static int find_edge(const taut_model *model, const char *word, const taut_surfa
         }
     }
     if (dot == NULL && taut_model_surface_count(model) > 1) {
-        return cli_misuse("%.80s: the model has %d surfaces, expected NAME.%s", word,
+        return cli_misuse("name", "%.80s: the model has %d surfaces, expected NAME.%s", word,
                           taut_model_surface_count(model), taut_edge_name(*edge));
     }
-    return cli_misuse("%.80s: the model has no such surface", word);
+    return cli_misuse("name", "%.80s: the model has no such surface", word);
 }
 
 static int tell(const cli_options *options, const taut_join *join)

@@ -35,12 +35,17 @@ static int print_help(void)
 
 static int print_command_help(const cli_command *command)
 {
+    int prints_json = 0;
     printf("taut %s %s\n\n%s\n", command->name, command->usage, command->text);
     for (const cli_option *o = command->options; o->kind != CLI_END; o++) {
         char left[48];
+        prints_json |= strcmp(o->name, "--json") == 0;
         snprintf(left, sizeof left, "%s%s%s", o->name, o->value != NULL ? " " : "",
                  o->value != NULL ? o->value : "");
         printf("  %-18s %s\n", left, o->help);
+    }
+    if (!prints_json) {
+        printf("  %-18s %s\n", "--json", "tell what goes wrong as JSON, for programs");
     }
     return cli_print_text("", 0);
 }
@@ -60,7 +65,7 @@ static int run(const cli_command *command, int count, char **words)
     cli_options options = {.file_count = 0};
     int code = cli_parse(command, count, words, &options);
     if (code == 0) {
-        if (!options.quiet) {
+        if (!options.quiet && !cli_speaks_json()) {
             cli_announce(command->name);
         }
         code = options.help ? print_command_help(command) : command->run(&options);
@@ -73,10 +78,15 @@ int main(int argc, char **argv)
 {
     const char *names[COMMAND_COUNT + 3] = {"--help", "--version"};
 
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        if (strcmp(argv[i], "--json") == 0) {
+            cli_speak_json(); /* also of what is wrong with the words before */
+        }
+    }
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once, */
     signal(SIGXFSZ, SIG_IGN); /* and so is a file that grows past its limit */
     if (argc < 2) {
-        return cli_misuse("no command; `taut --help` lists them");
+        return cli_misuse("command", "no command; `taut --help` lists them");
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
         return print_help();
@@ -91,7 +101,7 @@ int main(int argc, char **argv)
         names[i + 2] = commands[i]->name;
     }
     const char *near = cli_nearest(argv[1], names);
-    return cli_misuse("there is no command \"%.40s\"%s%s%s; `taut --help` lists them", argv[1],
-                      near != NULL ? " (did you mean \"" : "", near != NULL ? near : "",
+    return cli_misuse("command", "there is no command \"%.40s\"%s%s%s; `taut --help` lists them",
+                      argv[1], near != NULL ? " (did you mean \"" : "", near != NULL ? near : "",
                       near != NULL ? "\"?)" : "");
 }

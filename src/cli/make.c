@@ -39,13 +39,12 @@ static int stage(taut_outputs *outputs, const cli_options *options, cli_report *
 static int stage_report(taut_outputs *outputs, const char *path, const cli_report *report)
 {
     taut_record *record = cli_report_record(report);
-    taut_error error = {.status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
-    taut_status status = taut_record_status(record);
-    if (status == TAUT_OK) {
-        status = taut_outputs_record(outputs, record, path, &error);
-    }
+    taut_error error;
+    const int is_whole = taut_record_status(record) == TAUT_OK;
+    const taut_status status =
+        is_whole ? taut_outputs_record(outputs, record, path, &error) : TAUT_NO_MEMORY;
     taut_record_free(record);
-    return status == TAUT_OK ? 0 : cli_fail(&error);
+    return !is_whole ? cli_no_memory() : status == TAUT_OK ? 0 : cli_fail(&error);
 }
 
 /* Writes everything and tells what happened. */
@@ -69,51 +68,15 @@ static int deliver(const cli_options *options, cli_report *report)
     }
     cli_outputs_free(outputs);
     cli_monitor_done();
-    if (code == 0 && !options->quiet) {
+    if (code == 0 && !options->quiet && options->json) {
+        code = cli_report_json(cli_report_record(report));
+    } else if (code == 0 && !options->quiet) {
         cli_report_print(report);
     }
     if (code == 0 && taut_certificate_holds(report->certificate) == TAUT_FALSE) {
         code = 1;
     }
     return code;
-}
-
-int cli_make_model(const taut_problem *problem, const cli_options *options,
-                   taut_workspace *workspace, const char *place, cli_made *made)
-{
-    const taut_make_options chosen = {.tolerance = options->tolerance,
-                                      .threads = options->threads,
-                                      .monitor = cli_monitor(options->quiet),
-                                      .workspace = workspace,
-                                      .exact = options->exact};
-    const taut_certify_options proof = {
-        .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};
-    cli_report *report = &made->report;
-    taut_model *model = NULL;
-    taut_certificate *certificate = NULL;
-    taut_error error;
-    const double start = cli_seconds();
-    taut_status status = taut_make(problem, &chosen, &model, &error);
-
-    report->construct = taut_problem_construction(problem);
-    report->seconds_made = cli_seconds() - start;
-    if (status == TAUT_OK) {
-        status = taut_certify(model, problem, &proof, &certificate, &error);
-        report->seconds_proved = cli_seconds() - start - report->seconds_made;
-    }
-    if (status != TAUT_OK) {
-        taut_model_free(model);
-        if (error.where[0] == '\0' || error.where[0] == '/') {
-            char where[sizeof error.where];
-            snprintf(where, sizeof where, "%s%.100s", place, error.where);
-            memcpy(error.where, where, sizeof where);
-        }
-        return cli_fail_in(options->files[0], &error);
-    }
-    taut_model_set_certificate(model, certificate);
-    report->model = made->model = model;
-    report->certificate = certificate;
-    return 0;
 }
 
 static int make(const taut_problem *problem, const cli_options *options)
@@ -154,12 +117,14 @@ static const cli_option options_of_make[] = {
     CLI_THREADS,
     CLI_FIGURE,
     CLI_EXACT,
+    {"--json", CLI_FLAG, offsetof(cli_options, json), 0, 0, 0, NULL,
+     "report, and tell what goes wrong, as JSON on standard error"},
     {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},
     CLI_LAST};
 
 const cli_command cli_command_make = {
     .name = "make",
-    .usage = "PROBLEM.json [-o FILE]... [--report FILE] [--tolerance T] [--quiet]",
+    .usage = "PROBLEM.json [-o FILE]... [--report FILE] [--tolerance T] [--quiet] [--json]",
     .summary = "build the surface a problem asks for, and prove it",
     .text = "Reads a problem (- is standard input), builds its model, proves it, and writes it to "
             "every\n"

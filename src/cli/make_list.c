@@ -22,13 +22,6 @@ typedef struct batch {
     size_t reuses;
 } batch;
 
-static int no_memory(void)
-{
-    const taut_error error = {
-        .status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
-    return cli_fail(&error);
-}
-
 /* The % of a file's name that its number takes the place of, or NULL; folders keep theirs. */
 static const char *percent_of(const char *path)
 {
@@ -84,7 +77,7 @@ static int stage_one(batch *b, taut_outputs *outputs, taut_write_options *chosen
         b->paths[at] = numbered(path, i, b->count);
         b->bounds[at] = (double)NAN;
         if (b->paths[at] == NULL) {
-            return no_memory();
+            return cli_no_memory();
         }
         report->output_count++;
         chosen->bound = &b->bounds[at];
@@ -103,7 +96,7 @@ static int stage_lists(batch *b, taut_outputs *outputs, const taut_write_options
     const double start = cli_seconds();
     const taut_model **models = malloc((size_t)b->count * sizeof *models);
     const int asked = b->options->output_count;
-    int code = models != NULL ? 0 : no_memory();
+    int code = models != NULL ? 0 : cli_no_memory();
 
     for (int i = 0; code == 0 && i < b->count; i++) {
         models[i] = b->made[i].model;
@@ -121,22 +114,33 @@ static int stage_lists(batch *b, taut_outputs *outputs, const taut_write_options
     return code;
 }
 
-/* The reports of all, as a list. */
-static int stage_report(const batch *b, taut_outputs *outputs)
+/* The reports of all, as a list: the caller's; NULL: no memory. */
+static taut_record *new_reports(const batch *b)
 {
     taut_record *list = taut_record_new_list();
-    taut_error error = {.status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
-    taut_status status = TAUT_OK;
+    int is_whole = 1;
     for (int i = 0; i < b->count; i++) {
         taut_record *record = cli_report_record(&b->made[i].report);
         taut_record_add_record(list, NULL, record);
-        status = status == TAUT_OK ? taut_record_status(record) : status;
+        is_whole &= taut_record_status(record) == TAUT_OK;
         taut_record_free(record);
     }
-    status = status == TAUT_OK ? taut_record_status(list) : status;
-    if (status == TAUT_OK) {
-        status = taut_outputs_record(outputs, list, b->options->report, &error);
+    if (!is_whole || taut_record_status(list) != TAUT_OK) {
+        taut_record_free(list);
+        return NULL;
     }
+    return list;
+}
+
+static int stage_report(const batch *b, taut_outputs *outputs)
+{
+    taut_record *list = new_reports(b);
+    taut_error error;
+    taut_status status = TAUT_OK;
+    if (list == NULL) {
+        return cli_no_memory();
+    }
+    status = taut_outputs_record(outputs, list, b->options->report, &error);
     taut_record_free(list);
     return status == TAUT_OK ? 0 : cli_fail(&error);
 }
@@ -217,7 +221,9 @@ static int deliver(batch *b)
     }
     cli_outputs_free(outputs);
     cli_monitor_done();
-    if (code == 0 && !b->options->quiet) {
+    if (code == 0 && !b->options->quiet && b->options->json) {
+        code = cli_report_json(new_reports(b));
+    } else if (code == 0 && !b->options->quiet) {
         print(b);
     }
     for (int i = 0; code == 0 && i < b->count; i++) {
@@ -238,7 +244,7 @@ int cli_make_list(const taut_problem_list *list, const cli_options *options)
     b.bounds = calloc(rows * row, sizeof *b.bounds);
     if (b.made == NULL || b.paths == NULL || b.bounds == NULL ||
         taut_workspace_new(&workspace) != TAUT_OK) {
-        code = no_memory();
+        code = cli_no_memory();
     }
     for (int i = 0; code == 0 && i < b.count; i++) {
         char place[16];

@@ -105,7 +105,7 @@ static int run(const cli_options *options)
 
     if (status == TAUT_OK && options->surface != NULL && !has_surface(model, options->surface)) {
         taut_model_free(model);
-        return cli_misuse("--surface %.80s: the model has no surface of that name",
+        return cli_misuse("name", "--surface %.80s: the model has no surface of that name",
                           options->surface);
     }
     if (status == TAUT_OK) {

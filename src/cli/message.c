@@ -1,13 +1,27 @@
-/* message.c -- what a person is told when something went wrong: one message, one line. */
+/* message.c -- what is told when something went wrong: one message, one line, for a person or, with
+ * --json, for a program. */
 #include "cli/cli.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
+static int speaks_json;
+
+void cli_speak_json(void)
+{
+    speaks_json = 1;
+}
+
+int cli_speaks_json(void)
+{
+    return speaks_json;
+}
+
 /* One line, whatever the names and words in it are: what would move the cursor is a "?". */
-static void say(char *line)
+static void print_line(char *line)
 {
     for (char *at = line; *at != '\0'; at++) {
         if (iscntrl((unsigned char)*at)) {
@@ -17,14 +31,88 @@ static void say(char *line)
     fprintf(stderr, "taut: %s\n", line);
 }
 
-int cli_fail(const taut_error *error)
+/* The word for an error that names none. */
+static const char *reason_of(const taut_error *error)
+{
+    return error->reason[0] != '\0'             ? error->reason
+           : error->status == TAUT_NO_MEMORY    ? "memory"
+           : error->status == TAUT_INTERRUPTED  ? "interrupted"
+           : error->status == TAUT_BAD_ARGUMENT ? "argument"
+                                                : "fault";
+}
+
+static const char *sentence_of(const taut_error *error)
+{
+    return error->message[0] != '\0' ? error->message : taut_status_text(error->status);
+}
+
+static void add_number_or_null(taut_record *record, const char *key, double value)
+{
+    if (isfinite(value)) {
+        taut_record_add_number(record, key, value);
+    } else {
+        taut_record_add_null(record, key);
+    }
+}
+
+/* { "error": { ... } } in one line; `where` is the pointer, or what else says the place. */
+static void print_json(const taut_error *error, const char *where)
+{
+    taut_record *record = taut_record_new();
+    taut_record *object = taut_record_add_object(record, "error");
+    char *text = NULL;
+    size_t length = 0;
+
+    taut_record_add_number(object, "exit", taut_status_exit_code(error->status));
+    taut_record_add_text(object, "reason", reason_of(error));
+    taut_record_add_text(object, "where", where);
+    taut_record_add_text(object, "message", sentence_of(error));
+    add_number_or_null(object, "found", error->found);
+    if (error->expected[0] != '\0') {
+        taut_record_add_text(object, "expected", error->expected);
+    } else {
+        add_number_or_null(object, "expected", error->limit);
+    }
+    if (taut_record_status(record) != TAUT_OK ||
+        taut_record_write(record, &text, &length) != TAUT_OK) {
+        fprintf(stderr,
+                "{ \"error\": { \"exit\": %d, \"reason\": \"%s\", \"where\": \"\", "
+                "\"message\": \"memory ran out\", \"found\": null, \"expected\": null } }\n",
+                taut_status_exit_code(error->status), reason_of(error));
+    } else {
+        /* texts have no line ends of their own: those that are there are the layout's */
+        for (size_t i = 0; i < length; i++) {
+            if (text[i] != '\n') {
+                fputc(text[i], stderr);
+                continue;
+            }
+            while (i + 1 < length && text[i + 1] == ' ') {
+                i++;
+            }
+            fputc(i + 1 < length ? ' ' : '\n', stderr);
+        }
+    }
+    taut_text_free(text);
+    taut_record_free(record);
+}
+
+static int tell(const taut_error *error, const char *where)
 {
     char line[sizeof error->where + sizeof error->message + 2];
     cli_monitor_done();
-    snprintf(line, sizeof line, "%s%s%s", error->where, error->where[0] != '\0' ? ": " : "",
-             error->message[0] != '\0' ? error->message : taut_status_text(error->status));
-    say(line);
+    if (speaks_json) {
+        print_json(error, where);
+    } else {
+        snprintf(line, sizeof line, "%s%s%s", error->where, error->where[0] != '\0' ? ": " : "",
+                 sentence_of(error));
+        print_line(line);
+    }
     return taut_status_exit_code(error->status);
+}
+
+int cli_fail(const taut_error *error)
+{
+    return tell(error, error->where);
 }
 
 int cli_fail_in(const char *file, const taut_error *error)
@@ -38,18 +126,45 @@ int cli_fail_in(const char *file, const taut_error *error)
         snprintf(placed.where, sizeof placed.where, "%.100s%s%.80s", name,
                  error->where[0] != '\0' ? ": " : "", error->where);
     }
-    return cli_fail(&placed);
+    return tell(&placed, error->where[0] != '\0' ? error->where : placed.where);
 }
 
-int cli_misuse(const char *format, ...)
+static taut_error misuse(const char *reason)
 {
-    char line[2 * sizeof((taut_error *)0)->message];
+    taut_error error = {.status = TAUT_BAD_ARGUMENT, .found = (double)NAN, .limit = (double)NAN};
+    snprintf(error.reason, sizeof error.reason, "%s", reason);
+    return error;
+}
+
+int cli_misuse(const char *reason, const char *format, ...)
+{
+    taut_error error = misuse(reason);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(line, sizeof line, format, arguments);
+    vsnprintf(error.message, sizeof error.message, format, arguments);
     va_end(arguments);
-    say(line);
-    return 2;
+    return cli_fail(&error);
+}
+
+int cli_misuse_value(const char *option, const char *word, const char *expected, ...)
+{
+    taut_error error = misuse("value");
+    va_list arguments;
+    va_start(arguments, expected);
+    vsnprintf(error.expected, sizeof error.expected, expected, arguments);
+    va_end(arguments);
+    snprintf(error.where, sizeof error.where, "%s %.40s", option, word);
+    snprintf(error.message, sizeof error.message, "expected %s", error.expected);
+    if (!cli_number(word, &error.found)) {
+        error.found = (double)NAN;
+    }
+    return cli_fail(&error);
+}
+
+int cli_no_memory(void)
+{
+    taut_error error = {.status = TAUT_NO_MEMORY, .found = (double)NAN, .limit = (double)NAN};
+    return cli_fail(&error);
 }
 
 /* Edit distance of two short words (insertions, deletions, changes). */

@@ -70,13 +70,13 @@ static const cli_option *find(const cli_command *command, const char *word)
 
 static int unknown(const cli_command *command, const char *word)
 {
-    const char *names[64] = {"--help"};
-    int n = 1;
+    const char *names[64] = {"--help", "--json"};
+    int n = 2;
     for (const cli_option *o = command->options; o->kind != CLI_END && n < 63; o++) {
         names[n++] = o->name;
     }
     const char *near = cli_nearest(word, names);
-    return cli_misuse("`taut %s` has no option %.40s%s%s%s", command->name, word,
+    return cli_misuse("option", "`taut %s` has no option %.40s%s%s%s", command->name, word,
                       near != NULL ? " (did you mean " : "", near != NULL ? near : "",
                       near != NULL ? "?)" : "");
 }
@@ -87,14 +87,12 @@ static int append(char *base, const cli_option *option, const char *word)
     const char ***list = (const char ***)(void *)(base + option->offset);
     int *count = (int *)(void *)(base + option->offset_count);
     if (*count >= CLI_LIST_MAX) {
-        return cli_misuse("%s is given more than %d times", option->name, CLI_LIST_MAX);
+        return cli_misuse("option", "%s is given more than %d times", option->name, CLI_LIST_MAX);
     }
     if ((*count & (*count - 1)) == 0) {
         const char **grown = realloc(*list, (size_t)(*count > 0 ? 2 * *count : 1) * sizeof **list);
         if (grown == NULL) {
-            taut_error error = {
-                .status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
-            return cli_fail(&error);
+            return cli_no_memory();
         }
         *list = grown;
     }
@@ -115,9 +113,9 @@ static int take(char *base, const cli_option *option, const char *word)
     }
     if (!cli_number(word, &value) || value < option->lo || value > option->hi ||
         (option->kind == CLI_INTEGER && value != floor(value))) {
-        return cli_misuse("%s %.40s: expected %s from %g to %g", option->name, word,
-                          option->kind == CLI_INTEGER ? "a whole number" : "a number", option->lo,
-                          option->hi);
+        return cli_misuse_value(option->name, word, "%s from %g to %g",
+                                option->kind == CLI_INTEGER ? "a whole number" : "a number",
+                                option->lo, option->hi);
     }
     if (option->kind == CLI_INTEGER) {
         *(int *)(void *)(base + option->offset) = (int)value;
@@ -130,7 +128,8 @@ static int take(char *base, const cli_option *option, const char *word)
 static int take_file(const cli_command *command, cli_options *options, const char *word)
 {
     if (options->file_count == command->files_max) {
-        return cli_misuse("`taut %s` does not know what to do with %.80s: it takes %d at most",
+        return cli_misuse("operand",
+                          "`taut %s` does not know what to do with %.80s: it takes %d at most",
                           command->name, word, command->files_max);
     }
     options->files[options->file_count++] = word;
@@ -158,13 +157,14 @@ static int take_option(const cli_command *command, char **words, int left, cli_o
     }
     if (option->kind == CLI_FLAG) {
         if (equals != NULL) {
-            return cli_misuse("%s takes no value", option->name);
+            return cli_misuse("option", "%s takes no value", option->name);
         }
         *(int *)(void *)((char *)options + option->offset) = 1;
         return 0;
     }
     if (equals == NULL && left < 2) {
-        return cli_misuse("%s needs a value: %s %s", option->name, option->name, option->value);
+        return cli_misuse("option", "%s needs a value: %s %s", option->name, option->name,
+                          option->value);
     }
     *used = equals != NULL ? 1 : 2;
     return take((char *)options, option, equals != NULL ? equals + 1 : words[1]);
@@ -182,6 +182,8 @@ int cli_parse(const cli_command *command, int count, char **words, cli_options *
                    (strcmp(words[i], "--help") == 0 || strcmp(words[i], "-h") == 0)) {
             options->help = 1;
             return 0;
+        } else if (!only_files && strcmp(words[i], "--json") == 0) {
+            options->json = 1;
         } else if (!only_files && words[i][0] == '-' && words[i][1] != '\0') {
             code = take_option(command, words + i, count - i, options, &used);
         } else {
@@ -189,8 +191,8 @@ int cli_parse(const cli_command *command, int count, char **words, cli_options *
         }
     }
     if (code == 0 && options->file_count < command->files_min) {
-        code = cli_misuse("`taut %s` needs more: taut %s %s", command->name, command->name,
-                          command->usage);
+        code = cli_misuse("operand", "`taut %s` needs more: taut %s %s", command->name,
+                          command->name, command->usage);
     }
     return code;
 }

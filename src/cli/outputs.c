@@ -21,9 +21,7 @@ int cli_outputs_new(taut_outputs **outputs)
 {
     const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     if (taut_outputs_new(outputs) != TAUT_OK) {
-        taut_error error = {
-            .status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
-        return cli_fail(&error);
+        return cli_no_memory();
     }
     at_risk = *outputs;
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
@@ -79,15 +77,14 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
             }
         }
         if (chosen->colour == TAUT_COLOUR_PLAIN) {
-            return cli_misuse("--colour %.40s: expected H, K or I", options->colour);
+            return cli_misuse_value("--colour", options->colour, "H, K or I");
         }
     }
     if (options->view != NULL) {
         chosen->has_view = 1;
         if (!cli_pair(options->view, &chosen->view[0], &chosen->view[1])) {
-            return cli_misuse(
-                "--view %.40s: expected two numbers, azimuth and elevation in degrees",
-                options->view);
+            return cli_misuse_value("--view", options->view,
+                                    "two numbers, azimuth and elevation in degrees");
         }
     }
     return 0;
@@ -98,11 +95,11 @@ int cli_check_outputs(const cli_options *options)
     for (int i = 0; i < options->output_count; i++) {
         taut_error error;
         if (taut_format_of(options->outputs[i], &error) < 0) {
-            return cli_misuse("-o %s: %s", options->outputs[i], error.message);
+            return cli_misuse(error.reason, "-o %s: %s", options->outputs[i], error.message);
         }
         for (int j = 0; j < i; j++) {
             if (strcmp(options->outputs[i], options->outputs[j]) == 0) {
-                return cli_misuse("-o %s is given twice", options->outputs[i]);
+                return cli_misuse("option", "-o %s is given twice", options->outputs[i]);
             }
         }
     }
@@ -159,7 +156,8 @@ int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double 
         code = cli_commit(outputs);
     }
     cli_monitor_done();
-    for (int i = 0; i < count && code == 0; i++) { /* what was approximated is not kept quiet */
+    /* what was approximated is not kept quiet */
+    for (int i = 0; i < count && code == 0 && !options->json; i++) {
         char distance[CLI_DISTANCE_ROOM];
         if (bounds[i] > 0) {
             fprintf(stderr, "%s%s of the model\n", paths[i],
@@ -221,23 +219,37 @@ int cli_print_text(const char *text, size_t length)
     return 0;
 }
 
+/* The record as JSON, freed by taut_text_free; 0 or the exit code. Frees the record. */
+static int text_of(taut_record *record, char **text, size_t *length)
+{
+    const int is_whole =
+        taut_record_status(record) == TAUT_OK && taut_record_write(record, text, length) == TAUT_OK;
+    taut_record_free(record);
+    return is_whole ? 0 : cli_no_memory();
+}
+
 int cli_print_record(taut_record *record)
 {
     char *text = NULL;
     size_t length = 0;
-    taut_status status = taut_record_status(record);
-    int code = 0;
+    int code = text_of(record, &text, &length);
 
-    if (status == TAUT_OK) {
-        status = taut_record_write(record, &text, &length);
-    }
-    if (status != TAUT_OK) {
-        taut_error error = {.status = status};
-        code = cli_fail(&error);
-    } else {
+    if (code == 0) {
         code = cli_print_text(text, length);
     }
     taut_text_free(text);
-    taut_record_free(record);
+    return code;
+}
+
+int cli_report_json(taut_record *record)
+{
+    char *text = NULL;
+    size_t length = 0;
+    const int code = text_of(record, &text, &length);
+
+    if (code == 0) {
+        fwrite(text, 1, length, stderr);
+    }
+    taut_text_free(text);
     return code;
 }

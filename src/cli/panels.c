@@ -14,7 +14,8 @@ static int chosen_options(const cli_options *options, taut_panels_options *chose
     *chosen = (taut_panels_options){.surface = options->surface, .monitor = cli_monitor(0)};
     if (options->kind == NULL ||
         (strcmp(options->kind, "conical") != 0 && strcmp(options->kind, "circular") != 0)) {
-        return cli_misuse("`taut panels` needs --kind conical or --kind circular%s%.40s",
+        return cli_misuse(options->kind != NULL ? "value" : "option",
+                          "`taut panels` needs --kind conical or --kind circular%s%.40s",
                           options->kind != NULL ? ", not " : "",
                           options->kind != NULL ? options->kind : "");
     }
@@ -24,13 +25,13 @@ static int chosen_options(const cli_options *options, taut_panels_options *chose
         return 0;
     }
     if (!cli_pair(options->panels, &divide[0], &divide[1])) {
-        return cli_misuse("--divide %.40s: expected NU,NV", options->panels);
+        return cli_misuse_value("--divide", options->panels, "NU,NV");
     }
     for (int d = 0; d < 2; d++) {
         if (!(divide[d] >= 1) || !(divide[d] <= TAUT_COUNT_MAX / 2) ||
             floor(divide[d]) != divide[d]) {
-            return cli_misuse("--divide %.40s: expected whole numbers from 1 to %d",
-                              options->panels, TAUT_COUNT_MAX / 2);
+            return cli_misuse_value("--divide", options->panels, "whole numbers from 1 to %d",
+                                    TAUT_COUNT_MAX / 2);
         }
         chosen->divide[d] = (int)divide[d];
     }
@@ -74,7 +75,9 @@ static int run(const cli_options *options)
     all.surface = NULL;
     all.divide = 1; /* each panel one quad */
     code = cli_write_model(panels, &all);
-    if (code == 0 && !options->quiet) {
+    if (code == 0 && !options->quiet && options->json) {
+        code = cli_report_json(taut_record_copy(taut_model_details(panels)));
+    } else if (code == 0 && !options->quiet) {
         fprintf(stderr, "panels\n");
         cli_members_print(taut_model_details(panels));
     }

@@ -15,10 +15,10 @@ static int run(const cli_options *options)
 
     all.surface = NULL;
     if ((options->text_u != NULL) == along_v) {
-        return cli_misuse("`taut split` needs one of --u T and --v T");
+        return cli_misuse("option", "`taut split` needs one of --u T and --v T");
     }
     if (!cli_number(word, &t)) {
-        return cli_misuse("--%s %.40s: expected a number", along_v ? "v" : "u", word);
+        return cli_misuse_value(along_v ? "--v" : "--u", word, "a number");
     }
     code = cli_check_outputs(options);
     if (code != 0) {

@@ -44,7 +44,8 @@ static int run(const cli_options *options)
     int code = 0;
 
     if (options->output_count == 0 && isatty(STDOUT_FILENO)) {
-        return cli_misuse("`taut view` needs -o FILE.html here: a page is not for a terminal");
+        return cli_misuse("option",
+                          "`taut view` needs -o FILE.html here: a page is not for a terminal");
     }
     if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
