@@ -16,6 +16,8 @@ build cmd:ninja                      ninja-build            runs the build
 build cmd:pkg-config                 pkg-config             finds libraries
 build pc:cairo                       libcairo2-dev          draws figures (SVG, PDF, PNG)
 build header:flint/fmpq_mat.h        libflint-dev           rational arithmetic: --exact
+test  cmd:git                        git                    makes the copy of the tree that is broken on purpose
+test  cmd:python3                    python3                breaks it, and reads our files with a reader of its own
 test  pc:jansson                     libjansson-dev         another JSON parser, which ours is compared with
 test  header:gmp.h                   libgmp-dev             exact numbers the results are checked against
 test  header:flint/fmpq_mat.h        libflint-dev           exact rational algebra, likewise
