@@ -20,6 +20,7 @@ test:
 	@cmake --preset release
 	@cmake --build --preset release
 	@ctest --preset release -j "$$(nproc)"
+	@tools/left_out.sh build/release
 
 build:
 	@tools/deps.sh build
@@ -27,7 +28,7 @@ build:
 	@cmake --build --preset release --target product
 
 deps:
-	@tools/deps.sh build test check
+	@tools/deps.sh build test browser check
 
 gallery: build
 	@tools/gallery.sh $(TAUT)

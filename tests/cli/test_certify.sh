@@ -1,10 +1,7 @@
 # test_certify.sh -- models that were changed by hand in any place are judged or refused with one line, never worse.
 . "$SOURCE/tests/cli/cli.sh"
 
-if ! command -v python3 > /dev/null; then
-    echo "left out: python3 is not installed"
-    finish
-fi
+python_with json || skip python3 'tools/deps.sh test'
 cat > change.py <<'END'
 import copy, json, os, random, subprocess, sys
 
@@ -74,5 +71,5 @@ sys.exit(failures != 0 or tried < 8 * each)
 END
 each=30
 grep -q __asan_init "$TAUT" && each=8
-python3 change.py $each || complain "models that were changed"
+"$PYTHON" change.py $each || complain "models that were changed"
 finish

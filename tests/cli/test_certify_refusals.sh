@@ -2,10 +2,7 @@
 # what can be judged is judged, claim by claim.
 . "$SOURCE/tests/cli/cli.sh"
 
-if ! command -v python3 > /dev/null; then
-    missing python3
-    finish
-fi
+python_with json || skip python3 'tools/deps.sh test'
 cat > table.py <<'END'
 import copy, json, os, re, subprocess, sys
 
@@ -195,5 +192,5 @@ ring = problem_of("pipe-run-closed")
 check("a ring that does not say so", ring, member("details", "closed")(), None, 0, "joints +holds")
 sys.exit(failures != 0)
 END
-python3 table.py || complain "models that were changed"
+"$PYTHON" table.py || complain "models that were changed"
 finish

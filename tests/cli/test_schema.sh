@@ -8,10 +8,7 @@ for name in problem model report; do
     refused 3 '/\$schema: there is no such member' measure "$SOURCE/docs/schema/$name.json"
 done
 
-if ! python3 -c 'import jsonschema' 2> /dev/null; then
-    echo "left out: python3-jsonschema is not installed"
-    finish
-fi
+python_with jsonschema || skip python3-jsonschema 'tools/deps.sh test'
 
 # Every document that is read must satisfy its schema: the fuzz corpus, the examples, and what taut writes.
 cat > valid.py <<'END'
@@ -112,5 +109,5 @@ for option in schemas["problem"]["$defs"]["problem"]["oneOf"]:
 
 sys.exit(failures != 0)
 END
-python3 -W ignore valid.py || complain "the schemas and the readers differ"
+"$PYTHON" -W ignore valid.py || complain "the schemas and the readers differ"
 finish

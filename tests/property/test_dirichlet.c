@@ -1,6 +1,6 @@
 /* test_dirichlet.c -- two routes to one surface over random legal problems. Long because all
  * identities of one construction stand together.
- * links: lapacke openblas
+ * links: lapacke
  */
 #include "check.h"
 #include "problems.h"
