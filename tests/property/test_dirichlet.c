@@ -1,7 +1,5 @@
-/* test_dirichlet.c -- two routes to one surface over random legal problems. Long because all
- * identities of one construction stand together.
- * links: lapacke
- */
+/* test_dirichlet.c -- two routes to one surface over random legal problems.
+ * links: lapacke */
 #include "check.h"
 #include "problems.h"
 
