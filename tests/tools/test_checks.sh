@@ -97,7 +97,7 @@ passes docs
 catches docs docs/x.md 'no such place' '# Here\n[there](#her)\n'
 catches docs docs/x.md 'no such place' '<a id="X_Y"></a>\n[there](x.md#x_y)\n'
 
-# The reference: made of the headers, and noticed where it is not what they say, lacks a page, or a symbol.
+# The reference: made of the headers, and noticed where it leads nowhere, lacks a header, or a symbol.
 library() {
     fresh
     mkdir -p "$tree/tools" "$tree/examples/c"
@@ -112,15 +112,12 @@ stale() { # stale EXPECTED: check_docs fails and says so
 }
 library
 passes docs
-grep -q '^Two\.$' "$tree/docs/reference/known.md" || fail "the reference lacks the comment of a function"
-sed -i 's/Two\./Three./' "$tree/include/taut/known.h"
-stale 'docs/reference is not what the headers say'
-library
-rm "$tree/docs/reference/known.md"
-stale 'docs/reference is not what the headers say'
+grep -q '^Two\.$' "$tree/build/reference/known.md" || fail "the reference lacks the comment of a function"
+sed -i 's|Two\.|Two: docs/gone.md.|' "$tree/include/taut/known.h"
+stale 'lead to docs/gone.md, which is not there'
 library
 echo taut_new >> "$tree/tools/symbols.txt"
-stale 'docs/reference knows no taut_new'
+stale 'the headers know no taut_new'
 library
 printf '/* x.h -- more. */\n' > "$tree/include/taut/x.h"
 stale 'taut.h does not include it'
