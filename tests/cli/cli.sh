@@ -4,6 +4,7 @@ failures=0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
+export PYTHONDONTWRITEBYTECODE=1 # into the source tree
 
 complain() {
     printf '%s\n' "FAILED: $*" >&2

@@ -82,7 +82,9 @@ stop TERM 143 second.obj
 stop HUP 129 second.obj
 
 # Even where no handler can run nothing is left, if the system has files without a name.
-if python3 -c 'import os; os.open(".", os.O_TMPFILE | os.O_WRONLY)' 2> /dev/null; then
+if ! python_with os; then
+    missing python3 'tools/deps.sh test'
+elif "$PYTHON" -c 'import os; os.open(".", os.O_TMPFILE | os.O_WRONLY)' 2> /dev/null; then
     stop KILL 137 second.obj
     "$TAUT" make problem.json --quiet -o whole.step 2> /dev/null && stop KILL 137 second.step # another library writes it
 fi
