@@ -28,8 +28,10 @@ long fault_loop(const fault_call *call);
  * all of them from a random first one on (check.h's seed). */
 long fault_loop_some(const fault_call *call, int most);
 
-/* The allocations since fault_arm(k) with k > 0, the refused one among them. */
+/* Since fault_arm(k) with k > 0: the allocations, the refused one among them, and the bytes
+ * granted, where a block that is resized counts whole, as it may have been copied. */
 long fault_counted(void);
+size_t fault_bytes(void);
 
 /* For calls that do not fit. The k-th allocation from now fails, alone or with all later ones; 0
  * stops that and gives how many were refused. */
