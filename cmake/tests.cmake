@@ -41,7 +41,8 @@ foreach(file IN LISTS fault_files)
   get_filename_component(short ${file} NAME_WE)
   string(REPLACE "test_" "" short ${short})
   target_sources(test-fault-${short} PRIVATE
-    ${CMAKE_SOURCE_DIR}/tests/fault/failing_memory.c ${CMAKE_SOURCE_DIR}/tests/fault/fault.c)
+    ${CMAKE_SOURCE_DIR}/tests/fault/failing_memory.c ${CMAKE_SOURCE_DIR}/tests/fault/fault.c
+    ${CMAKE_SOURCE_DIR}/tests/fault/release.c)
 endforeach()
 
 file(GLOB cli_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/cli/test_*.sh)

@@ -28,6 +28,9 @@ long fault_loop(const fault_call *call);
  * all of them from a random first one on (check.h's seed). */
 long fault_loop_some(const fault_call *call, int most);
 
+/* The first `count` allocations of a call that makes more, and would take long to get through. */
+void fault_loop_first(const fault_call *call, long count);
+
 /* Since fault_arm(k) with k > 0: the allocations, the refused one among them, and the bytes
  * granted, where a block that is resized counts whole, as it may have been copied. */
 long fault_counted(void);

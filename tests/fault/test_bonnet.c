@@ -2,19 +2,10 @@
  */
 #include "check.h"
 #include "fault.h"
+#include "release.h"
 
 #include "taut/panels.h"
 #include "taut/read.h"
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
-}
 
 static taut_status make(const void *context, void **result, taut_error *error)
 {
@@ -66,11 +57,6 @@ static taut_status read(const void *context, void **result, taut_error *error)
     const taut_status status = taut_problem_or_model_read(context, &problem, &model, error);
     *result = problem;
     return status;
-}
-
-static void release_problem(void *problem)
-{
-    taut_problem_free(problem);
 }
 
 int main(void)

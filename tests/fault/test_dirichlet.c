@@ -2,21 +2,12 @@
 #include "check.h"
 #include "fault.h"
 #include "problems.h"
+#include "release.h"
 
 typedef struct fixture {
     test_problem problem;
     taut_model *model;
 } fixture;
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
-}
 
 static taut_status make(const void *context, void **result, taut_error *error)
 {

@@ -1,6 +1,7 @@
 /* test_documents.c -- reading, writing and meshing when memory runs out. */
 #include "check.h"
 #include "fault.h"
+#include "release.h"
 
 #include "taut/mesh.h"
 #include "taut/read.h"
@@ -91,11 +92,6 @@ static taut_status read_model(const void *context, void **result, taut_error *er
     return status;
 }
 
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
 static taut_status read_problem(const void *context, void **result, taut_error *error)
 {
     taut_problem *problem = *result;
@@ -103,11 +99,6 @@ static taut_status read_problem(const void *context, void **result, taut_error *
         taut_problem_read_text(context, strlen(context), "text", &problem, error);
     *result = problem;
     return status;
-}
-
-static void release_problem(void *problem)
-{
-    taut_problem_free(problem);
 }
 
 static taut_status new_mesh(const void *context, void **result, taut_error *error)

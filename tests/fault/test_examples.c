@@ -4,6 +4,7 @@
 #include "check.h"
 #include "cli/embedded_files.h"
 #include "fault.h"
+#include "release.h"
 
 #include "taut/construct.h"
 #include "taut/read.h"
@@ -40,11 +41,6 @@ static taut_status read_problem(const void *context, void **result, taut_error *
     return status;
 }
 
-static void release_problem(void *problem)
-{
-    taut_problem_free(problem);
-}
-
 static taut_status make(const void *context, void **result, taut_error *error)
 {
     const subject *s = context;
@@ -54,11 +50,6 @@ static taut_status make(const void *context, void **result, taut_error *error)
     return status;
 }
 
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
 static taut_status certify(const void *context, void **result, taut_error *error)
 {
     const subject *s = context;
@@ -66,11 +57,6 @@ static taut_status certify(const void *context, void **result, taut_error *error
     const taut_status status = taut_certify(s->model, s->problem, NULL, &certificate, error);
     *result = certificate;
     return status;
-}
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
 }
 
 static int most_of(const char *name)

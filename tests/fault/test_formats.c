@@ -1,6 +1,7 @@
 /* test_formats.c -- formats and boundaries out of files when memory runs out. */
 #include "check.h"
 #include "fault.h"
+#include "release.h"
 
 #include "geometry/boundary.h"
 #include "taut/read.h"
@@ -86,22 +87,12 @@ static taut_status read_model(const void *context, void **result, taut_error *er
     return status;
 }
 
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
 static taut_status read_problem(const void *context, void **result, taut_error *error)
 {
     taut_problem *problem = *result;
     const taut_status status = taut_problem_read(context, &problem, error);
     *result = problem;
     return status;
-}
-
-static void release_problem(void *problem)
-{
-    taut_problem_free(problem);
 }
 
 /* In order, and on common bases. */

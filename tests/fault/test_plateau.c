@@ -2,15 +2,11 @@
 #include "check.h"
 #include "fault.h"
 #include "problems.h"
+#include "release.h"
 
 #include "taut/plateau.h"
 
 #include <string.h>
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
 
 static taut_status make(const void *context, void **result, taut_error *error)
 {
@@ -25,11 +21,6 @@ typedef struct proof {
     const taut_model *model;
     const taut_plateau_problem *problem;
 } proof;
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
-}
 
 static taut_status prove(const void *context, void **result, taut_error *error)
 {

@@ -1,6 +1,7 @@
 /* test_rest.c -- the public calls that no other file of this folder makes, when memory runs out. */
 #include "check.h"
 #include "fault.h"
+#include "release.h"
 #include "shapes.h"
 
 #include "taut/join.h"
@@ -77,11 +78,6 @@ static taut_surface *far_surface(void)
     return shape_surface(shape_basis(&spec), shape_bezier(3, 1e7, 1e7 + 1), points, NULL);
 }
 
-static void release_surface(void *surface)
-{
-    taut_surface_free(surface);
-}
-
 static taut_status join(const void *context, void **result, taut_error *error)
 {
     taut_join found = {.max_gap = -1};
@@ -99,16 +95,6 @@ static taut_status panels(const void *context, void **result, taut_error *error)
     const taut_status status = taut_panels_of_problem(context, &options, &made, error);
     *result = made;
     return status;
-}
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static void release_record(void *record)
-{
-    taut_record_free(record);
 }
 
 /* A list of what the two measuring calls print. */
@@ -143,11 +129,6 @@ static taut_status read_problem(const void *context, void **result, taut_error *
     const taut_status status = taut_problem_read(context, &problem, error);
     *result = problem;
     return status;
-}
-
-static void release_problem(void *problem)
-{
-    taut_problem_free(problem);
 }
 
 static taut_status read_list(const void *context, void **result, taut_error *error)

@@ -5,6 +5,7 @@
 #define _GNU_SOURCE /* RTLD_NEXT, getrandom */
 #include "check.h"
 #include "fault.h"
+#include "release.h"
 #include "shapes.h"
 
 #include "io/cad_stream.h"
@@ -313,11 +314,6 @@ static taut_status read_either(const void *context, void **result, taut_error *e
     CHECK(problem == NULL, "a problem of a drawing");
     *result = model;
     return status;
-}
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
 }
 
 static taut_status write_step(const void *context, void **result, taut_error *error)
