@@ -4,6 +4,7 @@
  * `make bench-documents` has the times. */
 #include "check.h"
 #include "fault.h"
+#include "folder.h"
 
 #include "taut/read.h"
 #include "taut/write.h"
@@ -11,10 +12,8 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-static char folder[] = "/tmp/taut-test-XXXXXX";
-static char path[64];
+static const char *path;
 
 typedef struct cost {
     double blocks;
@@ -130,13 +129,10 @@ static void test_parts(void)
 int main(void)
 {
     random_seed(20240613);
-    if (mkdtemp(folder) == NULL) {
-        return 1;
-    }
-    snprintf(path, sizeof path, "%s/model.json", folder);
+    folder_make();
+    path = in_folder("model.json");
     test_net();
     test_parts();
-    unlink(path);
-    rmdir(folder);
+    folder_remove();
     return check_failures != 0;
 }

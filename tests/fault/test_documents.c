@@ -1,6 +1,7 @@
 /* test_documents.c -- reading, writing and meshing when memory runs out. */
 #include "check.h"
 #include "fault.h"
+#include "folder.h"
 #include "release.h"
 
 #include "taut/mesh.h"
@@ -8,7 +9,6 @@
 #include "taut/write.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -172,15 +172,11 @@ static void check_call(const char *name, taut_status (*call)(const void *, void 
 
 int main(void)
 {
-    char folder[] = "/tmp/taut-test-XXXXXX";
-    char command[96];
     taut_model *model = NULL;
 
-    if (mkdtemp(folder) == NULL) {
-        return 1;
-    }
-    snprintf(path, sizeof path, "%s/m.json", folder);
-    snprintf(out, sizeof out, "%s/out", folder);
+    folder_make();
+    snprintf(path, sizeof path, "%s", in_folder("m.json"));
+    snprintf(out, sizeof out, "%s", in_folder("out"));
     CHECK(mkdir(out, 0700) == 0, "%s", out);
     CHECK(taut_model_read_text(model_text, sizeof model_text - 1, "text", &model, NULL) == TAUT_OK,
           "model");
@@ -196,6 +192,6 @@ int main(void)
     check_call("taut_record_write", write_record, release_text, taut_model_details(model), 1);
     check_call("taut_outputs", write_all, NULL, model, 20);
     taut_model_free(model);
-    snprintf(command, sizeof command, "rm -r %s", folder);
-    return system(command) != 0 || check_failures != 0;
+    folder_remove();
+    return check_failures != 0;
 }

@@ -1,6 +1,7 @@
 /* test_rest.c -- the public calls that no other file of this folder makes, when memory runs out. */
 #include "check.h"
 #include "fault.h"
+#include "folder.h"
 #include "release.h"
 #include "shapes.h"
 
@@ -13,11 +14,8 @@
 #include "taut/write.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-static char folder[] = "/tmp/taut-test-XXXXXX";
 
 /* A call that makes something of a surface. */
 #define MAKER(name, type, expression)                                                              \
@@ -158,10 +156,9 @@ static void release_list(void *list)
 static taut_status write_text(const void *context, void **result, taut_error *error)
 {
     taut_outputs *outputs = NULL;
-    char path[64];
+    const char *const path = in_folder("t.txt");
     taut_status status = taut_outputs_new(&outputs);
     (void)result;
-    snprintf(path, sizeof path, "%s/t.txt", folder);
     if (status == TAUT_OK) {
         status = taut_outputs_text(outputs, context, strlen(context), path, error);
     }
@@ -175,8 +172,7 @@ static taut_status write_text(const void *context, void **result, taut_error *er
 
 static taut_status write_model(const void *context, void **result, taut_error *error)
 {
-    char path[64];
-    snprintf(path, sizeof path, "%s/m.stl", folder);
+    const char *const path = in_folder("m.stl");
     const taut_status status = taut_model_write(context, path, NULL, error);
     (void)result;
     CHECK((unlink(path) == 0) == (status == TAUT_OK), "a model that is there after all, or not");
@@ -189,10 +185,9 @@ static taut_status write_models(const void *context, void **result, taut_error *
     const taut_model *const models[2] = {context, context};
     const taut_write_options options = {.divide = 1};
     taut_outputs *outputs = NULL;
-    char path[64];
+    const char *const path = in_folder("two.svg");
     taut_status status = taut_outputs_new(&outputs);
     (void)result;
-    snprintf(path, sizeof path, "%s/two.svg", folder);
     if (status == TAUT_OK) {
         status = taut_outputs_models(outputs, 2, models, path, &options, error);
     }
@@ -236,8 +231,7 @@ static void check_call(const char *name, taut_status (*call)(const void *, void 
 int main(void)
 {
     static const double points[2][3] = {{0, 0, 0}, {1, 1, 0}};
-    char path[64], command[96], two[2 * sizeof problem_text + 8];
-    FILE *file = NULL;
+    char path[64], two[2 * sizeof problem_text + 8];
     static const char bonnet_text[] = "{\"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.5,"
                                       " \"sign\": \"+\", \"alpha\": 0.5, \"beta\": 0.5}";
     taut_problem *bonnet = NULL;
@@ -251,13 +245,12 @@ int main(void)
     copy = shape_random(2, 2, 0);
     CHECK(taut_surface_transform(copy, flat, &plane, NULL) == TAUT_OK, "a surface in a plane");
     taut_surface_free(copy);
-    CHECK(mkdtemp(folder) != NULL, "%s", folder);
+    folder_make();
     CHECK(taut_model_new(&model) == TAUT_OK && taut_surface_copy(surface, &copy) == TAUT_OK &&
               taut_model_add_surface(model, copy) == TAUT_OK,
           "model");
-    snprintf(path, sizeof path, "%s/problem.json", folder);
-    file = fopen(path, "w");
-    CHECK(file != NULL && fputs(problem_text, file) >= 0 && fclose(file) == 0, "%s", path);
+    snprintf(path, sizeof path, "%s", in_folder("problem.json"));
+    file_put_text(path, problem_text);
 
     check_call("taut_surface_insert", insert, release_surface, surface);
     check_call("taut_surface_elevate", elevate, release_surface, surface);
@@ -289,6 +282,6 @@ int main(void)
     taut_surface_free(plane);
     taut_curve_free(curve);
     CHECK(fault_live() == 0, "%ld blocks left", fault_live());
-    snprintf(command, sizeof command, "rm -r %s", folder);
-    return system(command) != 0 || check_failures != 0;
+    folder_remove();
+    return check_failures != 0;
 }
