@@ -1,5 +1,6 @@
 /* test_cad.c -- STEP and IGES: what is written comes back the same, what is approximated lies
  * within the bound that is told, and broken files are refused. */
+#include "check.h"
 #include "folder.h"
 #include "models.h"
 #include "shapes.h"
@@ -10,6 +11,8 @@
 #include "taut/write.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 static const char *const endings[] = {"model.step", "model.igs", "model.stp", "model.IGES"};

@@ -1,4 +1,5 @@
 /* test_geomdl.c -- geomdl's exchange JSON, out and in; B-spline knots in openNURBS's convention. */
+#include "check.h"
 #include "folder.h"
 #include "models.h"
 
@@ -7,6 +8,8 @@
 #include "taut/write.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 static taut_model *written_and_read(const taut_model *model, const char *name,

@@ -1,4 +1,5 @@
 /* test_outputs.c -- outputs that appear together or not at all. */
+#include "check.h"
 #include "folder.h"
 #include "models.h"
 
@@ -8,6 +9,8 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>

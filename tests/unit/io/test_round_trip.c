@@ -1,4 +1,5 @@
 /* test_round_trip.c -- what is written is read back bit for bit, whatever the locale. */
+#include "check.h"
 #include "folder.h"
 #include "models.h"
 
@@ -7,6 +8,8 @@
 
 #include <locale.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 static const char *folder;

@@ -1,16 +1,11 @@
-/* models.h -- random models, and whether two are the same bit for bit. */
-#ifndef TAUT_TEST_IO_MODELS_H
-#define TAUT_TEST_IO_MODELS_H
+#include "models.h"
 
 #include "check.h"
-
-#include "taut/model.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Any finite number: a third of them coordinates, the rest of all sizes, denormals included. */
-static inline double any_number(void)
+double any_number(void)
 {
     static const double edges[] = {0.0, -0.0, 1e308, -1e308, 0x1p-1074, -0x1p-1022, 0.1, 1e15};
     const int pick = random_int(0, 11);
@@ -29,7 +24,7 @@ static inline double any_number(void)
 }
 
 /* A Bezier basis with or without a range, or a B-spline on uneven knots. */
-static inline taut_basis *any_basis(void)
+static taut_basis *any_basis(void)
 {
     taut_basis_spec spec = {.type = "bezier", .degree = random_int(1, 5)};
     taut_basis *basis = NULL;
@@ -59,7 +54,7 @@ static inline taut_basis *any_basis(void)
     return basis;
 }
 
-static inline double *any_numbers(int count)
+static double *any_numbers(int count)
 {
     double *numbers = malloc(sizeof(double) * (size_t)count);
     for (int i = 0; i < count; i++) {
@@ -68,7 +63,7 @@ static inline double *any_numbers(int count)
     return numbers;
 }
 
-static inline double *any_weights(int count)
+static double *any_weights(int count)
 {
     double *weights = any_numbers(count);
     for (int i = 0; i < count; i++) {
@@ -77,12 +72,10 @@ static inline double *any_weights(int count)
     return weights;
 }
 
-static inline void add_any_surface(taut_model *model, const char *name)
+/* Takes the bases and the numbers over. */
+static void add_surface(taut_model *model, const char *name, taut_basis *u, taut_basis *v,
+                        double *points, double *weights)
 {
-    taut_basis *u = any_basis(), *v = any_basis();
-    const int count = taut_basis_count(u) * taut_basis_count(v);
-    double *points = any_numbers(3 * count);
-    double *weights = random_int(0, 1) ? any_weights(count) : NULL;
     taut_surface *surface = NULL;
     CHECK(taut_surface_new(name, u, v, points, weights, &surface, NULL) == TAUT_OK, "surface");
     CHECK(taut_model_add_surface(model, surface) == TAUT_OK, "add");
@@ -92,12 +85,9 @@ static inline void add_any_surface(taut_model *model, const char *name)
     free(weights);
 }
 
-static inline void add_any_curve(taut_model *model, const char *name)
+static void add_curve(taut_model *model, const char *name, taut_basis *t, double *points,
+                      double *weights)
 {
-    taut_basis *t = any_basis();
-    const int count = taut_basis_count(t);
-    double *points = any_numbers(3 * count);
-    double *weights = random_int(0, 1) ? any_weights(count) : NULL;
     taut_curve *curve = NULL;
     CHECK(taut_curve_new(name, t, points, weights, &curve, NULL) == TAUT_OK, "curve");
     CHECK(taut_model_add_curve(model, curve) == TAUT_OK, "add");
@@ -106,10 +96,24 @@ static inline void add_any_curve(taut_model *model, const char *name)
     free(weights);
 }
 
-/* The same with coordinates of one size, for what has a size to compute. */
+void add_any_surface(taut_model *model, const char *name)
+{
+    taut_basis *u = any_basis(), *v = any_basis();
+    const int count = taut_basis_count(u) * taut_basis_count(v);
+    double *points = any_numbers(3 * count);
+    add_surface(model, name, u, v, points, random_int(0, 1) ? any_weights(count) : NULL);
+}
+
+void add_any_curve(taut_model *model, const char *name)
+{
+    taut_basis *t = any_basis();
+    const int count = taut_basis_count(t);
+    double *points = any_numbers(3 * count);
+    add_curve(model, name, t, points, random_int(0, 1) ? any_weights(count) : NULL);
+}
 
 /* Knots with every multiplicity up to the degree, or a bezier basis. */
-static inline taut_basis *some_basis(void)
+static taut_basis *some_basis(void)
 {
     taut_basis_spec spec = {.type = "bezier", .degree = random_int(1, random_int(0, 19) ? 5 : 25)};
     taut_basis *basis = NULL;
@@ -136,7 +140,7 @@ static inline taut_basis *some_basis(void)
     return basis;
 }
 
-static inline double *numbers_in(int count, double lo, double hi)
+double *numbers_in(int count, double lo, double hi)
 {
     double *numbers = malloc(sizeof(double) * (size_t)count);
     for (int i = 0; i < count; i++) {
@@ -145,36 +149,23 @@ static inline double *numbers_in(int count, double lo, double hi)
     return numbers;
 }
 
-static inline void add_some_surface(taut_model *model, const char *name)
+void add_some_surface(taut_model *model, const char *name)
 {
     taut_basis *u = some_basis(), *v = some_basis();
     const int count = taut_basis_count(u) * taut_basis_count(v);
     double *points = numbers_in(3 * count, -10, 10);
-    double *weights = random_int(0, 1) ? numbers_in(count, 0.1, 3) : NULL;
-    taut_surface *surface = NULL;
-    CHECK(taut_surface_new(name, u, v, points, weights, &surface, NULL) == TAUT_OK, "surface");
-    CHECK(taut_model_add_surface(model, surface) == TAUT_OK, "add");
-    taut_basis_free(u);
-    taut_basis_free(v);
-    free(points);
-    free(weights);
+    add_surface(model, name, u, v, points, random_int(0, 1) ? numbers_in(count, 0.1, 3) : NULL);
 }
 
-static inline void add_some_curve(taut_model *model, const char *name)
+void add_some_curve(taut_model *model, const char *name)
 {
     taut_basis *t = some_basis();
     const int count = taut_basis_count(t);
     double *points = numbers_in(3 * count, -10, 10);
-    double *weights = random_int(0, 1) ? numbers_in(count, 0.1, 3) : NULL;
-    taut_curve *curve = NULL;
-    CHECK(taut_curve_new(name, t, points, weights, &curve, NULL) == TAUT_OK, "curve");
-    CHECK(taut_model_add_curve(model, curve) == TAUT_OK, "add");
-    taut_basis_free(t);
-    free(points);
-    free(weights);
+    add_curve(model, name, t, points, random_int(0, 1) ? numbers_in(count, 0.1, 3) : NULL);
 }
 
-static inline int same_numbers(int count, const double *a, const double *b)
+static int same_numbers(int count, const double *a, const double *b)
 {
     if (a == NULL || b == NULL) {
         return a == b;
@@ -182,14 +173,14 @@ static inline int same_numbers(int count, const double *a, const double *b)
     return memcmp(a, b, sizeof(double) * (size_t)count) == 0;
 }
 
-static inline int same_basis(const taut_basis *a, const taut_basis *b)
+static int same_basis(const taut_basis *a, const taut_basis *b)
 {
     const int spans = taut_basis_span_count(a);
     return taut_basis_equal(a, b) &&
            same_numbers(spans + 1, taut_basis_breaks(a), taut_basis_breaks(b));
 }
 
-static inline int same_surface(const taut_surface *a, const taut_surface *b)
+int same_surface(const taut_surface *a, const taut_surface *b)
 {
     const taut_basis *u = taut_surface_u(a), *v = taut_surface_v(a);
     const int count = taut_basis_count(u) * taut_basis_count(v);
@@ -199,7 +190,7 @@ static inline int same_surface(const taut_surface *a, const taut_surface *b)
            same_numbers(count, taut_surface_weights(a), taut_surface_weights(b));
 }
 
-static inline int same_curve(const taut_curve *a, const taut_curve *b)
+int same_curve(const taut_curve *a, const taut_curve *b)
 {
     const int count = taut_basis_count(taut_curve_t(a));
     return strcmp(taut_curve_name(a), taut_curve_name(b)) == 0 &&
@@ -207,5 +198,3 @@ static inline int same_curve(const taut_curve *a, const taut_curve *b)
            same_numbers(3 * count, taut_curve_points(a), taut_curve_points(b)) &&
            same_numbers(count, taut_curve_weights(a), taut_curve_weights(b));
 }
-
-#endif /* TAUT_TEST_IO_MODELS_H */
