@@ -1,6 +1,7 @@
 /* test_pipe.c -- pipes over random blends: the largest radius against the global radius of
  * curvature, areas and volumes against quadrature, verdicts under scaling and shifting, reversal.
  */
+#include "certificates.h"
 #include "check.h"
 #include "pipes.h"
 
@@ -256,7 +257,7 @@ static void test_largest_radius(void)
             continue; /* too sharp even for a thousandth */
         }
         CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proof");
-        const double rho = pipe_figure(certificate, "largest_radius");
+        const double rho = figure_of(certificate, "largest_radius");
         axis a = axis_of(taut_model_curve(model, 0), &problem);
         const double reference = global_radius(&a, &problem);
         free(a.run);
@@ -308,9 +309,9 @@ static void test_pappus(void)
             volume += (side == 0 ? -1 : 1) * taut_dot(x[0], x[1]) / taut_norm(x[1]) * pi * 0.05 *
                       0.05 / 3;
         }
-        CHECK_NEAR(area, pipe_figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
-        CHECK_NEAR(volume, pipe_figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
-        CHECK(pipe_figure(certificate, "fit_error") <= 1e-11, "trial %d", trial);
+        CHECK_NEAR(area, figure_of(certificate, "area"), 1e-10 * area, "trial %d", trial);
+        CHECK_NEAR(volume, figure_of(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
+        CHECK(figure_of(certificate, "fit_error") <= 1e-11, "trial %d", trial);
         taut_certificate_free(certificate);
         taut_model_free(model);
         done++;
@@ -411,8 +412,8 @@ static void test_reversal(void)
                       taut_pipe_certify(models[1], NULL, NULL, &certificates[1], NULL) == TAUT_OK,
                   "proofs");
             for (int k = 0; k < 6; k++) {
-                const double a = pipe_figure(certificates[0], names[k]);
-                CHECK_NEAR(pipe_figure(certificates[1], names[k]), a, 1e-9 * (1 + fabs(a)),
+                const double a = figure_of(certificates[0], names[k]);
+                CHECK_NEAR(figure_of(certificates[1], names[k]), a, 1e-9 * (1 + fabs(a)),
                            "trial %d: %s", trial, names[k]);
             }
         }

@@ -1,5 +1,6 @@
 /* test_pipe_run_reach.c -- random runs of pipes: the verdict against the global radius of curvature
  * of the whole axis. */
+#include "certificates.h"
 #include "check.h"
 #include "pipe_runs.h"
 
@@ -209,7 +210,7 @@ static void test_largest_radius(void)
             CHECK(0, "trial %d", trial);
             continue;
         }
-        const double rho = pipe_figure(certificate, "largest_radius");
+        const double rho = figure_of(certificate, "largest_radius");
         axis a = axis_of(model, r.problem.closed);
         const double reference = global_radius(&a);
         free(a.samples);

@@ -1,4 +1,5 @@
 #include "pipes.h"
+#include "certificates.h"
 
 #include "check.h"
 
@@ -37,31 +38,11 @@ taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, co
     return error;
 }
 
-double pipe_figure(const taut_certificate *certificate, const char *name)
-{
-    return certificate != NULL
-               ? taut_record_number(taut_record_get(taut_certificate_figures(certificate), name))
-               : (double)NAN;
-}
-
-const taut_claim *pipe_claim(const taut_certificate *certificate, const char *name)
-{
-    static const taut_claim missing = {
-        .claim = "", .residual = INFINITY, .holds = TAUT_UNDECIDED, .where = "missing"};
-    for (int i = 0; certificate != NULL && i < taut_certificate_claim_count(certificate); i++) {
-        const taut_claim *claim = taut_certificate_claim(certificate, i);
-        if (strcmp(claim->claim, name) == 0) {
-            return claim;
-        }
-    }
-    return &missing;
-}
-
 taut_verdict pipe_verdict(const taut_model *model, const taut_pipe_problem *problem,
                           const char *name)
 {
     taut_certificate *certificate = pipe_proved(model, problem, 1e-6);
-    const taut_verdict holds = pipe_claim(certificate, name)->holds;
+    const taut_verdict holds = claim_of(certificate, name)->holds;
     taut_certificate_free(certificate);
     return holds;
 }

@@ -277,3 +277,16 @@ void shape_rotation(double rotation[3][3])
         }
     }
 }
+
+double shape_apart(const taut_surface *a, const taut_surface *b, double *largest)
+{
+    const int count = 3 * taut_basis_count(taut_surface_u(a)) * taut_basis_count(taut_surface_v(a));
+    const double *p = taut_surface_points(a), *q = taut_surface_points(b);
+    double most = 0;
+    *largest = 0;
+    for (int k = 0; k < count; k++) {
+        *largest = fmax(*largest, fabs(p[k]));
+        most = fmax(most, fabs(p[k] - q[k]));
+    }
+    return most;
+}

@@ -42,4 +42,7 @@ taut_surface *shape_transposed(const taut_surface *surface);
 taut_surface *shape_reversed(const taut_surface *surface);
 void shape_rotation(double rotation[3][3]); /* random */
 
+/* The largest difference of two coordinates of nets of one size; *largest is a's largest one. */
+double shape_apart(const taut_surface *a, const taut_surface *b, double *largest);
+
 #endif /* TAUT_TEST_SHAPES_H */

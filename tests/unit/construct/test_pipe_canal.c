@@ -1,5 +1,6 @@
 /* test_pipe_canal.c -- pipes of unlike radii: the canal surface against its spheres, areas and
  * volumes against quadrature, the naive sweep, false claims, refusals. */
+#include "certificates.h"
 #include "check.h"
 #include "pipes.h"
 
@@ -67,8 +68,8 @@ static void test_measures(void)
         taut_certificate *certificate = pipe_proved(model, &problem, 1e-10);
         double area = 0;
         const double volume = volume_of(model, &problem, &area);
-        CHECK_NEAR(volume, pipe_figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
-        CHECK_NEAR(area, pipe_figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
+        CHECK_NEAR(volume, figure_of(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
+        CHECK_NEAR(area, figure_of(certificate, "area"), 1e-10 * area, "trial %d", trial);
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
@@ -111,7 +112,7 @@ static void test_scale_and_shift(void)
         const taut_pipe_problem problem = random_problem();
         taut_model *model = pipe_made(&problem, 1e-6);
         taut_certificate *here = pipe_proved(model, &problem, 1e-6);
-        const double area = pipe_figure(here, "area"), volume = pipe_figure(here, "volume");
+        const double area = figure_of(here, "area"), volume = figure_of(here, "volume");
         for (size_t i = 0; i < sizeof moves / sizeof moves[0]; i++) {
             const double scale = moves[i][0];
             taut_pipe_problem other = problem;
@@ -125,17 +126,16 @@ static void test_scale_and_shift(void)
             taut_model *moved = pipe_made(&other, 1e-6);
             taut_certificate *there = pipe_proved(moved, &other, 1e-6);
             for (size_t k = 0; k < sizeof claims / sizeof claims[0]; k++) {
-                const taut_claim *a = pipe_claim(here, claims[k]),
-                                 *b = pipe_claim(there, claims[k]);
+                const taut_claim *a = claim_of(here, claims[k]), *b = claim_of(there, claims[k]);
                 CHECK(a->holds == TAUT_TRUE && b->holds == TAUT_TRUE, "trial %d, move %zu: %s",
                       trial, i, claims[k]);
                 /* the least of the same places, moved by 1e5 roundings of the axis: 1e-11 */
                 CHECK_NEAR(b->residual, a->residual, 1e-8, "trial %d, move %zu: %s", trial, i,
                            claims[k]);
             }
-            CHECK_NEAR(pipe_figure(there, "area") / scale / scale, area, 1e-10 * area,
+            CHECK_NEAR(figure_of(there, "area") / scale / scale, area, 1e-10 * area,
                        "trial %d, move %zu", trial, i);
-            CHECK_NEAR(pipe_figure(there, "volume") / scale / scale / scale, volume, 1e-10 * volume,
+            CHECK_NEAR(figure_of(there, "volume") / scale / scale / scale, volume, 1e-10 * volume,
                        "trial %d, move %zu", trial, i);
             taut_certificate_free(there);
             taut_model_free(moved);

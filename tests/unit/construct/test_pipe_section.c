@@ -1,5 +1,6 @@
 /* test_pipe_section.c -- elliptic pipes: joints against elliptic cylinders, volumes against
  * quadrature, the turn of the sections, false claims, refusals. */
+#include "certificates.h"
 #include "check.h"
 #include "pipes.h"
 
@@ -90,17 +91,17 @@ static void test_volume(void)
         }
         taut_model *model = pipe_made(&problem, 2e-11);
         taut_certificate *certificate = pipe_proved(model, &problem, 1e-10);
-        const double volume = pipe_figure(certificate, "volume");
+        const double volume = figure_of(certificate, "volume");
         double area = 0;
         CHECK_NEAR(volume_of(model, &problem, &area), volume, 1e-10 * volume, "trial %d", trial);
-        CHECK_NEAR(area, pipe_figure(certificate, "area"), 1e-10 * area, "trial %d: area", trial);
+        CHECK_NEAR(area, figure_of(certificate, "area"), 1e-10 * area, "trial %d: area", trial);
         if (trial == 0) {
             CHECK_NEAR(volume,
                        pi * problem.sections[0].a * problem.sections[0].b *
-                           pipe_figure(certificate, "length"),
+                           figure_of(certificate, "length"),
                        1e-13 * volume, "closed form");
         }
-        CHECK(fabs(pipe_figure(certificate, "section_turn")) <= pi / 2, "turned the near way");
+        CHECK(fabs(figure_of(certificate, "section_turn")) <= pi / 2, "turned the near way");
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
@@ -152,9 +153,9 @@ static void test_claims(void)
         far = pipe_made(&moved, 1e-6);
         taut_certificate *near_proof = pipe_proved(model, &problem, 1e-6);
         taut_certificate *far_proof = pipe_proved(far, &moved, 1e-6);
-        CHECK_NEAR(pipe_figure(far_proof, "section_turn"), pipe_figure(near_proof, "section_turn"),
+        CHECK_NEAR(figure_of(far_proof, "section_turn"), figure_of(near_proof, "section_turn"),
                    1e-9, "trial %d", trial);
-        CHECK_NEAR(pipe_figure(far_proof, "volume") * 1e-9, pipe_figure(near_proof, "volume"), 1e-9,
+        CHECK_NEAR(figure_of(far_proof, "volume") * 1e-9, figure_of(near_proof, "volume"), 1e-9,
                    "trial %d", trial);
         taut_certificate_free(near_proof);
         taut_certificate_free(far_proof);

@@ -1,4 +1,5 @@
 /* test_plateau.c -- least areas that are known from elsewhere, and what is refused. */
+#include "certificates.h"
 #include "check.h"
 #include "films.h"
 #include "problems.h"
@@ -240,8 +241,7 @@ static void test_monotone(void)
             taut_model *model = NULL;
             CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
             const taut_record *areas = taut_record_get(taut_model_details(model), "areas");
-            double before =
-                taut_record_number(taut_record_get(taut_model_details(model), "dirichlet_area"));
+            double before = detail_of(model, "dirichlet_area");
             CHECK(taut_record_count(areas) > 1, "net %d: areas are told", k);
             for (size_t i = 0; i < taut_record_count(areas); i++) {
                 const double area = taut_record_number(taut_record_at(areas, i));
