@@ -88,8 +88,7 @@ static void test_nearest(void)
             g.points[k] = taut_surface_points(surface)[k] + (k % 3 == 0 ? 1e-5 * size : 0);
         }
         CHECK(taut_surface_new("", g.u, g.v, g.points, NULL, &other, NULL) == TAUT_OK, "moved");
-        CHECK(taut_model_new(&moved) == TAUT_OK && taut_model_add_surface(moved, other) == TAUT_OK,
-              "model");
+        moved = shape_model(other);
         bezier_net_fill(&g, far ? 1e8 : 0, size); /* other rows: not nearest to these */
         certificate = certificate_of(moved, TAUT_CONSTRUCT_INDEX_harmonic, &problem);
         CHECK(claim_of(certificate, "nearest")->holds == TAUT_FALSE,

@@ -13,14 +13,6 @@
 
 enum { MANY = 1000 }; /* models, more than a figure holds */
 
-static taut_model *make_model(void)
-{
-    taut_model *model = NULL;
-    CHECK(taut_model_new(&model) == TAUT_OK, "model");
-    CHECK(taut_model_add_surface(model, shape_saddle(0.5)) == TAUT_OK, "surface");
-    return model;
-}
-
 static void check_told(const char *what, taut_status status, taut_status expected,
                        const taut_error *error)
 {
@@ -203,7 +195,7 @@ static void test_stopped(const taut_model *model)
 
 int main(void)
 {
-    taut_model *model = make_model();
+    taut_model *model = shape_model(shape_saddle(0.5));
     CHECK(chdir(folder_make()) == 0, "its own folder");
     test_nothing(model);
     test_places(model);

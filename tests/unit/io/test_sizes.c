@@ -140,10 +140,8 @@ static void test_point(void)
     size_t length = 0;
     taut_error error = {TAUT_OK, 0, 0, "", ""};
     taut_model *model = NULL;
-    CHECK(taut_model_new(&model) == TAUT_OK, "model");
-    CHECK(taut_model_add_surface(model, shape_surface(shape_bezier(1, 0, 1), shape_bezier(1, 0, 1),
-                                                      &points[0][0], NULL)) == TAUT_OK,
-          "add");
+    model = shape_model(
+        shape_surface(shape_bezier(1, 0, 1), shape_bezier(1, 0, 1), &points[0][0], NULL));
     CHECK(taut_model_write(model, path, &options, &error) == TAUT_OK, "%s", error.message);
     bytes = file_bytes(path, &length);
     /* four cells are eight triangles; their indices are the last bytes, of nine vertices */
