@@ -55,6 +55,15 @@ taut_basis *basis_random(int degree_max, int count_max)
     return basis;
 }
 
+double greville_uniform(int count, int i)
+{
+    double sum = 0;
+    for (int k = i - 2; k <= i; k++) {
+        sum += fmin(1, fmax(0, (double)k / (count - 3)));
+    }
+    return sum / 3;
+}
+
 test_problem problem_new(taut_basis *u, taut_basis *v)
 {
     const size_t count = (size_t)taut_basis_count(u) * (size_t)taut_basis_count(v);
@@ -76,6 +85,27 @@ void problem_free(test_problem *problem)
     free(problem->known);
     free(problem->weights);
     memset(problem, 0, sizeof *problem);
+}
+
+void problem_know(test_problem *problem, int i, int j, double x, double y, double z)
+{
+    const size_t at = (size_t)i * (size_t)taut_basis_count(problem->v) + (size_t)j;
+    const double point[3] = {x, y, z};
+    memcpy(problem->points + 3 * at, point, sizeof point);
+    problem->known[at] = 1;
+}
+
+test_problem problem_tetrahedron(int n)
+{
+    test_problem net = problem_new(basis_uniform(3, n), basis_uniform(3, n));
+    for (int i = 0; i < n; i++) {
+        const double t = greville_uniform(n, i);
+        problem_know(&net, i, 0, t, 0, t);
+        problem_know(&net, i, n - 1, t, 1, 1 - t);
+        problem_know(&net, 0, i, 0, t, t);
+        problem_know(&net, n - 1, i, 1, t, 1 - t);
+    }
+    return net;
 }
 
 void problem_random_boundary(test_problem *problem)
