@@ -1,6 +1,7 @@
 #include "problems.h"
 
 #include "check.h"
+#include "papers.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -134,88 +135,17 @@ void problem_random_weights(test_problem *problem, double limit)
     }
 }
 
-typedef struct example {
-    int degree_u, degree_v, nu, nv;
-    const char *known; /* [nu][nv], '*' or '?' */
-    double points[20][3];
-} example;
-
-#define T (2.0 / 7)
-#define S (3.0 / 7)
-static const example examples[4] = {
-    {2,
-     2,
-     3,
-     3,
-     "****?****",
-     {{-1, -1, 0},
-      {-1, 0, 1},
-      {-1, 1, 0},
-      {0, -1, 1},
-      {0},
-      {0, 1, 1},
-      {1, -1, 0},
-      {1, 0, 1},
-      {1, 1, 0}}},
-    {2,
-     2,
-     4,
-     4,
-     "*****??**??*****",
-     {{-1, -1, 0},
-      {-1, -.5, .5},
-      {-1, .5, .5},
-      {-1, 1, 0},
-      {-.5, -1, .5},
-      {0},
-      {0},
-      {-.5, 1, .5},
-      {.5, -1, .5},
-      {0},
-      {0},
-      {.5, 1, .5},
-      {1, -1, 0},
-      {1, -.5, .5},
-      {1, .5, .5},
-      {1, 1, 0}}},
-    {3,
-     3,
-     4,
-     4,
-     "*****??**??*****",
-     {{-1, -1, 0},
-      {-1, -.5, .5},
-      {-1, .5, .5},
-      {-1, 1, 0},
-      {-.5, -1, .5},
-      {0},
-      {0},
-      {-.5, 1, .5},
-      {.5, -1, .5},
-      {0},
-      {0},
-      {.5, 1, .5},
-      {1, -1, 0},
-      {1, -.5, .5},
-      {1, .5, .5},
-      {1, 1, 0}}},
-    {3, 3, 4, 5, "******???**???******", {{-1, -1, 0}, {-1, -S, T}, {-1, 0, 1}, {-1, S, T},
-                                          {-1, 1, 0},  {-S, -1, T}, {0},        {0},
-                                          {0},         {-S, 1, T},  {S, -1, T}, {0},
-                                          {0},         {0},         {S, 1, T},  {1, -1, 0},
-                                          {1, -S, T},  {1, 0, 1},   {1, S, T},  {1, 1, 0}}},
-};
-#undef T
-#undef S
-
 test_problem problem_example(int number)
 {
-    const example *from = &examples[number - 1];
-    test_problem problem = problem_new(basis_uniform(from->degree_u, from->nu),
-                                       basis_uniform(from->degree_v, from->nv));
-    for (int i = 0; i < from->nu * from->nv; i++) {
-        problem.known[i] = from->known[i] == '*';
-        memcpy(problem.points + 3 * i, from->points[i], 3 * sizeof(double));
+    const paper_net *from = &wuwang2011[number - 1];
+    test_problem problem =
+        problem_new(basis_uniform(from->degree, from->nu), basis_uniform(from->degree, from->nv));
+    for (int k = 0; k < from->nu * from->nv; k++) {
+        const int i = k / from->nv, j = k % from->nv;
+        const double *x = from->points[k];
+        if (i == 0 || j == 0 || i == from->nu - 1 || j == from->nv - 1) {
+            problem_know(&problem, i, j, x[0], x[1], x[2]);
+        }
     }
     return problem;
 }
