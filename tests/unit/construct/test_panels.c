@@ -2,6 +2,7 @@
  * those of the published formula, both have the angles they are named for; and what is refused. */
 #include "certificates.h"
 #include "check.h"
+#include "monitors.h"
 
 #include "taut/panels.h"
 #include "taut/read.h"
@@ -191,13 +192,6 @@ static void test_refusals(void)
     CHECK(taut_panels_of_problem(NULL, NULL, NULL, NULL) == TAUT_BAD_ARGUMENT, "nothing");
 }
 
-static int stop(void *context, double done, const char *what)
-{
-    (void)done;
-    (void)what;
-    return --*(int *)context == 0;
-}
-
 /* Of several surfaces one may be asked for by its name; who watches is asked after each. */
 static void test_names(void)
 {
@@ -206,7 +200,6 @@ static void test_names(void)
     taut_panels_options o = {.kind = TAUT_PANELS_CIRCULAR, .divide = {3, 4}};
     taut_model *model = NULL, *all = NULL;
     taut_error error = {.message = ""};
-    int left = 1;
 
     CHECK(taut_bonnet_make(&two, NULL, &model, &error) == TAUT_OK, "%s", error.message);
     CHECK(taut_panels_of_model(model, &o, &all, &error) == TAUT_OK, "%s", error.message);
@@ -225,11 +218,11 @@ static void test_names(void)
         taut_model_free(one);
         one = NULL;
         o.surface = NULL;
-        o.monitor = (taut_monitor){stop, &left};
-        left = 1;
+        watch once = {.stop_at = 1};
+        o.monitor = monitor_of(&once);
         CHECK((k == 0 ? taut_panels_of_model(model, &o, &one, &error)
                       : taut_panels_of_bonnet(&two, &o, &one, &error)) == TAUT_INTERRUPTED &&
-                  one == NULL && left == 0 && strcmp(error.message, "stopped") == 0,
+                  one == NULL && once.reports == 1 && strcmp(error.message, "stopped") == 0,
               "%s", error.message);
         o.monitor = (taut_monitor){NULL, NULL};
     }

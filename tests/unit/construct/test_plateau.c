@@ -2,6 +2,7 @@
 #include "certificates.h"
 #include "check.h"
 #include "films.h"
+#include "monitors.h"
 #include "problems.h"
 
 #include "taut/measure.h"
@@ -120,18 +121,12 @@ static void test_plane(void)
     problem_free(&net);
 }
 
-static int stop(void *context, double done, const char *what)
-{
-    (void)done;
-    return what != NULL && ++*(int *)context > 3;
-}
-
 static void test_interrupt(void)
 {
     test_problem net = problem_tetrahedron(8);
     const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
-    int calls = 0;
-    const taut_make_options options = {.monitor = {stop, &calls}};
+    watch fourth = {.stop_at = 4};
+    const taut_make_options options = {.monitor = monitor_of(&fourth)};
     taut_model *model = NULL;
     CHECK(taut_plateau_make(&problem, &options, &model, NULL) == TAUT_INTERRUPTED && model == NULL,
           "stopped");

@@ -1,6 +1,7 @@
 /* test_mesh.c -- meshes: topology by counting, distance by evaluation between the lines, normals
  * against closed forms. */
 #include "check.h"
+#include "monitors.h"
 #include "shapes.h"
 
 #include "taut/mesh.h"
@@ -266,19 +267,12 @@ static void test_many_surfaces(void)
     taut_model_free(model);
 }
 
-static int stop(void *context, double done, const char *what)
-{
-    (void)context;
-    (void)done;
-    (void)what;
-    return 1;
-}
-
 static void test_refusals(void)
 {
     taut_model *model = shape_model(hills("a", 3, 5, 0.1)), *none = NULL;
     taut_mesh *mesh = NULL;
     taut_error error = {TAUT_OK, 0, 0, "", ""};
+    watch once = {.stop_at = 1};
     CHECK(taut_model_new(&none) == TAUT_OK, "model");
     CHECK(taut_mesh_new(none, NULL, &mesh, &error) == TAUT_NO_SOLUTION, "no surface");
     CHECK(taut_mesh_new(model, &(taut_mesh_options){.tolerance = 1e-18}, &mesh, &error) ==
@@ -297,7 +291,7 @@ static void test_refusals(void)
     CHECK(taut_mesh_new(model, &(taut_mesh_options){.divide = -1}, &mesh, NULL) ==
               TAUT_BAD_ARGUMENT,
           "divide");
-    CHECK(taut_mesh_new(model, &(taut_mesh_options){.monitor = {stop, NULL}}, &mesh, NULL) ==
+    CHECK(taut_mesh_new(model, &(taut_mesh_options){.monitor = monitor_of(&once)}, &mesh, NULL) ==
               TAUT_INTERRUPTED,
           "stopped");
     CHECK(mesh == NULL && taut_mesh_new(NULL, NULL, &mesh, NULL) == TAUT_BAD_ARGUMENT, "NULL");
