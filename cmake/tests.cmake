@@ -42,7 +42,7 @@ foreach(file IN LISTS fault_files)
   string(REPLACE "test_" "" short ${short})
   target_sources(test-fault-${short} PRIVATE
     ${CMAKE_SOURCE_DIR}/tests/fault/failing_memory.c ${CMAKE_SOURCE_DIR}/tests/fault/fault.c
-    ${CMAKE_SOURCE_DIR}/tests/fault/release.c)
+    ${CMAKE_SOURCE_DIR}/tests/fault/calls.c)
 endforeach()
 
 file(GLOB cli_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/cli/test_*.sh)

@@ -31,6 +31,10 @@ long fault_loop_some(const fault_call *call, int most);
 /* The first `count` allocations of a call that makes more, and would take long to get through. */
 void fault_loop_first(const fault_call *call, long count);
 
+/* Describes the call and loops; it makes so many allocations at least. */
+void fault_check(const char *name, taut_status (*call)(const void *, void **, taut_error *),
+                 void (*release)(void *), const void *context, long least);
+
 /* Since fault_arm(k) with k > 0: the allocations, the refused one among them, and the bytes
  * granted, where a block that is resized counts whole, as it may have been copied. */
 long fault_counted(void);

@@ -1,8 +1,8 @@
 /* test_asymptotic.c -- the construction `asymptotic` and its certificate when memory runs out. */
 #include "asymptotic.h"
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
-#include "release.h"
 
 #include <string.h>
 

@@ -1,9 +1,9 @@
 /* test_bonnet.c -- the construction `bonnet`, its certificate and its panels when memory runs out.
  */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 #include "folder.h"
-#include "release.h"
 
 #include "taut/panels.h"
 #include "taut/read.h"

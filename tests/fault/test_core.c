@@ -1,7 +1,7 @@
 /* test_core.c -- arenas, records and certificates when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
-#include "release.h"
 
 #include "core/arena.h"
 #include "core/memory.h"

@@ -1,8 +1,8 @@
 /* test_dirichlet.c -- making and certifying Dirichlet surfaces when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 #include "problems.h"
-#include "release.h"
 
 typedef struct fixture {
     test_problem problem;

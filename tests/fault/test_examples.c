@@ -1,10 +1,10 @@
 /* test_examples.c -- every construction, by its smallest example: its document read, its model
  * made, proved and written when memory runs out. A construction that is new is in here by its
  * examples. */
+#include "calls.h"
 #include "check.h"
 #include "cli/embedded_files.h"
 #include "fault.h"
-#include "release.h"
 
 #include "taut/construct.h"
 #include "taut/read.h"
@@ -31,7 +31,7 @@ typedef struct subject {
     const taut_model *model;
 } subject;
 
-static taut_status read_problem(const void *context, void **result, taut_error *error)
+static taut_status read_example(const void *context, void **result, taut_error *error)
 {
     const subject *s = context;
     taut_problem *problem = *result;
@@ -114,7 +114,7 @@ static void test_construct(const char *construct)
     if (s.file == NULL) {
         return;
     }
-    run(construct, "taut_problem_read_text", read_problem, release_problem, &s);
+    run(construct, "taut_problem_read_text", read_example, release_problem, &s);
     CHECK(taut_problem_read_text(s.file->text, s.file->length, "", &problem, NULL) == TAUT_OK, "%s",
           construct);
     s.problem = problem;

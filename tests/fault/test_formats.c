@@ -1,8 +1,8 @@
 /* test_formats.c -- formats and boundaries out of files when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 #include "folder.h"
-#include "release.h"
 
 #include "geometry/boundary.h"
 #include "taut/read.h"
@@ -69,22 +69,6 @@ static taut_status write_glb(const void *context, void **result, taut_error *err
     return status;
 }
 
-static taut_status read_model(const void *context, void **result, taut_error *error)
-{
-    taut_model *model = *result;
-    const taut_status status = taut_model_read(context, &model, error);
-    *result = model;
-    return status;
-}
-
-static taut_status read_problem(const void *context, void **result, taut_error *error)
-{
-    taut_problem *problem = *result;
-    const taut_status status = taut_problem_read(context, &problem, error);
-    *result = problem;
-    return status;
-}
-
 /* In order, and on common bases. */
 static taut_status fit(const void *context, void **result, taut_error *error)
 {
@@ -104,14 +88,6 @@ static taut_status fit(const void *context, void **result, taut_error *error)
     taut_boundary_free(fitted);
     (void)result;
     return status;
-}
-
-static void check_call(const char *name, taut_status (*call)(const void *, void **, taut_error *),
-                       void (*release)(void *), const void *context, long least)
-{
-    const fault_call described = {name, call, release, context};
-    const long allocations = fault_loop(&described);
-    CHECK(allocations >= least, "%s: only %ld allocations", name, allocations);
 }
 
 static taut_model *model_of(const char *text)
@@ -145,21 +121,21 @@ int main(void)
     file_put_text(in_folder("single.json"), single);
     file_put_text(in_folder("raised.json"), raised_text);
     file_put_text(in_folder("frame.json"), frame_text);
-    check_call("vtu", write_vtu, NULL, surfaces, 20);
-    check_call("geomdl", write_geomdl, NULL, surfaces, 10);
-    check_call("geomdl of curves", write_geomdl, NULL, frame, 10);
-    check_call("glb", write_glb, NULL, surfaces, 20);
-    check_call("boundary", fit, NULL, frame, 20);
+    fault_check("vtu", write_vtu, NULL, surfaces, 20);
+    fault_check("geomdl", write_geomdl, NULL, surfaces, 10);
+    fault_check("geomdl of curves", write_geomdl, NULL, frame, 10);
+    fault_check("glb", write_glb, NULL, surfaces, 20);
+    fault_check("boundary", fit, NULL, frame, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
         path = in_folder("problem.json");
         file_put_text(path, problems[i]);
-        check_call(problems[i], read_problem, release_problem, path, 30);
+        fault_check(problems[i], read_problem, release_problem, path, 30);
     }
     path = in_folder("b.geomdl.json");
     CHECK(taut_model_write(surfaces, path, NULL, NULL) == TAUT_OK, "write");
-    check_call("geomdl in", read_model, release_model, path, 30);
+    fault_check("geomdl in", read_model, release_model, path, 30);
     CHECK(taut_model_write(frame, path, NULL, NULL) == TAUT_OK, "write");
-    check_call("geomdl of curves in", read_model, release_model, path, 30);
+    fault_check("geomdl of curves in", read_model, release_model, path, 30);
     taut_model_free(surfaces);
     taut_model_free(frame);
     free(single);

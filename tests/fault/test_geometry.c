@@ -1,7 +1,7 @@
 /* test_geometry.c -- bases, curves, surfaces, grids and models when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
-#include "release.h"
 
 #include "taut/model.h"
 

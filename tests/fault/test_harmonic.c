@@ -1,8 +1,8 @@
 /* test_harmonic.c -- harmonic and biharmonic surfaces when memory runs out: each way of making
  * them, in doubles and in rationals, and their certificates. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
-#include "release.h"
 #include "shapes.h"
 
 #include "problem/problem.h"

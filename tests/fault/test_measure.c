@@ -1,7 +1,7 @@
 /* test_measure.c -- measuring when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
-#include "release.h"
 #include "shapes.h"
 
 #include "taut/measure.h"

@@ -1,7 +1,7 @@
 /* test_operate.c -- splitting, refining, converting when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
-#include "release.h"
 
 #include "certify/curve_distance.h"
 #include "geometry/boundary.h"

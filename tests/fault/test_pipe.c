@@ -1,7 +1,7 @@
 /* test_pipe.c -- the construction `pipe` and its proof when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
-#include "release.h"
 
 #include "taut/pipe.h"
 

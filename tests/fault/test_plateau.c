@@ -1,8 +1,8 @@
 /* test_plateau.c -- the construction `plateau` when memory runs out, by each of its methods. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 #include "problems.h"
-#include "release.h"
 
 #include "taut/plateau.h"
 

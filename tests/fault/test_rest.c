@@ -1,8 +1,8 @@
 /* test_rest.c -- the public calls that no other file of this folder makes, when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 #include "folder.h"
-#include "release.h"
 #include "shapes.h"
 
 #include "taut/join.h"
@@ -121,14 +121,6 @@ static taut_status read_record(const void *context, void **result, taut_error *e
     return status;
 }
 
-static taut_status read_problem(const void *context, void **result, taut_error *error)
-{
-    taut_problem *problem = *result;
-    const taut_status status = taut_problem_read(context, &problem, error);
-    *result = problem;
-    return status;
-}
-
 static taut_status read_list(const void *context, void **result, taut_error *error)
 {
     taut_problem_list *list = *result;
@@ -221,13 +213,6 @@ static void test_no_memory(const taut_surface *surface, const taut_curve *curve,
     fault_disarm();
 }
 
-static void check_call(const char *name, taut_status (*call)(const void *, void **, taut_error *),
-                       void (*release)(void *), const void *context)
-{
-    const fault_call described = {name, call, release, context};
-    CHECK(fault_loop(&described) > 0, "%s takes memory", name);
-}
-
 int main(void)
 {
     static const double points[2][3] = {{0, 0, 0}, {1, 1, 0}};
@@ -252,29 +237,29 @@ int main(void)
     snprintf(path, sizeof path, "%s", in_folder("problem.json"));
     file_put_text(path, problem_text);
 
-    check_call("taut_surface_insert", insert, release_surface, surface);
-    check_call("taut_surface_elevate", elevate, release_surface, surface);
-    check_call("taut_surface_new_exact", new_exact, release_surface, curve);
-    check_call("taut_surface_jacobian", jacobian, NULL, plane);
+    fault_check("taut_surface_insert", insert, release_surface, surface, 1);
+    fault_check("taut_surface_elevate", elevate, release_surface, surface, 1);
+    fault_check("taut_surface_new_exact", new_exact, release_surface, curve, 1);
+    fault_check("taut_surface_jacobian", jacobian, NULL, plane, 1);
     far = far_surface();
-    check_call("taut_surface_dirichlet_energy", dirichlet, NULL, far);
+    fault_check("taut_surface_dirichlet_energy", dirichlet, NULL, far, 1);
     taut_surface_free(far);
-    check_call("taut_join_measure", join, NULL, surface);
+    fault_check("taut_join_measure", join, NULL, surface, 1);
     CHECK(taut_problem_read_text(bonnet_text, sizeof bonnet_text - 1, "text", &bonnet, NULL) ==
               TAUT_OK,
           "bonnet");
-    check_call("taut_panels_of_problem", panels, release_model, bonnet);
+    fault_check("taut_panels_of_problem", panels, release_model, bonnet, 1);
     taut_problem_free(bonnet);
-    check_call("taut_join_record, taut_measure_curve_record", records, release_record, curve);
-    check_call("taut_record_read_text", read_record, release_record, problem_text);
-    check_call("taut_record_read_text of nothing", read_record, release_record, "[]");
-    check_call("taut_problem_read", read_problem, release_problem, path);
-    check_call("taut_problem_list_read", read_list, release_list, path);
+    fault_check("taut_join_record, taut_measure_curve_record", records, release_record, curve, 1);
+    fault_check("taut_record_read_text", read_record, release_record, problem_text, 1);
+    fault_check("taut_record_read_text of nothing", read_record, release_record, "[]", 1);
+    fault_check("taut_problem_read", read_problem, release_problem, path, 1);
+    fault_check("taut_problem_list_read", read_list, release_list, path, 1);
     snprintf(two, sizeof two, "[%s, %s]", problem_text, problem_text);
-    check_call("taut_problem_list_read_text", read_list_text, release_list, two);
-    check_call("taut_outputs_text", write_text, NULL, problem_text);
-    check_call("taut_model_write", write_model, NULL, model);
-    check_call("taut_outputs_models", write_models, NULL, model);
+    fault_check("taut_problem_list_read_text", read_list_text, release_list, two, 1);
+    fault_check("taut_outputs_text", write_text, NULL, problem_text, 1);
+    fault_check("taut_model_write", write_model, NULL, model, 1);
+    fault_check("taut_outputs_models", write_models, NULL, model, 1);
 
     test_no_memory(surface, curve, model);
     taut_model_free(model);

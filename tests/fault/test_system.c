@@ -3,10 +3,10 @@
  *
  * Functions of the C library are put before its own here; each fails once when it is asked to. */
 #define _GNU_SOURCE /* RTLD_NEXT, getrandom */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 #include "folder.h"
-#include "release.h"
 #include "shapes.h"
 
 #include "io/cad_stream.h"
@@ -273,14 +273,6 @@ static void test_no_stream(const char *path)
     CHECK(taut_model_read(path, &read, &error) == TAUT_NO_MEMORY && read == NULL, "%s",
           error.message);
     check_no_child(0);
-}
-
-static taut_status read_model(const void *context, void **result, taut_error *error)
-{
-    taut_model *model = *result;
-    const taut_status status = taut_model_read(context, &model, error);
-    *result = model;
-    return status;
 }
 
 static taut_status read_either(const void *context, void **result, taut_error *error)
