@@ -89,3 +89,17 @@ double pipe_end_volume(const double point[3], const double direction[3], double 
 {
     return taut_dot(point, direction) / taut_norm(direction) * area / 3;
 }
+
+double pipe_volume(const taut_model *model, const taut_pipe_problem *problem,
+                   const double end_areas[2], double *area)
+{
+    double volume = 0;
+    *area = 0;
+    pipe_integrate(taut_model_surface(model, 0), area, &volume);
+    for (int side = 0; side < 2; side++) {
+        const taut_pipe_end *end = &problem->ends[side];
+        volume +=
+            (side == 0 ? -1 : 1) * pipe_end_volume(end->point, end->direction, end_areas[side]);
+    }
+    return volume;
+}

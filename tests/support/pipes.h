@@ -24,5 +24,8 @@ taut_pipe_problem pipe_random_ends(void);
 void pipe_integrate(const taut_surface *surface, double *area, double *volume);
 /* The integral of X . n / 3 over a plane end of some area at a point, n the way of flow. */
 double pipe_end_volume(const double point[3], const double direction[3], double area);
+/* The volume inside a blend between plane ends of these areas, and *area, that of the blend. */
+double pipe_volume(const taut_model *model, const taut_pipe_problem *problem,
+                   const double end_areas[2], double *area);
 
 #endif /* TAUT_TEST_PIPES_H */

@@ -1,6 +1,7 @@
 /* test_mesh.c -- meshes: topology by counting, distance by evaluation between the lines, normals
  * against closed forms. */
 #include "check.h"
+#include "meshes.h"
 #include "monitors.h"
 #include "shapes.h"
 
@@ -37,15 +38,6 @@ static taut_surface *hills(const char *name, int degree, int count, double heigh
     taut_basis_free(basis);
     free(points);
     return surface;
-}
-
-static taut_mesh *mesh_of(const taut_model *model, double tolerance, int divide)
-{
-    const taut_mesh_options options = {.tolerance = tolerance, .divide = divide};
-    taut_mesh *mesh = NULL;
-    taut_error error = {TAUT_OK, 0, 0, "", ""};
-    CHECK(taut_mesh_new(model, &options, &mesh, &error) == TAUT_OK, "%s", error.message);
-    return mesh;
 }
 
 /* The squared distance of p from the triangle a b c: the nearest point is inside, on an edge or a
