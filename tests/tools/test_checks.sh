@@ -1,15 +1,5 @@
-#!/bin/sh
 # test_checks.sh -- each check of tools/ passes a clean tree and catches what it is for.
-set -u
-: "${SOURCE:?the source tree}"
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-failures=0
-
-fail() {
-    echo "FAIL: $*"
-    failures=$((failures + 1))
-}
+. "$SOURCE/tests/tools/tools.sh"
 
 # A tree that every check passes.
 fresh() {
@@ -136,5 +126,4 @@ if command -v cc > /dev/null && command -v nm > /dev/null; then
     case $said in *'taut_version: was exported before and is gone'*) ;; *) fail "lost symbol not named: $said" ;; esac
 fi
 
-echo "$failures failures"
-[ "$failures" -eq 0 ]
+finish

@@ -1,15 +1,6 @@
 # test_reference.sh -- the pages made of the headers have each symbol of the library; from comments to pages:
 # paragraphs, formulas, parameters, links, and signs that Markdown or troff would take for their own.
-set -u
-: "${SOURCE:?the source tree}"
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-failures=0
-
-fail() {
-    echo "FAIL: $*"
-    failures=$((failures + 1))
-}
+. "$SOURCE/tests/tools/tools.sh"
 
 "$SOURCE/tools/reference.sh" --check "$SOURCE" || fail "the reference"
 
@@ -105,5 +96,4 @@ for line in '.SS First' '.BR taut_x (3)' 'taut_one  *taut_x(3)' 'TAUT_B  *taut_x
     grep -qx -- "$line" "$tree/taut.3" || fail "taut.3 lacks $line"
 done
 
-echo "$failures failures"
-[ "$failures" -eq 0 ]
+finish
