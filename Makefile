@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-evaluate bench-plateau format check mutants reproduction reference install deb \
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-evaluate bench-plateau format check mutants reproduction reference install deb \
   clean help
 
 demo: build
@@ -20,6 +20,7 @@ test:
 	@cmake --preset release
 	@cmake --build --preset release
 	@ctest --preset release -j "$$(nproc)"
+	@tools/left_out.sh build/release
 
 build:
 	@tools/deps.sh build
@@ -27,14 +28,14 @@ build:
 	@cmake --build --preset release --target product
 
 deps:
-	@tools/deps.sh build test check
+	@tools/deps.sh build test browser check
 
 gallery: build
 	@tools/gallery.sh $(TAUT)
 
-bench: bench-dirichlet bench-evaluate bench-plateau
+bench: bench-dirichlet bench-documents bench-evaluate bench-plateau
 
-bench-dirichlet bench-evaluate bench-plateau:
+bench-dirichlet bench-documents bench-evaluate bench-plateau:
 	@tools/deps.sh build bench
 	@cmake --preset bench
 	@cmake --build --preset bench --target $@

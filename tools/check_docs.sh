@@ -1,7 +1,7 @@
 #!/bin/sh
 # check_docs.sh [ROOT] -- nothing public without a word about it: every declaration in include/taut has its comment or stands in
-# a group that has one; every construction, basis, format and command has its place in the pages; every link leads somewhere; docs/reference
-# is what the headers say.
+# a group that has one; every construction, basis, format and command has its place in the pages; every link leads somewhere; the
+# reference that is made of the headers is whole.
 set -eu
 tools=$(cd "$(dirname "$0")" && pwd)
 cd "${1:-$(dirname "$0")/..}"

@@ -91,12 +91,17 @@ for construct in $(sed -n 's/.*X([a-z_0-9]*, "\([a-z-]*\)".*/\1/p' "$source/src/
     name=$(echo "$construct" | sed 's/-/\\\\-/g')
     grep -q "^\.SS .*$name" "$prefix/share/man/man5/taut.5" || fail "taut(5) has no section $construct"
 done
-# So has each function of the library; and troff has nothing to say about the pages.
+# So has each header, and each function of the library; and troff has nothing to say about the pages.
+for header in "$source"/include/taut/*.h; do
+    page=$(basename "$header" .h | sed 's/^taut$//; s/^./_&/')
+    [ -s "$prefix/share/man/man3/taut$page.3" ] || fail "there is no page taut$page(3)"
+done
 while read -r symbol; do
-    grep -q "[ *]$symbol(" "$prefix/share/man/man3/taut.3" || fail "taut(3) does not know $symbol"
+    page=$(sed -n "s/^$symbol  *\(taut_[a-z]*\)(3)\$/\1/p" "$prefix/share/man/man3/taut.3")
+    grep -q "[ *]$symbol(" "$prefix/share/man/man3/$page.3" || fail "taut(3) does not lead to $symbol"
 done < "$source/tools/symbols.txt"
 if command -v man > /dev/null; then
-    for page in "$prefix"/share/man/man?/taut.?; do
+    for page in "$prefix"/share/man/man?/taut*; do
         LC_ALL=C.UTF-8 man --warnings -l "$page" 2>&1 > /dev/null | grep . && fail "man does not like $page"
     done
 fi

@@ -1,5 +1,5 @@
 #!/bin/sh
-# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test check bench.
+# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check bench.
 #
 # A need is met when its command runs, its pkg-config file is found or its header compiles, however it came to the
 # machine; only unmet needs become packages. With nothing missing no network is touched.
@@ -23,12 +23,13 @@ test  header:gmp.h                   libgmp-dev             exact numbers the re
 test  header:flint/fmpq_mat.h        libflint-dev           exact rational algebra, likewise
 test  header:arb.h                   libflint-arb-dev       intervals of any precision, likewise
 test  header:lapacke.h               liblapacke-dev         a second solver that shares no code with ours
-test  pc:openblas                    libopenblas-dev        what LAPACK runs on
 test  cmd:pdfinfo                    poppler-utils          reads the PDF figures back
 test  cmd:rsvg-convert               librsvg2-bin           reads the SVG figures back
 test  header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev writes and reads STEP and IGES
-test  cmd:node                       nodejs                 drives the browser that looks at the pages of `taut view`
-test  cmd:chromium                   chromium               that browser
+test  cmd:python3                    python3                changes documents, one member at a time
+test  py:jsonschema                  python3-jsonschema     reads the schemas
+browser cmd:node                     nodejs                 drives the browser that looks at the pages of `taut view`
+browser cmd:chromium                 chromium               that browser
 check cmd:clang                      clang                  a second compiler, the sanitizers, the fuzzer
 check cmd:clang-format               clang-format           the formatting
 check clang:fsanitize=fuzzer,address libclang-rt-14-dev     what sanitizers and fuzzer link with
@@ -56,7 +57,7 @@ is_there() {
     cmd:*) command -v "${1#cmd:}" >/dev/null 2>&1 ;;
     pc:*) pkg-config --exists "${1#pc:}" 2>/dev/null ;;
     header:*.hxx) test -e "/usr/include/${1#header:}" ;;
-    py:*) /usr/bin/python3 -c "import ${1#py:}" 2>/dev/null ;;
+    py:*) python3 -c "import ${1#py:}" 2>/dev/null || /usr/bin/python3 -c "import ${1#py:}" 2>/dev/null ;;
     header:*) compiles c "${1#header:}" ;;
     clang:*) echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return d == 0 && n > 0; }' |
         clang "-${1#clang:}" -x c - -o /dev/null 2>/dev/null ;;
@@ -66,8 +67,8 @@ is_there() {
 packages=
 seen=' '
 for group in "$@"; do
-    case $group in build | test | check | bench) ;; *)
-        echo "deps.sh: no group \"$group\"; there are build, test, check and bench" >&2
+    case $group in build | test | browser | check | bench) ;; *)
+        echo "deps.sh: no group \"$group\"; there are build, test, browser, check and bench" >&2
         exit 2
         ;;
     esac

@@ -1,6 +1,7 @@
 #!/bin/sh
-# reference.sh [--check] [ROOT] -- writes docs/reference out of the comments of include/taut: a page for each header, and a
-# first page with all headers and all names. --check says whether it is current, and whole: each symbol of the library in it.
+# reference.sh [--check] [ROOT] -- writes build/reference out of the comments of include/taut: a page for each header, and a
+# first page with all headers and all names. --check writes nothing and says whether it is whole: each header and each symbol
+# of the library in it, and the pages of docs/ to which it leads there.
 set -eu
 tools=$(cd "$(dirname "$0")" && pwd)
 check=
@@ -12,7 +13,7 @@ cd "${1:-$tools/..}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/reference"
-touch "$work/calls"
+touch "$work/calls" "$work/pages"
 LC_ALL=C awk -f "$tools/headers.awk" include/taut/taut.h > "$work/said"
 for header in include/taut/*.h; do
     if [ "$header" != include/taut/taut.h ] && ! grep -q "^header	${header#include/}\$" "$work/said"; then
@@ -35,9 +36,10 @@ LC_ALL=C awk -F '\t' -v work="$work" '
             gsub(/^taut\/|\.h$/, "", words)
             return (s in known) ? "[" s "](" words ".md)" : ""
         } else if (s ~ /^docs\//) {
-            return "[" s "](../" substr(s, 6) ")"
+            print s > (work "/pages")
+            return "[" s "](../../" s ")"
         } else if (s ~ /^\[[A-Z][A-Za-z]+[0-9]+\]$/) {
-            return "[" escape(s) "](../references.bib)"
+            return "[" escape(s) "](../../docs/references.bib)"
         } else if (s ~ /^`/) {
             return s
         }
@@ -131,7 +133,8 @@ LC_ALL=C awk -F '\t' -v work="$work" '
 # The library, name by name
 
 `#include <taut/taut.h>` is all of `libtaut`; `cc program.c $(pkg-config --cflags --libs taut)` compiles with it. Each header
-is a page here, made of the header's own comments (`make reference`), and all of them are the manual page taut(3).
+is a page here, made of the header's own comments (`make reference`), and a manual page, such as taut_surface(3); taut(3) leads to
+all of them.
 Whole programs: [README](../../README.md#the-library), [examples/c](../../examples/c).
 
 ## What holds of every call
@@ -145,17 +148,16 @@ TEXT
 } > "$work/reference/README.md"
 
 if [ -z "$check" ]; then
-    mkdir -p docs
-    rm -rf docs/reference
-    cp -r "$work/reference" docs/reference
-elif ! diff -r docs/reference "$work/reference" > "$work/differ" 2>&1; then
-    head -n 20 "$work/differ"
-    echo "docs/reference is not what the headers say: make reference"
-    exit 1
-elif [ -e tools/symbols.txt ]; then
-    while read -r symbol; do
-        grep -q "^| \[\`$symbol\`\]" docs/reference/README.md || echo "docs/reference knows no $symbol"
-    done < tools/symbols.txt > "$work/lost"
-    cat "$work/lost"
-    [ ! -s "$work/lost" ]
+    mkdir -p build
+    rm -rf build/reference
+    cp -r "$work/reference" build/reference
+    exit
 fi
+sort -u "$work/pages" | while read -r page; do
+    [ -e "$page" ] || echo "the headers lead to $page, which is not there"
+done > "$work/lost"
+[ ! -e tools/symbols.txt ] || while read -r symbol; do
+    grep -q "^| \[\`$symbol\`\]" "$work/reference/README.md" || echo "the headers know no $symbol"
+done < tools/symbols.txt >> "$work/lost"
+cat "$work/lost"
+[ ! -s "$work/lost" ]

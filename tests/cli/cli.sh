@@ -4,6 +4,7 @@ failures=0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
+export PYTHONDONTWRITEBYTECODE=1 # into the source tree
 
 complain() {
     printf '%s\n' "FAILED: $*" >&2
@@ -39,13 +40,31 @@ absent() {
     [ -z "$left" ] || complain "left behind: $left"
 }
 
-# missing WHAT: a check that cannot be made; where all tools must be there (TAUT_REQUIRE=all) that is a failure.
+# missing WHAT HOW: a part of the test cannot be made, and how to get what it needs; where all must be there
+# (TAUT_REQUIRE=all) that is a failure. `make test` ends with these lines.
 missing() {
     if [ "${TAUT_REQUIRE:-}" = all ]; then
-        complain "$1 is not installed"
+        complain "$1 is not here: $2"
     else
-        echo "left out: $1 is not installed"
+        echo "left out: $1 is not here: $2"
     fi
+}
+
+# skip WHAT HOW: the same, and there is nothing else to test; ctest reports it as skipped.
+skip() {
+    missing "$1" "$2"
+    [ "$failures" = 0 ] || exit 1
+    exit 77
+}
+
+# python_with MODULE: the PYTHON that has it; fails where none has.
+python_with() {
+    for PYTHON in python3 /usr/bin/python3; do
+        if "$PYTHON" -c "import $1" 2> /dev/null; then
+            return 0
+        fi
+    done
+    return 1
 }
 
 contains() {

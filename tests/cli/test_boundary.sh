@@ -20,7 +20,7 @@ run 0 convert frame.json -o beside/frame.geomdl.json
 files="frame.json frame.geomdl.json"
 "$TAUT" convert frame.json -o beside/frame.step -o beside/frame.igs 2> err.txt
 if grep -q 'install libocct' err.txt; then
-    missing "OpenCASCADE (libocct-data-exchange-dev, when Taut was built)"
+    missing OpenCASCADE 'tools/deps.sh test, and build anew'
 else
     files="$files frame.step frame.igs"
 fi

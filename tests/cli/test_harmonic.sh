@@ -152,13 +152,15 @@ printf '{"taut": 1, "construct": "harmonic", "u": {"type": "bezier", "degree": 4
 [[4,0,0],[4,1,1],[4,2,0.3],[4,3,1],[4,4,1e-11]]]}\n' > short.json
 run 0 make short.json -o short.out.json
 contains err.txt 'harmonic +undecided: .*miss the condition of a harmonic patch by 1e-11.*"even" can repair'
-if command -v python3 > /dev/null; then
-    python3 -c 'import json
+if python_with json; then
+    "$PYTHON" -c 'import json
 m = json.load(open("short.out.json"))
 m["surfaces"][0]["points"][2][2][2] += 1e-11
 json.dump(m, open("moved.json", "w"))'
     run 1 certify moved.json short.json
     cat out.txt err.txt > said.txt
     contains said.txt "harmonic +DOES NOT HOLD"
+else
+    missing python3 'tools/deps.sh test'
 fi
 finish

@@ -67,14 +67,14 @@ if command -v node > /dev/null && [ -d "$modules/gltf-validator" ]; then
     contains said.txt '^cube.glb: .* 20 triangles'
     grep -qa COLOR_0 cube-h.glb || complain "cube-h.glb has no colours"
 else
-    missing "the Khronos validator (npm ci in tests/gltf)"
+    missing 'the Khronos validator' 'tools/deps.sh check, and npm ci in tests/gltf'
 fi
 
 # VTK: the area of the exact cells, cut finely, and the fields at their points.
-if /usr/bin/python3 -c 'import vtkmodules.vtkIOXML' 2> /dev/null; then
-    /usr/bin/python3 "$SOURCE/tests/cli/read_vtu.py" tube.vtu quasi.vtu > said.txt 2>&1 || complain "VTK: $(cat said.txt)"
-    /usr/bin/python3 "$SOURCE/tests/cli/read_meshes.py" cube ball pipe > said.txt 2>&1 || complain "VTK: $(cat said.txt)"
+if python_with vtkmodules.vtkIOXML; then
+    "$PYTHON" "$SOURCE/tests/cli/read_vtu.py" tube.vtu quasi.vtu > said.txt 2>&1 || complain "VTK: $(cat said.txt)"
+    "$PYTHON" "$SOURCE/tests/cli/read_meshes.py" cube ball pipe > said.txt 2>&1 || complain "VTK: $(cat said.txt)"
 else
-    missing "VTK (python3-vtk9)"
+    missing VTK 'tools/deps.sh check'
 fi
 finish

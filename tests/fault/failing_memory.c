@@ -12,10 +12,12 @@ static atomic_int keep_failing = 0;
 static atomic_long counted_from = 0;
 static atomic_long live = 0;
 static atomic_long refused = 0;
+static atomic_size_t granted = 0; /* bytes since fault_arm */
 
 void fault_arm(long k, int and_later)
 {
     atomic_store(&refused, 0);
+    atomic_store(&granted, 0);
     atomic_store(&keep_failing, and_later);
     atomic_store(&counted_from, k);
     atomic_store(&countdown, k);
@@ -30,6 +32,11 @@ long fault_disarm(void)
 long fault_counted(void)
 {
     return atomic_load(&counted_from) - atomic_load(&countdown);
+}
+
+size_t fault_bytes(void)
+{
+    return atomic_load(&granted);
 }
 
 long fault_live(void)
@@ -49,6 +56,7 @@ static size_t grant(size_t count, size_t size)
     if (size != 0 && count > SIZE_MAX / 2 / size) {
         return 0;
     }
+    atomic_fetch_add(&granted, count * size);
     return count * size > 0 ? count * size : 1;
 }
 

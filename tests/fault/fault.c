@@ -67,6 +67,23 @@ long fault_loop(const fault_call *call)
     return allocations;
 }
 
+void fault_check(const char *name, taut_status (*call)(const void *, void **, taut_error *),
+                 void (*release)(void *), const void *context, long least)
+{
+    const fault_call described = {name, call, release, context};
+    const long allocations = fault_loop(&described);
+    CHECK(allocations >= least, "%s: only %ld allocations", name, allocations);
+}
+
+void fault_loop_first(const fault_call *call, long count)
+{
+    const int failures_before = check_failures;
+    for (long k = 1; k <= count && check_failures == failures_before; k++) {
+        const taut_status status = attempt(call, k, k % 2 == 0);
+        CHECK(status != TAUT_OK, "%s: allocation %ld of %ld is not made", call->name, k, count);
+    }
+}
+
 /* How many allocations the call makes when none fails. */
 static long count_allocations(const fault_call *call)
 {

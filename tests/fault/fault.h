@@ -28,8 +28,17 @@ long fault_loop(const fault_call *call);
  * all of them from a random first one on (check.h's seed). */
 long fault_loop_some(const fault_call *call, int most);
 
-/* The allocations since fault_arm(k) with k > 0, the refused one among them. */
+/* The first `count` allocations of a call that makes more, and would take long to get through. */
+void fault_loop_first(const fault_call *call, long count);
+
+/* Describes the call and loops; it makes so many allocations at least. */
+void fault_check(const char *name, taut_status (*call)(const void *, void **, taut_error *),
+                 void (*release)(void *), const void *context, long least);
+
+/* Since fault_arm(k) with k > 0: the allocations, the refused one among them, and the bytes
+ * granted, where a block that is resized counts whole, as it may have been copied. */
 long fault_counted(void);
+size_t fault_bytes(void);
 
 /* For calls that do not fit. The k-th allocation from now fails, alone or with all later ones; 0
  * stops that and gives how many were refused. */

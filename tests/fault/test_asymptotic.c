@@ -1,19 +1,10 @@
 /* test_asymptotic.c -- the construction `asymptotic` and its certificate when memory runs out. */
 #include "asymptotic.h"
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 
 #include <string.h>
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
-}
 
 static taut_status make(const void *context, void **result, taut_error *error)
 {
@@ -59,17 +50,8 @@ static taut_asymptotic_problem lines(void)
 static void try_quartic(void)
 {
     const taut_asymptotic_problem problem = asymptotic_example(1, NULL);
-    for (long k = 1; k <= 6; k++) {
-        const long live = fault_live();
-        taut_model *model = NULL;
-        taut_error error = {.status = TAUT_OK};
-        fault_arm(k, k % 2 == 0);
-        const taut_status status = taut_asymptotic_make(&problem, NULL, &model, &error);
-        fault_disarm();
-        CHECK(status == TAUT_NO_MEMORY && error.status == TAUT_NO_MEMORY && model == NULL,
-              "allocation %ld", k);
-        CHECK(fault_live() == live, "allocation %ld leaks", k);
-    }
+    const fault_call call = {"quartic", make, release_model, &problem};
+    fault_loop_first(&call, 6);
 }
 
 int main(void)

@@ -1,20 +1,12 @@
 /* test_bonnet.c -- the construction `bonnet`, its certificate and its panels when memory runs out.
  */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
+#include "folder.h"
 
 #include "taut/panels.h"
 #include "taut/read.h"
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
-}
 
 static taut_status make(const void *context, void **result, taut_error *error)
 {
@@ -68,11 +60,6 @@ static taut_status read(const void *context, void **result, taut_error *error)
     return status;
 }
 
-static void release_problem(void *problem)
-{
-    taut_problem_free(problem);
-}
-
 int main(void)
 {
     static const char document[] =
@@ -80,10 +67,11 @@ int main(void)
         "\"beta\":1}";
     const taut_bonnet_problem frames = {
         .lambda = {0, 0.5}, .frames = 2, .sign = -1, .alpha = 2, .beta = 1};
-    FILE *file = fopen("bonnet-either.json", "w");
     taut_model *model = NULL;
 
-    CHECK(file != NULL && fputs(document, file) >= 0 && fclose(file) == 0, "a file to read");
+    folder_make();
+    const char *const path = in_folder("either.json");
+    file_put_text(path, document);
     CHECK(taut_bonnet_make(&frames, NULL, &model, NULL) == TAUT_OK, "frames");
     const given context = {model, &frames};
     const fault_call calls[] = {
@@ -91,12 +79,12 @@ int main(void)
         {"certify", certify, release_certificate, &context},
         {"panels of a problem", panels_of_problem, release_model, &context},
         {"panels of a model", panels_of_model, release_model, &context},
-        {"read either", read, release_problem, "bonnet-either.json"},
+        {"read either", read, release_problem, path},
     };
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i++) {
         CHECK(fault_loop(&calls[i]) > 5, "%s takes memory", calls[i].name);
     }
     taut_model_free(model);
-    remove("bonnet-either.json");
+    folder_remove();
     return check_failures != 0;
 }

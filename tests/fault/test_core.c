@@ -1,4 +1,5 @@
 /* test_core.c -- arenas, records and certificates when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 
@@ -32,11 +33,6 @@ static taut_status make_arena(const void *context, void **result, taut_error *er
     }
     *result = arena;
     return TAUT_OK;
-}
-
-static void release_record(void *record)
-{
-    taut_record_free(record);
 }
 
 /* One of everything, more members than one growth holds, one replaced. */
@@ -79,11 +75,6 @@ static taut_status copy_record(const void *context, void **result, taut_error *e
     }
     *result = copy;
     return TAUT_OK;
-}
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
 }
 
 static taut_status make_certificate(const void *context, void **result, taut_error *error)

@@ -1,4 +1,5 @@
 /* test_dirichlet.c -- making and certifying Dirichlet surfaces when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 #include "problems.h"
@@ -7,16 +8,6 @@ typedef struct fixture {
     test_problem problem;
     taut_model *model;
 } fixture;
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
-}
 
 static taut_status make(const void *context, void **result, taut_error *error)
 {

@@ -1,13 +1,14 @@
 /* test_documents.c -- reading, writing and meshing when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
+#include "folder.h"
 
 #include "taut/mesh.h"
 #include "taut/read.h"
 #include "taut/write.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -74,42 +75,6 @@ static const char *const problems[] = {
 static char path[64]; /* a file with the model in it */
 static char out[64];  /* where outputs go */
 
-static taut_status read_model_text(const void *context, void **result, taut_error *error)
-{
-    taut_model *model = *result;
-    const taut_status status =
-        taut_model_read_text(context, strlen(context), "text", &model, error);
-    *result = model;
-    return status;
-}
-
-static taut_status read_model(const void *context, void **result, taut_error *error)
-{
-    taut_model *model = *result;
-    const taut_status status = taut_model_read(context, &model, error);
-    *result = model;
-    return status;
-}
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static taut_status read_problem(const void *context, void **result, taut_error *error)
-{
-    taut_problem *problem = *result;
-    const taut_status status =
-        taut_problem_read_text(context, strlen(context), "text", &problem, error);
-    *result = problem;
-    return status;
-}
-
-static void release_problem(void *problem)
-{
-    taut_problem_free(problem);
-}
-
 static taut_status new_mesh(const void *context, void **result, taut_error *error)
 {
     const taut_mesh_options options = {.divide = 2};
@@ -170,41 +135,28 @@ static void release_text(void *text)
     taut_text_free(text);
 }
 
-/* Each call is made of so many allocations at least. */
-static void check_call(const char *name, taut_status (*call)(const void *, void **, taut_error *),
-                       void (*release)(void *), const void *context, long least)
-{
-    const fault_call described = {name, call, release, context};
-    const long allocations = fault_loop(&described);
-    CHECK(allocations >= least, "%s: only %ld allocations", name, allocations);
-}
-
 int main(void)
 {
-    char folder[] = "/tmp/taut-test-XXXXXX";
-    char command[96];
     taut_model *model = NULL;
 
-    if (mkdtemp(folder) == NULL) {
-        return 1;
-    }
-    snprintf(path, sizeof path, "%s/m.json", folder);
-    snprintf(out, sizeof out, "%s/out", folder);
+    folder_make();
+    snprintf(path, sizeof path, "%s", in_folder("m.json"));
+    snprintf(out, sizeof out, "%s", in_folder("out"));
     CHECK(mkdir(out, 0700) == 0, "%s", out);
     CHECK(taut_model_read_text(model_text, sizeof model_text - 1, "text", &model, NULL) == TAUT_OK,
           "model");
     CHECK(taut_model_write(model, path, NULL, NULL) == TAUT_OK, "written");
-    check_call("taut_model_read_text", read_model_text, release_model, model_text, 50);
-    check_call("taut_model_read_text, exact", read_model_text, release_model, exact_text, 30);
-    check_call("taut_model_read", read_model, release_model, path, 50);
-    check_call("taut_problem_read_text", read_problem, release_problem, problem_text, 20);
+    fault_check("taut_model_read_text", read_model_text, release_model, model_text, 50);
+    fault_check("taut_model_read_text, exact", read_model_text, release_model, exact_text, 30);
+    fault_check("taut_model_read", read_model, release_model, path, 50);
+    fault_check("taut_problem_read_text", read_problem_text, release_problem, problem_text, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
-        check_call(problems[i], read_problem, release_problem, problems[i], 10);
+        fault_check(problems[i], read_problem_text, release_problem, problems[i], 10);
     }
-    check_call("taut_mesh_new", new_mesh, release_mesh, model, 20);
-    check_call("taut_record_write", write_record, release_text, taut_model_details(model), 1);
-    check_call("taut_outputs", write_all, NULL, model, 20);
+    fault_check("taut_mesh_new", new_mesh, release_mesh, model, 20);
+    fault_check("taut_record_write", write_record, release_text, taut_model_details(model), 1);
+    fault_check("taut_outputs", write_all, NULL, model, 20);
     taut_model_free(model);
-    snprintf(command, sizeof command, "rm -r %s", folder);
-    return system(command) != 0 || check_failures != 0;
+    folder_remove();
+    return check_failures != 0;
 }

@@ -1,12 +1,13 @@
 /* test_formats.c -- formats and boundaries out of files when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
+#include "folder.h"
 
 #include "geometry/boundary/boundary.h"
 #include "taut/read.h"
 #include "taut/write.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -36,21 +37,12 @@ static const char raised_text[] =
     "[[2,2,0],[0,2,0]]}, {\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": "
     "[[0,2,0],[0,0,0]]}]}";
 
-static char folder[] = "/tmp/taut-test-XXXXXX";
-
-static const char *in_folder(const char *name, char *path, size_t size)
-{
-    snprintf(path, size, "%s/%s", folder, name);
-    return path;
-}
-
 /* Writes the model in the format of its name and takes the file away again. */
 static taut_status write_file(const taut_model *model, const char *name, taut_error *error)
 {
     const taut_write_options options = {.divide = 1};
-    char path[96];
-    const taut_status status =
-        taut_model_write(model, in_folder(name, path, sizeof path), &options, error);
+    const char *const path = in_folder(name);
+    const taut_status status = taut_model_write(model, path, &options, error);
     CHECK((unlink(path) == 0) == (status == TAUT_OK), "%s is there although it failed", name);
     return status;
 }
@@ -70,38 +62,11 @@ static taut_status write_geomdl(const void *context, void **result, taut_error *
 static taut_status write_glb(const void *context, void **result, taut_error *error)
 {
     const taut_write_options options = {.divide = 1, .colour = TAUT_COLOUR_GAUSSIAN};
-    char path[96];
-    const taut_status status =
-        taut_model_write(context, in_folder("a.glb", path, sizeof path), &options, error);
+    const char *const path = in_folder("a.glb");
+    const taut_status status = taut_model_write(context, path, &options, error);
     (void)result;
     CHECK((unlink(path) == 0) == (status == TAUT_OK), "a.glb is there although it failed");
     return status;
-}
-
-static taut_status read_model(const void *context, void **result, taut_error *error)
-{
-    taut_model *model = *result;
-    const taut_status status = taut_model_read(context, &model, error);
-    *result = model;
-    return status;
-}
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static taut_status read_problem(const void *context, void **result, taut_error *error)
-{
-    taut_problem *problem = *result;
-    const taut_status status = taut_problem_read(context, &problem, error);
-    *result = problem;
-    return status;
-}
-
-static void release_problem(void *problem)
-{
-    taut_problem_free(problem);
 }
 
 /* In order, and on common bases. */
@@ -125,21 +90,6 @@ static taut_status fit(const void *context, void **result, taut_error *error)
     return status;
 }
 
-static void put_text(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    CHECK(file != NULL && fputs(text, file) >= 0, "%s", path);
-    fclose(file);
-}
-
-static void check_call(const char *name, taut_status (*call)(const void *, void **, taut_error *),
-                       void (*release)(void *), const void *context, long least)
-{
-    const fault_call described = {name, call, release, context};
-    const long allocations = fault_loop(&described);
-    CHECK(allocations >= least, "%s: only %ld allocations", name, allocations);
-}
-
 static taut_model *model_of(const char *text)
 {
     taut_model *model = NULL;
@@ -160,34 +110,35 @@ int main(void)
     static const char raised[] = "{\"taut\": 1, \"construct\": \"harmonic\", \"known\": \"u\", "
                                  "\"boundary\": \"raised.json\"}";
     static const char *const problems[] = {dirichlet, asymptotic, harmonic, raised};
-    char path[96], command[96];
+    const char *path = NULL;
     char *single = strdup(frame_text);
     taut_model *surfaces = model_of(surfaces_text), *frame = model_of(frame_text);
 
-    CHECK(mkdtemp(folder) != NULL, "mkdtemp");
+    folder_make();
     /* the side of two spans as one: its middle point and a knot blotted out */
     memcpy(strstr(single, "0,0,1,2,2"), "0,0,  2,2", 9);
     memcpy(strstr(single, "[1,2,1],"), "        ", 8);
-    put_text(in_folder("single.json", path, sizeof path), single);
-    put_text(in_folder("raised.json", path, sizeof path), raised_text);
-    put_text(in_folder("frame.json", path, sizeof path), frame_text);
-    check_call("vtu", write_vtu, NULL, surfaces, 20);
-    check_call("geomdl", write_geomdl, NULL, surfaces, 10);
-    check_call("geomdl of curves", write_geomdl, NULL, frame, 10);
-    check_call("glb", write_glb, NULL, surfaces, 20);
-    check_call("boundary", fit, NULL, frame, 20);
+    file_put_text(in_folder("single.json"), single);
+    file_put_text(in_folder("raised.json"), raised_text);
+    file_put_text(in_folder("frame.json"), frame_text);
+    fault_check("vtu", write_vtu, NULL, surfaces, 20);
+    fault_check("geomdl", write_geomdl, NULL, surfaces, 10);
+    fault_check("geomdl of curves", write_geomdl, NULL, frame, 10);
+    fault_check("glb", write_glb, NULL, surfaces, 20);
+    fault_check("boundary", fit, NULL, frame, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
-        put_text(in_folder("problem.json", path, sizeof path), problems[i]);
-        check_call(problems[i], read_problem, release_problem, path, 30);
+        path = in_folder("problem.json");
+        file_put_text(path, problems[i]);
+        fault_check(problems[i], read_problem, release_problem, path, 30);
     }
-    in_folder("b.geomdl.json", path, sizeof path);
+    path = in_folder("b.geomdl.json");
     CHECK(taut_model_write(surfaces, path, NULL, NULL) == TAUT_OK, "write");
-    check_call("geomdl in", read_model, release_model, path, 30);
+    fault_check("geomdl in", read_model, release_model, path, 30);
     CHECK(taut_model_write(frame, path, NULL, NULL) == TAUT_OK, "write");
-    check_call("geomdl of curves in", read_model, release_model, path, 30);
+    fault_check("geomdl of curves in", read_model, release_model, path, 30);
     taut_model_free(surfaces);
     taut_model_free(frame);
     free(single);
-    snprintf(command, sizeof command, "rm -r %s", folder);
-    return system(command) != 0 || check_failures != 0;
+    folder_remove();
+    return check_failures != 0;
 }

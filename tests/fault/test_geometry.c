@@ -1,4 +1,5 @@
 /* test_geometry.c -- bases, curves, surfaces, grids and models when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 
@@ -21,21 +22,6 @@ typedef struct fixture {
 static void release_basis(void *basis)
 {
     taut_basis_free(basis);
-}
-
-static void release_curve(void *curve)
-{
-    taut_curve_free(curve);
-}
-
-static void release_surface(void *surface)
-{
-    taut_surface_free(surface);
-}
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
 }
 
 static taut_status new_basis(const void *context, void **result, taut_error *error)

@@ -1,5 +1,6 @@
 /* test_harmonic.c -- harmonic and biharmonic surfaces when memory runs out: each way of making
  * them, in doubles and in rationals, and their certificates. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 #include "shapes.h"
@@ -19,16 +20,6 @@ typedef struct request {
     taut_make_options options;
     const taut_model *model; /* for its certificate */
 } request;
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
-}
 
 static taut_status make(const void *context, void **result, taut_error *error)
 {

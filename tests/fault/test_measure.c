@@ -1,4 +1,5 @@
 /* test_measure.c -- measuring when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 #include "shapes.h"
@@ -45,11 +46,6 @@ static taut_status integrate(const void *context, void **result, taut_error *err
     (void)error;
     CHECK((status == TAUT_OK) == (value >= 0), "the value is untouched on failure");
     return status;
-}
-
-static void release_record(void *record)
-{
-    taut_record_free(record);
 }
 
 static taut_status record_surface(const void *context, void **result, taut_error *error)

@@ -1,4 +1,5 @@
 /* test_operate.c -- splitting, refining, converting when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 
@@ -14,21 +15,6 @@ typedef struct fixture {
     taut_surface *surface;
     taut_model *model;
 } fixture;
-
-static void release_curve(void *curve)
-{
-    taut_curve_free(curve);
-}
-
-static void release_surface(void *surface)
-{
-    taut_surface_free(surface);
-}
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
 
 /* A call that makes something out of the fixture. */
 #define MAKER(name, type, expression)                                                              \

@@ -1,18 +1,9 @@
 /* test_pipe.c -- the construction `pipe` and its proof when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 
 #include "taut/pipe.h"
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
-}
 
 static const taut_make_options coarse = {.tolerance = 1e-2};
 
@@ -45,17 +36,9 @@ static void prove_choice(const taut_model *model, const taut_pipe_problem *probl
 {
     taut_pipe_problem chosen = *problem;
     chosen.shape = TAUT_PIPE_LEAST_CURVATURE;
-    for (long k = 1; k <= 90; k++) {
-        const long live = fault_live();
-        taut_certificate *certificate = NULL;
-        taut_error error = {.status = TAUT_OK};
-        fault_arm(k, k % 2 == 0);
-        const taut_status status = taut_pipe_certify(model, &chosen, NULL, &certificate, &error);
-        fault_disarm();
-        CHECK(status == TAUT_NO_MEMORY && error.status == TAUT_NO_MEMORY && certificate == NULL,
-              "allocation %ld", k);
-        CHECK(fault_live() == live, "allocation %ld leaks", k);
-    }
+    const proof context = {model, &chosen};
+    const fault_call call = {"chosen", prove, release_certificate, &context};
+    fault_loop_first(&call, 90);
 }
 
 int main(void)

@@ -1,4 +1,5 @@
 /* test_plateau.c -- the construction `plateau` when memory runs out, by each of its methods. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
 #include "problems.h"
@@ -6,11 +7,6 @@
 #include "taut/plateau.h"
 
 #include <string.h>
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
 
 static taut_status make(const void *context, void **result, taut_error *error)
 {
@@ -25,11 +21,6 @@ typedef struct proof {
     const taut_model *model;
     const taut_plateau_problem *problem;
 } proof;
-
-static void release_certificate(void *certificate)
-{
-    taut_certificate_free(certificate);
-}
 
 static taut_status prove(const void *context, void **result, taut_error *error)
 {

@@ -1,6 +1,8 @@
 /* test_rest.c -- the public calls that no other file of this folder makes, when memory runs out. */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
+#include "folder.h"
 #include "shapes.h"
 
 #include "taut/join.h"
@@ -12,11 +14,8 @@
 #include "taut/write.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-static char folder[] = "/tmp/taut-test-XXXXXX";
 
 /* A call that makes something of a surface. */
 #define MAKER(name, type, expression)                                                              \
@@ -77,11 +76,6 @@ static taut_surface *far_surface(void)
     return shape_surface(shape_basis(&spec), shape_bezier(3, 1e7, 1e7 + 1), points, NULL);
 }
 
-static void release_surface(void *surface)
-{
-    taut_surface_free(surface);
-}
-
 static taut_status join(const void *context, void **result, taut_error *error)
 {
     taut_join found = {.max_gap = -1};
@@ -99,16 +93,6 @@ static taut_status panels(const void *context, void **result, taut_error *error)
     const taut_status status = taut_panels_of_problem(context, &options, &made, error);
     *result = made;
     return status;
-}
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
-static void release_record(void *record)
-{
-    taut_record_free(record);
 }
 
 /* A list of what the two measuring calls print. */
@@ -135,19 +119,6 @@ static taut_status read_record(const void *context, void **result, taut_error *e
         taut_record_read_text(context, strlen(context), "text", &record, error);
     *result = record;
     return status;
-}
-
-static taut_status read_problem(const void *context, void **result, taut_error *error)
-{
-    taut_problem *problem = *result;
-    const taut_status status = taut_problem_read(context, &problem, error);
-    *result = problem;
-    return status;
-}
-
-static void release_problem(void *problem)
-{
-    taut_problem_free(problem);
 }
 
 static taut_status read_list(const void *context, void **result, taut_error *error)
@@ -177,10 +148,9 @@ static void release_list(void *list)
 static taut_status write_text(const void *context, void **result, taut_error *error)
 {
     taut_outputs *outputs = NULL;
-    char path[64];
+    const char *const path = in_folder("t.txt");
     taut_status status = taut_outputs_new(&outputs);
     (void)result;
-    snprintf(path, sizeof path, "%s/t.txt", folder);
     if (status == TAUT_OK) {
         status = taut_outputs_text(outputs, context, strlen(context), path, error);
     }
@@ -194,8 +164,7 @@ static taut_status write_text(const void *context, void **result, taut_error *er
 
 static taut_status write_model(const void *context, void **result, taut_error *error)
 {
-    char path[64];
-    snprintf(path, sizeof path, "%s/m.stl", folder);
+    const char *const path = in_folder("m.stl");
     const taut_status status = taut_model_write(context, path, NULL, error);
     (void)result;
     CHECK((unlink(path) == 0) == (status == TAUT_OK), "a model that is there after all, or not");
@@ -208,10 +177,9 @@ static taut_status write_models(const void *context, void **result, taut_error *
     const taut_model *const models[2] = {context, context};
     const taut_write_options options = {.divide = 1};
     taut_outputs *outputs = NULL;
-    char path[64];
+    const char *const path = in_folder("two.svg");
     taut_status status = taut_outputs_new(&outputs);
     (void)result;
-    snprintf(path, sizeof path, "%s/two.svg", folder);
     if (status == TAUT_OK) {
         status = taut_outputs_models(outputs, 2, models, path, &options, error);
     }
@@ -245,18 +213,10 @@ static void test_no_memory(const taut_surface *surface, const taut_curve *curve,
     fault_disarm();
 }
 
-static void check_call(const char *name, taut_status (*call)(const void *, void **, taut_error *),
-                       void (*release)(void *), const void *context)
-{
-    const fault_call described = {name, call, release, context};
-    CHECK(fault_loop(&described) > 0, "%s takes memory", name);
-}
-
 int main(void)
 {
     static const double points[2][3] = {{0, 0, 0}, {1, 1, 0}};
-    char path[64], command[96], two[2 * sizeof problem_text + 8];
-    FILE *file = NULL;
+    char path[64], two[2 * sizeof problem_text + 8];
     static const char bonnet_text[] = "{\"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.5,"
                                       " \"sign\": \"+\", \"alpha\": 0.5, \"beta\": 0.5}";
     taut_problem *bonnet = NULL;
@@ -270,37 +230,36 @@ int main(void)
     copy = shape_random(2, 2, 0);
     CHECK(taut_surface_transform(copy, flat, &plane, NULL) == TAUT_OK, "a surface in a plane");
     taut_surface_free(copy);
-    CHECK(mkdtemp(folder) != NULL, "%s", folder);
+    folder_make();
     CHECK(taut_model_new(&model) == TAUT_OK && taut_surface_copy(surface, &copy) == TAUT_OK &&
               taut_model_add_surface(model, copy) == TAUT_OK,
           "model");
-    snprintf(path, sizeof path, "%s/problem.json", folder);
-    file = fopen(path, "w");
-    CHECK(file != NULL && fputs(problem_text, file) >= 0 && fclose(file) == 0, "%s", path);
+    snprintf(path, sizeof path, "%s", in_folder("problem.json"));
+    file_put_text(path, problem_text);
 
-    check_call("taut_surface_insert", insert, release_surface, surface);
-    check_call("taut_surface_elevate", elevate, release_surface, surface);
-    check_call("taut_surface_new_exact", new_exact, release_surface, curve);
-    check_call("taut_surface_jacobian", jacobian, NULL, plane);
+    fault_check("taut_surface_insert", insert, release_surface, surface, 1);
+    fault_check("taut_surface_elevate", elevate, release_surface, surface, 1);
+    fault_check("taut_surface_new_exact", new_exact, release_surface, curve, 1);
+    fault_check("taut_surface_jacobian", jacobian, NULL, plane, 1);
     far = far_surface();
-    check_call("taut_surface_dirichlet_energy", dirichlet, NULL, far);
+    fault_check("taut_surface_dirichlet_energy", dirichlet, NULL, far, 1);
     taut_surface_free(far);
-    check_call("taut_join_measure", join, NULL, surface);
+    fault_check("taut_join_measure", join, NULL, surface, 1);
     CHECK(taut_problem_read_text(bonnet_text, sizeof bonnet_text - 1, "text", &bonnet, NULL) ==
               TAUT_OK,
           "bonnet");
-    check_call("taut_panels_of_problem", panels, release_model, bonnet);
+    fault_check("taut_panels_of_problem", panels, release_model, bonnet, 1);
     taut_problem_free(bonnet);
-    check_call("taut_join_record, taut_measure_curve_record", records, release_record, curve);
-    check_call("taut_record_read_text", read_record, release_record, problem_text);
-    check_call("taut_record_read_text of nothing", read_record, release_record, "[]");
-    check_call("taut_problem_read", read_problem, release_problem, path);
-    check_call("taut_problem_list_read", read_list, release_list, path);
+    fault_check("taut_join_record, taut_measure_curve_record", records, release_record, curve, 1);
+    fault_check("taut_record_read_text", read_record, release_record, problem_text, 1);
+    fault_check("taut_record_read_text of nothing", read_record, release_record, "[]", 1);
+    fault_check("taut_problem_read", read_problem, release_problem, path, 1);
+    fault_check("taut_problem_list_read", read_list, release_list, path, 1);
     snprintf(two, sizeof two, "[%s, %s]", problem_text, problem_text);
-    check_call("taut_problem_list_read_text", read_list_text, release_list, two);
-    check_call("taut_outputs_text", write_text, NULL, problem_text);
-    check_call("taut_model_write", write_model, NULL, model);
-    check_call("taut_outputs_models", write_models, NULL, model);
+    fault_check("taut_problem_list_read_text", read_list_text, release_list, two, 1);
+    fault_check("taut_outputs_text", write_text, NULL, problem_text, 1);
+    fault_check("taut_model_write", write_model, NULL, model, 1);
+    fault_check("taut_outputs_models", write_models, NULL, model, 1);
 
     test_no_memory(surface, curve, model);
     taut_model_free(model);
@@ -308,6 +267,6 @@ int main(void)
     taut_surface_free(plane);
     taut_curve_free(curve);
     CHECK(fault_live() == 0, "%ld blocks left", fault_live());
-    snprintf(command, sizeof command, "rm -r %s", folder);
-    return system(command) != 0 || check_failures != 0;
+    folder_remove();
+    return check_failures != 0;
 }

@@ -3,15 +3,16 @@
  *
  * Functions of the C library are put before its own here; each fails once when it is asked to. */
 #define _GNU_SOURCE /* RTLD_NEXT, getrandom */
+#include "calls.h"
 #include "check.h"
 #include "fault.h"
+#include "folder.h"
 #include "shapes.h"
 
 #include "io/cad/stream.h"
 #include "taut/read.h"
 #include "taut/write.h"
 
-#include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
 #include <signal.h>
@@ -138,28 +139,6 @@ pid_t fork(void)
     return child;
 }
 
-static char folder[] = "/tmp/taut-test-XXXXXX";
-
-static int entries(void)
-{
-    DIR *directory = opendir(folder);
-    int count = -2; /* "." and ".." */
-    while (directory != NULL && readdir(directory) != NULL) {
-        count++;
-    }
-    closedir(directory);
-    return count;
-}
-
-static const char *in_folder(const char *name)
-{
-    static char paths[2][96];
-    static int next = 0;
-    next = 1 - next;
-    snprintf(paths[next], sizeof paths[next], "%s/%s", folder, name);
-    return paths[next];
-}
-
 /* The text on its way to the path, with a call failing: from its staging on, or only while it is
  * put in place. */
 static taut_status put(const char *path, system_call staging, system_call placing, int reason,
@@ -207,7 +186,7 @@ static void test_outputs(void)
               "row %zu: %d, \"%s\"", i, (int)status, error.message);
         CHECK(status != TAUT_IO || strstr(error.message, path) != NULL, "row %zu: \"%s\"", i,
               error.message);
-        CHECK(entries() == 0, "row %zu: %d entries", i, entries());
+        CHECK(folder_entries() == 0, "row %zu: %d entries", i, folder_entries());
     }
 }
 
@@ -217,17 +196,15 @@ static void test_owner_and_mode(void)
     static const system_call calls[] = {CALL_NONE, CALL_FCHOWN, CALL_FCHMOD};
     for (int k = 0; k < 3; k++) {
         const char *const path = in_folder("old");
-        char found[8] = "";
+        char *found = NULL;
         struct stat about;
         taut_error error = {.status = TAUT_OK};
-        FILE *file = fopen(path, "w");
-        CHECK(file != NULL && fclose(file) == 0 && chmod(path, 0604) == 0, "%s", path);
+        file_put_text(path, "");
+        CHECK(chmod(path, 0604) == 0, "%s", path);
         CHECK(put(path, calls[k], CALL_NONE, EPERM, &error) == TAUT_OK, "%s", error.message);
-        file = fopen(path, "r");
-        CHECK(file != NULL && fread(found, 1, sizeof found, file) == 4 &&
-                  memcmp(found, "text", 4) == 0,
-              "what is written is there");
-        fclose(file);
+        found = file_bytes(path, NULL);
+        CHECK(found != NULL && strcmp(found, "text") == 0, "what is written is there");
+        free(found);
         CHECK(stat(path, &about) == 0 &&
                   ((about.st_mode & 0777) == 0604) == (calls[k] != CALL_FCHMOD),
               "mode %o", about.st_mode & 0777U);
@@ -279,7 +256,8 @@ static void test_processes(const taut_model *model, const char *path)
             CHECK(status == (writing ? ends[i].writing : ends[i].reading) &&
                       error.status == status && strstr(error.message, ends[i].message) != NULL,
                   "row %zu: %d, \"%s\"", i, (int)status, error.message);
-            CHECK(read == NULL && entries() == 1, "row %zu: %d entries", i, entries());
+            CHECK(read == NULL && folder_entries() == 1, "row %zu: %d entries", i,
+                  folder_entries());
             check_no_child(i);
         }
     }
@@ -297,14 +275,6 @@ static void test_no_stream(const char *path)
     check_no_child(0);
 }
 
-static taut_status read_model(const void *context, void **result, taut_error *error)
-{
-    taut_model *model = *result;
-    const taut_status status = taut_model_read(context, &model, error);
-    *result = model;
-    return status;
-}
-
 static taut_status read_either(const void *context, void **result, taut_error *error)
 {
     taut_model *model = *result;
@@ -313,11 +283,6 @@ static taut_status read_either(const void *context, void **result, taut_error *e
     CHECK(problem == NULL, "a problem of a drawing");
     *result = model;
     return status;
-}
-
-static void release_model(void *model)
-{
-    taut_model_free(model);
 }
 
 static taut_status write_step(const void *context, void **result, taut_error *error)
@@ -378,13 +343,13 @@ int main(void)
     const struct rlimit none = {0, 0};
     taut_model *model = NULL;
     char path[96];
-    FILE *file = NULL;
 
     items[0] =
         (taut_cad_item){"face", {1, 1}, {2, 2}, {knots, knots}, points, NULL, TAUT_CAD_TRIMMED};
     items[1] =
         (taut_cad_item){"edge", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, TAUT_CAD_APPROXIMATE};
-    CHECK(mkdtemp(folder) != NULL && setrlimit(RLIMIT_CORE, &none) == 0, "%s", folder);
+    folder_make();
+    CHECK(setrlimit(RLIMIT_CORE, &none) == 0, "no core files");
     CHECK(taut_model_new(&model) == TAUT_OK &&
               taut_model_add_surface(model, shape_saddle(0.5)) == TAUT_OK &&
               taut_model_add_curve(model, shape_curve(shape_bezier(1, 0, 1), points, NULL)) ==
@@ -394,8 +359,7 @@ int main(void)
     test_owner_and_mode();
 
     snprintf(path, sizeof path, "%s", in_folder("drawing.step"));
-    file = fopen(path, "w");
-    CHECK(file != NULL && fputs(drawing, file) >= 0 && fclose(file) == 0, "%s", path);
+    file_put_text(path, drawing);
     test_processes(model, path);
     test_no_stream(path);
     test_memory(model, path);
@@ -403,6 +367,7 @@ int main(void)
 
     taut_model_free(model);
     CHECK(fault_live() == 0, "%ld blocks left", fault_live());
-    CHECK(unlink(path) == 0 && rmdir(folder) == 0, "something is left in %s", folder);
+    CHECK(unlink(path) == 0 && folder_entries() == 0, "something is left");
+    folder_remove();
     return check_failures != 0;
 }

@@ -1,6 +1,5 @@
 /* asymptotic_page.h -- the worked examples of docs/papers/asymptotic.md section 6, every number of
- * them, from an independent reference in double precision. Long because it is a table.
- */
+ * them, from an independent reference in double precision. */
 #ifndef TAUT_TEST_ASYMPTOTIC_PAGE_H
 #define TAUT_TEST_ASYMPTOTIC_PAGE_H
 

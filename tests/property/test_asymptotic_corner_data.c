@@ -2,15 +2,11 @@
  * is moved, scaled, raised or mapped.
  */
 #include "asymptotic.h"
+#include "certificates.h"
 #include "check.h"
 
 #include <stdio.h>
 #include <string.h>
-
-static double detail(const taut_model *model, const char *name)
-{
-    return taut_record_number(taut_record_get(taut_model_details(model), name));
-}
 
 /* Corner data in general position: conditions hold, the certificate too, for both patches. */
 static void test_random_corner_data(void)
@@ -65,8 +61,8 @@ static void test_uneven_curvature(void)
         model = asymptotic_make(&problem, what);
         if (model != NULL) {
             taut_certificate *certificate = asymptotic_certify(model, &problem, what);
-            const taut_claim *const edges = asymptotic_claim(certificate, "asymptotic");
-            const taut_claim *const claim = asymptotic_claim(certificate, "boundary");
+            const taut_claim *const edges = claim_of(certificate, "asymptotic");
+            const taut_claim *const claim = claim_of(certificate, "boundary");
             CHECK(claim->holds == TAUT_TRUE, "%s: %g, limit %g, at %s", what, claim->residual,
                   claim->limit, claim->where);
             CHECK(edges->holds != TAUT_FALSE, "%s: %g, limit %g, at %s", what, edges->residual,
@@ -101,9 +97,9 @@ static void test_similarity(void)
     }
     first = asymptotic_make(&problem, "similar");
     second = asymptotic_make(&image, "similar image");
-    CHECK_NEAR(detail(second, "curve_energy") / (s * s), detail(first, "curve_energy"), 1e-12,
+    CHECK_NEAR(detail_of(second, "curve_energy") / (s * s), detail_of(first, "curve_energy"), 1e-12,
                "A1");
-    CHECK_NEAR(detail(second, "plate_energy") / (s * s), detail(first, "plate_energy"), 1e-10,
+    CHECK_NEAR(detail_of(second, "plate_energy") / (s * s), detail_of(first, "plate_energy"), 1e-10,
                "A2");
     for (int trial = 0; trial < random_trials(30); trial++) {
         const double u = random_in(0, 1), v = random_in(0, 1);
@@ -141,7 +137,7 @@ static void test_units(void)
         }
         (void)snprintf(what, sizeof what, "unit %g, origin %g", s, units[k][1]);
         model = asymptotic_make(&problem, what);
-        CHECK_NEAR(detail(model, "curve_energy") / (s * s), 4.563279376292, 1e-7, "%s", what);
+        CHECK_NEAR(detail_of(model, "curve_energy") / (s * s), 4.563279376292, 1e-7, "%s", what);
         CHECK(taut_asymptotic_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "%s",
               what);
         for (int c = 0; c < taut_certificate_claim_count(certificate); c++) {
@@ -250,8 +246,8 @@ static void test_free_all(void)
     problem.free_all = 1;
     model = asymptotic_make(&problem, "free");
     asymptotic_check_claims(model, &problem, "free");
-    CHECK(detail(model, "plate_energy") < 104.9140, "A2 = %g", detail(model, "plate_energy"));
-    CHECK(detail(model, "plate_energy") > 50, "A2 = %g", detail(model, "plate_energy"));
+    CHECK(detail_of(model, "plate_energy") < 104.9140, "A2 = %g", detail_of(model, "plate_energy"));
+    CHECK(detail_of(model, "plate_energy") > 50, "A2 = %g", detail_of(model, "plate_energy"));
     taut_model_free(model);
 }
 

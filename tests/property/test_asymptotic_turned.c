@@ -2,15 +2,11 @@
  * decimal, no coefficient is exactly zero, and the same quadrilateral comes out.
  */
 #include "asymptotic.h"
+#include "certificates.h"
 #include "check.h"
 
 #include <stdio.h>
 #include <string.h>
-
-static double detail(const taut_model *model, const char *name)
-{
-    return taut_record_number(taut_record_get(taut_model_details(model), name));
-}
 
 /* x -> Q x for a random rotation Q, from a unit quaternion. */
 static void random_rotation(double q[3][3])
@@ -66,8 +62,8 @@ static void test_turned_units(void)
             continue; /* a quintic takes long */
         }
         model = asymptotic_make(&problem, "as printed");
-        curves = detail(model, "curve_energy");
-        plate = detail(model, "plate_energy");
+        curves = detail_of(model, "curve_energy");
+        plate = detail_of(model, "plate_energy");
         taut_model_free(model);
         for (int k = 0; k < random_trials(3); k++) {
             const double s = units[k];
@@ -78,8 +74,8 @@ static void test_turned_units(void)
             image = similar(&problem, s, q, 0.0);
             (void)snprintf(what, sizeof what, "example %d, unit %g", number, s);
             model = asymptotic_make(&image, what);
-            CHECK_NEAR(detail(model, "curve_energy") / (s * s) / curves, 1, 1e-13, "%s", what);
-            CHECK_NEAR(detail(model, "plate_energy") / (s * s) / plate, 1, 1e-12, "%s", what);
+            CHECK_NEAR(detail_of(model, "curve_energy") / (s * s) / curves, 1, 1e-13, "%s", what);
+            CHECK_NEAR(detail_of(model, "plate_energy") / (s * s) / plate, 1, 1e-12, "%s", what);
             if (number == 3) {
                 asymptotic_check_claims_or_fold(model, &image, what);
             } else {
@@ -105,13 +101,13 @@ static void test_turned_far(void)
             continue; /* a quintic takes long */
         }
         model = asymptotic_make(&problem, "as printed");
-        curves = detail(model, "curve_energy");
+        curves = detail_of(model, "curve_energy");
         taut_model_free(model);
         random_rotation(q);
         image = similar(&problem, 1.0, q, 1e6);
         (void)snprintf(what, sizeof what, "example %d, far", number);
         model = asymptotic_make(&image, what);
-        CHECK_NEAR(detail(model, "curve_energy") / curves, 1, 1e-8, "%s", what);
+        CHECK_NEAR(detail_of(model, "curve_energy") / curves, 1, 1e-8, "%s", what);
         certificate = asymptotic_certify(model, &image, what);
         for (int c = 0; c < taut_certificate_claim_count(certificate); c++) {
             const taut_claim *const claim = taut_certificate_claim(certificate, c);

@@ -1,6 +1,7 @@
 /* test_exact.c -- rational arithmetic against doubles, and against itself: residuals that are 0,
  * pieces that are the whole, texts in lowest terms whose doubles are the nearest ones. links: gmp
  */
+#include "certificates.h"
 #include "check.h"
 #include "shapes.h"
 
@@ -121,18 +122,6 @@ static void check_texts(const taut_surface *surface, const char *what)
     mpq_clears(x, lowest, near, other, NULL);
 }
 
-static double apart(const taut_surface *a, const taut_surface *b, double *largest)
-{
-    const int count = 3 * taut_basis_count(taut_surface_u(a)) * taut_basis_count(taut_surface_v(a));
-    double most = 0;
-    *largest = 0;
-    for (int k = 0; k < count; k++) {
-        *largest = fmax(*largest, fabs(taut_surface_points(a)[k]));
-        most = fmax(most, fabs(taut_surface_points(a)[k] - taut_surface_points(b)[k]));
-    }
-    return most;
-}
-
 static int same_texts(const taut_surface *a, const taut_surface *b)
 {
     const int count = 3 * taut_basis_count(taut_surface_u(a)) * taut_basis_count(taut_surface_v(a));
@@ -183,10 +172,9 @@ static void test_rows(void)
         const taut_harmonic_problem problem = problem_of(&g);
         CHECK(taut_harmonic_make(&problem, &exactly, &exact, NULL) == TAUT_OK, "m=%d", m);
         CHECK(taut_harmonic_make(&problem, NULL, &rounded, NULL) == TAUT_OK, "m=%d", m);
-        const double amplification =
-            taut_record_number(taut_record_get(taut_model_details(exact), "amplification"));
+        const double amplification = detail_of(exact, "amplification");
         const double off =
-            apart(taut_model_surface(exact, 0), taut_model_surface(rounded, 0), &largest);
+            shape_apart(taut_model_surface(exact, 0), taut_model_surface(rounded, 0), &largest);
         /* the data is rounded before doubles are completed, and by its offset once more */
         CHECK(off <= 4 * 0x1p-53 * (1 + amplification) * 99 * 2, "m=%d n=%d: %.3g of %.3g", m, n,
               off, largest);
@@ -245,10 +233,9 @@ static void test_derivative(void)
         problem.exact_cross_derivative = g.texts + 3 * n * (m + 1);
         CHECK(taut_harmonic_make(&problem, &exactly, &model, NULL) == TAUT_OK, "m=%d", m);
         CHECK(taut_harmonic_make(&problem, NULL, &rounded, NULL) == TAUT_OK, "m=%d", m);
-        const double grows =
-            taut_record_number(taut_record_get(taut_model_details(rounded), "amplification"));
+        const double grows = detail_of(rounded, "amplification");
         CHECK(residual(model) == 0, "m=%d", m);
-        CHECK(apart(taut_model_surface(model, 0), taut_model_surface(rounded, 0), &largest) <=
+        CHECK(shape_apart(taut_model_surface(model, 0), taut_model_surface(rounded, 0), &largest) <=
                   8 * 0x1p-53 * (1 + grows) * 99 * 4,
               "m=%d", m);
         check_texts(taut_model_surface(model, 0), "derivative");

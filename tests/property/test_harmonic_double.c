@@ -40,13 +40,7 @@ static double apart(const taut_harmonic_problem *problem, const char *what, int 
     CHECK(taut_harmonic_make(problem, NULL, &rounded, &error) == TAUT_OK, "%s m=%d: %s", what, m,
           error.message);
     if (exact != NULL && rounded != NULL) {
-        const taut_surface *a = taut_model_surface(exact, 0), *b = taut_model_surface(rounded, 0);
-        const int count =
-            3 * taut_basis_count(taut_surface_u(a)) * taut_basis_count(taut_surface_v(a));
-        for (int k = 0; k < count; k++) {
-            largest = fmax(largest, fabs(taut_surface_points(a)[k]));
-            most = fmax(most, fabs(taut_surface_points(a)[k] - taut_surface_points(b)[k]));
-        }
+        most = shape_apart(taut_model_surface(exact, 0), taut_model_surface(rounded, 0), &largest);
     }
     taut_model_free(exact);
     taut_model_free(rounded);

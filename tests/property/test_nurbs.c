@@ -1,6 +1,8 @@
 /* test_nurbs.c -- the proved distance between c- and h- nets and their NURBS: never passed, never
  * far from what is seen, below what was asked. */
+#include "bases.h"
 #include "check.h"
+#include "shapes.h"
 
 #include "taut/operations.h"
 
@@ -18,19 +20,12 @@ static taut_basis *random_basis(int type)
     const double longest[TYPES] = {pi, 3, 300, 300, 1};
     const double length = type == H_BEZIER || type == H_BSPLINE ? random_log(0.3, longest[type])
                                                                 : random_in(0.1, 1) * longest[type];
-    taut_basis_spec spec = {.type = type_names[type]};
-    taut_basis *basis = NULL;
-    taut_error error = {.message = ""};
-    if (type == C_BEZIER || type == C_BSPLINE) {
-        spec.alpha = length;
-    } else if (type == H_BEZIER || type == H_BSPLINE) {
-        spec.beta = length;
-    } else {
-        spec.degree = random_int(1, 5);
+    if (type == BEZIER) {
+        return shape_bezier(random_int(1, 5), 0, 1);
     }
-    spec.segments = type == C_BSPLINE || type == H_BSPLINE ? random_int(1, 4) : 0;
-    CHECK(taut_basis_new(&spec, 0, &basis, &error) == TAUT_OK, "%s", error.message);
-    return basis;
+    const int segments = type == C_BSPLINE || type == H_BSPLINE ? random_int(1, 4) : 0;
+    const taut_basis_spec spec = spec_of_spans(type_names[type], length, segments, 0);
+    return shape_basis(&spec);
 }
 
 static void random_points(size_t count, double *points)

@@ -1,5 +1,6 @@
 /* test_operate.c -- exact operations leave every point where it was, on random legal input of all
  * types; refusals. */
+#include "bases.h"
 #include "check.h"
 
 #include "taut/operations.h"
@@ -10,25 +11,6 @@
 static const double unit_roundoff = 0x1p-53;
 static const double pi = 3.14159265358979311600;
 
-/* Random legal clamped knots with repeated inner ones; returns how many. */
-static int random_knots(int degree, double lo, double *knots)
-{
-    const int spans = random_int(1, 6);
-    double t = lo;
-    int n = 0;
-    for (int i = 0; i <= degree; i++) {
-        knots[n++] = t;
-    }
-    for (int s = 0; s < spans; s++) {
-        const int times = s + 1 < spans ? random_int(1, degree) : degree + 1;
-        t += random_log(1e-3, 1);
-        for (int i = 0; i < times; i++) {
-            knots[n++] = t;
-        }
-    }
-    return n;
-}
-
 enum { BEZIER, BSPLINE, C_BEZIER, C_BSPLINE, H_BEZIER, H_BSPLINE, CE_BEZIER, TYPES };
 static const char *const type_names[TYPES] = {"bezier",   "bspline",   "c-bezier", "c-bspline",
                                               "h-bezier", "h-bspline", "ce-bezier"};
@@ -36,7 +18,6 @@ static const char *const type_names[TYPES] = {"bezier",   "bspline",   "c-bezier
 static taut_basis *random_basis(int type)
 {
     const int quasi = type >= C_BEZIER && type <= H_BSPLINE;
-    const int circular = type == C_BEZIER || type == C_BSPLINE;
     const double lo = random_int(0, 1) ? 0 : random_in(-3, 3);
     double knots[128];
     taut_basis_spec spec = {.type = type_names[type]};
@@ -50,16 +31,13 @@ static taut_basis *random_basis(int type)
     }
     if (type == BSPLINE) {
         spec.knots = knots;
-        spec.knot_count = random_knots(spec.degree, lo, knots);
+        spec.knot_count = random_knots(spec.degree, 6, lo, knots);
     }
     if (quasi) {
         const double length = random_log(1e-3, type == C_BEZIER ? pi : type == C_BSPLINE ? 3 : 20);
-        spec.segments = type == C_BSPLINE || type == H_BSPLINE ? random_int(1, 6) : 0;
-        spec.alpha = circular ? length : 0;
-        spec.beta = circular ? 0 : length;
+        const int segments = type == C_BSPLINE || type == H_BSPLINE ? random_int(1, 6) : 0;
+        spec = spec_of_spans(type_names[type], length, segments, lo);
         spec.has_range = lo != 0;
-        spec.range[0] = lo;
-        spec.range[1] = lo + length * (spec.segments > 0 ? spec.segments : 1);
     }
     if (type == CE_BEZIER) {
         spec.alpha = random_in(-3, 3);

@@ -1,8 +1,10 @@
 /* test_pipe.c -- pipes over random blends: the largest radius against the global radius of
  * curvature, areas and volumes against quadrature, verdicts under scaling and shifting, reversal.
  */
+#include "certificates.h"
 #include "check.h"
 #include "pipes.h"
+#include "touching.h"
 
 #include "core/vec3.h"
 
@@ -101,58 +103,30 @@ static axis axis_of(const taut_curve *curve, const taut_pipe_problem *problem)
     return a;
 }
 
-/* |x - y|^2 / (2 dist(y, tangent line at x)): the radius of the circle through y that touches the
- * axis at x ([GonzalezMaddocks1999]). Large where y is on the line. */
-static double circle(const double x[3][3], const double y[3])
-{
-    double d[3], across[3];
-    taut_difference(y, x[0], d);
-    taut_cross(d, x[1], across);
-    const double distance = taut_norm(across) / taut_norm(x[1]), square = taut_dot(d, d);
-    return distance > 1e-9 * sqrt(square) ? square / (2 * distance) : (double)INFINITY;
-}
+/* A pair of points of two parts. */
+typedef struct pair {
+    const axis *a;
+    int part[2];
+} pair;
 
-static double circle_at(const axis *a, const int part[2], const double t[2])
+/* INFINITY for pairs that are left out. */
+static double circle_at(const void *context, const double t[2])
 {
+    const pair *p = context;
     double x[3][3], y[3][3];
-    evaluate(a, part[0], t[0], x);
-    evaluate(a, part[1], t[1], y);
-    return circle((const double(*)[3])x, y[0]);
-}
-
-/* Steps along the axes of the parameter square, halved when none goes down. */
-static double descend(const axis *a, const int part[2], const double start[2], double step)
-{
-    double t[2] = {start[0], start[1]}, best = circle_at(a, part, t);
-    for (int rounds = 0; step > 1e-10 && rounds < 4000; rounds++) {
-        int better = 0;
-        for (int k = 0; k < 8; k++) {
-            static const int moves[8][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
-                                            {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
-            const double next[2] = {fmin(1, fmax(0, t[0] + step * moves[k][0])),
-                                    fmin(1, fmax(0, t[1] + step * moves[k][1]))};
-            if (fabs(position(a, part[0], next[0]) - position(a, part[1], next[1])) < a->near) {
-                continue;
-            }
-            const double value = circle_at(a, part, next);
-            if (value < best) {
-                best = value;
-                memcpy(t, next, sizeof t);
-                better = 1;
-                break;
-            }
-        }
-        step *= better ? 1.5 : 0.5;
+    if (fabs(position(p->a, p->part[0], t[0]) - position(p->a, p->part[1], t[1])) < p->a->near) {
+        return INFINITY;
     }
-    return best;
+    evaluate(p->a, p->part[0], t[0], x);
+    evaluate(p->a, p->part[1], t[1], y);
+    return touching_radius((const double(*)[3])x, y[0]);
 }
 
-static double radius_of_curvature(const axis *a, double t)
+static double radius_of_curvature(const void *context, double t)
 {
-    double x[3][3], across[3];
-    evaluate(a, ON_BLEND, t, x);
-    taut_cross(x[1], x[2], across);
-    return pow(taut_norm(x[1]), 3) / taut_norm(across);
+    double x[3][3];
+    evaluate(context, ON_BLEND, t, x);
+    return touching_curvature_radius((const double(*)[3])x);
 }
 
 static double least_radius_of_curvature(const axis *a)
@@ -164,20 +138,15 @@ static double least_radius_of_curvature(const axis *a)
         at = r < best ? (double)i / N : at;
         best = fmin(best, r);
     }
-    double lo = fmax(0, at - 1.0 / N), hi = fmin(1, at + 1.0 / N);
-    for (int i = 0; i < 100; i++) {
-        const double left = (2 * lo + hi) / 3, right = (lo + 2 * hi) / 3;
-        *(radius_of_curvature(a, left) < radius_of_curvature(a, right) ? &hi : &lo) =
-            radius_of_curvature(a, left) < radius_of_curvature(a, right) ? right : left;
-    }
-    return fmin(best, radius_of_curvature(a, 0.5 * (lo + hi)));
+    return fmin(
+        best, touching_least(radius_of_curvature, a, fmax(0, at - 1.0 / N), fmin(1, at + 1.0 / N)));
 }
 
 /* The infimum over all pairs of points: a grid on the blend and both pipes, the best of each pair
  * of parts made exact. Free ends by the distance to them: half of it binds ([WangBai2018] 4.4). */
 static double global_radius(axis *a, const taut_pipe_problem *problem)
 {
-    enum { N = 120, KEPT = 4 };
+    enum { N = 120 };
     static double grid[3][N + 1][3][3];
     double best = least_radius_of_curvature(a);
     const double local = best;
@@ -186,34 +155,19 @@ static double global_radius(axis *a, const taut_pipe_problem *problem)
     }
     a->near = 0.5 * best;
     for (int p = 0; p < 9; p++) {
-        const int part[2] = {p / 3, p % 3};
-        double kept[KEPT], at[KEPT][2];
-        int count = 0;
-        for (int i = 0; i <= N; i++) {
-            for (int j = 0; j <= N; j++) {
-                double value = 0;
-                int slot = 0;
-                if (fabs(position(a, part[0], (double)i / N) -
-                         position(a, part[1], (double)j / N)) < a->near) {
-                    continue;
-                }
-                value = circle((const double(*)[3])grid[part[0]][i], grid[part[1]][j][0]);
-                for (slot = count; slot > 0 && value < kept[slot - 1]; slot--) {
-                    if (slot < KEPT) {
-                        kept[slot] = kept[slot - 1];
-                        memcpy(at[slot], at[slot - 1], sizeof at[slot]);
-                    }
-                }
-                if (slot < KEPT) {
-                    kept[slot] = value;
-                    at[slot][0] = (double)i / N;
-                    at[slot][1] = (double)j / N;
-                    count = count < KEPT ? count + 1 : count;
-                }
+        const pair parts = {a, {p / 3, p % 3}};
+        touching_kept kept = {.most = 4};
+        for (int k = 0; k < (N + 1) * (N + 1); k++) {
+            const int i = k / (N + 1), j = k % (N + 1);
+            const double at[2] = {(double)i / N, (double)j / N};
+            if (fabs(position(a, p / 3, at[0]) - position(a, p % 3, at[1])) >= a->near) {
+                touching_keep(
+                    &kept, touching_radius((const double(*)[3])grid[p / 3][i], grid[p % 3][j][0]),
+                    at);
             }
         }
-        for (int k = 0; k < count; k++) {
-            best = fmin(best, descend(a, part, at[k], 0.5 / N));
+        for (int k = 0; k < kept.count; k++) {
+            best = fmin(best, touching_descend(circle_at, &parts, kept.at[k], 0.5 / N, 1e-10));
         }
     }
     /* free ends: distances to all points farther along the axis than pi times the local radius */
@@ -256,7 +210,7 @@ static void test_largest_radius(void)
             continue; /* too sharp even for a thousandth */
         }
         CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proof");
-        const double rho = pipe_figure(certificate, "largest_radius");
+        const double rho = figure_of(certificate, "largest_radius");
         axis a = axis_of(taut_model_curve(model, 0), &problem);
         const double reference = global_radius(&a, &problem);
         free(a.run);
@@ -308,9 +262,9 @@ static void test_pappus(void)
             volume += (side == 0 ? -1 : 1) * taut_dot(x[0], x[1]) / taut_norm(x[1]) * pi * 0.05 *
                       0.05 / 3;
         }
-        CHECK_NEAR(area, pipe_figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
-        CHECK_NEAR(volume, pipe_figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
-        CHECK(pipe_figure(certificate, "fit_error") <= 1e-11, "trial %d", trial);
+        CHECK_NEAR(area, figure_of(certificate, "area"), 1e-10 * area, "trial %d", trial);
+        CHECK_NEAR(volume, figure_of(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
+        CHECK(figure_of(certificate, "fit_error") <= 1e-11, "trial %d", trial);
         taut_certificate_free(certificate);
         taut_model_free(model);
         done++;
@@ -411,8 +365,8 @@ static void test_reversal(void)
                       taut_pipe_certify(models[1], NULL, NULL, &certificates[1], NULL) == TAUT_OK,
                   "proofs");
             for (int k = 0; k < 6; k++) {
-                const double a = pipe_figure(certificates[0], names[k]);
-                CHECK_NEAR(pipe_figure(certificates[1], names[k]), a, 1e-9 * (1 + fabs(a)),
+                const double a = figure_of(certificates[0], names[k]);
+                CHECK_NEAR(figure_of(certificates[1], names[k]), a, 1e-9 * (1 + fabs(a)),
                            "trial %d: %s", trial, names[k]);
             }
         }

@@ -1,4 +1,5 @@
 /* test_pipe_choice.c -- shapes that a pipe chooses against a grid over the whole box. */
+#include "certificates.h"
 #include "check.h"
 
 #include "construct/pipe/bend.h"
@@ -6,11 +7,6 @@
 #include "taut/taut.h"
 
 static const double pi = 3.14159265358979323846;
-
-static double figure(const taut_certificate *certificate, const char *name)
-{
-    return taut_record_number(taut_record_get(taut_certificate_figures(certificate), name));
-}
 
 /* Ends anywhere with any directions. */
 static taut_pipe_problem random_ends(void)
@@ -45,7 +41,7 @@ static void test_choice(void)
                   claim->residual, claim->limit, claim->where);
         }
         const double *v = taut_curve_points(taut_model_curve(model, 0));
-        const double found = figure(certificate, sharpest ? "max_curvature" : "bending");
+        const double found = figure_of(certificate, sharpest ? "max_curvature" : "bending");
         double edges[3][3], least = INFINITY;
         for (int i = 0; i < 9; i++) {
             edges[i / 3][i % 3] = v[i + 3] - v[i];

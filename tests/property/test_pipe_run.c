@@ -1,5 +1,6 @@
 /* test_pipe_run.c -- random runs of pipes: joints, areas and volumes, the turn of a closed frame,
  * other units and places. */
+#include "certificates.h"
 #include "check.h"
 #include "pipe_runs.h"
 
@@ -28,15 +29,15 @@ static void test_joints(void)
         }
         checked++;
         taut_certificate *certificate = pipe_proved(model, &r.problem, 1e-2);
-        const taut_claim *joints = pipe_claim(certificate, "joints");
-        const taut_claim *curvatures = pipe_claim(certificate, "curvatures");
+        const taut_claim *joints = claim_of(certificate, "joints");
+        const taut_claim *curvatures = claim_of(certificate, "curvatures");
         CHECK(joints->residual < 1e-13 && joints->holds == TAUT_TRUE, "trial %d: %g %s", trial,
               joints->residual, joints->where);
         CHECK(r.problem.joint == TAUT_PIPE_TANGENT ||
                   (curvatures->residual < 1e-13 && curvatures->holds == TAUT_TRUE),
               "trial %d: %g %s", trial, curvatures->residual, curvatures->where);
-        CHECK(pipe_claim(certificate, "ends")->holds == TAUT_TRUE, "trial %d: %g", trial,
-              pipe_claim(certificate, "ends")->residual);
+        CHECK(claim_of(certificate, "ends")->holds == TAUT_TRUE, "trial %d: %g", trial,
+              claim_of(certificate, "ends")->residual);
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
@@ -93,10 +94,10 @@ static void test_far_rings(void)
             const double before = i > 0 ? worst_ruling(taut_model_surface(model, i - 1), 1, d) : 0;
             CHECK(after < 1e-13 && before < 1e-13, "trial %d: %g, %g", trial, after, before);
         }
-        CHECK(pipe_claim(certificate, "joints")->residual < 1e-13, "trial %d: %g", trial,
-              pipe_claim(certificate, "joints")->residual);
-        CHECK(trial % 2 == 0 || pipe_claim(certificate, "curvatures")->residual < 1e-13,
-              "trial %d: %g", trial, pipe_claim(certificate, "curvatures")->residual);
+        CHECK(claim_of(certificate, "joints")->residual < 1e-13, "trial %d: %g", trial,
+              claim_of(certificate, "joints")->residual);
+        CHECK(trial % 2 == 0 || claim_of(certificate, "curvatures")->residual < 1e-13,
+              "trial %d: %g", trial, claim_of(certificate, "curvatures")->residual);
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
@@ -125,8 +126,8 @@ static void test_pappus(void)
             taut_curve_eval(taut_model_curve(model, side == 0 ? 0 : last), side, 1, &x[0][0]);
             volume += (side == 0 ? -1 : 1) * pipe_end_volume(x[0], x[1], disc);
         }
-        CHECK_NEAR(area, pipe_figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
-        CHECK_NEAR(volume, pipe_figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
+        CHECK_NEAR(area, figure_of(certificate, "area"), 1e-10 * area, "trial %d", trial);
+        CHECK_NEAR(volume, figure_of(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
@@ -174,8 +175,7 @@ static void test_holonomy(void)
         }
         taut_cross(d[0], u, w);
         const double angle = atan2(taut_dot(start, w), taut_dot(start, u));
-        CHECK_NEAR(taut_record_number(taut_record_get(taut_model_details(model), "holonomy")),
-                   angle, 1e-10, "trial %d", trial);
+        CHECK_NEAR(detail_of(model, "holonomy"), angle, 1e-10, "trial %d", trial);
         taut_model_free(model);
     }
 }
@@ -208,9 +208,9 @@ static void test_scale_and_shift(void)
             taut_model *moved = pipe_made(&other.problem, 1e-2);
             taut_certificate *there = pipe_proved(moved, &other.problem, 1e-2);
             for (size_t k = 0; k < 3; k++) {
-                const double value = pipe_figure(here, names[k]);
+                const double value = figure_of(here, names[k]);
                 /* handles that are searched for end where the search does: 1e-6 of them */
-                CHECK_NEAR(pipe_figure(there, names[k]) / scale, value,
+                CHECK_NEAR(figure_of(there, names[k]) / scale, value,
                            (trial % 4 == 0 ? 1e-4 : 2e-8) * value, "trial %d, move %zu: %s", trial,
                            i, names[k]);
             }

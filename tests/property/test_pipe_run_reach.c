@@ -1,14 +1,16 @@
 /* test_pipe_run_reach.c -- random runs of pipes: the verdict against the global radius of curvature
  * of the whole axis. */
+#include "certificates.h"
 #include "check.h"
 #include "pipe_runs.h"
+#include "touching.h"
 
 #include "core/vec3.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 400, GRID = 64, KEPT = 3 };
+enum { STEPS = 400, GRID = 64 };
 
 static const double pi = 3.14159265358979323846;
 
@@ -55,75 +57,50 @@ static double way(const axis *a, const int part[2], const double t[2])
     return a->closed ? fmin(fabs(s[0] - s[1]), a->length - fabs(s[0] - s[1])) : fabs(s[0] - s[1]);
 }
 
-/* |x - y|^2 / (2 dist(y, tangent line at x)) ([GonzalezMaddocks1999]). */
-static double circle_of(const double x[3][3], const double y[3])
-{
-    double d[3], across[3];
-    taut_difference(y, x[0], d);
-    taut_cross(d, x[1], across);
-    const double distance = taut_norm(across) / taut_norm(x[1]), square = taut_dot(d, d);
-    return distance > 1e-9 * sqrt(square) ? square / (2 * distance) : (double)INFINITY;
-}
+/* A pair of points of two parts. */
+typedef struct pair {
+    const axis *a;
+    int part[2];
+} pair;
 
 /* INFINITY for pairs that are left out. */
-static double circle(const axis *a, const int part[2], const double t[2])
+static double circle_at(const void *context, const double t[2])
 {
+    const pair *p = context;
     double x[3][3], y[3][3];
-    if (way(a, part, t) < a->near) {
+    if (way(p->a, p->part, t) < p->a->near) {
         return INFINITY;
     }
-    evaluate(a, part[0], t[0], x);
-    evaluate(a, part[1], t[1], y);
-    return circle_of((const double(*)[3])x, y[0]);
+    evaluate(p->a, p->part[0], t[0], x);
+    evaluate(p->a, p->part[1], t[1], y);
+    return touching_radius((const double(*)[3])x, y[0]);
 }
 
-static double descend(const axis *a, const int part[2], const double start[2])
+/* A part alone, for its curvature: part[0]. */
+static double radius_of_curvature(const void *context, double t)
 {
-    double t[2] = {start[0], start[1]}, best = circle(a, part, t), step = 0.5 / GRID;
-    for (int rounds = 0; step > 1e-9 && rounds < 2000; rounds++) {
-        int better = 0;
-        for (int k = 0; k < 8 && !better; k++) {
-            static const int moves[8][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
-                                            {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
-            const double next[2] = {fmin(1, fmax(0, t[0] + step * moves[k][0])),
-                                    fmin(1, fmax(0, t[1] + step * moves[k][1]))};
-            const double value = circle(a, part, next);
-            if (value < best) {
-                best = value;
-                memcpy(t, next, sizeof t);
-                better = 1;
-            }
-        }
-        step *= better ? 1.5 : 0.5;
-    }
-    return best;
-}
-
-static double curvature_radius(const axis *a, int part, double t)
-{
-    double x[3][3], across[3];
-    evaluate(a, part, t, x);
-    taut_cross(x[1], x[2], across);
-    return taut_norm(across) > 0 ? pow(taut_norm(x[1]), 3) / taut_norm(across) : (double)INFINITY;
+    const pair *p = context;
+    double x[3][3];
+    evaluate(p->a, p->part[0], t, x);
+    return touching_curvature_radius((const double(*)[3])x);
 }
 
 static double least_curvature_radius(const axis *a)
 {
     double best = INFINITY;
     for (int part = 0; part < a->count; part++) {
+        const pair p = {a, {part, part}};
         double at = 0, least = INFINITY;
         for (int i = 0; i <= STEPS; i++) {
-            const double r = curvature_radius(a, part, (double)i / STEPS);
+            const double r = radius_of_curvature(&p, (double)i / STEPS);
             at = r < least ? (double)i / STEPS : at;
             least = fmin(least, r);
         }
-        double lo = fmax(0, at - 1.0 / STEPS), hi = fmin(1, at + 1.0 / STEPS);
-        for (int i = 0; i < 100 && isfinite(least); i++) {
-            const double left = (2 * lo + hi) / 3, right = (lo + 2 * hi) / 3;
-            *(curvature_radius(a, part, left) < curvature_radius(a, part, right) ? &hi : &lo) =
-                curvature_radius(a, part, left) < curvature_radius(a, part, right) ? right : left;
+        if (isfinite(least)) {
+            best = fmin(
+                best, fmin(least, touching_least(radius_of_curvature, &p, fmax(0, at - 1.0 / STEPS),
+                                                 fmin(1, at + 1.0 / STEPS))));
         }
-        best = fmin(best, fmin(least, curvature_radius(a, part, 0.5 * (lo + hi))));
     }
     return best;
 }
@@ -131,9 +108,9 @@ static double least_curvature_radius(const axis *a)
 /* The best few pairs of a grid over two parts, made exact where they can matter. */
 static double least_circle(const axis *a, const int part[2], double best)
 {
-    double kept[KEPT], at[KEPT][2];
     static double grid[2][GRID + 1][3][3];
-    int count = 0;
+    const pair parts = {a, {part[0], part[1]}};
+    touching_kept kept = {.most = 3};
     for (int n = 0; n < 2 * (GRID + 1); n++) {
         evaluate(a, part[n / (GRID + 1)], (double)(n % (GRID + 1)) / GRID,
                  grid[n / (GRID + 1)][n % (GRID + 1)]);
@@ -141,24 +118,14 @@ static double least_circle(const axis *a, const int part[2], double best)
     for (int n = 0; n < (GRID + 1) * (GRID + 1); n++) {
         const int i = n / (GRID + 1), j = n % (GRID + 1);
         const double t[2] = {(double)i / GRID, (double)j / GRID};
-        const double value = way(a, part, t) < a->near
-                                 ? (double)INFINITY
-                                 : circle_of((const double(*)[3])grid[0][i], grid[1][j][0]);
-        int slot = count;
-        for (; slot > 0 && value < kept[slot - 1]; slot--) {
-            if (slot < KEPT) {
-                kept[slot] = kept[slot - 1];
-                memcpy(at[slot], at[slot - 1], sizeof at[slot]);
-            }
-        }
-        if (slot < KEPT && isfinite(value)) {
-            kept[slot] = value;
-            memcpy(at[slot], t, sizeof t);
-            count = count < KEPT ? count + 1 : count;
+        if (way(a, part, t) >= a->near) {
+            touching_keep(&kept, touching_radius((const double(*)[3])grid[0][i], grid[1][j][0]), t);
         }
     }
-    for (int k = 0; k < count; k++) {
-        best = kept[k] < 2 * best ? fmin(best, descend(a, part, at[k])) : best;
+    for (int k = 0; k < kept.count; k++) {
+        if (kept.values[k] < 2 * best) {
+            best = fmin(best, touching_descend(circle_at, &parts, kept.at[k], 0.5 / GRID, 1e-9));
+        }
     }
     return best;
 }
@@ -209,7 +176,7 @@ static void test_largest_radius(void)
             CHECK(0, "trial %d", trial);
             continue;
         }
-        const double rho = pipe_figure(certificate, "largest_radius");
+        const double rho = figure_of(certificate, "largest_radius");
         axis a = axis_of(model, r.problem.closed);
         const double reference = global_radius(&a);
         free(a.samples);

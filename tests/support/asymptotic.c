@@ -118,16 +118,6 @@ taut_certificate *asymptotic_certify(const taut_model *model,
     return certificate;
 }
 
-const taut_claim *asymptotic_claim(const taut_certificate *certificate, const char *name)
-{
-    for (int k = 0; k < taut_certificate_claim_count(certificate); k++) {
-        if (strcmp(taut_certificate_claim(certificate, k)->claim, name) == 0) {
-            return taut_certificate_claim(certificate, k);
-        }
-    }
-    return NULL;
-}
-
 /* `regular` found false names a place: there the patch indeed has no normal, by differences of
  * points; a singular point is met to the root of the step. */
 static void check_singular(const taut_model *model, const taut_claim *claim, const char *what)

@@ -19,8 +19,6 @@ taut_model *asymptotic_make(const taut_asymptotic_problem *problem, const char *
 /* Certifies, checks that it can, and returns the certificate; the caller frees it. */
 taut_certificate *asymptotic_certify(const taut_model *model,
                                      const taut_asymptotic_problem *problem, const char *what);
-/* The claim of that name, or NULL. */
-const taut_claim *asymptotic_claim(const taut_certificate *certificate, const char *name);
 /* CHECKs that all claims hold. */
 void asymptotic_check_claims(const taut_model *model, const taut_asymptotic_problem *problem,
                              const char *what);

@@ -1,4 +1,5 @@
 #include "pipes.h"
+#include "certificates.h"
 
 #include "check.h"
 
@@ -37,31 +38,11 @@ taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, co
     return error;
 }
 
-double pipe_figure(const taut_certificate *certificate, const char *name)
-{
-    return certificate != NULL
-               ? taut_record_number(taut_record_get(taut_certificate_figures(certificate), name))
-               : (double)NAN;
-}
-
-const taut_claim *pipe_claim(const taut_certificate *certificate, const char *name)
-{
-    static const taut_claim missing = {
-        .claim = "", .residual = INFINITY, .holds = TAUT_UNDECIDED, .where = "missing"};
-    for (int i = 0; certificate != NULL && i < taut_certificate_claim_count(certificate); i++) {
-        const taut_claim *claim = taut_certificate_claim(certificate, i);
-        if (strcmp(claim->claim, name) == 0) {
-            return claim;
-        }
-    }
-    return &missing;
-}
-
 taut_verdict pipe_verdict(const taut_model *model, const taut_pipe_problem *problem,
                           const char *name)
 {
     taut_certificate *certificate = pipe_proved(model, problem, 1e-6);
-    const taut_verdict holds = pipe_claim(certificate, name)->holds;
+    const taut_verdict holds = claim_of(certificate, name)->holds;
     taut_certificate_free(certificate);
     return holds;
 }
@@ -107,4 +88,18 @@ void pipe_integrate(const taut_surface *surface, double *area, double *volume)
 double pipe_end_volume(const double point[3], const double direction[3], double area)
 {
     return taut_dot(point, direction) / taut_norm(direction) * area / 3;
+}
+
+double pipe_volume(const taut_model *model, const taut_pipe_problem *problem,
+                   const double end_areas[2], double *area)
+{
+    double volume = 0;
+    *area = 0;
+    pipe_integrate(taut_model_surface(model, 0), area, &volume);
+    for (int side = 0; side < 2; side++) {
+        const taut_pipe_end *end = &problem->ends[side];
+        volume +=
+            (side == 0 ? -1 : 1) * pipe_end_volume(end->point, end->direction, end_areas[side]);
+    }
+    return volume;
 }

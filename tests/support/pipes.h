@@ -1,5 +1,5 @@
-/* pipes.h -- what tests of pipes share: making and proving them, claims by their names, areas and
- * volumes by quadrature, random blends. */
+/* pipes.h -- what tests of pipes share: making and proving them, areas and volumes by
+ * quadrature, random blends. */
 #ifndef TAUT_TEST_PIPES_H
 #define TAUT_TEST_PIPES_H
 
@@ -12,9 +12,6 @@ taut_certificate *pipe_proved(const taut_model *model, const taut_pipe_problem *
 /* Is it refused with this status, and words of the message? Returns what was told. */
 taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, const char *words);
 
-double pipe_figure(const taut_certificate *certificate, const char *name);
-/* An undecided one where there is no such claim. */
-const taut_claim *pipe_claim(const taut_certificate *certificate, const char *name);
 /* Of a model made to 1e-6; TAUT_UNDECIDED where there is no such claim. */
 taut_verdict pipe_verdict(const taut_model *model, const taut_pipe_problem *problem,
                           const char *name);
@@ -27,5 +24,8 @@ taut_pipe_problem pipe_random_ends(void);
 void pipe_integrate(const taut_surface *surface, double *area, double *volume);
 /* The integral of X . n / 3 over a plane end of some area at a point, n the way of flow. */
 double pipe_end_volume(const double point[3], const double direction[3], double area);
+/* The volume inside a blend between plane ends of these areas, and *area, that of the blend. */
+double pipe_volume(const taut_model *model, const taut_pipe_problem *problem,
+                   const double end_areas[2], double *area);
 
 #endif /* TAUT_TEST_PIPES_H */

@@ -1,6 +1,7 @@
 #include "problems.h"
 
 #include "check.h"
+#include "papers.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -55,6 +56,15 @@ taut_basis *basis_random(int degree_max, int count_max)
     return basis;
 }
 
+double greville_uniform(int count, int i)
+{
+    double sum = 0;
+    for (int k = i - 2; k <= i; k++) {
+        sum += fmin(1, fmax(0, (double)k / (count - 3)));
+    }
+    return sum / 3;
+}
+
 test_problem problem_new(taut_basis *u, taut_basis *v)
 {
     const size_t count = (size_t)taut_basis_count(u) * (size_t)taut_basis_count(v);
@@ -76,6 +86,27 @@ void problem_free(test_problem *problem)
     free(problem->known);
     free(problem->weights);
     memset(problem, 0, sizeof *problem);
+}
+
+void problem_know(test_problem *problem, int i, int j, double x, double y, double z)
+{
+    const size_t at = (size_t)i * (size_t)taut_basis_count(problem->v) + (size_t)j;
+    const double point[3] = {x, y, z};
+    memcpy(problem->points + 3 * at, point, sizeof point);
+    problem->known[at] = 1;
+}
+
+test_problem problem_tetrahedron(int n)
+{
+    test_problem net = problem_new(basis_uniform(3, n), basis_uniform(3, n));
+    for (int i = 0; i < n; i++) {
+        const double t = greville_uniform(n, i);
+        problem_know(&net, i, 0, t, 0, t);
+        problem_know(&net, i, n - 1, t, 1, 1 - t);
+        problem_know(&net, 0, i, 0, t, t);
+        problem_know(&net, n - 1, i, 1, t, 1 - t);
+    }
+    return net;
 }
 
 void problem_random_boundary(test_problem *problem)
@@ -104,88 +135,17 @@ void problem_random_weights(test_problem *problem, double limit)
     }
 }
 
-typedef struct example {
-    int degree_u, degree_v, nu, nv;
-    const char *known; /* [nu][nv], '*' or '?' */
-    double points[20][3];
-} example;
-
-#define T (2.0 / 7)
-#define S (3.0 / 7)
-static const example examples[4] = {
-    {2,
-     2,
-     3,
-     3,
-     "****?****",
-     {{-1, -1, 0},
-      {-1, 0, 1},
-      {-1, 1, 0},
-      {0, -1, 1},
-      {0},
-      {0, 1, 1},
-      {1, -1, 0},
-      {1, 0, 1},
-      {1, 1, 0}}},
-    {2,
-     2,
-     4,
-     4,
-     "*****??**??*****",
-     {{-1, -1, 0},
-      {-1, -.5, .5},
-      {-1, .5, .5},
-      {-1, 1, 0},
-      {-.5, -1, .5},
-      {0},
-      {0},
-      {-.5, 1, .5},
-      {.5, -1, .5},
-      {0},
-      {0},
-      {.5, 1, .5},
-      {1, -1, 0},
-      {1, -.5, .5},
-      {1, .5, .5},
-      {1, 1, 0}}},
-    {3,
-     3,
-     4,
-     4,
-     "*****??**??*****",
-     {{-1, -1, 0},
-      {-1, -.5, .5},
-      {-1, .5, .5},
-      {-1, 1, 0},
-      {-.5, -1, .5},
-      {0},
-      {0},
-      {-.5, 1, .5},
-      {.5, -1, .5},
-      {0},
-      {0},
-      {.5, 1, .5},
-      {1, -1, 0},
-      {1, -.5, .5},
-      {1, .5, .5},
-      {1, 1, 0}}},
-    {3, 3, 4, 5, "******???**???******", {{-1, -1, 0}, {-1, -S, T}, {-1, 0, 1}, {-1, S, T},
-                                          {-1, 1, 0},  {-S, -1, T}, {0},        {0},
-                                          {0},         {-S, 1, T},  {S, -1, T}, {0},
-                                          {0},         {0},         {S, 1, T},  {1, -1, 0},
-                                          {1, -S, T},  {1, 0, 1},   {1, S, T},  {1, 1, 0}}},
-};
-#undef T
-#undef S
-
 test_problem problem_example(int number)
 {
-    const example *from = &examples[number - 1];
-    test_problem problem = problem_new(basis_uniform(from->degree_u, from->nu),
-                                       basis_uniform(from->degree_v, from->nv));
-    for (int i = 0; i < from->nu * from->nv; i++) {
-        problem.known[i] = from->known[i] == '*';
-        memcpy(problem.points + 3 * i, from->points[i], 3 * sizeof(double));
+    const paper_net *from = &wuwang2011[number - 1];
+    test_problem problem =
+        problem_new(basis_uniform(from->degree, from->nu), basis_uniform(from->degree, from->nv));
+    for (int k = 0; k < from->nu * from->nv; k++) {
+        const int i = k / from->nv, j = k % from->nv;
+        const double *x = from->points[k];
+        if (i == 0 || j == 0 || i == from->nu - 1 || j == from->nv - 1) {
+            problem_know(&problem, i, j, x[0], x[1], x[2]);
+        }
     }
     return problem;
 }

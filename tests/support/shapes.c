@@ -48,6 +48,14 @@ taut_curve *shape_curve(taut_basis *t, const double *points, const double *weigh
     return curve;
 }
 
+taut_model *shape_model(taut_surface *surface)
+{
+    taut_model *model = NULL;
+    CHECK(taut_model_new(&model) == TAUT_OK, "model");
+    CHECK(surface == NULL || taut_model_add_surface(model, surface) == TAUT_OK, "add");
+    return model;
+}
+
 /* The blossom of t^k at degree - i times lo and i times hi: the k-th elementary symmetric function
  * of these over C(degree, k). */
 void shape_bernstein(int degree, int terms, const double *c, double lo, double hi, double *b)
@@ -136,6 +144,33 @@ taut_surface *shape_sphere(double radius)
         }
     }
     return shape_surface(quarters(4), quarters(2), &points[0][0][0], &weights[0][0]);
+}
+
+taut_surface *shape_octant(double radius)
+{
+    const double w[3] = {1, sqrt(0.5), 1};
+    double points[9][3], weights[9];
+    for (int k = 0; k < 9; k++) {
+        const int i = k / 3, j = k % 3;
+        points[k][0] = radius * circle[i][0] * circle[j][0];
+        points[k][1] = radius * circle[i][1] * circle[j][0];
+        points[k][2] = radius * circle[j][1];
+        weights[k] = w[i] * w[j];
+    }
+    return shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, 0, 1), points[0], weights);
+}
+
+taut_surface *shape_far_net(const double middle[3])
+{
+    double points[9][3], weights[9];
+    for (int k = 0; k < 9; k++) {
+        points[k][0] = k / 3 - 1.0;
+        points[k][1] = k % 3 - 1.0;
+        points[k][2] = 0;
+        weights[k] = k == 4 ? 1e-9 : 1;
+    }
+    memcpy(points[4], middle, sizeof points[4]);
+    return shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, 0, 1), points[0], weights);
 }
 
 taut_surface *shape_cylinder(double radius, double height, int degree)
@@ -276,4 +311,17 @@ void shape_rotation(double rotation[3][3])
             rotation[r][c] /= sqrt(norm);
         }
     }
+}
+
+double shape_apart(const taut_surface *a, const taut_surface *b, double *largest)
+{
+    const int count = 3 * taut_basis_count(taut_surface_u(a)) * taut_basis_count(taut_surface_v(a));
+    const double *p = taut_surface_points(a), *q = taut_surface_points(b);
+    double most = 0;
+    *largest = 0;
+    for (int k = 0; k < count; k++) {
+        *largest = fmax(*largest, fabs(p[k]));
+        most = fmax(most, fabs(p[k] - q[k]));
+    }
+    return most;
 }

@@ -4,6 +4,7 @@
 #define TAUT_TEST_SHAPES_H
 
 #include "taut/curve.h"
+#include "taut/model.h"
 #include "taut/surface.h"
 
 /* A basis from a spec; bezier of a degree over [lo, hi]; clamped uniform bspline over [0, 1]. */
@@ -15,6 +16,8 @@ taut_basis *shape_bspline(int degree, int count);
 taut_surface *shape_surface(taut_basis *u, taut_basis *v, const double *points,
                             const double *weights);
 taut_curve *shape_curve(taut_basis *t, const double *points, const double *weights);
+/* A model that takes over a surface, or has none (NULL). */
+taut_model *shape_model(taut_surface *surface);
 
 /* Bernstein coefficients over [lo, hi], in `degree`, of sum_k c[k] t^k. */
 void shape_bernstein(int degree, int terms, const double *c, double lo, double hi, double *b);
@@ -27,6 +30,12 @@ taut_surface *shape_enneper(double u0, double u1, double v0, double v1);
  * and v1 collapsed. */
 taut_surface *shape_torus(double large, double small);
 taut_surface *shape_sphere(double radius);
+/* The part of a sphere in the first octant, rational biquadratic Bezier; its edge v1 is the pole.
+ */
+taut_surface *shape_octant(double radius);
+/* The square [-1, 1]^2, biquadratic, its middle point elsewhere with a weight of next to nothing.
+ */
+taut_surface *shape_far_net(const double middle[3]);
 /* A cylinder about the z axis, u around, v from 0 to height, of any degree in v. */
 taut_surface *shape_cylinder(double radius, double height, int degree);
 /* (u, v, c u v) over [0, 1]^2, bilinear. */
@@ -41,5 +50,8 @@ taut_surface *shape_moved(const taut_surface *surface, double scale, const doubl
 taut_surface *shape_transposed(const taut_surface *surface);
 taut_surface *shape_reversed(const taut_surface *surface);
 void shape_rotation(double rotation[3][3]); /* random */
+
+/* The largest difference of two coordinates of nets of one size; *largest is a's largest one. */
+double shape_apart(const taut_surface *a, const taut_surface *b, double *largest);
 
 #endif /* TAUT_TEST_SHAPES_H */

@@ -1,14 +1,7 @@
-#!/bin/sh
 # test_gallery.sh -- every construction with an example is in docs/gallery/README.md, whose pictures are there, and the
 # bundle of three.js is the one that was made.
-set -u
-: "${SOURCE:?the source tree}"
+. "$SOURCE/tests/tools/tools.sh"
 cd "$SOURCE" || exit 1
-failures=0
-fail() {
-    echo "FAIL: $*"
-    failures=$((failures + 1))
-}
 index=docs/gallery/README.md
 for construct in $(sed -n 's/.*X([a-z_0-9]*, "\([a-z-]*\)".*/\1/p' src/problem/construct_list.h); do
     if grep -qs "\"construct\": *\"$construct\"" examples/*.json; then
@@ -19,5 +12,4 @@ for picture in $(grep -o '([a-z0-9-]*\.png)' $index | tr -d '()'); do
     [ -s "docs/gallery/$picture" ] || fail "docs/gallery/$picture is not there"
 done
 (cd src/page/viewer/three && sha256sum --check --quiet SHA256SUMS) || fail "three.min.js is not what bundle.sh made"
-echo "$failures failures"
-[ "$failures" -eq 0 ]
+finish

@@ -1,19 +1,8 @@
-# test_reference.sh -- docs/reference is what the headers say now and has each symbol of the library; from comments to pages:
+# test_reference.sh -- the pages made of the headers have each symbol of the library; from comments to pages:
 # paragraphs, formulas, parameters, links, and signs that Markdown or troff would take for their own.
-set -u
-: "${SOURCE:?the source tree}"
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-failures=0
+. "$SOURCE/tests/tools/tools.sh"
 
-fail() {
-    echo "FAIL: $*"
-    failures=$((failures + 1))
-}
-
-"$SOURCE/tools/reference.sh" --check "$SOURCE" || fail "docs/reference"
-names=$(grep -c '^| \[`' "$SOURCE/docs/reference/README.md")
-[ "$names" -gt 300 ] || fail "only $names names"
+"$SOURCE/tools/reference.sh" --check "$SOURCE" || fail "the reference"
 
 mkdir -p "$tree/include/taut"
 printf '%s\n' '/* taut/taut.h -- all. */' '' '/* First */' '#include "taut/x.h"' > "$tree/include/taut/taut.h"
@@ -57,7 +46,7 @@ What x is, a \| b. [All headers](README.md)
 x_u = *y* | z
 ```
 
-With 1 \< 2 and x\_u x\_v; see [`taut_one`](#taut_one), [\[WuWang2011\]](../references.bib) and [taut/x.h](x.md).
+With 1 \< 2 and x\_u x\_v; see [`taut_one`](#taut_one), [\[WuWang2011\]](../../docs/references.bib) and [taut/x.h](x.md).
 
 ### <a id="taut_one"></a><a id="taut_two"></a>`taut_one`, `taut_two`
 
@@ -92,16 +81,19 @@ typedef enum taut_kind {
     (x) /* so many */
 ```
 PAGE
-diff "$tree/expected" "$tree/docs/reference/x.md" || fail "the page of x.h"
-sed -n 's/^| \[`\([A-Za-z_]*\)`\](x\.md#[A-Za-z_]*) | \([a-z]*\) .*/\1 \2/p' "$tree/docs/reference/README.md" > "$tree/names"
+diff "$tree/expected" "$tree/build/reference/x.md" || fail "the page of x.h"
+sed -n 's/^| \[`\([A-Za-z_]*\)`\](x\.md#[A-Za-z_]*) | \([a-z]*\) .*/\1 \2/p' "$tree/build/reference/README.md" > "$tree/names"
 printf '%s\n' 'TAUT_A constant' 'TAUT_B constant' 'taut_kind type' 'TAUT_MANY macro' 'taut_one function' 'taut_two function' |
     diff - "$tree/names" || fail "the names"
 
-# The manual page of the same.
+# The manual pages of the same: the header's, and the one that leads there.
+"$SOURCE/tools/manual_library.sh" 1 "$tree/include/taut/taut.h" x > "$tree/taut_x.3"
+for line in 'taut_x, taut_one, taut_two \- what x is, a | b' '.B #include <taut/x.h>' '\&.5 of it. \fBcode\fR of double[a][b]:' 'int taut_one(int t,' '.I t' '#define TAUT_MANY(x) \e'; do
+    grep -qxF -- "$line" "$tree/taut_x.3" || fail "taut_x.3 lacks $line"
+done
 "$SOURCE/tools/manual_library.sh" 1 "$tree/include/taut/taut.h" > "$tree/taut.3"
-for line in '.SH taut/x.h' '\&.5 of it. \fBcode\fR of double[a][b]:' 'int taut_one(int t,' '.I t' '#define TAUT_MANY(x) \e'; do
-    grep -qxF -- "$line" "$tree/taut.3" || fail "taut.3 lacks $line"
+for line in '.SS First' '.BR taut_x (3)' 'taut_one  *taut_x(3)' 'TAUT_B  *taut_x(3)'; do
+    grep -qx -- "$line" "$tree/taut.3" || fail "taut.3 lacks $line"
 done
 
-echo "$failures failures"
-[ "$failures" -eq 0 ]
+finish

@@ -1,12 +1,8 @@
-# test_page.sh -- test_page.js where node and chromium are; without them there is nothing to look with, and that is said.
-set -u
+# test_page.sh -- test_page.js where node and chromium are.
+. "$SOURCE/tests/cli/cli.sh"
 for tool in node "${CHROMIUM:=chromium}"; do
-    if ! command -v "$tool" > /dev/null; then
-        echo "there is no $tool here: tools/deps.sh test brings it"
-        exit 77
-    fi
+    command -v "$tool" > /dev/null || skip "$tool" 'tools/deps.sh browser'
 done
 export CHROMIUM
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-node "$SOURCE/tests/viewer/test_page.js" "$TAUT" "$work" ${PICTURES:+"$PICTURES"}
+node "$SOURCE/tests/viewer/test_page.js" "$TAUT" "$work" ${PICTURES:+"$PICTURES"} || complain "the pages of taut view"
+finish

@@ -1,4 +1,5 @@
 /* test_bases.c -- what every basis must do: sum to 1, agree with its own difference quotients. */
+#include "bases.h"
 #include "check.h"
 
 #include "taut/basis.h"
@@ -6,26 +7,6 @@
 #include <stddef.h>
 
 static const double unit_roundoff = 0x1p-53;
-
-/* Random legal clamped knots with repeated inner ones; returns the number of functions. */
-static int random_knots(int degree, double *knots, int *knot_count)
-{
-    const int spans = random_int(1, 8);
-    int n = 0;
-    double t = random_in(-2, 2);
-    for (int i = 0; i <= degree; i++) {
-        knots[n++] = t;
-    }
-    for (int s = 0; s < spans; s++) {
-        const int times = s + 1 < spans ? random_int(1, degree) : degree + 1;
-        t += random_log(1e-3, 1);
-        for (int i = 0; i < times; i++) {
-            knots[n++] = t;
-        }
-    }
-    *knot_count = n;
-    return n - degree - 1;
-}
 
 static taut_basis *random_basis(void)
 {
@@ -40,7 +21,8 @@ static taut_basis *random_basis(void)
         spec.range[0] = random_in(-3, 3);
         spec.range[1] = spec.range[0] + random_log(1e-3, 10);
     } else {
-        functions = random_knots(spec.degree, knots, &spec.knot_count);
+        spec.knot_count = random_knots(spec.degree, 8, random_in(-2, 2), knots);
+        functions = spec.knot_count - spec.degree - 1;
         spec.knots = knots;
     }
     CHECK(taut_basis_new(&spec, functions, &basis, &error) == TAUT_OK, "%s", error.message);

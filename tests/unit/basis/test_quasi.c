@@ -5,7 +5,9 @@
  * The reference is the matrix of [XuWang2006] sections 3 and 4 (corrected), which taut never uses:
  * it is badly conditioned, so it is taken at 2400 bits.
  */
+#include "bases.h"
 #include "check.h"
+#include "shapes.h"
 
 #include "taut/basis.h"
 
@@ -16,14 +18,6 @@
 enum { BITS = 2400 };
 static const double pi = 3.14159265358979311600;
 static const double bound = 1e-14; /* the accuracy that taut/basis.h states */
-
-static taut_basis *make(taut_basis_spec spec)
-{
-    taut_basis *basis = NULL;
-    taut_error error = {.message = ""};
-    CHECK(taut_basis_new(&spec, 0, &basis, &error) == TAUT_OK, "%s: %s", spec.type, error.message);
-    return basis;
-}
 
 /* s, c, 1-c, k, m of a segment; sinh and cosh when hyperbolic. */
 typedef struct constants {
@@ -174,17 +168,14 @@ static void reference(double length, double t, int hyperbolic, int bspline, doub
     arb_mat_clear(product);
 }
 
+static const char *const types[2][2] = {{"c-bezier", "c-bspline"}, {"h-bezier", "h-bspline"}};
+
 static double worst[2][2][4]; /* seen: by space, kind, order */
 
 static void compare(double length, double t, int hyperbolic, int bspline)
 {
-    taut_basis *basis =
-        hyperbolic
-            ? make((taut_basis_spec){
-                  .type = bspline ? "h-bspline" : "h-bezier", .beta = length, .segments = bspline})
-            : make((taut_basis_spec){.type = bspline ? "c-bspline" : "c-bezier",
-                                     .alpha = length,
-                                     .segments = bspline});
+    const taut_basis_spec spec = spec_of_spans(types[hyperbolic][bspline], length, 1, 0);
+    taut_basis *basis = shape_basis(&spec);
     double found[4][4], expected[4][4], middle[4][4], end[4][4];
 
     if (basis == NULL) {
@@ -253,33 +244,22 @@ static void test_against_balls(void)
 static taut_basis *random_basis(double *size)
 {
     const double x = random_in(-5, 5);
-    taut_basis_spec spec = {.has_range = random_int(0, 1), .range = {x, 0}};
-    double length = random_log(1e-3, 3);
+    const int has_range = random_int(0, 1);
+    const double length = random_log(1e-3, 3);
+    const int type = random_int(0, 4);
+    taut_basis_spec spec = {.type = "ce-bezier"};
     *size = 1;
-    switch (random_int(0, 4)) {
-    case 0:
-        spec.type = "c-bezier", spec.alpha = length, spec.range[1] = x + length;
-        break;
-    case 1:
-        spec.type = "c-bspline", spec.alpha = length, spec.segments = random_int(1, 9);
-        spec.range[1] = x + length * spec.segments;
-        break;
-    case 2:
-        length = random_log(1e-3, 300);
-        spec.type = "h-bezier", spec.beta = length, spec.range[1] = x + length;
-        break;
-    case 3:
-        length = random_log(1e-3, 300);
-        spec.type = "h-bspline", spec.beta = length, spec.segments = random_int(1, 9);
-        spec.range[1] = x + length * spec.segments;
-        break;
-    default:
-        spec.type = "ce-bezier", spec.has_range = 0;
+    if (type < 4) {
+        const double h_length = type >= 2 ? random_log(1e-3, 300) : length;
+        spec = spec_of_spans(types[type / 2][type % 2], h_length,
+                             type % 2 == 1 ? random_int(1, 9) : 0, x);
+        spec.has_range = has_range;
+    } else {
         spec.alpha = random_in(-3, random_int(0, 1) ? 1 : 900), spec.beta = random_in(-3, 3);
         spec.gamma = random_in(-3, 1);
         *size = 1 + fmax(3, spec.alpha);
     }
-    return make(spec);
+    return shape_basis(&spec);
 }
 
 /* Sum of values 1 and of derivatives 0, within the stated accuracy of four functions. */
@@ -311,12 +291,9 @@ static void test_symmetry_and_sign(void)
     for (int trial = 0; trial < 2000; trial++) {
         const double a = random_log(1e-8, 3), s = random_in(0, 1);
         const int bspline = random_int(0, 1), hyperbolic = random_int(0, 1);
-        const char *types[2][2] = {{"c-bezier", "c-bspline"}, {"h-bezier", "h-bspline"}};
         double up[4][4], down[4][4];
-        taut_basis *basis = make((taut_basis_spec){.type = types[hyperbolic][bspline],
-                                                   .alpha = hyperbolic ? 0 : a,
-                                                   .beta = hyperbolic ? a : 0,
-                                                   .segments = bspline});
+        const taut_basis_spec spec = spec_of_spans(types[hyperbolic][bspline], a, 1, 0);
+        taut_basis *basis = shape_basis(&spec);
         CHECK(taut_basis_eval(basis, 0, a * s, 3, &up[0][0]) == TAUT_OK, "a=%a", a);
         CHECK(taut_basis_eval(basis, 0, a - a * s, 3, &down[0][0]) == TAUT_OK, "a=%a", a);
         for (int d = 0; d < 4; d++) {
@@ -338,17 +315,13 @@ static void test_symmetry_and_sign(void)
  * rho, 1 - 2 rho, rho and agree from both sides to the second derivative. */
 static void test_ends_and_knots(void)
 {
-    const char *beziers[2] = {"c-bezier", "h-bezier"}, *bsplines[2] = {"c-bspline", "h-bspline"};
     for (int trial = 0; trial < 1000; trial++) {
         const int hyperbolic = random_int(0, 1);
         const double a = random_log(1e-6, hyperbolic ? 300 : 3.1);
-        const taut_basis_spec one = {
-            .type = beziers[hyperbolic], .alpha = hyperbolic ? 0 : a, .beta = hyperbolic ? a : 0};
-        taut_basis_spec many = one;
+        const taut_basis_spec one = spec_of_spans(types[hyperbolic][0], a, 0, 0);
+        const taut_basis_spec many = spec_of_spans(types[hyperbolic][1], a, 4, 0);
         double left[4][4], right[4][4];
-        many.type = bsplines[hyperbolic];
-        many.segments = 4;
-        taut_basis *bezier = make(one), *bspline = make(many);
+        taut_basis *bezier = shape_basis(&one), *bspline = shape_basis(&many);
         taut_basis_eval(bezier, 0, 0, 1, &left[0][0]);
         taut_basis_eval(bezier, 0, a, 1, &right[0][0]);
         CHECK(left[0][0] == 1 && left[0][1] == 0 && left[0][2] == 0 && left[0][3] == 0, "a=%a", a);
@@ -392,7 +365,7 @@ static void test_shape_numbers(void)
                                   (3 + c) * t * t * t + 3 * (1 - c) * t * t * u};
         double found[2][4];
         taut_basis *basis =
-            make((taut_basis_spec){.type = "ce-bezier", .alpha = a, .beta = b, .gamma = c});
+            shape_basis(&(taut_basis_spec){.type = "ce-bezier", .alpha = a, .beta = b, .gamma = c});
         CHECK(taut_basis_degree(basis) == 4, "quartic");
         taut_basis_eval(basis, 0, t, 1, &found[0][0]);
         for (int i = 0; i < 4; i++) {

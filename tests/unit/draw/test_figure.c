@@ -1,5 +1,6 @@
 /* test_figure.c -- whole figures: their structure, that they repeat, hostile models, faults. */
 #include "check.h"
+#include "shapes.h"
 
 #include "draw/figure.h"
 
@@ -28,15 +29,6 @@ static taut_surface *patch(const char *name, int degree, const double *points,
     return surface;
 }
 
-/* Takes the surface, which may be NULL. */
-static taut_model *model_of(taut_surface *surface)
-{
-    taut_model *model = NULL;
-    CHECK(taut_model_new(&model) == TAUT_OK, "model");
-    CHECK(surface == NULL || taut_model_add_surface(model, surface) == TAUT_OK, "add");
-    return model;
-}
-
 /* Enneper's surface (u - u^3/3 + u v^2, v - v^3/3 + v u^2, u^2 - v^2) over [-1, 1]^2 in Bernstein
  * form: the coefficients of 1, t, t^2, t^3 on [-1, 1] in degree 3 are below. */
 static taut_surface *enneper(void)
@@ -52,24 +44,6 @@ static taut_surface *enneper(void)
         }
     }
     return patch("Enneper", 3, &points[0][0], NULL);
-}
-
-/* An eighth of a sphere of radius 2, an edge collapsed to the pole: K = 1/4, none at the pole. */
-static taut_surface *sphere(void)
-{
-    const double r = sqrt(0.5);
-    const double circle[3][2] = {{1, 0}, {1, 1}, {0, 1}};
-    const double w[3] = {1, r, 1};
-    double points[9][3], weights[9];
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            points[3 * i + j][0] = 2 * circle[i][0] * circle[j][0];
-            points[3 * i + j][1] = 2 * circle[i][1] * circle[j][0];
-            points[3 * i + j][2] = 2 * circle[j][1];
-            weights[3 * i + j] = w[i] * w[j];
-        }
-    }
-    return patch("sphere", 2, &points[0][0], weights);
 }
 
 /* The figure in memory, ended by a 0; 64 zeros when it failed. The caller frees it. */
@@ -116,7 +90,7 @@ static unsigned big_endian(const char *at)
 
 static void test_png(void)
 {
-    taut_model *model = model_of(enneper());
+    taut_model *model = shape_model(enneper());
     size_t size = 0;
     char *png = draw(model, NULL, "png", &size, TAUT_OK);
     CHECK(size > 1000 && memcmp(png, "\x89PNG\r\n\x1a\n", 8) == 0, "signature");
@@ -141,7 +115,7 @@ static int holds(const char *bytes, size_t size, const char *text)
 
 static void test_pdf(void)
 {
-    taut_model *model = model_of(enneper());
+    taut_model *model = shape_model(enneper());
     const taut_write_options options = {.title = "A title"};
     size_t size = 0;
     char *pdf = NULL;
@@ -193,7 +167,7 @@ static void check_well_formed(const char *svg)
 
 static void test_svg(void)
 {
-    taut_model *model = model_of(enneper());
+    taut_model *model = shape_model(enneper());
     const taut_write_options options = {.colour = TAUT_COLOUR_GAUSSIAN, .title = "a < b & \"c\""};
     size_t size = 0;
     char *svg = draw(model, &options, "svg", &size, TAUT_OK);
@@ -224,7 +198,7 @@ static void test_svg(void)
 /* Every coordinate of every path is on the page. */
 static void test_on_page(void)
 {
-    taut_model *model = model_of(sphere());
+    taut_model *model = shape_model(shape_octant(2));
     size_t size = 0;
     char *svg = draw(model, NULL, "svg", &size, TAUT_OK);
     int paths = 0;
@@ -245,7 +219,7 @@ static void test_on_page(void)
 /* The same model and options give the same bytes, for any number of threads. */
 static void test_repeats(void)
 {
-    taut_model *model = model_of(sphere());
+    taut_model *model = shape_model(shape_octant(2));
     for (int k = 0; k < 3; k++) {
         const taut_write_options one = {.colour = TAUT_COLOUR_MEAN, .threads = 1};
         const taut_write_options two = {.colour = TAUT_COLOUR_MEAN, .threads = 2};
@@ -261,7 +235,7 @@ static void test_repeats(void)
 
 static void draw_patch(const char *what, int degree, const double *points)
 {
-    taut_model *model = model_of(patch(what, degree, points, NULL));
+    taut_model *model = shape_model(patch(what, degree, points, NULL));
     draw_all_ways(model, what);
     taut_model_free(model);
 }
@@ -277,7 +251,7 @@ static void test_degenerate(void)
     const double flat[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0};
     const taut_write_options edge_on = {.has_view = 1, .view = {30, 0}};
     const taut_write_options above = {.has_view = 1, .view = {-720, 90}, .divide = 7};
-    taut_model *model = model_of(patch("flat", 1, flat, NULL));
+    taut_model *model = shape_model(patch("flat", 1, flat, NULL));
     size_t size = 0;
 
     draw_patch("point", 1, point);
@@ -289,7 +263,7 @@ static void test_degenerate(void)
     free(draw(model, &edge_on, "svg", &size, TAUT_OK));
     free(draw(model, &above, "svg", &size, TAUT_OK));
     taut_model_free(model);
-    model = model_of(sphere());
+    model = shape_model(shape_octant(2));
     draw_all_ways(model, "sphere");
     taut_model_free(model);
 }
@@ -308,7 +282,7 @@ static void test_refusals(void)
     const taut_write_options other = {.surface = "other"};
     const taut_write_options divide = {.divide = -1};
     const taut_write_options stopped = {.monitor = {stop, NULL}};
-    taut_model *model = model_of(enneper()), *empty = model_of(NULL);
+    taut_model *model = shape_model(enneper()), *empty = shape_model(NULL);
     size_t size = 0;
     free(draw(model, &view, "svg", &size, TAUT_BAD_ARGUMENT));
     free(draw(model, &steep, "svg", &size, TAUT_BAD_ARGUMENT));
@@ -327,13 +301,13 @@ static void test_options(void)
 {
     static const char *const labels[] = {"first", "second", "third"};
     const double line[12] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3};
-    taut_model *a = model_of(enneper()), *b = model_of(sphere()),
-               *c = model_of(patch("", 1, line, NULL));
+    taut_model *a = shape_model(enneper()), *b = shape_model(shape_octant(2)),
+               *c = shape_model(patch("", 1, line, NULL));
     const taut_model *models[] = {a, b, c};
     size_t size = 0;
     char *svg = NULL;
 
-    CHECK(taut_model_add_surface(a, sphere()) == TAUT_OK, "two surfaces");
+    CHECK(taut_model_add_surface(a, shape_octant(2)) == TAUT_OK, "two surfaces");
     for (int colour = 0; colour < 4; colour++) {
         const taut_write_options options = {.colour = (taut_colour)colour,
                                             .isolines = 5,
@@ -397,18 +371,10 @@ static void test_far_net(void)
 {
     static const double reach[3] = {1.5, 2.9, 1e6};
     for (int k = 0; k < 3; k++) {
-        double points[9][3], weights[9];
+        const double middle[3] = {reach[k], 0, 0};
         size_t size = 0;
         char *svg = NULL, *bare = NULL;
-        taut_model *model = NULL;
-        for (int i = 0; i < 9; i++) {
-            points[i][0] = i / 3 - 1.0;
-            points[i][1] = i % 3 - 1.0;
-            points[i][2] = 0;
-            weights[i] = i == 4 ? 1e-9 : 1;
-        }
-        points[4][0] = reach[k];
-        model = model_of(patch("far", 2, &points[0][0], weights));
+        taut_model *model = shape_model(shape_far_net(middle));
         svg = draw(model, &(taut_write_options){.divide = 4}, "svg", &size, TAUT_OK);
         bare = draw(model, &(taut_write_options){.divide = 4, .no_net = 1}, "svg", &size, TAUT_OK);
         CHECK((strstr(svg, "1 of 1 control nets left out") != NULL) == (k == 2), "reach %g",
@@ -425,7 +391,7 @@ static void test_far_net(void)
 
 static void test_full_device(void)
 {
-    taut_model *model = model_of(enneper());
+    taut_model *model = shape_model(enneper());
     for (int k = 0; k < 3; k++) {
         FILE *full = fopen("/dev/full", "wb");
         taut_error error = {.status = TAUT_OK};

@@ -3,6 +3,7 @@
  * The saddle (x, y, x y), x = 2u - 1, y = 2v - 1, has E = 4 (1 + y^2), G = 4 (1 + x^2), F = 4 x y,
  * so isothermality = sqrt((E-G)^2 + 4 F^2) / (E+G) = (x^2 + y^2) / (2 + x^2 + y^2) K = -1 / (1 +
  * x^2 + y^2)^2 and its edges are straight. */
+#include "cameras.h"
 #include "check.h"
 #include "shapes.h"
 
@@ -23,18 +24,6 @@ static double exact(taut_colour colour, double x, double y)
 {
     const double r = x * x + y * y;
     return colour == TAUT_COLOUR_ISOTHERMALITY ? r / (2 + r) : -1 / ((1 + r) * (1 + r));
-}
-
-static void aim(const taut_sheet *sheet, double azimuth, double elevation, taut_camera *camera)
-{
-    const double frame[4] = {50, 50, WIDTH - 50, HEIGHT - 50};
-    const size_t count = (size_t)sheet->u.count * (size_t)sheet->v.count;
-    taut_camera_init(camera);
-    taut_camera_include(camera, count, sheet->points);
-    CHECK(taut_camera_settle(camera), "points");
-    taut_camera_aim(camera, azimuth, elevation);
-    taut_camera_see(camera, count, sheet->points);
-    taut_camera_fit(camera, frame);
 }
 
 /* Values in the middle and at the corners of cells; the corners are looked at a millionth of a cell
@@ -87,7 +76,7 @@ static void test_isolines(void)
 
     CHECK(taut_sheet_new(surface, 1600, 10000, &options, arena, &s) == TAUT_OK, "sheet");
     CHECK(taut_sheet_corners(&options, arena, &s) == TAUT_OK, "corners");
-    aim(&s, -90, 90, &camera);
+    camera_on(&s, -90, 90, WIDTH, HEIGHT, &camera);
     CHECK(taut_scene_init(&scene, WIDTH, HEIGHT, arena) == TAUT_OK, "scene");
     CHECK(taut_parts_cells(&s, &camera, (taut_ink){0, 0, 0}, 1, arena, &scene, &page) == TAUT_OK,
           "cells");
@@ -120,7 +109,7 @@ static void test_stripes(void)
     taut_camera camera;
 
     CHECK(taut_sheet_new(surface, 144, 10000, &options, arena, &s) == TAUT_OK, "sheet");
-    aim(&s, 20, 40, &camera);
+    camera_on(&s, 20, 40, WIDTH, HEIGHT, &camera);
     CHECK(taut_sheet_stripes(&options, &camera, arena, &s) == TAUT_OK, "stripes");
     for (int i = 0; i + 1 < s.u.count; i++) {
         for (int j = 0; j + 1 < s.v.count; j++) {

@@ -1,5 +1,7 @@
 /* test_parts.c -- surfaces and nets as cells and strokes: where they lie, and how many. */
+#include "cameras.h"
 #include "check.h"
+#include "shapes.h"
 
 #include "draw/parts.h"
 #include "draw/sheet.h"
@@ -7,43 +9,6 @@
 #include <stdlib.h>
 
 enum { WIDTH = 1000, HEIGHT = 800 };
-
-static taut_surface *sphere(void)
-{
-    const double r = sqrt(0.5);
-    const double circle[3][2] = {{1, 0}, {1, 1}, {0, 1}};
-    const double w[3] = {1, r, 1};
-    const taut_basis_spec spec = {.type = "bezier", .degree = 2};
-    double points[9][3], weights[9];
-    taut_basis *basis = NULL;
-    taut_surface *surface = NULL;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            points[3 * i + j][0] = 2 * circle[i][0] * circle[j][0];
-            points[3 * i + j][1] = 2 * circle[i][1] * circle[j][0];
-            points[3 * i + j][2] = 2 * circle[j][1];
-            weights[3 * i + j] = w[i] * w[j];
-        }
-    }
-    CHECK(taut_basis_new(&spec, 3, &basis, NULL) == TAUT_OK, "basis");
-    CHECK(taut_surface_new("", basis, basis, &points[0][0], weights, &surface, NULL) == TAUT_OK,
-          "surface");
-    taut_basis_free(basis);
-    return surface;
-}
-
-/* The sheet with a camera on it. */
-static void aim(const taut_sheet *sheet, double azimuth, double elevation, taut_camera *camera)
-{
-    const double frame[4] = {50, 50, WIDTH - 50, HEIGHT - 50};
-    const size_t count = (size_t)sheet->u.count * (size_t)sheet->v.count;
-    taut_camera_init(camera);
-    taut_camera_include(camera, count, sheet->points);
-    CHECK(taut_camera_settle(camera), "points");
-    taut_camera_aim(camera, azimuth, elevation);
-    taut_camera_see(camera, count, sheet->points);
-    taut_camera_fit(camera, frame);
-}
 
 /* The longest side of a cell, in page units. */
 static double longest_side(const taut_sheet *sheet, const taut_camera *camera)
@@ -67,7 +32,7 @@ static double longest_side(const taut_sheet *sheet, const taut_camera *camera)
  * again c^2 / (8 R) inside. */
 static void test_silhouette(void)
 {
-    taut_surface *surface = sphere();
+    taut_surface *surface = shape_octant(2);
     size_t found = 0;
     for (int trial = 0; trial < 200; trial++) {
         const double origin[3] = {0, 0, 0};
@@ -78,7 +43,7 @@ static void test_silhouette(void)
         taut_scene scene;
         double centre[3], *page = NULL;
         CHECK(taut_sheet_new(surface, 400, 100000, &options, arena, &sheet) == TAUT_OK, "sheet");
-        aim(&sheet, random_in(-180, 180), random_in(-80, 80), &camera);
+        camera_on(&sheet, random_in(-180, 180), random_in(-80, 80), WIDTH, HEIGHT, &camera);
         CHECK(taut_scene_init(&scene, WIDTH, HEIGHT, arena) == TAUT_OK, "scene");
         CHECK(taut_parts_cells(&sheet, &camera, (taut_ink){0, 0, 0}, 1, arena, &scene, &page) ==
                   TAUT_OK,
@@ -132,7 +97,7 @@ static void test_thinning(void)
         size_t discs = 0, lines = 0;
         double low = INFINITY, high = -INFINITY;
         CHECK(taut_sheet_new(surface, 400, 1000, &options, arena, &sheet) == TAUT_OK, "sheet");
-        aim(&sheet, -90, 90, &camera);
+        camera_on(&sheet, -90, 90, WIDTH, HEIGHT, &camera);
         CHECK(taut_scene_init(&scene, WIDTH, HEIGHT, arena) == TAUT_OK, "scene");
         CHECK(taut_parts_net(n, n, taut_surface_points(surface), &camera, arena, &scene) == TAUT_OK,
               "net");

@@ -1,37 +1,11 @@
 /* test_surface.c -- evaluation against closed forms and of one route against the other. */
 #include "check.h"
+#include "shapes.h"
 
 #include "taut/surface.h"
 
 #include <stddef.h>
 #include <string.h>
-
-/* A quarter of a sphere of radius 2 as a rational biquadratic patch: |x| = 2 everywhere, and
- * the derivatives are tangent. */
-static taut_surface *sphere(void)
-{
-    const double r = sqrt(0.5);
-    const double circle[3][2] = {{1, 0}, {1, 1}, {0, 1}};
-    const double w[3] = {1, r, 1};
-    double points[9][3], weights[9];
-    taut_basis_spec spec = {.type = "bezier", .degree = 2};
-    taut_basis *basis = NULL;
-    taut_surface *surface = NULL;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            points[3 * i + j][0] = 2 * circle[i][0] * circle[j][0];
-            points[3 * i + j][1] = 2 * circle[i][1] * circle[j][0];
-            points[3 * i + j][2] = 2 * circle[j][1];
-            weights[3 * i + j] = w[i] * w[j];
-        }
-    }
-    CHECK(taut_basis_new(&spec, 3, &basis, NULL) == TAUT_OK, "basis");
-    CHECK(taut_surface_new("sphere", basis, basis, &points[0][0], weights, &surface, NULL) ==
-              TAUT_OK,
-          "surface");
-    taut_basis_free(basis);
-    return surface;
-}
 
 static double dot(const double *a, const double *b)
 {
@@ -40,7 +14,7 @@ static double dot(const double *a, const double *b)
 
 static void test_sphere(void)
 {
-    taut_surface *surface = sphere();
+    taut_surface *surface = shape_octant(2);
     for (int trial = 0; trial < 500; trial++) {
         const double u = random_in(0, 1), v = random_in(0, 1);
         double x[6][3];
@@ -216,7 +190,7 @@ static void test_grid(void)
 {
     enum { NU = 7, NV = 5 };
     const double u[NU] = {0, 0.125, 0.3, 0.5, 0.75, 0.9, 1}, v[NV] = {0, 0.2, 0.5, 0.7, 1};
-    taut_surface *surface = sphere();
+    taut_surface *surface = shape_octant(2);
     for (int order = 0; order <= 2; order++) {
         const int vectors = TAUT_SURFACE_VECTORS(order);
         double grid[NU * NV * 18], one[18];

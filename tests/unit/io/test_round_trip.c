@@ -1,4 +1,6 @@
 /* test_round_trip.c -- what is written is read back bit for bit, whatever the locale. */
+#include "check.h"
+#include "folder.h"
 #include "models.h"
 
 #include "taut/read.h"
@@ -6,9 +8,11 @@
 
 #include <locale.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
-static char folder[] = "/tmp/taut-test-XXXXXX";
+static const char *folder;
 static char path[64];
 
 /* A record with everything in it, deep and with awkward strings. */
@@ -208,16 +212,12 @@ static int enter_comma_locale(void)
                                  "grouping 3;3\nEND LC_NUMERIC\n";
     static const char *const installed[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"};
     char command[256];
-    FILE *file = NULL;
     for (size_t i = 0; i < 3; i++) {
         if (setlocale(LC_ALL, installed[i]) != NULL) {
             return 1;
         }
     }
-    snprintf(command, sizeof command, "%s/comma.src", folder);
-    file = fopen(command, "w");
-    fputs(source, file);
-    fclose(file);
+    file_put_text(in_folder("comma.src"), source);
     snprintf(command, sizeof command,
              "localedef -c -i %s/comma.src %s/comma >%s/comma.log 2>&1 || true", folder, folder,
              folder);
@@ -288,12 +288,9 @@ static void test_no_figures(void)
 
 int main(void)
 {
-    char command[64];
     random_seed(20240612);
-    if (mkdtemp(folder) == NULL) {
-        return 1;
-    }
-    snprintf(path, sizeof path, "%s/model.json", folder);
+    folder = folder_make();
+    snprintf(path, sizeof path, "%s", in_folder("model.json"));
     test_models(300);
     test_short_knots();
     test_least_model();
@@ -301,6 +298,6 @@ int main(void)
     test_no_figures();
     test_record_text();
     test_comma_locale();
-    snprintf(command, sizeof command, "rm -r %s", folder);
-    return system(command) != 0 || check_failures != 0;
+    folder_remove();
+    return check_failures != 0;
 }

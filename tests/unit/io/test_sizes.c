@@ -2,6 +2,7 @@
  * it, or left out and said so; and the least there may be. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS, MAP_NORESERVE */
 #include "check.h"
+#include "folder.h"
 #include "shapes.h"
 
 #include "core/memory.h"
@@ -133,20 +134,16 @@ static void test_page(void)
 static void test_point(void)
 {
     static const double points[4][3] = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
-    char path[] = "/tmp/taut-test-XXXXXX";
     const taut_write_options options = {.divide = 2, .format = "glb"};
-    const int file = mkstemp(path);
-    char *bytes = calloc(1, 1 << 16);
+    const char *const path = in_folder("point.glb");
+    char *bytes = NULL;
+    size_t length = 0;
     taut_error error = {.status = TAUT_OK};
     taut_model *model = NULL;
-    CHECK(taut_model_new(&model) == TAUT_OK, "model");
-    CHECK(taut_model_add_surface(model, shape_surface(shape_bezier(1, 0, 1), shape_bezier(1, 0, 1),
-                                                      &points[0][0], NULL)) == TAUT_OK,
-          "add");
+    model = shape_model(
+        shape_surface(shape_bezier(1, 0, 1), shape_bezier(1, 0, 1), &points[0][0], NULL));
     CHECK(taut_model_write(model, path, &options, &error) == TAUT_OK, "%s", error.message);
-    FILE *in = fopen(path, "rb");
-    const size_t length = fread(bytes, 1, (1 << 16) - 1, in);
-    fclose(in);
+    bytes = file_bytes(path, &length);
     /* four cells are eight triangles; their indices are the last bytes, of nine vertices */
     CHECK(strstr(bytes + 20, "\"count\": 24") != NULL, "%s", bytes + 20);
     for (size_t i = 1; i <= 24; i++) {
@@ -156,16 +153,16 @@ static void test_point(void)
     }
     taut_model_free(model);
     free(bytes);
-    close(file);
-    unlink(path);
 }
 
 int main(void)
 {
+    folder_make();
     test_text();
     test_net();
     test_items();
     test_page();
     test_point();
+    folder_remove();
     return check_failures != 0;
 }

@@ -4,112 +4,24 @@
  * to half a unit of the last one.
  */
 #include "check.h"
+#include "papers.h"
 #include "shapes.h"
 
 #include "taut/measure.h"
 
-/* [WuWang2011] section 4, Examples 1 to 4, with the inner points that its reference finds. */
+/* What [WuWang2011] section 4 says of its Examples 1 to 4. */
 typedef struct dirichlet_example {
     const char *name;
-    int degree, nu, nv;
-    double points[20][3];
     double energy, area, area_tolerance;
     double max_mean, max_mean_tolerance, at[2]; /* and images under the symmetries */
     double mean_mean;
 } dirichlet_example;
 
-#define Q (43.0 / 156)
-#define S (3.0 / 7)
-#define T (2.0 / 7)
-#define X2 (12907.0 / 38283)
-#define Y2 (409.0 / 546)
-#define Z2 (1576.0 / 6733)
-#define X3 (13327.0 / 38283)
-#define Z3 (9057.0 / 47131)
-
 static const dirichlet_example examples[4] = {
-    {"Example 1",
-     2,
-     3,
-     3,
-     {{-1, -1, 0},
-      {-1, 0, 1},
-      {-1, 1, 0},
-      {0, -1, 1},
-      {0, 0, -0.5},
-      {0, 1, 1},
-      {1, -1, 0},
-      {1, 0, 1},
-      {1, 1, 0}},
-     38.0 / 9,
-     4.1997155355182,
-     5e-14,
-     0.39921311,
-     5e-9,
-     {0, 0.3371},
-     0.174553},
-    {"Example 2",
-     2,
-     4,
-     4,
-     {{-1, -1, 0},
-      {-1, -.5, .5},
-      {-1, .5, .5},
-      {-1, 1, 0},
-      {-.5, -1, .5},
-      {-.5, -.5, .375},
-      {-.5, .5, .375},
-      {-.5, 1, .5},
-      {.5, -1, .5},
-      {.5, -.5, .375},
-      {.5, .5, .375},
-      {.5, 1, .5},
-      {1, -1, 0},
-      {1, -.5, .5},
-      {1, .5, .5},
-      {1, 1, 0}},
-     38.0 / 9,
-     4.1997155355182,
-     5e-14,
-     0.39921311,
-     5e-9,
-     {0, 0.3371},
-     0.174553},
-    {"Example 3",
-     3,
-     4,
-     4,
-     {{-1, -1, 0},
-      {-1, -.5, .5},
-      {-1, .5, .5},
-      {-1, 1, 0},
-      {-.5, -1, .5},
-      {-Q, -Q, 1.0 / 6},
-      {-Q, Q, 1.0 / 6},
-      {-.5, 1, .5},
-      {.5, -1, .5},
-      {Q, -Q, 1.0 / 6},
-      {Q, Q, 1.0 / 6},
-      {.5, 1, .5},
-      {1, -1, 0},
-      {1, -.5, .5},
-      {1, .5, .5},
-      {1, 1, 0}},
-     4307.0 / 1040,
-     4.1071898980869,
-     5e-14,
-     0.27494852,
-     5e-9,
-     {0.1926, 1},
-     0.118517},
+    {"Example 1", 38.0 / 9, 4.1997155355182, 5e-14, 0.39921311, 5e-9, {0, 0.3371}, 0.174553},
+    {"Example 2", 38.0 / 9, 4.1997155355182, 5e-14, 0.39921311, 5e-9, {0, 0.3371}, 0.174553},
+    {"Example 3", 4307.0 / 1040, 4.1071898980869, 5e-14, 0.27494852, 5e-9, {0.1926, 1}, 0.118517},
     {"Example 4",
-     3,
-     4,
-     5,
-     {{-1, -1, 0}, {-1, -S, T},    {-1, 0, 1},   {-1, S, T},    {-1, 1, 0},
-      {-S, -1, T}, {-X2, -Y2, Z2}, {-X3, 0, Z3}, {-X2, Y2, Z2}, {-S, 1, T},
-      {S, -1, T},  {X2, -Y2, Z2},  {X3, 0, Z3},  {X2, Y2, Z2},  {S, 1, T},
-      {1, -1, 0},  {1, -S, T},     {1, 0, 1},    {1, S, T},     {1, 1, 0}},
      346241839241.0 / 78187029830.0,
      4.2939345417597,
      5e-14,
@@ -133,8 +45,9 @@ static void test_dirichlet_examples(void)
 {
     for (int i = 0; i < 4; i++) {
         const dirichlet_example *x = &examples[i];
-        taut_surface *s = shape_surface(shape_bspline(x->degree, x->nu),
-                                        shape_bspline(x->degree, x->nv), x->points[0], NULL);
+        const paper_net *net = &wuwang2011[i];
+        taut_surface *s = shape_surface(shape_bspline(net->degree, net->nu),
+                                        shape_bspline(net->degree, net->nv), net->points[0], NULL);
         taut_surface_measure m;
         CHECK(taut_measure_surface(s, NULL, &m, NULL) == TAUT_OK, "%s", x->name);
         CHECK_NEAR(m.dirichlet_energy, x->energy, 1e-14, "%s", x->name);
@@ -154,75 +67,15 @@ static void test_dirichlet_examples(void)
 /* [NiWang2015] section 4: P, its extension Q and both merged, H over the unit square. */
 typedef struct harmonic_example {
     const char *name;
-    double points[16][3];
+    const double (*points)[3];
     double energy;                  /* NaN: not given */
     double area, e_minus_g, four_f; /* iint (E-G)^2, iint 4 F^2 */
 } harmonic_example;
 
 static const harmonic_example harmonic[3] = {
-    {"P",
-     {{-1, 0, 1},
-      {-1, .75, 1},
-      {-.5, 1.25, 1},
-      {.5, 1.25, 1},
-      {-5. / 12, -.2, 2. / 3},
-      {-5. / 12, 16. / 45, 2. / 3},
-      {0, 32. / 45, 2. / 3},
-      {5. / 6, 19. / 30, 2. / 3},
-      {-1. / 3, -.15, 1. / 3},
-      {-1. / 3, 53. / 180, 1. / 3},
-      {0, 53. / 90, 1. / 3},
-      {2. / 3, 31. / 60, 1. / 3},
-      {-.5, 0, 0},
-      {-.5, .4, 0},
-      {-.25, .7, 0},
-      {.25, .7, 0}},
-     397961. / 168000,
-     2.21140219258,
-     1.70680531569,
-     1.83434929463},
-    {"Q",
-     {{-.5, 0, 0},
-      {-.5, .4, 0},
-      {-.25, .7, 0},
-      {.25, .7, 0},
-      {-2. / 3, .15, -1. / 3},
-      {-2. / 3, 91. / 180, -1. / 3},
-      {-.5, 73. / 90, -1. / 3},
-      {-1. / 6, 53. / 60, -1. / 3},
-      {-13. / 12, .4, -2. / 3},
-      {-13. / 12, 7. / 9, -2. / 3},
-      {-1, 52. / 45, -2. / 3},
-      {-5. / 6, 41. / 30, -2. / 3},
-      {-1.5, .6, -1},
-      {-1.5, 1.05, -1},
-      {-1.5, 1.55, -1},
-      {-1.5, 1.95, -1}},
-     391493. / 168000,
-     1.84846471642,
-     6.95223858409,
-     2.45843256303},
-    {"H",
-     {{-1, 0, 1},
-      {-1, .75, 1},
-      {-.5, 1.25, 1},
-      {.5, 1.25, 1},
-      {1. / 6, -.4, 1. / 3},
-      {1. / 6, -7. / 180, 1. / 3},
-      {.5, 31. / 180, 1. / 3},
-      {7. / 6, 1. / 60, 1. / 3},
-      {-2. / 3, .2, -1. / 3},
-      {-2. / 3, 91. / 180, -1. / 3},
-      {-.5, 137. / 180, -1. / 3},
-      {-1. / 6, 47. / 60, -1. / 3},
-      {-1.5, .6, -1},
-      {-1.5, 1.05, -1},
-      {-1.5, 1.55, -1},
-      {-1.5, 1.95, -1}},
-     NAN,
-     4.05986690901,
-     NAN,
-     NAN},
+    {"P", niwang2015_p, 397961. / 168000, 2.21140219258, 1.70680531569, 1.83434929463},
+    {"Q", niwang2015_q, 391493. / 168000, 1.84846471642, 6.95223858409, 2.45843256303},
+    {"H", niwang2015_h, NAN, 4.05986690901, NAN, NAN},
 };
 
 static void test_harmonic_example(void)

@@ -1,6 +1,9 @@
 /* test_mesh.c -- meshes: topology by counting, distance by evaluation between the lines, normals
  * against closed forms. */
 #include "check.h"
+#include "meshes.h"
+#include "monitors.h"
+#include "shapes.h"
 
 #include "taut/mesh.h"
 
@@ -20,14 +23,6 @@ static taut_basis *bspline(int degree, int count)
     return basis;
 }
 
-static taut_model *model_of(taut_surface *surface)
-{
-    taut_model *model = NULL;
-    CHECK(taut_model_new(&model) == TAUT_OK, "model");
-    CHECK(taut_model_add_surface(model, surface) == TAUT_OK, "add");
-    return model;
-}
-
 /* A net with random heights over the unit square. */
 static taut_surface *hills(const char *name, int degree, int count, double height)
 {
@@ -43,39 +38,6 @@ static taut_surface *hills(const char *name, int degree, int count, double heigh
     taut_basis_free(basis);
     free(points);
     return surface;
-}
-
-/* The octant of the unit sphere as a rational biquadratic patch, its edge v1 the pole. */
-static taut_surface *octant(void)
-{
-    const double r = sqrt(0.5);
-    const double circle[3][2] = {{1, 0}, {1, 1}, {0, 1}};
-    const double w[3] = {1, r, 1};
-    const taut_basis_spec spec = {.type = "bezier", .degree = 2};
-    double points[9][3], weights[9];
-    taut_basis *basis = NULL;
-    taut_surface *surface = NULL;
-    for (int i = 0; i < 9; i++) {
-        points[i][0] = circle[i / 3][0] * circle[i % 3][0];
-        points[i][1] = circle[i / 3][1] * circle[i % 3][0];
-        points[i][2] = circle[i % 3][1];
-        weights[i] = w[i / 3] * w[i % 3];
-    }
-    CHECK(taut_basis_new(&spec, 3, &basis, NULL) == TAUT_OK, "basis");
-    CHECK(taut_surface_new("octant", basis, basis, &points[0][0], weights, &surface, NULL) ==
-              TAUT_OK,
-          "octant");
-    taut_basis_free(basis);
-    return surface;
-}
-
-static taut_mesh *mesh_of(const taut_model *model, double tolerance, int divide)
-{
-    const taut_mesh_options options = {.tolerance = tolerance, .divide = divide};
-    taut_mesh *mesh = NULL;
-    taut_error error = {.status = TAUT_OK};
-    CHECK(taut_mesh_new(model, &options, &mesh, &error) == TAUT_OK, "%s", error.message);
-    return mesh;
 }
 
 /* The squared distance of p from the triangle a b c: the nearest point is inside, on an edge or a
@@ -166,7 +128,7 @@ static void test_tolerance(void)
         const int degree = random_int(1, 5);
         const double tolerance = random_log(2e-4, 2e-2);
         taut_surface *surface = hills("hills", degree, degree + random_int(1, 6), 0.3);
-        taut_model *model = model_of(surface);
+        taut_model *model = shape_model(surface);
         taut_mesh *mesh = mesh_of(model, tolerance, 0);
         const double worst = worst_distance(model, mesh) / size_of(mesh);
         CHECK(worst <= tolerance, "degree %d: %g of %g", degree, worst, tolerance);
@@ -180,7 +142,7 @@ static void test_tolerance(void)
 /* Every vertex of the sphere lies on it, its normal is the radius, also at the pole. */
 static void test_sphere(void)
 {
-    taut_model *model = model_of(octant());
+    taut_model *model = shape_model(shape_octant(1));
     taut_mesh *mesh = mesh_of(model, 0, 0);
     const double *x = taut_mesh_positions(mesh), *n = taut_mesh_normals(mesh);
     const double worst = worst_distance(model, mesh) / sqrt(3);
@@ -206,7 +168,7 @@ static void test_topology(void)
     const double points[8][3] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 0},
                                  {2, 0, 0}, {2, 1, 1}, {3, 0, 0}, {3, 1, 0}};
     CHECK(taut_surface_new("", u, v, &points[0][0], NULL, &surface, NULL) == TAUT_OK, "surface");
-    taut_model *model = model_of(surface);
+    taut_model *model = shape_model(surface);
     taut_mesh *mesh = mesh_of(model, 0, 3);
     const taut_mesh_group *group = taut_mesh_group_at(mesh, 0);
     const size_t quads = taut_mesh_quad_count(mesh), vertices = taut_mesh_vertex_count(mesh);
@@ -264,7 +226,7 @@ static void test_degenerate(void)
         }
         CHECK(taut_surface_new("", basis, basis, &points[0][0], NULL, &surface, NULL) == TAUT_OK,
               "surface");
-        taut_model *model = model_of(surface);
+        taut_model *model = shape_model(surface);
         taut_mesh *mesh = mesh_of(model, 0, 0);
         const double *n = taut_mesh_normals(mesh);
         CHECK(taut_mesh_quad_count(mesh) == 4, "%zu quads", taut_mesh_quad_count(mesh));
@@ -279,7 +241,7 @@ static void test_degenerate(void)
 
 static void test_many_surfaces(void)
 {
-    taut_model *model = model_of(hills("a", 3, 5, 0.1));
+    taut_model *model = shape_model(hills("a", 3, 5, 0.1));
     taut_mesh *mesh = NULL;
     CHECK(taut_model_add_surface(model, hills("b", 2, 4, 0.1)) == TAUT_OK, "b");
     mesh = mesh_of(model, 0, 2);
@@ -297,19 +259,12 @@ static void test_many_surfaces(void)
     taut_model_free(model);
 }
 
-static int stop(void *context, double done, const char *what)
-{
-    (void)context;
-    (void)done;
-    (void)what;
-    return 1;
-}
-
 static void test_refusals(void)
 {
-    taut_model *model = model_of(hills("a", 3, 5, 0.1)), *none = NULL;
+    taut_model *model = shape_model(hills("a", 3, 5, 0.1)), *none = NULL;
     taut_mesh *mesh = NULL;
     taut_error error = {.status = TAUT_OK};
+    watch once = {.stop_at = 1};
     CHECK(taut_model_new(&none) == TAUT_OK, "model");
     CHECK(taut_mesh_new(none, NULL, &mesh, &error) == TAUT_NO_SOLUTION, "no surface");
     CHECK(taut_mesh_new(model, &(taut_mesh_options){.tolerance = 1e-18}, &mesh, &error) ==
@@ -328,7 +283,7 @@ static void test_refusals(void)
     CHECK(taut_mesh_new(model, &(taut_mesh_options){.divide = -1}, &mesh, NULL) ==
               TAUT_BAD_ARGUMENT,
           "divide");
-    CHECK(taut_mesh_new(model, &(taut_mesh_options){.monitor = {stop, NULL}}, &mesh, NULL) ==
+    CHECK(taut_mesh_new(model, &(taut_mesh_options){.monitor = monitor_of(&once)}, &mesh, NULL) ==
               TAUT_INTERRUPTED,
           "stopped");
     CHECK(mesh == NULL && taut_mesh_new(NULL, NULL, &mesh, NULL) == TAUT_BAD_ARGUMENT, "NULL");
@@ -363,7 +318,7 @@ static void test_graded_knots(void)
         CHECK(taut_basis_new(&spec, 0, &basis, NULL) == TAUT_OK, "basis %d", k);
         CHECK(taut_surface_new("", basis, basis, &points[0][0], NULL, &surface, NULL) == TAUT_OK,
               "surface %d", k);
-        taut_model *model = model_of(surface);
+        taut_model *model = shape_model(surface);
         CHECK(taut_mesh_new(model, NULL, &mesh, NULL) == TAUT_OK, "mesh %d", k);
         counts[k] = mesh != NULL ? taut_mesh_vertex_count(mesh) : 0;
         taut_mesh_free(mesh);
@@ -393,7 +348,7 @@ static void test_extreme_sizes(void)
         CHECK(taut_surface_new("hills", taut_surface_u(surface), taut_surface_v(surface),
                                &points[0][0], NULL, &large, NULL) == TAUT_OK,
               "2^%d", powers[k]);
-        taut_model *models[2] = {model_of(surface), model_of(large)};
+        taut_model *models[2] = {shape_model(surface), shape_model(large)};
         for (int m = 0; m < 2; m++) {
             taut_error error = {.status = TAUT_OK};
             CHECK(taut_mesh_new(models[m], NULL, &meshes[m], &error) == TAUT_OK, "2^%d: %s",

@@ -1,6 +1,7 @@
 /* test_weld.c -- meshes of several surfaces are closed where the surfaces are: every edge between
  * two places is run once in each sense, and the volume is that of the body. */
 #include "check.h"
+#include "meshes.h"
 #include "shapes.h"
 
 #include "taut/mesh.h"
@@ -19,15 +20,6 @@ static taut_model *new_model(void)
 static void add(taut_model *model, taut_surface *surface)
 {
     CHECK(taut_model_add_surface(model, surface) == TAUT_OK, "add");
-}
-
-static taut_mesh *mesh_of(const taut_model *model, double tolerance, int divide)
-{
-    const taut_mesh_options options = {.tolerance = tolerance, .divide = divide};
-    taut_mesh *mesh = NULL;
-    taut_error error = {.status = TAUT_OK};
-    CHECK(taut_mesh_new(model, &options, &mesh, &error) == TAUT_OK, "%s", error.message);
-    return mesh;
 }
 
 /* A run from one place to another: from, to, and how often. */

@@ -146,21 +146,9 @@ static void test_extremes(void)
 static void test_far_net(void)
 {
     for (int k = 0; k < 2; k++) {
-        double points[9][3], weights[9];
+        const double middle[3] = {0, 0, k == 0 ? 2.9 : 1e6};
         size_t length = 0;
-        taut_model *model = NULL;
-        for (int i = 0; i < 9; i++) {
-            points[i][0] = i / 3 - 1.0;
-            points[i][1] = i % 3 - 1.0;
-            points[i][2] = 0;
-            weights[i] = i == 4 ? 1e-9 : 1;
-        }
-        points[4][2] = k == 0 ? 2.9 : 1e6;
-        CHECK(taut_model_new(&model) == TAUT_OK, "model");
-        CHECK(taut_model_add_surface(model,
-                                     shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, 0, 1),
-                                                   &points[0][0], weights)) == TAUT_OK,
-              "add");
+        taut_model *model = shape_model(shape_far_net(middle));
         char *text = data_of(model, &(taut_write_options){.title = NULL}, &length);
         CHECK((strstr(text, "1 of 1 control nets left out") != NULL) == (k == 1), "reach %d", k);
         CHECK((strstr(text, "\"nu\": 3") != NULL) == (k == 0), "reach %d: points", k);

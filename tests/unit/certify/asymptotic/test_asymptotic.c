@@ -2,6 +2,7 @@
  * checked, bounds what it says it bounds, and each claim fails on a model that is wrong by ten
  * times its limit. */
 #include "asymptotic.h"
+#include "certificates.h"
 #include "check.h"
 
 #include "certify/asymptotic/identity.h"
@@ -119,9 +120,8 @@ static taut_model *changed(const taut_model *model, const change *c)
 static int holds(const taut_model *model, const taut_asymptotic_problem *problem, const char *name)
 {
     taut_certificate *certificate = asymptotic_certify(model, problem, name);
-    const taut_claim *claim = asymptotic_claim(certificate, name);
-    const int verdict = claim != NULL && claim->holds == TAUT_TRUE;
-    CHECK(claim != NULL, "%s", name);
+    const int verdict = claim_of(certificate, name)->holds == TAUT_TRUE;
+    CHECK(has_claim(certificate, name), "%s", name);
     taut_certificate_free(certificate);
     return verdict;
 }
@@ -175,8 +175,8 @@ static void test_straight_explains_nothing(void)
         const change what = {i, 1, 2, 1e-12};
         taut_model *wrong = changed(model, &what);
         taut_certificate *certificate = asymptotic_certify(wrong, &problem, "ruled and wrong");
-        CHECK(asymptotic_claim(certificate, "asymptotic")->holds == TAUT_FALSE &&
-                  asymptotic_claim(certificate, "osculating")->holds == TAUT_FALSE,
+        CHECK(claim_of(certificate, "asymptotic")->holds == TAUT_FALSE &&
+                  claim_of(certificate, "osculating")->holds == TAUT_FALSE,
               "not false, point %d", i);
         taut_certificate_free(certificate);
         taut_model_free(wrong);
@@ -206,7 +206,7 @@ static void test_far_claims_fail(void)
         taut_model *wrong = changed(model, &cases[k].what);
         taut_certificate *certificate = asymptotic_certify(wrong, &problem, "far and wrong");
         CHECK(holds(model, &problem, cases[k].claim), "%s holds to begin with", cases[k].claim);
-        CHECK(asymptotic_claim(certificate, cases[k].claim)->holds == TAUT_FALSE,
+        CHECK(claim_of(certificate, cases[k].claim)->holds == TAUT_FALSE,
               "%s is not false, case %zu", cases[k].claim, k);
         taut_certificate_free(certificate);
         taut_model_free(wrong);
@@ -293,9 +293,9 @@ static void test_singular(void)
     problem.report_singular = 1;
     model = asymptotic_make(&problem, "example 3");
     certificate = asymptotic_certify(model, &problem, "example 3");
-    regular = asymptotic_claim(certificate, "regular");
+    regular = claim_of(certificate, "regular");
     CHECK(regular->holds == TAUT_FALSE && regular->residual < 1e-9, "%g", regular->residual);
-    CHECK(asymptotic_claim(certificate, "asymptotic")->holds == TAUT_TRUE, "regular points");
+    CHECK(claim_of(certificate, "asymptotic")->holds == TAUT_TRUE, "regular points");
     CHECK(strstr(regular->where, "0.811599") != NULL || strstr(regular->where, "0.911183") != NULL,
           "%s", regular->where);
     for (int e = 0; e < 4; e++) {

@@ -1,4 +1,5 @@
 /* test_dirichlet.c -- what the certificate of a Dirichlet surface accepts, and what it must not. */
+#include "certificates.h"
 #include "check.h"
 #include "problems.h"
 
@@ -7,17 +8,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-
-static const taut_claim *claim_of(const taut_certificate *certificate, const char *name)
-{
-    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
-        const taut_claim *claim = taut_certificate_claim(certificate, i);
-        if (strcmp(claim->claim, name) == 0) {
-            return claim;
-        }
-    }
-    return NULL;
-}
 
 static taut_certificate *certify(const taut_model *model, const test_problem *problem)
 {
@@ -175,7 +165,7 @@ static void test_model_alone(void)
     taut_certificate *certificate = certify(model, NULL);
     taut_error error = {0};
     CHECK(taut_certificate_holds(certificate) == TAUT_TRUE, "boundary");
-    CHECK(claim_of(certificate, "known") == NULL, "nothing to compare with");
+    CHECK(!has_claim(certificate, "known"), "nothing to compare with");
     taut_certificate_free(certificate);
     taut_model_free(model);
 

@@ -1,5 +1,6 @@
 /* test_fit.c -- the error a pipe's certificate states is none below what is there: against
  * samples eight times as dense, with the axis sought from the curve alone. */
+#include "certificates.h"
 #include "check.h"
 
 #include "core/vec3.h"
@@ -64,8 +65,7 @@ static void test_error(void)
         }
         CHECK(taut_pipe_certify(model, &problem, &proof, &certificate, NULL) == TAUT_OK, "proof");
         const double found = error_of(model, problem.radius);
-        const double told =
-            taut_record_number(taut_record_get(taut_certificate_figures(certificate), "fit_error"));
+        const double told = figure_of(certificate, "fit_error");
         CHECK(found <= told, "trial %d: found %.6g, told %.6g", trial, found, told);
         CHECK(told <= options.tolerance, "trial %d: told %.6g", trial, told);
         least = fmin(least, found / told);

@@ -1,5 +1,6 @@
 /* test_pipe.c -- every claim about a pipe fails on a model perturbed by ten times its limit, and
  * figures come from the model alone. */
+#include "certificates.h"
 #include "check.h"
 
 #include "core/vec3.h"
@@ -62,17 +63,6 @@ static taut_model *changed(const taut_model *model, const change *c)
           "axis");
     taut_basis_free(basis);
     return copy;
-}
-
-static const taut_claim *claim_of(const taut_certificate *certificate, const char *name)
-{
-    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
-        if (strcmp(taut_certificate_claim(certificate, i)->claim, name) == 0) {
-            return taut_certificate_claim(certificate, i);
-        }
-    }
-    CHECK(0, "no claim %s", name);
-    return NULL;
 }
 
 /* The claim holds on the model, and not on the changed one. */
@@ -139,8 +129,7 @@ static void test_embedded(void)
     problem.shape = TAUT_PIPE_SHAPE_GIVEN;
     CHECK(taut_pipe_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
     CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proved");
-    const double rho = taut_record_number(
-        taut_record_get(taut_certificate_figures(certificate), "largest_radius"));
+    const double rho = figure_of(certificate, "largest_radius");
     CHECK_NEAR(claim_of(certificate, "embedded")->residual, 1 / rho, 1e-15, "ratio");
     taut_certificate_free(certificate);
     for (int above = 0; above < 2; above++) {

@@ -2,6 +2,7 @@
  */
 #include "asymptotic.h"
 #include "check.h"
+#include "monitors.h"
 
 #include "construct/asymptotic/conditions.h"
 #include "construct/asymptotic/quartic_search.h"
@@ -398,23 +399,15 @@ static void test_refusals(void)
            (wrong){"singular", TAUT_NO_SOLUTION, "", "edge v0 is singular at parameter 0.811599"});
 }
 
-static int stop_at_once(void *context, double done, const char *what)
-{
-    (void)done;
-    (void)what;
-    ++*(int *)context;
-    return 1;
-}
-
 static void test_interrupted(void)
 {
     const taut_asymptotic_problem problem = asymptotic_example(1, NULL);
-    int calls = 0;
-    const taut_make_options options = {.monitor = {stop_at_once, &calls}};
+    watch once = {.stop_at = 1};
+    const taut_make_options options = {.monitor = monitor_of(&once)};
     taut_model *model = NULL;
     taut_error error;
     CHECK(taut_asymptotic_make(&problem, &options, &model, &error) == TAUT_INTERRUPTED, "stopped");
-    CHECK(calls == 1 && model == NULL, "%d calls", calls);
+    CHECK(once.reports == 1 && model == NULL, "%d reports", once.reports);
 }
 
 int main(void)

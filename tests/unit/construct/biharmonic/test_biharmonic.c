@@ -1,5 +1,7 @@
 /* test_biharmonic.c -- biharmonic surfaces from four rows and their neighbours: closed forms,
  * harmonic surfaces given back, certificates over random data, and refusals. */
+#include "bezier_net.h"
+#include "certificates.h"
 #include "check.h"
 #include "shapes.h"
 
@@ -11,42 +13,15 @@
 
 #include <string.h>
 
-enum { SIZE = 26 };
-
-typedef struct net {
-    taut_basis *u, *v;
-    double points[SIZE * SIZE * 3];
-    unsigned char known[SIZE * SIZE];
-    int n;
-} net;
-
-static void start(net *g, int n, double across, double along)
+/* All four rows known. */
+static void start(bezier_net *g, int n, double across, double along)
 {
-    memset(g, 0, sizeof *g);
-    g->n = n;
-    g->u = shape_bezier(n, 1, 1 + across);
-    g->v = shape_bezier(n, -2, -2 + along);
-    for (int i = 0; i <= n; i++) {
-        for (int j = 0; j <= n; j++) {
-            g->known[i * (n + 1) + j] = i == 0 || j == 0 || i == n || j == n;
-        }
-    }
+    const double u[2] = {1, 1 + across}, v[2] = {-2, -2 + along};
+    bezier_net_start(g, n, n, u, v);
+    bezier_net_know(g, BEZIER_NET_FRAME);
 }
 
-static void fill(net *g, double offset, double size)
-{
-    for (int k = 0; k < 3 * (g->n + 1) * (g->n + 1); k++) {
-        g->points[k] = offset + size * random_in(-1, 1);
-    }
-}
-
-static void end(net *g)
-{
-    taut_basis_free(g->u);
-    taut_basis_free(g->v);
-}
-
-static taut_biharmonic_problem rows_of(const net *g)
+static taut_biharmonic_problem rows_of(const bezier_net *g)
 {
     taut_biharmonic_problem problem;
     memset(&problem, 0, sizeof problem);
@@ -70,31 +45,21 @@ static taut_model *make(const taut_biharmonic_problem *problem, const char *what
 static int prove(const taut_model *model, const taut_biharmonic_problem *data, const char *name,
                  double *slack)
 {
-    taut_problem *problem = NULL;
-    taut_certificate *certificate = NULL;
-    int verdict = -1;
-    CHECK(taut_problem_new(TAUT_CONSTRUCT_INDEX_biharmonic, &problem) == TAUT_OK, "problem");
-    problem->data = data;
-    CHECK(taut_certify(model, problem, NULL, &certificate, NULL) == TAUT_OK, "certify");
-    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
-        const taut_claim *c = taut_certificate_claim(certificate, i);
-        if (strcmp(c->claim, name) == 0) {
-            verdict = (int)c->holds;
-            *slack = c->limit > 0 ? c->residual / c->limit : c->residual;
-        }
-    }
+    taut_certificate *certificate = certificate_of(model, TAUT_CONSTRUCT_INDEX_biharmonic, data);
+    const taut_claim *c = claim_of(certificate, name);
+    const int verdict = has_claim(certificate, name) ? (int)c->holds : -1;
+    *slack = c->limit > 0 ? c->residual / c->limit : c->residual;
     taut_certificate_free(certificate);
-    taut_problem_free(problem);
     return verdict;
 }
 
 /* The masks of [NiWang2015] section 8.4. */
 static void test_masks(void)
 {
-    static net g;
+    static bezier_net g;
     for (int n = 2; n <= 3; n++) {
         start(&g, n, 1, 1);
-        fill(&g, 0, 1);
+        bezier_net_fill(&g, 0, 1);
         const taut_biharmonic_problem problem = rows_of(&g);
         taut_model *model = make(&problem, "mask");
         const double *p = taut_surface_points(taut_model_surface(model, 0));
@@ -109,48 +74,40 @@ static void test_masks(void)
             CHECK_NEAR(p[3 * (n + 2) + c], wanted, 4e-16, "n=%d c=%d", n, c);
         }
         taut_model_free(model);
-        end(&g);
+        bezier_net_end(&g);
     }
 }
 
 /* The four rows of a harmonic surface, over any rectangle: the same surface. */
 static void test_harmonic(void)
 {
-    static net g;
+    static bezier_net g;
     for (int n = 1; n <= 11; n += 2) {
         taut_harmonic_problem harmonic;
         taut_model *wanted = NULL;
         start(&g, n, 1, random_log(0.5, 2));
-        fill(&g, 0, 1);
+        bezier_net_fill(&g, 0, 1);
         memset(&harmonic, 0, sizeof harmonic);
         harmonic.u = g.u;
         harmonic.v = g.v;
         harmonic.points = g.points;
         harmonic.known = g.known;
-        for (int i = 1; i < n; i++) {
-            g.known[i * (n + 1)] = g.known[i * (n + 1) + n] = 0;
-        }
+        bezier_net_know(&g, BEZIER_NET_ROWS);
         CHECK(taut_harmonic_make(&harmonic, NULL, &wanted, NULL) == TAUT_OK, "n=%d", n);
         const double *expected = taut_surface_points(taut_model_surface(wanted, 0));
         memcpy(g.points, expected, 3 * (size_t)((n + 1) * (n + 1)) * sizeof(double));
-        for (int i = 1; i < n; i++) {
-            g.known[i * (n + 1)] = g.known[i * (n + 1) + n] = 1;
-        }
+        bezier_net_know(&g, BEZIER_NET_FRAME);
         const taut_biharmonic_problem problem = rows_of(&g);
         taut_model *model = make(&problem, "harmonic");
-        const double *found = taut_surface_points(taut_model_surface(model, 0));
-        const double grows =
-            taut_record_number(taut_record_get(taut_model_details(model), "amplification"));
-        double largest = 0, apart = 0;
-        for (int k = 0; k < 3 * (n + 1) * (n + 1); k++) {
-            largest = fmax(largest, fabs(expected[k]));
-            apart = fmax(apart, fabs(found[k] - expected[k]));
-        }
+        const double grows = detail_of(model, "amplification");
+        double largest = 0;
+        const double apart =
+            shape_apart(taut_model_surface(wanted, 0), taut_model_surface(model, 0), &largest);
         CHECK(apart <= (1 + grows) * 0x1p-52 * largest, "n=%d: %.3g of the largest, growth %.3g", n,
               apart / largest, grows);
         taut_model_free(wanted);
         taut_model_free(model);
-        end(&g);
+        bezier_net_end(&g);
     }
 }
 
@@ -172,7 +129,7 @@ static taut_model *moved(const taut_model *model, double by)
 {
     const int last = taut_model_surface_count(model) - 1;
     taut_model *other = NULL;
-    double points[SIZE * SIZE * 3];
+    double points[3 * BEZIER_NET_SIZE * BEZIER_NET_SIZE];
     taut_surface *surface = NULL;
 
     CHECK(taut_model_new(&other) == TAUT_OK, "model");
@@ -201,13 +158,13 @@ static double energy_of(const taut_surface *surface)
  * neighbour is not above that of the surface carried on, which meets it C^infinity. */
 static void test_random(void)
 {
-    static net g;
+    static bezier_net g;
     double worst[4] = {0, 0, 0, 0};
     for (int trial = 0; trial < random_trials(60); trial++) {
         const int n = random_int(2, 9), far = trial % 6 == 0;
         const double size = far ? 1 : random_log(1e-3, 1e3);
         start(&g, n, random_log(0.5, 2), random_log(0.5, 2));
-        fill(&g, far ? 1e8 : 0, size);
+        bezier_net_fill(&g, far ? 1e8 : 0, size);
         const taut_biharmonic_problem problem = rows_of(&g);
         taut_model *model = make(&problem, "rows");
         const taut_surface *p = taut_model_surface(model, 0);
@@ -239,7 +196,7 @@ static void test_random(void)
         CHECK(energies[0] <= energies[1] * (1 + 1e-9), "n=%d: C^1 %g, C^2 %g", n, energies[0],
               energies[1]);
         taut_model_free(model);
-        end(&g);
+        bezier_net_end(&g);
     }
     for (int k = 0; k < 4; k++) {
         CHECK(worst[k] <= 1 && (k == 1 || worst[k] > 1e-3), "claim %d: up to %.3g of the limit", k,
@@ -287,11 +244,11 @@ static void test_not_least(void)
 /* One point, a segment, a plane; the bilinear case with its neighbours: no NaN, no refusal. */
 static void test_degenerate(void)
 {
-    static net g;
+    static bezier_net g;
     double worst[4] = {0, 0, 0, 0};
     for (int kind = 0; kind < 4; kind++) {
         start(&g, kind == 3 ? 1 : 4, 1, 2);
-        fill(&g, kind == 0 ? 1e8 : 0, kind == 0 ? 0 : 1);
+        bezier_net_fill(&g, kind == 0 ? 1e8 : 0, kind == 0 ? 0 : 1);
         for (int k = 0; k < (g.n + 1) * (g.n + 1); k++) {
             for (int c = kind == 1 ? 1 : 2; (kind == 1 || kind == 2) && c < 3; c++) {
                 g.points[3 * k + c] = 0;
@@ -310,13 +267,8 @@ static void test_degenerate(void)
             taut_model_free(pair);
         }
         taut_model_free(model);
-        end(&g);
+        bezier_net_end(&g);
     }
-}
-
-static double amplification_of(const taut_model *model)
-{
-    return taut_record_number(taut_record_get(taut_model_details(model), "amplification"));
 }
 
 /* Where nothing is free the net is de Casteljau's: (1 + 2 h)^n times the rows. Else no net is
@@ -329,15 +281,15 @@ static void test_amplification(void)
         for (int trial = 0; trial < 40; trial++) {
             taut_biharmonic_problem next = {.edge = TAUT_EDGE_U1, .width = width, .contact = 2};
             taut_model *model = NULL, *pair = NULL;
-            net g;
+            bezier_net g;
             double given = 0, beyond = 0;
             start(&g, n, 1, 1);
-            fill(&g, 0, 1);
+            bezier_net_fill(&g, 0, 1);
             const taut_biharmonic_problem rows = rows_of(&g);
             model = make(&rows, "rows");
             next.surface = taut_model_surface(model, 0);
             pair = make(&next, "neighbour");
-            told = amplification_of(pair);
+            told = detail_of(pair, "amplification");
             for (int k = 0; k < 3 * (n + 1) * (n + 1); k++) {
                 const double p = fabs(taut_surface_points(next.surface)[k]);
                 given = k / 3 / (n + 1) >= n - 2 ? fmax(given, p) : given;
@@ -346,7 +298,7 @@ static void test_amplification(void)
             most = fmax(most, beyond / given);
             taut_model_free(pair);
             taut_model_free(model);
-            end(&g);
+            bezier_net_end(&g);
         }
         CHECK(most <= told * (1 + 1e-12), "n=%d: grew %.17g, told %.17g", n, most, told);
         CHECK(most >= 0.02 * told, "n=%d: grew %.17g, told %.17g", n, most, told);
@@ -367,7 +319,7 @@ static void refused(const taut_biharmonic_problem *problem, taut_status wanted, 
 
 static void test_refusals(void)
 {
-    static net g;
+    static bezier_net g;
     taut_biharmonic_problem problem;
     double points[75];
     taut_surface *random = NULL;
@@ -375,11 +327,11 @@ static void test_refusals(void)
     start(&g, 18, 1, 1); /* 4.5e11 there */
     problem = rows_of(&g);
     refused(&problem, TAUT_NO_SOLUTION, "rounding");
-    end(&g);
+    bezier_net_end(&g);
     start(&g, 25, 1, 1); /* too high to tell */
     problem = rows_of(&g);
     refused(&problem, TAUT_NO_SOLUTION, "four rows of degree 25 would grow more than 1e+11 times");
-    end(&g);
+    bezier_net_end(&g);
     refused(NULL, TAUT_BAD_ARGUMENT, "two bases and points, or a surface");
     start(&g, 3, 1, 1);
     for (int k = 0; k < 2; k++) {
@@ -389,7 +341,7 @@ static void test_refusals(void)
         refused(&problem, TAUT_BAD_INPUT, "type \"bezier\"");
         taut_basis_free(other);
     }
-    end(&g);
+    bezier_net_end(&g);
     start(&g, 3, 1, 1);
     problem = rows_of(&g);
     g.known[5] = 1;
@@ -402,7 +354,7 @@ static void test_refusals(void)
         g.known[k] = k / 3 == 0 || k / 3 == 3 || k % 3 != 1;
     }
     refused(&problem, TAUT_NO_SOLUTION, "raise the lower");
-    end(&g);
+    bezier_net_end(&g);
     for (int k = 0; k < 75; k++) {
         points[k] = random_in(-1, 1);
     }

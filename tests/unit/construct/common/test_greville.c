@@ -2,7 +2,9 @@
  *
  * links: flint-arb flint mpfr gmp
  */
+#include "bases.h"
 #include "check.h"
+#include "shapes.h"
 
 #include "construct/common/greville.h"
 
@@ -12,35 +14,22 @@
 enum { BITS = 2400, COUNT_MAX = 40 };
 static const double pi = 3.14159265358979311600;
 
-static taut_basis *make(const taut_basis_spec *spec)
-{
-    taut_basis *basis = NULL;
-    taut_error error = {.message = ""};
-    CHECK(taut_basis_new(spec, 0, &basis, &error) == TAUT_OK, "%s: %s", spec->type, error.message);
-    return basis;
-}
-
 static taut_basis *random_basis(double *length)
 {
     static double knots[64];
-    taut_basis_spec spec = {.has_range = 1, .range = {random_in(-3, 3), 0}};
+    static const char *const types[] = {"c-bezier", "c-bspline", "h-bezier", "h-bspline"};
+    const double lo = random_in(-3, 3);
     const int type = random_int(0, 5);
     *length = random_log(1e-3, type < 2 ? 3 : 300);
-    spec.segments = type % 2 == 1 ? random_int(1, 8) : 0;
-    switch (type) {
-    case 0:
-    case 1:
-        spec.type = type == 0 ? "c-bezier" : "c-bspline", spec.alpha = *length;
-        break;
-    case 2:
-    case 3:
-        spec.type = type == 2 ? "h-bezier" : "h-bspline", spec.beta = *length;
-        break;
-    case 4:
-        spec.type = "bezier", spec.degree = random_int(1, 9), spec.segments = 0;
-        break;
-    default:
-        spec = (taut_basis_spec){.type = "bspline", .degree = random_int(1, 5)};
+    const int segments = type % 2 == 1 ? random_int(1, 8) : 0;
+    taut_basis_spec spec = {.type = "bspline"};
+    if (type < 4) {
+        spec = spec_of_spans(types[type], *length, segments, lo);
+        spec.has_range = 1;
+    } else if (type == 4) {
+        return shape_bezier(random_int(1, 9), lo, lo + *length);
+    } else {
+        spec.degree = random_int(1, 5);
         spec.knots = knots;
         for (int i = 0; i <= spec.degree; i++) {
             knots[spec.knot_count++] = -2;
@@ -53,8 +42,7 @@ static taut_basis *random_basis(double *length)
             knots[spec.knot_count++] = 10;
         }
     }
-    spec.range[1] = spec.range[0] + *length * (spec.segments > 0 ? spec.segments : 1);
-    return make(&spec);
+    return shape_basis(&spec);
 }
 
 /* sum t_i N_i(t) = t, the outermost points of c- and h-bsplines taken a segment further out. */
@@ -117,7 +105,7 @@ static void test_against_balls(void)
                                       .alpha = hyperbolic ? 0 : length,
                                       .beta = hyperbolic ? length : 0};
         const double k = exact_k(length, hyperbolic);
-        taut_basis *basis = make(&spec);
+        taut_basis *basis = shape_basis(&spec);
         double found[4];
         taut_greville(basis, found);
         CHECK_NEAR(found[1], k, 8 * 0x1p-53 * k, "%s of %.17g", spec.type, length);
@@ -129,7 +117,7 @@ static void test_against_balls(void)
 static void test_ce(void)
 {
     const taut_basis_spec spec = {.type = "ce-bezier", .alpha = 1, .beta = -2};
-    taut_basis *basis = make(&spec);
+    taut_basis *basis = shape_basis(&spec);
     double found[4];
     taut_greville(basis, found);
     for (int i = 0; i < 4; i++) {

@@ -1,6 +1,7 @@
 /* test_workspace.c -- a sequence of Dirichlet problems that shares its factors: the same numbers,
  * bit for bit, as one at a time, whatever came before. */
 #include "check.h"
+#include "monitors.h"
 #include "problems.h"
 
 #include "taut/taut.h"
@@ -98,28 +99,20 @@ static void test_changes(void)
     problem_free(&other);
 }
 
-static int stop_at_once(void *context, double fraction, const char *stage)
-{
-    (void)fraction;
-    (void)stage;
-    ++*(int *)context;
-    return 1;
-}
-
 /* A make that was stopped, or that failed, leaves nothing behind that the next could trip over. */
 static void test_after_failure(void)
 {
-    int calls = 0;
+    watch once = {.stop_at = 1};
     test_problem problem = problem_new(basis_uniform(2, 8), basis_uniform(3, 6));
-    taut_make_options options = {.monitor = {stop_at_once, &calls}};
+    taut_make_options options = {.monitor = monitor_of(&once)};
     taut_model *model = NULL;
 
     CHECK(taut_workspace_new(&options.workspace) == TAUT_OK, "workspace");
     problem_random_boundary(&problem);
     CHECK(taut_dirichlet_make(&problem.data, &options, &model, NULL) == TAUT_INTERRUPTED, "stop");
-    CHECK(calls == 1 && model == NULL, "%d calls", calls);
+    CHECK(once.reports == 1 && model == NULL, "%d reports", once.reports);
     compare(&problem, options.workspace, "after an interrupt");
-    CHECK(calls == 1, "a monitor of before was asked");
+    CHECK(once.reports == 1, "a monitor of before was asked");
     problem.points[0] = 1e308; /* and a scale at the end of the range */
     compare(&problem, options.workspace, "a large point");
     problem.points[0] = nan("");

@@ -1,17 +1,10 @@
 /* test_refused.c -- what a Dirichlet problem refuses, and where numbers of double
  * precision end. */
 #include "check.h"
+#include "monitors.h"
 #include "problems.h"
 
 #include <string.h>
-
-static int stop_at_once(void *context, double done, const char *what)
-{
-    (void)done;
-    (void)what;
-    ++*(int *)context;
-    return 1;
-}
 
 static void expect(const test_problem *problem, taut_status status, const char *where)
 {
@@ -30,7 +23,7 @@ static void test_refusals(void)
     taut_make_options options = {0};
     taut_error error = {0};
     taut_model *model = NULL;
-    int calls = 0;
+    watch once = {.stop_at = 1};
 
     memset(problem.known, 0, 16);
     expect(&problem, TAUT_NO_SOLUTION, "/points");
@@ -55,10 +48,10 @@ static void test_refusals(void)
     problem.data.u = NULL;
     expect(&problem, TAUT_BAD_ARGUMENT, "");
     problem.data.u = problem.u;
-    options.monitor = (taut_monitor){stop_at_once, &calls};
+    options.monitor = monitor_of(&once);
     CHECK(taut_dirichlet_make(&problem.data, &options, &model, &error) == TAUT_INTERRUPTED, "%s",
           error.message);
-    CHECK(calls == 1 && model == NULL, "calls %d", calls);
+    CHECK(once.reports == 1 && model == NULL, "%d reports", once.reports);
     CHECK(taut_dirichlet_make(&problem.data, NULL, NULL, NULL) == TAUT_BAD_ARGUMENT, "no place");
     problem_free(&problem);
 }

@@ -1,5 +1,7 @@
 /* test_limits.c -- harmonic surfaces at the edges of what is legal: far from the origin,
  * one point, collapsed rows, planes, degree 1; and the refusals, each of its own kind. */
+#include "bezier_net.h"
+#include "certificates.h"
 #include "check.h"
 #include "shapes.h"
 
@@ -8,27 +10,13 @@
 
 #include <string.h>
 
-enum { SIZE = 14 };
-
-typedef struct net {
-    taut_basis *u, *v;
-    int n, m;
-    double points[3 * SIZE * SIZE];
-    unsigned char known[SIZE * SIZE];
-} net;
-
-static taut_harmonic_problem start(net *g, int n, int m)
+static taut_harmonic_problem start(bezier_net *g, int n, int m)
 {
+    static const double u[2] = {0, 1}, v[2] = {0, 2};
     taut_harmonic_problem problem;
-    memset(g, 0, sizeof *g);
     memset(&problem, 0, sizeof problem);
-    g->n = n;
-    g->m = m;
-    g->u = shape_bezier(n, 0, 1);
-    g->v = shape_bezier(m, 0, 2);
-    for (int k = 0; k < (n + 1) * (m + 1); k++) {
-        g->known[k] = k / (m + 1) == 0 || k / (m + 1) == n;
-    }
+    bezier_net_start(g, n, m, u, v);
+    bezier_net_know(g, BEZIER_NET_ROWS);
     problem.u = g->u;
     problem.v = g->v;
     problem.points = g->points;
@@ -36,33 +24,22 @@ static taut_harmonic_problem start(net *g, int n, int m)
     return problem;
 }
 
-static void end(net *g)
-{
-    taut_basis_free(g->u);
-    taut_basis_free(g->v);
-}
-
 static void check_proof(const taut_model *model, int construct, const void *data, const char *what)
 {
-    taut_problem *problem = NULL;
-    taut_certificate *certificate = NULL;
-    CHECK(taut_problem_new(construct, &problem) == TAUT_OK, "problem");
-    problem->data = data;
-    CHECK(taut_certify(model, problem, NULL, &certificate, NULL) == TAUT_OK, "%s", what);
+    taut_certificate *certificate = certificate_of(model, construct, data);
     for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
         const taut_claim *c = taut_certificate_claim(certificate, i);
         CHECK(c->residual >= 0 && c->holds != TAUT_FALSE, "%s: %s %g, limit %g, %s", what, c->claim,
               c->residual, c->limit, c->where);
     }
     taut_certificate_free(certificate);
-    taut_problem_free(problem);
 }
 
 static const char *const kinds[] = {
     "far away", "one point", "collapsed rows", "one row a point", "a plane",
     "a line",   "tiny",      "huge",           "next to overflow"};
 
-static void place(net *g, int kind)
+static void place(bezier_net *g, int kind)
 {
     for (int k = 0; k < 3 * (g->n + 1) * (g->m + 1); k++) {
         const int row = k / 3 / (g->m + 1), c = k % 3;
@@ -79,7 +56,7 @@ static void place(net *g, int kind)
 /* Every kind, degrees 1 and up, with and without the unconstrained bidegree; then the extension. */
 static void test_degenerate(void)
 {
-    static net g;
+    static bezier_net g;
     for (int kind = 0; kind < 9; kind++) {
         for (int m = 1; m <= (kind == 8 ? 3 : 7); m++) {
             taut_harmonic_problem problem = start(&g, m % 2 != 0 ? m : m + 1, m);
@@ -107,7 +84,7 @@ static void test_degenerate(void)
             }
             taut_model_free(pair);
             taut_model_free(model);
-            end(&g);
+            bezier_net_end(&g);
         }
     }
 }
@@ -115,7 +92,7 @@ static void test_degenerate(void)
 /* Rows of even degree that agree, far from the origin: not refused for their rounding. */
 static void test_even_far(void)
 {
-    static net g;
+    static bezier_net g;
     for (int m = 2; m <= 8; m += 2) {
         taut_harmonic_problem problem = start(&g, m, m);
         taut_model *model = NULL;
@@ -131,7 +108,7 @@ static void test_even_far(void)
         CHECK(taut_harmonic_make(&problem, NULL, &model, &error) == TAUT_OK, "m=%d: %s", m,
               error.message);
         taut_model_free(model);
-        end(&g);
+        bezier_net_end(&g);
     }
 }
 
@@ -147,7 +124,7 @@ static void refused(taut_status found, taut_status wanted, const taut_error *err
  * join.) */
 static void test_refusals(void)
 {
-    static net g;
+    static bezier_net g;
     taut_model *model = NULL;
     taut_surface *random = NULL;
     taut_error error;
@@ -166,11 +143,11 @@ static void test_refusals(void)
     g.known[7] = 1;
     refused(taut_harmonic_make(&problem, NULL, &model, &error), TAUT_BAD_INPUT, &error,
             "two opposite boundary rows");
-    end(&g);
+    bezier_net_end(&g);
     problem = start(&g, 1, 3);
     refused(taut_harmonic_make(&problem, NULL, &model, &error), TAUT_NO_SOLUTION, &error,
             "need degree 3");
-    end(&g);
+    bezier_net_end(&g);
     problem = start(&g, 3, 3);
     g.points[1] = NAN;
     refused(taut_harmonic_make(&problem, NULL, &model, &error), TAUT_NO_SOLUTION, &error, "");
@@ -203,7 +180,7 @@ static void test_refusals(void)
  * rational arithmetic can hold. */
 static void test_bad_problems(void)
 {
-    static net g;
+    static bezier_net g;
     const taut_make_options exact = {.exact = 1};
     taut_model *model = NULL;
     taut_error error;
@@ -228,13 +205,13 @@ static void test_bad_problems(void)
             "does not decide it");
     CHECK(strcmp(error.where, "/points") == 0, "%s", error.where);
     taut_basis_free(other);
-    end(&g);
+    bezier_net_end(&g);
     problem = start(&g, 9, 9);
     place(&g, 8);
     refused(taut_harmonic_make(&problem, &exact, &model, &error), TAUT_NO_SOLUTION, &error,
             "too large for doubles: degree 9 amplifies");
     CHECK(error.found > 1 && model == NULL, "amplification %g", error.found);
-    end(&g);
+    bezier_net_end(&g);
 }
 
 /* (u, v, u v) or (u, v, u^2 - v^2) over the unit square, both harmonic. */

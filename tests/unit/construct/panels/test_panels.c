@@ -1,6 +1,8 @@
 /* test_panels.c -- conical panels lie in the surface's own tangent planes, circular vertices are
  * those of the published formula, both have the angles they are named for; and what is refused. */
+#include "certificates.h"
 #include "check.h"
+#include "monitors.h"
 
 #include "taut/panels.h"
 #include "taut/read.h"
@@ -12,11 +14,6 @@ static const double pi = 3.14159265358979323846;
 static const double *vertices(const taut_model *panels)
 {
     return taut_surface_points(taut_model_surface(panels, 0));
-}
-
-static double detail(const taut_model *panels, const char *name)
-{
-    return taut_record_number(taut_record_get(taut_model_details(panels), name));
 }
 
 static taut_bonnet_problem random_problem(void)
@@ -116,18 +113,19 @@ static void test_panels(void)
         if (panels != NULL) {
             in_tangent_planes(taut_model_surface(model, 0), panels, o.divide, trial);
             /* rounding of coordinates over panels of a hundredth of the size */
-            CHECK(detail(panels, "planarity") < 1e-12, "trial %d: %g", trial,
-                  detail(panels, "planarity"));
-            CHECK(detail(panels, "balance") < 1e-10, "trial %d: %g", trial,
-                  detail(panels, "balance"));
+            CHECK(detail_of(panels, "planarity") < 1e-12, "trial %d: %g", trial,
+                  detail_of(panels, "planarity"));
+            CHECK(detail_of(panels, "balance") < 1e-10, "trial %d: %g", trial,
+                  detail_of(panels, "balance"));
         }
         taut_model_free(panels);
         panels = NULL;
         o.kind = TAUT_PANELS_CIRCULAR;
         CHECK(taut_panels_of_bonnet(&p, &o, &panels, &error) == TAUT_OK, "trial %d: %s", trial,
               error.message);
-        CHECK(detail(panels, "planarity") < 1e-12 && detail(panels, "circle") < 1e-10,
-              "trial %d: %g %g", trial, detail(panels, "planarity"), detail(panels, "circle"));
+        CHECK(detail_of(panels, "planarity") < 1e-12 && detail_of(panels, "circle") < 1e-10,
+              "trial %d: %g %g", trial, detail_of(panels, "planarity"),
+              detail_of(panels, "circle"));
         if (!p.normalize) {
             by_formula(&p, panels, o.divide, trial);
             CHECK(taut_panels_of_model(model, &o, &again, &error) == TAUT_OK, "trial %d: %s", trial,
@@ -154,7 +152,7 @@ static void test_order(void)
             const taut_panels_options o = {.kind = (taut_panels_kind)kind, .divide = {n, n}};
             taut_model *panels = NULL;
             CHECK(taut_panels_of_bonnet(&p, &o, &panels, NULL) == TAUT_OK, "%d", n);
-            const double distance = detail(panels, "distance");
+            const double distance = detail_of(panels, "distance");
             CHECK(n == 16 || fabs(last / distance - 4) < 0.1, "kind %d, %d: %g after %g", kind, n,
                   distance, last);
             last = distance;
@@ -194,13 +192,6 @@ static void test_refusals(void)
     CHECK(taut_panels_of_problem(NULL, NULL, NULL, NULL) == TAUT_BAD_ARGUMENT, "nothing");
 }
 
-static int stop(void *context, double done, const char *what)
-{
-    (void)done;
-    (void)what;
-    return --*(int *)context == 0;
-}
-
 /* Of several surfaces one may be asked for by its name; who watches is asked after each. */
 static void test_names(void)
 {
@@ -209,7 +200,6 @@ static void test_names(void)
     taut_panels_options o = {.kind = TAUT_PANELS_CIRCULAR, .divide = {3, 4}};
     taut_model *model = NULL, *all = NULL;
     taut_error error = {.message = ""};
-    int left = 1;
 
     CHECK(taut_bonnet_make(&two, NULL, &model, &error) == TAUT_OK, "%s", error.message);
     CHECK(taut_panels_of_model(model, &o, &all, &error) == TAUT_OK, "%s", error.message);
@@ -228,11 +218,11 @@ static void test_names(void)
         taut_model_free(one);
         one = NULL;
         o.surface = NULL;
-        o.monitor = (taut_monitor){stop, &left};
-        left = 1;
+        watch once = {.stop_at = 1};
+        o.monitor = monitor_of(&once);
         CHECK((k == 0 ? taut_panels_of_model(model, &o, &one, &error)
                       : taut_panels_of_bonnet(&two, &o, &one, &error)) == TAUT_INTERRUPTED &&
-                  one == NULL && left == 0 && strcmp(error.message, "stopped") == 0,
+                  one == NULL && once.reports == 1 && strcmp(error.message, "stopped") == 0,
               "%s", error.message);
         o.monitor = (taut_monitor){NULL, NULL};
     }

@@ -1,5 +1,6 @@
 /* test_canal.c -- pipes of unlike radii: the canal surface against its spheres, areas and
  * volumes against quadrature, the naive sweep, false claims, refusals. */
+#include "certificates.h"
 #include "check.h"
 #include "pipes.h"
 
@@ -44,20 +45,6 @@ static void test_spheres(void)
     }
 }
 
-/* The integrals of 1 and X . n / 3 over the blend, and over the discs at its ends. */
-static double volume_of(const taut_model *model, const taut_pipe_problem *problem, double *area)
-{
-    double volume = 0;
-    *area = 0;
-    pipe_integrate(taut_model_surface(model, 0), area, &volume);
-    for (int side = 0; side < 2; side++) {
-        const taut_pipe_end *end = &problem->ends[side];
-        const double disc = pi * problem->radii[side] * problem->radii[side];
-        volume += (side == 0 ? -1 : 1) * pipe_end_volume(end->point, end->direction, disc);
-    }
-    return volume;
-}
-
 static void test_measures(void)
 {
     for (int trial = 0; trial < random_trials(3); trial++) {
@@ -65,10 +52,12 @@ static void test_measures(void)
         problem.naive = trial == 2;
         taut_model *model = pipe_made(&problem, 2e-11);
         taut_certificate *certificate = pipe_proved(model, &problem, 1e-10);
+        const double discs[2] = {pi * problem.radii[0] * problem.radii[0],
+                                 pi * problem.radii[1] * problem.radii[1]};
         double area = 0;
-        const double volume = volume_of(model, &problem, &area);
-        CHECK_NEAR(volume, pipe_figure(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
-        CHECK_NEAR(area, pipe_figure(certificate, "area"), 1e-10 * area, "trial %d", trial);
+        const double volume = pipe_volume(model, &problem, discs, &area);
+        CHECK_NEAR(volume, figure_of(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
+        CHECK_NEAR(area, figure_of(certificate, "area"), 1e-10 * area, "trial %d", trial);
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
@@ -111,7 +100,7 @@ static void test_scale_and_shift(void)
         const taut_pipe_problem problem = random_problem();
         taut_model *model = pipe_made(&problem, 1e-6);
         taut_certificate *here = pipe_proved(model, &problem, 1e-6);
-        const double area = pipe_figure(here, "area"), volume = pipe_figure(here, "volume");
+        const double area = figure_of(here, "area"), volume = figure_of(here, "volume");
         for (size_t i = 0; i < sizeof moves / sizeof moves[0]; i++) {
             const double scale = moves[i][0];
             taut_pipe_problem other = problem;
@@ -125,17 +114,16 @@ static void test_scale_and_shift(void)
             taut_model *moved = pipe_made(&other, 1e-6);
             taut_certificate *there = pipe_proved(moved, &other, 1e-6);
             for (size_t k = 0; k < sizeof claims / sizeof claims[0]; k++) {
-                const taut_claim *a = pipe_claim(here, claims[k]),
-                                 *b = pipe_claim(there, claims[k]);
+                const taut_claim *a = claim_of(here, claims[k]), *b = claim_of(there, claims[k]);
                 CHECK(a->holds == TAUT_TRUE && b->holds == TAUT_TRUE, "trial %d, move %zu: %s",
                       trial, i, claims[k]);
                 /* the least of the same places, moved by 1e5 roundings of the axis: 1e-11 */
                 CHECK_NEAR(b->residual, a->residual, 1e-8, "trial %d, move %zu: %s", trial, i,
                            claims[k]);
             }
-            CHECK_NEAR(pipe_figure(there, "area") / scale / scale, area, 1e-10 * area,
+            CHECK_NEAR(figure_of(there, "area") / scale / scale, area, 1e-10 * area,
                        "trial %d, move %zu", trial, i);
-            CHECK_NEAR(pipe_figure(there, "volume") / scale / scale / scale, volume, 1e-10 * volume,
+            CHECK_NEAR(figure_of(there, "volume") / scale / scale / scale, volume, 1e-10 * volume,
                        "trial %d, move %zu", trial, i);
             taut_certificate_free(there);
             taut_model_free(moved);

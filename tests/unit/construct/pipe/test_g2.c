@@ -1,6 +1,7 @@
 /* test_g2.c -- joints of equal curvature: the quintic against its points, the second forms of
  * the surfaces at the joints against those of cylinders, refusals. */
 #include "check.h"
+#include "pipes.h"
 
 #include "construct/pipe/arc.h"
 #include "core/vec3.h"
@@ -10,19 +11,11 @@
 
 static taut_pipe_problem random_problem(void)
 {
-    taut_pipe_problem problem = {
-        .radius = 0.5,
-        .axis = TAUT_PIPE_ENDS,
-        .ends = {{{random_in(-1, 1), random_in(-1, 1), random_in(-1, 1)},
-                  {random_in(-1, 1), random_in(-1, 1), 2},
-                  random_in(2, 3)},
-                 {{random_in(4, 5), random_in(-1, 1), random_in(5, 6)},
-                  {random_in(1, 2), random_in(-1, 1), random_in(-1, 1)},
-                  random_in(2, 3)}},
-        .alpha = random_in(-2, 1),
-        .gamma = random_in(-2, 1),
-        .joint = TAUT_PIPE_CURVATURE_JOINT,
-    };
+    taut_pipe_problem problem = pipe_random_ends();
+    problem.radius = 0.5;
+    problem.alpha = random_in(-2, 1);
+    problem.gamma = random_in(-2, 1);
+    problem.joint = TAUT_PIPE_CURVATURE_JOINT;
     return problem;
 }
 

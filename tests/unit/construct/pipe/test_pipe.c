@@ -1,5 +1,6 @@
 /* test_pipe.c -- construct `pipe` through its public header: rings and normals at the joints,
  * degenerate geometry, refusals. */
+#include "certificates.h"
 #include "check.h"
 
 #include "core/vec3.h"
@@ -46,11 +47,6 @@ static taut_certificate *proved(const taut_pipe_problem *problem, const char *na
         }
     }
     return certificate;
-}
-
-static double figure(const taut_certificate *certificate, const char *name)
-{
-    return taut_record_number(taut_record_get(taut_certificate_figures(certificate), name));
 }
 
 /* Must be refused with this word at the start, and *model untouched. */
@@ -123,9 +119,9 @@ static void test_degenerate_geometry(void)
             CHECK(cases[i].curvature[side] < 0 ? found > 0.01 : fabs(found) < 1e-15, "%s: %g",
                   cases[i].name, found);
         }
-        CHECK(fabs(figure(certificate, "total_torsion")) < 1e-13, "%s is plane", cases[i].name);
+        CHECK(fabs(figure_of(certificate, "total_torsion")) < 1e-13, "%s is plane", cases[i].name);
         if (i == 0) {
-            CHECK_NEAR(figure(certificate, "length"), 12, 1e-13, "line");
+            CHECK_NEAR(figure_of(certificate, "length"), 12, 1e-13, "line");
             CHECK(taut_record_kind_of(taut_record_get(taut_certificate_figures(certificate),
                                                       "largest_radius")) == TAUT_RECORD_NULL,
                   "a line takes any radius");
@@ -194,7 +190,7 @@ static void test_global_refusal(void)
     CHECK(error.limit < 1 && error.limit > 0, "%g", error.limit);
     problem.radius = 0.99 * error.limit;
     taut_certificate *certificate = proved(&problem, "below the limit", &model);
-    CHECK_NEAR(figure(certificate, "largest_radius"), error.limit, 1e-9 * error.limit, "both");
+    CHECK_NEAR(figure_of(certificate, "largest_radius"), error.limit, 1e-9 * error.limit, "both");
     taut_certificate_free(certificate);
     taut_model_free(model);
 }
@@ -278,7 +274,7 @@ static void test_choices(void)
     };
     certificate = proved(&problem, "feet", &model);
     /* the shortest equal handles with a largest radius of three radii */
-    CHECK_NEAR(figure(certificate, "largest_radius"), 3, 1e-5, "long-radius elbow");
+    CHECK_NEAR(figure_of(certificate, "largest_radius"), 3, 1e-5, "long-radius elbow");
     const double *points = taut_curve_points(taut_model_curve(model, 0));
     CHECK(points[3] == 0 && points[4] == 0 && points[6] == 0 && points[8] == 3, "the feet");
     CHECK(points[0] == -points[10], "equal handles");
@@ -287,8 +283,9 @@ static void test_choices(void)
 
     problem.bend_radius = 12; /* wider than three radii: the shortest that bends no more sharply */
     certificate = proved(&problem, "feet and a bend radius", &model);
-    CHECK(figure(certificate, "max_curvature") <= 1.0 / 12, "too sharp");
-    CHECK_NEAR(figure(certificate, "max_curvature"), 1.0 / 12, 1e-6, "no longer than it has to be");
+    CHECK(figure_of(certificate, "max_curvature") <= 1.0 / 12, "too sharp");
+    CHECK_NEAR(figure_of(certificate, "max_curvature"), 1.0 / 12, 1e-6,
+               "no longer than it has to be");
     taut_certificate_free(certificate);
     taut_model_free(model);
 
@@ -301,7 +298,7 @@ static void test_choices(void)
     certificate = proved(&problem, "straight on", &model);
     points = taut_curve_points(taut_model_curve(model, 0));
     CHECK_NEAR(points[3], 3, 1e-14, "a third of the way");
-    CHECK(figure(certificate, "max_curvature") == 0, "straight");
+    CHECK(figure_of(certificate, "max_curvature") == 0, "straight");
     taut_certificate_free(certificate);
     taut_model_free(model);
 }
@@ -318,7 +315,7 @@ static void test_least_largest_curvature(void)
     taut_certificate *certificate = NULL;
     problem.shape = TAUT_PIPE_LEAST_CURVATURE;
     certificate = proved(&problem, "least largest curvature", &model);
-    CHECK_NEAR(figure(certificate, "max_curvature"), 0.9332925, 2e-4, "least largest curvature");
+    CHECK_NEAR(figure_of(certificate, "max_curvature"), 0.9332925, 2e-4, "least largest curvature");
     taut_certificate_free(certificate);
     taut_model_free(model);
 }

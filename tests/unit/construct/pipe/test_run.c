@@ -1,4 +1,5 @@
 /* test_run.c -- runs of pipes: what comes out, false claims, caps and closed meshes. */
+#include "certificates.h"
 #include "check.h"
 #include "pipe_runs.h"
 
@@ -85,7 +86,7 @@ static void test_bend_radius(void)
         problem.bend_radius = random_in(0.3, 0.49);
         taut_model *model = pipe_made(&problem, 1e-3);
         taut_certificate *certificate = pipe_proved(model, &problem, 1e-3);
-        CHECK_NEAR(pipe_figure(certificate, "least_bend_radius"), problem.bend_radius,
+        CHECK_NEAR(figure_of(certificate, "least_bend_radius"), problem.bend_radius,
                    2e-7 * problem.bend_radius, "trial %d", trial);
         taut_certificate_free(certificate);
         taut_model_free(model);
@@ -150,7 +151,7 @@ static void test_free_end(void)
     problem.bend_radius = 0.6;
     taut_model *model = pipe_made(&problem, 1e-3);
     taut_certificate *certificate = pipe_proved(model, &problem, 1e-3);
-    CHECK_NEAR(pipe_figure(certificate, "largest_radius"), 0.25, 1e-12, "half the way to the side");
+    CHECK_NEAR(figure_of(certificate, "largest_radius"), 0.25, 1e-12, "half the way to the side");
     taut_certificate_free(certificate);
     taut_model_free(model);
     problem.radius = 0.26;
@@ -226,9 +227,9 @@ static void test_meshes(void)
         taut_model *model = pipe_made(&problems[i], 1e-6);
         taut_certificate *certificate = pipe_proved(model, &problems[i], 1e-6);
         const double volume = enclosed(model, what);
-        CHECK(i == 1 || pipe_claim(certificate, "caps")->holds == TAUT_TRUE, "%s: caps", what);
+        CHECK(i == 1 || claim_of(certificate, "caps")->holds == TAUT_TRUE, "%s: caps", what);
         if (i < 2) { /* the mesh lies inside, by as much as its chords are away */
-            const double whole = pipe_figure(certificate, "volume");
+            const double whole = figure_of(certificate, "volume");
             CHECK(volume < whole && volume > 0.9 * whole, "%s: %g of %g", what, volume, whole);
         }
         taut_certificate_free(certificate);

@@ -123,27 +123,13 @@ static int note(void *context, double done, const char *what)
  * one step it reports, so that there are more reports than steps, and fewer than products. */
 static void test_large(void)
 {
-    enum { N = 54 };
-    test_problem net = problem_new(basis_uniform(3, N), basis_uniform(3, N));
+    test_problem net = problem_tetrahedron(54);
     const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     taut_model *model = NULL;
     taut_error error = {0};
-    double at[N];
     int reports = 0;
     const taut_make_options options = {.monitor = {note, &reports}};
 
-    for (int i = 0; i < N; i++) { /* the means of three knots each */
-        at[i] = 0;
-        for (int k = i - 2; k <= i; k++) {
-            at[i] += fmin(1, fmax(0, (double)k / (N - 3))) / 3;
-        }
-    }
-    for (int k = 0; k < N * N; k++) {
-        const double u = at[k / N], v = at[k % N];
-        const double point[3] = {u, v, u * (1 - v) + v * (1 - u)};
-        net.known[k] = k / N == 0 || k / N == N - 1 || k % N == 0 || k % N == N - 1;
-        memcpy(net.points + 3 * k, point, sizeof point);
-    }
     CHECK(taut_plateau_make(&problem, &options, &model, &error) == TAUT_OK, "%s", error.message);
     if (model != NULL) {
         const taut_record *details = taut_model_details(model);

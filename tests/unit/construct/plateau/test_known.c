@@ -7,25 +7,6 @@
 #include "taut/plateau.h"
 
 #include <math.h>
-#include <string.h>
-
-static void set(test_problem *net, int i, int j, double x, double y, double z)
-{
-    const size_t at = (size_t)i * (size_t)taut_basis_count(net->v) + (size_t)j;
-    const double point[3] = {x, y, z};
-    memcpy(net->points + 3 * at, point, sizeof point);
-    net->known[at] = 1;
-}
-
-/* The knots' means over a uniform cubic on [0, 1]: where a straight edge has its points. */
-static double greville(int count, int i)
-{
-    double sum = 0;
-    for (int k = i + 1; k <= i + 3; k++) {
-        sum += fmin(1, fmax(0, (double)(k - 3) / (count - 3)));
-    }
-    return sum / 3;
-}
 
 /* Enneper's surface (u - u^3/3 + u v^2, -v - u^2 v + v^3/3, u^2 - v^2) over [-a, a]^2, its boundary
  * on n x n cubic points: harmonic, so the Dirichlet surface is it. */
@@ -45,8 +26,8 @@ static test_problem enneper(int n, double a)
             three[c] = s[0] * s[1] * s[2];
         }
         if (m[0] % (n - 1) == 0 || m[1] % (n - 1) == 0) {
-            set(&net, m[0], m[1], one[0] - three[0] / 3 + one[0] * two[1],
-                -one[1] - two[0] * one[1] + three[1] / 3, two[0] - two[1]);
+            problem_know(&net, m[0], m[1], one[0] - three[0] / 3 + one[0] * two[1],
+                         -one[1] - two[0] * one[1] + three[1] / 3, two[0] - two[1]);
         }
     }
     return net;
@@ -86,7 +67,8 @@ static void test_scherk(void)
     for (int side = 0; side < 4; side++) {
         double points[3 * COUNT];
         for (int k = 0; k < COUNT; k++) {
-            const double along = a * (2 * greville(COUNT, k) - 1), z = log(cos(along) / cos(a));
+            const double along = a * (2 * greville_uniform(COUNT, k) - 1);
+            const double z = log(cos(along) / cos(a));
             const double across = side % 2 == 0 ? -a : a;
             points[3 * k] = side < 2 ? across : along;
             points[3 * k + 1] = side < 2 ? along : across;
@@ -147,16 +129,9 @@ static void test_rest(void)
     const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     taut_model *model = NULL;
     taut_error error = {0};
-    double at[N];
 
-    for (int i = 0; i < N; i++) { /* the means of three knots each */
-        at[i] = 0;
-        for (int k = i - 2; k <= i; k++) {
-            at[i] += fmin(1, fmax(0, (double)k / (N - 3))) / 3;
-        }
-    }
     for (int k = 0; k < N * N; k++) {
-        const double u = at[k / N], v = at[k % N];
+        const double u = greville_uniform(N, k / N), v = greville_uniform(N, k % N);
         net.known[k] = k / N == 0 || k / N == N - 1 || k % N == 0 || k % N == N - 1;
         net.points[3 * k] = net.known[k] ? u + 0.1 * sin(4 * v) : 0;
         net.points[3 * k + 1] = net.known[k] ? v + 0.1 * u * u : 0;

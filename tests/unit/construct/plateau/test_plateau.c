@@ -1,6 +1,8 @@
 /* test_plateau.c -- least areas that are known from elsewhere, and what is refused. */
+#include "certificates.h"
 #include "check.h"
 #include "films.h"
+#include "monitors.h"
 #include "problems.h"
 
 #include "taut/measure.h"
@@ -26,42 +28,11 @@ static void test_examples(void)
     }
 }
 
-static void set(test_problem *net, int i, int j, double x, double y, double z)
-{
-    const size_t at = (size_t)i * (size_t)taut_basis_count(net->v) + (size_t)j;
-    const double point[3] = {x, y, z};
-    memcpy(net->points + 3 * at, point, sizeof point);
-    net->known[at] = 1;
-}
-
-/* The knots' means over a uniform cubic on [0, 1]: where a straight edge has its points. */
-static double greville(int count, int i)
-{
-    double sum = 0;
-    for (int k = i + 1; k <= i + 3; k++) {
-        sum += fmin(1, fmax(0, (double)(k - 3) / (count - 3)));
-    }
-    return sum / 3;
-}
-
-static test_problem skew(int n)
-{
-    test_problem net = problem_new(basis_uniform(3, n), basis_uniform(3, n));
-    for (int i = 0; i < n; i++) {
-        const double t = greville(n, i);
-        set(&net, i, 0, t, 0, t);
-        set(&net, i, n - 1, t, 1, 1 - t);
-        set(&net, 0, i, 0, t, t);
-        set(&net, n - 1, i, 1, t, 1 - t);
-    }
-    return net;
-}
-
 /* Four edges of a tetrahedron: Schwarz's minimal surface, of area 1.279261571171 (its integral in
  * closed form). The spline lies above it, by less than 1e-11 of it at 12 x 12 points. */
 static void test_skew(void)
 {
-    test_problem net = skew(12);
+    test_problem net = problem_tetrahedron(12);
     const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     const double area = film_area(&problem, "skew");
     CHECK(area > 1.279261571170 && area < 1.279261571171 + 2e-11, "area %.15g", area);
@@ -122,7 +93,7 @@ static void test_refusals(void)
 /* With two opposite edges and nothing between them the film has no end to its shrinking. */
 static void test_free_edges(void)
 {
-    test_problem net = skew(6);
+    test_problem net = problem_tetrahedron(6);
     const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
     taut_model *model = NULL;
     taut_error error = {0};
@@ -150,18 +121,12 @@ static void test_plane(void)
     problem_free(&net);
 }
 
-static int stop(void *context, double done, const char *what)
-{
-    (void)done;
-    return what != NULL && ++*(int *)context > 3;
-}
-
 static void test_interrupt(void)
 {
-    test_problem net = skew(8);
+    test_problem net = problem_tetrahedron(8);
     const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
-    int calls = 0;
-    const taut_make_options options = {.monitor = {stop, &calls}};
+    watch fourth = {.stop_at = 4};
+    const taut_make_options options = {.monitor = monitor_of(&fourth)};
     taut_model *model = NULL;
     CHECK(taut_plateau_make(&problem, &options, &model, NULL) == TAUT_INTERRUPTED && model == NULL,
           "stopped");
@@ -200,11 +165,11 @@ static test_problem saddle(int n)
         for (int k = 0; k < 3; k++) {
             product += knot[k] * knot[(k + 1) % 3] / 3; /* the blossom of t^2 */
         }
-        const double t = 2 * greville(n, i) - 1;
-        set(&net, i, 0, t, -1, 1 - product);
-        set(&net, i, n - 1, t, 1, 1 - product);
-        set(&net, 0, i, -1, t, product - 1);
-        set(&net, n - 1, i, 1, t, product - 1);
+        const double t = 2 * greville_uniform(n, i) - 1;
+        problem_know(&net, i, 0, t, -1, 1 - product);
+        problem_know(&net, i, n - 1, t, 1, 1 - product);
+        problem_know(&net, 0, i, -1, t, product - 1);
+        problem_know(&net, n - 1, i, 1, t, product - 1);
     }
     return net;
 }
@@ -216,7 +181,7 @@ static void test_fine_nets(void)
     const double far[2] = {n == 16 ? 1e-11 : 2e-11, n == 16 ? 6e-9 : 2e-8};
     for (int k = 0; k < 2; k++) {
         const double least = k == 0 ? 1.2792615711710065 : 7.3835056025;
-        test_problem net = k == 0 ? skew(n) : saddle(n);
+        test_problem net = k == 0 ? problem_tetrahedron(n) : saddle(n);
         const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
         taut_model *model = NULL;
         double area = nan("");
@@ -234,14 +199,15 @@ static void test_fine_nets(void)
 static void test_monotone(void)
 {
     for (int k = 0; k < 3; k++) {
-        test_problem net = k == 0 ? skew(12) : k == 1 ? saddle(12) : problem_example(4);
+        test_problem net = k == 0   ? problem_tetrahedron(12)
+                           : k == 1 ? saddle(12)
+                                    : problem_example(4);
         for (int m = 0; m < 2; m++) {
             const taut_plateau_problem problem = film_problem(&net, (taut_plateau_method)m);
             taut_model *model = NULL;
             CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
             const taut_record *areas = taut_record_get(taut_model_details(model), "areas");
-            double before =
-                taut_record_number(taut_record_get(taut_model_details(model), "dirichlet_area"));
+            double before = detail_of(model, "dirichlet_area");
             CHECK(taut_record_count(areas) > 1, "net %d: areas are told", k);
             for (size_t i = 0; i < taut_record_count(areas); i++) {
                 const double area = taut_record_number(taut_record_at(areas, i));
@@ -311,7 +277,7 @@ static void test_tolerance_area(void)
 static void test_degenerate(void)
 {
     for (int k = 0; k < 4; k++) {
-        test_problem net = skew(7);
+        test_problem net = problem_tetrahedron(7);
         taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
         for (int i = 0; i < 7; i++) {
             double *first = net.points + 3 * i, *last = net.points + 3 * (42 + i);

@@ -1,5 +1,6 @@
 /* test_spaces.c -- finer spaces for a least area: where knots go in, how far that goes, and
  * nets that are nothing but known points. */
+#include "certificates.h"
 #include "check.h"
 #include "films.h"
 #include "problems.h"
@@ -176,8 +177,7 @@ static void test_unfinished(void)
         taut_error error = {0};
         CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%s", error.message);
         least[k] = number_of(model, "estimated_least_area");
-        problem.max_iterations =
-            (int)taut_record_number(taut_record_get(taut_model_details(model), "iterations"));
+        problem.max_iterations = (int)detail_of(model, "iterations");
         CHECK(problem.max_iterations > 1 &&
                   taut_surface_area(taut_model_surface(model, 0), &area, NULL) == TAUT_OK,
               "%d iterations", problem.max_iterations);
@@ -285,8 +285,7 @@ static void test_free_middles(void)
     }
     CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%s", error.message);
     if (model != NULL) {
-        const double first =
-            taut_record_number(taut_record_get(taut_model_details(model), "dirichlet_area"));
+        const double first = detail_of(model, "dirichlet_area");
         const double area = film_proved_area(model, &problem, "free middles");
         CHECK(area < first * (1 - 1e-6) && area > 0.5 * first, "%.12g of %.12g", area, first);
     }

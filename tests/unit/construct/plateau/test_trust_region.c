@@ -1,4 +1,5 @@
 /* test_trust_region.c -- a descent keeps to the work it may do, and reports between its steps. */
+#include "certificates.h"
 #include "check.h"
 #include "problems.h"
 
@@ -160,8 +161,7 @@ static void test_reports(void)
     problem.net = net.data;
     problem.method = TAUT_PLATEAU_NORMAL;
     CHECK(taut_plateau_make(&problem, &options, &model, &error) == TAUT_OK, "%s", error.message);
-    const double iterations =
-        taut_record_number(taut_record_get(taut_model_details(model), "iterations"));
+    const double iterations = detail_of(model, "iterations");
     CHECK(counts.reports > iterations + 1, "%d reports in %g steps", counts.reports, iterations);
     taut_model_free(model);
     model = NULL;

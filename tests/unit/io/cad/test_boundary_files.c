@@ -1,6 +1,7 @@
 /* test_boundary_files.c -- problems whose boundary is a file of four curves: which file, how large
  * a net it may give, and two curves of unlike degrees as the rows of one net. */
 #include "check.h"
+#include "folder.h"
 
 #include "core/fail.h"
 #include "problem/problem.h"
@@ -8,11 +9,8 @@
 #include "taut/limits.h"
 #include "taut/read.h"
 
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-static char folder[] = "/tmp/taut-test-XXXXXX";
 
 /* A square with its side v0 a parabola: v0 and v1 are of degrees 2 and 1. */
 static const char frame[] =
@@ -22,23 +20,10 @@ static const char frame[] =
     "{\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": [[2,2,0],[0,2,1]]}, "
     "{\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": [[0,2,1],[0,0,0]]}]}";
 
-static const char *in_folder(const char *name)
-{
-    static char path[96];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    return path;
-}
-
-static void put_text(const char *name, const char *text)
-{
-    FILE *file = fopen(in_folder(name), "w");
-    CHECK(file != NULL && fputs(text, file) >= 0 && fclose(file) == 0, "%s", name);
-}
-
 static taut_problem *read_problem(const char *text, taut_error *error)
 {
     taut_problem *problem = NULL;
-    put_text("problem.json", text);
+    file_put_text(in_folder("problem.json"), text);
     const taut_status status = taut_problem_read(in_folder("problem.json"), &problem, error);
     CHECK((status == TAUT_OK) == (problem != NULL), "%s: %s", error->where, error->message);
     return problem;
@@ -102,13 +87,10 @@ static void test_refused(void)
 
 int main(void)
 {
-    char command[96];
-    if (mkdtemp(folder) == NULL) {
-        return 1;
-    }
-    put_text("frame.json", frame);
+    folder_make();
+    file_put_text(in_folder("frame.json"), frame);
     test_rows();
     test_refused();
-    snprintf(command, sizeof command, "rm -r %s", folder);
-    return system(command) != 0 || check_failures != 0;
+    folder_remove();
+    return check_failures != 0;
 }

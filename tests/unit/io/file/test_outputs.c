@@ -1,66 +1,28 @@
 /* test_outputs.c -- outputs that appear together or not at all. */
+#include "check.h"
+#include "folder.h"
 #include "models.h"
 
 #include "taut/read.h"
 #include "taut/write.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-static char folder[] = "/tmp/taut-test-XXXXXX";
-
-/* A path in the folder; four may be in use at a time. */
-static const char *in_folder(const char *name)
-{
-    static char paths[4][96];
-    static int next = 0;
-    next = (next + 1) % 4;
-    snprintf(paths[next], sizeof paths[next], "%s/%s", folder, name);
-    return paths[next];
-}
-
-static int entries(void)
-{
-    DIR *directory = opendir(folder);
-    int count = -2; /* "." and ".." */
-    while (directory != NULL && readdir(directory) != NULL) {
-        count++;
-    }
-    closedir(directory);
-    return count;
-}
+static const char *folder;
 
 static int file_is(const char *path, const char *expected)
 {
-    char found[256];
-    FILE *file = fopen(path, "r");
-    size_t length = 0;
-    if (file == NULL) {
-        return 0;
-    }
-    length = fread(found, 1, sizeof found - 1, file);
-    found[length] = '\0';
-    fclose(file);
-    return strcmp(found, expected) == 0;
-}
-
-static void put_file(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    fputs(text, file);
-    fclose(file);
-}
-
-static void empty_folder(void)
-{
-    char command[96];
-    snprintf(command, sizeof command, "rm -rf %s/* %s/.taut*", folder, folder);
-    CHECK(system(command) == 0, "rm");
+    char *found = file_bytes(path, NULL);
+    const int is = found != NULL && strcmp(found, expected) == 0;
+    free(found);
+    return is;
 }
 
 static taut_outputs *new_outputs(void)
@@ -78,7 +40,7 @@ static taut_status put(taut_outputs *outputs, const char *text, const char *path
 static void test_together(void)
 {
     taut_outputs *outputs = new_outputs();
-    put_file(in_folder("b"), "old");
+    file_put_text(in_folder("b"), "old");
     CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
     CHECK(put(outputs, "two", in_folder("b")) == TAUT_OK, "b");
     CHECK(access(in_folder("a"), F_OK) != 0 && file_is(in_folder("b"), "old"),
@@ -88,26 +50,26 @@ static void test_together(void)
     CHECK(taut_outputs_commit(outputs, NULL) == TAUT_OK, "a second commit has nothing to do");
     taut_outputs_abandon(outputs);
     taut_outputs_free(outputs);
-    CHECK(entries() == 2, "%d entries", entries());
-    empty_folder();
+    CHECK(folder_entries() == 2, "%d entries", folder_entries());
+    folder_empty();
 }
 
 static void test_never_committed(void)
 {
     taut_outputs *outputs = new_outputs();
-    put_file(in_folder("b"), "old");
+    file_put_text(in_folder("b"), "old");
     CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
     CHECK(put(outputs, "two", in_folder("b")) == TAUT_OK, "b");
     taut_outputs_free(outputs);
-    CHECK(entries() == 1 && file_is(in_folder("b"), "old"), "all is as it was");
+    CHECK(folder_entries() == 1 && file_is(in_folder("b"), "old"), "all is as it was");
     outputs = new_outputs();
     CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
     taut_outputs_abandon(outputs);
-    CHECK(entries() == 1, "abandoned: %d entries", entries());
+    CHECK(folder_entries() == 1, "abandoned: %d entries", folder_entries());
     taut_outputs_free(outputs);
     taut_outputs_free(NULL);
     taut_outputs_abandon(NULL);
-    empty_folder();
+    folder_empty();
 }
 
 /* Where files without a name cannot be had (here: no second descriptor is left for one) they have a
@@ -124,14 +86,14 @@ static void test_passing_name(void)
     CHECK(put(dropped, "none", in_folder("b")) == TAUT_OK, "b");
     CHECK(put(outputs, "one", in_folder("a")) == TAUT_OK, "a");
     CHECK(setrlimit(RLIMIT_NOFILE, &old) == 0, "limit");
-    CHECK(entries() == 2, "%d entries", entries());
+    CHECK(folder_entries() == 2, "%d entries", folder_entries());
     taut_outputs_abandon(dropped);
-    CHECK(entries() == 1, "abandoned: %d entries", entries());
+    CHECK(folder_entries() == 1, "abandoned: %d entries", folder_entries());
     taut_outputs_free(dropped);
     CHECK(taut_outputs_commit(outputs, NULL) == TAUT_OK, "commit");
     taut_outputs_free(outputs);
-    CHECK(entries() == 1 && file_is(in_folder("a"), "one"), "%d entries", entries());
-    empty_folder();
+    CHECK(folder_entries() == 1 && file_is(in_folder("a"), "one"), "%d entries", folder_entries());
+    folder_empty();
 }
 
 /* The model as STEP where files without a name cannot be had, nor a pipe to a process: refused, and
@@ -168,7 +130,7 @@ static void check_descriptors(const char *what, int few,
     CHECK(setrlimit(RLIMIT_NOFILE, &old) == 0, "limit");
     CHECK(status == TAUT_IO && strstr(error.message, "Too many open files") != NULL, "%s: %d %s",
           what, (int)status, error.message);
-    CHECK(entries() == 0, "%s: %d entries", what, entries());
+    CHECK(folder_entries() == 0, "%s: %d entries", what, folder_entries());
     taut_model_free(model);
 }
 
@@ -190,7 +152,7 @@ static void test_target_became_folder(void)
     CHECK(taut_outputs_commit(outputs, &error) == TAUT_IO, "commit");
     CHECK(strstr(error.message, in_folder("a")) != NULL, "\"%s\"", error.message);
     taut_outputs_free(outputs);
-    CHECK(entries() == 1, "%d entries", entries());
+    CHECK(folder_entries() == 1, "%d entries", folder_entries());
     CHECK(rmdir(in_folder("a")) == 0, "rmdir");
 }
 
@@ -204,7 +166,7 @@ static void test_full_device(void)
     CHECK(taut_outputs_commit(outputs, &error) == TAUT_IO, "commit");
     CHECK(strstr(error.message, "/dev/full") != NULL && strstr(error.message, "space") != NULL,
           "\"%s\"", error.message);
-    CHECK(entries() == 0, "%d entries", entries());
+    CHECK(folder_entries() == 0, "%d entries", folder_entries());
     taut_outputs_free(outputs);
 }
 
@@ -229,7 +191,7 @@ static void test_no_space(void)
               sizes[k], (int)status, error.message);
         CHECK(taut_outputs_commit(outputs, &error) == TAUT_OK, "nothing is to be put in place");
         taut_outputs_free(outputs);
-        CHECK(entries() == 0, "%zu: %d entries", sizes[k], entries());
+        CHECK(folder_entries() == 0, "%zu: %d entries", sizes[k], folder_entries());
     }
     signal(SIGXFSZ, old_signal);
     free(text);
@@ -249,7 +211,7 @@ static void test_refused_paths(void)
     char path[5000];
     check_refused(folder, "directory");
     check_refused(in_folder("none/a.json"), "No such file");
-    put_file(in_folder("file"), "x");
+    file_put_text(in_folder("file"), "x");
     check_refused(in_folder("file/a.json"), "ot a directory");
     check_refused("", "No such file");
     memset(path, 'x', sizeof path - 1);
@@ -264,7 +226,7 @@ static void test_refused_paths(void)
         check_refused(in_folder("new"), "denied");
         chmod(folder, 0700);
     }
-    empty_folder();
+    folder_empty();
 }
 
 /* Links are followed, also one that leads nowhere yet; modes stay. */
@@ -274,7 +236,7 @@ static void test_links_and_modes(void)
     struct stat about;
     const mode_t mask = umask(027);
 
-    put_file(in_folder("real"), "old");
+    file_put_text(in_folder("real"), "old");
     chmod(in_folder("real"), 0606);
     CHECK(symlink("real", in_folder("link")) == 0, "link");
     CHECK(symlink("later", in_folder("early")) == 0, "link");
@@ -289,7 +251,7 @@ static void test_links_and_modes(void)
           about.st_mode);
     umask(mask);
     taut_outputs_free(outputs);
-    empty_folder();
+    folder_empty();
 }
 
 static void test_same_place(void)
@@ -302,7 +264,7 @@ static void test_same_place(void)
     CHECK(put(outputs, "one", "-") == TAUT_OK, "standard output");
     CHECK(put(outputs, "two", "/dev/stdout") == TAUT_BAD_ARGUMENT, "standard output again");
     taut_outputs_free(outputs);
-    CHECK(entries() == 0, "%d entries", entries());
+    CHECK(folder_entries() == 0, "%d entries", folder_entries());
 }
 
 /* Standard output is sent at the commit, not before. */
@@ -324,7 +286,7 @@ static void test_standard_output(void)
     close(before);
     close(file);
     CHECK(file_is(in_folder("stdout"), "sent"), "what was committed, once");
-    empty_folder();
+    folder_empty();
 }
 
 /* Open at both ends and never waiting, so that a fifo nothing is written to fails at once. */
@@ -341,7 +303,7 @@ static void test_fifo(void)
           found);
     taut_outputs_free(outputs);
     close(file);
-    empty_folder();
+    folder_empty();
 }
 
 static void test_formats(void)
@@ -405,14 +367,12 @@ static void test_options(void)
     CHECK(taut_model_write(NULL, "-", NULL, NULL) == TAUT_BAD_ARGUMENT, "NULL");
     taut_model_free(model);
     taut_model_free(back);
-    empty_folder();
+    folder_empty();
 }
 
 int main(void)
 {
-    if (mkdtemp(folder) == NULL) {
-        return 1;
-    }
+    folder = folder_make();
     test_together();
     test_never_committed();
     test_passing_name();
@@ -427,6 +387,7 @@ int main(void)
     test_fifo();
     test_formats();
     test_options();
-    CHECK(rmdir(folder) == 0, "something was left behind");
+    CHECK(folder_entries() == 0, "something was left behind");
+    folder_remove();
     return check_failures != 0;
 }

@@ -1,6 +1,7 @@
 /* test_refusals.c -- what taut_outputs and its kin refuse: nothing given, two outputs to one
  * place, endings and names that mean nothing; every refusal leaves no file. */
 #include "check.h"
+#include "folder.h"
 #include "shapes.h"
 
 #include "taut/model.h"
@@ -11,14 +12,6 @@
 #include <unistd.h>
 
 enum { MANY = 1000 }; /* models, more than a figure holds */
-
-static taut_model *make_model(void)
-{
-    taut_model *model = NULL;
-    CHECK(taut_model_new(&model) == TAUT_OK, "model");
-    CHECK(taut_model_add_surface(model, shape_saddle(0.5)) == TAUT_OK, "surface");
-    return model;
-}
 
 static void check_told(const char *what, taut_status status, taut_status expected,
                        const taut_error *error)
@@ -202,11 +195,8 @@ static void test_stopped(const taut_model *model)
 
 int main(void)
 {
-    char folder[] = "/tmp/taut-test-XXXXXX";
-    taut_model *model = make_model();
-    if (mkdtemp(folder) == NULL || chdir(folder) != 0) {
-        return 1;
-    }
+    taut_model *model = shape_model(shape_saddle(0.5));
+    CHECK(chdir(folder_make()) == 0, "its own folder");
     test_nothing(model);
     test_places(model);
     test_commit_fails(model);
@@ -215,6 +205,7 @@ int main(void)
     test_kinds(model);
     test_stopped(model);
     taut_model_free(model);
-    CHECK(chdir("/") == 0 && rmdir(folder) == 0, "something was left in %s", folder);
+    CHECK(chdir("/") == 0 && folder_entries() == 0, "something was left behind");
+    folder_remove();
     return check_failures != 0;
 }

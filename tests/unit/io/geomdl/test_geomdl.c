@@ -1,4 +1,6 @@
 /* test_geomdl.c -- geomdl's exchange JSON, out and in; B-spline knots in openNURBS's convention. */
+#include "check.h"
+#include "folder.h"
 #include "models.h"
 
 #include "taut/operations.h"
@@ -6,17 +8,16 @@
 #include "taut/write.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
-
-static char folder[] = "/tmp/taut-test-XXXXXX";
 
 static taut_model *written_and_read(const taut_model *model, const char *name,
                                     const taut_write_options *options)
 {
-    char path[96];
+    const char *const path = in_folder(name);
     taut_model *back = NULL;
     taut_error error = {.status = TAUT_OK};
-    snprintf(path, sizeof path, "%s/%s", folder, name);
     CHECK(taut_model_write(model, path, options, &error) == TAUT_OK, "%s", error.message);
     CHECK(taut_model_read(path, &back, &error) == TAUT_OK, "%s: %s", error.where, error.message);
     remove(path);
@@ -148,12 +149,11 @@ static void test_numbers(void)
                                 "1000000, \"size_v\": 51}]}}";
     taut_model *model = NULL;
     taut_error error = {.status = TAUT_OK};
-    char path[96];
+    const char *const path = in_folder("none.geomdl.json");
     CHECK(taut_model_read_text(large, sizeof large - 1, "text", &model, &error) == TAUT_BAD_INPUT &&
               error.found == 51e6 && error.limit == 5e7,
           "%s: %g", error.message, error.found);
     CHECK(taut_model_new(&model) == TAUT_OK, "model");
-    snprintf(path, sizeof path, "%s/none.geomdl.json", folder);
     CHECK(taut_model_write(model, path, NULL, &error) == TAUT_NO_SOLUTION &&
               strcmp(error.message, "the model has neither surfaces nor curves") == 0,
           "%s", error.message);
@@ -164,19 +164,15 @@ static void test_numbers(void)
 /* Cut anywhere but in the white space at its end, a file is refused. */
 static void test_cut(void)
 {
-    char path[96];
-    char *bytes = malloc(1 << 20);
+    const char *const path = in_folder("cut.geomdl.json");
+    char *bytes = NULL;
     size_t length = 0;
-    FILE *file = NULL;
     taut_model *model = NULL;
-    snprintf(path, sizeof path, "%s/cut.geomdl.json", folder);
     CHECK(taut_model_new(&model) == TAUT_OK, "model");
     add_some_surface(model, "cut");
     CHECK(taut_model_write(model, path, NULL, NULL) == TAUT_OK, "write");
     taut_model_free(model);
-    file = fopen(path, "rb");
-    length = fread(bytes, 1, 1 << 20, file);
-    fclose(file);
+    bytes = file_bytes(path, &length);
     for (int k = 0; k < 50; k++) {
         const size_t cut = (length - 2) * (size_t)k / 49;
         taut_model *back = NULL;
@@ -211,7 +207,7 @@ static void test_short_knots(void)
 int main(void)
 {
     random_seed(20260308);
-    CHECK(mkdtemp(folder) != NULL, "mkdtemp");
+    folder_make();
     test_surfaces();
     test_curves();
     test_plane_curve();
@@ -219,6 +215,7 @@ int main(void)
     test_numbers();
     test_cut();
     test_short_knots();
-    CHECK(rmdir(folder) == 0, "rmdir");
+    CHECK(folder_entries() == 0, "something was left behind");
+    folder_remove();
     return check_failures != 0;
 }

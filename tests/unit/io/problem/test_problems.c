@@ -1,13 +1,13 @@
 /* test_problems.c -- what is read of a good problem, number by number; files that cannot be read.
  */
 #include "check.h"
+#include "folder.h"
 
 #include "problem/problem.h"
 #include "taut/biharmonic.h"
 #include "taut/dirichlet.h"
 #include "taut/read.h"
 
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -104,20 +104,13 @@ static void check_io(const char *path, const char *reason)
 
 static void test_files(void)
 {
-    char folder[] = "/tmp/taut-test-XXXXXX";
-    char path[64];
+    const char *const path = in_folder("problem.json");
     taut_problem *problem = NULL;
     taut_error error = {.status = TAUT_OK};
-    FILE *file = NULL;
 
-    CHECK(mkdtemp(folder) != NULL, "folder");
-    check_io(folder, "directory");
-    snprintf(path, sizeof path, "%s/none.json", folder);
-    check_io(path, "No such file");
-    snprintf(path, sizeof path, "%s/problem.json", folder);
-    file = fopen(path, "w");
-    fputs(text, file);
-    fclose(file);
+    check_io(in_folder(""), "directory");
+    check_io(in_folder("none.json"), "No such file");
+    file_put_text(path, text);
     CHECK(taut_problem_read(path, &problem, &error) == TAUT_OK, "%s %s", error.where,
           error.message);
     taut_problem_free(problem);
@@ -125,14 +118,11 @@ static void test_files(void)
         chmod(path, 0);
         check_io(path, "denied");
     }
-    file = fopen(path, "w");
-    fputs("{\n  oops", file);
-    fclose(file);
+    chmod(path, 0600);
+    file_put_text(path, "{\n  oops");
     CHECK(taut_problem_read(path, &problem, &error) == TAUT_BAD_INPUT, "oops");
     CHECK(strncmp(error.where, path, strlen(path)) == 0 && strstr(error.where, ":2:3") != NULL,
           "where \"%s\"", error.where);
-    unlink(path);
-    rmdir(folder);
 }
 
 /* What another library is to read must be a file: not a folder, nor a pipe, which is not waited
@@ -140,11 +130,9 @@ static void test_files(void)
  */
 static void test_no_file(void)
 {
-    char folder[] = "/tmp/taut-test-XXXXXX", path[64];
+    const char *const path = in_folder("none.step");
     taut_model *model = NULL;
     taut_error error = {.status = TAUT_OK};
-    CHECK(mkdtemp(folder) != NULL, "folder");
-    snprintf(path, sizeof path, "%s/none.step", folder);
     check_io(path, "No such file");
     CHECK(mkdir(path, 0700) == 0, "%s", path);
     check_io(path, "directory");
@@ -153,8 +141,6 @@ static void test_no_file(void)
     CHECK(taut_model_read(path, &model, &error) == TAUT_IO && model == NULL &&
               strstr(error.message, "Illegal seek") != NULL,
           "\"%s\"", error.message);
-    unlink(path);
-    rmdir(folder);
 }
 
 /* Files that open and then give nothing: memory that is not there, standard input that is closed.
@@ -197,6 +183,7 @@ static void test_pipe(void)
 
 int main(void)
 {
+    folder_make();
     test_members();
     test_defaults();
     test_rows();
@@ -204,5 +191,6 @@ int main(void)
     test_no_file();
     test_unreadable();
     test_pipe();
+    folder_remove();
     return check_failures != 0;
 }

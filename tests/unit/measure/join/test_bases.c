@@ -1,5 +1,6 @@
 /* test_bases.c -- orders of contact across bases: pieces of one surface of every kind, and
  * surfaces that meet in a known way on unlike bases, turned every way. */
+#include "bases.h"
 #include "check.h"
 #include "shapes.h"
 
@@ -9,14 +10,6 @@
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;
-
-static taut_basis *make(taut_basis_spec spec)
-{
-    taut_basis *basis = NULL;
-    taut_error error = {.message = ""};
-    CHECK(taut_basis_new(&spec, 0, &basis, &error) == TAUT_OK, "%s: %s", spec.type, error.message);
-    return basis;
-}
 
 static taut_surface *reversed(const taut_surface *a, int direction)
 {
@@ -72,17 +65,16 @@ static taut_basis *random_basis(int type)
 {
     static const char *const names[TYPES] = {"c-bezier",  "c-bspline", "h-bezier",
                                              "h-bspline", "bezier",    "bspline"};
-    taut_basis_spec spec = {.type = names[type]};
-    if (type == C_BEZIER || type == C_BSPLINE) {
-        spec.alpha = random_in(0.3, 2.8);
-    } else if (type == H_BEZIER || type == H_BSPLINE) {
-        spec.beta = random_log(0.3, 30);
-    } else {
-        spec.degree = random_int(3, 4);
+    if (type == BEZIER || type == BSPLINE) {
+        const int degree = random_int(3, 4);
+        return type == BEZIER ? shape_bezier(degree, 0, 1)
+                              : shape_bspline(degree, degree + random_int(2, 4));
     }
-    spec.segments = type == C_BSPLINE || type == H_BSPLINE ? random_int(2, 4) : 0;
-    spec.count = type == BSPLINE ? spec.degree + random_int(2, 4) : 0;
-    return make(spec);
+    const int is_circular = type == C_BEZIER || type == C_BSPLINE;
+    const double length = is_circular ? random_in(0.3, 2.8) : random_log(0.3, 30);
+    const int segments = type == C_BSPLINE || type == H_BSPLINE ? random_int(2, 4) : 0;
+    const taut_basis_spec spec = spec_of_spans(names[type], length, segments, 0);
+    return shape_basis(&spec);
 }
 
 static void random_net(const taut_basis *u, const taut_basis *v, double points[][3],
@@ -140,9 +132,9 @@ static taut_surface *quarter_tube(int rational, double low, double high)
     const double c[4] = {1, 1, pi / 2 - 1, 0}, w[6] = {1, 1, sqrt(0.5), sqrt(0.5), 1, 1};
     const double x[3] = {1, 1, 0};
     double points[4][2][3];
-    taut_basis *u = make(rational ? (taut_basis_spec){.type = "bezier", .degree = 2}
-                                  : (taut_basis_spec){.type = "c-bezier", .alpha = pi / 2});
-    taut_basis *v = make((taut_basis_spec){.type = "bezier", .degree = 1});
+    taut_basis *u = shape_basis(rational ? &(taut_basis_spec){.type = "bezier", .degree = 2}
+                                         : &(taut_basis_spec){.type = "c-bezier", .alpha = pi / 2});
+    taut_basis *v = shape_basis(&(taut_basis_spec){.type = "bezier", .degree = 1});
     taut_surface *surface = NULL;
     for (int i = 0; i < (rational ? 3 : 4); i++) {
         for (int j = 0; j < 2; j++) {
@@ -166,8 +158,8 @@ static taut_surface *catenoid(double beta)
     const double h[4] = {1, 1, beta / tanh(beta / 2) - 1, cosh(beta)},
                  z[4] = {0, k, beta - k, beta};
     double points[4][4][3];
-    taut_basis *u = make((taut_basis_spec){.type = "c-bezier", .alpha = pi / 2});
-    taut_basis *v = make((taut_basis_spec){.type = "h-bezier", .beta = beta});
+    taut_basis *u = shape_basis(&(taut_basis_spec){.type = "c-bezier", .alpha = pi / 2});
+    taut_basis *v = shape_basis(&(taut_basis_spec){.type = "h-bezier", .beta = beta});
     taut_surface *surface = NULL;
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {
@@ -206,8 +198,8 @@ static void test_long_pieces(void)
 {
     for (double beta = 50; beta <= 300; beta += 125) {
         double points[16][3], weights[16];
-        taut_basis *u = make((taut_basis_spec){.type = "h-bezier", .beta = beta});
-        taut_basis *v = make((taut_basis_spec){.type = "h-bezier", .beta = beta / 7});
+        taut_basis *u = shape_basis(&(taut_basis_spec){.type = "h-bezier", .beta = beta});
+        taut_basis *v = shape_basis(&(taut_basis_spec){.type = "h-bezier", .beta = beta / 7});
         taut_surface *whole = NULL;
         taut_model *pieces = NULL;
         random_net(u, v, points, weights);

@@ -1,5 +1,6 @@
 /* test_join.c -- orders of contact, angles and gaps of surfaces made to meet in a known way. */
 #include "check.h"
+#include "papers.h"
 #include "shapes.h"
 
 #include "taut/join.h"
@@ -145,40 +146,10 @@ static void test_one_surface(void)
 /* [NiWang2015] section 4: P and Q continue each other to all orders. */
 static void test_harmonic(void)
 {
-    const double p[16][3] = {{-1, 0, 1},
-                             {-1, .75, 1},
-                             {-.5, 1.25, 1},
-                             {.5, 1.25, 1},
-                             {-5. / 12, -.2, 2. / 3},
-                             {-5. / 12, 16. / 45, 2. / 3},
-                             {0, 32. / 45, 2. / 3},
-                             {5. / 6, 19. / 30, 2. / 3},
-                             {-1. / 3, -.15, 1. / 3},
-                             {-1. / 3, 53. / 180, 1. / 3},
-                             {0, 53. / 90, 1. / 3},
-                             {2. / 3, 31. / 60, 1. / 3},
-                             {-.5, 0, 0},
-                             {-.5, .4, 0},
-                             {-.25, .7, 0},
-                             {.25, .7, 0}};
-    const double q[16][3] = {{-.5, 0, 0},
-                             {-.5, .4, 0},
-                             {-.25, .7, 0},
-                             {.25, .7, 0},
-                             {-2. / 3, .15, -1. / 3},
-                             {-2. / 3, 91. / 180, -1. / 3},
-                             {-.5, 73. / 90, -1. / 3},
-                             {-1. / 6, 53. / 60, -1. / 3},
-                             {-13. / 12, .4, -2. / 3},
-                             {-13. / 12, 7. / 9, -2. / 3},
-                             {-1, 52. / 45, -2. / 3},
-                             {-5. / 6, 41. / 30, -2. / 3},
-                             {-1.5, .6, -1},
-                             {-1.5, 1.05, -1},
-                             {-1.5, 1.55, -1},
-                             {-1.5, 1.95, -1}};
-    taut_surface *a = shape_surface(shape_bezier(3, 0, 1), shape_bezier(3, 0, 1), p[0], NULL);
-    taut_surface *b = shape_surface(shape_bezier(3, 0, 1), shape_bezier(3, 0, 1), q[0], NULL);
+    taut_surface *a =
+        shape_surface(shape_bezier(3, 0, 1), shape_bezier(3, 0, 1), niwang2015_p[0], NULL);
+    taut_surface *b =
+        shape_surface(shape_bezier(3, 0, 1), shape_bezier(3, 0, 1), niwang2015_q[0], NULL);
     check_turned(a, TAUT_EDGE_U1, b, 3, 3, 1, "harmonic");
     taut_surface_free(a);
     taut_surface_free(b);

@@ -1,5 +1,5 @@
 /* All eigenpairs of banded pencils: against a closed form, against LAPACK, and by their own
- * definition. links: lapacke openblas
+ * definition. links: lapacke
  */
 #include "check.h"
 #include "gram.h"
