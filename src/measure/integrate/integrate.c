@@ -1,13 +1,28 @@
-/* integrate.c -- setting up, and the first pass over all cells. */
+/* integrate.c -- an adaptive integral over a surface: a first pass over all cells, then rounds over
+ * those that resist, which are cut in four.
+ *
+ * A round tries every active cell; those whose error is within an equal share of what the goal
+ * leaves are taken, the others quartered. At a corner where the normal vanishes one cell a round is
+ * left; along a kink their number doubles while the error of each falls eightfold.
+ */
 #include "measure/integrate/job.h"
 
 #include "core/memory.h"
 #include "measure/integrate/near_zero.h"
 #include "measure/integrate/parallel.h"
 
+#include <math.h>
 #include <string.h>
 
-void taut_job_gather(const taut_job *job, taut_sum *value, taut_sum *error, double *pending)
+enum {
+    SHARE = 8,           /* cells per task */
+    ROUNDS_MAX = 40,     /* a corner's share is then below 2^-80 of its cell */
+    ACTIVE_MAX = 1 << 18 /* cells in one round, over four times those of the first: then errors are
+                            taken as they are */
+};
+
+/* Adds up the shares in their order; *pending is replaced. */
+static void gather_shares(const taut_job *job, taut_sum *value, taut_sum *error, double *pending)
 {
     for (int f = 0; f < 2 * job->integrand->count; f++) {
         pending[f] = 0;
@@ -33,7 +48,8 @@ static void fill_block(taut_job *job, taut_bench *bench, int direction, int from
     }
 }
 
-taut_rectangle taut_job_cell(const taut_job *job, int i, int j)
+/* The cell of panels i in u and j in v. */
+static taut_rectangle cell_at(const taut_job *job, int i, int j)
 {
     const taut_panels *u = job->panels[0], *v = job->panels[1];
     return (taut_rectangle){{u->span[i], v->span[j]}, {u->lo[i], v->lo[j]}, {u->hi[i], v->hi[j]}};
@@ -43,7 +59,7 @@ taut_rectangle taut_job_cell(const taut_job *job, int i, int j)
 static void first_cell(taut_job *job, taut_bench *bench, int i, int j, int a, int b,
                        taut_share *share)
 {
-    const taut_rectangle r = taut_job_cell(job, i, j);
+    const taut_rectangle r = cell_at(job, i, j);
     const int exact = job->integrand->exact;
     const taut_nodes *first[2] = {&bench->block[0][0][a], &bench->block[1][0][b]};
     const taut_nodes *second[2] = {exact ? NULL : &bench->block[0][1][a],
@@ -179,6 +195,124 @@ static void job_free(taut_job *job)
     taut_rules_free(&job->rules);
 }
 
+static void round_task(void *context, int worker, long task)
+{
+    taut_job *job = context;
+    taut_bench *bench = &job->benches[worker];
+    taut_share *share = &job->shares[task];
+    const long from = task * SHARE;
+    const long to = job->active_count - from < SHARE ? job->active_count : from + SHARE;
+    double value[TAUT_FIELDS_MAX], error[TAUT_FIELDS_MAX];
+
+    memset(share, 0, sizeof *share);
+    for (long i = from; i < to; i++) {
+        const taut_rectangle *r = &job->active[i];
+        const taut_nodes *first[2], *second[2];
+        for (int d = 0; d < 2; d++) {
+            for (int level = 0; level < 2; level++) {
+                taut_rule_fill(&job->rules.at[TAUT_PART][d][level], &job->cells, d, r->span[d],
+                               r->lo[d], r->hi[d], job->integrand->order,
+                               &bench->block[d][level][0]);
+            }
+            first[d] = &bench->block[d][0][0];
+            second[d] = &bench->block[d][1][0];
+        }
+        taut_cell_load(&job->cells, r->span[0], r->span[1], &bench->cell);
+        job->split[i] =
+            !taut_cell_try(job, bench, TAUT_PART, r, first, second, job->allowed, value, error) &&
+            !job->last;
+        taut_share_take(share, !job->split[i], 2 * job->integrand->count, value, error);
+    }
+}
+
+/* The cells that the first pass left, in order. */
+static taut_status collect_hard(taut_job *job)
+{
+    const size_t columns = (size_t)job->panels[1]->count;
+    const size_t cells = (size_t)job->panels[0]->count * columns;
+    long count = 0;
+
+    for (size_t i = 0; i < cells; i++) {
+        count += job->hard[i];
+    }
+    job->active = taut_alloc((size_t)count, sizeof *job->active);
+    if (job->active == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t i = 0; i < cells; i++) {
+        if (job->hard[i]) {
+            job->active[job->active_count++] = cell_at(job, (int)(i / columns), (int)(i % columns));
+        }
+    }
+    return TAUT_OK;
+}
+
+/* Each rectangle marked becomes its four quarters. */
+static taut_status quarter_cells(taut_job *job)
+{
+    long count = 0, made = 0;
+    taut_rectangle *next = NULL;
+    for (long i = 0; i < job->active_count; i++) {
+        count += 4 * job->split[i];
+    }
+    next = taut_alloc((size_t)count, sizeof *next);
+    if (next == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (long i = 0; i < job->active_count; i++) {
+        for (int q = 0; q < 4 && job->split[i]; q++) {
+            taut_rectangle quarter = job->active[i];
+            for (int d = 0; d < 2; d++) {
+                const double middle = quarter.lo[d] + (quarter.hi[d] - quarter.lo[d]) / 2;
+                double *end = (q >> d & 1) != 0 ? &quarter.lo[d] : &quarter.hi[d];
+                *end = middle;
+            }
+            next[made++] = quarter;
+        }
+    }
+    taut_free(job->active);
+    job->active = next;
+    job->active_count = made;
+    return TAUT_OK;
+}
+
+/* What a cell of this round may keep: an equal part of a sixteenth of the goal, as other rounds
+ * take theirs too. */
+static void allow_errors(taut_job *job, const taut_sum *value, const double *pending)
+{
+    for (int f = 0; f < 2 * job->integrand->count; f += 2) {
+        const taut_target *target = &job->integrand->targets[f / 2];
+        const double size = fabs(taut_sum_total(&value[f]) + pending[f]);
+        const double noise = fabs(taut_sum_total(&value[f + 1]) + pending[f + 1]);
+        job->allowed[f] =
+            (target->relative * size + target->floor * noise) / (16 * (double)job->active_count);
+    }
+}
+
+/* The rounds over the cells marked hard. TAUT_NO_MEMORY. */
+static taut_status run_rounds(taut_job *job, taut_sum *value, taut_sum *error, double *pending)
+{
+    taut_status status = collect_hard(job);
+    const long most = ACTIVE_MAX + 4 * job->active_count;
+
+    for (int round = 0; status == TAUT_OK && job->active_count > 0; round++) {
+        job->last = round + 1 >= ROUNDS_MAX || job->active_count > most;
+        job->share_count = (job->active_count + SHARE - 1) / SHARE;
+        taut_free(job->shares);
+        taut_free(job->split);
+        job->shares = taut_alloc((size_t)job->share_count, sizeof *job->shares);
+        job->split = taut_alloc((size_t)job->active_count, 1);
+        if (job->shares == NULL || job->split == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+        allow_errors(job, value, pending);
+        taut_parallel_run(job->worker_count, job->share_count, round_task, job);
+        gather_shares(job, value, error, pending);
+        status = quarter_cells(job);
+    }
+    return status;
+}
+
 taut_status taut_integrate(const taut_surface *surface, const taut_integrand *integrand,
                            int threads, taut_integrals *integrals)
 {
@@ -189,8 +323,8 @@ taut_status taut_integrate(const taut_surface *surface, const taut_integrand *in
 
     if (status == TAUT_OK) {
         taut_parallel_run(job.worker_count, job.share_count, first_task, &job);
-        taut_job_gather(&job, value, error, pending);
-        status = taut_job_rounds(&job, value, error, pending);
+        gather_shares(&job, value, error, pending);
+        status = run_rounds(&job, value, error, pending);
     }
     if (status == TAUT_OK) {
         for (int f = 0; f < 2 * integrand->count; f++) {

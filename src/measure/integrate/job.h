@@ -88,13 +88,4 @@ void taut_cell_turns(const taut_job *job, taut_bench *bench, int ladder, const t
 void taut_share_take(taut_share *share, int is_good, int count, const double *value,
                      const double *error);
 
-/* The cell of panels i in u and j in v. */
-taut_rectangle taut_job_cell(const taut_job *job, int i, int j);
-
-/* Adds up the shares in their order; *pending is replaced. */
-void taut_job_gather(const taut_job *job, taut_sum *value, taut_sum *error, double *pending);
-
-/* The rounds over the cells marked hard. TAUT_NO_MEMORY. */
-taut_status taut_job_rounds(taut_job *job, taut_sum *value, taut_sum *error, double *pending);
-
 #endif /* TAUT_MEASURE_INTEGRATE_JOB_H */
