@@ -3,7 +3,7 @@
 
 #include "core/memory.h"
 #include "measure/curvature/scan.h"
-#include "measure/integrate/parallel.h"
+#include "platform/parallel.h"
 #include "taut/measure.h"
 
 #include <math.h>

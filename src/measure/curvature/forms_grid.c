@@ -1,7 +1,7 @@
 /* forms_grid.c -- fundamental forms and curvatures over a grid, a line at a time. */
 #include "core/memory.h"
 #include "measure/curvature/scan.h"
-#include "measure/integrate/parallel.h"
+#include "platform/parallel.h"
 #include "taut/limits.h"
 #include "taut/measure.h"
 

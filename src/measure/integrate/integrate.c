@@ -9,7 +9,7 @@
 
 #include "core/memory.h"
 #include "measure/integrate/near_zero.h"
-#include "measure/integrate/parallel.h"
+#include "platform/parallel.h"
 
 #include <math.h>
 #include <string.h>

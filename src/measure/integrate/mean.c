@@ -7,12 +7,11 @@
  * as it stands, with what rounding may do to it added. Only points that may be the largest are
  * looked at with forms.c's care, and so are those whose numbers are too small, too large or too
  * nearly singular for a bound. */
-#include "measure/integrate/mean.h"
+#include "measure/integrate/integrals.h"
 
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "measure/curvature/scan.h"
-#include "measure/integrate/integrals.h"
 #include "taut/measure.h"
 
 #include <math.h>

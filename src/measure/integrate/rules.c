@@ -1,7 +1,7 @@
-#include "measure/integrate/rules.h"
+/* rules.c -- the Gauss rules that an adaptive integral climbs through. */
+#include "measure/integrate/job.h"
 
 #include "core/memory.h"
-#include "measure/integrate/absolute.h"
 #include "numeric/quadrature.h"
 
 #include <string.h>
