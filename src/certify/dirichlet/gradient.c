@@ -12,7 +12,7 @@
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "geometry/grid/table.h"
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 #include "numeric/quadrature.h"
 
 #include <float.h>
@@ -71,7 +71,7 @@ static taut_status axis_alloc(const taut_basis *basis, int count, axis *a)
     return a->t != NULL && a->weights != NULL && a->roundings != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
-/* lines, step, next as in geometry/nurbs/panels.h. */
+/* lines, step, next as in geometry/nurbs/cells.h. */
 static taut_status axis_new(const taut_basis *basis, int lines, const double *surface_weights,
                             size_t step, size_t next, int nodes, axis *a)
 {

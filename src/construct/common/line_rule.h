@@ -3,7 +3,7 @@
 #define TAUT_CONSTRUCT_COMMON_LINE_RULE_H
 
 #include "geometry/grid/table.h"
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 
 typedef struct taut_line_rule {
     int count;         /* nodes */

@@ -8,7 +8,7 @@
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "geometry/grid/table.h"
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
@@ -67,7 +67,7 @@ static taut_status axis_tabulate(const taut_basis *basis, const taut_panels *pan
     return status;
 }
 
-/* lines, step, next as in geometry/nurbs/panels.h. */
+/* lines, step, next as in geometry/nurbs/cells.h. */
 static taut_status axis_new(const taut_basis *basis, int lines, const double *weights, size_t step,
                             size_t next, int extra, taut_film_axis *a)
 {

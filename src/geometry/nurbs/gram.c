@@ -9,7 +9,7 @@
 #include "basis/basis_ops.h"
 #include "core/fail.h"
 #include "core/memory.h"
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>

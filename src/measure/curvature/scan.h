@@ -9,7 +9,7 @@
 #define TAUT_MEASURE_CURVATURE_SCAN_H
 
 #include "geometry/grid/table.h"
-#include "measure/integrate/lines.h"
+#include "measure/integrate/parameters.h"
 #include "taut/surface.h"
 
 #include <stddef.h>

@@ -2,7 +2,7 @@
 #ifndef TAUT_MEASURE_INTEGRATE_JOB_H
 #define TAUT_MEASURE_INTEGRATE_JOB_H
 
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 #include "measure/integrate/absolute.h"
 #include "measure/integrate/integrate.h"
 #include "numeric/sum.h"

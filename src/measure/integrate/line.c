@@ -2,7 +2,7 @@
 
 #include "basis/basis_ops.h"
 #include "core/memory.h"
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 #include "measure/curvature/place.h"
 #include "measure/curvature/scaling.h"
 #include "numeric/quadrature.h"

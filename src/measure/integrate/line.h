@@ -6,7 +6,7 @@
 #ifndef TAUT_MEASURE_INTEGRATE_LINE_H
 #define TAUT_MEASURE_INTEGRATE_LINE_H
 
-#include "measure/integrate/lines.h"
+#include "measure/integrate/parameters.h"
 #include "taut/curve.h"
 #include "taut/surface.h"
 

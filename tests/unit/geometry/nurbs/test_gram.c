@@ -3,7 +3,7 @@
 #include "problems.h"
 
 #include "geometry/nurbs/gram.h"
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 
 #include <string.h>
 

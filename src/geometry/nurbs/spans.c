@@ -1,4 +1,4 @@
-/* nurbs_panels.c -- as few panels as the proof of a distance allows, wide where a piece is
+/* spans.c -- as few panels as the proof of a distance allows, wide where a piece is
  * straight.
  *
  * A long hyperbolic piece is straight but for layers at its ends: panels of one width would have to

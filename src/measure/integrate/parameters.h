@@ -1,10 +1,10 @@
-/* lines.h -- the closed uniform grid of one direction, one-sided at knots.
+/* parameters.h -- the closed uniform grid of one direction, one-sided at knots.
  *
  * A grid parameter that is an inner knot comes twice: once seen from the span on its left, once
  * from the right, so that where derivatives jump both values count.
  */
-#ifndef TAUT_MEASURE_INTEGRATE_LINES_H
-#define TAUT_MEASURE_INTEGRATE_LINES_H
+#ifndef TAUT_MEASURE_INTEGRATE_PARAMETERS_H
+#define TAUT_MEASURE_INTEGRATE_PARAMETERS_H
 
 #include "taut/basis.h"
 
@@ -20,4 +20,4 @@ typedef struct taut_lines {
 taut_status taut_lines_new(const taut_basis *basis, int grid, double only, taut_lines **lines);
 void taut_lines_free(taut_lines *lines); /* NULL is fine */
 
-#endif /* TAUT_MEASURE_INTEGRATE_LINES_H */
+#endif /* TAUT_MEASURE_INTEGRATE_PARAMETERS_H */

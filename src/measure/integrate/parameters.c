@@ -1,4 +1,4 @@
-#include "measure/integrate/lines.h"
+#include "measure/integrate/parameters.h"
 
 #include "core/memory.h"
 

@@ -1,4 +1,4 @@
-/* integrate_cell.c -- one cell: more nodes until two rules agree. */
+/* cell_rules.c -- one cell: more nodes until two rules agree. */
 #include "measure/integrate/job.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* panels.h -- where to place Gauss nodes: spans, cut further where functions vary fast.
+/* cells.h -- where to place Gauss nodes: spans, cut further where functions vary fast.
  *
  * A rational function has poles where w = sum w_i N_i vanishes, beside the range; the rule of n
  * nodes on an interval of width h converges like (1 + d/h + ..)^(-2n), d the distance of the
@@ -9,8 +9,8 @@
  * e^-s, s the distance to an end of the span: few nodes see nothing of it, whatever they agree on.
  * There panels double in width from the ends to the middle.
  */
-#ifndef TAUT_GEOMETRY_NURBS_PANELS_H
-#define TAUT_GEOMETRY_NURBS_PANELS_H
+#ifndef TAUT_GEOMETRY_NURBS_CELLS_H
+#define TAUT_GEOMETRY_NURBS_CELLS_H
 
 #include "taut/basis.h"
 
@@ -41,4 +41,4 @@ static inline double taut_panels_at(const taut_panels *panels, int k, double nod
     return t < hi ? t : hi;
 }
 
-#endif /* TAUT_GEOMETRY_NURBS_PANELS_H */
+#endif /* TAUT_GEOMETRY_NURBS_CELLS_H */

@@ -1,4 +1,4 @@
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 
 #include "basis/basis_ops.h"
 #include "core/memory.h"
