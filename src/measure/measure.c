@@ -32,7 +32,7 @@ static taut_status settle(const taut_measure_options *given, taut_measure_option
     return TAUT_OK;
 }
 
-static void take_figures(const taut_figures *figures, const taut_extremes *extremes,
+static void take_figures(const taut_surface_integrals *figures, const taut_extremes *extremes,
                          taut_surface_measure *measure)
 {
     measure->area = figures->area;
@@ -58,7 +58,7 @@ taut_status taut_measure_surface(const taut_surface *surface, const taut_measure
     taut_measure_options settled;
     taut_surface_measure made;
     taut_extremes extremes;
-    taut_figures figures;
+    taut_surface_integrals figures;
     taut_status status = TAUT_OK;
 
     if (surface == NULL || measure == NULL) {
@@ -70,7 +70,7 @@ taut_status taut_measure_surface(const taut_surface *surface, const taut_measure
         return status;
     }
     memset(&made, 0, sizeof made);
-    status = taut_figures_of(surface, settled.threads, &figures);
+    status = taut_surface_integrals_of(surface, settled.threads, &figures);
     if (status == TAUT_OK) {
         status = taut_extremes_of(surface, settled.grid, settled.threads, &extremes);
     }
@@ -95,7 +95,7 @@ static double dot(const double *a, const double *b)
 }
 
 /* tau = (x' x x'') . x''' / |x' x x''|^2, left out where the curve is straight. */
-static double torsion_along(const taut_line *line, const taut_lines *lines, double curvature,
+static double torsion_along(const taut_line *line, const taut_parameters *lines, double curvature,
                             double length)
 {
     double largest = nan("");
@@ -115,7 +115,7 @@ taut_status taut_measure_curve(const taut_curve *curve, const taut_measure_optio
 {
     taut_measure_options settled;
     taut_line line = {.net = NULL};
-    taut_lines *lines = NULL;
+    taut_parameters *lines = NULL;
     double length = 0;
     taut_status status = TAUT_OK;
 
@@ -129,7 +129,7 @@ taut_status taut_measure_curve(const taut_curve *curve, const taut_measure_optio
     }
     status = taut_line_of_curve(curve, &line);
     if (status == TAUT_OK) {
-        status = taut_lines_new(taut_curve_t(curve), settled.grid, 0, &lines);
+        status = taut_parameters_new(taut_curve_t(curve), settled.grid, 0, &lines);
     }
     if (status == TAUT_OK) {
         status = taut_line_length(&line, &length);
@@ -143,7 +143,7 @@ taut_status taut_measure_curve(const taut_curve *curve, const taut_measure_optio
     } else {
         status = taut_fail_memory(error);
     }
-    taut_lines_free(lines);
+    taut_parameters_free(lines);
     taut_line_free(&line);
     return status;
 }

@@ -204,7 +204,7 @@ taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_a
     return status;
 }
 
-double taut_cells(double width, double bending, double tolerance)
+double taut_cell_count(double width, double bending, double tolerance)
 {
     const double cells = width * sqrt(bending / (4 * tolerance)); /* width / hu */
     return cells > 1 ? ceil(cells) : cells >= 0 ? 1 : bending > 0 ? INFINITY : 1;

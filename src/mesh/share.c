@@ -14,7 +14,7 @@ static const double narrow = 1e-7;
 
 static double cells_of(const taut_chains *chains, double width, double bending)
 {
-    return chains->divide > 0 ? chains->divide : taut_cells(width, bending, chains->tolerance);
+    return chains->divide > 0 ? chains->divide : taut_cell_count(width, bending, chains->tolerance);
 }
 
 /* Can the breaks of this direction be told apart from those of others? */

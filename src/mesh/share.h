@@ -13,7 +13,7 @@
 
 typedef struct taut_direction {
     const taut_basis *basis;
-    const double *bending; /* [spans], as taut_cells wants them */
+    const double *bending; /* [spans], as taut_cell_count wants them */
     double wish;           /* cells in all, whole; perhaps too large for any use */
     double *lines;         /* double[wish + 1] */
 } taut_direction;

@@ -9,24 +9,24 @@
 enum { DEPTH_MAX = 24 }; /* a pole nearer than 2^-24 of its span is no longer resolved */
 static const double layer_width = 4;
 
-/* What is asked about, and the panels so far; `room` of them fit. */
+/* What is asked about, and the cells so far; `room` of them fit. */
 typedef struct cutting {
     const taut_basis *basis;
     int lines;
     const double *weights;
     size_t step, next;
-    taut_panels *panels;
+    taut_cells *cells;
     int room;
     double *values; /* [local + 1][local] */
 } cutting;
 
-void taut_panels_free(taut_panels *panels)
+void taut_cells_free(taut_cells *cells)
 {
-    if (panels != NULL) {
-        taut_free(panels->lo);
-        taut_free(panels->hi);
-        taut_free(panels->span);
-        taut_free(panels);
+    if (cells != NULL) {
+        taut_free(cells->lo);
+        taut_free(cells->hi);
+        taut_free(cells->span);
+        taut_free(cells);
     }
 }
 
@@ -59,7 +59,7 @@ static int varies(const cutting *c, int span, double lo, double hi)
 }
 
 /* Is [lo, hi] long against the exponentials in it? They fade towards the middle of the span: there
- * a panel may be as wide as it is far from the nearer end. */
+ * a cell may be as wide as it is far from the nearer end. */
 static int has_layer(const taut_basis *basis, int span, double lo, double hi)
 {
     const double *ends = taut_basis_breaks(basis) + span;
@@ -68,7 +68,7 @@ static int has_layer(const taut_basis *basis, int span, double lo, double hi)
 
 static taut_status add(cutting *c, int span, double lo, double hi)
 {
-    taut_panels *p = c->panels;
+    taut_cells *p = c->cells;
     if (p->count == c->room) {
         const size_t room = 2 * (size_t)c->room;
         double *low = taut_realloc(p->lo, room, sizeof *low);
@@ -114,17 +114,17 @@ static taut_status cut(cutting *c, int span)
     return status;
 }
 
-double taut_panels_finest(const taut_basis *basis, int span)
+double taut_cells_finest(const taut_basis *basis, int span)
 {
     const double *ends = taut_basis_breaks(basis) + span;
     return basis->ops->layers ? fmin(ends[1] - ends[0], 1) : ends[1] - ends[0];
 }
 
-taut_status taut_panels_new(const taut_basis *basis, int lines, const double *weights, size_t step,
-                            size_t next, taut_panels **panels)
+taut_status taut_cells_new(const taut_basis *basis, int lines, const double *weights, size_t step,
+                           size_t next, taut_cells **cells)
 {
     const int spans = taut_basis_span_count(basis);
-    taut_panels *made = taut_alloc_zero(1, sizeof *made);
+    taut_cells *made = taut_alloc_zero(1, sizeof *made);
     const size_t local = (size_t)taut_basis_local(basis);
     cutting c = {basis, lines, weights, step, next, made, spans, NULL};
     taut_status status = TAUT_OK;
@@ -147,9 +147,9 @@ taut_status taut_panels_new(const taut_basis *basis, int lines, const double *we
     }
     taut_free(c.values);
     if (status != TAUT_OK) {
-        taut_panels_free(made);
+        taut_cells_free(made);
         return status;
     }
-    *panels = made;
+    *cells = made;
     return TAUT_OK;
 }

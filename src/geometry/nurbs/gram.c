@@ -38,7 +38,7 @@ static taut_status gram_alloc(const taut_basis *basis, taut_gram *gram)
     gram->length = taut_basis_hi(basis) - taut_basis_lo(basis);
     for (int k = 0; k < taut_basis_span_count(basis); k++) {
         const double largest = fmax(fabs(breaks[k]), fabs(breaks[k + 1]));
-        gram->roundings = fmax(gram->roundings, 1 + largest / taut_panels_finest(basis, k));
+        gram->roundings = fmax(gram->roundings, 1 + largest / taut_cells_finest(basis, k));
     }
     status = taut_band_init(n, width, &gram->mass);
     if (status == TAUT_OK) {
@@ -149,38 +149,38 @@ static void eval_by_lengths(int p, const double *length, int i, double x, double
     }
 }
 
-/* Values and slopes at node g of a panel, a share of its knot interval: there nothing depends on
+/* Values and slopes at node g of a cell, a share of its knot interval: there nothing depends on
  * how far from 0 the parameters lie. */
-static void eval_share(const taut_basis *basis, const taut_panels *panels, int k, double node,
+static void eval_share(const taut_basis *basis, const taut_cells *cells, int k, double node,
                        const double *lengths, double *n)
 {
-    const double *span = taut_basis_breaks(basis) + panels->span[k];
-    const double lo = (panels->lo[k] - span[0]) / (span[1] - span[0]);
-    const double hi = (panels->hi[k] - span[0]) / (span[1] - span[0]);
+    const double *span = taut_basis_breaks(basis) + cells->span[k];
+    const double lo = (cells->lo[k] - span[0]) / (span[1] - span[0]);
+    const double hi = (cells->hi[k] - span[0]) / (span[1] - span[0]);
     const double up = 0.5 + 0.5 * node, down = 0.5 - 0.5 * node;
-    eval_by_lengths(taut_basis_local(basis) - 1, lengths, basis->knot_span[panels->span[k]],
+    eval_by_lengths(taut_basis_local(basis) - 1, lengths, basis->knot_span[cells->span[k]],
                     down * lo + up * hi, down * (1 - lo) + up * (1 - hi), n);
 }
 
-/* The terms of one panel. The square roots of the weights go into the factors, so that very short
+/* The terms of one cell. The square roots of the weights go into the factors, so that very short
  * spans do not overflow before they are summed. */
-static void add_panel(const taut_basis *basis, const double *weights, const taut_panels *panels,
-                      int k, const gauss *rule, const double *lengths, taut_gram *gram)
+static void add_cell(const taut_basis *basis, const double *weights, const taut_cells *cells, int k,
+                     const gauss *rule, const double *lengths, taut_gram *gram)
 {
-    const double *span = taut_basis_breaks(basis) + panels->span[k];
-    const double share = (panels->hi[k] - panels->lo[k]) / (span[1] - span[0]);
-    const double width = lengths == NULL ? panels->hi[k] - panels->lo[k]
-                                         : share * lengths[basis->knot_span[panels->span[k]]];
-    const int local = taut_basis_local(basis), first = taut_basis_first(basis, panels->span[k]);
+    const double *span = taut_basis_breaks(basis) + cells->span[k];
+    const double share = (cells->hi[k] - cells->lo[k]) / (span[1] - span[0]);
+    const double width = lengths == NULL ? cells->hi[k] - cells->lo[k]
+                                         : share * lengths[basis->knot_span[cells->span[k]]];
+    const int local = taut_basis_local(basis), first = taut_basis_first(basis, cells->span[k]);
     double n[2 * (TAUT_DEGREE_MAX + 1)];
 
     for (int g = 0; g < rule->nodes; g++) {
         const double root = sqrt(0.5 * rule->weight[g] * (width / gram->length));
         const double slope_root = root * gram->length;
         if (lengths != NULL) {
-            eval_share(basis, panels, k, rule->node[g], lengths, n);
+            eval_share(basis, cells, k, rule->node[g], lengths, n);
         } else {
-            taut_basis_eval(basis, panels->span[k], taut_panels_at(panels, k, rule->node[g]), 1, n);
+            taut_basis_eval(basis, cells->span[k], taut_cells_at(cells, k, rule->node[g]), 1, n);
         }
         if (weights != NULL) {
             make_rational(local, weights + first, n);
@@ -198,8 +198,8 @@ static taut_status gram_with(const taut_basis *basis, const double *weights, int
                              taut_gram *gram)
 {
     gauss rule;
-    taut_panels *panels = NULL;
-    taut_status status = taut_panels_new(basis, 1, weights, 1, 0, &panels);
+    taut_cells *cells = NULL;
+    taut_status status = taut_cells_new(basis, 1, weights, 1, 0, &cells);
     double *lengths = NULL;
 
     if (status == TAUT_OK) {
@@ -211,12 +211,12 @@ static taut_status gram_with(const taut_basis *basis, const double *weights, int
     if (status == TAUT_OK) {
         rule.nodes = nodes;
         taut_gauss_rule(nodes, rule.node, rule.weight);
-        for (int k = 0; k < panels->count; k++) {
-            add_panel(basis, weights, panels, k, &rule, lengths, gram);
+        for (int k = 0; k < cells->count; k++) {
+            add_cell(basis, weights, cells, k, &rule, lengths, gram);
         }
     }
     taut_free(lengths);
-    taut_panels_free(panels);
+    taut_cells_free(cells);
     return status;
 }
 

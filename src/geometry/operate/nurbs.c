@@ -1,4 +1,4 @@
-/* nurbs.c -- NURBS within a proved tolerance: as many panels as the proof wants. */
+/* nurbs.c -- NURBS within a proved tolerance: as many spans as the proof wants. */
 #include "taut/operations.h"
 
 #include "core/fail.h"
@@ -13,7 +13,7 @@
 #define TAUT_ROUNDING 1e-13
 #define POINTS_LARGEST 1e200
 
-static double spline_count(const taut_side *s)
+static double spline_count(const taut_nurbs_side *s)
 {
     return s->basis == NULL ? 1
            : s->exact       ? taut_basis_count(s->basis)
@@ -21,7 +21,7 @@ static double spline_count(const taut_side *s)
 }
 
 /* Would the result be of a size that is allowed? */
-static taut_status check_size(const taut_side *u, const taut_side *v, double tolerance,
+static taut_status check_size(const taut_nurbs_side *u, const taut_nurbs_side *v, double tolerance,
                               taut_error *error)
 {
     const double rows = spline_count(u), columns = spline_count(v);
@@ -35,9 +35,9 @@ static taut_status check_size(const taut_side *u, const taut_side *v, double tol
     return TAUT_OK;
 }
 
-/* Panels such that the proof holds: each side for its share alone, the mixed term taking what is
+/* Spans such that the proof holds: each side for its share alone, the mixed term taking what is
  * left; where that is not enough, smaller shares. */
-static taut_status divide_until(const taut_lattice *whole, taut_side *u, taut_side *v,
+static taut_status divide_until(const taut_lattice *whole, taut_nurbs_side *u, taut_nurbs_side *v,
                                 double tolerance, double *bound, taut_error *error)
 {
     double share = u->exact || v->exact ? tolerance : 0.49 * tolerance, distance = 0;
@@ -109,7 +109,7 @@ static taut_status check_points(double size, double tolerance, taut_error *error
                : below_rounding(tolerance, 4 * TAUT_ROUNDING * size, error);
 }
 
-static taut_status to_spline(const taut_side *s, taut_change **change, taut_error *error)
+static taut_status to_spline(const taut_nurbs_side *s, taut_change **change, taut_error *error)
 {
     return s->basis == NULL
                ? TAUT_OK
@@ -118,7 +118,7 @@ static taut_status to_spline(const taut_side *s, taut_change **change, taut_erro
 }
 
 /* The splines of both sides, fine enough that distance and rounding stay below the tolerance. */
-static taut_status find_changes(const taut_lattice *whole, taut_side *u, taut_side *v,
+static taut_status find_changes(const taut_lattice *whole, taut_nurbs_side *u, taut_nurbs_side *v,
                                 double tolerance, taut_change *changes[2], double *bound,
                                 taut_error *error)
 {
@@ -173,17 +173,17 @@ static taut_status begin_and_find(const taut_lattice *whole, const taut_basis *u
                                   const taut_basis *v, double tolerance, taut_change *changes[2],
                                   double *bound, taut_error *error)
 {
-    taut_side sides[2] = {{.basis = NULL}, {.basis = NULL}};
-    taut_status status = taut_side_begin(u, &sides[0], error);
+    taut_nurbs_side sides[2] = {{.basis = NULL}, {.basis = NULL}};
+    taut_status status = taut_nurbs_side_begin(u, &sides[0], error);
 
     if (status == TAUT_OK) {
-        status = taut_side_begin(v, &sides[1], error);
+        status = taut_nurbs_side_begin(v, &sides[1], error);
     }
     if (status == TAUT_OK) {
         status = find_changes(whole, &sides[0], &sides[1], tolerance, changes, bound, error);
     }
-    taut_side_free(&sides[0]);
-    taut_side_free(&sides[1]);
+    taut_nurbs_side_free(&sides[0]);
+    taut_nurbs_side_free(&sides[1]);
     return status;
 }
 

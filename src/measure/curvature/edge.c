@@ -12,15 +12,15 @@
 
 /* The surface's normals along an edge, entry by entry of the grid along it: double[count][3], NaN
  * where there is none. */
-static taut_status normals_along(const taut_surface *surface, int edge, const taut_lines *along,
-                                 double *normals)
+static taut_status normals_along(const taut_surface *surface, int edge,
+                                 const taut_parameters *along, double *normals)
 {
     const int held = taut_edge_held(edge);
     const taut_basis *basis = held == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
-    taut_lines *across = NULL;
+    taut_parameters *across = NULL;
     taut_scan *scan = NULL;
     double *scratch = NULL, *values = NULL;
-    taut_status status = taut_lines_new(basis, 1, taut_edge_at(surface, edge), &across);
+    taut_status status = taut_parameters_new(basis, 1, taut_edge_at(surface, edge), &across);
 
     if (status == TAUT_OK) {
         status = held == 0 ? taut_scan_new(surface, across, along, &scan)
@@ -46,7 +46,7 @@ static taut_status normals_along(const taut_surface *surface, int edge, const ta
     taut_free(scratch);
     taut_free(values);
     taut_scan_free(scan);
-    taut_lines_free(across);
+    taut_parameters_free(across);
     return status;
 }
 
@@ -59,8 +59,8 @@ static double angle_between_lines(const double *a, const double *b)
 }
 
 /* fmax passes over the NaN of a point where a figure is undefined. */
-static void extremes_along(const taut_line *line, const taut_lines *along, const double *normals,
-                           double length, taut_edge_measure *measure)
+static void extremes_along(const taut_line *line, const taut_parameters *along,
+                           const double *normals, double length, taut_edge_measure *measure)
 {
     const double largest = taut_line_curvature(line, along);
 
@@ -89,12 +89,12 @@ taut_status taut_edge_measure_of(const taut_surface *surface, int edge, int grid
     const int runs = 1 - taut_edge_held(edge);
     const taut_basis *basis = runs == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
     taut_line line = {.net = NULL};
-    taut_lines *along = NULL;
+    taut_parameters *along = NULL;
     double *normals = NULL;
     taut_status status = taut_line_of_edge(surface, edge, &line);
 
     if (status == TAUT_OK) {
-        status = taut_lines_new(basis, grid, 0, &along);
+        status = taut_parameters_new(basis, grid, 0, &along);
     }
     if (status == TAUT_OK) {
         normals = taut_alloc((size_t)along->count, 3 * sizeof(double));
@@ -107,7 +107,7 @@ taut_status taut_edge_measure_of(const taut_surface *surface, int edge, int grid
         extremes_along(&line, along, normals, ldexp(measure->length, -line.scale), measure);
     }
     taut_free(normals);
-    taut_lines_free(along);
+    taut_parameters_free(along);
     taut_line_free(&line);
     return status;
 }

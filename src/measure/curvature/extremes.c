@@ -11,7 +11,7 @@
 
 typedef struct search {
     const taut_scan *scan;
-    const taut_lines *u, *v;
+    const taut_parameters *u, *v;
     taut_extremes *rows; /* [grid] */
     double **scratch;    /* [workers], each: polygons, values, flags */
 } search;
@@ -127,12 +127,12 @@ static taut_status run(search *s, int threads, taut_extremes *extremes)
 taut_status taut_extremes_of(const taut_surface *surface, int grid, int threads,
                              taut_extremes *extremes)
 {
-    taut_lines *u = NULL, *v = NULL;
+    taut_parameters *u = NULL, *v = NULL;
     taut_scan *scan = NULL;
-    taut_status status = taut_lines_new(taut_surface_u(surface), grid, 0, &u);
+    taut_status status = taut_parameters_new(taut_surface_u(surface), grid, 0, &u);
 
     if (status == TAUT_OK) {
-        status = taut_lines_new(taut_surface_v(surface), grid, 0, &v);
+        status = taut_parameters_new(taut_surface_v(surface), grid, 0, &v);
     }
     if (status == TAUT_OK) {
         status = taut_scan_new(surface, u, v, &scan);
@@ -142,7 +142,7 @@ taut_status taut_extremes_of(const taut_surface *surface, int grid, int threads,
         status = run(&s, threads, extremes);
     }
     taut_scan_free(scan);
-    taut_lines_free(u);
-    taut_lines_free(v);
+    taut_parameters_free(u);
+    taut_parameters_free(v);
     return status;
 }

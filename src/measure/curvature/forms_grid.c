@@ -32,7 +32,8 @@ taut_status taut_surface_forms_grid(const taut_surface *surface, int nu, const d
                                     const double *v, int threads, taut_forms *forms)
 {
     const int workers = taut_parallel_workers(threads, nu > 0 ? nu : 1);
-    const taut_lines lines[2] = {{.count = nu, .t = (double *)u}, {.count = nv, .t = (double *)v}};
+    const taut_parameters lines[2] = {{.count = nu, .t = (double *)u},
+                                      {.count = nv, .t = (double *)v}};
     grid g = {.nv = nv, .forms = forms};
     taut_scan *scan = NULL;
     taut_status status = TAUT_OK;

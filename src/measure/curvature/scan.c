@@ -36,8 +36,8 @@ static taut_status homogeneous(const taut_surface *surface, size_t count, taut_s
     return TAUT_OK;
 }
 
-taut_status taut_scan_new(const taut_surface *surface, const taut_lines *u, const taut_lines *v,
-                          taut_scan **scan)
+taut_status taut_scan_new(const taut_surface *surface, const taut_parameters *u,
+                          const taut_parameters *v, taut_scan **scan)
 {
     const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
     const size_t count = (size_t)taut_basis_count(bu) * (size_t)taut_basis_count(bv);

@@ -24,8 +24,8 @@ typedef struct taut_scan {
 } taut_scan;
 
 /* TAUT_NO_MEMORY. The surface must outlive the scan. */
-taut_status taut_scan_new(const taut_surface *surface, const taut_lines *u, const taut_lines *v,
-                          taut_scan **scan);
+taut_status taut_scan_new(const taut_surface *surface, const taut_parameters *u,
+                          const taut_parameters *v, taut_scan **scan);
 void taut_scan_free(taut_scan *scan); /* NULL is fine */
 
 /* Numbers of scratch one worker needs. */

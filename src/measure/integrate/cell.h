@@ -28,16 +28,16 @@ typedef void taut_fields(int count, int stride, const double *x, const taut_boun
                          double ratio, double *out);
 
 /* A surface made ready. */
-typedef struct taut_cells {
+typedef struct taut_scaled_surface {
     const taut_basis *basis[2];
     const double *points, *weights;
     int dim;      /* 3, or 4 with weights */
     int local[2]; /* functions alive per direction */
     int scale;
     int shift[2];
-} taut_cells;
+} taut_scaled_surface;
 
-void taut_cells_init(const taut_surface *surface, taut_cells *cells);
+void taut_scaled_surface_init(const taut_surface *surface, taut_scaled_surface *scaled);
 
 /* The nodes of a rule in one interval of one span: basis functions to `order`, weights that sum to
  * the length of the interval (scaled). */
@@ -48,9 +48,9 @@ typedef struct taut_nodes {
     double largest[3]; /* over the nodes, of sum_a |N_a^(k)| */
 } taut_nodes;
 
-void taut_nodes_fill(const taut_cells *cells, int direction, int span, double lo, double hi,
-                     int order, int count, const double *rule_nodes, const double *rule_weights,
-                     taut_nodes *nodes);
+void taut_nodes_fill(const taut_scaled_surface *scaled, int direction, int span, double lo,
+                     double hi, int order, int count, const double *rule_nodes,
+                     const double *rule_weights, taut_nodes *nodes);
 
 /* Scratch of one worker. */
 typedef struct taut_cell_work {
@@ -64,21 +64,21 @@ typedef struct taut_cell_work {
 } taut_cell_work;
 
 /* `row` is the largest number of nodes in v. 0 when memory runs out; free in any case. */
-int taut_cell_work_init(const taut_cells *cells, int row, taut_cell_work *work);
+int taut_cell_work_init(const taut_scaled_surface *scaled, int row, taut_cell_work *work);
 void taut_cell_work_free(taut_cell_work *work);
 
 /* Takes the net of spans su, sv into the work. */
-void taut_cell_load(const taut_cells *cells, int su, int sv, taut_cell_work *work);
+void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell_work *work);
 
 /* sums[f] = sum over the nodes of weight times out[f], f < field_count. The `kept` fields that
  * follow them go to work->kept[k], row by row, if there are no more than TAUT_NODES_KEPT nodes.
  * order is 1 or 2. */
-void taut_cell_sum(const taut_cells *cells, const taut_nodes *u, const taut_nodes *v, int order,
-                   taut_fields *fields, int field_count, int kept, taut_cell_work *work,
+void taut_cell_sum(const taut_scaled_surface *scaled, const taut_nodes *u, const taut_nodes *v,
+                   int order, taut_fields *fields, int field_count, int kept, taut_cell_work *work,
                    double *sums);
 
 /* The same fields at the nodes of row i, kept in work: vectors in field, fields in out. */
-void taut_cell_row(const taut_cells *cells, const taut_nodes *u, int i, const taut_nodes *v,
-                   int order, taut_fields *fields, taut_cell_work *work);
+void taut_cell_row(const taut_scaled_surface *scaled, const taut_nodes *u, int i,
+                   const taut_nodes *v, int order, taut_fields *fields, taut_cell_work *work);
 
 #endif /* TAUT_MEASURE_INTEGRATE_CELL_H */

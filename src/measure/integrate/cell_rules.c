@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-void taut_share_take(taut_share *share, int is_good, int count, const double *value,
-                     const double *error)
+void taut_task_result_add(taut_task_result *share, int is_good, int count, const double *value,
+                          const double *error)
 {
     for (int f = 0; f < count; f++) {
         if (is_good) {
@@ -21,7 +21,7 @@ void taut_share_take(taut_share *share, int is_good, int count, const double *va
 static int good(const taut_integrand *integrand, int f, const double *value, const double *error,
                 const double *allowed)
 {
-    const taut_target *target = &integrand->targets[f / 2];
+    const taut_goal *target = &integrand->targets[f / 2];
     const double limit =
         0.1 * target->relative * fabs(value[f]) + target->floor * fabs(value[f + 1]);
     return error[f] <= limit || (allowed != NULL && error[f] <= allowed[f]);
@@ -47,7 +47,7 @@ static int judge(const taut_integrand *integrand, const double *value, const dou
     return verdict;
 }
 
-int taut_cell_try(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
+int taut_cell_try(const taut_job *job, taut_worker *worker, int ladder, const taut_rectangle *r,
                   const taut_nodes *const first[2], const taut_nodes *const second[2],
                   const double *allowed, double *value, double *error)
 {
@@ -58,38 +58,38 @@ int taut_cell_try(const taut_job *job, taut_bench *bench, int ladder, const taut
     taut_arguments arguments;
 
     arguments.near[0] = arguments.near[1] = arguments.doubt = 0;
-    taut_cell_sum(&job->cells, first[0], first[1], in->order, in->fields, 2 * in->count, kept,
-                  &bench->cell, low);
+    taut_cell_sum(&job->scaled, first[0], first[1], in->order, in->fields, 2 * in->count, kept,
+                  &worker->cell, low);
     memset(error, 0, sizeof low);
     if (second[0] == NULL) {
         memcpy(value, low, sizeof low);
         return 1;
     }
     if (kept > 0) {
-        taut_arguments_take(job, bench, ladder, 0, r, &arguments, low, error);
+        taut_arguments_take(job, worker, ladder, 0, r, &arguments, low, error);
         memset(error, 0, sizeof low);
     }
     for (int level = 1;; level++) {
         const taut_nodes *nodes[2] = {second[0], second[1]};
         int verdict = MORE;
         for (int d = 0; d < 2 && level > 1; d++) {
-            taut_rule_fill(&job->rules.at[ladder][d][level], &job->cells, d, r->span[d], r->lo[d],
-                           r->hi[d], in->order, &bench->nodes[d]);
-            nodes[d] = &bench->nodes[d];
+            taut_rule_fill(&job->rules.at[ladder][d][level], &job->scaled, d, r->span[d], r->lo[d],
+                           r->hi[d], in->order, &worker->nodes[d]);
+            nodes[d] = &worker->nodes[d];
         }
-        taut_cell_sum(&job->cells, nodes[0], nodes[1], in->order, in->fields, 2 * in->count, kept,
-                      &bench->cell, value);
+        taut_cell_sum(&job->scaled, nodes[0], nodes[1], in->order, in->fields, 2 * in->count, kept,
+                      &worker->cell, value);
         for (int f = 0; f < 2 * in->count; f++) {
             before[f] = error[f];
             error[f] = fabs(value[f] - low[f]);
             low[f] = value[f];
         }
         if (kept > 0) {
-            taut_arguments_take(job, bench, ladder, level, r, &arguments, value, error);
+            taut_arguments_take(job, worker, ladder, level, r, &arguments, value, error);
         }
         verdict = judge(in, value, error, before, allowed);
         if (verdict == TAKE && arguments.doubt) {
-            taut_cell_turns(job, bench, ladder, r, error);
+            taut_cell_turns(job, worker, ladder, r, error);
             verdict = judge(in, value, error, nothing, allowed) == TAKE ? TAKE : GIVE_UP;
         }
         if (verdict != MORE || level + 1 >= job->rules.levels[ladder]) {

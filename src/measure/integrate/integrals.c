@@ -18,12 +18,12 @@
 /* Tolerances. A derivative is good to a few roundings of its bound b, so W to 1e-15 b_u b_v; a
  * square s^2 whose root has the error d to 2 s d + d^2 <= t s^2 + (1 + 1/t) d^2 for any t: with d =
  * 1e-15 b and t = 1e-12, to 1e-18 b^2; |H| W like W, with the second derivatives' bounds. */
-static const taut_target area_target[] = {{1e-11, 1e-15}};
-static const taut_target square_targets[] = {{1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18}};
-static const taut_target all_targets[] = {{1e-11, 1e-15}, {1e-11, 1e-18}, {1e-11, 1e-18},
-                                          {1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18},
-                                          {1e-11, 1e-18}, {2e-7, 1e-12}};
-static const taut_target mean_targets[] = {{1e-11, 1e-15}, {2e-7, 1e-12}};
+static const taut_goal area_target[] = {{1e-11, 1e-15}};
+static const taut_goal square_targets[] = {{1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18}};
+static const taut_goal all_targets[] = {{1e-11, 1e-15}, {1e-11, 1e-18}, {1e-11, 1e-18},
+                                        {1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18},
+                                        {1e-11, 1e-18}, {2e-7, 1e-12}};
+static const taut_goal mean_targets[] = {{1e-11, 1e-15}, {2e-7, 1e-12}};
 
 /* The vectors at node j of a batch. */
 #define AT(k, c) (x[(3 * (k) + (c)) * stride + j])
@@ -251,7 +251,8 @@ taut_status taut_surface_isothermality(const taut_surface *surface, double *isot
     return status;
 }
 
-taut_status taut_figures_of(const taut_surface *surface, int threads, taut_figures *figures)
+taut_status taut_surface_integrals_of(const taut_surface *surface, int threads,
+                                      taut_surface_integrals *figures)
 {
     const taut_integrand integrand = {all_fields, 8, 2, 0, all_targets, 2};
     taut_integrals in;

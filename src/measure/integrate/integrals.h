@@ -4,13 +4,14 @@
 
 #include "taut/surface.h"
 
-typedef struct taut_figures {
+typedef struct taut_surface_integrals {
     double area, area_error;
     double dirichlet, bending, isothermality;
     double mean_abs; /* of H over the area; NaN where the area is 0 */
-} taut_figures;
+} taut_surface_integrals;
 
-taut_status taut_figures_of(const taut_surface *surface, int threads, taut_figures *figures);
+taut_status taut_surface_integrals_of(const taut_surface *surface, int threads,
+                                      taut_surface_integrals *figures);
 
 /* Of these only the area, and mean_abs. */
 taut_status taut_surface_mean(const taut_surface *surface, int threads, double *area,

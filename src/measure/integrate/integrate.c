@@ -35,61 +35,61 @@ static void gather_shares(const taut_job *job, taut_sum *value, taut_sum *error,
     }
 }
 
-static void fill_block(taut_job *job, taut_bench *bench, int direction, int from, int to)
+static void fill_block(taut_job *job, taut_worker *worker, int direction, int from, int to)
 {
-    const taut_panels *p = job->panels[direction];
+    const taut_cells *p = job->cells[direction];
     const int levels = job->integrand->exact ? 1 : 2;
     for (int level = 0; level < levels; level++) {
         for (int s = from; s < to; s++) {
-            taut_rule_fill(&job->rules.at[TAUT_WHOLE][direction][level], &job->cells, direction,
+            taut_rule_fill(&job->rules.at[TAUT_WHOLE][direction][level], &job->scaled, direction,
                            p->span[s], p->lo[s], p->hi[s], job->integrand->order,
-                           &bench->block[direction][level][s - from]);
+                           &worker->block[direction][level][s - from]);
         }
     }
 }
 
-/* The cell of panels i in u and j in v. */
+/* The cell of interval i of u and j of v. */
 static taut_rectangle cell_at(const taut_job *job, int i, int j)
 {
-    const taut_panels *u = job->panels[0], *v = job->panels[1];
+    const taut_cells *u = job->cells[0], *v = job->cells[1];
     return (taut_rectangle){{u->span[i], v->span[j]}, {u->lo[i], v->lo[j]}, {u->hi[i], v->hi[j]}};
 }
 
-/* The cell of panels i, j, the a-th and b-th of the block. */
-static void first_cell(taut_job *job, taut_bench *bench, int i, int j, int a, int b,
-                       taut_share *share)
+/* The cell of intervals i, j, the a-th and b-th of the block. */
+static void first_cell(taut_job *job, taut_worker *worker, int i, int j, int a, int b,
+                       taut_task_result *share)
 {
     const taut_rectangle r = cell_at(job, i, j);
     const int exact = job->integrand->exact;
-    const taut_nodes *first[2] = {&bench->block[0][0][a], &bench->block[1][0][b]};
-    const taut_nodes *second[2] = {exact ? NULL : &bench->block[0][1][a],
-                                   exact ? NULL : &bench->block[1][1][b]};
+    const taut_nodes *first[2] = {&worker->block[0][0][a], &worker->block[1][0][b]};
+    const taut_nodes *second[2] = {exact ? NULL : &worker->block[0][1][a],
+                                   exact ? NULL : &worker->block[1][1][b]};
     double value[TAUT_FIELDS_MAX], error[TAUT_FIELDS_MAX];
 
-    taut_cell_load(&job->cells, r.span[0], r.span[1], &bench->cell);
-    const int good = taut_cell_try(job, bench, TAUT_WHOLE, &r, first, second, NULL, value, error);
-    taut_share_take(share, good, 2 * job->integrand->count, value, error);
-    job->hard[(size_t)i * (size_t)job->panels[1]->count + (size_t)j] = !good;
+    taut_cell_load(&job->scaled, r.span[0], r.span[1], &worker->cell);
+    const int good = taut_cell_try(job, worker, TAUT_WHOLE, &r, first, second, NULL, value, error);
+    taut_task_result_add(share, good, 2 * job->integrand->count, value, error);
+    job->hard[(size_t)i * (size_t)job->cells[1]->count + (size_t)j] = !good;
 }
 
-static void first_task(void *context, int worker, long task)
+static void first_task(void *context, int index, long task)
 {
     taut_job *job = context;
-    taut_bench *bench = &job->benches[worker];
-    taut_share *share = &job->shares[task];
+    taut_worker *worker = &job->workers[index];
+    taut_task_result *share = &job->shares[task];
     int from[2], to[2];
 
     memset(share, 0, sizeof *share);
     from[0] = (int)(task / job->blocks[1]) * job->side;
     from[1] = (int)(task % job->blocks[1]) * job->side;
     for (int d = 0; d < 2; d++) {
-        const int count = job->panels[d]->count;
+        const int count = job->cells[d]->count;
         to[d] = count - from[d] < job->side ? count : from[d] + job->side;
-        fill_block(job, bench, d, from[d], to[d]);
+        fill_block(job, worker, d, from[d], to[d]);
     }
     for (int i = from[0]; i < to[0]; i++) {
         for (int j = from[1]; j < to[1]; j++) {
-            first_cell(job, bench, i, j, i - from[0], j - from[1], share);
+            first_cell(job, worker, i, j, i - from[0], j - from[1], share);
         }
     }
 }
@@ -99,7 +99,7 @@ static size_t nodes_place(const taut_job *job, int direction, int count, taut_no
                           double **at)
 {
     const size_t values =
-        (size_t)count * ((size_t)job->integrand->order + 1) * (size_t)job->cells.local[direction];
+        (size_t)count * ((size_t)job->integrand->order + 1) * (size_t)job->scaled.local[direction];
     if (*at != NULL) {
         nodes->values = *at;
         nodes->weights = *at + values;
@@ -109,68 +109,68 @@ static size_t nodes_place(const taut_job *job, int direction, int count, taut_no
 }
 
 /* All memory of one worker in one piece: counted first, then dealt out. */
-static size_t bench_place(const taut_job *job, taut_bench *bench, double *at)
+static size_t worker_place(const taut_job *job, taut_worker *worker, double *at)
 {
     const taut_rule *samples = job->rules.samples[TAUT_WHOLE];
     const size_t sample_count = (size_t)samples[0].count * (size_t)samples[1].count;
     size_t total = 3 * sample_count;
 
     for (int k = 0; k < 3 && at != NULL; k++, at += sample_count) {
-        bench->samples[k] = at;
+        worker->samples[k] = at;
     }
     for (int d = 0; d < 2; d++) {
-        total += nodes_place(job, d, job->rules.most[d], &bench->nodes[d], &at);
+        total += nodes_place(job, d, job->rules.most[d], &worker->nodes[d], &at);
         for (int level = 0; level < 2; level++) {
             for (int s = 0; s < job->side; s++) {
                 total += nodes_place(job, d, job->rules.at[TAUT_WHOLE][d][level].count,
-                                     &bench->block[d][level][s], &at);
+                                     &worker->block[d][level][s], &at);
             }
         }
     }
     return total;
 }
 
-static int bench_init(const taut_job *job, taut_bench *bench)
+static int worker_init(const taut_job *job, taut_worker *worker)
 {
-    bench->numbers = taut_alloc_aligned(bench_place(job, bench, NULL), sizeof(double));
-    if (bench->numbers == NULL) {
+    worker->numbers = taut_alloc_aligned(worker_place(job, worker, NULL), sizeof(double));
+    if (worker->numbers == NULL) {
         return 0;
     }
-    bench_place(job, bench, bench->numbers);
-    return taut_cell_work_init(&job->cells, job->rules.most[1], &bench->cell);
+    worker_place(job, worker, worker->numbers);
+    return taut_cell_work_init(&job->scaled, job->rules.most[1], &worker->cell);
 }
 
 static taut_status job_init(const taut_surface *surface, int threads, taut_job *job)
 {
-    taut_cells_init(surface, &job->cells);
+    taut_scaled_surface_init(surface, &job->scaled);
     for (int d = 0; d < 2; d++) {
-        if (!taut_near_zero(job->cells.basis[d], &job->moved[d])) {
+        if (!taut_near_zero(job->scaled.basis[d], &job->moved[d])) {
             return TAUT_NO_MEMORY;
         }
-        job->cells.basis[d] = job->moved[d] != NULL ? job->moved[d] : job->cells.basis[d];
+        job->scaled.basis[d] = job->moved[d] != NULL ? job->moved[d] : job->scaled.basis[d];
     }
-    if (!taut_rules_init(&job->rules, &job->cells)) {
+    if (!taut_rules_init(&job->rules, &job->scaled)) {
         return TAUT_NO_MEMORY;
     }
     /* a block's tables fit the second cache */
-    job->side = 256 / (job->cells.local[0] * job->cells.local[1]);
+    job->side = 256 / (job->scaled.local[0] * job->scaled.local[1]);
     job->side = job->side > TAUT_BLOCK ? TAUT_BLOCK : job->side < 1 ? 1 : job->side;
     for (int d = 0; d < 2; d++) {
-        if (taut_panels_new(job->cells.basis[d], 1, NULL, 1, 0, &job->panels[d]) != TAUT_OK) {
+        if (taut_cells_new(job->scaled.basis[d], 1, NULL, 1, 0, &job->cells[d]) != TAUT_OK) {
             return TAUT_NO_MEMORY;
         }
-        job->blocks[d] = (job->panels[d]->count + job->side - 1) / job->side;
+        job->blocks[d] = (job->cells[d]->count + job->side - 1) / job->side;
     }
     job->share_count = (long)job->blocks[0] * job->blocks[1];
     job->worker_count = taut_parallel_workers(threads, 1L << 30);
-    job->benches = taut_alloc_zero((size_t)job->worker_count, sizeof *job->benches);
+    job->workers = taut_alloc_zero((size_t)job->worker_count, sizeof *job->workers);
     job->shares = taut_alloc((size_t)job->share_count, sizeof *job->shares);
-    job->hard = taut_alloc_zero((size_t)job->panels[0]->count * (size_t)job->panels[1]->count, 1);
-    if (job->benches == NULL || job->shares == NULL || job->hard == NULL) {
+    job->hard = taut_alloc_zero((size_t)job->cells[0]->count * (size_t)job->cells[1]->count, 1);
+    if (job->workers == NULL || job->shares == NULL || job->hard == NULL) {
         return TAUT_NO_MEMORY;
     }
     for (int w = 0; w < job->worker_count; w++) {
-        if (!bench_init(job, &job->benches[w])) {
+        if (!worker_init(job, &job->workers[w])) {
             return TAUT_NO_MEMORY;
         }
     }
@@ -179,15 +179,15 @@ static taut_status job_init(const taut_surface *surface, int threads, taut_job *
 
 static void job_free(taut_job *job)
 {
-    for (int w = 0; job->benches != NULL && w < job->worker_count; w++) {
-        taut_cell_work_free(&job->benches[w].cell);
-        taut_free(job->benches[w].numbers);
+    for (int w = 0; job->workers != NULL && w < job->worker_count; w++) {
+        taut_cell_work_free(&job->workers[w].cell);
+        taut_free(job->workers[w].numbers);
     }
     for (int d = 0; d < 2; d++) {
-        taut_panels_free(job->panels[d]);
+        taut_cells_free(job->cells[d]);
         taut_basis_free(job->moved[d]);
     }
-    taut_free(job->benches);
+    taut_free(job->workers);
     taut_free(job->shares);
     taut_free(job->hard);
     taut_free(job->active);
@@ -195,11 +195,11 @@ static void job_free(taut_job *job)
     taut_rules_free(&job->rules);
 }
 
-static void round_task(void *context, int worker, long task)
+static void round_task(void *context, int index, long task)
 {
     taut_job *job = context;
-    taut_bench *bench = &job->benches[worker];
-    taut_share *share = &job->shares[task];
+    taut_worker *worker = &job->workers[index];
+    taut_task_result *share = &job->shares[task];
     const long from = task * SHARE;
     const long to = job->active_count - from < SHARE ? job->active_count : from + SHARE;
     double value[TAUT_FIELDS_MAX], error[TAUT_FIELDS_MAX];
@@ -210,26 +210,26 @@ static void round_task(void *context, int worker, long task)
         const taut_nodes *first[2], *second[2];
         for (int d = 0; d < 2; d++) {
             for (int level = 0; level < 2; level++) {
-                taut_rule_fill(&job->rules.at[TAUT_PART][d][level], &job->cells, d, r->span[d],
+                taut_rule_fill(&job->rules.at[TAUT_PART][d][level], &job->scaled, d, r->span[d],
                                r->lo[d], r->hi[d], job->integrand->order,
-                               &bench->block[d][level][0]);
+                               &worker->block[d][level][0]);
             }
-            first[d] = &bench->block[d][0][0];
-            second[d] = &bench->block[d][1][0];
+            first[d] = &worker->block[d][0][0];
+            second[d] = &worker->block[d][1][0];
         }
-        taut_cell_load(&job->cells, r->span[0], r->span[1], &bench->cell);
+        taut_cell_load(&job->scaled, r->span[0], r->span[1], &worker->cell);
         job->split[i] =
-            !taut_cell_try(job, bench, TAUT_PART, r, first, second, job->allowed, value, error) &&
+            !taut_cell_try(job, worker, TAUT_PART, r, first, second, job->allowed, value, error) &&
             !job->last;
-        taut_share_take(share, !job->split[i], 2 * job->integrand->count, value, error);
+        taut_task_result_add(share, !job->split[i], 2 * job->integrand->count, value, error);
     }
 }
 
 /* The cells that the first pass left, in order. */
 static taut_status collect_hard(taut_job *job)
 {
-    const size_t columns = (size_t)job->panels[1]->count;
-    const size_t cells = (size_t)job->panels[0]->count * columns;
+    const size_t columns = (size_t)job->cells[1]->count;
+    const size_t cells = (size_t)job->cells[0]->count * columns;
     long count = 0;
 
     for (size_t i = 0; i < cells; i++) {
@@ -281,7 +281,7 @@ static taut_status quarter_cells(taut_job *job)
 static void allow_errors(taut_job *job, const taut_sum *value, const double *pending)
 {
     for (int f = 0; f < 2 * job->integrand->count; f += 2) {
-        const taut_target *target = &job->integrand->targets[f / 2];
+        const taut_goal *target = &job->integrand->targets[f / 2];
         const double size = fabs(taut_sum_total(&value[f]) + pending[f]);
         const double noise = fabs(taut_sum_total(&value[f + 1]) + pending[f + 1]);
         job->allowed[f] =
@@ -331,9 +331,9 @@ taut_status taut_integrate(const taut_surface *surface, const taut_integrand *in
             integrals->value[f] = taut_sum_total(&value[f]);
             integrals->error[f] = taut_sum_total(&error[f]);
         }
-        integrals->scale = job.cells.scale;
-        integrals->shift[0] = job.cells.shift[0];
-        integrals->shift[1] = job.cells.shift[1];
+        integrals->scale = job.scaled.scale;
+        integrals->shift[0] = job.scaled.shift[0];
+        integrals->shift[1] = job.scaled.shift[1];
     }
     job_free(&job);
     return status;

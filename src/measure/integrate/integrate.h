@@ -14,16 +14,16 @@
 /* When the integral of a field is good: error <= relative * |integral| + floor * |integral of its
  * reference|. The reference, the odd field that follows it, is what the rounding of the integrand
  * is proportional to. Single cells are judged against a tenth of `relative`. */
-typedef struct taut_target {
+typedef struct taut_goal {
     double relative, floor;
-} taut_target;
+} taut_goal;
 
 typedef struct taut_integrand {
     taut_fields *fields;
     int count; /* pairs of field and reference: out[2*f], out[2*f + 1] */
     int order; /* 1 or 2, of the derivatives that are wanted */
     int exact; /* nonzero: squares of derivatives of polynomials, which the first rule integrates */
-    const taut_target *targets; /* [count] */
+    const taut_goal *targets; /* [count] */
     /* 0; or 1: the field of the first pair is W = |x_u x x_v|, and that vector's components follow
      * the pairs; or 2: besides, the field of the last pair is |s|, and s follows. Absolute values
      * have kinks where their argument is 0, which nodes resolve badly or miss. */

@@ -31,14 +31,14 @@ typedef struct taut_rules {
 } taut_rules;
 
 /* 0 when memory runs out; free in any case. */
-int taut_rules_init(taut_rules *rules, const taut_cells *cells);
+int taut_rules_init(taut_rules *rules, const taut_scaled_surface *scaled);
 void taut_rules_free(taut_rules *rules);
 
 /* The nodes of a rule in one interval of one span. */
-void taut_rule_fill(const taut_rule *rule, const taut_cells *cells, int direction, int span,
-                    double lo, double hi, int order, taut_nodes *nodes);
+void taut_rule_fill(const taut_rule *rule, const taut_scaled_surface *scaled, int direction,
+                    int span, double lo, double hi, int order, taut_nodes *nodes);
 
-enum { TAUT_BLOCK = 16 }; /* panels per side of a task of the first pass */
+enum { TAUT_BLOCK = 16 }; /* cells per side of a task of the first pass */
 
 /* A part of a cell that resists. */
 typedef struct taut_rectangle {
@@ -47,34 +47,35 @@ typedef struct taut_rectangle {
 } taut_rectangle;
 
 /* What one task found. */
-typedef struct taut_share {
+typedef struct taut_task_result {
     taut_sum value[TAUT_FIELDS_MAX]; /* of what is good enough */
     double error[TAUT_FIELDS_MAX];
     double pending[TAUT_FIELDS_MAX]; /* estimates of what is not */
-} taut_share;
+} taut_task_result;
 
 /* Scratch of one worker. */
-typedef struct taut_bench {
+typedef struct taut_worker {
     taut_cell_work cell;
     taut_nodes nodes[2];                /* made for one cell */
     double *samples[3];                 /* [samples u][samples v] */
-    taut_nodes block[2][2][TAUT_BLOCK]; /* [direction][level 0, 1][panel of the block] */
+    taut_nodes block[2][2][TAUT_BLOCK]; /* [direction][level 0, 1][cell of the block] */
     double *numbers;                    /* behind all of them */
-} taut_bench;
+} taut_worker;
 
 typedef struct taut_job {
-    taut_cells cells;
+    taut_scaled_surface scaled;
     taut_basis *moved[2]; /* near_zero.h; NULL: as the surface has it */
     const taut_integrand *integrand;
     taut_rules rules;
-    taut_panels *panels[2]; /* the spans, long ones of hyperbolic bases cut: a cell is a pair */
-    int side;               /* panels per side of a block */
+    taut_cells *cells
+        [2]; /* along u and v: spans, long ones of hyperbolic bases cut; a cell is a pair of them */
+    int side; /* cells per side of a block */
     int blocks[2];
     int worker_count;
-    taut_bench *benches; /* [worker_count] */
-    taut_share *shares;  /* [tasks] */
+    taut_worker *workers;     /* [worker_count] */
+    taut_task_result *shares; /* [tasks] */
     long share_count;
-    unsigned char *hard;    /* [panels u][panels v], first pass */
+    unsigned char *hard;    /* [cells along u][along v], first pass */
     taut_rectangle *active; /* rounds */
     unsigned char *split;
     long active_count;
@@ -86,7 +87,7 @@ typedef struct taut_job {
  * field is good by its own target or within `allowed` (NULL: by its own), and returns 1; or 0 if
  * more nodes do not pay. first, second: the nodes of levels 0 and 1; second[0] NULL takes the first
  * rule's word. */
-int taut_cell_try(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
+int taut_cell_try(const taut_job *job, taut_worker *worker, int ladder, const taut_rectangle *r,
                   const taut_nodes *const first[2], const taut_nodes *const second[2],
                   const double *allowed, double *value, double *error);
 
@@ -100,7 +101,7 @@ typedef struct taut_arguments {
 
 /* After a rule's sums: takes its values into `a`, and where an argument comes near 0 makes the
  * error of its field what the last two polynomials differ by. */
-void taut_arguments_take(const taut_job *job, const taut_bench *bench, int ladder, int level,
+void taut_arguments_take(const taut_job *job, const taut_worker *worker, int ladder, int level,
                          const taut_rectangle *r, taut_arguments *a, const double *value,
                          double *error);
 
@@ -111,11 +112,11 @@ void taut_arguments_settle(const taut_job *job, const taut_rectangle *r, const t
 
 /* Looks at closed samples of the cell for places where x_u x x_v turns over between the nodes, and
  * raises error[0] to what those may amount to. */
-void taut_cell_turns(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
+void taut_cell_turns(const taut_job *job, taut_worker *worker, int ladder, const taut_rectangle *r,
                      double *error);
 
 /* Takes the cell's numbers into the share: for good, or as pending. */
-void taut_share_take(taut_share *share, int is_good, int count, const double *value,
-                     const double *error);
+void taut_task_result_add(taut_task_result *share, int is_good, int count, const double *value,
+                          const double *error);
 
 #endif /* TAUT_MEASURE_INTEGRATE_JOB_H */

@@ -23,8 +23,8 @@ static const double fine[2] = {2e-13, 1e-7};
 
 static double area_of(const taut_job *job, const taut_rectangle *r)
 {
-    return ldexp(r->hi[0] - r->lo[0], -job->cells.shift[0]) *
-           ldexp(r->hi[1] - r->lo[1], -job->cells.shift[1]);
+    return ldexp(r->hi[0] - r->lo[0], -job->scaled.shift[0]) *
+           ldexp(r->hi[1] - r->lo[1], -job->scaled.shift[1]);
 }
 
 /* n[0] becomes the component of the vectors n along the largest one; returns that one's size. The
@@ -75,14 +75,14 @@ static void take(const taut_job *job, int ladder, int level, const double *f, in
     }
 }
 
-void taut_arguments_take(const taut_job *job, const taut_bench *bench, int ladder, int level,
+void taut_arguments_take(const taut_job *job, const taut_worker *worker, int ladder, int level,
                          const taut_rectangle *r, taut_arguments *a, const double *value,
                          double *error)
 {
     const taut_integrand *in = job->integrand;
     const int count = job->rules.at[ladder][0][level].count * job->rules.at[ladder][1][level].count;
     const int field[2] = {0, 2 * in->count - 2};
-    double *const *kept = bench->cell.kept;
+    double *const *kept = worker->cell.kept;
     double least = 0, across = 0, largest = 0;
 
     for (int k = 0; k < 2; k++) {
@@ -126,23 +126,23 @@ void taut_arguments_settle(const taut_job *job, const taut_rectangle *r, const t
     }
 }
 
-/* bench->samples: x_u x x_v. */
-static void sample(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r)
+/* worker->samples: x_u x x_v. */
+static void sample(const taut_job *job, taut_worker *worker, int ladder, const taut_rectangle *r)
 {
     const taut_integrand *in = job->integrand;
-    const size_t stride = (size_t)bench->cell.stride;
-    taut_nodes *nodes = bench->nodes;
+    const size_t stride = (size_t)worker->cell.stride;
+    taut_nodes *nodes = worker->nodes;
 
     for (int d = 0; d < 2; d++) {
-        taut_rule_fill(&job->rules.samples[ladder][d], &job->cells, d, r->span[d], r->lo[d],
+        taut_rule_fill(&job->rules.samples[ladder][d], &job->scaled, d, r->span[d], r->lo[d],
                        r->hi[d], in->order, &nodes[d]);
     }
     for (int i = 0; i < nodes[0].count; i++) {
-        taut_cell_row(&job->cells, &nodes[0], i, &nodes[1], in->order, in->fields, &bench->cell);
+        taut_cell_row(&job->scaled, &nodes[0], i, &nodes[1], in->order, in->fields, &worker->cell);
         for (int k = 0; k < 3; k++) {
-            const double *out = bench->cell.out + (size_t)(2 * in->count + k) * stride;
+            const double *out = worker->cell.out + (size_t)(2 * in->count + k) * stride;
             for (int j = 0; j < nodes[1].count; j++) {
-                bench->samples[k][i * nodes[1].count + j] = out[j];
+                worker->samples[k][i * nodes[1].count + j] = out[j];
             }
         }
     }
@@ -175,16 +175,16 @@ static double shortfall(const double *f, const int count[2], double noise)
     return sum / ((double)count[0] * count[1]);
 }
 
-void taut_cell_turns(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
+void taut_cell_turns(const taut_job *job, taut_worker *worker, int ladder, const taut_rectangle *r,
                      double *error)
 {
     double largest = 0, least = 0, across = 0;
     int count[2];
 
-    sample(job, bench, ladder, r);
-    count[0] = bench->nodes[0].count;
-    count[1] = bench->nodes[1].count;
-    largest = project(bench->samples, count[0] * count[1], &least, &across);
+    sample(job, worker, ladder, r);
+    count[0] = worker->nodes[0].count;
+    count[1] = worker->nodes[1].count;
+    largest = project(worker->samples, count[0] * count[1], &least, &across);
     error[0] = fmax(error[0], 2 * area_of(job, r) *
-                                  shortfall(bench->samples[0], count, 64 * DBL_EPSILON * largest));
+                                  shortfall(worker->samples[0], count, 64 * DBL_EPSILON * largest));
 }

@@ -178,18 +178,18 @@ static double speed_integral(const taut_line *line, int span, double lo, double 
     return sum * ldexp(half, -line->shift);
 }
 
-/* int |x'| over one panel: two rules until they agree, else halves. Where x' = 0 one piece a level
+/* int |x'| over one cell: two rules until they agree, else halves. Where x' = 0 one piece a level
  * is left, whose share falls fourfold. `floor` is what may be neglected. */
-static double panel_length(const taut_line *line, const taut_panels *panels, int k,
-                           const rule rules[2], double floor)
+static double cell_length(const taut_line *line, const taut_cells *cells, int k,
+                          const rule rules[2], double floor)
 {
-    const int span = panels->span[k];
+    const int span = cells->span[k];
     double lo[DEPTH_MAX + 1], hi[DEPTH_MAX + 1];
     taut_sum sum = {0, 0};
     int depth = 0;
 
-    lo[0] = panels->lo[k];
-    hi[0] = panels->hi[k];
+    lo[0] = cells->lo[k];
+    hi[0] = cells->hi[k];
     while (depth >= 0) {
         const double a = speed_integral(line, span, lo[depth], hi[depth], &rules[0]);
         const double b = speed_integral(line, span, lo[depth], hi[depth], &rules[1]);
@@ -210,11 +210,11 @@ static double panel_length(const taut_line *line, const taut_panels *panels, int
 taut_status taut_line_length(const taut_line *line, double *length)
 {
     const int local = taut_basis_local(line->basis);
-    taut_panels *panels = NULL;
+    taut_cells *cells = NULL;
     rule rules[2];
     taut_sum sum = {0, 0};
 
-    if (taut_panels_new(line->basis, 1, NULL, 1, 0, &panels) != TAUT_OK) {
+    if (taut_cells_new(line->basis, 1, NULL, 1, 0, &cells) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
 
@@ -222,10 +222,10 @@ taut_status taut_line_length(const taut_line *line, double *length)
         rules[r].count = (local < 4 ? 4 : local) + 2 * r;
         taut_gauss_rule(rules[r].count, rules[r].nodes, rules[r].weights);
     }
-    for (int k = 0; k < panels->count; k++) {
-        taut_sum_add(&sum, panel_length(line, panels, k, rules, DBL_EPSILON / 16));
+    for (int k = 0; k < cells->count; k++) {
+        taut_sum_add(&sum, cell_length(line, cells, k, rules, DBL_EPSILON / 16));
     }
-    taut_panels_free(panels);
+    taut_cells_free(cells);
     *length = ldexp(taut_sum_total(&sum), line->scale);
     return TAUT_OK;
 }
@@ -255,7 +255,7 @@ void taut_line_bend(const taut_line *line, int span, double t, int order, taut_b
     }
 }
 
-double taut_line_curvature(const taut_line *line, const taut_lines *lines)
+double taut_line_curvature(const taut_line *line, const taut_parameters *lines)
 {
     double largest = nan("");
     for (int i = 0; i < lines->count; i++) {

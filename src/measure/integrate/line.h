@@ -43,7 +43,7 @@ typedef struct taut_bend {
 void taut_line_bend(const taut_line *line, int span, double t, int order, taut_bend *bend);
 
 /* The largest curvature over the entries of a grid, scaled; NaN where undefined everywhere. */
-double taut_line_curvature(const taut_line *line, const taut_lines *lines);
+double taut_line_curvature(const taut_line *line, const taut_parameters *lines);
 
 /* Is the curve as good as straight here, so that its osculating plane means nothing? `largest` is
  * the largest curvature, `length` the length, both scaled. A binormal comes with an error of

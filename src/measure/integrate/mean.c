@@ -75,13 +75,13 @@ static double raise(int count, const double *values, double *bounds, double most
 
 static taut_status find_largest(const taut_surface *surface, int grid, double *most)
 {
-    taut_lines *u = NULL, *v = NULL;
+    taut_parameters *u = NULL, *v = NULL;
     taut_scan *scan = NULL;
     double *scratch = NULL, *values = NULL, *bounds = NULL, found = -1;
-    taut_status status = taut_lines_new(taut_surface_u(surface), grid, 0, &u);
+    taut_status status = taut_parameters_new(taut_surface_u(surface), grid, 0, &u);
 
     if (status == TAUT_OK) {
-        status = taut_lines_new(taut_surface_v(surface), grid, 0, &v);
+        status = taut_parameters_new(taut_surface_v(surface), grid, 0, &v);
     }
     if (status == TAUT_OK) {
         status = taut_scan_new(surface, u, v, &scan);
@@ -101,8 +101,8 @@ static taut_status find_largest(const taut_surface *surface, int grid, double *m
     taut_free(values);
     taut_free(bounds);
     taut_scan_free(scan);
-    taut_lines_free(u);
-    taut_lines_free(v);
+    taut_parameters_free(u);
+    taut_parameters_free(v);
     return status;
 }
 

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-void taut_lines_free(taut_lines *lines)
+void taut_parameters_free(taut_parameters *lines)
 {
     if (lines != NULL) {
         taut_free(lines->t);
@@ -15,9 +15,9 @@ void taut_lines_free(taut_lines *lines)
     }
 }
 
-static taut_lines *lines_alloc(int grid)
+static taut_parameters *lines_alloc(int grid)
 {
-    taut_lines *lines = taut_alloc_zero(1, sizeof *lines);
+    taut_parameters *lines = taut_alloc_zero(1, sizeof *lines);
     if (lines == NULL) {
         return NULL;
     }
@@ -26,13 +26,13 @@ static taut_lines *lines_alloc(int grid)
     lines->span = taut_alloc(2 * (size_t)grid, sizeof(int));
     lines->first = taut_alloc((size_t)grid + 1, sizeof(int));
     if (lines->t == NULL || lines->span == NULL || lines->first == NULL) {
-        taut_lines_free(lines);
+        taut_parameters_free(lines);
         return NULL;
     }
     return lines;
 }
 
-static void add(taut_lines *lines, double t, int span)
+static void add(taut_parameters *lines, double t, int span)
 {
     lines->t[lines->count] = t;
     lines->span[lines->count] = span;
@@ -53,10 +53,11 @@ static int break_at(const taut_basis *basis, double t)
     return span + 1 < spans && breaks[span + 1] - t <= slack ? span + 1 : 0;
 }
 
-taut_status taut_lines_new(const taut_basis *basis, int grid, double only, taut_lines **lines)
+taut_status taut_parameters_new(const taut_basis *basis, int grid, double only,
+                                taut_parameters **lines)
 {
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-    taut_lines *made = lines_alloc(grid);
+    taut_parameters *made = lines_alloc(grid);
 
     if (made == NULL) {
         return TAUT_NO_MEMORY;

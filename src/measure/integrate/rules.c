@@ -13,10 +13,10 @@ static int next_count(int before)
 }
 
 /* How many nodes each rule has. */
-static void plan(const taut_cells *cells, taut_rules *rules)
+static void plan(const taut_scaled_surface *scaled, taut_rules *rules)
 {
     for (int k = 0; k < 2 * TAUT_LADDERS; k++) {
-        const int d = k % 2, ladder = k / 2, local = cells->local[d];
+        const int d = k % 2, ladder = k / 2, local = scaled->local[d];
         const int first = ladder == TAUT_PART && local > 5 ? 5 : local;
         for (int level = 0; level < TAUT_LEVELS_MAX; level++) {
             taut_rule *rule = &rules->at[ladder][d][level];
@@ -66,13 +66,13 @@ static void fill_samples(taut_rule *rule)
     }
 }
 
-int taut_rules_init(taut_rules *rules, const taut_cells *cells)
+int taut_rules_init(taut_rules *rules, const taut_scaled_surface *scaled)
 {
     size_t total = 0;
     double *at = NULL;
 
     memset(rules, 0, sizeof *rules);
-    plan(cells, rules);
+    plan(scaled, rules);
     for (int k = 0; k < 2 * TAUT_LADDERS; k++) {
         total += numbers_of(&rules->samples[k / 2][k % 2]);
         for (int level = 0; level < TAUT_LEVELS_MAX; level++) {
@@ -104,9 +104,9 @@ void taut_rules_free(taut_rules *rules)
     taut_free(rules->numbers);
 }
 
-void taut_rule_fill(const taut_rule *rule, const taut_cells *cells, int direction, int span,
-                    double lo, double hi, int order, taut_nodes *nodes)
+void taut_rule_fill(const taut_rule *rule, const taut_scaled_surface *scaled, int direction,
+                    int span, double lo, double hi, int order, taut_nodes *nodes)
 {
-    taut_nodes_fill(cells, direction, span, lo, hi, order, rule->count, rule->nodes, rule->weights,
+    taut_nodes_fill(scaled, direction, span, lo, hi, order, rule->count, rule->nodes, rule->weights,
                     nodes);
 }

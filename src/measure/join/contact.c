@@ -178,10 +178,10 @@ static int parametric_order(const taut_spot *a, const taut_spot *b)
     return 3;
 }
 
-taut_contact taut_contact_of(const taut_spot *a, const taut_spot *b)
+taut_join_contact taut_join_contact_of(const taut_spot *a, const taut_spot *b)
 {
     const tangents da = tangents_of(a), db = tangents_of(b);
-    taut_contact contact = {parametric_order(a, b), 3, nan(""), nan("")};
+    taut_join_contact contact = {parametric_order(a, b), 3, nan(""), nan("")};
 
     if (da.length_t > 64 * DBL_EPSILON * a->bound[T1] &&
         db.length_t > 64 * DBL_EPSILON * b->bound[T1]) {

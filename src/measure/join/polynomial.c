@@ -20,7 +20,7 @@ static int is_polynomial_bezier(const taut_surface *surface)
 }
 
 /* Point j, in the common direction along the edge, of the i-th row from the edge, scaled. */
-static void point_of(const taut_side *side, int i, int j, double *x)
+static void point_of(const taut_join_side *side, int i, int j, double *x)
 {
     const int columns = taut_basis_count(taut_surface_v(side->surface));
     const int across = taut_basis_count(side->across), along = taut_basis_count(side->along);
@@ -34,7 +34,7 @@ static void point_of(const taut_side *side, int i, int j, double *x)
 
 /* d[k][j][3] = sign^k Delta^k of the rows at the edge, k = 0..n; the largest |coordinate| of the
  * net relative to its first point is *size. */
-static void differences(const taut_side *side, double sign, double *d, double *size)
+static void differences(const taut_join_side *side, double sign, double *d, double *size)
 {
     const int rows = taut_basis_count(side->across), columns = taut_basis_count(side->along);
     const size_t length = 3 * (size_t)columns;
@@ -89,7 +89,7 @@ static int agree(const double *a, const double *b, int rows, size_t length, doub
     return 1;
 }
 
-taut_status taut_sides_are_one(const taut_side *a, const taut_side *b, int *one)
+taut_status taut_join_is_one_surface(const taut_join_side *a, const taut_join_side *b, int *one)
 {
     const int rows = taut_basis_count(a->across), columns = taut_basis_count(a->along);
     const size_t length = 3 * (size_t)columns;
