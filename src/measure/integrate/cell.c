@@ -1,7 +1,7 @@
-#include "measure/integrate/cell.h"
+/* cell.c -- the derivative vectors at the nodes of one cell, and weighted sums over them. */
+#include "measure/integrate/job.h"
 
 #include "basis/basis_ops.h"
-#include "core/memory.h"
 #include "measure/curvature/place.h"
 #include "measure/curvature/scaling.h"
 
@@ -56,31 +56,23 @@ void taut_nodes_fill(const taut_scaled_surface *scaled, int direction, int span,
     }
 }
 
-int taut_cell_work_init(const taut_scaled_surface *scaled, int row, taut_cell_work *work)
+void taut_cell_work_init(const taut_scaled_surface *scaled, int row, taut_arena *arena,
+                         taut_cell_work *work)
 {
     const size_t line = (size_t)scaled->local[1] * (size_t)scaled->dim;
+    const int stride = row > BATCH ? row : BATCH;
+    double *kept = taut_arena_take(arena, TAUT_KEPT_MAX * TAUT_NODES_KEPT, sizeof(double));
 
-    memset(work, 0, sizeof *work);
-    work->stride = row > BATCH ? row : BATCH;
-    work->net = taut_alloc_aligned((size_t)scaled->local[0] * line, sizeof(double));
-    work->polygons = taut_alloc_aligned(3 * line, sizeof(double));
-    work->field = taut_alloc_aligned(24 * (size_t)work->stride, sizeof(double));
-    work->out = taut_alloc_aligned(TAUT_FIELDS_MAX * (size_t)work->stride, sizeof(double));
-    work->kept[0] = taut_alloc_aligned(TAUT_KEPT_MAX * TAUT_NODES_KEPT, sizeof(double));
-    for (int k = 1; k < TAUT_KEPT_MAX && work->kept[0] != NULL; k++) {
-        work->kept[k] = work->kept[0] + k * TAUT_NODES_KEPT;
+    *work = (taut_cell_work){
+        .stride = stride,
+        .net = taut_arena_take(arena, (size_t)scaled->local[0] * line, sizeof(double)),
+        .polygons = taut_arena_take(arena, 3 * line, sizeof(double)),
+        .field = taut_arena_take(arena, 24 * (size_t)stride, sizeof(double)),
+        .out = taut_arena_take(arena, TAUT_FIELDS_MAX * (size_t)stride, sizeof(double)),
+    };
+    for (int k = 0; k < TAUT_KEPT_MAX && kept != NULL; k++) {
+        work->kept[k] = kept + k * TAUT_NODES_KEPT;
     }
-    return work->kept[0] != NULL && work->net != NULL && work->polygons != NULL &&
-           work->field != NULL && work->out != NULL;
-}
-
-void taut_cell_work_free(taut_cell_work *work)
-{
-    taut_free(work->net);
-    taut_free(work->polygons);
-    taut_free(work->field);
-    taut_free(work->out);
-    taut_free(work->kept[0]);
 }
 
 void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell_work *work)
@@ -174,7 +166,7 @@ static void contract_v(const taut_scaled_surface *scaled, const taut_nodes *v, i
 }
 
 /* The quotient rule of net.h over a batch, in place: field[k][4] becomes field[k][3]. */
-static void project(int order, int count, int stride, double *field)
+static void project_batch(int order, int count, int stride, double *field)
 {
     const int vectors = TAUT_SURFACE_VECTORS(order);
     for (int j = 0; j < count; j++) {
@@ -210,8 +202,9 @@ static taut_bounds bounds_of(const taut_nodes *u, const taut_nodes *v, int order
 }
 
 /* The fields at the nodes of rows first .. first + rows - 1, one after the other. */
-static void evaluate(const taut_scaled_surface *scaled, const taut_nodes *u, int first, int rows,
-                     const taut_nodes *v, int order, taut_fields *fields, taut_cell_work *work)
+static void evaluate_rows(const taut_scaled_surface *scaled, const taut_nodes *u, int first,
+                          int rows, const taut_nodes *v, int order, taut_fields *fields,
+                          taut_cell_work *work)
 {
     const taut_bounds bounds = bounds_of(u, v, order, work);
     const double ratio = ldexp(1, scaled->shift[1] - scaled->shift[0]);
@@ -220,7 +213,7 @@ static void evaluate(const taut_scaled_surface *scaled, const taut_nodes *u, int
         contract_v(scaled, v, order, r * v->count, work);
     }
     if (scaled->dim == 4) {
-        project(order, rows * v->count, work->stride, work->field);
+        project_batch(order, rows * v->count, work->stride, work->field);
     }
     fields(rows * v->count, work->stride, work->field, &bounds, ratio, work->out);
 }
@@ -228,7 +221,7 @@ static void evaluate(const taut_scaled_surface *scaled, const taut_nodes *u, int
 void taut_cell_row(const taut_scaled_surface *scaled, const taut_nodes *u, int i,
                    const taut_nodes *v, int order, taut_fields *fields, taut_cell_work *work)
 {
-    evaluate(scaled, u, i, 1, v, order, fields, work);
+    evaluate_rows(scaled, u, i, 1, v, order, fields, work);
 }
 
 /* Adds the fields of one batch, `rows` lines of nodes from `first`. */
@@ -264,7 +257,7 @@ void taut_cell_sum(const taut_scaled_surface *scaled, const taut_nodes *u, const
     memset(sums, 0, (size_t)field_count * sizeof(double));
     for (int i = 0; i < u->count; i += batch) {
         const int rows = u->count - i < batch ? u->count - i : batch;
-        evaluate(scaled, u, i, rows, v, order, fields, work);
+        evaluate_rows(scaled, u, i, rows, v, order, fields, work);
         add_batch(u, i, rows, v, field_count, work, sums);
         if (u->count * v->count <= TAUT_NODES_KEPT) {
             keep_batch(field_count, kept, i * v->count, rows * v->count, work);

@@ -17,13 +17,12 @@ void taut_task_result_add(taut_task_result *share, int is_good, int count, const
     }
 }
 
-/* Is field f good by its own target, a tenth of its relative tolerance, or within `allowed`? */
-static int good(const taut_integrand *integrand, int f, const double *value, const double *error,
-                const double *allowed)
+/* Is field f good by its own goal, a tenth of its relative tolerance, or within `allowed`? */
+static int is_good(const taut_integrand *integrand, int f, const double *value, const double *error,
+                   const double *allowed)
 {
-    const taut_goal *target = &integrand->targets[f / 2];
-    const double limit =
-        0.1 * target->relative * fabs(value[f]) + target->floor * fabs(value[f + 1]);
+    const taut_goal *goal = &integrand->goals[f / 2];
+    const double limit = 0.1 * goal->relative * fabs(value[f]) + goal->floor * fabs(value[f + 1]);
     return error[f] <= limit || (allowed != NULL && error[f] <= allowed[f]);
 }
 
@@ -32,12 +31,12 @@ static int good(const taut_integrand *integrand, int f, const double *value, con
  * integrands each gains a factor of ten and more. What has overflowed does not get better: taken.
  * `before` is the error one level down, 0 if none. */
 enum { TAKE, MORE, GIVE_UP };
-static int judge(const taut_integrand *integrand, const double *value, const double *error,
-                 const double *before, const double *allowed)
+static int judge_rule(const taut_integrand *integrand, const double *value, const double *error,
+                      const double *before, const double *allowed)
 {
     int verdict = TAKE;
     for (int f = 0; f < 2 * integrand->count; f += 2) {
-        if (!good(integrand, f, value, error, allowed) && isfinite(value[f])) {
+        if (!is_good(integrand, f, value, error, allowed) && isfinite(value[f])) {
             if (before[f] > 0 && !(error[f] <= 0.1 * before[f])) {
                 return GIVE_UP;
             }
@@ -87,10 +86,10 @@ int taut_cell_try(const taut_job *job, taut_worker *worker, int ladder, const ta
         if (kept > 0) {
             taut_arguments_take(job, worker, ladder, level, r, &arguments, value, error);
         }
-        verdict = judge(in, value, error, before, allowed);
+        verdict = judge_rule(in, value, error, before, allowed);
         if (verdict == TAKE && arguments.doubt) {
             taut_cell_turns(job, worker, ladder, r, error);
-            verdict = judge(in, value, error, nothing, allowed) == TAKE ? TAKE : GIVE_UP;
+            verdict = judge_rule(in, value, error, nothing, allowed) == TAKE ? TAKE : GIVE_UP;
         }
         if (verdict != MORE || level + 1 >= job->rules.levels[ladder]) {
             if (verdict == TAKE || job->last) {

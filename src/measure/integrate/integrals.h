@@ -11,7 +11,7 @@ typedef struct taut_surface_integrals {
 } taut_surface_integrals;
 
 taut_status taut_surface_integrals_of(const taut_surface *surface, int threads,
-                                      taut_surface_integrals *figures);
+                                      taut_surface_integrals *integrals);
 
 /* Of these only the area, and mean_abs. */
 taut_status taut_surface_mean(const taut_surface *surface, int threads, double *area,

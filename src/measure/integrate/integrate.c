@@ -95,7 +95,7 @@ static void first_task(void *context, int index, long task)
 }
 
 /* Nodes for `count` points take their memory from *at, or only say how much (at NULL). */
-static size_t nodes_place(const taut_job *job, int direction, int count, taut_nodes *nodes,
+static size_t place_nodes(const taut_job *job, int direction, int count, taut_nodes *nodes,
                           double **at)
 {
     const size_t values =
@@ -109,7 +109,7 @@ static size_t nodes_place(const taut_job *job, int direction, int count, taut_no
 }
 
 /* All memory of one worker in one piece: counted first, then dealt out. */
-static size_t worker_place(const taut_job *job, taut_worker *worker, double *at)
+static size_t place_worker(const taut_job *job, taut_worker *worker, double *at)
 {
     const taut_rule *samples = job->rules.samples[TAUT_WHOLE];
     const size_t sample_count = (size_t)samples[0].count * (size_t)samples[1].count;
@@ -119,10 +119,10 @@ static size_t worker_place(const taut_job *job, taut_worker *worker, double *at)
         worker->samples[k] = at;
     }
     for (int d = 0; d < 2; d++) {
-        total += nodes_place(job, d, job->rules.most[d], &worker->nodes[d], &at);
+        total += place_nodes(job, d, job->rules.most[d], &worker->nodes[d], &at);
         for (int level = 0; level < 2; level++) {
             for (int s = 0; s < job->side; s++) {
-                total += nodes_place(job, d, job->rules.at[TAUT_WHOLE][d][level].count,
+                total += place_nodes(job, d, job->rules.at[TAUT_WHOLE][d][level].count,
                                      &worker->block[d][level][s], &at);
             }
         }
@@ -130,17 +130,8 @@ static size_t worker_place(const taut_job *job, taut_worker *worker, double *at)
     return total;
 }
 
-static int worker_init(const taut_job *job, taut_worker *worker)
-{
-    worker->numbers = taut_alloc_aligned(worker_place(job, worker, NULL), sizeof(double));
-    if (worker->numbers == NULL) {
-        return 0;
-    }
-    worker_place(job, worker, worker->numbers);
-    return taut_cell_work_init(&job->scaled, job->rules.most[1], &worker->cell);
-}
-
-static taut_status job_init(const taut_surface *surface, int threads, taut_job *job)
+/* What the first pass needs; the scratch of all workers lies in the arena. */
+static taut_status begin_job(const taut_surface *surface, int threads, taut_job *job)
 {
     taut_scaled_surface_init(surface, &job->scaled);
     for (int d = 0; d < 2; d++) {
@@ -149,7 +140,8 @@ static taut_status job_init(const taut_surface *surface, int threads, taut_job *
         }
         job->scaled.basis[d] = job->moved[d] != NULL ? job->moved[d] : job->scaled.basis[d];
     }
-    if (!taut_rules_init(&job->rules, &job->scaled)) {
+    job->arena = taut_arena_new();
+    if (!taut_rules_init(&job->rules, &job->scaled, job->arena)) {
         return TAUT_NO_MEMORY;
     }
     /* a block's tables fit the second cache */
@@ -163,36 +155,30 @@ static taut_status job_init(const taut_surface *surface, int threads, taut_job *
     }
     job->share_count = (long)job->blocks[0] * job->blocks[1];
     job->worker_count = taut_parallel_workers(threads, 1L << 30);
-    job->workers = taut_alloc_zero((size_t)job->worker_count, sizeof *job->workers);
+    job->workers = taut_arena_take(job->arena, (size_t)job->worker_count, sizeof *job->workers);
+    job->hard =
+        taut_arena_take(job->arena, (size_t)job->cells[0]->count * (size_t)job->cells[1]->count, 1);
     job->shares = taut_alloc((size_t)job->share_count, sizeof *job->shares);
-    job->hard = taut_alloc_zero((size_t)job->cells[0]->count * (size_t)job->cells[1]->count, 1);
-    if (job->workers == NULL || job->shares == NULL || job->hard == NULL) {
-        return TAUT_NO_MEMORY;
+    for (int w = 0; job->workers != NULL && w < job->worker_count; w++) {
+        taut_worker *worker = &job->workers[w];
+        double *numbers =
+            taut_arena_take(job->arena, place_worker(job, worker, NULL), sizeof(double));
+        place_worker(job, worker, numbers);
+        taut_cell_work_init(&job->scaled, job->rules.most[1], job->arena, &worker->cell);
     }
-    for (int w = 0; w < job->worker_count; w++) {
-        if (!worker_init(job, &job->workers[w])) {
-            return TAUT_NO_MEMORY;
-        }
-    }
-    return TAUT_OK;
+    return job->shares != NULL ? taut_arena_status(job->arena) : TAUT_NO_MEMORY;
 }
 
-static void job_free(taut_job *job)
+static void clear_job(taut_job *job)
 {
-    for (int w = 0; job->workers != NULL && w < job->worker_count; w++) {
-        taut_cell_work_free(&job->workers[w].cell);
-        taut_free(job->workers[w].numbers);
-    }
     for (int d = 0; d < 2; d++) {
         taut_cells_free(job->cells[d]);
         taut_basis_free(job->moved[d]);
     }
-    taut_free(job->workers);
     taut_free(job->shares);
-    taut_free(job->hard);
     taut_free(job->active);
     taut_free(job->split);
-    taut_rules_free(&job->rules);
+    taut_arena_free(job->arena);
 }
 
 static void round_task(void *context, int index, long task)
@@ -281,11 +267,11 @@ static taut_status quarter_cells(taut_job *job)
 static void allow_errors(taut_job *job, const taut_sum *value, const double *pending)
 {
     for (int f = 0; f < 2 * job->integrand->count; f += 2) {
-        const taut_goal *target = &job->integrand->targets[f / 2];
+        const taut_goal *goal = &job->integrand->goals[f / 2];
         const double size = fabs(taut_sum_total(&value[f]) + pending[f]);
         const double noise = fabs(taut_sum_total(&value[f + 1]) + pending[f + 1]);
         job->allowed[f] =
-            (target->relative * size + target->floor * noise) / (16 * (double)job->active_count);
+            (goal->relative * size + goal->floor * noise) / (16 * (double)job->active_count);
     }
 }
 
@@ -313,28 +299,35 @@ static taut_status run_rounds(taut_job *job, taut_sum *value, taut_sum *error, d
     return status;
 }
 
-taut_status taut_integrate(const taut_surface *surface, const taut_integrand *integrand,
-                           int threads, taut_integrals *integrals)
+static taut_status integrate(const taut_surface *surface, int threads, taut_job *job,
+                             taut_integrals *integrals)
 {
     taut_sum value[TAUT_FIELDS_MAX] = {{0, 0}}, error[TAUT_FIELDS_MAX] = {{0, 0}};
     double pending[TAUT_FIELDS_MAX];
-    taut_job job = {.integrand = integrand};
-    taut_status status = job_init(surface, threads, &job);
 
-    if (status == TAUT_OK) {
-        taut_parallel_run(job.worker_count, job.share_count, first_task, &job);
-        gather_shares(&job, value, error, pending);
-        status = run_rounds(&job, value, error, pending);
+    if (begin_job(surface, threads, job) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    if (status == TAUT_OK) {
-        for (int f = 0; f < 2 * integrand->count; f++) {
-            integrals->value[f] = taut_sum_total(&value[f]);
-            integrals->error[f] = taut_sum_total(&error[f]);
-        }
-        integrals->scale = job.scaled.scale;
-        integrals->shift[0] = job.scaled.shift[0];
-        integrals->shift[1] = job.scaled.shift[1];
+    taut_parallel_run(job->worker_count, job->share_count, first_task, job);
+    gather_shares(job, value, error, pending);
+    if (run_rounds(job, value, error, pending) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    job_free(&job);
+    for (int f = 0; f < 2 * job->integrand->count; f++) {
+        integrals->value[f] = taut_sum_total(&value[f]);
+        integrals->error[f] = taut_sum_total(&error[f]);
+    }
+    integrals->scale = job->scaled.scale;
+    integrals->shift[0] = job->scaled.shift[0];
+    integrals->shift[1] = job->scaled.shift[1];
+    return TAUT_OK;
+}
+
+taut_status taut_integrate(const taut_surface *surface, const taut_integrand *integrand,
+                           int threads, taut_integrals *integrals)
+{
+    taut_job job = {.integrand = integrand};
+    const taut_status status = integrate(surface, threads, &job, integrals);
+    clear_job(&job);
     return status;
 }

@@ -2,12 +2,73 @@
 #ifndef TAUT_MEASURE_INTEGRATE_JOB_H
 #define TAUT_MEASURE_INTEGRATE_JOB_H
 
+#include "core/arena.h"
 #include "geometry/nurbs/cells.h"
 #include "measure/integrate/absolute.h"
 #include "measure/integrate/integrate.h"
 #include "numeric/sum.h"
 
-/* The Gauss rules that an adaptive integral climbs through. */
+#include <stddef.h>
+
+/* cell.c: the derivative vectors at the nodes of one cell, a rectangle within one span by one span,
+ * and weighted sums over them. */
+enum { TAUT_KEPT_MAX = 4, TAUT_NODES_KEPT = 1024 };
+
+/* A surface made ready. */
+typedef struct taut_scaled_surface {
+    const taut_basis *basis[2];
+    const double *points, *weights;
+    int dim;      /* 3, or 4 with weights */
+    int local[2]; /* functions alive per direction */
+    int scale;
+    int shift[2];
+} taut_scaled_surface;
+
+void taut_scaled_surface_init(const taut_surface *surface, taut_scaled_surface *scaled);
+
+/* The nodes of a rule in one interval of one span: basis functions to `order`, weights that sum to
+ * the length of the interval (scaled). */
+typedef struct taut_nodes {
+    int count;
+    double *values;    /* [count][order+1][local] */
+    double *weights;   /* [count] */
+    double largest[3]; /* over the nodes, of sum_a |N_a^(k)| */
+} taut_nodes;
+
+void taut_nodes_fill(const taut_scaled_surface *scaled, int direction, int span, double lo,
+                     double hi, int order, int count, const double *rule_nodes,
+                     const double *rule_weights, taut_nodes *nodes);
+
+/* Scratch of one worker. */
+typedef struct taut_cell_work {
+    double *net;      /* [local u][local v][dim] of the cell at hand */
+    double *polygons; /* [order+1][local v][dim] */
+    double *field;    /* [6][3][stride] (with weights [6][4] until they are divided out) */
+    double *out;      /* [TAUT_FIELDS_MAX][stride] */
+    double *kept[TAUT_KEPT_MAX]; /* [TAUT_NODES_KEPT] each */
+    int stride;                  /* nodes handled at a time */
+    double size;                 /* of the cell's net, largest distance of a coordinate */
+} taut_cell_work;
+
+/* In the arena, whose status tells whether all is there. `row` is the largest number of nodes in v. */
+void taut_cell_work_init(const taut_scaled_surface *scaled, int row, taut_arena *arena,
+                         taut_cell_work *work);
+
+/* Takes the net of spans su, sv into the work. */
+void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell_work *work);
+
+/* sums[f] = sum over the nodes of weight times out[f], f < field_count. The `kept` fields that
+ * follow them go to work->kept[k], row by row, if there are no more than TAUT_NODES_KEPT nodes.
+ * order is 1 or 2. */
+void taut_cell_sum(const taut_scaled_surface *scaled, const taut_nodes *u, const taut_nodes *v,
+                   int order, taut_fields *fields, int field_count, int kept, taut_cell_work *work,
+                   double *sums);
+
+/* The same fields at the nodes of row i, kept in work: vectors in field, fields in out. */
+void taut_cell_row(const taut_scaled_surface *scaled, const taut_nodes *u, int i,
+                   const taut_nodes *v, int order, taut_fields *fields, taut_cell_work *work);
+
+/* rules.c: the Gauss rules that an adaptive integral climbs through. */
 enum { TAUT_LEVELS_MAX = 6 };
 
 /* Two ladders per direction, with p the degree. On whole spans: p+1 nodes, which are exact for
@@ -26,13 +87,11 @@ typedef struct taut_rules {
     int levels[TAUT_LADDERS];
     taut_rule at[TAUT_LADDERS][2][TAUT_LEVELS_MAX]; /* [ladder][direction][level] */
     taut_rule samples[TAUT_LADDERS][2];
-    int most[2];     /* nodes of the largest rule */
-    double *numbers; /* behind all of them */
+    int most[2]; /* nodes of the largest rule */
 } taut_rules;
 
-/* 0 when memory runs out; free in any case. */
-int taut_rules_init(taut_rules *rules, const taut_scaled_surface *scaled);
-void taut_rules_free(taut_rules *rules);
+/* Numbers in the arena; 0 when memory runs out. */
+int taut_rules_init(taut_rules *rules, const taut_scaled_surface *scaled, taut_arena *arena);
 
 /* The nodes of a rule in one interval of one span. */
 void taut_rule_fill(const taut_rule *rule, const taut_scaled_surface *scaled, int direction,
@@ -59,10 +118,10 @@ typedef struct taut_worker {
     taut_nodes nodes[2];                /* made for one cell */
     double *samples[3];                 /* [samples u][samples v] */
     taut_nodes block[2][2][TAUT_BLOCK]; /* [direction][level 0, 1][cell of the block] */
-    double *numbers;                    /* behind all of them */
 } taut_worker;
 
 typedef struct taut_job {
+    taut_arena *arena; /* scratch of the workers, and the rules */
     taut_scaled_surface scaled;
     taut_basis *moved[2]; /* near_zero.h; NULL: as the surface has it */
     const taut_integrand *integrand;

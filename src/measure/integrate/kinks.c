@@ -29,7 +29,7 @@ static double area_of(const taut_job *job, const taut_rectangle *r)
 
 /* n[0] becomes the component of the vectors n along the largest one; returns that one's size. The
  * smallest size goes to *least, the largest part across that line to *across. */
-static double project(double *const n[3], int count, double *least, double *across)
+static double project_on_line(double *const n[3], int count, double *least, double *across)
 {
     double largest = 0, unit[3] = {0, 0, 1};
     *least = INFINITY;
@@ -65,8 +65,8 @@ static int comes_near_zero(const double *f, int count)
 }
 
 /* Takes f into the fits of argument k. */
-static void take(const taut_job *job, int ladder, int level, const double *f, int k,
-                 taut_arguments *a)
+static void take_fit(const taut_job *job, int ladder, int level, const double *f, int k,
+                     taut_arguments *a)
 {
     const taut_rule *u = &job->rules.at[ladder][0][level], *v = &job->rules.at[ladder][1][level];
     a->near[k] = u->count <= TAUT_FIT_MAX && v->count <= TAUT_FIT_MAX;
@@ -96,13 +96,13 @@ void taut_arguments_take(const taut_job *job, const taut_worker *worker, int lad
     }
     /* not where |s| is all rounding, as on minimal surfaces */
     if (in->kinks > 1 && comes_near_zero(kept[3], count) &&
-        value[field[1]] > in->targets[in->count - 1].floor * value[field[1] + 1]) {
-        take(job, ladder, level, kept[3], 1, a);
+        value[field[1]] > in->goals[in->count - 1].floor * value[field[1] + 1]) {
+        take_fit(job, ladder, level, kept[3], 1, a);
     }
-    largest = project(kept, count, &least, &across);
+    largest = project_on_line(kept, count, &least, &across);
     if (largest > 0 && !(least > suspicion * largest)) {
         if (across <= 64 * DBL_EPSILON * largest) {
-            take(job, ladder, level, kept[0], 0, a);
+            take_fit(job, ladder, level, kept[0], 0, a);
         }
         a->doubt = !a->near[0];
     }
@@ -127,7 +127,8 @@ void taut_arguments_settle(const taut_job *job, const taut_rectangle *r, const t
 }
 
 /* worker->samples: x_u x x_v. */
-static void sample(const taut_job *job, taut_worker *worker, int ladder, const taut_rectangle *r)
+static void sample_normals(const taut_job *job, taut_worker *worker, int ladder,
+                           const taut_rectangle *r)
 {
     const taut_integrand *in = job->integrand;
     const size_t stride = (size_t)worker->cell.stride;
@@ -181,10 +182,10 @@ void taut_cell_turns(const taut_job *job, taut_worker *worker, int ladder, const
     double largest = 0, least = 0, across = 0;
     int count[2];
 
-    sample(job, worker, ladder, r);
+    sample_normals(job, worker, ladder, r);
     count[0] = worker->nodes[0].count;
     count[1] = worker->nodes[1].count;
-    largest = project(worker->samples, count[0] * count[1], &least, &across);
+    largest = project_on_line(worker->samples, count[0] * count[1], &least, &across);
     error[0] = fmax(error[0], 2 * area_of(job, r) *
                                   shortfall(worker->samples[0], count, 64 * DBL_EPSILON * largest));
 }

@@ -13,14 +13,14 @@
 typedef struct taut_line {
     const taut_basis *basis; /* borrowed */
     int dim;                 /* 3, or 4: homogeneous */
-    double *net;             /* [count][dim] */
+    const double *net;       /* [count][dim] */
     int scale, shift;        /* points were divided by 2^scale, parameters by 2^shift */
 } taut_line;
 
-/* TAUT_NO_MEMORY. The curve or surface must outlive the line. */
-taut_status taut_line_of_curve(const taut_curve *curve, taut_line *line);
-taut_status taut_line_of_edge(const taut_surface *surface, int edge, taut_line *line);
-void taut_line_free(taut_line *line);
+/* In the arena. The curve or surface must outlive the line. TAUT_NO_MEMORY. */
+taut_status taut_line_of_curve(taut_arena *arena, const taut_curve *curve, taut_line *line);
+taut_status taut_line_of_edge(taut_arena *arena, const taut_surface *surface, int edge,
+                              taut_line *line);
 
 /* d[k][3], k = 0..order: position and derivatives (scaled) at t + rest, t in the closed span, rest
  * a rounding error of it. bound[k], if not NULL: how large derivative k could be for the part of

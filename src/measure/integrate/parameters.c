@@ -1,42 +1,13 @@
 #include "measure/integrate/parameters.h"
 
-#include "core/memory.h"
-
 #include <float.h>
 #include <math.h>
 
-void taut_parameters_free(taut_parameters *lines)
+static void add_entry(taut_parameters *parameters, double t, int span)
 {
-    if (lines != NULL) {
-        taut_free(lines->t);
-        taut_free(lines->span);
-        taut_free(lines->first);
-        taut_free(lines);
-    }
-}
-
-static taut_parameters *lines_alloc(int grid)
-{
-    taut_parameters *lines = taut_alloc_zero(1, sizeof *lines);
-    if (lines == NULL) {
-        return NULL;
-    }
-    lines->grid = grid;
-    lines->t = taut_alloc(2 * (size_t)grid, sizeof(double));
-    lines->span = taut_alloc(2 * (size_t)grid, sizeof(int));
-    lines->first = taut_alloc((size_t)grid + 1, sizeof(int));
-    if (lines->t == NULL || lines->span == NULL || lines->first == NULL) {
-        taut_parameters_free(lines);
-        return NULL;
-    }
-    return lines;
-}
-
-static void add(taut_parameters *lines, double t, int span)
-{
-    lines->t[lines->count] = t;
-    lines->span[lines->count] = span;
-    lines->count++;
+    parameters->t[parameters->count] = t;
+    parameters->span[parameters->count] = span;
+    parameters->count++;
 }
 
 /* The inner break that t is meant to be, or 0: i (hi - lo) / (n - 1) is a knot that the document
@@ -53,28 +24,31 @@ static int break_at(const taut_basis *basis, double t)
     return span + 1 < spans && breaks[span + 1] - t <= slack ? span + 1 : 0;
 }
 
-taut_status taut_parameters_new(const taut_basis *basis, int grid, double only,
-                                taut_parameters **lines)
+taut_parameters *taut_parameters_new(taut_arena *arena, const taut_basis *basis, int grid,
+                                     double only)
 {
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-    taut_parameters *made = lines_alloc(grid);
+    taut_parameters *made = taut_arena_take(arena, 1, sizeof *made);
+    double *t = taut_arena_take(arena, 2 * (size_t)grid, sizeof(double));
+    int *span = taut_arena_take(arena, 2 * (size_t)grid, sizeof(int));
+    int *first = taut_arena_take(arena, (size_t)grid + 1, sizeof(int));
 
-    if (made == NULL) {
-        return TAUT_NO_MEMORY;
+    if (first == NULL) {
+        return NULL;
     }
+    *made = (taut_parameters){.grid = grid, .t = t, .span = span, .first = first};
     for (int i = 0; i < grid; i++) {
         const double part = grid > 1 ? (double)i / (grid - 1) : 0;
-        const double t = grid == 1 ? only : part == 1 ? hi : fmin(hi, lo + part * (hi - lo));
-        const int at = grid > 1 ? break_at(basis, t) : 0;
-        made->first[i] = made->count;
-        if (at > 0) {
-            add(made, taut_basis_breaks(basis)[at], at - 1);
-            add(made, taut_basis_breaks(basis)[at], at);
+        const double at = grid == 1 ? only : part == 1 ? hi : fmin(hi, lo + part * (hi - lo));
+        const int k = grid > 1 ? break_at(basis, at) : 0;
+        first[i] = made->count;
+        if (k > 0) {
+            add_entry(made, taut_basis_breaks(basis)[k], k - 1);
+            add_entry(made, taut_basis_breaks(basis)[k], k);
         } else {
-            add(made, t, taut_basis_span(basis, t));
+            add_entry(made, at, taut_basis_span(basis, at));
         }
     }
-    made->first[grid] = made->count;
-    *lines = made;
-    return TAUT_OK;
+    first[grid] = made->count;
+    return made;
 }

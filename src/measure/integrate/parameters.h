@@ -6,6 +6,7 @@
 #ifndef TAUT_MEASURE_INTEGRATE_PARAMETERS_H
 #define TAUT_MEASURE_INTEGRATE_PARAMETERS_H
 
+#include "core/arena.h"
 #include "taut/basis.h"
 
 typedef struct taut_parameters {
@@ -16,9 +17,9 @@ typedef struct taut_parameters {
     int *first; /* [grid + 1]: entries of parameter i are first[i] .. first[i+1]-1 */
 } taut_parameters;
 
-/* grid >= 2, or 1 for the single parameter `only` (an end of the range). TAUT_NO_MEMORY. */
-taut_status taut_parameters_new(const taut_basis *basis, int grid, double only,
-                                taut_parameters **lines);
-void taut_parameters_free(taut_parameters *lines); /* NULL is fine */
+/* In the arena, NULL when memory runs out. grid >= 2, or 1 for the single parameter `only` (an end
+ * of the range). */
+taut_parameters *taut_parameters_new(taut_arena *arena, const taut_basis *basis, int grid,
+                                     double only);
 
 #endif /* TAUT_MEASURE_INTEGRATE_PARAMETERS_H */
