@@ -1,29 +1,23 @@
 #include "mesh/faces.h"
 
 #include "core/memory.h"
+#include "core/vec3.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { ROWS_AT_ONCE = 32 };
 
-static void cross(const double *a, const double *b, double *c)
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static double length(const double *a)
 {
-    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    return sqrt(taut_dot(a, a));
 }
 
 /* Position and unit normal out of x, x_u, x_v. */
 static void take_vertex(const double *x, double speeds, double *position, double *normal)
 {
     double n[3];
-    cross(x + 3 * TAUT_XU, x + 3 * TAUT_XV, n);
+    taut_cross(x + 3 * TAUT_XU, x + 3 * TAUT_XV, n);
     const double size = length(n);
     const int regular = size > 0x1p-40 * speeds && isfinite(size);
     memcpy(position, x, 3 * sizeof(double));
@@ -92,7 +86,7 @@ static void add_face(int nv, int i, int j, const double *positions, double *sum)
         ac[k] = c[k] - a[k];
         bd[k] = d[k] - b[k];
     }
-    cross(ac, bd, n);
+    taut_cross(ac, bd, n);
     for (int k = 0; k < 3; k++) {
         sum[k] += n[k] / 2;
     }

@@ -12,7 +12,7 @@
  */
 #include "mesh/lines.h"
 
-#include "core/memory.h"
+#include "core/vec3.h"
 
 #include <math.h>
 
@@ -45,38 +45,26 @@ static void fill_samples(const taut_basis *basis, int each, double *t)
     }
 }
 
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double *a, const double *b, double *c)
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* The length of what is left of `a` without its part along `along`. */
 static double across(const double *a, const double *along)
 {
     double c[3];
-    const double length = sqrt(dot(along, along));
+    const double length = sqrt(taut_dot(along, along));
     if (!(length > 0)) {
-        return sqrt(dot(a, a));
+        return sqrt(taut_dot(a, a));
     }
-    cross(a, along, c);
-    return sqrt(dot(c, c)) / length;
+    taut_cross(a, along, c);
+    return sqrt(taut_dot(c, c)) / length;
 }
 
 /* The part of x_uv along the normal; all of it where there is none. */
 static double twist(const double *x)
 {
     double n[3];
-    cross(x + 3 * TAUT_XU, x + 3 * TAUT_XV, n);
-    const double length = sqrt(dot(n, n));
+    taut_cross(x + 3 * TAUT_XU, x + 3 * TAUT_XV, n);
+    const double length = sqrt(taut_dot(n, n));
     const double *uv = x + 3 * TAUT_XUV;
-    return length > 0 ? fabs(dot(uv, n)) / length : sqrt(dot(uv, uv));
+    return length > 0 ? fabs(taut_dot(uv, n)) / length : sqrt(taut_dot(uv, uv));
 }
 
 /* What is known of one span: the largest second derivative along it, and the sum of the speeds. */
@@ -93,8 +81,8 @@ typedef struct facts {
 
 static void look_at(const double *x, int s, int t, facts *known, taut_bending *bending)
 {
-    const double u = sqrt(dot(x + 3 * TAUT_XU, x + 3 * TAUT_XU));
-    const double v = sqrt(dot(x + 3 * TAUT_XV, x + 3 * TAUT_XV));
+    const double u = sqrt(taut_dot(x + 3 * TAUT_XU, x + 3 * TAUT_XU));
+    const double v = sqrt(taut_dot(x + 3 * TAUT_XV, x + 3 * TAUT_XV));
     double *twisted = &known->twist[(size_t)s * (size_t)known->spans_v + (size_t)t];
     known->u[s].bend = fmax(known->u[s].bend, across(x + 3 * TAUT_XUU, x + 3 * TAUT_XU));
     known->v[t].bend = fmax(known->v[t].bend, across(x + 3 * TAUT_XVV, x + 3 * TAUT_XV));

@@ -3,6 +3,8 @@
  * their middles' shadows on it, are looked at. */
 #include "mesh/seams.h"
 
+#include "core/vec3.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -28,7 +30,7 @@ static int by_shadow(const void *a, const void *b)
 static double distance(const double *a, const double *b)
 {
     const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    return sqrt(taut_dot(d, d));
 }
 
 static void fill_parameters(const taut_basis *basis, double *t)
@@ -121,7 +123,7 @@ taut_status taut_seams_find(const taut_surface *const *surfaces, int count, doub
         (*collapsed)[e] = (unsigned char)is_point(edge, tolerance);
         if (!(*collapsed)[e]) {
             keys[listed].edge = e;
-            keys[listed++].shadow = line[0] * middle[0] + line[1] * middle[1] + line[2] * middle[2];
+            keys[listed++].shadow = taut_dot(line, middle);
         }
     }
     qsort(keys, (size_t)listed, sizeof *keys, by_shadow);

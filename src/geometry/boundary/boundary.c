@@ -3,6 +3,7 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
+#include "core/vec3.h"
 #include "taut/operations.h"
 
 #include <math.h>
@@ -48,8 +49,9 @@ static const struct {
 
 static double distance(const double *a, const double *b)
 {
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    double d[3];
+    taut_difference(a, b, d);
+    return sqrt(taut_dot(d, d));
 }
 
 static void measure(const taut_curve *const curves[TAUT_SIDES], loose_curves *loose)

@@ -20,6 +20,7 @@
 #include "geometry/nurbs/proof.h"
 
 #include "core/memory.h"
+#include "core/vec3.h"
 #include "taut/operations.h"
 
 #include <math.h>
@@ -66,8 +67,8 @@ taut_nurbs_span taut_nurbs_span_of(const taut_nurbs_side *s, int p, double lo, d
 /* Scaled where squares would overflow, or vanish. */
 static double length_of(const double *x)
 {
-    const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
-    return square > 1e-280 && square < 1e300 ? sqrt(square) : hypot(hypot(x[0], x[1]), x[2]);
+    const double square = taut_dot(x, x);
+    return square > 1e-280 && square < 1e300 ? sqrt(square) : taut_norm(x);
 }
 
 /* |sum_i weights[i] x[i * stride]|, vectors of 3. */

@@ -2,6 +2,7 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
+#include "core/vec3.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +24,7 @@ taut_status taut_operate_points(const double *matrix, size_t count, const double
     for (size_t i = 0; i < count; i++) {
         for (size_t c = 0; c < 3; c++) {
             const double *row = matrix + 4 * c, *x = points + 3 * i;
-            made[3 * i + c] = row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + row[3];
+            made[3 * i + c] = taut_dot(row, x) + row[3];
         }
     }
     *moved = made;

@@ -105,8 +105,8 @@ static double clamp_to_span(const taut_basis *basis, int span, double t)
 }
 
 /* Takes one pair of points into the worst of all; returns the gap there. */
-static double visit(const taut_join_side *a, const taut_join_side *b, const piece *p, int step,
-                    taut_join *join)
+static double compare_pair(const taut_join_side *a, const taut_join_side *b, const piece *p,
+                           int step, taut_join *join)
 {
     const double part = step == p->steps ? p->to : p->from + (p->to - p->from) * step / p->steps;
     const double ta = clamp_to_span(a->along, p->span_a, taut_join_parameter(a, part));
@@ -129,8 +129,8 @@ static double visit(const taut_join_side *a, const taut_join_side *b, const piec
 }
 
 /* Along the whole edge; angles and orders go to *join, the largest gap is returned. */
-static double walk(const taut_join_side *a, const taut_join_side *b, int break_count,
-                   const double *breaks, int is_affine, taut_join *join)
+static double compare_along(const taut_join_side *a, const taut_join_side *b, int break_count,
+                            const double *breaks, int is_affine, taut_join *join)
 {
     const int degrees = taut_basis_local(a->along) + taut_basis_local(b->along);
     double gap = 0;
@@ -151,7 +151,7 @@ static double walk(const taut_join_side *a, const taut_join_side *b, int break_c
         }
         p.span_b = taut_basis_span(b->along, tb);
         for (int step = 0; step <= p.steps; step++) {
-            gap = fmax(gap, visit(a, b, &p, step, join));
+            gap = fmax(gap, compare_pair(a, b, &p, step, join));
         }
     }
     return gap;
@@ -188,25 +188,25 @@ static double gap_limit(const taut_join_side *a, const taut_join_side *b)
 }
 
 /* Scales, direction, orders and angles. */
-static taut_status judge(taut_join_side *a, taut_join_side *b, taut_join *join)
+static taut_status judge_join(taut_join_side *a, taut_join_side *b, taut_join *join)
 {
     const double limit = gap_limit(a, b);
     int break_count = 0, is_affine = 1;
-    double *breaks = NULL, forward = 0, backward = 0;
+    double *breaks = NULL;
 
-    forward = taut_join_affine_gap(a, b, SAMPLES);
+    const double forward = taut_join_affine_gap(a, b, SAMPLES);
     b->sign_along = -1;
-    backward = taut_join_affine_gap(a, b, SAMPLES);
+    const double backward = taut_join_affine_gap(a, b, SAMPLES);
     join->reversed = backward < forward;
     b->sign_along = join->reversed ? -1 : 1;
     breaks = common_breaks(a, b, &break_count);
     if (breaks == NULL) {
         return TAUT_NO_MEMORY;
     }
-    join->max_gap = walk(a, b, break_count, breaks, is_affine, join);
+    join->max_gap = compare_along(a, b, break_count, breaks, is_affine, join);
     if (join->max_gap > limit) {
         is_affine = 0;
-        join->max_gap = walk(a, b, break_count, breaks, is_affine, join);
+        join->max_gap = compare_along(a, b, break_count, breaks, is_affine, join);
         join->max_gap = fmax(join->max_gap, gap_back(a, b));
         join->c_order = 0;
     }
@@ -224,7 +224,6 @@ taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a, const tau
 {
     taut_join made;
     taut_join_side sides[2];
-    taut_status status = TAUT_OK;
 
     if (a == NULL || b == NULL || join == NULL || taut_edge_name(edge_a)[0] == '\0' ||
         taut_edge_name(edge_b)[0] == '\0') {
@@ -241,11 +240,8 @@ taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a, const tau
             sides[s].shift_across = sides[1 - s].shift_across;
         }
     }
-    status = judge(&sides[0], &sides[1], &made);
-    if (status == TAUT_OK) {
-        status = taut_join_is_one_surface(&sides[0], &sides[1], &made.one_surface);
-    }
-    if (status != TAUT_OK) {
+    if (judge_join(&sides[0], &sides[1], &made) != TAUT_OK ||
+        taut_join_is_one_surface(&sides[0], &sides[1], &made.one_surface) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     made.max_gap = ldexp(made.max_gap, sides[0].scale);

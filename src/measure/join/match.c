@@ -1,6 +1,7 @@
 /* match.c -- which point of one edge belongs to which of the other. */
 #include "measure/join/side.h"
 
+#include "core/vec3.h"
 #include "measure/curvature/scaling.h"
 
 #include <math.h>
@@ -50,11 +51,6 @@ void taut_join_position(const taut_join_side *side, double t, double *x)
     }
 }
 
-static double distance(const double *a, const double *b)
-{
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
-}
-
 double taut_join_affine_gap(const taut_join_side *a, const taut_join_side *b, int samples)
 {
     double gap = 0;
@@ -62,14 +58,14 @@ double taut_join_affine_gap(const taut_join_side *a, const taut_join_side *b, in
         double x[3], y[3];
         taut_join_position(a, taut_join_parameter(a, (double)i / samples), x);
         taut_join_position(b, taut_join_parameter(b, (double)i / samples), y);
-        gap = fmax(gap, distance(x, y));
+        gap = fmax(gap, taut_distance(x, y));
     }
     return gap;
 }
 
 /* The point of the side nearest to x, sought near the parameter *t and within `reach` of it, by
  * golden section on the distance; returns it. */
-static double nearest(const taut_join_side *side, const double *x, double reach, double *t)
+static double find_nearest(const taut_join_side *side, const double *x, double reach, double *t)
 {
     const double golden = 0.6180339887498949;
     double lo = fmax(taut_basis_lo(side->along), *t - reach);
@@ -81,7 +77,7 @@ static double nearest(const taut_join_side *side, const double *x, double reach,
         double yp[3], yq[3];
         taut_join_position(side, p, yp);
         taut_join_position(side, q, yq);
-        if (distance(x, yp) <= distance(x, yq)) {
+        if (taut_distance(x, yp) <= taut_distance(x, yq)) {
             hi = q;
         } else {
             lo = p;
@@ -89,7 +85,7 @@ static double nearest(const taut_join_side *side, const double *x, double reach,
     }
     *t = lo + (hi - lo) / 2;
     taut_join_position(side, *t, y);
-    best = distance(x, y);
+    best = taut_distance(x, y);
     return best;
 }
 
@@ -103,15 +99,15 @@ double taut_join_foot(const taut_join_side *side, const double *x, double part, 
     if (part == 0 || part == 1) {
         *t = taut_join_parameter(side, part);
         taut_join_position(side, *t, y);
-        return distance(x, y);
+        return taut_distance(x, y);
     }
     for (int i = 0; i <= samples; i++) {
         taut_join_position(side, taut_join_parameter(side, (double)i / samples), y);
-        if (distance(x, y) < best) {
-            best = distance(x, y);
+        if (taut_distance(x, y) < best) {
+            best = taut_distance(x, y);
             at = i;
         }
     }
     *t = taut_join_parameter(side, (double)at / samples);
-    return nearest(side, x, range / samples, t);
+    return find_nearest(side, x, range / samples, t);
 }

@@ -18,6 +18,7 @@
 #include "taut/recognise.h"
 
 #include "core/fail.h"
+#include "core/vec3.h"
 #include "taut/measure.h"
 
 #include <complex.h>
@@ -90,13 +91,13 @@ static void family_point(const taut_family_member *m, double w, double x, double
     }
 }
 
-static void move(const taut_family_member *m, double w, const double at[2], double moved[3])
+static void move_point(const taut_family_member *m, double w, const double at[2], double moved[3])
 {
     double r[3];
     family_point(m, w, at[0] + m->shift[0], at[1] + m->shift[1], r);
     for (int k = 0; k < 3; k++) {
         const double *row = m->motion[k];
-        moved[k] = m->scale * (row[0] * r[0] + row[1] * r[1] + row[2] * r[2]) + row[3];
+        moved[k] = m->scale * (taut_dot(row, r)) + row[3];
     }
 }
 
@@ -117,8 +118,8 @@ static int rotation_of(const vector a, const vector b, const vector d, double w,
     }
     for (int i = 0; i < 3; i++) {
         const double *p = column[i], *q = column[(i + 1) % 3];
-        defect = fmax(defect, fabs(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] - 1));
-        defect = fmax(defect, fabs(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]));
+        defect = fmax(defect, fabs(taut_dot(p, p) - 1));
+        defect = fmax(defect, fabs(taut_dot(p, q)));
         volume += column[0][i] * (column[1][(i + 1) % 3] * column[2][(i + 2) % 3] -
                                   column[1][(i + 2) % 3] * column[2][(i + 1) % 3]);
     }
@@ -134,8 +135,8 @@ static int rotation_of(const vector a, const vector b, const vector d, double w,
 }
 
 /* Steps 1 and 2 at one point; 0 where the coefficients belong to no member. */
-static int describe(const taut_surface *surface, const double at[2], double *w,
-                    taut_family_member *m)
+static int describe_at(const taut_surface *surface, const double at[2], double *w,
+                       taut_family_member *m)
 {
     vector phi[3], a, b, d;
     phi_of(surface, m->turned, at, phi);
@@ -176,8 +177,8 @@ static double parameter_at(const taut_basis *basis, int k, int steps)
 }
 
 /* Step 3: the residual, with the translation that makes the point `at` agree. */
-static void compare(const taut_surface *surface, const double at[2], double w,
-                    taut_family_member *m)
+static void compare_with_net(const taut_surface *surface, const double at[2], double w,
+                             taut_family_member *m)
 {
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     double apart = 0, box[2][3] = {{0}}, r[3];
@@ -189,7 +190,7 @@ static void compare(const taut_surface *surface, const double at[2], double w,
         const double xy[2] = {uv[m->turned], uv[1 - m->turned]};
         double x[3];
         taut_surface_eval(surface, uv[0], uv[1], 0, x);
-        move(m, w, xy, r);
+        move_point(m, w, xy, r);
         for (int c = 0; c < 3; c++) {
             if (k < 0) {
                 m->motion[c][3] = x[c] - r[c];
@@ -230,7 +231,7 @@ static int is_hyperbolic(const taut_basis *basis)
     return is_type(basis, "h-bezier", "h-bspline");
 }
 
-static void recognise(const taut_surface *surface, int turned, taut_family_member *best)
+static void recognise_member(const taut_surface *surface, int turned, taut_family_member *best)
 {
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     for (int k = 0; k < TRIES; k++) {
@@ -238,8 +239,8 @@ static void recognise(const taut_surface *surface, int turned, taut_family_membe
         const double at[2] = {parameter_at(bases[turned], 1, 2),
                               parameter_at(bases[1 - turned], k, TRIES - 1)};
         double w = 1;
-        if (describe(surface, at, &w, &m)) {
-            compare(surface, at, w, &m);
+        if (describe_at(surface, at, &w, &m)) {
+            compare_with_net(surface, at, w, &m);
             if (m.residual < best->residual) {
                 *best = m;
             }
@@ -255,7 +256,7 @@ static void recognise(const taut_surface *surface, int turned, taut_family_membe
 
 static double norm_of(const double *x)
 {
-    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+    return sqrt(taut_dot(x, x));
 }
 
 /* Largest of |E-G|/E, |F|/E, |r_uu + r_vv|/|r_uu| on a grid. */
@@ -321,15 +322,16 @@ taut_status taut_surface_recognise(const taut_surface *surface, taut_family_memb
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     if (taut_surface_weights(surface) == NULL) {
         if (is_circular(u) && is_hyperbolic(v)) {
-            recognise(surface, 0, &best);
+            recognise_member(surface, 0, &best);
         } else if (is_hyperbolic(u) && is_circular(v)) {
-            recognise(surface, 1, &best);
+            recognise_member(surface, 1, &best);
         } else if (taut_basis_degree(u) == 3 && taut_basis_degree(v) == 3) {
             recognise_enneper(surface, &best);
         }
     }
     if (!(best.residual <= close_enough)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, best.residual, close_enough,
+        return taut_fail(error, TAUT_NO_SOLUTION, "not-in-family", NULL, best.residual,
+                         close_enough,
                          "the surface is none of the minimal surfaces with planar curvature lines "
                          "and their associates on the bases that hold them");
     }
