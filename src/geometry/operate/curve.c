@@ -8,12 +8,13 @@
 #include "geometry/operate/points.h"
 
 /* The curve after `change`, which is freed; passes a failed status on. */
-static taut_status finish(taut_status status, const taut_curve *curve, taut_change *change,
-                          taut_curve **result, taut_error *error)
+static taut_status apply_change(taut_status status, const taut_curve *curve, taut_change *change,
+                                taut_curve **result, taut_error *error)
 {
-    if (status == TAUT_OK) {
-        status = taut_curve_changed(curve, change, taut_curve_name(curve), result, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_curve_changed(curve, change, taut_curve_name(curve), result, error);
     taut_change_free(change);
     return status;
 }
@@ -23,45 +24,36 @@ static taut_status add_piece(const taut_curve *curve, const taut_lattice *whole,
                              const taut_change *change, int i, taut_model *model, taut_error *error)
 {
     char name[TAUT_NAME_MAX + 1];
-    taut_lattice part = {{0, 0}, 0, NULL};
+    taut_lattice part;
     taut_curve *piece = NULL;
     taut_status status = taut_lattice_change(whole, TAUT_ALONG_U, change, &part, error);
 
+    if (status != TAUT_OK) {
+        return status;
+    }
     taut_operate_piece_name(taut_curve_name(curve), 1, i, name);
-    if (status == TAUT_OK) {
-        status = taut_lattice_to_curve(&part, name, change->to, &piece, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_operate_add_curve(model, piece, error);
-    }
-    taut_lattice_free(&part);
-    return status;
+    status = taut_lattice_into_curve(&part, name, change->to, &piece, error);
+    return status == TAUT_OK ? taut_operate_add_curve(model, piece, error) : status;
 }
 
-/* A model of the curve after each of the changes; the list is freed. */
-static taut_status finish_pieces(taut_status status, const taut_curve *curve,
-                                 taut_change_list *list, taut_model **pieces, taut_error *error)
+/* A model of the curve after each of the changes; the list is freed; passes a failed status on. */
+static taut_status apply_pieces(taut_status status, const taut_curve *curve, taut_change_list *list,
+                                taut_model **pieces, taut_error *error)
 {
     taut_lattice whole = {{0, 0}, 0, NULL};
     taut_model *made = NULL;
 
-    if (status == TAUT_OK && taut_model_new(&made) != TAUT_OK) {
-        status = taut_fail_memory(error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_lattice_of_curve(curve, &whole, error);
-    }
+    status = taut_model_new(&made) == TAUT_OK ? taut_lattice_of_curve(curve, &whole, error)
+                                              : taut_fail_memory(error);
     for (int i = 0; status == TAUT_OK && i < list->count; i++) {
         status = add_piece(curve, &whole, list->items[i], i, made, error);
     }
     taut_lattice_free(&whole);
     taut_change_list_free(list);
-    if (status != TAUT_OK) {
-        taut_model_free(made);
-        return status;
-    }
-    *pieces = made;
-    return TAUT_OK;
+    return taut_operate_end(status, made, pieces);
 }
 
 taut_status taut_curve_split(const taut_curve *curve, double t, taut_model **pieces,
@@ -73,7 +65,7 @@ taut_status taut_curve_split(const taut_curve *curve, double t, taut_model **pie
         return taut_operate_null(error);
     }
     status = taut_operate_split(taut_curve_t(curve), t, &list, error);
-    return finish_pieces(status, curve, &list, pieces, error);
+    return apply_pieces(status, curve, &list, pieces, error);
 }
 
 taut_status taut_curve_pieces(const taut_curve *curve, taut_model **pieces, taut_error *error)
@@ -85,7 +77,7 @@ taut_status taut_curve_pieces(const taut_curve *curve, taut_model **pieces, taut
     }
     const taut_basis *t = taut_curve_t(curve);
     status = t->ops->changes->pieces(t, &list, error);
-    return finish_pieces(status, curve, &list, pieces, error);
+    return apply_pieces(status, curve, &list, pieces, error);
 }
 
 taut_status taut_curve_refine(const taut_curve *curve, taut_curve **refined, taut_error *error)
@@ -97,7 +89,7 @@ taut_status taut_curve_refine(const taut_curve *curve, taut_curve **refined, tau
     }
     const taut_basis *t = taut_curve_t(curve);
     status = t->ops->changes->halve(t, &change, error);
-    return finish(status, curve, change, refined, error);
+    return apply_change(status, curve, change, refined, error);
 }
 
 taut_status taut_curve_insert(const taut_curve *curve, double t, int times, taut_curve **refined,
@@ -109,7 +101,7 @@ taut_status taut_curve_insert(const taut_curve *curve, double t, int times, taut
         return taut_operate_null(error);
     }
     status = taut_operate_insert(taut_curve_t(curve), t, times, &change, error);
-    return finish(status, curve, change, refined, error);
+    return apply_change(status, curve, change, refined, error);
 }
 
 taut_status taut_curve_elevate(const taut_curve *curve, int times, taut_curve **raised,
@@ -121,7 +113,7 @@ taut_status taut_curve_elevate(const taut_curve *curve, int times, taut_curve **
         return taut_operate_null(error);
     }
     status = taut_operate_elevate(taut_curve_t(curve), times, &change, error);
-    return finish(status, curve, change, raised, error);
+    return apply_change(status, curve, change, raised, error);
 }
 
 taut_status taut_curve_reverse(const taut_curve *curve, taut_curve **reversed, taut_error *error)
@@ -133,7 +125,7 @@ taut_status taut_curve_reverse(const taut_curve *curve, taut_curve **reversed, t
     }
     const taut_basis *t = taut_curve_t(curve);
     status = t->ops->changes->reverse(t, &change, error);
-    return finish(status, curve, change, reversed, error);
+    return apply_change(status, curve, change, reversed, error);
 }
 
 taut_status taut_curve_rerange(const taut_curve *curve, double lo, double hi, taut_curve **moved,
@@ -145,7 +137,7 @@ taut_status taut_curve_rerange(const taut_curve *curve, double lo, double hi, ta
         return taut_operate_null(error);
     }
     status = taut_operate_rerange(taut_curve_t(curve), lo, hi, &change, error);
-    return finish(status, curve, change, moved, error);
+    return apply_change(status, curve, change, moved, error);
 }
 
 taut_status taut_curve_transform(const taut_curve *curve, const double *matrix, taut_curve **moved,
@@ -158,10 +150,11 @@ taut_status taut_curve_transform(const taut_curve *curve, const double *matrix, 
     }
     status = taut_operate_points(matrix, (size_t)taut_basis_count(taut_curve_t(curve)),
                                  taut_curve_points(curve), &points, error);
-    if (status == TAUT_OK) {
-        status = taut_curve_new(taut_curve_name(curve), taut_curve_t(curve), points,
-                                taut_curve_weights(curve), moved, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_curve_new(taut_curve_name(curve), taut_curve_t(curve), points,
+                            taut_curve_weights(curve), moved, error);
     taut_free(points);
     return status;
 }

@@ -14,6 +14,11 @@ taut_status taut_operate_points(const double *matrix, size_t count, const double
 taut_status taut_operate_add_surface(taut_model *model, taut_surface *surface, taut_error *error);
 taut_status taut_operate_add_curve(taut_model *model, taut_curve *curve, taut_error *error);
 
+/* Adds a copy. */
+taut_status taut_operate_copy_surface(const taut_surface *surface, taut_model *to,
+                                      taut_error *error);
+taut_status taut_operate_copy_curve(const taut_curve *curve, taut_model *to, taut_error *error);
+
 /* A new model with the unit of another. */
 taut_status taut_operate_begin(const taut_model *model, taut_model **made, taut_error *error);
 /* Hands the model over, or frees it. */
