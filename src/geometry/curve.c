@@ -15,8 +15,8 @@ struct taut_curve {
     double *weights; /* or NULL */
 };
 
-static taut_status check(const char *name, const taut_basis *t, const double *points,
-                         const double *weights, taut_error *error)
+static taut_status check_curve(const char *name, const taut_basis *t, const double *points,
+                               const double *weights, taut_error *error)
 {
     taut_status status = TAUT_OK;
     if (t == NULL || points == NULL) {
@@ -24,25 +24,25 @@ static taut_status check(const char *name, const taut_basis *t, const double *po
                          "a curve needs a basis and points");
     }
     if (name != NULL && strlen(name) > TAUT_NAME_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/name", (double)strlen(name),
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/name", (double)strlen(name),
                          TAUT_NAME_MAX, "a name of %zu bytes, expected at most %d", strlen(name),
                          TAUT_NAME_MAX);
     }
     status = taut_net_check_points((size_t)taut_basis_count(t), 0, points, error);
-    if (status == TAUT_OK && weights != NULL) {
-        if (!taut_basis_allows_weights(t)) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/weights", taut_none, taut_none,
-                             "a basis of type \"%s\" carries no weights", taut_basis_type(t));
-        }
-        status = taut_net_check_weights((size_t)taut_basis_count(t), 0, weights, error);
+    if (status != TAUT_OK || weights == NULL) {
+        return status;
     }
-    return status;
+    if (!taut_basis_allows_weights(t)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/weights", taut_none, taut_none,
+                         "a basis of type \"%s\" carries no weights", taut_basis_type(t));
+    }
+    return taut_net_check_weights((size_t)taut_basis_count(t), 0, weights, error);
 }
 
 taut_status taut_curve_new(const char *name, const taut_basis *t, const double *points,
                            const double *weights, taut_curve **curve, taut_error *error)
 {
-    const taut_status status = check(name, t, points, weights, error);
+    const taut_status status = check_curve(name, t, points, weights, error);
     taut_curve *made = NULL;
     size_t count = 0;
 

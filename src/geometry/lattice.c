@@ -16,9 +16,10 @@ static size_t point_count(const taut_lattice *lattice)
 static taut_status take_net(taut_lattice *lattice, taut_error *error)
 {
     if (point_count(lattice) > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, (double)point_count(lattice),
-                         TAUT_POINTS_MAX, "%zu control points, expected at most %d",
-                         point_count(lattice), TAUT_POINTS_MAX);
+        return taut_fail(error, TAUT_NO_SOLUTION, "too-many-points", NULL,
+                         (double)point_count(lattice), TAUT_POINTS_MAX,
+                         "%zu control points, expected at most %d", point_count(lattice),
+                         TAUT_POINTS_MAX);
     }
     lattice->net = taut_alloc_aligned(point_count(lattice) * (size_t)lattice->dim, sizeof(double));
     return lattice->net != NULL ? TAUT_OK : taut_fail_memory(error);

@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* "/points/3/5", or "/points/3" when columns is 0. */
-static void place(char *where, size_t size, const char *member, size_t index, int columns)
+static void write_place(char *where, size_t size, const char *member, size_t index, int columns)
 {
     if (columns > 0) {
         snprintf(where, size, "/%s/%zu/%zu", member, index / (size_t)columns,
@@ -24,7 +24,7 @@ taut_status taut_net_check_points(size_t count, int columns, const double *point
     for (size_t i = 0; i < 3 * count; i++) {
         if (!isfinite(points[i])) {
             char where[64];
-            place(where, sizeof where, "points", i / 3, columns);
+            write_place(where, sizeof where, "points", i / 3, columns);
             return taut_fail(error, TAUT_BAD_INPUT, "value", where, points[i], taut_none,
                              "a coordinate is not a finite number");
         }
@@ -38,9 +38,9 @@ taut_status taut_net_check_weights(size_t count, int columns, const double *weig
     for (size_t i = 0; i < count; i++) {
         if (!(weights[i] > 0) || !isfinite(weights[i])) {
             char where[64];
-            place(where, sizeof where, "weights", i, columns);
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, weights[i], 0,
-                             "weight is %.17g, expected a positive number", weights[i]);
+            write_place(where, sizeof where, "weights", i, columns);
+            return taut_fail_expected(error, TAUT_BAD_INPUT, "value", where, weights[i],
+                                      "a positive number", "weight is %.17g", weights[i]);
         }
     }
     return TAUT_OK;
@@ -65,10 +65,10 @@ taut_status taut_net_check_exact(size_t count, int columns, const char *const *e
     for (size_t i = 0; i < 3 * count; i++) {
         if (exact[i] != NULL && !is_rational(exact[i])) {
             char where[64], whole[80];
-            place(where, sizeof where, "points", i / 3, columns);
+            write_place(where, sizeof where, "points", i / 3, columns);
             snprintf(whole, sizeof whole, "%s/%zu", where, i % 3);
-            return taut_fail(error, TAUT_BAD_INPUT, "value", whole, taut_none, taut_none,
-                             "found \"%.40s\", expected a rational number as \"3/4\"", exact[i]);
+            return taut_fail_expected(error, TAUT_BAD_INPUT, "value", whole, taut_none,
+                                      "a rational number as \"3/4\"", "found \"%.40s\"", exact[i]);
         }
     }
     return TAUT_OK;

@@ -66,7 +66,7 @@ static int has_layer(const taut_basis *basis, int span, double lo, double hi)
     return basis->ops->layers && hi - lo > fmax(layer_width, fmin(lo - ends[0], ends[1] - hi));
 }
 
-static taut_status add(cutting *c, int span, double lo, double hi)
+static taut_status add_cell(cutting *c, int span, double lo, double hi)
 {
     taut_cells *p = c->cells;
     if (p->count == c->room) {
@@ -89,29 +89,30 @@ static taut_status add(cutting *c, int span, double lo, double hi)
 }
 
 /* Cuts one span; the stack holds the right halves still to do. */
-static taut_status cut(cutting *c, int span)
+static taut_status cut_span(cutting *c, int span)
 {
     const double *breaks = taut_basis_breaks(c->basis);
     double ends[DEPTH_MAX + 1];
     double lo = breaks[span];
     int depth = 0;
-    taut_status status = TAUT_OK;
 
     ends[0] = breaks[span + 1];
-    while (status == TAUT_OK && depth >= 0) {
+    while (depth >= 0) {
         const double hi = ends[depth], middle = lo + 0.5 * (hi - lo);
         if (depth < DEPTH_MAX && middle > lo && middle < hi &&
             hi - lo > ldexp(breaks[span + 1] - breaks[span], -DEPTH_MAX) &&
             (has_layer(c->basis, span, lo, hi) ||
              (c->weights != NULL && varies(c, span, lo, hi)))) {
             ends[++depth] = middle;
-        } else {
-            status = add(c, span, lo, hi);
-            lo = hi;
-            depth--;
+            continue;
         }
+        if (add_cell(c, span, lo, hi) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+        lo = hi;
+        depth--;
     }
-    return status;
+    return TAUT_OK;
 }
 
 double taut_cells_finest(const taut_basis *basis, int span)
@@ -127,7 +128,7 @@ taut_status taut_cells_new(const taut_basis *basis, int lines, const double *wei
     taut_cells *made = taut_alloc_zero(1, sizeof *made);
     const size_t local = (size_t)taut_basis_local(basis);
     cutting c = {basis, lines, weights, step, next, made, spans, NULL};
-    taut_status status = TAUT_OK;
+    int is_whole = 1;
 
     if (made == NULL) {
         return TAUT_NO_MEMORY;
@@ -135,20 +136,16 @@ taut_status taut_cells_new(const taut_basis *basis, int lines, const double *wei
     made->lo = taut_alloc((size_t)spans, sizeof(double));
     made->hi = taut_alloc((size_t)spans, sizeof(double));
     made->span = taut_alloc((size_t)spans, sizeof(int));
-    if (weights != NULL) {
-        c.values = taut_alloc(local + 1, local * sizeof(double));
-    }
-    if (made->lo == NULL || made->hi == NULL || made->span == NULL ||
-        (weights != NULL && c.values == NULL)) {
-        status = TAUT_NO_MEMORY;
-    }
-    for (int k = 0; status == TAUT_OK && k < spans; k++) {
-        status = cut(&c, k);
+    c.values = weights != NULL ? taut_alloc(local + 1, local * sizeof(double)) : NULL;
+    is_whole = made->lo != NULL && made->hi != NULL && made->span != NULL &&
+               (weights == NULL || c.values != NULL);
+    for (int k = 0; is_whole && k < spans; k++) {
+        is_whole = cut_span(&c, k) == TAUT_OK;
     }
     taut_free(c.values);
-    if (status != TAUT_OK) {
+    if (!is_whole) {
         taut_cells_free(made);
-        return status;
+        return TAUT_NO_MEMORY;
     }
     *cells = made;
     return TAUT_OK;

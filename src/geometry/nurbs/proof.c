@@ -72,8 +72,8 @@ static double length_of(const double *x)
 }
 
 /* |sum_i weights[i] x[i * stride]|, vectors of 3. */
-static double combined(int count, const double *weights, const double *x, size_t stride,
-                       double *sum)
+static double combine_points(int count, const double *weights, const double *x, size_t stride,
+                             double *sum)
 {
     sum[0] = sum[1] = sum[2] = 0;
     for (int i = 0; i < count; i++) {
@@ -91,8 +91,8 @@ double taut_nurbs_along(const taut_nurbs_span *span, int lines, const double *po
     double largest = 0, sum[3];
     for (int l = 0; l < lines; l++) {
         const double *p = points + (size_t)l * line;
-        largest = fmax(largest, combined(4, span->rows[0], p, step, sum) +
-                                    combined(4, span->rows[1], p, step, sum));
+        largest = fmax(largest, combine_points(4, span->rows[0], p, step, sum) +
+                                    combine_points(4, span->rows[1], p, step, sum));
     }
     return largest;
 }
@@ -123,14 +123,15 @@ static double mixed_bound(const taut_nurbs_side *u, int pu, const taut_nurbs_sid
         double rows[2][4][3]; /* the two sums along u, for each column */
         for (int j = 0; j < 4; j++) {
             for (int a = 0; a < 2; a++) {
-                (void)combined(4, u->spans[k].rows[a], net->points + 3 * (size_t)j, 12, rows[a][j]);
+                (void)combine_points(4, u->spans[k].rows[a], net->points + 3 * (size_t)j, 12,
+                                     rows[a][j]);
             }
         }
         for (int l = v->first[pv]; l < v->first[pv + 1]; l++) {
             double total = 0, sum[3];
             for (int a = 0; a < 2; a++) {
                 for (int b = 0; b < 2; b++) {
-                    total += combined(4, v->spans[l].rows[b], rows[a][0], 3, sum);
+                    total += combine_points(4, v->spans[l].rows[b], rows[a][0], 3, sum);
                 }
             }
             largest = fmax(largest, total);
@@ -159,23 +160,29 @@ static double patch_bound(const taut_nurbs_side *u, int p, const taut_nurbs_side
     return e[0] + e[1] + mixed;
 }
 
-/* The patches of one strip: itself where there is no second direction. */
-static taut_status prove_strip(const taut_nurbs_side *u, int p, const taut_nurbs_side *v,
-                               const taut_lattice *strip, double *largest, taut_error *error)
+/* The patches of strip p: itself where there is no second direction. */
+static taut_status prove_strip(const taut_lattice *whole, const taut_nurbs_side *u, int p,
+                               const taut_nurbs_side *v, double *largest, taut_error *error)
 {
-    taut_status status = TAUT_OK;
+    taut_lattice strip;
+    taut_status status =
+        taut_lattice_change(whole, TAUT_ALONG_U, u->pieces.items[p], &strip, error);
 
+    if (status != TAUT_OK) {
+        return status;
+    }
     if (v->basis == NULL) {
-        *largest = fmax(*largest, patch_bound(u, p, v, 0, strip));
+        *largest = fmax(*largest, patch_bound(u, p, v, 0, &strip));
     }
     for (int q = 0; status == TAUT_OK && q < v->pieces.count; q++) {
-        taut_lattice one = {{0, 0}, 0, NULL};
-        status = taut_lattice_change(strip, TAUT_ALONG_V, v->pieces.items[q], &one, error);
+        taut_lattice one;
+        status = taut_lattice_change(&strip, TAUT_ALONG_V, v->pieces.items[q], &one, error);
         if (status == TAUT_OK) {
             *largest = fmax(*largest, patch_bound(u, p, v, q, &one));
         }
         taut_lattice_free(&one);
     }
+    taut_lattice_free(&strip);
     return status;
 }
 
@@ -183,18 +190,13 @@ taut_status taut_nurbs_prove(const taut_lattice *whole, const taut_nurbs_side *u
                              const taut_nurbs_side *v, double *distance, taut_error *error)
 {
     double largest = 0;
-    taut_status status = TAUT_OK;
 
-    for (int p = 0; status == TAUT_OK && p < u->pieces.count; p++) {
-        taut_lattice strip = {{0, 0}, 0, NULL};
-        status = taut_lattice_change(whole, TAUT_ALONG_U, u->pieces.items[p], &strip, error);
-        if (status == TAUT_OK) {
-            status = prove_strip(u, p, v, &strip, &largest, error);
+    for (int p = 0; p < u->pieces.count; p++) {
+        const taut_status status = prove_strip(whole, u, p, v, &largest, error);
+        if (status != TAUT_OK) {
+            return status;
         }
-        taut_lattice_free(&strip);
     }
-    if (status == TAUT_OK) {
-        *distance = largest;
-    }
-    return status;
+    *distance = largest;
+    return TAUT_OK;
 }

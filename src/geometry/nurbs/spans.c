@@ -53,12 +53,12 @@ static double widest(const cutting *c, double lo, double hi, double guess, doubl
     return good;
 }
 
-static taut_status more_room(cutting *c, taut_error *error)
+static taut_status double_room(cutting *c)
 {
     const int room = 2 * c->room;
     double *ends = taut_realloc(c->ends, (size_t)room + 1, sizeof *ends);
     if (ends == NULL) {
-        return taut_fail_memory(error);
+        return TAUT_NO_MEMORY;
     }
     c->ends = ends;
     c->room = room;
@@ -66,32 +66,31 @@ static taut_status more_room(cutting *c, taut_error *error)
 }
 
 /* Spans from lo to hi after those there are; *last is the distance on the last one. */
-static taut_status march(cutting *c, double lo, double hi, double share, double *last,
-                         taut_error *error)
+static taut_status march_spans(cutting *c, double lo, double hi, double share, double *last,
+                               taut_error *error)
 {
     double width = hi - lo;
-    taut_status status = TAUT_OK;
 
-    while (status == TAUT_OK && lo < hi) {
+    while (lo < hi) {
         width = widest(c, lo, hi, width, share);
         if (c->count >= c->most || !(lo + width > lo)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, c->count, c->most,
+            return taut_fail(error, TAUT_NO_SOLUTION, "too-many-points", NULL, c->count, c->most,
                              "a NURBS so near needs more than %d spans one way, more than fit: ask "
                              "for a larger tolerance",
                              c->count);
         }
-        status = c->count < c->room ? TAUT_OK : more_room(c, error);
-        if (status == TAUT_OK) {
-            const double end = width < hi - lo ? lo + width : hi;
-            *last = distance_on(c, lo, end);
-            lo = c->ends[++c->count] = end;
+        if (c->count >= c->room && double_room(c) != TAUT_OK) {
+            return taut_fail_memory(error);
         }
+        const double end = width < hi - lo ? lo + width : hi;
+        *last = distance_on(c, lo, end);
+        lo = c->ends[++c->count] = end;
     }
-    return status;
+    return TAUT_OK;
 }
 
 /* Would `count` equal spans do, in place of those from number `first` on? */
-static int evened(cutting *c, int first, double share)
+static int are_evened(cutting *c, int first, double share)
 {
     const int count = c->count - first;
     const double lo = c->ends[first], hi = c->ends[c->count];
@@ -115,16 +114,16 @@ static taut_status cut_piece(cutting *c, double share, taut_error *error)
     const double lo = taut_basis_lo(piece), hi = taut_basis_hi(piece);
     const int first = c->count;
     double last = 0, low = 0.5, high = 1; /* of the widths: too little, enough */
-    taut_status status = march(c, lo, hi, share, &last, error);
+    taut_status status = march_spans(c, lo, hi, share, &last, error);
     const int count = c->count;
 
-    if (status != TAUT_OK || count - first < 2 || evened(c, first, share)) {
+    if (status != TAUT_OK || count - first < 2 || are_evened(c, first, share)) {
         return status;
     }
     for (int step = 0; status == TAUT_OK && step < 30 && last < share / 64; step++) {
         const double middle = (low + high) / 2;
         c->count = first;
-        status = march(c, lo, hi, share * pow(middle, 6), &last, error);
+        status = march_spans(c, lo, hi, share * pow(middle, 6), &last, error);
         if (c->count > count) {
             low = middle;
             last = 0;
@@ -136,13 +135,13 @@ static taut_status cut_piece(cutting *c, double share, taut_error *error)
         /* the halvings ended on too many: by the steps of `widest` the last span does not always
          * grow steadily as the others shrink */
         c->count = first;
-        status = march(c, lo, hi, share * pow(high, 6), &last, error);
+        status = march_spans(c, lo, hi, share * pow(high, 6), &last, error);
     }
     return status;
 }
 
 /* Appends the lines of one patch, as they run along `direction`. */
-static void gather(const taut_lattice *patch, int direction, cutting *c)
+static void gather_lines(const taut_lattice *patch, int direction, cutting *c)
 {
     const int across = patch->count[1 - direction];
     const size_t step = direction == TAUT_ALONG_U ? 3 * (size_t)across : 3;
@@ -161,18 +160,21 @@ static void gather(const taut_lattice *patch, int direction, cutting *c)
 static taut_status find_lines(const taut_lattice *whole, int direction,
                               const taut_nurbs_side *other, cutting *c, taut_error *error)
 {
-    taut_lattice strip = {{0, 0}, 0, NULL};
+    taut_lattice strip;
     taut_status status =
         taut_lattice_change(whole, direction, c->side->pieces.items[c->piece], &strip, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
     c->lines = 0;
-    if (status == TAUT_OK && other->basis == NULL) {
-        gather(&strip, direction, c);
+    if (other->basis == NULL) {
+        gather_lines(&strip, direction, c);
     }
     for (int q = 0; status == TAUT_OK && q < other->pieces.count; q++) {
-        taut_lattice patch = {{0, 0}, 0, NULL};
+        taut_lattice patch;
         status = taut_lattice_change(&strip, 1 - direction, other->pieces.items[q], &patch, error);
         if (status == TAUT_OK) {
-            gather(&patch, direction, c);
+            gather_lines(&patch, direction, c);
         }
         taut_lattice_free(&patch);
     }
@@ -215,6 +217,27 @@ static int most_spans(const taut_nurbs_side *other)
     return fit < SPANS_MAX ? fit : SPANS_MAX;
 }
 
+/* Piece by piece; the memory is there. */
+static taut_status cut_pieces(const taut_lattice *whole, int direction,
+                              const taut_nurbs_side *other, double share, int *first, cutting *c,
+                              taut_error *error)
+{
+    c->ends[0] = taut_basis_lo(c->side->basis);
+    first[0] = 0;
+    for (c->piece = 0; c->piece < c->side->pieces.count; c->piece++) {
+        taut_status status = find_lines(whole, direction, other, c, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        status = cut_piece(c, share, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        first[c->piece + 1] = c->count;
+    }
+    return TAUT_OK;
+}
+
 taut_status taut_nurbs_cut(const taut_lattice *whole, int direction, taut_nurbs_side *s,
                            const taut_nurbs_side *other, double share, taut_error *error)
 {
@@ -229,20 +252,9 @@ taut_status taut_nurbs_cut(const taut_lattice *whole, int direction, taut_nurbs_
     }
     c.ends = taut_alloc(pieces + 1, sizeof *c.ends);
     c.points = taut_alloc(line_count(other), 12 * sizeof *c.points);
-    if (s->first == NULL || c.ends == NULL || c.points == NULL) {
-        status = taut_fail_memory(error);
-    } else {
-        c.ends[0] = taut_basis_lo(s->basis);
-        s->first[0] = 0;
-    }
-    for (int p = 0; status == TAUT_OK && p < s->pieces.count; p++) {
-        c.piece = p;
-        status = find_lines(whole, direction, other, &c, error);
-        if (status == TAUT_OK) {
-            status = cut_piece(&c, share, error);
-            s->first[p + 1] = c.count;
-        }
-    }
+    status = s->first != NULL && c.ends != NULL && c.points != NULL
+                 ? cut_pieces(whole, direction, other, share, s->first, &c, error)
+                 : taut_fail_memory(error);
     taut_free(s->ends);
     s->ends = c.ends;
     taut_free(c.points);

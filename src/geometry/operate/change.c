@@ -11,7 +11,7 @@ static taut_status check_inside(const taut_basis *basis, double t, taut_error *e
 {
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
     if (!(t > lo && t < hi)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, t, t <= lo ? lo : hi,
+        return taut_fail(error, TAUT_NO_SOLUTION, "parameter", NULL, t, t <= lo ? lo : hi,
                          "parameter %.17g is not inside the open range from %.17g to %.17g", t, lo,
                          hi);
     }
@@ -20,7 +20,7 @@ static taut_status check_inside(const taut_basis *basis, double t, taut_error *e
 
 static taut_status refuse_change(const taut_basis *basis, const char *what, taut_error *error)
 {
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_NO_SOLUTION, "basis", NULL, taut_none, taut_none,
                      "a basis of type \"%s\" has no %s; convert it to NURBS first",
                      taut_basis_type(basis), what);
 }

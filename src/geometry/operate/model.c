@@ -53,11 +53,11 @@ static int dashes_for(const taut_model *from, int i, int pieces, const taut_mode
 static taut_status check_named(const taut_model *model, const char *name, taut_error *error)
 {
     if (name != NULL && !has_name(model, name, -1)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "no-such-object", NULL, taut_none, taut_none,
                          "nothing in the model has the name \"%.80s\"", name);
     }
     if (object_count(model) == 0) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "empty", NULL, taut_none, taut_none,
                          "the model holds no surface and no curve");
     }
     return TAUT_OK;

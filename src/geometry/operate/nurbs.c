@@ -34,7 +34,7 @@ static taut_status check_size(const taut_nurbs_side *u, const taut_nurbs_side *v
 {
     const double rows = spline_count(u), columns = spline_count(v);
     if (rows * columns > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, rows * columns,
+        return taut_fail(error, TAUT_NO_SOLUTION, "too-many-points", NULL, rows * columns,
                          TAUT_POINTS_MAX,
                          "a NURBS within %g needs %.0f by %.0f points, more than fit: ask for a "
                          "larger tolerance",
@@ -100,7 +100,7 @@ static double net_size(const taut_lattice *lattice)
 
 static taut_status below_rounding(double tolerance, double least, taut_error *error)
 {
-    return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, tolerance, least,
+    return taut_fail(error, TAUT_BAD_ARGUMENT, "tolerance", NULL, tolerance, least,
                      "a distance of %g is below what rounding leaves; ask for a distance of %g at "
                      "least",
                      tolerance, least);
@@ -111,7 +111,7 @@ static taut_status below_rounding(double tolerance, double least, taut_error *er
 static taut_status check_points(double size, double tolerance, taut_error *error)
 {
     if (!(size <= POINTS_LARGEST)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", size, POINTS_LARGEST,
+        return taut_fail(error, TAUT_NO_SOLUTION, "too-large", "/points", size, POINTS_LARGEST,
                          "coordinates of up to %g are too large to prove a distance; expected at "
                          "most %g: scale them",
                          size, POINTS_LARGEST);
@@ -181,7 +181,7 @@ static taut_status find_changes(conversion *c, double tolerance, taut_error *err
 static taut_status check_tolerance(double tolerance, taut_error *error)
 {
     if (!(tolerance > 0) || !isfinite(tolerance)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, tolerance, 0,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "tolerance", NULL, tolerance, 0,
                          "tolerance is %g, expected a positive number", tolerance);
     }
     return TAUT_OK;
