@@ -46,7 +46,7 @@ static void fill_samples(const taut_basis *basis, int each, double *t)
 }
 
 /* The length of what is left of `a` without its part along `along`. */
-static double across(const double *a, const double *along)
+static double part_across(const double *a, const double *along)
 {
     double c[3];
     const double length = sqrt(taut_dot(along, along));
@@ -58,7 +58,7 @@ static double across(const double *a, const double *along)
 }
 
 /* The part of x_uv along the normal; all of it where there is none. */
-static double twist(const double *x)
+static double twist_of(const double *x)
 {
     double n[3];
     taut_cross(x + 3 * TAUT_XU, x + 3 * TAUT_XV, n);
@@ -79,14 +79,14 @@ typedef struct facts {
     double *twist;     /* [spans_u][spans_v] */
 } facts;
 
-static void look_at(const double *x, int s, int t, facts *known, taut_bending *bending)
+static void take_sample(const double *x, int s, int t, facts *known, taut_bending *bending)
 {
     const double u = sqrt(taut_dot(x + 3 * TAUT_XU, x + 3 * TAUT_XU));
     const double v = sqrt(taut_dot(x + 3 * TAUT_XV, x + 3 * TAUT_XV));
     double *twisted = &known->twist[(size_t)s * (size_t)known->spans_v + (size_t)t];
-    known->u[s].bend = fmax(known->u[s].bend, across(x + 3 * TAUT_XUU, x + 3 * TAUT_XU));
-    known->v[t].bend = fmax(known->v[t].bend, across(x + 3 * TAUT_XVV, x + 3 * TAUT_XV));
-    *twisted = fmax(*twisted, twist(x));
+    known->u[s].bend = fmax(known->u[s].bend, part_across(x + 3 * TAUT_XUU, x + 3 * TAUT_XU));
+    known->v[t].bend = fmax(known->v[t].bend, part_across(x + 3 * TAUT_XVV, x + 3 * TAUT_XV));
+    *twisted = fmax(*twisted, twist_of(x));
     known->u[s].speed += u;
     known->v[t].speed += v;
     bending->longest_u = fmax(bending->longest_u, u);
@@ -114,7 +114,7 @@ static double scale_of(const taut_surface *surface)
 /* bending->u and v out of what is known. A pair of spans has as many samples as any other, so that
  * the sums of the speeds, over one span and all of the other way, are the means but for a factor.
  */
-static void conclude(const facts *known, taut_bending *bending)
+static void find_bending(const facts *known, taut_bending *bending)
 {
     for (int s = 0; s < known->spans_u; s++) {
         bending->u[s] = known->u[s].bend;
@@ -135,7 +135,7 @@ static void conclude(const facts *known, taut_bending *bending)
 }
 
 /* Back to the surface's own unit. */
-static void unscale(double scale, const facts *known, taut_bending *bending)
+static void undo_scale(double scale, const facts *known, taut_bending *bending)
 {
     for (int s = 0; s < known->spans_u; s++) {
         bending->u[s] /= scale;
@@ -169,8 +169,7 @@ taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_a
                    taut_arena_take(arena, (size_t)spans_u * (size_t)spans_v, sizeof(double))};
     taut_status status = TAUT_OK;
 
-    if (tu == NULL || tv == NULL || x == NULL || of_u == NULL || of_v == NULL || known.u == NULL ||
-        known.v == NULL || known.twist == NULL) {
+    if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     *bending = (taut_bending){
@@ -184,11 +183,11 @@ taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_a
             for (int c = 0; c < 18; c++) {
                 at[c] *= scale;
             }
-            look_at(at, i / each_u, j / each_v, &known, bending);
+            take_sample(at, i / each_u, j / each_v, &known, bending);
         }
     }
-    conclude(&known, bending);
-    unscale(scale, &known, bending);
+    find_bending(&known, bending);
+    undo_scale(scale, &known, bending);
     return status;
 }
 

@@ -2,7 +2,7 @@
  * Breaks of different members that differ by less than near_enough are one; the cells between two
  * breaks are counted for each member on its own span there, and the largest count is taken by all.
  */
-#include "mesh/share.h"
+#include "mesh/seams.h"
 
 #include "mesh/lines.h"
 
