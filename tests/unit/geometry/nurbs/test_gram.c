@@ -280,10 +280,10 @@ static void test_extremes(void)
     taut_gram gram = {.length = -1};
     taut_error error = {.where = "", .message = ""};
     CHECK(taut_gram_new(bases[0], steep, &gram, &error) == TAUT_NOT_CONVERGED, "steep");
-    CHECK(error.found > error.limit && strstr(error.message, "256 Gauss nodes") != NULL, "%s",
-          error.message);
+    CHECK(error.found > error.limit && strcmp(error.reason, "not-converged") == 0, "%s",
+          error.reason);
     CHECK(taut_gram_new(bases[1], slight, &gram, &error) == TAUT_BAD_INPUT, "slight");
-    CHECK(strstr(error.message, "overflow") != NULL, "%s", error.message);
+    CHECK(strcmp(error.reason, "short-span") == 0, "%s", error.reason);
     CHECK(gram.length == -1, "the output was touched");
     taut_basis_free(bases[0]);
     taut_basis_free(bases[1]);
