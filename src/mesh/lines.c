@@ -13,6 +13,7 @@
 #include "mesh/lines.h"
 
 #include "core/vec3.h"
+#include "geometry/exponent.h"
 
 #include <math.h>
 
@@ -101,14 +102,8 @@ static void take_sample(const double *x, int s, int t, facts *known, taut_bendin
  * of doubles; 1 for a surface at the origin. */
 static double scale_of(const taut_surface *surface)
 {
-    const size_t count = 3 * (size_t)taut_basis_count(taut_surface_u(surface)) *
-                         (size_t)taut_basis_count(taut_surface_v(surface));
-    const double *points = taut_surface_points(surface);
-    double largest = 0;
-    for (size_t i = 0; i < count; i++) {
-        largest = fmax(largest, fabs(points[i]));
-    }
-    return largest > 0 ? ldexp(1, -(int)fmax(ilogb(largest), -1000)) : 1;
+    const double largest = taut_largest(taut_point_count(surface), taut_surface_points(surface));
+    return largest > 0 ? taut_half_factor(taut_exponent(largest)) : 1;
 }
 
 /* bending->u and v out of what is known. A pair of spans has as many samples as any other, so that

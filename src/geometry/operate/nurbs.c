@@ -2,6 +2,7 @@
 #include "taut/operations.h"
 
 #include "core/fail.h"
+#include "geometry/exponent.h"
 #include "geometry/lattice.h"
 #include "geometry/nurbs/proof.h"
 #include "geometry/operate/change.h"
@@ -88,16 +89,6 @@ static double row_norm(const taut_change *change)
     return largest;
 }
 
-static double net_size(const taut_lattice *lattice)
-{
-    const size_t numbers = (size_t)lattice->count[0] * (size_t)lattice->count[1] * 3;
-    double largest = 0;
-    for (size_t i = 0; i < numbers; i++) {
-        largest = fmax(largest, fabs(lattice->net[i]));
-    }
-    return largest;
-}
-
 static taut_status below_rounding(double tolerance, double least, taut_error *error)
 {
     return taut_fail(error, TAUT_BAD_ARGUMENT, "tolerance", NULL, tolerance, least,
@@ -145,7 +136,8 @@ static taut_status find_splines(conversion *c, taut_error *error)
 static taut_status find_changes(conversion *c, double tolerance, taut_error *error)
 {
     taut_nurbs_side *u = &c->sides[0], *v = &c->sides[1];
-    const double size = net_size(&c->whole);
+    const double size =
+        taut_largest((size_t)c->whole.count[0] * (size_t)c->whole.count[1], c->whole.net);
     double left = tolerance;
     taut_status status = TAUT_OK;
 

@@ -6,7 +6,7 @@
  */
 #include "measure/curvature/box.h"
 
-#include "measure/curvature/scaling.h"
+#include "geometry/exponent.h"
 #include "measure/curvature/spot.h"
 
 #include <float.h>

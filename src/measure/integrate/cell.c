@@ -2,8 +2,9 @@
 #include "measure/integrate/job.h"
 
 #include "basis/basis_ops.h"
+#include "geometry/exponent.h"
+#include "geometry/net.h"
 #include "measure/curvature/place.h"
-#include "measure/curvature/scaling.h"
 
 #include <math.h>
 #include <string.h>
@@ -170,23 +171,13 @@ static void project_batch(int order, int count, int stride, double *field)
 {
     const int vectors = TAUT_SURFACE_VECTORS(order);
     for (int j = 0; j < count; j++) {
-        double h[6][4], x[6][3] = {{0}};
+        double h[6 * 4], x[6 * 3];
         for (int k = 0; k < 4 * vectors; k++) {
-            h[k / 4][k % 4] = field[k * stride + j];
+            h[k] = field[k * stride + j];
         }
-        for (int c = 0; c < 3; c++) {
-            const double w = h[0][3];
-            x[0][c] = h[0][c] / w;
-            x[1][c] = (h[1][c] - h[1][3] * x[0][c]) / w;
-            x[2][c] = (h[2][c] - h[2][3] * x[0][c]) / w;
-            if (order == 2) {
-                x[3][c] = (h[3][c] - 2 * h[1][3] * x[1][c] - h[3][3] * x[0][c]) / w;
-                x[4][c] = (h[4][c] - h[1][3] * x[2][c] - h[2][3] * x[1][c] - h[4][3] * x[0][c]) / w;
-                x[5][c] = (h[5][c] - 2 * h[2][3] * x[2][c] - h[5][3] * x[0][c]) / w;
-            }
-        }
+        taut_net_project(order, h, x);
         for (int k = 0; k < 3 * vectors; k++) {
-            field[k * stride + j] = x[k / 3][k % 3];
+            field[k * stride + j] = x[k];
         }
     }
 }

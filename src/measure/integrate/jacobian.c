@@ -13,6 +13,7 @@
 #include "core/arena.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "geometry/exponent.h"
 #include "taut/limits.h"
 #include "taut/measure.h"
 #include "taut/operations.h"
@@ -375,17 +376,6 @@ static taut_status prove_sign(search *s, const taut_model *pieces, taut_jacobian
     return more == 0 ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
-static int exponent_of(size_t count, const double *points)
-{
-    double most = 0;
-    int exponent = 0;
-    for (size_t i = 0; i < 3 * count; i++) {
-        most = fmax(most, fabs(points[i]));
-    }
-    (void)frexp(most, &exponent);
-    return exponent;
-}
-
 /* The sign of J of a polynomial surface without weights, once the coordinates to keep are known. */
 static taut_status prove_planar(search *s, taut_jacobian *jacobian)
 {
@@ -419,8 +409,8 @@ taut_status taut_surface_jacobian(const taut_surface *surface, taut_jacobian *ja
         return TAUT_BAD_ARGUMENT;
     }
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    const size_t count = (size_t)taut_basis_count(u) * (size_t)taut_basis_count(v);
-    s.scale = exponent_of(count, taut_surface_points(surface));
+    const size_t count = taut_point_count(surface);
+    s.scale = taut_exponent(taut_largest(count, taut_surface_points(surface)));
     const int dropped = plane_of(count, taut_surface_points(surface), s.scale);
     if (dropped == 3) {
         found.state = TAUT_JACOBIAN_FOLDS;

@@ -2,9 +2,10 @@
 
 #include "basis/basis_ops.h"
 #include "core/vec3.h"
+#include "geometry/exponent.h"
+#include "geometry/net.h"
 #include "geometry/nurbs/cells.h"
 #include "measure/curvature/place.h"
-#include "measure/curvature/scaling.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
@@ -98,21 +99,6 @@ taut_status taut_line_of_edge(taut_arena *arena, const taut_surface *surface, in
     return scale_net(arena, runs, points, weights, line);
 }
 
-/* x^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) x^(k-i)) / w ([PieglTiller1997] eq. 4.8). */
-static void project(int order, double h[4][4], double *d)
-{
-    static const double binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
-    for (int k = 0; k <= order; k++) {
-        for (int c = 0; c < 3; c++) {
-            double sum = h[k][c];
-            for (int i = 1; i <= k; i++) {
-                sum -= binomial[k][i] * h[i][3] * d[3 * (k - i) + c];
-            }
-            d[3 * k + c] = sum / h[0][3];
-        }
-    }
-}
-
 /* The derivatives of the functions sum to 0: taken of differences from the first point alive. */
 void taut_line_eval(const taut_line *line, int span, double t, double rest, int order, double *d,
                     double *bound)
@@ -144,7 +130,7 @@ void taut_line_eval(const taut_line *line, int span, double t, double rest, int 
         }
     }
     if (line->dim == 4) {
-        project(order, h, d);
+        taut_net_project_curve(order, h, d);
     } else {
         for (int k = 0; k <= order; k++) {
             memcpy(d + 3 * k, h[k], 3 * sizeof(double));

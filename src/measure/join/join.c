@@ -8,7 +8,7 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
-#include "measure/curvature/scaling.h"
+#include "geometry/exponent.h"
 #include "measure/join/side.h"
 
 #include <float.h>

@@ -2,7 +2,7 @@
 #include "measure/join/side.h"
 
 #include "core/vec3.h"
-#include "measure/curvature/scaling.h"
+#include "geometry/exponent.h"
 
 #include <math.h>
 
