@@ -139,7 +139,7 @@ static taut_status to_spline(const taut_curve *side, double lo, double hi, taut_
 }
 
 /* How often a knot near t is in a basis; *own is how it is spelled there. */
-static int multiplicity(const taut_basis *basis, double t, double close, double *own)
+static int count_knots(const taut_basis *basis, double t, double close, double *own)
 {
     taut_basis_spec spec;
     int times = 0;
@@ -164,8 +164,8 @@ static taut_status insert_knots_of(taut_curve **curve, const taut_curve *other, 
     for (int s = 1; status == TAUT_OK && s < spans; s++) {
         taut_curve *next = NULL;
         double spelled = breaks[s], ignored = 0;
-        const int wanted = multiplicity(basis, breaks[s], 0, &ignored);
-        const int there = multiplicity(taut_curve_t(*curve), breaks[s], close, &spelled);
+        const int wanted = count_knots(basis, breaks[s], 0, &ignored);
+        const int there = count_knots(taut_curve_t(*curve), breaks[s], close, &spelled);
         if (wanted > there) {
             status = taut_curve_insert(*curve, spelled, wanted - there, &next, error);
             status = replace_curve(curve, next, status);

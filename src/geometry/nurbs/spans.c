@@ -35,7 +35,7 @@ static double distance_on(const cutting *c, double lo, double hi)
 }
 
 /* The widest span from lo, hi at the furthest; `guess` a width to try first. */
-static double widest(const cutting *c, double lo, double hi, double guess, double share)
+static double find_widest(const cutting *c, double lo, double hi, double guess, double share)
 {
     double good = 0, bad = hi - lo, width = fmin(guess, bad / 2);
 
@@ -72,7 +72,7 @@ static taut_status march_spans(cutting *c, double lo, double hi, double share, d
     double width = hi - lo;
 
     while (lo < hi) {
-        width = widest(c, lo, hi, width, share);
+        width = find_widest(c, lo, hi, width, share);
         if (c->count >= c->most || !(lo + width > lo)) {
             return taut_fail(error, TAUT_NO_SOLUTION, "too-many-points", NULL, c->count, c->most,
                              "a NURBS so near needs more than %d spans one way, more than fit: ask "

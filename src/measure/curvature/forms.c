@@ -45,7 +45,7 @@ static int vanishes(double w, int exponent, double e, double g, const double val
     return !(w > 0x1p-40 * sqrt(e * g)) || !(w > ldexp(noise, shift - 46));
 }
 
-static void curvatures(int a, int b, double e, double f, double g, double w, taut_forms *forms)
+static void find_curvatures(int a, int b, double e, double f, double g, double w, taut_forms *forms)
 {
     const double l = ldexp(forms->l, -2 * a);
     const double m = ldexp(forms->m, -a - b);
@@ -80,6 +80,6 @@ void taut_forms_of(const double values[6][3], taut_forms *forms)
     forms->n = taut_dot(values[TAUT_XVV], forms->normal);
     forms->mean = forms->gaussian = nan("");
     if (forms->regular) {
-        curvatures(a, b, e, f, g, w, forms);
+        find_curvatures(a, b, e, f, g, w, forms);
     }
 }

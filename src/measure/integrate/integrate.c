@@ -299,8 +299,8 @@ static taut_status run_rounds(taut_job *job, taut_sum *value, taut_sum *error, d
     return status;
 }
 
-static taut_status integrate(const taut_surface *surface, int threads, taut_job *job,
-                             taut_integrals *integrals)
+static taut_status run_job(const taut_surface *surface, int threads, taut_job *job,
+                           taut_integrals *integrals)
 {
     taut_sum value[TAUT_FIELDS_MAX] = {{0, 0}}, error[TAUT_FIELDS_MAX] = {{0, 0}};
     double pending[TAUT_FIELDS_MAX];
@@ -327,7 +327,7 @@ taut_status taut_integrate(const taut_surface *surface, const taut_integrand *in
                            int threads, taut_integrals *integrals)
 {
     taut_job job = {.integrand = integrand};
-    const taut_status status = integrate(surface, threads, &job, integrals);
+    const taut_status status = run_job(surface, threads, &job, integrals);
     clear_job(&job);
     return status;
 }

@@ -150,7 +150,7 @@ static void sample_normals(const taut_job *job, taut_worker *worker, int ladder,
 }
 
 /* An eighth of the second difference at place i of n, `step` apart; 0 at the ends. */
-static double dip(const double *f, int i, int n, int step)
+static double dip_at(const double *f, int i, int n, int step)
 {
     return i > 0 && i < n - 1 ? fabs(f[-step] - 2 * f[0] + f[step]) / 8 : 0;
 }
@@ -159,15 +159,15 @@ static double dip(const double *f, int i, int n, int step)
  * taken: on a collapsed edge f is 0, and its differences along the edge too: no kink, as it must
  * be.
  */
-static double shortfall(const double *f, const int count[2], double noise)
+static double mean_shortfall(const double *f, const int count[2], double noise)
 {
     double sum = 0;
     for (int i = 0; i < count[0]; i++) {
         for (int j = 0; j < count[1]; j++) {
             const double *at = f + (size_t)i * (size_t)count[1] + (size_t)j;
             const int on_u = i == 0 || i == count[0] - 1, on_v = j == 0 || j == count[1] - 1;
-            const double along_u = on_u ? 0 : dip(at, i, count[0], count[1]);
-            const double along_v = on_v ? 0 : dip(at, j, count[1], 1);
+            const double along_u = on_u ? 0 : dip_at(at, i, count[0], count[1]);
+            const double along_v = on_v ? 0 : dip_at(at, j, count[1], 1);
             const double deficit =
                 (on_v || !on_u ? along_u : 0) + (on_u || !on_v ? along_v : 0) - *at;
             sum += deficit > noise ? deficit : 0;
@@ -186,6 +186,7 @@ void taut_cell_turns(const taut_job *job, taut_worker *worker, int ladder, const
     count[0] = worker->nodes[0].count;
     count[1] = worker->nodes[1].count;
     largest = project_on_line(worker->samples, count[0] * count[1], &least, &across);
-    error[0] = fmax(error[0], 2 * area_of(job, r) *
-                                  shortfall(worker->samples[0], count, 64 * DBL_EPSILON * largest));
+    error[0] =
+        fmax(error[0], 2 * area_of(job, r) *
+                           mean_shortfall(worker->samples[0], count, 64 * DBL_EPSILON * largest));
 }

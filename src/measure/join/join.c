@@ -50,7 +50,7 @@ static taut_join_side side_of(const taut_surface *surface, taut_edge edge, int l
     return side;
 }
 
-static int ascending(const void *a, const void *b)
+static int compare_numbers(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -77,7 +77,7 @@ static double *common_breaks(const taut_join_side *a, const taut_join_side *b, i
             parts[made++] = sides[s]->sign_along > 0 ? part : 1 - part;
         }
     }
-    qsort(parts, (size_t)made, sizeof(double), ascending);
+    qsort(parts, (size_t)made, sizeof(double), compare_numbers);
     for (int i = 1; i < made; i++) {
         /* knots of both sides that are meant to be the same differ by a few roundings */
         if (parts[i] - parts[kept - 1] > 1e-12) {
