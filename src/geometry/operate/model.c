@@ -118,55 +118,41 @@ static taut_status run_operation(const operation *o, taut_model **result, taut_e
     return taut_operate_end(status, made, result);
 }
 
-static taut_status add_surface_piece(const taut_surface *surface, int direction,
-                                     const taut_change *change, const char *name, taut_model *to,
-                                     taut_error *error)
-{
-    taut_surface *piece = NULL;
-    const taut_status status =
-        taut_surface_changed(surface, direction, change, name, &piece, error);
-    return status == TAUT_OK ? taut_operate_add_surface(to, piece, error) : status;
-}
-
 static taut_status split_surface(const operation *o, int i, taut_model *to, taut_error *error)
 {
     const taut_surface *surface = taut_model_surface(o->model, i);
     taut_change_list list = {0, NULL};
     taut_status status =
         taut_operate_split(taut_surface_along(surface, o->direction), o->t, &list, error);
-    const int dashes = dashes_for(o->model, i, list.count, to);
 
-    for (int n = 0; status == TAUT_OK && n < list.count; n++) {
-        char name[TAUT_NAME_MAX + 1];
-        taut_operate_piece_name(taut_surface_name(surface), dashes, n, name);
-        status = add_surface_piece(surface, o->direction, list.items[n], name, to, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_operate_add_surface_parts(surface, o->direction, &list,
+                                            dashes_for(o->model, i, list.count, to), to, error);
     taut_change_list_free(&list);
     return status;
 }
 
-static taut_status add_curve_piece(const taut_curve *curve, const taut_change *change,
-                                   const char *name, taut_model *to, taut_error *error)
+/* Adds the parts of curve i, unless the status is a failure; the list is freed. */
+static taut_status add_curve_parts(taut_status status, const operation *o, int i,
+                                   taut_change_list *list, taut_model *to, taut_error *error)
 {
-    taut_curve *piece = NULL;
-    const taut_status status = taut_curve_changed(curve, change, name, &piece, error);
-    return status == TAUT_OK ? taut_operate_add_curve(to, piece, error) : status;
+    const int object = taut_model_surface_count(o->model) + i;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_operate_add_curve_parts(taut_model_curve(o->model, i), list,
+                                          dashes_for(o->model, object, list->count, to), to, error);
+    taut_change_list_free(list);
+    return status;
 }
 
 static taut_status split_curve(const operation *o, int i, taut_model *to, taut_error *error)
 {
-    const taut_curve *curve = taut_model_curve(o->model, i);
+    const taut_basis *basis = taut_curve_t(taut_model_curve(o->model, i));
     taut_change_list list = {0, NULL};
-    taut_status status = taut_operate_split(taut_curve_t(curve), o->t, &list, error);
-    const int dashes = dashes_for(o->model, taut_model_surface_count(o->model) + i, list.count, to);
-
-    for (int n = 0; status == TAUT_OK && n < list.count; n++) {
-        char name[TAUT_NAME_MAX + 1];
-        taut_operate_piece_name(taut_curve_name(curve), dashes, n, name);
-        status = add_curve_piece(curve, list.items[n], name, to, error);
-    }
-    taut_change_list_free(&list);
-    return status;
+    return add_curve_parts(taut_operate_split(basis, o->t, &list, error), o, i, &list, to, error);
 }
 
 /* Alone, or along with surfaces cut across u where t is inside. */
@@ -251,63 +237,21 @@ taut_status taut_model_refine(const taut_model *model, const char *name, int alo
     return status == TAUT_OK ? run_operation(&o, refined, error) : status;
 }
 
-/* Adds the surface over again, by another name. */
-static taut_status add_renamed_surface(const taut_surface *surface, const char *name,
-                                       taut_model *to, taut_error *error)
-{
-    taut_surface *named = NULL;
-    const taut_status status = taut_surface_new(
-        name, taut_surface_u(surface), taut_surface_v(surface), taut_surface_points(surface),
-        taut_surface_weights(surface), &named, error);
-    return status == TAUT_OK ? taut_operate_add_surface(to, named, error) : status;
-}
-
 static taut_status surface_pieces(const operation *o, int i, taut_model *to, taut_error *error)
 {
     const taut_surface *surface = taut_model_surface(o->model, i);
-    taut_model *pieces = NULL;
-    taut_status status = taut_surface_pieces(surface, &pieces, error);
-
-    if (status != TAUT_OK) {
-        return status;
-    }
-    const int dashes = dashes_for(o->model, i, taut_model_surface_count(pieces), to);
-    for (int n = 0; status == TAUT_OK && n < taut_model_surface_count(pieces); n++) {
-        char name[TAUT_NAME_MAX + 1];
-        taut_operate_piece_name(taut_surface_name(surface), dashes, n, name);
-        status = add_renamed_surface(taut_model_surface(pieces, n), name, to, error);
-    }
-    taut_model_free(pieces);
-    return status;
-}
-
-static taut_status add_renamed_curve(const taut_curve *curve, const char *name, taut_model *to,
-                                     taut_error *error)
-{
-    taut_curve *named = NULL;
-    const taut_status status = taut_curve_new(name, taut_curve_t(curve), taut_curve_points(curve),
-                                              taut_curve_weights(curve), &named, error);
-    return status == TAUT_OK ? taut_operate_add_curve(to, named, error) : status;
+    const double patches = (double)taut_basis_span_count(taut_surface_u(surface)) *
+                           taut_basis_span_count(taut_surface_v(surface));
+    const int pieces = patches <= TAUT_OBJECTS_MAX ? (int)patches : 0; /* more are refused */
+    return taut_operate_add_patches(surface, dashes_for(o->model, i, pieces, to), to, error);
 }
 
 static taut_status curve_pieces(const operation *o, int i, taut_model *to, taut_error *error)
 {
-    const taut_curve *curve = taut_model_curve(o->model, i);
-    taut_model *pieces = NULL;
-    taut_status status = taut_curve_pieces(curve, &pieces, error);
-
-    if (status != TAUT_OK) {
-        return status;
-    }
-    const int dashes = dashes_for(o->model, taut_model_surface_count(o->model) + i,
-                                  taut_model_curve_count(pieces), to);
-    for (int n = 0; status == TAUT_OK && n < taut_model_curve_count(pieces); n++) {
-        char name[TAUT_NAME_MAX + 1];
-        taut_operate_piece_name(taut_curve_name(curve), dashes, n, name);
-        status = add_renamed_curve(taut_model_curve(pieces, n), name, to, error);
-    }
-    taut_model_free(pieces);
-    return status;
+    const taut_basis *basis = taut_curve_t(taut_model_curve(o->model, i));
+    taut_change_list list = {0, NULL};
+    return add_curve_parts(basis->ops->changes->pieces(basis, &list, error), o, i, &list, to,
+                           error);
 }
 
 taut_status taut_model_pieces(const taut_model *model, const char *name, taut_model **pieces,

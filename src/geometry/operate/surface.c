@@ -17,29 +17,40 @@ static int is_asked(const taut_surface *surface, int direction, const void *resu
            (direction == TAUT_ALONG_U || direction == TAUT_ALONG_V);
 }
 
-/* The surface after `change`, which is freed; passes a failed status on. */
+/* The surface after *change, which is freed; passes a failed status on. */
 static taut_status apply_change(taut_status status, const taut_surface *surface, int direction,
-                                taut_change *change, taut_surface **result, taut_error *error)
+                                taut_change *const *change, taut_surface **result,
+                                taut_error *error)
 {
     if (status != TAUT_OK) {
         return status;
     }
-    status =
-        taut_surface_changed(surface, direction, change, taut_surface_name(surface), result, error);
-    taut_change_free(change);
+    status = taut_surface_changed(surface, direction, *change, taut_surface_name(surface), result,
+                                  error);
+    taut_change_free(*change);
     return status;
 }
 
-static taut_status add_changed(const taut_surface *surface, int direction,
-                               const taut_change *change, int i, taut_model *model,
-                               taut_error *error)
+/* Part i of the surface, added to a model. */
+static taut_status add_part(const taut_surface *surface, int direction, const taut_change *change,
+                            int dashes, int i, taut_model *model, taut_error *error)
 {
     char name[TAUT_NAME_MAX + 1];
-    taut_surface *piece = NULL;
-    taut_operate_piece_name(taut_surface_name(surface), 1, i, name);
-    const taut_status status =
-        taut_surface_changed(surface, direction, change, name, &piece, error);
-    return status == TAUT_OK ? taut_operate_add_surface(model, piece, error) : status;
+    taut_surface *part = NULL;
+    taut_operate_piece_name(taut_surface_name(surface), dashes, i, name);
+    const taut_status status = taut_surface_changed(surface, direction, change, name, &part, error);
+    return status == TAUT_OK ? taut_operate_add_surface(model, part, error) : status;
+}
+
+taut_status taut_operate_add_surface_parts(const taut_surface *surface, int direction,
+                                           const taut_change_list *list, int dashes, taut_model *to,
+                                           taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    for (int i = 0; status == TAUT_OK && i < list->count; i++) {
+        status = add_part(surface, direction, list->items[i], dashes, i, to, error);
+    }
+    return status;
 }
 
 taut_status taut_surface_split(const taut_surface *surface, int direction, double t,
@@ -56,18 +67,25 @@ taut_status taut_surface_split(const taut_surface *surface, int direction, doubl
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_model_new(&made) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
-    for (int i = 0; status == TAUT_OK && i < list.count; i++) {
-        status = add_changed(surface, direction, list.items[i], i, made, error);
-    }
+    status = taut_model_new(&made) == TAUT_OK
+                 ? taut_operate_add_surface_parts(surface, direction, &list, 1, made, error)
+                 : taut_fail_memory(error);
     taut_change_list_free(&list);
     return taut_operate_end(status, made, pieces);
 }
 
-/* Adds patch i of the surface, out of a strip whose basis along u is its own already. */
-static taut_status add_patch(const taut_surface *surface, const taut_lattice *strip,
-                             const taut_basis *u, const taut_change *along, int i,
-                             taut_model *model, taut_error *error)
+/* What cutting into patches works with, and frees. */
+typedef struct cutting {
+    const taut_surface *surface;
+    taut_change_list across, along;
+    taut_lattice whole;
+    int dashes;
+    taut_model *to;
+} cutting;
+
+/* Adds patch i, out of a strip whose basis along u is its own already. */
+static taut_status add_patch(const cutting *c, const taut_lattice *strip, const taut_basis *u,
+                             const taut_change *along, int i, taut_error *error)
 {
     char name[TAUT_NAME_MAX + 1];
     taut_lattice patch;
@@ -77,37 +95,28 @@ static taut_status add_patch(const taut_surface *surface, const taut_lattice *st
     if (status != TAUT_OK) {
         return status;
     }
-    taut_operate_piece_name(taut_surface_name(surface), 1, i, name);
+    taut_operate_piece_name(taut_surface_name(c->surface), c->dashes, i, name);
     status = taut_lattice_into_surface(&patch, name, u, along->to, &piece, error);
-    return status == TAUT_OK ? taut_operate_add_surface(model, piece, error) : status;
+    return status == TAUT_OK ? taut_operate_add_surface(c->to, piece, error) : status;
 }
 
-/* Adds strip i of the surface, whose points `whole` holds, patch by patch. */
-static taut_status add_strip(const taut_surface *surface, const taut_lattice *whole,
-                             const taut_change *across, const taut_change_list *along, int i,
-                             taut_model *model, taut_error *error)
+/* Adds strip i, patch by patch. */
+static taut_status add_strip(const cutting *c, int i, taut_error *error)
 {
+    const taut_change *across = c->across.items[i];
     taut_lattice strip;
-    taut_status status = taut_lattice_change(whole, TAUT_ALONG_U, across, &strip, error);
+    taut_status status = taut_lattice_change(&c->whole, TAUT_ALONG_U, across, &strip, error);
 
-    for (int j = 0; status == TAUT_OK && j < along->count; j++) {
-        status = add_patch(surface, &strip, across->to, along->items[j], i * along->count + j,
-                           model, error);
+    for (int j = 0; status == TAUT_OK && j < c->along.count; j++) {
+        status = add_patch(c, &strip, across->to, c->along.items[j], i * c->along.count + j, error);
     }
     taut_lattice_free(&strip);
     return status;
 }
 
-/* What taut_surface_pieces works with, and frees. */
-typedef struct cutting {
-    taut_change_list across, along;
-    taut_lattice whole;
-    taut_model *made;
-} cutting;
-
-static taut_status cut_into_patches(const taut_surface *surface, cutting *c, taut_error *error)
+static taut_status cut_into_patches(cutting *c, taut_error *error)
 {
-    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const taut_basis *u = taut_surface_u(c->surface), *v = taut_surface_v(c->surface);
     taut_status status = u->ops->changes->pieces(u, &c->across, error);
     if (status != TAUT_OK) {
         return status;
@@ -116,24 +125,17 @@ static taut_status cut_into_patches(const taut_surface *surface, cutting *c, tau
     if (status != TAUT_OK) {
         return status;
     }
-    if (taut_model_new(&c->made) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    status = taut_lattice_of_surface(surface, &c->whole, error);
+    status = taut_lattice_of_surface(c->surface, &c->whole, error);
     for (int i = 0; status == TAUT_OK && i < c->across.count; i++) {
-        status = add_strip(surface, &c->whole, c->across.items[i], &c->along, i, c->made, error);
+        status = add_strip(c, i, error);
     }
     return status;
 }
 
-taut_status taut_surface_pieces(const taut_surface *surface, taut_model **pieces, taut_error *error)
+taut_status taut_operate_add_patches(const taut_surface *surface, int dashes, taut_model *to,
+                                     taut_error *error)
 {
-    cutting c = {.made = NULL};
-    taut_status status = TAUT_OK;
-
-    if (surface == NULL || pieces == NULL) {
-        return taut_operate_null(error);
-    }
+    cutting c = {.surface = surface, .dashes = dashes, .to = to};
     const double patches = (double)taut_basis_span_count(taut_surface_u(surface)) *
                            taut_basis_span_count(taut_surface_v(surface));
     if (patches > TAUT_OBJECTS_MAX) {
@@ -141,73 +143,84 @@ taut_status taut_surface_pieces(const taut_surface *surface, taut_model **pieces
                          TAUT_OBJECTS_MAX, "%.0f pieces, but a model holds at most %d surfaces",
                          patches, TAUT_OBJECTS_MAX);
     }
-    status = cut_into_patches(surface, &c, error);
+    const taut_status status = cut_into_patches(&c, error);
     taut_change_list_free(&c.across);
     taut_change_list_free(&c.along);
     taut_lattice_free(&c.whole);
-    return taut_operate_end(status, c.made, pieces);
+    return status;
+}
+
+taut_status taut_surface_pieces(const taut_surface *surface, taut_model **pieces, taut_error *error)
+{
+    taut_model *made = NULL;
+
+    if (surface == NULL || pieces == NULL) {
+        return taut_operate_null(error);
+    }
+    if (taut_model_new(&made) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return taut_operate_end(taut_operate_add_patches(surface, 1, made, error), made, pieces);
 }
 
 taut_status taut_surface_refine(const taut_surface *surface, int direction, taut_surface **refined,
                                 taut_error *error)
 {
     taut_change *change = NULL;
-    taut_status status = TAUT_OK;
     if (!is_asked(surface, direction, refined)) {
         return taut_operate_null(error);
     }
     const taut_basis *basis = taut_surface_along(surface, direction);
-    status = basis->ops->changes->halve(basis, &change, error);
-    return apply_change(status, surface, direction, change, refined, error);
+    return apply_change(basis->ops->changes->halve(basis, &change, error), surface, direction,
+                        &change, refined, error);
 }
 
 taut_status taut_surface_insert(const taut_surface *surface, int direction, double t, int times,
                                 taut_surface **refined, taut_error *error)
 {
     taut_change *change = NULL;
-    taut_status status = TAUT_OK;
     if (!is_asked(surface, direction, refined)) {
         return taut_operate_null(error);
     }
-    status = taut_operate_insert(taut_surface_along(surface, direction), t, times, &change, error);
-    return apply_change(status, surface, direction, change, refined, error);
+    return apply_change(
+        taut_operate_insert(taut_surface_along(surface, direction), t, times, &change, error),
+        surface, direction, &change, refined, error);
 }
 
 taut_status taut_surface_elevate(const taut_surface *surface, int direction, int times,
                                  taut_surface **raised, taut_error *error)
 {
     taut_change *change = NULL;
-    taut_status status = TAUT_OK;
     if (!is_asked(surface, direction, raised)) {
         return taut_operate_null(error);
     }
-    status = taut_operate_elevate(taut_surface_along(surface, direction), times, &change, error);
-    return apply_change(status, surface, direction, change, raised, error);
+    return apply_change(
+        taut_operate_elevate(taut_surface_along(surface, direction), times, &change, error),
+        surface, direction, &change, raised, error);
 }
 
 taut_status taut_surface_reverse(const taut_surface *surface, int direction,
                                  taut_surface **reversed, taut_error *error)
 {
     taut_change *change = NULL;
-    taut_status status = TAUT_OK;
     if (!is_asked(surface, direction, reversed)) {
         return taut_operate_null(error);
     }
     const taut_basis *basis = taut_surface_along(surface, direction);
-    status = basis->ops->changes->reverse(basis, &change, error);
-    return apply_change(status, surface, direction, change, reversed, error);
+    return apply_change(basis->ops->changes->reverse(basis, &change, error), surface, direction,
+                        &change, reversed, error);
 }
 
 taut_status taut_surface_rerange(const taut_surface *surface, int direction, double lo, double hi,
                                  taut_surface **moved, taut_error *error)
 {
     taut_change *change = NULL;
-    taut_status status = TAUT_OK;
     if (!is_asked(surface, direction, moved)) {
         return taut_operate_null(error);
     }
-    status = taut_operate_rerange(taut_surface_along(surface, direction), lo, hi, &change, error);
-    return apply_change(status, surface, direction, change, moved, error);
+    return apply_change(
+        taut_operate_rerange(taut_surface_along(surface, direction), lo, hi, &change, error),
+        surface, direction, &change, moved, error);
 }
 
 /* to[j][i] = from[i][j], each of dim numbers. */
