@@ -91,12 +91,12 @@ TAUT_API taut_status taut_surface_transform(const taut_surface *surface, const d
                                             taut_surface **moved, taut_error *error);
 
 /* The same on bspline bases. Polynomial directions are exact. On c- and h- directions quintic C^2
- * Hermite interpolants stand in, on panels so narrow that the distance between points of
+ * Hermite interpolants stand in, on spans so narrow that the distance between points of
  * equal parameters is proved below `tolerance` (> 0, a length). *bound, if not NULL, is the proved
  * distance, rounding included; 0 where all is exact.
  * TAUT_BAD_ARGUMENT: the tolerance is below what rounding leaves (error->limit says what).
  * TAUT_NO_SOLUTION: it would take more than TAUT_COUNT_MAX functions or TAUT_POINTS_MAX points.
- * Cost: O(panels u * panels v) for the proof; the panels grow as tolerance^(-1/6). */
+ * Cost: O(spans u * spans v) for the proof; the spans grow as tolerance^(-1/6). */
 TAUT_API taut_status taut_curve_to_nurbs(const taut_curve *curve, double tolerance,
                                          taut_curve **nurbs, double *bound, taut_error *error);
 TAUT_API taut_status taut_surface_to_nurbs(const taut_surface *surface, double tolerance,

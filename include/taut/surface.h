@@ -17,6 +17,45 @@ extern "C" {
 
 typedef struct taut_surface taut_surface;
 
+/* Reasons that surfaces, curves, models, what is done to them and what is measured of them give,
+ * besides the general ones (taut/status.h) and those of documents (taut/read.h): word, meaning,
+ * remedy. */
+#define TAUT_GEOMETRY_REASON_LIST(X)                                                               \
+    X("bases-differ", "opposite curves are on c- or h- bases that differ",                         \
+      "give both on the same basis, or convert them to B-splines")                                 \
+    X("basis", "a basis of this type has no such operation", "convert it to NURBS first")          \
+    X("close-knots", "knots of two opposite curves lie too close to be told apart",                \
+      "make the knots that are meant to be one the same number")                                   \
+    X("corner-weights", "weights of four curves do not agree at the corners they share",           \
+      "scale the weights until both ways around give the same ones")                               \
+    X("degree", "a degree cannot be raised so often", "raise it to the largest degree at most")    \
+    X("empty", "the model holds no surface and no curve", "name a model that holds some")          \
+    X("gap", "four curves do not close",                                                           \
+      "move the ends that the message names together, or allow a larger gap")                      \
+    X("no-such-object", "nothing in the model has this name",                                      \
+      "give the name of one that is there")                                                        \
+    X("no-surface", "the model has no surface to make a mesh of", "name a surface that is there")  \
+    X("not-bezier", "a curve has several spans, or is on a basis that is no polynomial one",       \
+      "give a curve of one Bezier span")                                                           \
+    X("not-clamped", "a curve does not begin and end in control points",                           \
+      "convert it to a B-spline")                                                                  \
+    X("not-converged", "the largest quadrature rule does not settle the integrals of a basis",     \
+      "use weights that vary less, or a shape that is less extreme")                               \
+    X("not-exact", "rational arithmetic is for polynomial surfaces on bezier bases",               \
+      "split it without exact arithmetic")                                                         \
+    X("not-in-family", "the surface is no minimal surface with planar curvature lines",            \
+      "give a net on the bases that hold the family")                                              \
+    X("parameter", "a parameter is not inside the open range", "give one between the ends")        \
+    X("short-span", "a span is so short against its range that slopes overflow",                   \
+      "leave such a knot out, or move it")                                                         \
+    X("tolerance", "a tolerance is below what rounding leaves", "ask for the limit at least")      \
+    X("too-fine", "a mesh would have too many vertices", "ask for a coarser one")                  \
+    X("too-large", "coordinates are too large to prove a distance", "scale them")                  \
+    X("too-many-objects", "a model would hold too many surfaces or curves",                        \
+      "cut fewer of them at a time")                                                               \
+    X("too-many-points", "a result would have too many control points",                            \
+      "ask for a larger tolerance, or refine less")
+
 /* name     at most TAUT_NAME_MAX bytes of UTF-8 (else U+FFFD in JSON), NULL means ""
  * u, v     the bases, copied
  * points   double[nu][nv][3], finite, nu and nv the counts of u and v

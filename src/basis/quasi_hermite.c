@@ -54,8 +54,7 @@ taut_status taut_quasi_to_bspline(const taut_basis *basis, int panels, const dou
     taut_status status = TAUT_OK;
     double *knots = NULL;
 
-    assert(panels >= 1 &&
-           panels <= (TAUT_COUNT_MAX - 3) / 3); /* see geometry/nurbs/nurbs_panels.c */
+    assert(panels >= 1 && panels <= (TAUT_COUNT_MAX - 3) / 3); /* see geometry/nurbs/spans.c */
     spec.knot_count = 3 * panels + 9;
     knots = taut_alloc((size_t)spec.knot_count, sizeof(double));
     if (knots == NULL) {

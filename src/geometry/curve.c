@@ -15,41 +15,22 @@ struct taut_curve {
     double *weights; /* or NULL */
 };
 
-static taut_status check(const char *name, const taut_basis *t, const double *points,
-                         const double *weights, taut_error *error)
+taut_status taut_curve_new(const char *name, const taut_basis *t, const double *points,
+                           const double *weights, taut_curve **curve, taut_error *error)
 {
     taut_status status = TAUT_OK;
+    taut_curve *made = NULL;
+
     if (t == NULL || points == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a curve needs a basis and points");
     }
-    if (name != NULL && strlen(name) > TAUT_NAME_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/name", (double)strlen(name),
-                         TAUT_NAME_MAX, "a name of %zu bytes, expected at most %d", strlen(name),
-                         TAUT_NAME_MAX);
-    }
-    status = taut_net_check_points((size_t)taut_basis_count(t), 0, points, error);
-    if (status == TAUT_OK && weights != NULL) {
-        if (!taut_basis_allows_weights(t)) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/weights", taut_none, taut_none,
-                             "a basis of type \"%s\" carries no weights", taut_basis_type(t));
-        }
-        status = taut_net_check_weights((size_t)taut_basis_count(t), 0, weights, error);
-    }
-    return status;
-}
-
-taut_status taut_curve_new(const char *name, const taut_basis *t, const double *points,
-                           const double *weights, taut_curve **curve, taut_error *error)
-{
-    const taut_status status = check(name, t, points, weights, error);
-    taut_curve *made = NULL;
-    size_t count = 0;
-
+    const size_t count = (size_t)taut_basis_count(t);
+    const taut_basis *plain = taut_basis_allows_weights(t) ? NULL : t;
+    status = taut_net_check(name, count, 0, points, weights, plain, error);
     if (status != TAUT_OK) {
         return status;
     }
-    count = (size_t)taut_basis_count(t);
     made = taut_alloc_zero(1, sizeof *made);
     if (made == NULL) {
         return taut_fail_memory(error);
@@ -108,21 +89,6 @@ const double *taut_curve_weights(const taut_curve *curve)
     return curve->weights;
 }
 
-/* x^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) x^(k-i)) / w, A = w x ([PieglTiller1997] eq. 4.8). */
-static void project(int order, double h[TAUT_ORDER_MAX + 1][4], double *values)
-{
-    static const double binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
-    for (int k = 0; k <= order; k++) {
-        for (int c = 0; c < 3; c++) {
-            double sum = h[k][c];
-            for (int i = 1; i <= k; i++) {
-                sum -= binomial[k][i] * h[i][3] * values[3 * (k - i) + c];
-            }
-            values[3 * k + c] = sum / h[0][3];
-        }
-    }
-}
-
 taut_status taut_curve_eval(const taut_curve *curve, double t, int order, double *values)
 {
     double n[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
@@ -149,7 +115,7 @@ taut_status taut_curve_eval(const taut_curve *curve, double t, int order, double
         }
     }
     if (curve->weights != NULL) {
-        project(order, h, values);
+        taut_net_project_curve(order, h, values);
     } else {
         for (int k = 0; k <= order; k++) {
             memcpy(values + 3 * k, h[k], 3 * sizeof(double));

@@ -13,27 +13,31 @@ static size_t point_count(const taut_lattice *lattice)
 }
 
 /* Takes memory; the counts and dim are in place. */
-static taut_status take(taut_lattice *lattice, taut_error *error)
+static taut_status take_net(taut_lattice *lattice, taut_error *error)
 {
     if (point_count(lattice) > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, (double)point_count(lattice),
-                         TAUT_POINTS_MAX, "%zu control points, expected at most %d",
-                         point_count(lattice), TAUT_POINTS_MAX);
+        return taut_fail(error, TAUT_NO_SOLUTION, "too-many-points", NULL,
+                         (double)point_count(lattice), TAUT_POINTS_MAX,
+                         "%zu control points, expected at most %d", point_count(lattice),
+                         TAUT_POINTS_MAX);
     }
     lattice->net = taut_alloc_aligned(point_count(lattice) * (size_t)lattice->dim, sizeof(double));
     return lattice->net != NULL ? TAUT_OK : taut_fail_memory(error);
 }
 
-static taut_status fill(const double *points, const double *weights, taut_lattice *lattice,
-                        taut_error *error)
+static taut_status fill_net(const double *points, const double *weights, taut_lattice *lattice,
+                            taut_error *error)
 {
-    const taut_status status = take(lattice, error);
-    if (status == TAUT_OK && weights != NULL) {
+    const taut_status status = take_net(lattice, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (weights != NULL) {
         taut_net_homogeneous(point_count(lattice), points, weights, lattice->net);
-    } else if (status == TAUT_OK) {
+    } else {
         memcpy(lattice->net, points, 3 * point_count(lattice) * sizeof(double));
     }
-    return status;
+    return TAUT_OK;
 }
 
 taut_status taut_lattice_of_curve(const taut_curve *curve, taut_lattice *lattice, taut_error *error)
@@ -41,7 +45,7 @@ taut_status taut_lattice_of_curve(const taut_curve *curve, taut_lattice *lattice
     const double *weights = taut_curve_weights(curve);
     *lattice =
         (taut_lattice){{taut_basis_count(taut_curve_t(curve)), 1}, weights != NULL ? 4 : 3, NULL};
-    return fill(taut_curve_points(curve), weights, lattice, error);
+    return fill_net(taut_curve_points(curve), weights, lattice, error);
 }
 
 taut_status taut_lattice_of_surface(const taut_surface *surface, taut_lattice *lattice,
@@ -52,7 +56,7 @@ taut_status taut_lattice_of_surface(const taut_surface *surface, taut_lattice *l
         {taut_basis_count(taut_surface_u(surface)), taut_basis_count(taut_surface_v(surface))},
         weights != NULL ? 4 : 3,
         NULL};
-    return fill(taut_surface_points(surface), weights, lattice, error);
+    return fill_net(taut_surface_points(surface), weights, lattice, error);
 }
 
 void taut_lattice_free(taut_lattice *lattice)
@@ -69,90 +73,98 @@ taut_status taut_lattice_change(const taut_lattice *in, int direction, const tau
 
     *out = (taut_lattice){{in->count[0], in->count[1]}, in->dim, NULL};
     out->count[direction] = taut_basis_count(change->to);
-    status = take(out, error);
-    if (status == TAUT_OK && direction == TAUT_ALONG_U) {
+    status = take_net(out, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (direction == TAUT_ALONG_U) {
         taut_change_apply(change, 1, in->count[0], columns * dim, in->net, out->net);
-    } else if (status == TAUT_OK) {
+    } else {
         taut_change_apply(change, (size_t)in->count[0], in->count[1], dim, in->net, out->net);
-    }
-    return status;
-}
-
-/* Splits (wx, wy, wz, w) into points[][3] and weights[]. */
-static void split_weights(const taut_lattice *lattice, double *points, double *weights)
-{
-    for (size_t i = 0; i < point_count(lattice); i++) {
-        weights[i] = lattice->net[4 * i + 3];
-        for (size_t c = 0; c < 3; c++) {
-            points[3 * i + c] = lattice->net[4 * i + c] / weights[i];
-        }
-    }
-}
-
-/* Points and weights of a lattice; *points is the lattice's own without weights. `memory` is to be
- * freed. */
-static taut_status unpack(const taut_lattice *lattice, const double **points,
-                          const double **weights, double **memory, taut_error *error)
-{
-    *memory = NULL;
-    *points = lattice->net;
-    *weights = NULL;
-    if (lattice->dim == 4) {
-        *memory = taut_alloc(4 * point_count(lattice), sizeof(double));
-        if (*memory == NULL) {
-            return taut_fail_memory(error);
-        }
-        split_weights(lattice, *memory, *memory + 3 * point_count(lattice));
-        *points = *memory;
-        *weights = *memory + 3 * point_count(lattice);
     }
     return TAUT_OK;
 }
 
-taut_status taut_lattice_to_curve(const taut_lattice *lattice, const char *name,
-                                  const taut_basis *t, taut_curve **curve, taut_error *error)
+/* Points and weights of a lattice: its own net without weights, else double[count][4] in *memory,
+ * to be freed. */
+static taut_status split_weights(const taut_lattice *lattice, const double **points,
+                                 const double **weights, double **memory, taut_error *error)
+{
+    const size_t count = point_count(lattice);
+
+    *points = lattice->net;
+    if (lattice->dim == 3) {
+        return TAUT_OK;
+    }
+    double *x = taut_alloc(4 * count, sizeof(double)), *w = x != NULL ? x + 3 * count : NULL;
+    if (x == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (size_t i = 0; i < count; i++) {
+        w[i] = lattice->net[4 * i + 3];
+        for (size_t c = 0; c < 3; c++) {
+            x[3 * i + c] = lattice->net[4 * i + c] / w[i];
+        }
+    }
+    *points = *memory = x;
+    *weights = w;
+    return TAUT_OK;
+}
+
+taut_status taut_lattice_into_curve(taut_lattice *lattice, const char *name, const taut_basis *t,
+                                    taut_curve **curve, taut_error *error)
 {
     const double *points = NULL, *weights = NULL;
     double *memory = NULL;
-    taut_status status = unpack(lattice, &points, &weights, &memory, error);
+    taut_status status = split_weights(lattice, &points, &weights, &memory, error);
 
     if (status == TAUT_OK) {
         status = taut_curve_new(name, t, points, weights, curve, error);
     }
     taut_free(memory);
+    taut_lattice_free(lattice);
     return status;
 }
 
-taut_status taut_lattice_to_surface(const taut_lattice *lattice, const char *name,
-                                    const taut_basis *u, const taut_basis *v,
-                                    taut_surface **surface, taut_error *error)
+taut_status taut_lattice_into_surface(taut_lattice *lattice, const char *name, const taut_basis *u,
+                                      const taut_basis *v, taut_surface **surface,
+                                      taut_error *error)
 {
     const double *points = NULL, *weights = NULL;
     double *memory = NULL;
-    taut_status status = unpack(lattice, &points, &weights, &memory, error);
+    taut_status status = split_weights(lattice, &points, &weights, &memory, error);
 
     if (status == TAUT_OK) {
         status = taut_surface_new(name, u, v, points, weights, surface, error);
     }
     taut_free(memory);
+    taut_lattice_free(lattice);
+    return status;
+}
+
+/* The lattice after a change, which takes its place; it is empty where that fails. */
+static taut_status change_in_place(taut_lattice *lattice, int direction, const taut_change *change,
+                                   taut_error *error)
+{
+    taut_lattice before = *lattice;
+    const taut_status status = taut_lattice_change(&before, direction, change, lattice, error);
+    taut_lattice_free(&before);
     return status;
 }
 
 taut_status taut_curve_changed(const taut_curve *curve, const taut_change *change, const char *name,
                                taut_curve **changed, taut_error *error)
 {
-    taut_lattice old = {{0, 0}, 0, NULL}, new = {{0, 0}, 0, NULL};
-    taut_status status = taut_lattice_of_curve(curve, &old, error);
-
-    if (status == TAUT_OK) {
-        status = taut_lattice_change(&old, TAUT_ALONG_U, change, &new, error);
+    taut_lattice lattice;
+    taut_status status = taut_lattice_of_curve(curve, &lattice, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_lattice_to_curve(&new, name, change->to, changed, error);
+    status = change_in_place(&lattice, TAUT_ALONG_U, change, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    taut_lattice_free(&old);
-    taut_lattice_free(&new);
-    return status;
+    return taut_lattice_into_curve(&lattice, name, change->to, changed, error);
 }
 
 taut_status taut_surface_changed(const taut_surface *surface, int direction,
@@ -161,18 +173,16 @@ taut_status taut_surface_changed(const taut_surface *surface, int direction,
 {
     const taut_basis *u = direction == TAUT_ALONG_U ? change->to : taut_surface_u(surface);
     const taut_basis *v = direction == TAUT_ALONG_V ? change->to : taut_surface_v(surface);
-    taut_lattice old = {{0, 0}, 0, NULL}, new = {{0, 0}, 0, NULL};
-    taut_status status = taut_lattice_of_surface(surface, &old, error);
-
-    if (status == TAUT_OK) {
-        status = taut_lattice_change(&old, direction, change, &new, error);
+    taut_lattice lattice;
+    taut_status status = taut_lattice_of_surface(surface, &lattice, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_lattice_to_surface(&new, name, u, v, changed, error);
+    status = change_in_place(&lattice, direction, change, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    taut_lattice_free(&old);
-    taut_lattice_free(&new);
-    return status;
+    return taut_lattice_into_surface(&lattice, name, u, v, changed, error);
 }
 
 const taut_basis *taut_surface_along(const taut_surface *surface, int direction)

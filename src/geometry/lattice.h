@@ -23,16 +23,17 @@ taut_status taut_lattice_of_surface(const taut_surface *surface, taut_lattice *l
                                     taut_error *error);
 void taut_lattice_free(taut_lattice *lattice); /* leaves it empty */
 
-/* out = the change along a direction; `out` is a new lattice. */
+/* out = the change along a direction; `out` is a new lattice. On failure, here and above, it is
+ * empty: there is nothing to free. */
 taut_status taut_lattice_change(const taut_lattice *in, int direction, const taut_change *change,
                                 taut_lattice *out, taut_error *error);
 
-/* Back to points and weights. */
-taut_status taut_lattice_to_curve(const taut_lattice *lattice, const char *name,
-                                  const taut_basis *t, taut_curve **curve, taut_error *error);
-taut_status taut_lattice_to_surface(const taut_lattice *lattice, const char *name,
-                                    const taut_basis *u, const taut_basis *v,
-                                    taut_surface **surface, taut_error *error);
+/* Back to points and weights. The lattice is freed, whatever happens, and left empty. */
+taut_status taut_lattice_into_curve(taut_lattice *lattice, const char *name, const taut_basis *t,
+                                    taut_curve **curve, taut_error *error);
+taut_status taut_lattice_into_surface(taut_lattice *lattice, const char *name, const taut_basis *u,
+                                      const taut_basis *v, taut_surface **surface,
+                                      taut_error *error);
 
 /* A curve or surface after one change. */
 taut_status taut_curve_changed(const taut_curve *curve, const taut_change *change, const char *name,

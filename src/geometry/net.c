@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* "/points/3/5", or "/points/3" when columns is 0. */
-static void place(char *where, size_t size, const char *member, size_t index, int columns)
+static void write_place(char *where, size_t size, const char *member, size_t index, int columns)
 {
     if (columns > 0) {
         snprintf(where, size, "/%s/%zu/%zu", member, index / (size_t)columns,
@@ -18,13 +18,12 @@ static void place(char *where, size_t size, const char *member, size_t index, in
     }
 }
 
-taut_status taut_net_check_points(size_t count, int columns, const double *points,
-                                  taut_error *error)
+static taut_status check_points(size_t count, int columns, const double *points, taut_error *error)
 {
     for (size_t i = 0; i < 3 * count; i++) {
         if (!isfinite(points[i])) {
             char where[64];
-            place(where, sizeof where, "points", i / 3, columns);
+            write_place(where, sizeof where, "points", i / 3, columns);
             return taut_fail(error, TAUT_BAD_INPUT, "value", where, points[i], taut_none,
                              "a coordinate is not a finite number");
         }
@@ -32,18 +31,42 @@ taut_status taut_net_check_points(size_t count, int columns, const double *point
     return TAUT_OK;
 }
 
-taut_status taut_net_check_weights(size_t count, int columns, const double *weights,
-                                   taut_error *error)
+static taut_status check_weights(size_t count, int columns, const double *weights,
+                                 taut_error *error)
 {
     for (size_t i = 0; i < count; i++) {
         if (!(weights[i] > 0) || !isfinite(weights[i])) {
             char where[64];
-            place(where, sizeof where, "weights", i, columns);
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, weights[i], 0,
-                             "weight is %.17g, expected a positive number", weights[i]);
+            write_place(where, sizeof where, "weights", i, columns);
+            return taut_fail_expected(error, TAUT_BAD_INPUT, "value", where, weights[i],
+                                      "a positive number", "weight is %.17g", weights[i]);
         }
     }
     return TAUT_OK;
+}
+
+taut_status taut_net_check(const char *name, size_t count, int columns, const double *points,
+                           const double *weights, const taut_basis *plain, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    if (name != NULL && strlen(name) > TAUT_NAME_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/name", (double)strlen(name),
+                         TAUT_NAME_MAX, "a name of %zu bytes, expected at most %d", strlen(name),
+                         TAUT_NAME_MAX);
+    }
+    if (count > TAUT_POINTS_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/points", (double)count, TAUT_POINTS_MAX,
+                         "%zu control points, expected at most %d", count, TAUT_POINTS_MAX);
+    }
+    status = check_points(count, columns, points, error);
+    if (status != TAUT_OK || weights == NULL) {
+        return status;
+    }
+    if (plain != NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/weights", taut_none, taut_none,
+                         "a basis of type \"%s\" carries no weights", taut_basis_type(plain));
+    }
+    return check_weights(count, columns, weights, error);
 }
 
 static int is_rational(const char *text)
@@ -65,10 +88,10 @@ taut_status taut_net_check_exact(size_t count, int columns, const char *const *e
     for (size_t i = 0; i < 3 * count; i++) {
         if (exact[i] != NULL && !is_rational(exact[i])) {
             char where[64], whole[80];
-            place(where, sizeof where, "points", i / 3, columns);
+            write_place(where, sizeof where, "points", i / 3, columns);
             snprintf(whole, sizeof whole, "%s/%zu", where, i % 3);
-            return taut_fail(error, TAUT_BAD_INPUT, "value", whole, taut_none, taut_none,
-                             "found \"%.40s\", expected a rational number as \"3/4\"", exact[i]);
+            return taut_fail_expected(error, TAUT_BAD_INPUT, "value", whole, taut_none,
+                                      "a rational number as \"3/4\"", "found \"%.40s\"", exact[i]);
         }
     }
     return TAUT_OK;
@@ -112,5 +135,20 @@ void taut_net_project(int order, const double *h, double *values)
         values[3 * TAUT_XUU + c] = (h[4 * TAUT_XUU + c] - 2 * wu * xu[c] - wuu * x[c]) / w;
         values[3 * TAUT_XUV + c] = (h[4 * TAUT_XUV + c] - wu * xv[c] - wv * xu[c] - wuv * x[c]) / w;
         values[3 * TAUT_XVV + c] = (h[4 * TAUT_XVV + c] - 2 * wv * xv[c] - wvv * x[c]) / w;
+    }
+}
+
+/* x^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) x^(k-i)) / w, A = w x ([PieglTiller1997] eq. 4.8). */
+void taut_net_project_curve(int order, double h[TAUT_ORDER_MAX + 1][4], double *values)
+{
+    static const double binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
+    for (int k = 0; k <= order; k++) {
+        for (int c = 0; c < 3; c++) {
+            double sum = h[k][c];
+            for (int i = 1; i <= k; i++) {
+                sum -= binomial[k][i] * h[i][3] * values[3 * (k - i) + c];
+            }
+            values[3 * k + c] = sum / h[0][3];
+        }
     }
 }

@@ -2,17 +2,16 @@
 #ifndef TAUT_GEOMETRY_NET_H
 #define TAUT_GEOMETRY_NET_H
 
-#include "taut/status.h"
+#include "taut/basis.h"
 
 #include <stddef.h>
 
-/* Are the 3 * count numbers finite? error->where: "/points/i" or, with columns > 0,
- * "/points/i/j". */
-taut_status taut_net_check_points(size_t count, int columns, const double *points,
-                                  taut_error *error);
-/* Are the weights finite and positive? */
-taut_status taut_net_check_weights(size_t count, int columns, const double *weights,
-                                   taut_error *error);
+/* What every curve and surface is asked: a name (or NULL) of at most TAUT_NAME_MAX bytes, at most
+ * TAUT_POINTS_MAX points, all finite; weights, if not NULL, finite and positive, and none where
+ * `plain` is a basis that carries none. columns is 0 for a curve. TAUT_BAD_INPUT with error->where
+ * "/points/i" or, with columns > 0, "/points/i/j", and so on. */
+taut_status taut_net_check(const char *name, size_t count, int columns, const double *points,
+                           const double *weights, const taut_basis *plain, taut_error *error);
 /* Are the texts, those that are not NULL, rational numbers "p" or "p/q": an optional minus, digits,
  * and digits that are not all 0? error->where: "/points/i/j/c". */
 taut_status taut_net_check_exact(size_t count, int columns, const char *const *exact,
@@ -24,5 +23,8 @@ void taut_net_homogeneous(size_t count, const double *points, const double *weig
 /* The quotient rule on surfaces: in h[k][4], the six derivatives of (wx, wy, wz, w) in the order of
  * TAUT_X.., as many as `order` gives; out values[k][3]. h and values may not overlap. */
 void taut_net_project(int order, const double *h, double *values);
+
+/* The same along a curve, for order 0..TAUT_ORDER_MAX: h[k] is derivative k of (wx, wy, wz, w). */
+void taut_net_project_curve(int order, double h[TAUT_ORDER_MAX + 1][4], double *values);
 
 #endif /* TAUT_GEOMETRY_NET_H */

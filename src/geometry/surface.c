@@ -20,37 +20,6 @@ static size_t point_count(const taut_basis *u, const taut_basis *v)
     return (size_t)taut_basis_count(u) * (size_t)taut_basis_count(v);
 }
 
-/* What must hold before memory is taken. */
-static taut_status check(const char *name, const taut_basis *u, const taut_basis *v,
-                         const double *points, const double *weights, taut_error *error)
-{
-    taut_status status = TAUT_OK;
-    if (u == NULL || v == NULL || points == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
-                         "a surface needs two bases and points");
-    }
-    if (name != NULL && strlen(name) > TAUT_NAME_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/name", (double)strlen(name),
-                         TAUT_NAME_MAX, "a name of %zu bytes, expected at most %d", strlen(name),
-                         TAUT_NAME_MAX);
-    }
-    if (point_count(u, v) > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/points", (double)point_count(u, v),
-                         TAUT_POINTS_MAX, "%zu control points, expected at most %d",
-                         point_count(u, v), TAUT_POINTS_MAX);
-    }
-    status = taut_net_check_points(point_count(u, v), taut_basis_count(v), points, error);
-    if (status == TAUT_OK && weights != NULL) {
-        if (!taut_basis_allows_weights(u) || !taut_basis_allows_weights(v)) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/weights", taut_none, taut_none,
-                             "a basis of type \"%s\" carries no weights",
-                             taut_basis_type(taut_basis_allows_weights(u) ? v : u));
-        }
-        status = taut_net_check_weights(point_count(u, v), taut_basis_count(v), weights, error);
-    }
-    return status;
-}
-
 /* A copy of the texts: the pointers, and behind them the characters. */
 static const char **copy_texts(size_t count, const char *const *texts)
 {
@@ -76,14 +45,21 @@ taut_status taut_surface_new(const char *name, const taut_basis *u, const taut_b
                              const double *points, const double *weights, taut_surface **surface,
                              taut_error *error)
 {
-    const taut_status status = check(name, u, v, points, weights, error);
+    taut_status status = TAUT_OK;
     taut_surface *made = NULL;
-    size_t count = 0;
 
+    if (u == NULL || v == NULL || points == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "a surface needs two bases and points");
+    }
+    const size_t count = point_count(u, v);
+    const taut_basis *plain = !taut_basis_allows_weights(u)   ? u
+                              : !taut_basis_allows_weights(v) ? v
+                                                              : NULL;
+    status = taut_net_check(name, count, taut_basis_count(v), points, weights, plain, error);
     if (status != TAUT_OK) {
         return status;
     }
-    count = point_count(u, v);
     made = taut_alloc_zero(1, sizeof *made);
     if (made == NULL) {
         return taut_fail_memory(error);
@@ -104,6 +80,19 @@ taut_status taut_surface_new(const char *name, const taut_basis *u, const taut_b
     return TAUT_OK;
 }
 
+/* The exact points of a surface that has none yet. */
+static taut_status take_texts(taut_surface *surface, const char *const *texts, taut_error *error)
+{
+    const size_t count = point_count(surface->u, surface->v);
+    const taut_status status =
+        taut_net_check_exact(count, taut_basis_count(surface->v), texts, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    surface->exact = copy_texts(3 * count, texts);
+    return surface->exact != NULL ? TAUT_OK : taut_fail_memory(error);
+}
+
 taut_status taut_surface_new_exact(const char *name, const taut_basis *u, const taut_basis *v,
                                    const double *points, const double *weights,
                                    const char *const *exact, taut_surface **surface,
@@ -111,19 +100,18 @@ taut_status taut_surface_new_exact(const char *name, const taut_basis *u, const 
 {
     taut_surface *made = NULL;
     taut_status status = taut_surface_new(name, u, v, points, weights, &made, error);
-    if (status == TAUT_OK && exact != NULL) {
-        status = taut_net_check_exact(point_count(u, v), taut_basis_count(v), exact, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && exact != NULL) {
-        made->exact = copy_texts(3 * point_count(u, v), exact);
-        status = made->exact != NULL ? TAUT_OK : taut_fail_memory(error);
+    if (exact != NULL) {
+        status = take_texts(made, exact, error);
     }
-    if (status == TAUT_OK) {
-        *surface = made;
-    } else {
+    if (status != TAUT_OK) {
         taut_surface_free(made);
+        return status;
     }
-    return status;
+    *surface = made;
+    return TAUT_OK;
 }
 
 taut_status taut_surface_copy(const taut_surface *surface, taut_surface **copy)

@@ -10,7 +10,7 @@
 static const int order_u[6] = {0, 1, 0, 2, 1, 0};
 static const int order_v[6] = {0, 0, 1, 0, 1, 2};
 
-static int inside(const taut_basis *basis, double t)
+static int is_inside(const taut_basis *basis, double t)
 {
     return t >= taut_basis_lo(basis) && t <= taut_basis_hi(basis);
 }
@@ -57,7 +57,7 @@ taut_status taut_surface_eval(const taut_surface *surface, double u, double v, i
     double h[6][4] = {{0}};
 
     if (surface == NULL || values == NULL || order < 0 || order > 2 ||
-        !inside(taut_surface_u(surface), u) || !inside(taut_surface_v(surface), v)) {
+        !is_inside(taut_surface_u(surface), u) || !is_inside(taut_surface_v(surface), v)) {
         return TAUT_BAD_ARGUMENT;
     }
     const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);

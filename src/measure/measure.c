@@ -1,11 +1,18 @@
-/* measure.c -- all figures of a surface, and of a curve. */
+/* measure.c -- all figures of a surface, its edges, and of a curve.
+ *
+ * Along an edge with the curve x(t), the surface's unit normal n and the binormal b = x' x x'',
+ *     k_n = x''.n / |x'|^2,    angle of n and b = atan2(|n x b|, |n.b|) in [0, pi/2].
+ */
 #include "taut/measure.h"
 
+#include "core/arena.h"
 #include "core/fail.h"
+#include "core/vec3.h"
 #include "measure/curvature/box.h"
-#include "measure/curvature/edge.h"
 #include "measure/curvature/extremes.h"
+#include "measure/curvature/scan.h"
 #include "measure/integrate/integrals.h"
+#include "measure/integrate/line.h"
 
 #include <math.h>
 #include <string.h>
@@ -13,8 +20,8 @@
 enum { GRID = 101 };
 
 /* The options with their defaults filled in. */
-static taut_status settle(const taut_measure_options *given, taut_measure_options *options,
-                          taut_error *error)
+static taut_status settle_options(const taut_measure_options *given, taut_measure_options *options,
+                                  taut_error *error)
 {
     *options = given != NULL ? *given : (taut_measure_options){0, 0};
     options->grid = options->grid == 0 ? GRID : options->grid;
@@ -32,7 +39,7 @@ static taut_status settle(const taut_measure_options *given, taut_measure_option
     return TAUT_OK;
 }
 
-static void take_figures(const taut_figures *figures, const taut_extremes *extremes,
+static void take_figures(const taut_surface_integrals *figures, const taut_extremes *extremes,
                          taut_surface_measure *measure)
 {
     measure->area = figures->area;
@@ -52,50 +59,137 @@ static void take_figures(const taut_figures *figures, const taut_extremes *extre
     measure->singular_points = extremes->singular;
 }
 
+/* The surface's normals along an edge, entry by entry of the grid along it: double[count][3], NaN
+ * where there is none; NULL when memory runs out. */
+static const double *normals_along(taut_arena *arena, const taut_surface *surface, int edge,
+                                   const taut_parameters *along)
+{
+    const int held = edge / 2; /* the direction across: 0 u, 1 v */
+    const taut_basis *basis = held == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
+    const double end = edge % 2 == 0 ? taut_basis_lo(basis) : taut_basis_hi(basis);
+    const taut_parameters *across = taut_parameters_new(arena, basis, 1, end);
+    double *normals = taut_arena_take(arena, (size_t)along->count, 3 * sizeof(double));
+    double *values = taut_arena_take(arena, (size_t)along->count, 18 * sizeof(double));
+    taut_scan *scan = NULL;
+    const taut_status status = held == 0 ? taut_scan_new(arena, surface, across, along, &scan)
+                                         : taut_scan_new(arena, surface, along, across, &scan);
+    double *scratch =
+        status == TAUT_OK ? taut_arena_take(arena, taut_scan_scratch(scan), sizeof(double)) : NULL;
+
+    if (scratch == NULL) {
+        return NULL;
+    }
+    for (int i = 0; i < scan->u->count; i++) {
+        taut_scan_line(scan, i, scratch, values + (held == 0 ? 0 : 18 * (long)i));
+    }
+    for (int i = 0; i < along->count; i++) {
+        taut_forms forms;
+        taut_forms_of((const double(*)[3])(values + 18 * (long)i), &forms);
+        memcpy(normals + 3 * (long)i, forms.normal, sizeof forms.normal);
+    }
+    return normals;
+}
+
+static double angle_between_lines(const double *a, const double *b)
+{
+    double c[3];
+    taut_cross(a, b, c);
+    return atan2(sqrt(taut_dot(c, c)), fabs(taut_dot(a, b)));
+}
+
+/* fmax passes over the NaN of a point where a figure is undefined. */
+static void extremes_along(const taut_line *line, const taut_parameters *along,
+                           const double *normals, double length, taut_edge_measure *measure)
+{
+    const double largest = taut_line_curvature(line, along);
+
+    measure->max_abs_normal_curvature = measure->max_angle_normal_binormal = nan("");
+    for (int i = 0; i < along->count; i++) {
+        const double *n = normals + 3 * (long)i;
+        taut_bend bend;
+        taut_line_bend(line, along->span[i], along->t[i], 2, &bend);
+        if (isnan(n[0]) || isnan(bend.curvature)) {
+            continue;
+        }
+        const double k = taut_dot(bend.d[2], n) / bend.speed / bend.speed;
+        measure->max_abs_normal_curvature =
+            fmax(measure->max_abs_normal_curvature, ldexp(fabs(k), -line->scale));
+        if (!taut_bend_is_straight(&bend, largest, length)) {
+            measure->max_angle_normal_binormal =
+                fmax(measure->max_angle_normal_binormal, angle_between_lines(n, bend.binormal));
+        }
+    }
+}
+
+/* Length, normal curvature and angle along one edge, 0..3 in the order of taut_edge. */
+static taut_status measure_edge(taut_arena *arena, const taut_surface *surface, int edge, int grid,
+                                taut_edge_measure *measure)
+{
+    const taut_basis *basis = edge < 2 ? taut_surface_v(surface) : taut_surface_u(surface);
+    const taut_parameters *along = taut_parameters_new(arena, basis, grid, 0);
+    taut_line line;
+
+    if (along == NULL || taut_line_of_edge(arena, surface, edge, &line) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    const double *normals = normals_along(arena, surface, edge, along);
+    if (normals == NULL || taut_line_length(&line, &measure->length) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    extremes_along(&line, along, normals, ldexp(measure->length, -line.scale), measure);
+    return TAUT_OK;
+}
+
+/* All but the options' range; what fails here is memory. */
+static taut_status measure_surface(taut_arena *arena, const taut_surface *surface,
+                                   const taut_measure_options *options,
+                                   taut_surface_measure *measure)
+{
+    taut_extremes extremes;
+    taut_surface_integrals integrals;
+
+    if (taut_surface_integrals_of(surface, options->threads, &integrals) != TAUT_OK ||
+        taut_extremes_of(surface, options->grid, options->threads, &extremes) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int edge = 0; edge < 4; edge++) {
+        if (measure_edge(arena, surface, edge, options->grid, &measure->edges[edge]) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    taut_box_of(surface, measure->box);
+    take_figures(&integrals, &extremes, measure);
+    return taut_surface_jacobian(surface, &measure->jacobian);
+}
+
 taut_status taut_measure_surface(const taut_surface *surface, const taut_measure_options *options,
                                  taut_surface_measure *measure, taut_error *error)
 {
     taut_measure_options settled;
     taut_surface_measure made;
-    taut_extremes extremes;
-    taut_figures figures;
     taut_status status = TAUT_OK;
 
     if (surface == NULL || measure == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "measuring needs a surface and a place for its figures");
     }
-    status = settle(options, &settled, error);
+    status = settle_options(options, &settled, error);
     if (status != TAUT_OK) {
         return status;
     }
     memset(&made, 0, sizeof made);
-    status = taut_figures_of(surface, settled.threads, &figures);
-    if (status == TAUT_OK) {
-        status = taut_extremes_of(surface, settled.grid, settled.threads, &extremes);
-    }
-    for (int edge = 0; status == TAUT_OK && edge < 4; edge++) {
-        status = taut_edge_measure_of(surface, edge, settled.grid, &made.edges[edge]);
-    }
-    if (status == TAUT_OK) {
-        status = taut_surface_jacobian(surface, &made.jacobian);
-    }
+    taut_arena *arena = taut_arena_new();
+    status = measure_surface(arena, surface, &settled, &made);
+    taut_arena_free(arena);
     if (status != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    taut_box_of(surface, made.box);
-    take_figures(&figures, &extremes, &made);
     *measure = made;
     return TAUT_OK;
 }
 
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* tau = (x' x x'') . x''' / |x' x x''|^2, left out where the curve is straight. */
-static double torsion_along(const taut_line *line, const taut_lines *lines, double curvature,
+static double torsion_along(const taut_line *line, const taut_parameters *lines, double curvature,
                             double length)
 {
     double largest = nan("");
@@ -103,47 +197,48 @@ static double torsion_along(const taut_line *line, const taut_lines *lines, doub
         taut_bend bend;
         taut_line_bend(line, lines->span[i], lines->t[i], 3, &bend);
         if (!taut_bend_is_straight(&bend, curvature, length)) {
-            largest = fmax(largest,
-                           fabs(dot(bend.binormal, bend.d[3])) / dot(bend.binormal, bend.binormal));
+            largest = fmax(largest, fabs(taut_dot(bend.binormal, bend.d[3])) /
+                                        taut_dot(bend.binormal, bend.binormal));
         }
     }
     return largest;
+}
+
+static taut_status measure_curve(taut_arena *arena, const taut_curve *curve, int grid,
+                                 taut_curve_measure *measure)
+{
+    const taut_parameters *parameters = taut_parameters_new(arena, taut_curve_t(curve), grid, 0);
+    taut_line line;
+    double length = 0;
+
+    if (parameters == NULL || taut_line_of_curve(arena, curve, &line) != TAUT_OK ||
+        taut_line_length(&line, &length) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    const double curvature = taut_line_curvature(&line, parameters);
+    measure->length = length;
+    measure->max_curvature = ldexp(curvature, -line.scale);
+    measure->max_torsion =
+        ldexp(torsion_along(&line, parameters, curvature, ldexp(length, -line.scale)), -line.scale);
+    return TAUT_OK;
 }
 
 taut_status taut_measure_curve(const taut_curve *curve, const taut_measure_options *options,
                                taut_curve_measure *measure, taut_error *error)
 {
     taut_measure_options settled;
-    taut_line line = {.net = NULL};
-    taut_lines *lines = NULL;
-    double length = 0;
     taut_status status = TAUT_OK;
 
     if (curve == NULL || measure == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "measuring needs a curve and a place for its figures");
     }
-    status = settle(options, &settled, error);
+    status = settle_options(options, &settled, error);
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_line_of_curve(curve, &line);
-    if (status == TAUT_OK) {
-        status = taut_lines_new(taut_curve_t(curve), settled.grid, 0, &lines);
-    }
-    if (status == TAUT_OK) {
-        status = taut_line_length(&line, &length);
-    }
-    if (status == TAUT_OK) {
-        const double curvature = taut_line_curvature(&line, lines);
-        measure->length = length;
-        measure->max_curvature = ldexp(curvature, -line.scale);
-        measure->max_torsion =
-            ldexp(torsion_along(&line, lines, curvature, ldexp(length, -line.scale)), -line.scale);
-    } else {
-        status = taut_fail_memory(error);
-    }
-    taut_lines_free(lines);
-    taut_line_free(&line);
-    return status;
+    taut_arena *arena = taut_arena_new();
+    status = measure_curve(arena, curve, settled.grid, measure);
+    taut_arena_free(arena);
+    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }

@@ -12,7 +12,8 @@
  */
 #include "mesh/lines.h"
 
-#include "core/memory.h"
+#include "core/vec3.h"
+#include "geometry/exponent.h"
 
 #include <math.h>
 
@@ -45,38 +46,26 @@ static void fill_samples(const taut_basis *basis, int each, double *t)
     }
 }
 
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double *a, const double *b, double *c)
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* The length of what is left of `a` without its part along `along`. */
-static double across(const double *a, const double *along)
+static double part_across(const double *a, const double *along)
 {
     double c[3];
-    const double length = sqrt(dot(along, along));
+    const double length = sqrt(taut_dot(along, along));
     if (!(length > 0)) {
-        return sqrt(dot(a, a));
+        return sqrt(taut_dot(a, a));
     }
-    cross(a, along, c);
-    return sqrt(dot(c, c)) / length;
+    taut_cross(a, along, c);
+    return sqrt(taut_dot(c, c)) / length;
 }
 
 /* The part of x_uv along the normal; all of it where there is none. */
-static double twist(const double *x)
+static double twist_of(const double *x)
 {
     double n[3];
-    cross(x + 3 * TAUT_XU, x + 3 * TAUT_XV, n);
-    const double length = sqrt(dot(n, n));
+    taut_cross(x + 3 * TAUT_XU, x + 3 * TAUT_XV, n);
+    const double length = sqrt(taut_dot(n, n));
     const double *uv = x + 3 * TAUT_XUV;
-    return length > 0 ? fabs(dot(uv, n)) / length : sqrt(dot(uv, uv));
+    return length > 0 ? fabs(taut_dot(uv, n)) / length : sqrt(taut_dot(uv, uv));
 }
 
 /* What is known of one span: the largest second derivative along it, and the sum of the speeds. */
@@ -91,14 +80,14 @@ typedef struct facts {
     double *twist;     /* [spans_u][spans_v] */
 } facts;
 
-static void look_at(const double *x, int s, int t, facts *known, taut_bending *bending)
+static void take_sample(const double *x, int s, int t, facts *known, taut_bending *bending)
 {
-    const double u = sqrt(dot(x + 3 * TAUT_XU, x + 3 * TAUT_XU));
-    const double v = sqrt(dot(x + 3 * TAUT_XV, x + 3 * TAUT_XV));
+    const double u = sqrt(taut_dot(x + 3 * TAUT_XU, x + 3 * TAUT_XU));
+    const double v = sqrt(taut_dot(x + 3 * TAUT_XV, x + 3 * TAUT_XV));
     double *twisted = &known->twist[(size_t)s * (size_t)known->spans_v + (size_t)t];
-    known->u[s].bend = fmax(known->u[s].bend, across(x + 3 * TAUT_XUU, x + 3 * TAUT_XU));
-    known->v[t].bend = fmax(known->v[t].bend, across(x + 3 * TAUT_XVV, x + 3 * TAUT_XV));
-    *twisted = fmax(*twisted, twist(x));
+    known->u[s].bend = fmax(known->u[s].bend, part_across(x + 3 * TAUT_XUU, x + 3 * TAUT_XU));
+    known->v[t].bend = fmax(known->v[t].bend, part_across(x + 3 * TAUT_XVV, x + 3 * TAUT_XV));
+    *twisted = fmax(*twisted, twist_of(x));
     known->u[s].speed += u;
     known->v[t].speed += v;
     bending->longest_u = fmax(bending->longest_u, u);
@@ -113,20 +102,14 @@ static void look_at(const double *x, int s, int t, facts *known, taut_bending *b
  * of doubles; 1 for a surface at the origin. */
 static double scale_of(const taut_surface *surface)
 {
-    const size_t count = 3 * (size_t)taut_basis_count(taut_surface_u(surface)) *
-                         (size_t)taut_basis_count(taut_surface_v(surface));
-    const double *points = taut_surface_points(surface);
-    double largest = 0;
-    for (size_t i = 0; i < count; i++) {
-        largest = fmax(largest, fabs(points[i]));
-    }
-    return largest > 0 ? ldexp(1, -(int)fmax(ilogb(largest), -1000)) : 1;
+    const double largest = taut_largest(taut_point_count(surface), taut_surface_points(surface));
+    return largest > 0 ? taut_half_factor(taut_exponent(largest)) : 1;
 }
 
 /* bending->u and v out of what is known. A pair of spans has as many samples as any other, so that
  * the sums of the speeds, over one span and all of the other way, are the means but for a factor.
  */
-static void conclude(const facts *known, taut_bending *bending)
+static void find_bending(const facts *known, taut_bending *bending)
 {
     for (int s = 0; s < known->spans_u; s++) {
         bending->u[s] = known->u[s].bend;
@@ -147,7 +130,7 @@ static void conclude(const facts *known, taut_bending *bending)
 }
 
 /* Back to the surface's own unit. */
-static void unscale(double scale, const facts *known, taut_bending *bending)
+static void undo_scale(double scale, const facts *known, taut_bending *bending)
 {
     for (int s = 0; s < known->spans_u; s++) {
         bending->u[s] /= scale;
@@ -181,8 +164,7 @@ taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_a
                    taut_arena_take(arena, (size_t)spans_u * (size_t)spans_v, sizeof(double))};
     taut_status status = TAUT_OK;
 
-    if (tu == NULL || tv == NULL || x == NULL || of_u == NULL || of_v == NULL || known.u == NULL ||
-        known.v == NULL || known.twist == NULL) {
+    if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     *bending = (taut_bending){
@@ -196,15 +178,15 @@ taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_a
             for (int c = 0; c < 18; c++) {
                 at[c] *= scale;
             }
-            look_at(at, i / each_u, j / each_v, &known, bending);
+            take_sample(at, i / each_u, j / each_v, &known, bending);
         }
     }
-    conclude(&known, bending);
-    unscale(scale, &known, bending);
+    find_bending(&known, bending);
+    undo_scale(scale, &known, bending);
     return status;
 }
 
-double taut_cells(double width, double bending, double tolerance)
+double taut_cell_count(double width, double bending, double tolerance)
 {
     const double cells = width * sqrt(bending / (4 * tolerance)); /* width / hu */
     return cells > 1 ? ceil(cells) : cells >= 0 ? 1 : bending > 0 ? INFINITY : 1;

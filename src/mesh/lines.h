@@ -20,6 +20,6 @@ taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_a
 
 /* The number of cells of a span of this width and bending under a chord tolerance (absolute): at
  * least 1; not whole and not finite where it is too large to be had. */
-double taut_cells(double width, double bending, double tolerance);
+double taut_cell_count(double width, double bending, double tolerance);
 
 #endif /* TAUT_MESH_LINES_H */

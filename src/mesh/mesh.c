@@ -4,13 +4,14 @@
 #include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
-#include "mesh/faces.h"
+#include "core/vec3.h"
 #include "mesh/lines.h"
-#include "mesh/share.h"
-#include "mesh/weld.h"
+#include "mesh/seams.h"
 
 #include <math.h>
 #include <string.h>
+
+enum { ROWS_AT_ONCE = 32 }; /* of vertices evaluated */
 
 static const double default_tolerance = 1e-3;
 static const double weld_of_tolerance = 0.01, weld_of_size = 1e-6;
@@ -45,8 +46,7 @@ static taut_status choose_surfaces(taut_mesh *mesh, const taut_model *model, con
     plan->surfaces = taut_arena_take(scratch, count, sizeof *plan->surfaces);
     plan->bendings = taut_arena_take(scratch, count, sizeof *plan->bendings);
     plan->directions = taut_arena_take(scratch, count, 2 * sizeof *plan->directions);
-    if (mesh->groups == NULL || plan->surfaces == NULL || plan->bendings == NULL ||
-        plan->directions == NULL) {
+    if (mesh->groups == NULL || plan->directions == NULL) {
         return taut_fail_memory(error);
     }
     for (int i = 0; i < (int)count; i++) {
@@ -62,7 +62,7 @@ static taut_status choose_surfaces(taut_mesh *mesh, const taut_model *model, con
         }
     }
     if (mesh->group_count == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-surface", NULL, taut_none, taut_none,
                          "the model has no surface to make a mesh of");
     }
     return TAUT_OK;
@@ -91,7 +91,7 @@ static taut_status count_vertices(taut_mesh *mesh, const mesh_plan *plan, taut_e
         const double nu = plan->directions[2 * i].wish + 1;
         const double nv = plan->directions[2 * i + 1].wish + 1;
         if (!(nu * nv <= TAUT_POINTS_MAX)) {
-            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, nu * nv, TAUT_POINTS_MAX,
+            return taut_fail(error, TAUT_BAD_ARGUMENT, "too-fine", NULL, nu * nv, TAUT_POINTS_MAX,
                              "a mesh of %.0f x %.0f vertices, expected at most %d in all: ask for "
                              "a coarser one",
                              nu, nv, TAUT_POINTS_MAX);
@@ -103,7 +103,7 @@ static taut_status count_vertices(taut_mesh *mesh, const mesh_plan *plan, taut_e
         mesh->vertex_count += (size_t)group->nu * (size_t)group->nv;
         mesh->quad_count += (size_t)(group->nu - 1) * (size_t)(group->nv - 1);
         if (mesh->vertex_count > TAUT_POINTS_MAX) {
-            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, (double)mesh->vertex_count,
+            return taut_fail(error, TAUT_BAD_ARGUMENT, "too-fine", NULL, (double)mesh->vertex_count,
                              TAUT_POINTS_MAX,
                              "a mesh of %zu vertices and more, expected at most %d: ask for a "
                              "coarser one",
@@ -122,9 +122,9 @@ static int is_own(const taut_surface *surface)
 }
 
 /* How each surface bends, and along which edges they meet. */
-static taut_status look_at_surfaces(const taut_mesh *mesh, mesh_plan *plan,
-                                    const taut_mesh_options *options, double relative,
-                                    taut_arena *scratch)
+static taut_status sample_surfaces(const taut_mesh *mesh, mesh_plan *plan,
+                                   const taut_mesh_options *options, double relative,
+                                   taut_arena *scratch)
 {
     const double weld =
         options->divide > 0 ? weld_of_size : fmin(weld_of_size, weld_of_tolerance * relative);
@@ -152,27 +152,28 @@ static taut_status plan_mesh(taut_mesh *mesh, mesh_plan *plan, const taut_mesh_o
     const double relative = options->tolerance > 0 ? options->tolerance : default_tolerance;
     const int count = 2 * mesh->group_count;
     taut_chains chains;
-    taut_status status = look_at_surfaces(mesh, plan, options, relative, scratch);
+    taut_status status = TAUT_OK;
 
-    if (status == TAUT_OK) {
-        status = taut_chains_new(plan->directions, count, plan->seams, plan->seam_count,
-                                 relative * size_of(plan->bendings, mesh->group_count),
-                                 options->divide, scratch, &chains);
-    }
-    if (status != TAUT_OK) {
+    if (sample_surfaces(mesh, plan, options, relative, scratch) != TAUT_OK ||
+        taut_chains_new(plan->directions, count, plan->seams, plan->seam_count,
+                        relative * size_of(plan->bendings, mesh->group_count), options->divide,
+                        scratch, &chains) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     taut_chains_cut(&chains, 0);
     status = count_vertices(mesh, plan, error);
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int i = 0; i < count; i++) {
         taut_direction *direction = &plan->directions[i];
         direction->lines = taut_arena_take(scratch, (size_t)direction->wish + 1, sizeof(double));
-        status = direction->lines != NULL ? TAUT_OK : taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        taut_chains_cut(&chains, 1);
+    if (taut_arena_status(scratch) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
-    return status;
+    taut_chains_cut(&chains, 1);
+    return TAUT_OK;
 }
 
 static taut_status take_arrays(taut_mesh *mesh, taut_error *error)
@@ -183,71 +184,204 @@ static taut_status take_arrays(taut_mesh *mesh, taut_error *error)
     mesh->quads = taut_arena_take(mesh->arena, mesh->quad_count, 4 * sizeof(uint32_t));
     mesh->triangles = taut_arena_take(mesh->arena, mesh->quad_count, 6 * sizeof(uint32_t));
     mesh->welded = taut_arena_take(mesh->arena, mesh->vertex_count, sizeof(uint32_t));
-    if (mesh->positions == NULL || mesh->normals == NULL || mesh->parameters == NULL ||
-        mesh->quads == NULL || mesh->triangles == NULL || mesh->welded == NULL) {
+    if (taut_arena_status(mesh->arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     return TAUT_OK;
 }
 
-/* The vertices of one surface. */
-static taut_status fill_vertices(taut_mesh *mesh, const mesh_plan *plan, int i, int threads,
-                                 taut_error *error)
+static double length(const double *a)
+{
+    return sqrt(taut_dot(a, a));
+}
+
+/* Position and unit normal out of x, x_u, x_v. */
+static void make_vertex(const double *x, double speeds, double *position, double *normal)
+{
+    double n[3];
+    taut_cross(x + 3 * TAUT_XU, x + 3 * TAUT_XV, n);
+    const double size = length(n);
+    const int regular = size > 0x1p-40 * speeds && isfinite(size);
+    memcpy(position, x, 3 * sizeof(double));
+    for (int c = 0; c < 3; c++) {
+        normal[c] = regular ? n[c] / size : 0;
+    }
+}
+
+/* Vertices at lines u[nu] and v[nv]: positions and normals double[nu][nv][3], parameters
+ * double[nu][nv][2]. A normal is (0, 0, 0) where |x_u x x_v| is less than 2^-40 of `speeds`, the
+ * product of the largest |x_u| and |x_v|. TAUT_NO_MEMORY. */
+static taut_status evaluate_vertices(const taut_surface *surface, int nu, const double *u, int nv,
+                                     const double *v, double speeds, int threads, double *positions,
+                                     double *normals, double *parameters)
+{
+    const size_t row = (size_t)nv;
+    double *x = taut_alloc_aligned(ROWS_AT_ONCE * row, 9 * sizeof(double));
+    taut_status status = x != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+
+    for (int i = 0; status == TAUT_OK && i < nu; i += ROWS_AT_ONCE) {
+        const int rows = nu - i < ROWS_AT_ONCE ? nu - i : ROWS_AT_ONCE;
+        const size_t base = (size_t)i * row;
+        status = taut_surface_eval_grid(surface, rows, u + i, nv, v, 1, threads, x);
+        for (size_t k = 0; status == TAUT_OK && k < (size_t)rows * row; k++) {
+            make_vertex(x + 9 * k, speeds, positions + 3 * (base + k), normals + 3 * (base + k));
+            parameters[2 * (base + k)] = u[(size_t)i + k / row];
+            parameters[2 * (base + k) + 1] = v[k % row];
+        }
+    }
+    taut_free(x);
+    return status;
+}
+
+static double distance(const double *positions, uint32_t a, uint32_t b)
+{
+    double d[3];
+    taut_difference(positions + 3 * (size_t)a, positions + 3 * (size_t)b, d);
+    return length(d);
+}
+
+/* quads uint32_t[(nu-1)(nv-1)][4], triangles [..][2][3] of a grid whose first vertex is `first`;
+ * positions are those of the whole mesh. */
+static void list_faces(int nu, int nv, uint32_t first, const double *positions, uint32_t *quads,
+                       uint32_t *triangles)
+{
+    for (int i = 0; i + 1 < nu; i++) {
+        for (int j = 0; j + 1 < nv; j++) {
+            const uint32_t a = first + (uint32_t)i * (uint32_t)nv + (uint32_t)j;
+            const uint32_t b = a + (uint32_t)nv, c = b + 1, d = a + 1;
+            const int along_ac = distance(positions, a, c) <= distance(positions, b, d);
+            const uint32_t quad[4] = {a, b, c, d};
+            const uint32_t pair[2][6] = {{a, b, d, b, c, d}, {a, b, c, a, c, d}};
+            memcpy(quads, quad, sizeof quad);
+            memcpy(triangles, pair[along_ac], sizeof pair[0]);
+            quads += 4;
+            triangles += 6;
+        }
+    }
+}
+
+/* Adds the area vector of the quad whose lowest corner is (i, j): half the cross product of its
+ * diagonals. */
+static void add_face(int nv, int i, int j, const double *positions, double *sum)
+{
+    const double *a = positions + 3 * ((size_t)i * (size_t)nv + (size_t)j);
+    const double *d = a + 3, *b = a + 3 * (size_t)nv, *c = b + 3;
+    double ac[3], bd[3], n[3];
+    for (int k = 0; k < 3; k++) {
+        ac[k] = c[k] - a[k];
+        bd[k] = d[k] - b[k];
+    }
+    taut_cross(ac, bd, n);
+    for (int k = 0; k < 3; k++) {
+        sum[k] += n[k] / 2;
+    }
+}
+
+static void mend_normal(int nu, int nv, int i, int j, const double *positions, double *normal)
+{
+    double sum[3] = {0, 0, 0};
+    for (int di = -1; di <= 0; di++) {
+        for (int dj = -1; dj <= 0; dj++) {
+            if (i + di >= 0 && i + di + 1 < nu && j + dj >= 0 && j + dj + 1 < nv) {
+                add_face(nv, i + di, j + dj, positions, sum);
+            }
+        }
+    }
+    const double size = length(sum);
+    for (int k = 0; k < 3; k++) {
+        normal[k] = size > 0 && isfinite(size) ? sum[k] / size : k == 2;
+    }
+}
+
+/* Gives vertices without a normal the mean of the faces around them; (0, 0, 1) where these have
+ * none either. */
+static void mend_normals(int nu, int nv, const double *positions, double *normals)
+{
+    for (int i = 0; i < nu; i++) {
+        for (int j = 0; j < nv; j++) {
+            double *normal = normals + 3 * ((size_t)i * (size_t)nv + (size_t)j);
+            if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0) {
+                mend_normal(nu, nv, i, j, positions, normal);
+            }
+        }
+    }
+}
+
+/* The vertices of one surface. TAUT_NO_MEMORY. */
+static taut_status fill_vertices(taut_mesh *mesh, const mesh_plan *plan, int i, int threads)
 {
     const taut_mesh_group *group = &mesh->groups[i];
     const taut_bending *bending = &plan->bendings[i];
     const taut_surface *surface = plan->surfaces[i];
-    const taut_status status = taut_vertices_fill(
-        surface, group->nu, plan->directions[2 * i].lines, group->nv,
-        plan->directions[2 * i + 1].lines, bending->longest_u * bending->longest_v, threads,
-        mesh->positions + 3 * group->first_vertex, mesh->normals + 3 * group->first_vertex,
-        mesh->parameters + 2 * group->first_vertex);
-    if (status == TAUT_OK && plan->own && group->nu == taut_basis_count(taut_surface_u(surface)) &&
-        group->nv == taut_basis_count(taut_surface_v(
-                         surface))) { /* where sizes run over 16 digits, sums lose the least */
-        memcpy(mesh->positions + 3 * group->first_vertex, taut_surface_points(surface),
+    double *positions = mesh->positions + 3 * group->first_vertex;
+
+    if (evaluate_vertices(surface, group->nu, plan->directions[2 * i].lines, group->nv,
+                          plan->directions[2 * i + 1].lines,
+                          bending->longest_u * bending->longest_v, threads, positions,
+                          mesh->normals + 3 * group->first_vertex,
+                          mesh->parameters + 2 * group->first_vertex) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    /* where sizes run over 16 digits, sums lose the least */
+    if (plan->own && group->nu == taut_basis_count(taut_surface_u(surface)) &&
+        group->nv == taut_basis_count(taut_surface_v(surface))) {
+        memcpy(positions, taut_surface_points(surface),
                3 * sizeof(double) * (size_t)group->nu * (size_t)group->nv);
     }
-    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    return TAUT_OK;
 }
 
 static void fill_faces(taut_mesh *mesh, const taut_mesh_group *group)
 {
-    taut_faces_fill(group->nu, group->nv, (uint32_t)group->first_vertex, mesh->positions,
-                    mesh->quads + 4 * group->first_quad, mesh->triangles + 6 * group->first_quad);
-    taut_normals_mend(group->nu, group->nv, mesh->positions + 3 * group->first_vertex,
-                      mesh->normals + 3 * group->first_vertex);
-}
-
-static taut_status weld_mesh(taut_mesh *mesh, const mesh_plan *plan, taut_error *error)
-{
-    const taut_weld weld = {plan->seams,  plan->seam_count,  plan->collapsed,   plan->weld,
-                            plan->own,    mesh->groups,      mesh->group_count, mesh->positions,
-                            mesh->welded, mesh->vertex_count};
-    return taut_weld_vertices(&weld) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    list_faces(group->nu, group->nv, (uint32_t)group->first_vertex, mesh->positions,
+               mesh->quads + 4 * group->first_quad, mesh->triangles + 6 * group->first_quad);
+    mend_normals(group->nu, group->nv, mesh->positions + 3 * group->first_vertex,
+                 mesh->normals + 3 * group->first_vertex);
 }
 
 static taut_status fill_mesh(taut_mesh *mesh, const mesh_plan *plan,
                              const taut_mesh_options *options, taut_error *error)
 {
+    const taut_weld weld = {plan->seams,  plan->seam_count,  plan->collapsed,   plan->weld,
+                            plan->own,    mesh->groups,      mesh->group_count, mesh->positions,
+                            mesh->welded, mesh->vertex_count};
     const taut_monitor *monitor = &options->monitor;
-    taut_status status = take_arrays(mesh, error);
-    for (int i = 0; status == TAUT_OK && i < mesh->group_count; i++) {
+
+    for (int i = 0; i < mesh->group_count; i++) {
         if (monitor->progress != NULL &&
             monitor->progress(monitor->context, (double)i / mesh->group_count, "mesh") != 0) {
-            status = taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
-                               "stopped on request");
-        } else {
-            status = fill_vertices(mesh, plan, i, options->threads, error);
+            return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                             "stopped on request");
+        }
+        if (fill_vertices(mesh, plan, i, options->threads) != TAUT_OK) {
+            return taut_fail_memory(error);
         }
     }
-    if (status == TAUT_OK) {
-        status = weld_mesh(mesh, plan, error);
+    if (taut_weld_vertices(&weld) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
-    for (int i = 0; status == TAUT_OK && i < mesh->group_count; i++) {
+    for (int i = 0; i < mesh->group_count; i++) {
         fill_faces(mesh, &mesh->groups[i]);
     }
-    return status;
+    return TAUT_OK;
+}
+
+/* Surfaces, lines, vertices: each step knows what the next one needs. */
+static taut_status make_mesh(taut_mesh *mesh, const taut_model *model,
+                             const taut_mesh_options *options, taut_arena *scratch,
+                             taut_error *error)
+{
+    mesh_plan plan = {.surfaces = NULL};
+    taut_status status = choose_surfaces(mesh, model, options->surface, &plan, scratch, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = plan_mesh(mesh, &plan, options, scratch, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = take_arrays(mesh, error);
+    return status == TAUT_OK ? fill_mesh(mesh, &plan, options, error) : status;
 }
 
 taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *options,
@@ -257,7 +391,6 @@ taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *opti
     const taut_mesh_options *chosen = options != NULL ? options : &none;
     taut_arena *scratch = NULL;
     taut_mesh *made = NULL;
-    mesh_plan plan = {.surfaces = NULL};
     taut_status status = TAUT_OK;
 
     if (model == NULL || mesh == NULL || !(chosen->tolerance >= 0) || isinf(chosen->tolerance) ||
@@ -265,22 +398,13 @@ taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *opti
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an argument of taut_mesh_new is out of its range");
     }
-    scratch = taut_arena_new();
     made = taut_alloc_zero(1, sizeof *made);
-    if (made != NULL) {
-        made->arena = taut_arena_new();
+    if (made == NULL) {
+        return taut_fail_memory(error);
     }
-    status =
-        scratch != NULL && made != NULL && made->arena != NULL ? TAUT_OK : taut_fail_memory(error);
-    if (status == TAUT_OK) {
-        status = choose_surfaces(made, model, chosen->surface, &plan, scratch, error);
-    }
-    if (status == TAUT_OK) {
-        status = plan_mesh(made, &plan, chosen, scratch, error);
-    }
-    if (status == TAUT_OK) {
-        status = fill_mesh(made, &plan, chosen, error);
-    }
+    made->arena = taut_arena_new();
+    scratch = taut_arena_new();
+    status = make_mesh(made, model, chosen, scratch, error);
     taut_arena_free(scratch);
     if (status != TAUT_OK) {
         taut_mesh_free(made);

@@ -3,6 +3,8 @@
  * their middles' shadows on it, are looked at. */
 #include "mesh/seams.h"
 
+#include "core/vec3.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -27,8 +29,9 @@ static int by_shadow(const void *a, const void *b)
 
 static double distance(const double *a, const double *b)
 {
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    double d[3];
+    taut_difference(a, b, d);
+    return sqrt(taut_dot(d, d));
 }
 
 static void fill_parameters(const taut_basis *basis, double *t)
@@ -40,7 +43,7 @@ static void fill_parameters(const taut_basis *basis, double *t)
 }
 
 /* points double[4][SAMPLES][3] of the edges of one surface. */
-static taut_status sample(const taut_surface *surface, double *points)
+static taut_status sample_edges(const taut_surface *surface, double *points)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     double tu[SAMPLES], tv[SAMPLES];
@@ -103,32 +106,34 @@ taut_status taut_seams_find(const taut_surface *const *surfaces, int count, doub
     const size_t edges = 4 * (size_t)count;
     double *points = taut_arena_take(arena, edges, SAMPLES * 3 * sizeof(double));
     edge_key *keys = taut_arena_take(arena, edges, sizeof *keys);
-    taut_status status = TAUT_OK;
     int listed = 0;
 
     *seams = taut_arena_take(arena, edges, sizeof **seams);
     *collapsed = taut_arena_take(arena, edges, 1);
     *seam_count = 0;
-    if (points == NULL || keys == NULL || *seams == NULL || *collapsed == NULL) {
+    if (*collapsed == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
-        status = sample(surfaces[i], points + (size_t)i * 4 * SAMPLES * 3);
+    for (int i = 0; i < count; i++) {
+        const taut_status status = sample_edges(surfaces[i], points + (size_t)i * 4 * SAMPLES * 3);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
-    for (int e = 0; e < 4 * count && status == TAUT_OK; e++) {
+    for (int e = 0; e < 4 * count; e++) {
         const double *edge = points + (size_t)e * SAMPLES * 3;
         const double *middle = edge + SAMPLES / 2 * 3;
         (*collapsed)[e] = (unsigned char)is_point(edge, tolerance);
         if (!(*collapsed)[e]) {
             keys[listed].edge = e;
-            keys[listed++].shadow = line[0] * middle[0] + line[1] * middle[1] + line[2] * middle[2];
+            keys[listed++].shadow = taut_dot(line, middle);
         }
     }
     qsort(keys, (size_t)listed, sizeof *keys, by_shadow);
-    for (int i = 1; i < listed && status == TAUT_OK; i++) {
+    for (int i = 1; i < listed; i++) {
         *seam_count += find_partner(keys, i, points, tolerance, *seams + *seam_count);
     }
-    return status;
+    return TAUT_OK;
 }
 
 int taut_mirror_sets_new(int count, taut_arena *arena, taut_mirror_sets *sets)
@@ -136,7 +141,7 @@ int taut_mirror_sets_new(int count, taut_arena *arena, taut_mirror_sets *sets)
     sets->up = taut_arena_take(arena, (size_t)count, sizeof *sets->up);
     sets->flip = taut_arena_take(arena, (size_t)count, 1);
     sets->both = taut_arena_take(arena, (size_t)count, 1);
-    if (sets->up == NULL || sets->flip == NULL || sets->both == NULL) {
+    if (sets->both == NULL) {
         return 0;
     }
     for (int i = 0; i < count; i++) {

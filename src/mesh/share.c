@@ -2,7 +2,7 @@
  * Breaks of different members that differ by less than near_enough are one; the cells between two
  * breaks are counted for each member on its own span there, and the largest count is taken by all.
  */
-#include "mesh/share.h"
+#include "mesh/seams.h"
 
 #include "mesh/lines.h"
 
@@ -14,7 +14,7 @@ static const double narrow = 1e-7;
 
 static double cells_of(const taut_chains *chains, double width, double bending)
 {
-    return chains->divide > 0 ? chains->divide : taut_cells(width, bending, chains->tolerance);
+    return chains->divide > 0 ? chains->divide : taut_cell_count(width, bending, chains->tolerance);
 }
 
 /* Can the breaks of this direction be told apart from those of others? */
@@ -132,7 +132,7 @@ typedef struct walk {
 } walk;
 
 /* The member's parameter at cut k of its own order: its own break where it has one there. */
-static double step(walk *at, int k)
+static double step_through(walk *at, int k)
 {
     const double *breaks = taut_basis_breaks(at->basis);
     const int spans = taut_basis_span_count(at->basis);
@@ -158,11 +158,11 @@ static void count_cells(taut_chains *chains, int root, int count)
         walk at = {direction->basis, chains->breaks, count, 0, 0};
         double from = 0, to = 0;
         taut_mirror_root(&chains->sets, m, &at.flip);
-        from = step(&at, 0);
+        from = step_through(&at, 0);
         for (int k = 0; k + 1 < count; k++) {
             const int cell = at.flip ? count - 2 - k : k;
             const double bending = direction->bending[at.span];
-            to = step(&at, k + 1);
+            to = step_through(&at, k + 1);
             chains->cells[cell] = fmax(chains->cells[cell], cells_of(chains, to - from, bending));
             from = to;
         }
@@ -180,10 +180,10 @@ static void lay_lines(taut_chains *chains, int m, int count)
     double from = 0, to = 0;
     int n = 0;
     taut_mirror_root(&chains->sets, m, &at.flip);
-    from = step(&at, 0);
+    from = step_through(&at, 0);
     for (int k = 0; k + 1 < count; k++) {
         const double cells = chains->cells[at.flip ? count - 2 - k : k];
-        to = step(&at, k + 1);
+        to = step_through(&at, k + 1);
         for (int i = 0; i < (int)cells; i++) {
             direction->lines[n++] = from + (to - from) * i / cells;
         }

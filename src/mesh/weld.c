@@ -1,4 +1,5 @@
-#include "mesh/weld.h"
+/* weld.c -- vertices along seams become one place, and surfaces that meet are turned alike. */
+#include "mesh/seams.h"
 
 #include <float.h>
 #include <math.h>
@@ -37,7 +38,7 @@ static uint32_t root_of(uint32_t *welded, uint32_t vertex)
     return vertex;
 }
 
-static void unite(uint32_t *welded, size_t a, size_t b)
+static void unite_vertices(uint32_t *welded, size_t a, size_t b)
 {
     const uint32_t root_a = root_of(welded, (uint32_t)a), root_b = root_of(welded, (uint32_t)b);
     if (root_a < root_b) {
@@ -182,7 +183,7 @@ static void weld_collapsed(const taut_weld *weld, unsigned char *shut)
             shut[e] = 1;
             for (int k = 1; k < run.count; k++) {
                 if (are_one(weld, run.first, vertex_at(&run, k))) {
-                    unite(weld->welded, run.first, vertex_at(&run, k));
+                    unite_vertices(weld->welded, run.first, vertex_at(&run, k));
                 } else {
                     shut[e] &= !weld->own;
                 }
@@ -195,7 +196,7 @@ static void weld_seam(const taut_weld *weld, const taut_seam *seam)
 {
     const edge_run a = run_of(weld, seam->a), b = run_of(weld, seam->b);
     for (int k = 0; k < a.count; k++) {
-        unite(weld->welded, vertex_at(&a, k), partner_at(seam, &b, k));
+        unite_vertices(weld->welded, vertex_at(&a, k), partner_at(seam, &b, k));
     }
 }
 
@@ -203,11 +204,11 @@ taut_status taut_weld_vertices(const taut_weld *weld)
 {
     taut_arena *scratch = taut_arena_new();
     const size_t groups = (size_t)weld->group_count;
-    unsigned char *shut = scratch != NULL ? taut_arena_take(scratch, 4 * groups, 1) : NULL;
-    body *bodies = shut != NULL ? taut_arena_take(scratch, groups, sizeof *bodies) : NULL;
+    unsigned char *shut = taut_arena_take(scratch, 4 * groups, 1);
+    body *bodies = taut_arena_take(scratch, groups, sizeof *bodies);
     taut_mirror_sets sets;
 
-    if (bodies == NULL || !taut_mirror_sets_new(weld->group_count, scratch, &sets)) {
+    if (!taut_mirror_sets_new(weld->group_count, scratch, &sets)) {
         taut_arena_free(scratch);
         return TAUT_NO_MEMORY;
     }

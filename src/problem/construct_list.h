@@ -1,8 +1,8 @@
 /* construct_list.h -- every construction taut knows, sorted by name. One line adds one:
  *
- *     src/construct/<identifier>/       exports  const taut_construct_ops taut_construct_<identifier>
- *     src/certify/<identifier>/         exports  const taut_certify_ops   taut_certify_<identifier>
- *     src/io/problem/<identifier>.c     exports  const taut_document_ops  taut_document_<identifier>
+ *     src/construct/<identifier>/   exports  const taut_construct_ops taut_construct_<identifier>
+ *     src/certify/<identifier>/     exports  const taut_certify_ops   taut_certify_<identifier>
+ *     src/io/problem/               exports  const taut_document_ops  taut_document_<identifier>
  *
  * docs/adding.md has the whole table.
  */

@@ -12,7 +12,7 @@
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "geometry/grid/table.h"
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 #include "numeric/quadrature.h"
 
 #include <float.h>
@@ -71,14 +71,14 @@ static taut_status axis_alloc(const taut_basis *basis, int count, axis *a)
     return a->t != NULL && a->weights != NULL && a->roundings != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
-/* lines, step, next as in geometry/nurbs/panels.h. */
+/* lines, step, next as in geometry/nurbs/cells.h. */
 static taut_status axis_new(const taut_basis *basis, int lines, const double *surface_weights,
                             size_t step, size_t next, int nodes, axis *a)
 {
     double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
     const double *breaks = taut_basis_breaks(basis);
-    taut_panels *panels = NULL;
-    taut_status status = taut_panels_new(basis, lines, surface_weights, step, next, &panels);
+    taut_cells *panels = NULL;
+    taut_status status = taut_cells_new(basis, lines, surface_weights, step, next, &panels);
 
     if (status == TAUT_OK) {
         status = axis_alloc(basis, panels->count * nodes, a);
@@ -86,13 +86,13 @@ static taut_status axis_new(const taut_basis *basis, int lines, const double *su
     taut_gauss_rule(nodes, node, weight);
     for (int k = 0; status == TAUT_OK && k < a->count; k++) {
         const int panel = k / nodes, span = panels->span[panel];
-        const double t = taut_panels_at(panels, panel, node[k % nodes]);
+        const double t = taut_cells_at(panels, panel, node[k % nodes]);
         const double width = panels->hi[panel] - panels->lo[panel];
         a->t[k] = t < breaks[span + 1] ? t : breaks[span]; /* the span of t must be this one */
         a->weights[k] = 0.5 * weight[k % nodes] * (width / a->length);
-        a->roundings[k] = taut_basis_local(basis) * fabs(t) / taut_panels_finest(basis, span);
+        a->roundings[k] = taut_basis_local(basis) * fabs(t) / taut_cells_finest(basis, span);
     }
-    taut_panels_free(panels);
+    taut_cells_free(panels);
     if (status == TAUT_OK) {
         status = taut_table_new(basis, a->count, a->t, NULL, 1, &a->table);
     }

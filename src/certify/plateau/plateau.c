@@ -26,7 +26,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
-#include "measure/integrate/mean.h"
+#include "measure/integrate/integrals.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>

@@ -15,7 +15,7 @@ void taut_line_rule_clear(taut_line_rule *rule)
 }
 
 /* Parameters and spans of the nodes, and what else the rule holds of them. */
-static void place_nodes(const taut_basis *basis, const taut_panels *panels, int nodes, double *t,
+static void place_nodes(const taut_basis *basis, const taut_cells *panels, int nodes, double *t,
                         int *spans, taut_line_rule *rule)
 {
     double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
@@ -25,10 +25,10 @@ static void place_nodes(const taut_basis *basis, const taut_panels *panels, int 
     rule->reach = fmax(fabs(taut_basis_lo(basis)), fabs(taut_basis_hi(basis))) / length;
     for (int i = 0; i < rule->count; i++) {
         const int k = i / nodes, g = i % nodes, span = panels->span[k];
-        t[i] = taut_panels_at(panels, k, node[g]);
+        t[i] = taut_cells_at(panels, k, node[g]);
         spans[i] = span;
         rule->weights[i] = 0.5 * weight[g] * ((panels->hi[k] - panels->lo[k]) / length);
-        rule->roundings[i] = fabs(t[i]) / taut_panels_finest(basis, span);
+        rule->roundings[i] = fabs(t[i]) / taut_cells_finest(basis, span);
     }
 }
 
@@ -42,7 +42,7 @@ static void scale_slopes(taut_table *table, double factor)
     }
 }
 
-taut_status taut_line_rule_init(const taut_basis *basis, const taut_panels *panels, int nodes,
+taut_status taut_line_rule_init(const taut_basis *basis, const taut_cells *panels, int nodes,
                                 taut_line_rule *rule)
 {
     const size_t count = (size_t)panels->count * (size_t)nodes;

@@ -3,7 +3,7 @@
 #define TAUT_CONSTRUCT_COMMON_LINE_RULE_H
 
 #include "geometry/grid/table.h"
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 
 typedef struct taut_line_rule {
     int count;         /* nodes */
@@ -14,7 +14,7 @@ typedef struct taut_line_rule {
 } taut_line_rule;
 
 /* `nodes` Gauss nodes, 1..TAUT_GAUSS_MAX, on every panel. TAUT_NO_MEMORY leaves *rule empty. */
-taut_status taut_line_rule_init(const taut_basis *basis, const taut_panels *panels, int nodes,
+taut_status taut_line_rule_init(const taut_basis *basis, const taut_cells *panels, int nodes,
                                 taut_line_rule *rule);
 void taut_line_rule_clear(taut_line_rule *rule); /* also an empty one */
 

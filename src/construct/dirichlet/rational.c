@@ -20,7 +20,7 @@
 struct taut_dirichlet_rational {
     const taut_basis *u, *v;
     int nu, nv, k, h; /* functions, and functions alive on a span */
-    taut_panels *panels_u, *panels_v;
+    taut_cells *panels_u, *panels_v;
     double *weights; /* [nu][nv] */
     int nodes;       /* a panel */
     taut_line_rule along_u, along_v;
@@ -42,8 +42,8 @@ void taut_dirichlet_rational_free(taut_dirichlet_rational *form)
     if (form != NULL) {
         taut_line_rule_clear(&form->along_u);
         taut_line_rule_clear(&form->along_v);
-        taut_panels_free(form->panels_u);
-        taut_panels_free(form->panels_v);
+        taut_cells_free(form->panels_u);
+        taut_cells_free(form->panels_v);
         taut_free(form->weights);
         taut_free(form->blocks);
         taut_free(form->row_sums);
@@ -264,8 +264,8 @@ static taut_status alloc(taut_dirichlet_rational *form, const double *weights)
         return TAUT_NO_MEMORY;
     }
     memcpy(form->weights, weights, nu * nv * sizeof(double));
-    status = taut_panels_new(form->u, form->nv, weights, nv, 1, &form->panels_u);
-    return status == TAUT_OK ? taut_panels_new(form->v, form->nu, weights, 1, nv, &form->panels_v)
+    status = taut_cells_new(form->u, form->nv, weights, nv, 1, &form->panels_u);
+    return status == TAUT_OK ? taut_cells_new(form->v, form->nu, weights, 1, nv, &form->panels_v)
                              : status;
 }
 

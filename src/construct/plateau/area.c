@@ -8,7 +8,7 @@
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "geometry/grid/table.h"
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
@@ -42,7 +42,7 @@ static void axis_fill(const taut_table *table, double length, taut_film_axis *a)
 }
 
 /* t: room for the parameters. */
-static taut_status axis_tabulate(const taut_basis *basis, const taut_panels *panels, double *t,
+static taut_status axis_tabulate(const taut_basis *basis, const taut_cells *panels, double *t,
                                  taut_film_axis *a)
 {
     double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
@@ -54,7 +54,7 @@ static taut_status axis_tabulate(const taut_basis *basis, const taut_panels *pan
     taut_gauss_rule(a->nodes, node, weight);
     for (int k = 0; k < a->count; k++) {
         const int panel = k / a->nodes, span = panels->span[panel];
-        const double at = taut_panels_at(panels, panel, node[k % a->nodes]);
+        const double at = taut_cells_at(panels, panel, node[k % a->nodes]);
         const double width = panels->hi[panel] - panels->lo[panel];
         t[k] = at < breaks[span + 1] ? at : breaks[span]; /* the span of t must be this one */
         a->weights[k] = 0.5 * weight[k % a->nodes] * (width / length);
@@ -67,13 +67,13 @@ static taut_status axis_tabulate(const taut_basis *basis, const taut_panels *pan
     return status;
 }
 
-/* lines, step, next as in geometry/nurbs/panels.h. */
+/* lines, step, next as in geometry/nurbs/cells.h. */
 static taut_status axis_new(const taut_basis *basis, int lines, const double *weights, size_t step,
                             size_t next, int extra, taut_film_axis *a)
 {
-    taut_panels *panels = NULL;
+    taut_cells *panels = NULL;
     double *t = NULL;
-    taut_status status = taut_panels_new(basis, lines, weights, step, next, &panels);
+    taut_status status = taut_cells_new(basis, lines, weights, step, next, &panels);
 
     if (status == TAUT_OK) {
         const int wanted = taut_basis_local(basis) + extra;
@@ -92,7 +92,7 @@ static taut_status axis_new(const taut_basis *basis, int lines, const double *we
                      : TAUT_NO_MEMORY;
     }
     taut_free(t);
-    taut_panels_free(panels);
+    taut_cells_free(panels);
     return status;
 }
 

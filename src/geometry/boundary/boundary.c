@@ -3,6 +3,7 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
+#include "core/vec3.h"
 #include "taut/operations.h"
 
 #include <math.h>
@@ -48,11 +49,12 @@ static const struct {
 
 static double distance(const double *a, const double *b)
 {
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    double d[3];
+    taut_difference(a, b, d);
+    return sqrt(taut_dot(d, d));
 }
 
-static void measure(const taut_curve *const curves[TAUT_SIDES], loose_curves *loose)
+static void measure_curves(const taut_curve *const curves[TAUT_SIDES], loose_curves *loose)
 {
     double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (int i = 0; i < TAUT_SIDES; i++) {
@@ -78,7 +80,7 @@ static taut_status check_clamped(const taut_curve *const curves[TAUT_SIDES],
         const double *last = points + 3 * (taut_basis_count(taut_curve_t(curves[i])) - 1);
         if (!(distance(points, loose->ends[i][0]) <= 1e-12 * loose->size) ||
             !(distance(last, loose->ends[i][1]) <= 1e-12 * loose->size)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "not-clamped", NULL, taut_none, taut_none,
                              "curve %d, a %s, does not begin and end in control points: convert it "
                              "to a B-spline",
                              i, taut_basis_type(taut_curve_t(curves[i])));
@@ -156,7 +158,7 @@ static taut_status refuse_gap(const taut_curve *const curves[TAUT_SIDES], const 
     char names[2][64];
     name_curve(curves[first], first, names[0], sizeof names[0]);
     name_curve(curves[second], second, names[1], sizeof names[1]);
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, gap, limit,
+    return taut_fail(error, TAUT_NO_SOLUTION, "gap", NULL, gap, limit,
                      "the curves do not close: a gap of %.3g is left between %s and %s at (%.6g, "
                      "%.6g, %.6g), more than %.3g",
                      gap, names[0], names[1], at[0], at[1], at[2], limit);
@@ -191,9 +193,10 @@ static taut_status make_side(const taut_curve *curve, int reversed, const double
         return close_side(curve, begin, end, side, error);
     }
     status = taut_curve_reverse(curve, &turned, error);
-    if (status == TAUT_OK) {
-        status = close_side(turned, begin, end, side, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = close_side(turned, begin, end, side, error);
     taut_curve_free(turned);
     return status;
 }
@@ -209,7 +212,7 @@ taut_status taut_boundary_order(const taut_curve *const curves[TAUT_SIDES], doub
     int corner = 0;
     taut_status status = TAUT_OK;
 
-    measure(curves, &loose);
+    measure_curves(curves, &loose);
     status = check_clamped(curves, &loose, error);
     if (status != TAUT_OK) {
         return status;
@@ -247,7 +250,7 @@ static double weight_at(const taut_curve *curve, int i)
 
 /* The logarithm of the weight inside at (i, j): Coons' blend of those on the boundary,
  *     (1-s) a(t) + s b(t) + (1-t) c(s) + t d(s) - the bilinear blend of the corners. */
-static double blend(taut_curve *const sides[TAUT_SIDES], int i, int nu, int j, int nv)
+static double blend_weight(taut_curve *const sides[TAUT_SIDES], int i, int nu, int j, int nv)
 {
     const double s = (double)i / (nu - 1), t = (double)j / (nv - 1);
     const double a = log(weight_at(sides[TAUT_SIDE_U0], j));
@@ -279,8 +282,8 @@ void taut_boundary_net(taut_curve *const fitted[TAUT_SIDES], double *points, uns
                     known[at] ? taut_curve_points(fitted[side])[3 * k + c] : 0;
             }
             if (weights != NULL) {
-                weights[at] =
-                    known[at] ? weight_at(fitted[side], k) : exp(blend(fitted, i, nu, j, nv));
+                weights[at] = known[at] ? weight_at(fitted[side], k)
+                                        : exp(blend_weight(fitted, i, nu, j, nv));
             }
         }
     }

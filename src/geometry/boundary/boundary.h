@@ -45,8 +45,5 @@ void taut_boundary_free(taut_curve *sides[TAUT_SIDES]);
 /* Scales the weights of rational sides until those that share a corner have one weight there, in
  * place: what taut_boundary_fit begins with. */
 taut_status taut_boundary_agree(taut_curve *sides[TAUT_SIDES], taut_error *error);
-/* Puts `next` in the place of *curve where status says that an operation gave it; returns status.
- */
-taut_status taut_boundary_replace(taut_curve **curve, taut_curve *next, taut_status status);
 
 #endif /* TAUT_GEOMETRY_BOUNDARY_BOUNDARY_H */

@@ -49,8 +49,8 @@ static void fill_basis(const taut_table *table, int start, int points, int size,
 }
 
 /* The groups of one window, at the end of block; returns the basis numbers used. */
-static size_t append(const taut_table *table, int start, const window *w, int size,
-                     taut_grid_group *groups, double *basis)
+static size_t append_groups(const taut_table *table, int start, const window *w, int size,
+                            taut_grid_group *groups, double *basis)
 {
     const int count = w->single ? w->points : 1, points = w->single ? 1 : w->points;
     size_t used = 0;
@@ -65,7 +65,7 @@ static size_t append(const taut_table *table, int start, const window *w, int si
 }
 
 /* Whether a window continues the block before it. */
-static int continues(const taut_grid_block *last, const window *w)
+static int continues_block(const taut_grid_block *last, const window *w)
 {
     return last != NULL && !w->single && !last->single &&
            last->points + w->points <= TAUT_GRID_BLOCK;
@@ -79,7 +79,7 @@ static void fill_lines(const taut_table *table, taut_grid_lines *lines)
     for (int start = 0; start < table->count; start += lines->size) {
         const window w = window_at(table, start, lines->size);
         const int count = w.single ? w.points : 1;
-        if (!continues(block, &w)) {
+        if (!continues_block(block, &w)) {
             block = &lines->blocks[lines->block_count++];
             *block = (taut_grid_block){
                 .start = start, .group = group, .low = w.low, .high = w.high, .single = w.single};
@@ -88,7 +88,8 @@ static void fill_lines(const taut_table *table, taut_grid_lines *lines)
         block->count += count;
         block->low = w.low < block->low ? w.low : block->low;
         block->high = w.high > block->high ? w.high : block->high;
-        used += append(table, start, &w, lines->size, lines->groups + group, lines->basis + used);
+        used += append_groups(table, start, &w, lines->size, lines->groups + group,
+                              lines->basis + used);
         group += count;
     }
     for (int i = 0; i < lines->block_count; i++) {

@@ -88,12 +88,29 @@ static void fill_rows(void *context, int part, int from, int to)
     g->ops->fence();
 }
 
+/* What the evaluation works with, and frees. */
+typedef struct grid_work {
+    taut_table *u, *v;
+    taut_grid_lines lines;
+    double *net, *scratch;
+} grid_work;
+
+static void clear_work(grid_work *work)
+{
+    taut_table_free(work->u);
+    taut_table_free(work->v);
+    taut_grid_lines_clear(&work->lines);
+    taut_free(work->net);
+    taut_free(work->scratch);
+}
+
 /* Takes scratch, cuts v into groups, brings the net into homogeneous form if it has weights, and
  * runs the threads. */
-static taut_status fill_grid(const taut_surface *surface, const taut_table *tu,
-                             const taut_table *tv, int threads, double *values)
+static taut_status fill_grid(const taut_surface *surface, int threads, grid_work *work,
+                             double *values)
 {
     const double *weights = taut_surface_weights(surface);
+    const taut_table *tu = work->u, *tv = work->v;
     const int columns = taut_basis_count(taut_surface_v(surface));
     const size_t points = (size_t)taut_basis_count(taut_surface_u(surface)) * (size_t)columns;
     const int dim = weights != NULL ? 4 : 3;
@@ -103,57 +120,50 @@ static taut_status fill_grid(const taut_surface *surface, const taut_table *tu,
     const size_t bytes = (size_t)tu->count * (size_t)tv->count *
                          (size_t)TAUT_SURFACE_VECTORS(tv->order) * 3 * sizeof(double);
     const taut_grid_ops *ops = taut_grid_ops_chosen();
-    double *net = weights != NULL ? taut_alloc_aligned(4 * points, sizeof(double)) : NULL;
-    double *scratch = taut_alloc_aligned(part * (size_t)parts, sizeof(double));
-    taut_grid_lines lines = {0};
-    taut_status status = taut_grid_lines_make(tv, ops->group, &lines);
 
-    if (scratch == NULL || (weights != NULL && net == NULL)) {
-        status = TAUT_NO_MEMORY;
+    work->net = weights != NULL ? taut_alloc_aligned(4 * points, sizeof(double)) : NULL;
+    work->scratch = taut_alloc_aligned(part * (size_t)parts, sizeof(double));
+    if (work->scratch == NULL || (weights != NULL && work->net == NULL) ||
+        taut_grid_lines_make(tv, ops->group, &work->lines) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    if (status == TAUT_OK) {
-        grid g = {.ops = ops,
-                  .u = tu,
-                  .lines = &lines,
-                  .nv = tv->count,
-                  .order = tv->order,
-                  .dim = dim,
-                  .columns = columns,
-                  .net = net != NULL ? net : taut_surface_points(surface),
-                  .streaming = bytes >= streaming_bytes,
-                  .values = values,
-                  .scratch = scratch,
-                  .scratch_part = part,
-                  .polygons_part = polygons};
-        if (net != NULL) {
-            taut_net_homogeneous(points, taut_surface_points(surface), weights, net);
-        }
-        taut_parallel_for(tu->count, parts, fill_rows, &g);
+    if (weights != NULL) {
+        taut_net_homogeneous(points, taut_surface_points(surface), weights, work->net);
     }
-    taut_grid_lines_clear(&lines);
-    taut_free(net);
-    taut_free(scratch);
-    return status;
+    grid g = {.ops = ops,
+              .u = tu,
+              .lines = &work->lines,
+              .nv = tv->count,
+              .order = tv->order,
+              .dim = dim,
+              .columns = columns,
+              .net = weights != NULL ? work->net : taut_surface_points(surface),
+              .streaming = bytes >= streaming_bytes,
+              .values = values,
+              .scratch = work->scratch,
+              .scratch_part = part,
+              .polygons_part = polygons};
+    taut_parallel_for(tu->count, parts, fill_rows, &g);
+    return TAUT_OK;
 }
 
 taut_status taut_surface_eval_grid(const taut_surface *surface, int nu, const double *u, int nv,
                                    const double *v, int order, int threads, double *values)
 {
-    taut_table *tu = NULL, *tv = NULL;
+    grid_work work = {.net = NULL};
     taut_status status = TAUT_OK;
 
     if (surface == NULL || u == NULL || v == NULL || values == NULL || nu < 0 || nv < 0 ||
         order < 0 || order > 2 || threads < 0 || threads > TAUT_THREADS_MAX) {
         return TAUT_BAD_ARGUMENT;
     }
-    status = taut_table_new(taut_surface_u(surface), nu, u, NULL, order, &tu);
+    status = taut_table_new(taut_surface_u(surface), nu, u, NULL, order, &work.u);
     if (status == TAUT_OK) {
-        status = taut_table_new(taut_surface_v(surface), nv, v, NULL, order, &tv);
+        status = taut_table_new(taut_surface_v(surface), nv, v, NULL, order, &work.v);
     }
     if (status == TAUT_OK && nu > 0 && nv > 0) {
-        status = fill_grid(surface, tu, tv, threads, values);
+        status = fill_grid(surface, threads, &work, values);
     }
-    taut_table_free(tu);
-    taut_table_free(tv);
+    clear_work(&work);
     return status;
 }

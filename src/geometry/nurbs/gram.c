@@ -9,7 +9,7 @@
 #include "basis/basis_ops.h"
 #include "core/fail.h"
 #include "core/memory.h"
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>
@@ -27,27 +27,24 @@ void taut_gram_clear(taut_gram *gram)
     gram->length = 0;
 }
 
-static taut_status gram_alloc(const taut_basis *basis, taut_gram *gram)
+/* On failure there is nothing to free. */
+static taut_status begin_gram(const taut_basis *basis, taut_gram *gram)
 {
     const int n = taut_basis_count(basis), width = taut_basis_local(basis) - 1;
-    taut_status status = TAUT_OK;
-
     const double *breaks = taut_basis_breaks(basis);
 
     memset(gram, 0, sizeof *gram);
     gram->length = taut_basis_hi(basis) - taut_basis_lo(basis);
     for (int k = 0; k < taut_basis_span_count(basis); k++) {
         const double largest = fmax(fabs(breaks[k]), fabs(breaks[k + 1]));
-        gram->roundings = fmax(gram->roundings, 1 + largest / taut_panels_finest(basis, k));
+        gram->roundings = fmax(gram->roundings, 1 + largest / taut_cells_finest(basis, k));
     }
-    status = taut_band_init(n, width, &gram->mass);
-    if (status == TAUT_OK) {
-        status = taut_band_init(n, width, &gram->stiffness);
-    }
-    if (status != TAUT_OK) {
+    if (taut_band_init(n, width, &gram->mass) != TAUT_OK ||
+        taut_band_init(n, width, &gram->stiffness) != TAUT_OK) {
         taut_gram_clear(gram);
+        return TAUT_NO_MEMORY;
     }
-    return status;
+    return TAUT_OK;
 }
 
 /* Values and slopes n[0][..], n[1][..] become those of R = a N / W, W = sum a N. With D = a N' / W
@@ -149,38 +146,38 @@ static void eval_by_lengths(int p, const double *length, int i, double x, double
     }
 }
 
-/* Values and slopes at node g of a panel, a share of its knot interval: there nothing depends on
+/* Values and slopes at node g of a cell, a share of its knot interval: there nothing depends on
  * how far from 0 the parameters lie. */
-static void eval_share(const taut_basis *basis, const taut_panels *panels, int k, double node,
+static void eval_share(const taut_basis *basis, const taut_cells *cells, int k, double node,
                        const double *lengths, double *n)
 {
-    const double *span = taut_basis_breaks(basis) + panels->span[k];
-    const double lo = (panels->lo[k] - span[0]) / (span[1] - span[0]);
-    const double hi = (panels->hi[k] - span[0]) / (span[1] - span[0]);
+    const double *span = taut_basis_breaks(basis) + cells->span[k];
+    const double lo = (cells->lo[k] - span[0]) / (span[1] - span[0]);
+    const double hi = (cells->hi[k] - span[0]) / (span[1] - span[0]);
     const double up = 0.5 + 0.5 * node, down = 0.5 - 0.5 * node;
-    eval_by_lengths(taut_basis_local(basis) - 1, lengths, basis->knot_span[panels->span[k]],
+    eval_by_lengths(taut_basis_local(basis) - 1, lengths, basis->knot_span[cells->span[k]],
                     down * lo + up * hi, down * (1 - lo) + up * (1 - hi), n);
 }
 
-/* The terms of one panel. The square roots of the weights go into the factors, so that very short
+/* The terms of one cell. The square roots of the weights go into the factors, so that very short
  * spans do not overflow before they are summed. */
-static void add_panel(const taut_basis *basis, const double *weights, const taut_panels *panels,
-                      int k, const gauss *rule, const double *lengths, taut_gram *gram)
+static void add_cell(const taut_basis *basis, const double *weights, const taut_cells *cells, int k,
+                     const gauss *rule, const double *lengths, taut_gram *gram)
 {
-    const double *span = taut_basis_breaks(basis) + panels->span[k];
-    const double share = (panels->hi[k] - panels->lo[k]) / (span[1] - span[0]);
-    const double width = lengths == NULL ? panels->hi[k] - panels->lo[k]
-                                         : share * lengths[basis->knot_span[panels->span[k]]];
-    const int local = taut_basis_local(basis), first = taut_basis_first(basis, panels->span[k]);
+    const double *span = taut_basis_breaks(basis) + cells->span[k];
+    const double share = (cells->hi[k] - cells->lo[k]) / (span[1] - span[0]);
+    const double width = lengths == NULL ? cells->hi[k] - cells->lo[k]
+                                         : share * lengths[basis->knot_span[cells->span[k]]];
+    const int local = taut_basis_local(basis), first = taut_basis_first(basis, cells->span[k]);
     double n[2 * (TAUT_DEGREE_MAX + 1)];
 
     for (int g = 0; g < rule->nodes; g++) {
         const double root = sqrt(0.5 * rule->weight[g] * (width / gram->length));
         const double slope_root = root * gram->length;
         if (lengths != NULL) {
-            eval_share(basis, panels, k, rule->node[g], lengths, n);
+            eval_share(basis, cells, k, rule->node[g], lengths, n);
         } else {
-            taut_basis_eval(basis, panels->span[k], taut_panels_at(panels, k, rule->node[g]), 1, n);
+            taut_basis_eval(basis, cells->span[k], taut_cells_at(cells, k, rule->node[g]), 1, n);
         }
         if (weights != NULL) {
             make_rational(local, weights + first, n);
@@ -194,30 +191,24 @@ static void add_panel(const taut_basis *basis, const double *weights, const taut
     }
 }
 
+/* The matrices by a rule of `nodes` nodes a cell. On failure there is nothing to free. */
 static taut_status gram_with(const taut_basis *basis, const double *weights, int nodes,
                              taut_gram *gram)
 {
-    gauss rule;
-    taut_panels *panels = NULL;
-    taut_status status = taut_panels_new(basis, 1, weights, 1, 0, &panels);
+    gauss rule = {.nodes = nodes};
+    taut_cells *cells = NULL;
     double *lengths = NULL;
+    const int is_ready = taut_cells_new(basis, 1, weights, 1, 0, &cells) == TAUT_OK &&
+                         knot_lengths(basis, &lengths) == TAUT_OK &&
+                         begin_gram(basis, gram) == TAUT_OK;
 
-    if (status == TAUT_OK) {
-        status = knot_lengths(basis, &lengths);
-    }
-    if (status == TAUT_OK) {
-        status = gram_alloc(basis, gram);
-    }
-    if (status == TAUT_OK) {
-        rule.nodes = nodes;
-        taut_gauss_rule(nodes, rule.node, rule.weight);
-        for (int k = 0; k < panels->count; k++) {
-            add_panel(basis, weights, panels, k, &rule, lengths, gram);
-        }
+    taut_gauss_rule(nodes, rule.node, rule.weight);
+    for (int k = 0; is_ready && k < cells->count; k++) {
+        add_cell(basis, weights, cells, k, &rule, lengths, gram);
     }
     taut_free(lengths);
-    taut_panels_free(panels);
-    return status;
+    taut_cells_free(cells);
+    return is_ready ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
 static int all_finite(const taut_band *band)
@@ -232,7 +223,7 @@ static int all_finite(const taut_band *band)
 }
 
 /* max |A - B|(i,s) / sqrt(B(i,i) B(s,s)); entries of a row without weight are left out. */
-static double change(const taut_band *a, const taut_band *b)
+static double change_of(const taut_band *a, const taut_band *b)
 {
     double largest = 0;
     for (int i = 0; i < b->n; i++) {
@@ -249,26 +240,29 @@ static double change(const taut_band *a, const taut_band *b)
 
 /* Raises the nodes by half until mass and stiffness agree with those before: to what sums of O(100)
  * terms carry, each with the roundings of its parameter. */
-static taut_status raise(const taut_basis *basis, const double *weights, taut_gram *gram,
-                         taut_error *error)
+static taut_status raise_nodes(const taut_basis *basis, const double *weights, taut_gram *gram,
+                               taut_error *error)
 {
     double moved = INFINITY, enough = 0;
     int nodes = taut_basis_local(basis) + 3;
     taut_gram next;
-    taut_status status = gram_with(basis, weights, nodes, gram);
 
-    while (status == TAUT_OK && !(moved <= enough) && nodes < TAUT_GAUSS_MAX) {
+    if (gram_with(basis, weights, nodes, gram) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    while (!(moved <= enough) && nodes < TAUT_GAUSS_MAX) {
         nodes = nodes + nodes / 2 < TAUT_GAUSS_MAX ? nodes + nodes / 2 : TAUT_GAUSS_MAX;
         enough = 64 * 0x1p-53 * gram->roundings;
-        status = gram_with(basis, weights, nodes, &next);
-        if (status == TAUT_OK) {
-            moved =
-                fmax(change(&gram->mass, &next.mass), change(&gram->stiffness, &next.stiffness));
+        if (gram_with(basis, weights, nodes, &next) != TAUT_OK) {
+            taut_gram_clear(gram);
+            return taut_fail_memory(error);
         }
+        moved =
+            fmax(change_of(&gram->mass, &next.mass), change_of(&gram->stiffness, &next.stiffness));
         taut_gram_clear(gram);
         *gram = next;
     }
-    if (status == TAUT_OK && all_finite(&gram->stiffness) && !(moved <= enough)) {
+    if (all_finite(&gram->stiffness) && !(moved <= enough)) {
         taut_gram_clear(gram);
         return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, moved, enough,
                          "%d Gauss nodes on each panel leave a relative change of %.3g in the "
@@ -276,75 +270,72 @@ static taut_status raise(const taut_basis *basis, const double *weights, taut_gr
                          "of the basis are too extreme",
                          TAUT_GAUSS_MAX, moved, enough);
     }
-    return status;
+    return TAUT_OK;
 }
 
-/* Checks and hands over what was made with `status`. */
-static taut_status finish(taut_status status, taut_gram *made, taut_gram *gram, taut_error *error)
+/* Checks what was made and hands it over. */
+static taut_status hand_over(taut_gram *made, taut_gram *gram, taut_error *error)
 {
-    if (status == TAUT_NO_MEMORY) {
+    if (!all_finite(&made->mass) || !all_finite(&made->stiffness)) {
+        taut_gram_clear(made);
+        return taut_fail(error, TAUT_BAD_INPUT, "short-span", "", taut_none, taut_none,
+                         "a span of the basis is too short against its range: its slopes "
+                         "overflow");
+    }
+    *gram = *made;
+    return TAUT_OK;
+}
+
+/* By one rule of `nodes` nodes a cell. */
+static taut_status gram_by_rule(const taut_basis *basis, const double *weights, int nodes,
+                                taut_gram *gram, taut_error *error)
+{
+    taut_gram made;
+    if (gram_with(basis, weights, nodes, &made) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    if (status == TAUT_OK && !(all_finite(&made->mass) && all_finite(&made->stiffness))) {
-        taut_gram_clear(made);
-        status = taut_fail(error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
-                           "a span of the basis is too short against its range: its slopes "
-                           "overflow");
-    }
-    if (status == TAUT_OK) {
-        *gram = *made;
-    }
-    return status;
+    return hand_over(&made, gram, error);
 }
 
 taut_status taut_gram_new(const taut_basis *basis, const double *weights, taut_gram *gram,
                           taut_error *error)
 {
     taut_gram made;
-    taut_status status = TAUT_OK;
 
     if (weights == NULL && taut_basis_degree(basis) >= 0) {
-        status = gram_with(basis, NULL, taut_basis_local(basis), &made);
-    } else {
-        status = raise(basis, weights, &made, error);
+        return gram_by_rule(basis, NULL, taut_basis_local(basis), gram, error);
     }
-    return finish(status, &made, gram, error);
+    const taut_status status = raise_nodes(basis, weights, &made, error);
+    return status == TAUT_OK ? hand_over(&made, gram, error) : status;
 }
 
 taut_status taut_gram_new_rough(const taut_basis *basis, const double *weights, taut_gram *gram,
                                 taut_error *error)
 {
-    taut_gram made;
-    const taut_status status = gram_with(basis, weights, taut_basis_local(basis) + 3, &made);
-    return finish(status, &made, gram, error);
+    return gram_by_rule(basis, weights, taut_basis_local(basis) + 3, gram, error);
 }
 
-static taut_status select(const taut_band *from, int count, const int *index, taut_band *part)
+static taut_status select_band(const taut_band *from, int count, const int *index, taut_band *part)
 {
-    const taut_status status = taut_band_init(count, from->width, part);
-    for (int i = 0; status == TAUT_OK && i < count; i++) {
+    if (taut_band_init(count, from->width, part) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < count; i++) {
         for (int d = 0; d <= from->width && d <= i; d++) {
             taut_band_row(part, i)[d] = taut_band_at(from, index[i], index[i - d]);
         }
     }
-    return status;
+    return TAUT_OK;
 }
 
 taut_status taut_gram_select(const taut_gram *gram, int count, const int *index, taut_gram *part)
 {
-    taut_gram made;
-    taut_status status = TAUT_OK;
+    taut_gram made = {.length = gram->length, .roundings = gram->roundings};
 
-    memset(&made, 0, sizeof made);
-    made.length = gram->length;
-    made.roundings = gram->roundings;
-    status = select(&gram->mass, count, index, &made.mass);
-    if (status == TAUT_OK) {
-        status = select(&gram->stiffness, count, index, &made.stiffness);
-    }
-    if (status != TAUT_OK) {
+    if (select_band(&gram->mass, count, index, &made.mass) != TAUT_OK ||
+        select_band(&gram->stiffness, count, index, &made.stiffness) != TAUT_OK) {
         taut_gram_clear(&made);
-        return status;
+        return TAUT_NO_MEMORY;
     }
     *part = made;
     return TAUT_OK;

@@ -11,16 +11,16 @@ static taut_status check_inside(const taut_basis *basis, double t, taut_error *e
 {
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
     if (!(t > lo && t < hi)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, t, t <= lo ? lo : hi,
+        return taut_fail(error, TAUT_NO_SOLUTION, "parameter", NULL, t, t <= lo ? lo : hi,
                          "parameter %.17g is not inside the open range from %.17g to %.17g", t, lo,
                          hi);
     }
     return TAUT_OK;
 }
 
-static taut_status lacks(const taut_basis *basis, const char *what, taut_error *error)
+static taut_status refuse_change(const taut_basis *basis, const char *what, taut_error *error)
 {
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_NO_SOLUTION, "basis", NULL, taut_none, taut_none,
                      "a basis of type \"%s\" has no %s; convert it to NURBS first",
                      taut_basis_type(basis), what);
 }
@@ -36,49 +36,55 @@ taut_status taut_operate_insert(const taut_basis *basis, double t, int times, ta
                                 taut_error *error)
 {
     if (basis->ops->changes->insert == NULL) {
-        return lacks(basis, "knots to insert", error);
+        return refuse_change(basis, "knots to insert", error);
     }
     const taut_status status = check_inside(basis, t, error);
     return status == TAUT_OK ? basis->ops->changes->insert(basis, t, times, change, error) : status;
 }
 
+/* *made becomes itself and one step of degree more. */
+static taut_status raise_once(taut_change **made, const taut_basis *from, taut_error *error)
+{
+    taut_change *step = NULL, *both = NULL;
+    taut_status status = from->ops->changes->elevate(from, &step, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (*made == NULL) {
+        *made = step;
+        return TAUT_OK;
+    }
+    status = taut_change_compose(*made, step, &both, error);
+    taut_change_free(step);
+    taut_change_free(*made);
+    *made = both;
+    return status;
+}
+
 taut_status taut_operate_elevate(const taut_basis *basis, int times, taut_change **change,
                                  taut_error *error)
 {
-    const taut_basis *from = basis;
+    const int room = TAUT_DEGREE_MAX - taut_basis_degree(basis);
     taut_change *made = NULL;
-    taut_status status = TAUT_OK;
 
     if (basis->ops->changes->elevate == NULL) {
-        return lacks(basis, "degree to raise", error);
+        return refuse_change(basis, "degree to raise", error);
     }
-    if (times < 0 || times > TAUT_DEGREE_MAX - taut_basis_degree(basis)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, times,
-                         TAUT_DEGREE_MAX - taut_basis_degree(basis),
+    if (times < 0 || times > room) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "degree", NULL, times, room,
                          "degree %d cannot be raised by %d, expected 0 to %d",
-                         taut_basis_degree(basis), times,
-                         TAUT_DEGREE_MAX - taut_basis_degree(basis));
+                         taut_basis_degree(basis), times, room);
     }
     if (times == 0) {
         return taut_change_select(&basis->spec, basis->shape.count, 0, 0, change, error);
     }
-    for (int i = 0; status == TAUT_OK && i < times; i++) {
-        taut_change *step = NULL, *both = NULL;
-        status = from->ops->changes->elevate(from, &step, error);
-        if (status == TAUT_OK && made != NULL) {
-            status = taut_change_compose(made, step, &both, error);
-            taut_change_free(step);
-            step = NULL;
-        }
-        if (status == TAUT_OK) {
+    for (int i = 0; i < times; i++) {
+        const taut_status status = raise_once(&made, made != NULL ? made->to : basis, error);
+        if (status != TAUT_OK) {
             taut_change_free(made);
-            made = both != NULL ? both : step;
-            from = made->to;
+            return status;
         }
-    }
-    if (status != TAUT_OK) {
-        taut_change_free(made);
-        return status;
     }
     *change = made;
     return TAUT_OK;

@@ -1,13 +1,13 @@
-/* model.c -- taut/operations.h for whole models: what is named is worked on, the rest copied.
- */
+/* model.c -- taut/operations.h for whole models: what is asked for is worked on, the rest copied. */
 #include "taut/operations.h"
 
 #include "core/fail.h"
+#include "core/vec3.h"
 #include "geometry/lattice.h"
 #include "geometry/operate/change.h"
-#include "geometry/operate/model.h"
 #include "geometry/operate/points.h"
 
+#include <math.h>
 #include <string.h>
 
 /* The objects of a model, surfaces first. */
@@ -33,7 +33,9 @@ static int has_name(const taut_model *model, const char *name, int but)
     return 0;
 }
 
-int taut_operate_dashes(const taut_model *from, int i, int pieces, const taut_model *so_far)
+/* How many dashes keep the names of `pieces` pieces of object i of a model (surfaces first, then
+ * curves) apart from all others, those made so far included. */
+static int dashes_for(const taut_model *from, int i, int pieces, const taut_model *so_far)
 {
     int dashes = 1;
     for (int n = 0; n < pieces && dashes < 32; n++) {
@@ -47,185 +49,338 @@ int taut_operate_dashes(const taut_model *from, int i, int pieces, const taut_mo
     return dashes;
 }
 
-taut_status taut_operate_copy_surface(const taut_surface *surface, taut_model *to,
-                                      taut_error *error)
-{
-    taut_surface *copy = NULL;
-    if (taut_surface_copy(surface, &copy) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    return taut_operate_add_surface(to, copy, error);
-}
-
-taut_status taut_operate_copy_curve(const taut_curve *curve, taut_model *to, taut_error *error)
-{
-    taut_curve *copy = NULL;
-    if (taut_curve_copy(curve, &copy) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    return taut_operate_add_curve(to, copy, error);
-}
-
-static taut_status split_surface(const taut_model *model, int i, int direction, double t,
-                                 taut_model *to, taut_error *error)
-{
-    const taut_surface *surface = taut_model_surface(model, i);
-    taut_change_list list = {0, NULL};
-    taut_status status =
-        taut_operate_split(taut_surface_along(surface, direction), t, &list, error);
-    const int dashes = taut_operate_dashes(model, i, list.count, to);
-
-    for (int n = 0; status == TAUT_OK && n < list.count; n++) {
-        char name[TAUT_NAME_MAX + 1];
-        taut_surface *piece = NULL;
-        taut_operate_piece_name(taut_surface_name(surface), dashes, n, name);
-        status = taut_surface_changed(surface, direction, list.items[n], name, &piece, error);
-        if (status == TAUT_OK) {
-            status = taut_operate_add_surface(to, piece, error);
-        }
-    }
-    taut_change_list_free(&list);
-    return taut_operate_placed(status, "surfaces", i, error);
-}
-
-static taut_status split_curve(const taut_model *model, int i, double t, taut_model *to,
-                               taut_error *error)
-{
-    const taut_curve *curve = taut_model_curve(model, i);
-    taut_change_list list = {0, NULL};
-    taut_status status = taut_operate_split(taut_curve_t(curve), t, &list, error);
-    const int dashes =
-        taut_operate_dashes(model, taut_model_surface_count(model) + i, list.count, to);
-
-    for (int n = 0; status == TAUT_OK && n < list.count; n++) {
-        char name[TAUT_NAME_MAX + 1];
-        taut_curve *piece = NULL;
-        taut_operate_piece_name(taut_curve_name(curve), dashes, n, name);
-        status = taut_curve_changed(curve, list.items[n], name, &piece, error);
-        if (status == TAUT_OK) {
-            status = taut_operate_add_curve(to, piece, error);
-        }
-    }
-    taut_change_list_free(&list);
-    return taut_operate_placed(status, "curves", i, error);
-}
-
-taut_status taut_operate_named(const taut_model *model, const char *name, taut_error *error)
+/* Is there anything to work on: an object, and one of this name unless it is NULL? */
+static taut_status check_named(const taut_model *model, const char *name, taut_error *error)
 {
     if (name != NULL && !has_name(model, name, -1)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "no-such-object", NULL, taut_none, taut_none,
                          "nothing in the model has the name \"%.80s\"", name);
     }
     if (object_count(model) == 0) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "empty", NULL, taut_none, taut_none,
                          "the model holds no surface and no curve");
     }
     return TAUT_OK;
 }
 
-static int is_inside(const taut_basis *basis, double t)
+/* An operation on a model: what it is asked for, and what it does to object i, whose result goes
+ * to a model. */
+typedef struct operation {
+    const taut_model *model;
+    const char *name; /* of the objects asked for; NULL: all that the operation takes */
+    taut_status (*surface)(const struct operation *o, int i, taut_model *to, taut_error *error);
+    taut_status (*curve)(const struct operation *o, int i, taut_model *to, taut_error *error);
+    int (*takes_curve)(const struct operation *o, const taut_curve *curve); /* where name is NULL */
+    int direction;                                                          /* split */
+    double t;
+    int along_u, along_v; /* refine */
+    double tolerance;     /* to NURBS, over the size */
+    double *bound;
+} operation;
+
+static int takes_all(const operation *o, const taut_curve *curve)
 {
-    return t > taut_basis_lo(basis) && t < taut_basis_hi(basis);
+    (void)o;
+    (void)curve;
+    return 1;
 }
 
-/* Is this curve to be cut: by name; alone; or along with surfaces cut across u. */
-static int curve_is_cut(const taut_model *model, const taut_curve *curve, const char *name,
-                        int direction, double t)
+static taut_status fill_model(const operation *o, taut_model *to, taut_error *error)
 {
-    if (name != NULL) {
-        return strcmp(taut_curve_name(curve), name) == 0;
+    taut_status status = TAUT_OK;
+
+    for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(o->model); i++) {
+        const taut_surface *surface = taut_model_surface(o->model, i);
+        const int asked = o->name == NULL || strcmp(taut_surface_name(surface), o->name) == 0;
+        status = asked ? taut_operate_placed(o->surface(o, i, to, error), "surfaces", i, error)
+                       : taut_operate_copy_surface(surface, to, error);
     }
-    return taut_model_surface_count(model) == 0 ||
-           (direction == TAUT_ALONG_U && is_inside(taut_curve_t(curve), t));
+    for (int i = 0; status == TAUT_OK && i < taut_model_curve_count(o->model); i++) {
+        const taut_curve *curve = taut_model_curve(o->model, i);
+        const int asked = o->name != NULL ? strcmp(taut_curve_name(curve), o->name) == 0
+                                          : o->takes_curve(o, curve);
+        status = asked ? taut_operate_placed(o->curve(o, i, to, error), "curves", i, error)
+                       : taut_operate_copy_curve(curve, to, error);
+    }
+    return status;
+}
+
+/* A new model, object by object. */
+static taut_status run_operation(const operation *o, taut_model **result, taut_error *error)
+{
+    taut_model *made = NULL;
+    taut_status status = taut_operate_begin(o->model, &made, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = fill_model(o, made, error);
+    return taut_operate_end(status, made, result);
+}
+
+static taut_status split_surface(const operation *o, int i, taut_model *to, taut_error *error)
+{
+    const taut_surface *surface = taut_model_surface(o->model, i);
+    taut_change_list list = {0, NULL};
+    taut_status status =
+        taut_operate_split(taut_surface_along(surface, o->direction), o->t, &list, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_operate_add_surface_parts(surface, o->direction, &list,
+                                            dashes_for(o->model, i, list.count, to), to, error);
+    taut_change_list_free(&list);
+    return status;
+}
+
+/* Adds the parts of curve i, unless the status is a failure; the list is freed. */
+static taut_status add_curve_parts(taut_status status, const operation *o, int i,
+                                   taut_change_list *list, taut_model *to, taut_error *error)
+{
+    const int object = taut_model_surface_count(o->model) + i;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_operate_add_curve_parts(taut_model_curve(o->model, i), list,
+                                          dashes_for(o->model, object, list->count, to), to, error);
+    taut_change_list_free(list);
+    return status;
+}
+
+static taut_status split_curve(const operation *o, int i, taut_model *to, taut_error *error)
+{
+    const taut_basis *basis = taut_curve_t(taut_model_curve(o->model, i));
+    taut_change_list list = {0, NULL};
+    return add_curve_parts(taut_operate_split(basis, o->t, &list, error), o, i, &list, to, error);
+}
+
+/* Alone, or along with surfaces cut across u where t is inside. */
+static int split_takes_curve(const operation *o, const taut_curve *curve)
+{
+    const taut_basis *basis = taut_curve_t(curve);
+    return taut_model_surface_count(o->model) == 0 ||
+           (o->direction == TAUT_ALONG_U && o->t > taut_basis_lo(basis) &&
+            o->t < taut_basis_hi(basis));
 }
 
 taut_status taut_model_split(const taut_model *model, const char *name, int direction, double t,
                              taut_model **split, taut_error *error)
 {
-    taut_model *made = NULL;
+    const operation o = {.model = model,
+                         .name = name,
+                         .surface = split_surface,
+                         .curve = split_curve,
+                         .takes_curve = split_takes_curve,
+                         .direction = direction,
+                         .t = t};
     taut_status status = TAUT_OK;
 
     if (model == NULL || split == NULL ||
         (direction != TAUT_ALONG_U && direction != TAUT_ALONG_V)) {
         return taut_operate_null(error);
     }
-    status = taut_operate_named(model, name, error);
-    if (status == TAUT_OK) {
-        status = taut_operate_begin(model, &made, error);
-    }
-    for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(model); i++) {
-        const taut_surface *surface = taut_model_surface(model, i);
-        const int cut = name == NULL || strcmp(taut_surface_name(surface), name) == 0;
-        status = cut ? split_surface(model, i, direction, t, made, error)
-                     : taut_operate_copy_surface(surface, made, error);
-    }
-    for (int i = 0; status == TAUT_OK && i < taut_model_curve_count(model); i++) {
-        const taut_curve *curve = taut_model_curve(model, i);
-        const int cut = curve_is_cut(model, curve, name, direction, t);
-        status = cut ? split_curve(model, i, t, made, error)
-                     : taut_operate_copy_curve(curve, made, error);
-    }
-    return taut_operate_end(status, made, split);
+    status = check_named(model, name, error);
+    return status == TAUT_OK ? run_operation(&o, split, error) : status;
 }
 
-static taut_status refine_surface(const taut_surface *surface, int along_u, int along_v,
-                                  taut_model *to, taut_error *error)
+static taut_status refine_surface(const operation *o, int i, taut_model *to, taut_error *error)
 {
-    const int wanted[2] = {along_u || !along_v, along_v || !along_u};
+    const taut_surface *surface = taut_model_surface(o->model, i);
+    const int wanted[2] = {o->along_u || !o->along_v, o->along_v || !o->along_u};
     taut_surface *now = NULL;
-    taut_status status = TAUT_OK;
 
-    for (int d = 0; status == TAUT_OK && d < 2; d++) {
-        taut_surface *next = NULL;
+    for (int d = 0; d < 2; d++) {
         if (wanted[d]) {
-            status = taut_surface_refine(now != NULL ? now : surface, d, &next, error);
-        }
-        if (next != NULL) {
+            taut_surface *next = NULL;
+            const taut_status status =
+                taut_surface_refine(now != NULL ? now : surface, d, &next, error);
             taut_surface_free(now);
+            if (status != TAUT_OK) {
+                return status;
+            }
             now = next;
         }
-    }
-    if (status != TAUT_OK) {
-        taut_surface_free(now);
-        return status;
     }
     return taut_operate_add_surface(to, now, error);
 }
 
-static taut_status refine_curve(const taut_curve *curve, taut_model *to, taut_error *error)
+static taut_status refine_curve(const operation *o, int i, taut_model *to, taut_error *error)
 {
     taut_curve *refined = NULL;
-    const taut_status status = taut_curve_refine(curve, &refined, error);
+    const taut_status status = taut_curve_refine(taut_model_curve(o->model, i), &refined, error);
     return status == TAUT_OK ? taut_operate_add_curve(to, refined, error) : status;
+}
+
+static int refine_takes_curve(const operation *o, const taut_curve *curve)
+{
+    (void)curve;
+    return taut_model_surface_count(o->model) == 0;
 }
 
 taut_status taut_model_refine(const taut_model *model, const char *name, int along_u, int along_v,
                               taut_model **refined, taut_error *error)
 {
-    taut_model *made = NULL;
+    const operation o = {.model = model,
+                         .name = name,
+                         .surface = refine_surface,
+                         .curve = refine_curve,
+                         .takes_curve = refine_takes_curve,
+                         .along_u = along_u,
+                         .along_v = along_v};
     taut_status status = TAUT_OK;
 
     if (model == NULL || refined == NULL) {
         return taut_operate_null(error);
     }
-    status = taut_operate_named(model, name, error);
-    if (status == TAUT_OK) {
-        status = taut_operate_begin(model, &made, error);
+    status = check_named(model, name, error);
+    return status == TAUT_OK ? run_operation(&o, refined, error) : status;
+}
+
+static taut_status surface_pieces(const operation *o, int i, taut_model *to, taut_error *error)
+{
+    const taut_surface *surface = taut_model_surface(o->model, i);
+    const double patches = (double)taut_basis_span_count(taut_surface_u(surface)) *
+                           taut_basis_span_count(taut_surface_v(surface));
+    const int pieces = patches <= TAUT_OBJECTS_MAX ? (int)patches : 0; /* more are refused */
+    return taut_operate_add_patches(surface, dashes_for(o->model, i, pieces, to), to, error);
+}
+
+static taut_status curve_pieces(const operation *o, int i, taut_model *to, taut_error *error)
+{
+    const taut_basis *basis = taut_curve_t(taut_model_curve(o->model, i));
+    taut_change_list list = {0, NULL};
+    return add_curve_parts(basis->ops->changes->pieces(basis, &list, error), o, i, &list, to,
+                           error);
+}
+
+taut_status taut_model_pieces(const taut_model *model, const char *name, taut_model **pieces,
+                              taut_error *error)
+{
+    const operation o = {.model = model,
+                         .name = name,
+                         .surface = surface_pieces,
+                         .curve = curve_pieces,
+                         .takes_curve = takes_all};
+    taut_status status = TAUT_OK;
+
+    if (model == NULL || pieces == NULL) {
+        return taut_operate_null(error);
     }
-    for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(model); i++) {
-        const taut_surface *surface = taut_model_surface(model, i);
-        const int asked = name == NULL || strcmp(taut_surface_name(surface), name) == 0;
-        status = asked ? refine_surface(surface, along_u, along_v, made, error)
-                       : taut_operate_copy_surface(surface, made, error);
-        status = taut_operate_placed(status, "surfaces", i, error);
+    status = check_named(model, name, error);
+    return status == TAUT_OK ? run_operation(&o, pieces, error) : status;
+}
+
+/* Grows a box {low, high} by a point. */
+static void grow_box(double box[2][3], const double *x)
+{
+    for (int c = 0; c < 3; c++) {
+        box[0][c] = fmin(box[0][c], x[c]);
+        box[1][c] = fmax(box[1][c], x[c]);
     }
-    for (int i = 0; status == TAUT_OK && i < taut_model_curve_count(model); i++) {
-        const taut_curve *curve = taut_model_curve(model, i);
-        const int asked = name != NULL ? strcmp(taut_curve_name(curve), name) == 0
-                                       : taut_model_surface_count(model) == 0;
-        status =
-            asked ? refine_curve(curve, made, error) : taut_operate_copy_curve(curve, made, error);
-        status = taut_operate_placed(status, "curves", i, error);
+}
+
+/* The diagonal of a box; 1 for a single point, whose size says nothing. */
+static double diagonal_of(double box[2][3])
+{
+    const double diagonal = taut_distance(box[1], box[0]);
+    return diagonal > 0 ? diagonal : 1;
+}
+
+enum { SAMPLES = 17 };
+
+/* Sample i of a range, the ends exactly. */
+static double sample_at(const taut_basis *basis, int i)
+{
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    return i == SAMPLES - 1 ? hi : lo + (hi - lo) * i / (SAMPLES - 1);
+}
+
+/* The diagonal of the box around sampled points. */
+static double surface_size(const taut_surface *surface)
+{
+    double box[2][3] = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (int i = 0; i < SAMPLES * SAMPLES; i++) {
+        double x[3] = {0, 0, 0};
+        taut_surface_eval(surface, sample_at(taut_surface_u(surface), i / SAMPLES),
+                          sample_at(taut_surface_v(surface), i % SAMPLES), 0, x);
+        grow_box(box, x);
     }
-    return taut_operate_end(status, made, refined);
+    return diagonal_of(box);
+}
+
+static double curve_size(const taut_curve *curve)
+{
+    double box[2][3] = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (int i = 0; i < SAMPLES; i++) {
+        double x[3] = {0, 0, 0};
+        taut_curve_eval(curve, sample_at(taut_curve_t(curve), i), 0, x);
+        grow_box(box, x);
+    }
+    return diagonal_of(box);
+}
+
+/* A tolerance that rounding forbids was told as a length; here it is asked for over the size. */
+static taut_status over_size(taut_status status, double tolerance, double size, taut_error *error)
+{
+    if (status == TAUT_BAD_ARGUMENT && error != NULL && error->limit > 0) {
+        return taut_fail(error, status, "tolerance", NULL, tolerance, error->limit / size,
+                         "tolerance %g (over the size, %g) is below what rounding leaves; ask for "
+                         "%g at least",
+                         tolerance, size, error->limit / size);
+    }
+    return status;
+}
+
+static taut_status surface_to_nurbs(const operation *o, int i, taut_model *to, taut_error *error)
+{
+    const taut_surface *surface = taut_model_surface(o->model, i);
+    const double size = surface_size(surface);
+    taut_surface *converted = NULL;
+    double bound = 0;
+    const taut_status status =
+        taut_surface_to_nurbs(surface, o->tolerance * size, &converted, &bound, error);
+
+    if (status != TAUT_OK) {
+        return over_size(status, o->tolerance, size, error);
+    }
+    *o->bound = fmax(*o->bound, bound);
+    return taut_operate_add_surface(to, converted, error);
+}
+
+static taut_status curve_to_nurbs(const operation *o, int i, taut_model *to, taut_error *error)
+{
+    const taut_curve *curve = taut_model_curve(o->model, i);
+    const double size = curve_size(curve);
+    taut_curve *converted = NULL;
+    double bound = 0;
+    const taut_status status =
+        taut_curve_to_nurbs(curve, o->tolerance * size, &converted, &bound, error);
+
+    if (status != TAUT_OK) {
+        return over_size(status, o->tolerance, size, error);
+    }
+    *o->bound = fmax(*o->bound, bound);
+    return taut_operate_add_curve(to, converted, error);
+}
+
+taut_status taut_model_to_nurbs(const taut_model *model, double tolerance, taut_model **nurbs,
+                                double *bound, taut_error *error)
+{
+    double largest = 0;
+    const operation o = {.model = model,
+                         .surface = surface_to_nurbs,
+                         .curve = curve_to_nurbs,
+                         .takes_curve = takes_all,
+                         .tolerance = tolerance,
+                         .bound = &largest};
+
+    if (model == NULL || nurbs == NULL) {
+        return taut_operate_null(error);
+    }
+    const taut_status status = run_operation(&o, nurbs, error);
+    if (status == TAUT_OK && bound != NULL) {
+        *bound = largest;
+    }
+    return status;
 }

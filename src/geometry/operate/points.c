@@ -2,6 +2,7 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
+#include "core/vec3.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,19 +24,20 @@ taut_status taut_operate_points(const double *matrix, size_t count, const double
     for (size_t i = 0; i < count; i++) {
         for (size_t c = 0; c < 3; c++) {
             const double *row = matrix + 4 * c, *x = points + 3 * i;
-            made[3 * i + c] = row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + row[3];
+            made[3 * i + c] = taut_dot(row, x) + row[3];
         }
     }
     *moved = made;
     return TAUT_OK;
 }
 
-static taut_status too_many(taut_status status, taut_error *error)
+/* Why an object was not added. */
+static taut_status refuse_object(taut_status status, taut_error *error)
 {
     if (status == TAUT_NO_MEMORY) {
         return taut_fail_memory(error);
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, TAUT_OBJECTS_MAX,
+    return taut_fail(error, TAUT_NO_SOLUTION, "too-many-objects", NULL, TAUT_OBJECTS_MAX,
                      TAUT_OBJECTS_MAX, "a model holds at most %d surfaces and as many curves",
                      TAUT_OBJECTS_MAX);
 }
@@ -45,7 +47,7 @@ taut_status taut_operate_add_surface(taut_model *model, taut_surface *surface, t
     const taut_status status = taut_model_add_surface(model, surface);
     if (status != TAUT_OK) {
         taut_surface_free(surface);
-        return too_many(status, error);
+        return refuse_object(status, error);
     }
     return TAUT_OK;
 }
@@ -55,9 +57,28 @@ taut_status taut_operate_add_curve(taut_model *model, taut_curve *curve, taut_er
     const taut_status status = taut_model_add_curve(model, curve);
     if (status != TAUT_OK) {
         taut_curve_free(curve);
-        return too_many(status, error);
+        return refuse_object(status, error);
     }
     return TAUT_OK;
+}
+
+taut_status taut_operate_copy_surface(const taut_surface *surface, taut_model *to,
+                                      taut_error *error)
+{
+    taut_surface *copy = NULL;
+    if (taut_surface_copy(surface, &copy) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return taut_operate_add_surface(to, copy, error);
+}
+
+taut_status taut_operate_copy_curve(const taut_curve *curve, taut_model *to, taut_error *error)
+{
+    taut_curve *copy = NULL;
+    if (taut_curve_copy(curve, &copy) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return taut_operate_add_curve(to, copy, error);
 }
 
 taut_status taut_operate_begin(const taut_model *model, taut_model **made, taut_error *error)

@@ -2,6 +2,7 @@
 #ifndef TAUT_GEOMETRY_OPERATE_POINTS_H
 #define TAUT_GEOMETRY_OPERATE_POINTS_H
 
+#include "basis/change.h"
 #include "taut/model.h"
 
 #include <stddef.h>
@@ -13,6 +14,21 @@ taut_status taut_operate_points(const double *matrix, size_t count, const double
 /* The model owns the object afterwards, or it is freed. */
 taut_status taut_operate_add_surface(taut_model *model, taut_surface *surface, taut_error *error);
 taut_status taut_operate_add_curve(taut_model *model, taut_curve *curve, taut_error *error);
+
+/* Adds a copy. */
+taut_status taut_operate_copy_surface(const taut_surface *surface, taut_model *to,
+                                      taut_error *error);
+taut_status taut_operate_copy_curve(const taut_curve *curve, taut_model *to, taut_error *error);
+
+/* Adds the object after each change of a list, named with so many dashes (change.h). */
+taut_status taut_operate_add_curve_parts(const taut_curve *curve, const taut_change_list *list,
+                                         int dashes, taut_model *to, taut_error *error);
+taut_status taut_operate_add_surface_parts(const taut_surface *surface, int direction,
+                                           const taut_change_list *list, int dashes, taut_model *to,
+                                           taut_error *error);
+/* Adds every patch of the surface, span by span. TAUT_NO_SOLUTION: more than a model holds. */
+taut_status taut_operate_add_patches(const taut_surface *surface, int dashes, taut_model *to,
+                                     taut_error *error);
 
 /* A new model with the unit of another. */
 taut_status taut_operate_begin(const taut_model *model, taut_model **made, taut_error *error);

@@ -6,7 +6,7 @@
  */
 #include "measure/curvature/box.h"
 
-#include "measure/curvature/scaling.h"
+#include "geometry/exponent.h"
 #include "measure/curvature/spot.h"
 
 #include <float.h>
@@ -26,7 +26,8 @@ typedef struct climb {
 } climb;
 
 /* sign * coordinate, its gradient and second derivatives by parameters divided by 2^shift. */
-static void look(const climb *c, const double t[2], int order, double *f, double g[2], double h[3])
+static void eval_coordinate(const climb *c, const double t[2], int order, double *f, double g[2],
+                            double h[3])
 {
     taut_spot spot;
     taut_spot_at(c->surface, c->span[0], c->span[1], t[0], t[1], order, c->scale, c->shift, &spot);
@@ -42,8 +43,8 @@ static void look(const climb *c, const double t[2], int order, double *f, double
 /* A direction of ascent within the cell: parameters at a bound that the gradient leaves are held;
  * Newton's step for the others where the function is concave, else along the gradient, a quarter of
  * the cell. Returns 0 where nothing is free. */
-static int direction(const climb *c, const double t[2], const double g[2], const double h[3],
-                     double step[2])
+static int find_ascent(const climb *c, const double t[2], const double g[2], const double h[3],
+                       double step[2])
 {
     int is_free[2];
     for (int d = 0; d < 2; d++) {
@@ -67,12 +68,12 @@ static int direction(const climb *c, const double t[2], const double g[2], const
 }
 
 /* The largest value found climbing from t. */
-static double ascend(const climb *c, double t[2])
+static double climb_from(const climb *c, double t[2])
 {
     double f = 0, g[2], h[3], step[2];
 
-    look(c, t, 2, &f, g, h);
-    for (int i = 0; i < STEPS && direction(c, t, g, h, step); i++) {
+    eval_coordinate(c, t, 2, &f, g, h);
+    for (int i = 0; i < STEPS && find_ascent(c, t, g, h, step); i++) {
         const double gain = g[0] * step[0] + g[1] * step[1];
         double next[2], value = f, g2[2], h2[3];
         int halvings = 0;
@@ -81,7 +82,7 @@ static double ascend(const climb *c, double t[2])
                 next[d] = t[d] + ldexp(part * step[d], c->shift[d]);
                 next[d] = fmin(c->hi[d], fmax(c->lo[d], next[d]));
             }
-            look(c, next, 2, &value, g2, h2);
+            eval_coordinate(c, next, 2, &value, g2, h2);
             if (value > f) {
                 break;
             }
@@ -120,7 +121,7 @@ static double search_cell(const climb *c)
         for (int d = 0; d < 2; d++) {
             t[d] = part[d] == 1 ? c->hi[d] : c->lo[d] + part[d] * (c->hi[d] - c->lo[d]);
         }
-        look(c, t, 0, &f, g, h);
+        eval_coordinate(c, t, 0, &f, g, h);
         while (place > 0 && f > best[place - 1]) {
             place--;
         }
@@ -135,7 +136,7 @@ static double search_cell(const climb *c)
         }
     }
     for (int k = 0; k < kept; k++) {
-        largest = fmax(largest, ascend(c, at[k]));
+        largest = fmax(largest, climb_from(c, at[k]));
     }
     return largest;
 }
@@ -179,7 +180,7 @@ static void corner_box(const taut_surface *surface, double box[2][3])
 }
 
 /* What reaches out of the net's box by a rounding is put back on it. */
-static void clip(const taut_surface *surface, double slack, double box[2][3])
+static void clip_to_net(const taut_surface *surface, double slack, double box[2][3])
 {
     const double *points = taut_surface_points(surface);
     const size_t count = taut_point_count(surface);
@@ -222,5 +223,5 @@ void taut_box_of(const taut_surface *surface, double box[2][3])
             }
         }
     }
-    clip(surface, slack, box);
+    clip_to_net(surface, slack, box);
 }

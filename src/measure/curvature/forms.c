@@ -8,19 +8,9 @@
  */
 #include "taut/measure.h"
 
+#include "core/vec3.h"
+
 #include <math.h>
-
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double *a, const double *b, double *c)
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
 
 /* unit = v / 2^exponent with its largest component in [1/2, 1); a zero vector stays, exponent 0. */
 static int normalise(const double *v, double *unit)
@@ -50,12 +40,12 @@ static int vanishes(double w, int exponent, double e, double g, const double val
 {
     double x[3], twist[3];
     const int shift = normalise(values[TAUT_X], x) + normalise(values[TAUT_XUV], twist) - exponent;
-    const double noise = sqrt(dot(x, x) * dot(twist, twist));
+    const double noise = sqrt(taut_dot(x, x) * taut_dot(twist, twist));
 
     return !(w > 0x1p-40 * sqrt(e * g)) || !(w > ldexp(noise, shift - 46));
 }
 
-static void curvatures(int a, int b, double e, double f, double g, double w, taut_forms *forms)
+static void find_curvatures(int a, int b, double e, double f, double g, double w, taut_forms *forms)
 {
     const double l = ldexp(forms->l, -2 * a);
     const double m = ldexp(forms->m, -a - b);
@@ -72,11 +62,11 @@ void taut_forms_of(const double values[6][3], taut_forms *forms)
 {
     double p[3], q[3], n[3];
     const int a = normalise(values[TAUT_XU], p), b = normalise(values[TAUT_XV], q);
-    const double e = dot(p, p), f = dot(p, q), g = dot(q, q);
+    const double e = taut_dot(p, p), f = taut_dot(p, q), g = taut_dot(q, q);
     double w = 0;
 
-    cross(p, q, n);
-    w = sqrt(dot(n, n));
+    taut_cross(p, q, n);
+    w = sqrt(taut_dot(n, n));
     forms->e = ldexp(e, 2 * a);
     forms->f = ldexp(f, a + b);
     forms->g = ldexp(g, 2 * b);
@@ -85,11 +75,11 @@ void taut_forms_of(const double values[6][3], taut_forms *forms)
     for (int c = 0; c < 3; c++) {
         forms->normal[c] = forms->regular ? n[c] / w : nan("");
     }
-    forms->l = dot(values[TAUT_XUU], forms->normal);
-    forms->m = dot(values[TAUT_XUV], forms->normal);
-    forms->n = dot(values[TAUT_XVV], forms->normal);
+    forms->l = taut_dot(values[TAUT_XUU], forms->normal);
+    forms->m = taut_dot(values[TAUT_XUV], forms->normal);
+    forms->n = taut_dot(values[TAUT_XVV], forms->normal);
     forms->mean = forms->gaussian = nan("");
     if (forms->regular) {
-        curvatures(a, b, e, f, g, w, forms);
+        find_curvatures(a, b, e, f, g, w, forms);
     }
 }

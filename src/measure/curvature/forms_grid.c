@@ -1,7 +1,6 @@
 /* forms_grid.c -- fundamental forms and curvatures over a grid, a line at a time. */
-#include "core/memory.h"
 #include "measure/curvature/scan.h"
-#include "measure/integrate/parallel.h"
+#include "platform/parallel.h"
 #include "taut/limits.h"
 #include "taut/measure.h"
 
@@ -15,7 +14,7 @@ typedef struct grid {
     taut_forms *forms;
 } grid;
 
-static void do_line(void *context, int worker, long i)
+static void find_forms(void *context, int worker, long i)
 {
     const grid *g = context;
     double *scratch = g->scratch + (size_t)worker * g->room;
@@ -28,30 +27,44 @@ static void do_line(void *context, int worker, long i)
     }
 }
 
+/* Every line of the grid, once there is scratch for `workers`. */
+static taut_status run_lines(taut_arena *arena, const taut_surface *surface, int nu,
+                             const double *u, const double *v, int workers, grid *g)
+{
+    const taut_parameters lines[2] = {{.count = nu, .t = (double *)u},
+                                      {.count = g->nv, .t = (double *)v}};
+    taut_scan *scan = NULL;
+    const taut_status status = taut_scan_new(arena, surface, &lines[0], &lines[1], &scan);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    g->scan = scan;
+    g->room = taut_scan_scratch(scan) + (size_t)g->nv * NUMBERS;
+    g->scratch = taut_arena_take(arena, (size_t)workers * g->room, sizeof(double));
+    if (g->scratch == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    if (g->nv > 0) {
+        taut_parallel_run(workers, nu, find_forms, g);
+    }
+    return TAUT_OK;
+}
+
 taut_status taut_surface_forms_grid(const taut_surface *surface, int nu, const double *u, int nv,
                                     const double *v, int threads, taut_forms *forms)
 {
-    const int workers = taut_parallel_workers(threads, nu > 0 ? nu : 1);
-    const taut_lines lines[2] = {{.count = nu, .t = (double *)u}, {.count = nv, .t = (double *)v}};
     grid g = {.nv = nv, .forms = forms};
-    taut_scan *scan = NULL;
+    taut_arena *arena = NULL;
     taut_status status = TAUT_OK;
 
     if (surface == NULL || u == NULL || v == NULL || forms == NULL || nu < 0 || nv < 0 ||
         threads < 0 || threads > TAUT_THREADS_MAX) {
         return TAUT_BAD_ARGUMENT;
     }
-    status = taut_scan_new(surface, &lines[0], &lines[1], &scan);
-    if (status == TAUT_OK) {
-        g.scan = scan;
-        g.room = taut_scan_scratch(scan) + (size_t)nv * NUMBERS;
-        g.scratch = taut_alloc_aligned((size_t)workers * g.room, sizeof(double));
-        status = g.scratch != NULL ? TAUT_OK : TAUT_NO_MEMORY;
-    }
-    if (status == TAUT_OK && nv > 0) {
-        taut_parallel_run(workers, nu, do_line, &g);
-    }
-    taut_free(g.scratch);
-    taut_scan_free(scan);
+    arena = taut_arena_new();
+    status =
+        run_lines(arena, surface, nu, u, v, taut_parallel_workers(threads, nu > 0 ? nu : 1), &g);
+    taut_arena_free(arena);
     return status;
 }

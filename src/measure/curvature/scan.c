@@ -1,67 +1,71 @@
 #include "measure/curvature/scan.h"
 
-#include "core/memory.h"
 #include "geometry/net.h"
 
 #include <string.h>
 
-void taut_scan_free(taut_scan *scan)
-{
-    if (scan != NULL) {
-        taut_table_free(scan->u);
-        taut_table_free(scan->v);
-        taut_free(scan->own);
-        taut_free(scan);
-    }
-}
-
-/* net[k] = (w (x - centre), w), the centre the middle point of the list. */
-static taut_status homogeneous(const taut_surface *surface, size_t count, taut_scan *scan)
+/* net[k] = (w (x - centre), w), the centre the middle point of the list; NULL when memory runs out. */
+static const double *homogeneous_net(taut_arena *arena, const taut_surface *surface, size_t count,
+                                     double centre[3])
 {
     const double *points = taut_surface_points(surface);
     const double *weights = taut_surface_weights(surface);
+    double *net = taut_arena_take(arena, 4 * count, sizeof(double));
 
-    scan->own = taut_alloc_aligned(4 * count, sizeof(double));
-    if (scan->own == NULL) {
-        return TAUT_NO_MEMORY;
+    if (net == NULL) {
+        return NULL;
     }
-    memcpy(scan->centre, points + 3 * (count / 2), sizeof scan->centre);
+    memcpy(centre, points + 3 * (count / 2), 3 * sizeof(double));
     for (size_t k = 0; k < count; k++) {
         for (size_t c = 0; c < 3; c++) {
-            scan->own[4 * k + c] = weights[k] * (points[3 * k + c] - scan->centre[c]);
+            net[4 * k + c] = weights[k] * (points[3 * k + c] - centre[c]);
         }
-        scan->own[4 * k + 3] = weights[k];
+        net[4 * k + 3] = weights[k];
     }
-    scan->net = scan->own;
-    return TAUT_OK;
+    return net;
 }
 
-taut_status taut_scan_new(const taut_surface *surface, const taut_lines *u, const taut_lines *v,
-                          taut_scan **scan)
+static void release_table(void *table)
+{
+    taut_table_free(table);
+}
+
+static taut_status keep_table(taut_arena *arena, const taut_basis *basis,
+                              const taut_parameters *parameters, taut_table **table)
+{
+    const taut_status status =
+        taut_table_new(basis, parameters->count, parameters->t, parameters->span, 2, table);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return taut_arena_keep(arena, *table, release_table) ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
+taut_status taut_scan_new(taut_arena *arena, const taut_surface *surface, const taut_parameters *u,
+                          const taut_parameters *v, taut_scan **scan)
 {
     const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
     const size_t count = (size_t)taut_basis_count(bu) * (size_t)taut_basis_count(bv);
-    taut_scan *made = taut_alloc_zero(1, sizeof *made);
-    taut_status status = made != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    taut_scan *made = taut_arena_take(arena, 1, sizeof *made);
+    taut_status status = TAUT_OK;
 
-    if (status == TAUT_OK) {
-        made->dim = taut_surface_weights(surface) != NULL ? 4 : 3;
-        made->columns = taut_basis_count(bv);
-        made->net = taut_surface_points(surface);
-        status = made->dim == 4 ? homogeneous(surface, count, made) : TAUT_OK;
+    if (made == NULL) {
+        return TAUT_NO_MEMORY;
     }
-    if (status == TAUT_OK) {
-        status = taut_table_new(bu, u->count, u->t, u->span, 2, &made->u);
-    }
-    if (status == TAUT_OK) {
-        status = taut_table_new(bv, v->count, v->t, v->span, 2, &made->v);
-    }
+    made->dim = taut_surface_weights(surface) != NULL ? 4 : 3;
+    made->columns = taut_basis_count(bv);
+    made->net = made->dim == 4 ? homogeneous_net(arena, surface, count, made->centre)
+                               : taut_surface_points(surface);
+    status = keep_table(arena, bu, u, &made->u);
     if (status != TAUT_OK) {
-        taut_scan_free(made);
+        return status;
+    }
+    status = keep_table(arena, bv, v, &made->v);
+    if (status != TAUT_OK) {
         return status;
     }
     *scan = made;
-    return TAUT_OK;
+    return taut_arena_status(arena);
 }
 
 size_t taut_scan_scratch(const taut_scan *scan)

@@ -9,7 +9,7 @@
 #define TAUT_MEASURE_CURVATURE_SCAN_H
 
 #include "geometry/grid/table.h"
-#include "measure/integrate/lines.h"
+#include "measure/integrate/parameters.h"
 #include "taut/surface.h"
 
 #include <stddef.h>
@@ -19,14 +19,13 @@ typedef struct taut_scan {
     int dim; /* 3, or 4 with weights */
     int columns;
     const double *net; /* [rows][columns][dim], homogeneous with weights */
-    double *own;       /* the net where it is not the surface's */
     double centre[3];  /* taken off a homogeneous net */
 } taut_scan;
 
-/* TAUT_NO_MEMORY. The surface must outlive the scan. */
-taut_status taut_scan_new(const taut_surface *surface, const taut_lines *u, const taut_lines *v,
-                          taut_scan **scan);
-void taut_scan_free(taut_scan *scan); /* NULL is fine */
+/* In the arena. The surface must outlive the scan. TAUT_NO_MEMORY, also where the arena has failed;
+ * TAUT_BAD_ARGUMENT for parameters out of range. */
+taut_status taut_scan_new(taut_arena *arena, const taut_surface *surface, const taut_parameters *u,
+                          const taut_parameters *v, taut_scan **scan);
 
 /* Numbers of scratch one worker needs. */
 size_t taut_scan_scratch(const taut_scan *scan);

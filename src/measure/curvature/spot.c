@@ -1,6 +1,6 @@
 #include "measure/curvature/spot.h"
 
-#include "measure/curvature/scaling.h"
+#include "geometry/exponent.h"
 
 #include <math.h>
 #include <string.h>

@@ -53,7 +53,7 @@ typedef struct series {
 } series;
 
 /* P_0(x) .. P_{n-1}(x). */
-static void legendre(int n, double x, double *p)
+static void eval_legendre(int n, double x, double *p)
 {
     p[0] = 1;
     p[n > 1] = n > 1 ? x : 1;
@@ -104,7 +104,7 @@ static void samples_init(samples *s, int n)
     for (int i = 0; i < s->count; i++) {
         double p[N];
         s->x[i] = i == 2 * n ? 1 : -1 + 1.0 / n * i;
-        legendre(n, s->x[i], p);
+        eval_legendre(n, s->x[i], p);
         for (int k = 0; k < n; k++) {
             s->p[k][i] = p[k];
         }
@@ -112,7 +112,7 @@ static void samples_init(samples *s, int n)
 }
 
 /* f[i] = sum_k c[k] P_k(x_i): all samples at once, since one sum would wait for itself. */
-static void sample(const samples *s, const double *restrict c, double *restrict f)
+static void eval_samples(const samples *s, const double *restrict c, double *restrict f)
 {
     memset(f, 0, (size_t)s->count * sizeof(double));
     for (int k = 0; k < s->n; k++) {
@@ -127,8 +127,8 @@ static void sample(const samples *s, const double *restrict c, double *restrict 
 /* The root between a and b, where p has the signs of fa and fb: Newton's steps, halving where they
  * leave the interval. An error d of a root changes the integral by p' d^2 only, and the last step's
  * square is about the error: 2^-20 of it is plenty. */
-static double root(const series *s, int n, const double *c, double a, double fa, double b,
-                   double fb)
+static double find_root(const series *s, int n, const double *c, double a, double fa, double b,
+                        double fb)
 {
     double x = (a * fb - b * fa) / (fb - fa);
     for (int i = 0; i < 40; i++) {
@@ -155,10 +155,10 @@ static int roots_of(const series *all, const samples *s, const double *c, double
     double f[SAMPLES];
     int made = 0;
 
-    sample(s, c, f);
+    eval_samples(s, c, f);
     for (int i = 0; i + 1 < s->count && made + 2 <= ROOTS; i++) {
         if ((f[i] > 0) != (f[i + 1] > 0)) {
-            roots[made++] = root(all, s->n, c, s->x[i], f[i], s->x[i + 1], f[i + 1]);
+            roots[made++] = find_root(all, s->n, c, s->x[i], f[i], s->x[i + 1], f[i + 1]);
         } else if (i > 0 && fabs(f[i]) <= fabs(f[i - 1]) && fabs(f[i]) <= fabs(f[i + 1]) &&
                    (f[i - 1] > 0) == (f[i] > 0) && f[i - 1] != f[i + 1]) {
             const double second = f[i - 1] - 2 * f[i] + f[i + 1];
@@ -166,8 +166,8 @@ static int roots_of(const series *all, const samples *s, const double *c, double
             double slope = 0;
             const double at = value_at(&all->legendre, s->n, c, least, &slope);
             if ((at > 0) != (f[i] > 0)) {
-                roots[made++] = root(all, s->n, c, s->x[i - 1], f[i - 1], least, at);
-                roots[made++] = root(all, s->n, c, least, at, s->x[i + 1], f[i + 1]);
+                roots[made++] = find_root(all, s->n, c, s->x[i - 1], f[i - 1], least, at);
+                roots[made++] = find_root(all, s->n, c, least, at, s->x[i + 1], f[i + 1]);
             }
         }
     }
@@ -176,7 +176,7 @@ static int roots_of(const series *all, const samples *s, const double *c, double
 
 /* out[0..n]: the coefficients of
  *     int_-1^x p = c_0 (P_0 + P_1) + sum_{k>0} c_k (P_{k+1} - P_{k-1}) / (2k+1). */
-static void integrate(const recurrence *r, int n, const double *c, double *out)
+static void integrate_series(const recurrence *r, int n, const double *c, double *out)
 {
     out[0] = c[0] - (n > 1 ? c[1] * r->over[1] : 0);
     for (int k = 1; k <= n; k++) {
@@ -185,14 +185,14 @@ static void integrate(const recurrence *r, int n, const double *c, double *out)
 }
 
 /* int |p(u, v)| dv. */
-static double line(const series *s, double u)
+static double integrate_line(const series *s, double u)
 {
     const int nu = s->u.n, nv = s->v.n;
     double p[N], c[N] = {0}, whole[N + 1], roots[ROOTS + 2];
     double sum = 0, before = 0, others = 0, slope = 0;
     int count = 0;
 
-    legendre(nu, u, p);
+    eval_legendre(nu, u, p);
     for (int i = 0; i < nu; i++) {
         const double *restrict row = s->fit->c[i];
         const double factor = p[i];
@@ -207,7 +207,7 @@ static double line(const series *s, double u)
         return 2 * fabs(c[0]); /* |P_k| <= 1: no root */
     }
     count = roots_of(s, &s->v, c, roots);
-    integrate(&s->legendre, nv, c, whole);
+    integrate_series(&s->legendre, nv, c, whole);
     for (int r = 0; r <= count; r++) {
         const double next =
             r < count ? value_at(&s->legendre, nv + 1, whole, roots[r], &slope) : 2 * c[0];
@@ -217,25 +217,27 @@ static double line(const series *s, double u)
     return sum;
 }
 
-static double stretch(const series *s, double lo, double hi, const rule *r)
+static double integrate_stretch(const series *s, double lo, double hi, const rule *r)
 {
     double sum = 0;
     for (int i = 0; i < r->count; i++) {
-        sum += r->weights[i] * line(s, (lo + hi) / 2 + (hi - lo) / 2 * r->nodes[i]);
+        sum += r->weights[i] * integrate_line(s, (lo + hi) / 2 + (hi - lo) / 2 * r->nodes[i]);
     }
     return sum * (hi - lo) / 2;
 }
 
 /* Halves until two rules agree to `relative` of the stretch or within `floor`. Rounding may keep
  * them apart: the number of stretches is bounded. */
-static double adaptive(const series *s, double from, double to, double relative, double floor)
+static double integrate_between(const series *s, double from, double to, double relative,
+                                double floor)
 {
     double lo[DEPTH + 1] = {from}, hi[DEPTH + 1] = {to}, sum = 0;
     int depth = 0, done = 0;
 
     while (depth >= 0) {
         const double a = lo[depth], b = hi[depth], middle = (a + b) / 2;
-        const double low = stretch(s, a, b, &s->rules[0]), high = stretch(s, a, b, &s->rules[1]);
+        const double low = integrate_stretch(s, a, b, &s->rules[0]),
+                     high = integrate_stretch(s, a, b, &s->rules[1]);
         if (fabs(high - low) <= fmax(relative * high, floor) || depth == DEPTH ||
             ++done > STRETCHES || !isfinite(high)) {
             sum += high;
@@ -250,7 +252,7 @@ static double adaptive(const series *s, double from, double to, double relative,
     return sum;
 }
 
-static int ascending(const void *a, const void *b)
+static int compare_numbers(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -274,7 +276,7 @@ static int cuts_of(const series *s, double *cuts)
         made += roots_of(s, &s->u, c, cuts + made);
     }
     cuts[made++] = 1;
-    qsort(cuts, (size_t)made, sizeof(double), ascending);
+    qsort(cuts, (size_t)made, sizeof(double), compare_numbers);
     return made;
 }
 
@@ -283,7 +285,7 @@ void taut_fit_table(int count, const double *nodes, const double *weights, doubl
     double p[N];
     assert(count >= 1 && count <= N);
     for (int j = 0; j < count; j++) {
-        legendre(count, nodes[j], p);
+        eval_legendre(count, nodes[j], p);
         for (int k = 0; k < count; k++) {
             table[k * count + j] = (k + 0.5) * weights[j] * p[k];
         }
@@ -331,7 +333,7 @@ double taut_fit_distance(const taut_fit *a, const taut_fit *b)
 }
 
 /* The sum of |c_ik| over row i (direction 0) or column i within the first n[0] by n[1]. */
-static double slice(const taut_fit *fit, const int n[2], int direction, int i)
+static double sum_slice(const taut_fit *fit, const int n[2], int direction, int i)
 {
     double sum = 0;
     for (int k = 0; k < n[1 - direction]; k++) {
@@ -342,7 +344,7 @@ static double slice(const taut_fit *fit, const int n[2], int direction, int i)
 
 /* How many rows and columns are wanted: |P_k| <= 1, so what is left out changes iint |p| by at most
  * 4 sum |c_ik| over it, and iint |p| >= iint p^2 / max |p|. */
-static void truncate(const taut_fit *fit, double relative, int n[2])
+static void truncate_fit(const taut_fit *fit, double relative, int n[2])
 {
     double square = 0, all = 0, budget = 0;
 
@@ -356,8 +358,8 @@ static void truncate(const taut_fit *fit, double relative, int n[2])
     }
     budget = all > 0 ? 0.125 * relative * (square / all) / 4 : 0;
     for (int d = 0; d < 2; d++) {
-        while (n[d] > 1 && slice(fit, n, d, n[d] - 1) <= budget) {
-            budget -= slice(fit, n, d, n[d] - 1);
+        while (n[d] > 1 && sum_slice(fit, n, d, n[d] - 1) <= budget) {
+            budget -= sum_slice(fit, n, d, n[d] - 1);
             n[d]--;
         }
     }
@@ -380,7 +382,7 @@ double taut_fit_absolute(const taut_fit *fit, double relative)
     }
     s.fit = fit;
     recurrence_init(&s.legendre);
-    truncate(fit, relative, n);
+    truncate_fit(fit, relative, n);
     samples_init(&s.u, n[0]);
     samples_init(&s.v, n[1]);
     for (int r = 0; r < 2; r++) {
@@ -391,7 +393,7 @@ double taut_fit_absolute(const taut_fit *fit, double relative)
     for (int i = 0; i + 1 < count; i++) {
         if (cuts[i + 1] > cuts[i]) {
             const double floor = relative / 8 * (fabs(fit->c[0][0]) + others);
-            sum += adaptive(&s, cuts[i], cuts[i + 1], relative, floor);
+            sum += integrate_between(&s, cuts[i], cuts[i + 1], relative, floor);
         }
     }
     return sum;

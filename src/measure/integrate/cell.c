@@ -1,9 +1,10 @@
-#include "measure/integrate/cell.h"
+/* cell.c -- the derivative vectors at the nodes of one cell, and weighted sums over them. */
+#include "measure/integrate/job.h"
 
 #include "basis/basis_ops.h"
-#include "core/memory.h"
+#include "geometry/exponent.h"
+#include "geometry/net.h"
 #include "measure/curvature/place.h"
-#include "measure/curvature/scaling.h"
 
 #include <math.h>
 #include <string.h>
@@ -13,27 +14,27 @@ static const int order_v[6] = {0, 0, 1, 0, 1, 2};
 
 enum { BATCH = 64 }; /* nodes handled at a time: all of a batch stays in the first cache */
 
-void taut_cells_init(const taut_surface *surface, taut_cells *cells)
+void taut_scaled_surface_init(const taut_surface *surface, taut_scaled_surface *scaled)
 {
-    cells->basis[0] = taut_surface_u(surface);
-    cells->basis[1] = taut_surface_v(surface);
-    cells->points = taut_surface_points(surface);
-    cells->weights = taut_surface_weights(surface);
-    cells->dim = cells->weights != NULL ? 4 : 3;
+    scaled->basis[0] = taut_surface_u(surface);
+    scaled->basis[1] = taut_surface_v(surface);
+    scaled->points = taut_surface_points(surface);
+    scaled->weights = taut_surface_weights(surface);
+    scaled->dim = scaled->weights != NULL ? 4 : 3;
     for (int d = 0; d < 2; d++) {
-        const taut_basis *basis = cells->basis[d];
-        cells->local[d] = taut_basis_local(basis);
-        cells->shift[d] = taut_range_exponent(basis);
+        const taut_basis *basis = scaled->basis[d];
+        scaled->local[d] = taut_basis_local(basis);
+        scaled->shift[d] = taut_range_exponent(basis);
     }
-    cells->scale = taut_exponent(taut_half_size(taut_point_count(surface), cells->points)) + 1;
+    scaled->scale = taut_exponent(taut_half_size(taut_point_count(surface), scaled->points)) + 1;
 }
 
-void taut_nodes_fill(const taut_cells *cells, int direction, int span, double lo, double hi,
-                     int order, int count, const double *rule_nodes, const double *rule_weights,
-                     taut_nodes *nodes)
+void taut_nodes_fill(const taut_scaled_surface *scaled, int direction, int span, double lo,
+                     double hi, int order, int count, const double *rule_nodes,
+                     const double *rule_weights, taut_nodes *nodes)
 {
-    const taut_basis *basis = cells->basis[direction];
-    const int local = cells->local[direction], shift = cells->shift[direction];
+    const taut_basis *basis = scaled->basis[direction];
+    const int local = scaled->local[direction], shift = scaled->shift[direction];
     const double half = (hi - lo) / 2;
 
     nodes->count = count;
@@ -56,71 +57,63 @@ void taut_nodes_fill(const taut_cells *cells, int direction, int span, double lo
     }
 }
 
-int taut_cell_work_init(const taut_cells *cells, int row, taut_cell_work *work)
+void taut_cell_work_init(const taut_scaled_surface *scaled, int row, taut_arena *arena,
+                         taut_cell_work *work)
 {
-    const size_t line = (size_t)cells->local[1] * (size_t)cells->dim;
+    const size_t line = (size_t)scaled->local[1] * (size_t)scaled->dim;
+    const int stride = row > BATCH ? row : BATCH;
+    double *kept = taut_arena_take(arena, TAUT_KEPT_MAX * TAUT_NODES_KEPT, sizeof(double));
 
-    memset(work, 0, sizeof *work);
-    work->stride = row > BATCH ? row : BATCH;
-    work->net = taut_alloc_aligned((size_t)cells->local[0] * line, sizeof(double));
-    work->polygons = taut_alloc_aligned(3 * line, sizeof(double));
-    work->field = taut_alloc_aligned(24 * (size_t)work->stride, sizeof(double));
-    work->out = taut_alloc_aligned(TAUT_FIELDS_MAX * (size_t)work->stride, sizeof(double));
-    work->kept[0] = taut_alloc_aligned(TAUT_KEPT_MAX * TAUT_NODES_KEPT, sizeof(double));
-    for (int k = 1; k < TAUT_KEPT_MAX && work->kept[0] != NULL; k++) {
-        work->kept[k] = work->kept[0] + k * TAUT_NODES_KEPT;
+    *work = (taut_cell_work){
+        .stride = stride,
+        .net = taut_arena_take(arena, (size_t)scaled->local[0] * line, sizeof(double)),
+        .polygons = taut_arena_take(arena, 3 * line, sizeof(double)),
+        .field = taut_arena_take(arena, 24 * (size_t)stride, sizeof(double)),
+        .out = taut_arena_take(arena, TAUT_FIELDS_MAX * (size_t)stride, sizeof(double)),
+    };
+    for (int k = 0; k < TAUT_KEPT_MAX && kept != NULL; k++) {
+        work->kept[k] = kept + k * TAUT_NODES_KEPT;
     }
-    return work->kept[0] != NULL && work->net != NULL && work->polygons != NULL &&
-           work->field != NULL && work->out != NULL;
 }
 
-void taut_cell_work_free(taut_cell_work *work)
+void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell_work *work)
 {
-    taut_free(work->net);
-    taut_free(work->polygons);
-    taut_free(work->field);
-    taut_free(work->out);
-    taut_free(work->kept[0]);
-}
-
-void taut_cell_load(const taut_cells *cells, int su, int sv, taut_cell_work *work)
-{
-    const size_t columns = (size_t)taut_basis_count(cells->basis[1]);
-    const size_t first = (size_t)taut_basis_first(cells->basis[0], su) * columns +
-                         (size_t)taut_basis_first(cells->basis[1], sv);
-    const double *origin = cells->points + 3 * first;
-    const double factor = taut_half_factor(cells->scale);
-    const double unit = cells->dim == 4 ? cells->weights[first] : 1;
+    const size_t columns = (size_t)taut_basis_count(scaled->basis[1]);
+    const size_t first = (size_t)taut_basis_first(scaled->basis[0], su) * columns +
+                         (size_t)taut_basis_first(scaled->basis[1], sv);
+    const double *origin = scaled->points + 3 * first;
+    const double factor = taut_half_factor(scaled->scale);
+    const double unit = scaled->dim == 4 ? scaled->weights[first] : 1;
     double *out = work->net, least = 1, most = 1;
 
     work->size = 0;
-    for (int a = 0; a < cells->local[0]; a++) {
+    for (int a = 0; a < scaled->local[0]; a++) {
         const size_t row = first + (size_t)a * columns;
-        for (int b = 0; b < cells->local[1]; b++) {
-            const double *x = cells->points + 3 * (row + (size_t)b);
-            const double w = cells->dim == 4 ? cells->weights[row + (size_t)b] / unit : 1;
+        for (int b = 0; b < scaled->local[1]; b++) {
+            const double *x = scaled->points + 3 * (row + (size_t)b);
+            const double w = scaled->dim == 4 ? scaled->weights[row + (size_t)b] / unit : 1;
             least = fmin(least, w);
             most = fmax(most, w);
             for (int c = 0; c < 3; c++) {
                 const double value = (x[c] / 2 - origin[c] / 2) * factor;
                 work->size = fmax(work->size, fabs(value));
-                out[c] = cells->dim == 4 ? w * value : value;
+                out[c] = scaled->dim == 4 ? w * value : value;
             }
-            if (cells->dim == 4) {
+            if (scaled->dim == 4) {
                 out[3] = w;
             }
-            out += cells->dim;
+            out += scaled->dim;
         }
     }
     work->size *= most / least;
 }
 
 /* polygons[k][b][c] = sum_a N_a^(k)(u_i) net[a][b][c]. */
-static void contract_u(const taut_cells *cells, const taut_nodes *u, int i, int order,
+static void contract_u(const taut_scaled_surface *scaled, const taut_nodes *u, int i, int order,
                        taut_cell_work *work)
 {
-    const int local = cells->local[0];
-    const int length = cells->local[1] * cells->dim;
+    const int local = scaled->local[0];
+    const int length = scaled->local[1] * scaled->dim;
     for (int k = 0; k <= order; k++) {
         const double *n = u->values + ((size_t)i * (size_t)(order + 1) + (size_t)k) * (size_t)local;
         double *polygon = work->polygons + (size_t)k * (size_t)length;
@@ -155,10 +148,10 @@ static inline void contract_row(int dim, int local, const taut_nodes *v, int ste
 }
 
 /* field[k][c][at + j] for all nodes j of v; without weights the position is not wanted. */
-static void contract_v(const taut_cells *cells, const taut_nodes *v, int order, int at,
+static void contract_v(const taut_scaled_surface *scaled, const taut_nodes *v, int order, int at,
                        taut_cell_work *work)
 {
-    const int local = cells->local[1], dim = cells->dim, step = (order + 1) * local;
+    const int local = scaled->local[1], dim = scaled->dim, step = (order + 1) * local;
     const size_t stride = (size_t)work->stride;
     const int vectors = TAUT_SURFACE_VECTORS(order);
     for (int k = dim == 4 ? 0 : 1; k < vectors; k++) {
@@ -174,27 +167,17 @@ static void contract_v(const taut_cells *cells, const taut_nodes *v, int order, 
 }
 
 /* The quotient rule of net.h over a batch, in place: field[k][4] becomes field[k][3]. */
-static void project(int order, int count, int stride, double *field)
+static void project_batch(int order, int count, int stride, double *field)
 {
     const int vectors = TAUT_SURFACE_VECTORS(order);
     for (int j = 0; j < count; j++) {
-        double h[6][4], x[6][3] = {{0}};
+        double h[6 * 4], x[6 * 3];
         for (int k = 0; k < 4 * vectors; k++) {
-            h[k / 4][k % 4] = field[k * stride + j];
+            h[k] = field[k * stride + j];
         }
-        for (int c = 0; c < 3; c++) {
-            const double w = h[0][3];
-            x[0][c] = h[0][c] / w;
-            x[1][c] = (h[1][c] - h[1][3] * x[0][c]) / w;
-            x[2][c] = (h[2][c] - h[2][3] * x[0][c]) / w;
-            if (order == 2) {
-                x[3][c] = (h[3][c] - 2 * h[1][3] * x[1][c] - h[3][3] * x[0][c]) / w;
-                x[4][c] = (h[4][c] - h[1][3] * x[2][c] - h[2][3] * x[1][c] - h[4][3] * x[0][c]) / w;
-                x[5][c] = (h[5][c] - 2 * h[2][3] * x[2][c] - h[5][3] * x[0][c]) / w;
-            }
-        }
+        taut_net_project(order, h, x);
         for (int k = 0; k < 3 * vectors; k++) {
-            field[k * stride + j] = x[k / 3][k % 3];
+            field[k * stride + j] = x[k];
         }
     }
 }
@@ -210,25 +193,26 @@ static taut_bounds bounds_of(const taut_nodes *u, const taut_nodes *v, int order
 }
 
 /* The fields at the nodes of rows first .. first + rows - 1, one after the other. */
-static void evaluate(const taut_cells *cells, const taut_nodes *u, int first, int rows,
-                     const taut_nodes *v, int order, taut_fields *fields, taut_cell_work *work)
+static void evaluate_rows(const taut_scaled_surface *scaled, const taut_nodes *u, int first,
+                          int rows, const taut_nodes *v, int order, taut_fields *fields,
+                          taut_cell_work *work)
 {
     const taut_bounds bounds = bounds_of(u, v, order, work);
-    const double ratio = ldexp(1, cells->shift[1] - cells->shift[0]);
+    const double ratio = ldexp(1, scaled->shift[1] - scaled->shift[0]);
     for (int r = 0; r < rows; r++) {
-        contract_u(cells, u, first + r, order, work);
-        contract_v(cells, v, order, r * v->count, work);
+        contract_u(scaled, u, first + r, order, work);
+        contract_v(scaled, v, order, r * v->count, work);
     }
-    if (cells->dim == 4) {
-        project(order, rows * v->count, work->stride, work->field);
+    if (scaled->dim == 4) {
+        project_batch(order, rows * v->count, work->stride, work->field);
     }
     fields(rows * v->count, work->stride, work->field, &bounds, ratio, work->out);
 }
 
-void taut_cell_row(const taut_cells *cells, const taut_nodes *u, int i, const taut_nodes *v,
-                   int order, taut_fields *fields, taut_cell_work *work)
+void taut_cell_row(const taut_scaled_surface *scaled, const taut_nodes *u, int i,
+                   const taut_nodes *v, int order, taut_fields *fields, taut_cell_work *work)
 {
-    evaluate(cells, u, i, 1, v, order, fields, work);
+    evaluate_rows(scaled, u, i, 1, v, order, fields, work);
 }
 
 /* Adds the fields of one batch, `rows` lines of nodes from `first`. */
@@ -255,8 +239,8 @@ static void keep_batch(int first_field, int kept, int from, int count, const tau
     }
 }
 
-void taut_cell_sum(const taut_cells *cells, const taut_nodes *u, const taut_nodes *v, int order,
-                   taut_fields *fields, int field_count, int kept, taut_cell_work *work,
+void taut_cell_sum(const taut_scaled_surface *scaled, const taut_nodes *u, const taut_nodes *v,
+                   int order, taut_fields *fields, int field_count, int kept, taut_cell_work *work,
                    double *sums)
 {
     const int batch = work->stride / v->count;
@@ -264,7 +248,7 @@ void taut_cell_sum(const taut_cells *cells, const taut_nodes *u, const taut_node
     memset(sums, 0, (size_t)field_count * sizeof(double));
     for (int i = 0; i < u->count; i += batch) {
         const int rows = u->count - i < batch ? u->count - i : batch;
-        evaluate(cells, u, i, rows, v, order, fields, work);
+        evaluate_rows(scaled, u, i, rows, v, order, fields, work);
         add_batch(u, i, rows, v, field_count, work, sums);
         if (u->count * v->count <= TAUT_NODES_KEPT) {
             keep_batch(field_count, kept, i * v->count, rows * v->count, work);

@@ -5,7 +5,7 @@
  * ([WuWang2011] sections 2.3, 2.6; [NiWang2015] section 8.7). B is the sum over the spans: a crease
  * (a knot where x_u jumps) adds nothing.
  *
- * Fields are integrated with points and parameters scaled to size 1 (cell.h): a field of dimension
+ * Fields are integrated with points and parameters scaled to size 1 (integrate.h): a field of dimension
  * length^l u^-i v^-j is brought back by 2^(l scale + (1-i) shift_u + (1-j) shift_v).
  */
 #include "measure/integrate/integrals.h"
@@ -18,12 +18,12 @@
 /* Tolerances. A derivative is good to a few roundings of its bound b, so W to 1e-15 b_u b_v; a
  * square s^2 whose root has the error d to 2 s d + d^2 <= t s^2 + (1 + 1/t) d^2 for any t: with d =
  * 1e-15 b and t = 1e-12, to 1e-18 b^2; |H| W like W, with the second derivatives' bounds. */
-static const taut_target area_target[] = {{1e-11, 1e-15}};
-static const taut_target square_targets[] = {{1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18}};
-static const taut_target all_targets[] = {{1e-11, 1e-15}, {1e-11, 1e-18}, {1e-11, 1e-18},
-                                          {1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18},
-                                          {1e-11, 1e-18}, {2e-7, 1e-12}};
-static const taut_target mean_targets[] = {{1e-11, 1e-15}, {2e-7, 1e-12}};
+static const taut_goal area_goals[] = {{1e-11, 1e-15}};
+static const taut_goal square_goals[] = {{1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18}};
+static const taut_goal all_goals[] = {{1e-11, 1e-15}, {1e-11, 1e-18}, {1e-11, 1e-18},
+                                      {1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18},
+                                      {1e-11, 1e-18}, {2e-7, 1e-12}};
+static const taut_goal mean_goals[] = {{1e-11, 1e-15}, {2e-7, 1e-12}};
 
 /* The vectors at node j of a batch. */
 #define AT(k, c) (x[(3 * (k) + (c)) * stride + j])
@@ -188,96 +188,98 @@ static int is_polynomial(const taut_surface *surface)
 
 taut_status taut_surface_area(const taut_surface *surface, double *area, double *error_estimate)
 {
-    const taut_integrand integrand = {area_fields, 1, 1, 0, area_target, 1};
+    const taut_integrand integrand = {area_fields, 1, 1, 0, area_goals, 1};
     taut_integrals in;
-    taut_status status = TAUT_BAD_ARGUMENT;
 
-    if (surface != NULL && area != NULL) {
-        status = taut_integrate(surface, &integrand, 1, &in);
+    if (surface == NULL || area == NULL) {
+        return TAUT_BAD_ARGUMENT;
     }
-    if (status == TAUT_OK) {
-        *area = area_of(&in, in.value[0]);
-        if (error_estimate != NULL) {
-            *error_estimate = area_error_of(&in);
-        }
+    const taut_status status = taut_integrate(surface, &integrand, 1, &in);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    *area = area_of(&in, in.value[0]);
+    if (error_estimate != NULL) {
+        *error_estimate = area_error_of(&in);
+    }
+    return TAUT_OK;
+}
+
+/* One number out of the integrals of some fields. */
+static taut_status integrate_to(const taut_surface *surface, const taut_integrand *integrand,
+                                double (*to_figure)(const taut_integrals *, const double *),
+                                double *figure)
+{
+    taut_integrals in;
+    const taut_status status = taut_integrate(surface, integrand, 1, &in);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    *figure = to_figure(&in, in.value);
+    return TAUT_OK;
 }
 
 taut_status taut_surface_dirichlet_energy(const taut_surface *surface, double *energy)
 {
-    taut_integrand integrand = {stretch_fields, 2, 1, 0, square_targets, 0};
-    taut_integrals in;
-    taut_status status = TAUT_BAD_ARGUMENT;
-
-    if (surface != NULL && energy != NULL) {
-        integrand.exact = is_polynomial(surface);
-        status = taut_integrate(surface, &integrand, 1, &in);
+    if (surface == NULL || energy == NULL) {
+        return TAUT_BAD_ARGUMENT;
     }
-    if (status == TAUT_OK) {
-        *energy = dirichlet_of(&in, in.value);
-    }
-    return status;
+    const taut_integrand integrand = {stretch_fields, 2, 1, is_polynomial(surface),
+                                      square_goals,   0};
+    return integrate_to(surface, &integrand, dirichlet_of, energy);
 }
 
 taut_status taut_surface_bending_energy(const taut_surface *surface, double *energy)
 {
-    taut_integrand integrand = {bending_fields, 3, 2, 0, square_targets, 0};
-    taut_integrals in;
-    taut_status status = TAUT_BAD_ARGUMENT;
-
-    if (surface != NULL && energy != NULL) {
-        integrand.exact = is_polynomial(surface);
-        status = taut_integrate(surface, &integrand, 1, &in);
+    if (surface == NULL || energy == NULL) {
+        return TAUT_BAD_ARGUMENT;
     }
-    if (status == TAUT_OK) {
-        *energy = bending_of(&in, in.value);
-    }
-    return status;
+    const taut_integrand integrand = {bending_fields, 3, 2, is_polynomial(surface),
+                                      square_goals,   0};
+    return integrate_to(surface, &integrand, bending_of, energy);
 }
 
 taut_status taut_surface_isothermality(const taut_surface *surface, double *isothermality)
 {
-    const taut_integrand integrand = {isothermality_fields, 3, 1, 0, square_targets, 0};
-    taut_integrals in;
-    taut_status status = TAUT_BAD_ARGUMENT;
-
-    if (surface != NULL && isothermality != NULL) {
-        status = taut_integrate(surface, &integrand, 1, &in);
+    const taut_integrand integrand = {isothermality_fields, 3, 1, 0, square_goals, 0};
+    if (surface == NULL || isothermality == NULL) {
+        return TAUT_BAD_ARGUMENT;
     }
-    if (status == TAUT_OK) {
-        *isothermality = isothermality_of(&in, in.value);
-    }
-    return status;
+    return integrate_to(surface, &integrand, isothermality_of, isothermality);
 }
 
-taut_status taut_figures_of(const taut_surface *surface, int threads, taut_figures *figures)
+taut_status taut_surface_integrals_of(const taut_surface *surface, int threads,
+                                      taut_surface_integrals *integrals)
 {
-    const taut_integrand integrand = {all_fields, 8, 2, 0, all_targets, 2};
+    const taut_integrand integrand = {all_fields, 8, 2, 0, all_goals, 2};
     taut_integrals in;
     const taut_status status = taut_integrate(surface, &integrand, threads, &in);
 
-    if (status == TAUT_OK) {
-        figures->area = area_of(&in, in.value[0]);
-        figures->area_error = area_error_of(&in);
-        figures->isothermality = isothermality_of(&in, in.value + 2);
-        figures->dirichlet = dirichlet_of(&in, in.value + 4);
-        figures->bending = bending_of(&in, in.value + 8);
-        figures->mean_abs = mean_of(&in, 14);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    *integrals = (taut_surface_integrals){
+        .area = area_of(&in, in.value[0]),
+        .area_error = area_error_of(&in),
+        .isothermality = isothermality_of(&in, in.value + 2),
+        .dirichlet = dirichlet_of(&in, in.value + 4),
+        .bending = bending_of(&in, in.value + 8),
+        .mean_abs = mean_of(&in, 14),
+    };
+    return TAUT_OK;
 }
 
 taut_status taut_surface_mean(const taut_surface *surface, int threads, double *area,
                               double *mean_abs)
 {
-    const taut_integrand integrand = {bent_fields, 2, 2, 0, mean_targets, 2};
+    const taut_integrand integrand = {bent_fields, 2, 2, 0, mean_goals, 2};
     taut_integrals in;
     const taut_status status = taut_integrate(surface, &integrand, threads, &in);
 
-    if (status == TAUT_OK) {
-        *area = area_of(&in, in.value[0]);
-        *mean_abs = mean_of(&in, 2);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    *area = area_of(&in, in.value[0]);
+    *mean_abs = mean_of(&in, 2);
+    return TAUT_OK;
 }

@@ -1,13 +1,28 @@
-/* integrate.c -- setting up, and the first pass over all cells. */
+/* integrate.c -- an adaptive integral over a surface: a first pass over all cells, then rounds over
+ * those that resist, which are cut in four.
+ *
+ * A round tries every active cell; those whose error is within an equal share of what the goal
+ * leaves are taken, the others quartered. At a corner where the normal vanishes one cell a round is
+ * left; along a kink their number doubles while the error of each falls eightfold.
+ */
 #include "measure/integrate/job.h"
 
 #include "core/memory.h"
 #include "measure/integrate/near_zero.h"
-#include "measure/integrate/parallel.h"
+#include "platform/parallel.h"
 
+#include <math.h>
 #include <string.h>
 
-void taut_job_gather(const taut_job *job, taut_sum *value, taut_sum *error, double *pending)
+enum {
+    SHARE = 8,           /* cells per task */
+    ROUNDS_MAX = 40,     /* a corner's share is then below 2^-80 of its cell */
+    ACTIVE_MAX = 1 << 18 /* cells in one round, over four times those of the first: then errors are
+                            taken as they are */
+};
+
+/* Adds up the shares in their order; *pending is replaced. */
+static void gather_shares(const taut_job *job, taut_sum *value, taut_sum *error, double *pending)
 {
     for (int f = 0; f < 2 * job->integrand->count; f++) {
         pending[f] = 0;
@@ -20,70 +35,71 @@ void taut_job_gather(const taut_job *job, taut_sum *value, taut_sum *error, doub
     }
 }
 
-static void fill_block(taut_job *job, taut_bench *bench, int direction, int from, int to)
+static void fill_block(taut_job *job, taut_worker *worker, int direction, int from, int to)
 {
-    const taut_panels *p = job->panels[direction];
+    const taut_cells *p = job->cells[direction];
     const int levels = job->integrand->exact ? 1 : 2;
     for (int level = 0; level < levels; level++) {
         for (int s = from; s < to; s++) {
-            taut_rule_fill(&job->rules.at[TAUT_WHOLE][direction][level], &job->cells, direction,
+            taut_rule_fill(&job->rules.at[TAUT_WHOLE][direction][level], &job->scaled, direction,
                            p->span[s], p->lo[s], p->hi[s], job->integrand->order,
-                           &bench->block[direction][level][s - from]);
+                           &worker->block[direction][level][s - from]);
         }
     }
 }
 
-taut_rectangle taut_job_cell(const taut_job *job, int i, int j)
+/* The cell of interval i of u and j of v. */
+static taut_rectangle cell_at(const taut_job *job, int i, int j)
 {
-    const taut_panels *u = job->panels[0], *v = job->panels[1];
+    const taut_cells *u = job->cells[0], *v = job->cells[1];
     return (taut_rectangle){{u->span[i], v->span[j]}, {u->lo[i], v->lo[j]}, {u->hi[i], v->hi[j]}};
 }
 
-/* The cell of panels i, j, the a-th and b-th of the block. */
-static void first_cell(taut_job *job, taut_bench *bench, int i, int j, int a, int b,
-                       taut_share *share)
+/* The cell of intervals i, j, the a-th and b-th of the block. */
+static void first_cell(taut_job *job, taut_worker *worker, int i, int j, int a, int b,
+                       taut_task_result *share)
 {
-    const taut_rectangle r = taut_job_cell(job, i, j);
+    const taut_rectangle r = cell_at(job, i, j);
     const int exact = job->integrand->exact;
-    const taut_nodes *first[2] = {&bench->block[0][0][a], &bench->block[1][0][b]};
-    const taut_nodes *second[2] = {exact ? NULL : &bench->block[0][1][a],
-                                   exact ? NULL : &bench->block[1][1][b]};
+    const taut_nodes *first[2] = {&worker->block[0][0][a], &worker->block[1][0][b]};
+    const taut_nodes *second[2] = {exact ? NULL : &worker->block[0][1][a],
+                                   exact ? NULL : &worker->block[1][1][b]};
     double value[TAUT_FIELDS_MAX], error[TAUT_FIELDS_MAX];
 
-    taut_cell_load(&job->cells, r.span[0], r.span[1], &bench->cell);
-    const int good = taut_cell_try(job, bench, TAUT_WHOLE, &r, first, second, NULL, value, error);
-    taut_share_take(share, good, 2 * job->integrand->count, value, error);
-    job->hard[(size_t)i * (size_t)job->panels[1]->count + (size_t)j] = !good;
+    taut_cell_load(&job->scaled, r.span[0], r.span[1], &worker->cell);
+    const int good = taut_cell_try(job, worker, TAUT_WHOLE, &r, first, second, NULL, value, error);
+    taut_task_result_add(share, good, 2 * job->integrand->count, value, error);
+    job->hard[(size_t)i * (size_t)job->cells[1]->count + (size_t)j] = !good;
 }
 
-static void first_task(void *context, int worker, long task)
+static void first_task(void *context, int index, long task)
 {
     taut_job *job = context;
-    taut_bench *bench = &job->benches[worker];
-    taut_share *share = &job->shares[task];
+    taut_worker *worker = &job->workers[index];
+    taut_task_result *share = &job->shares[task];
     int from[2], to[2];
 
     memset(share, 0, sizeof *share);
     from[0] = (int)(task / job->blocks[1]) * job->side;
     from[1] = (int)(task % job->blocks[1]) * job->side;
     for (int d = 0; d < 2; d++) {
-        const int count = job->panels[d]->count;
+        const int count = job->cells[d]->count;
         to[d] = count - from[d] < job->side ? count : from[d] + job->side;
-        fill_block(job, bench, d, from[d], to[d]);
+        fill_block(job, worker, d, from[d], to[d]);
     }
     for (int i = from[0]; i < to[0]; i++) {
         for (int j = from[1]; j < to[1]; j++) {
-            first_cell(job, bench, i, j, i - from[0], j - from[1], share);
+            first_cell(job, worker, i, j, i - from[0], j - from[1], share);
         }
     }
 }
 
 /* Nodes for `count` points take their memory from *at, or only say how much (at NULL). */
-static size_t nodes_place(const taut_job *job, int direction, int count, taut_nodes *nodes,
+static size_t place_nodes(const taut_job *job, int direction, int count, taut_nodes *nodes,
                           double **at)
 {
     const size_t values =
-        (size_t)count * ((size_t)job->integrand->order + 1) * (size_t)job->cells.local[direction];
+        (size_t)count * ((size_t)job->integrand->order + 1) * (size_t)job->scaled.local[direction];
     if (*at != NULL) {
         nodes->values = *at;
         nodes->weights = *at + values;
@@ -93,114 +109,225 @@ static size_t nodes_place(const taut_job *job, int direction, int count, taut_no
 }
 
 /* All memory of one worker in one piece: counted first, then dealt out. */
-static size_t bench_place(const taut_job *job, taut_bench *bench, double *at)
+static size_t place_worker(const taut_job *job, taut_worker *worker, double *at)
 {
     const taut_rule *samples = job->rules.samples[TAUT_WHOLE];
     const size_t sample_count = (size_t)samples[0].count * (size_t)samples[1].count;
     size_t total = 3 * sample_count;
 
     for (int k = 0; k < 3 && at != NULL; k++, at += sample_count) {
-        bench->samples[k] = at;
+        worker->samples[k] = at;
     }
     for (int d = 0; d < 2; d++) {
-        total += nodes_place(job, d, job->rules.most[d], &bench->nodes[d], &at);
+        total += place_nodes(job, d, job->rules.most[d], &worker->nodes[d], &at);
         for (int level = 0; level < 2; level++) {
             for (int s = 0; s < job->side; s++) {
-                total += nodes_place(job, d, job->rules.at[TAUT_WHOLE][d][level].count,
-                                     &bench->block[d][level][s], &at);
+                total += place_nodes(job, d, job->rules.at[TAUT_WHOLE][d][level].count,
+                                     &worker->block[d][level][s], &at);
             }
         }
     }
     return total;
 }
 
-static int bench_init(const taut_job *job, taut_bench *bench)
+/* What the first pass needs; the scratch of all workers lies in the arena. */
+static taut_status begin_job(const taut_surface *surface, int threads, taut_job *job)
 {
-    bench->numbers = taut_alloc_aligned(bench_place(job, bench, NULL), sizeof(double));
-    if (bench->numbers == NULL) {
-        return 0;
-    }
-    bench_place(job, bench, bench->numbers);
-    return taut_cell_work_init(&job->cells, job->rules.most[1], &bench->cell);
-}
-
-static taut_status job_init(const taut_surface *surface, int threads, taut_job *job)
-{
-    taut_cells_init(surface, &job->cells);
+    taut_scaled_surface_init(surface, &job->scaled);
     for (int d = 0; d < 2; d++) {
-        if (!taut_near_zero(job->cells.basis[d], &job->moved[d])) {
+        if (!taut_near_zero(job->scaled.basis[d], &job->moved[d])) {
             return TAUT_NO_MEMORY;
         }
-        job->cells.basis[d] = job->moved[d] != NULL ? job->moved[d] : job->cells.basis[d];
+        job->scaled.basis[d] = job->moved[d] != NULL ? job->moved[d] : job->scaled.basis[d];
     }
-    if (!taut_rules_init(&job->rules, &job->cells)) {
+    job->arena = taut_arena_new();
+    if (!taut_rules_init(&job->rules, &job->scaled, job->arena)) {
         return TAUT_NO_MEMORY;
     }
     /* a block's tables fit the second cache */
-    job->side = 256 / (job->cells.local[0] * job->cells.local[1]);
+    job->side = 256 / (job->scaled.local[0] * job->scaled.local[1]);
     job->side = job->side > TAUT_BLOCK ? TAUT_BLOCK : job->side < 1 ? 1 : job->side;
     for (int d = 0; d < 2; d++) {
-        if (taut_panels_new(job->cells.basis[d], 1, NULL, 1, 0, &job->panels[d]) != TAUT_OK) {
+        if (taut_cells_new(job->scaled.basis[d], 1, NULL, 1, 0, &job->cells[d]) != TAUT_OK) {
             return TAUT_NO_MEMORY;
         }
-        job->blocks[d] = (job->panels[d]->count + job->side - 1) / job->side;
+        job->blocks[d] = (job->cells[d]->count + job->side - 1) / job->side;
     }
     job->share_count = (long)job->blocks[0] * job->blocks[1];
     job->worker_count = taut_parallel_workers(threads, 1L << 30);
-    job->benches = taut_alloc_zero((size_t)job->worker_count, sizeof *job->benches);
+    job->workers = taut_arena_take(job->arena, (size_t)job->worker_count, sizeof *job->workers);
+    job->hard =
+        taut_arena_take(job->arena, (size_t)job->cells[0]->count * (size_t)job->cells[1]->count, 1);
     job->shares = taut_alloc((size_t)job->share_count, sizeof *job->shares);
-    job->hard = taut_alloc_zero((size_t)job->panels[0]->count * (size_t)job->panels[1]->count, 1);
-    if (job->benches == NULL || job->shares == NULL || job->hard == NULL) {
+    for (int w = 0; job->workers != NULL && w < job->worker_count; w++) {
+        taut_worker *worker = &job->workers[w];
+        double *numbers =
+            taut_arena_take(job->arena, place_worker(job, worker, NULL), sizeof(double));
+        place_worker(job, worker, numbers);
+        taut_cell_work_init(&job->scaled, job->rules.most[1], job->arena, &worker->cell);
+    }
+    return job->shares != NULL ? taut_arena_status(job->arena) : TAUT_NO_MEMORY;
+}
+
+static void clear_job(taut_job *job)
+{
+    for (int d = 0; d < 2; d++) {
+        taut_cells_free(job->cells[d]);
+        taut_basis_free(job->moved[d]);
+    }
+    taut_free(job->shares);
+    taut_free(job->active);
+    taut_free(job->split);
+    taut_arena_free(job->arena);
+}
+
+static void round_task(void *context, int index, long task)
+{
+    taut_job *job = context;
+    taut_worker *worker = &job->workers[index];
+    taut_task_result *share = &job->shares[task];
+    const long from = task * SHARE;
+    const long to = job->active_count - from < SHARE ? job->active_count : from + SHARE;
+    double value[TAUT_FIELDS_MAX], error[TAUT_FIELDS_MAX];
+
+    memset(share, 0, sizeof *share);
+    for (long i = from; i < to; i++) {
+        const taut_rectangle *r = &job->active[i];
+        const taut_nodes *first[2], *second[2];
+        for (int d = 0; d < 2; d++) {
+            for (int level = 0; level < 2; level++) {
+                taut_rule_fill(&job->rules.at[TAUT_PART][d][level], &job->scaled, d, r->span[d],
+                               r->lo[d], r->hi[d], job->integrand->order,
+                               &worker->block[d][level][0]);
+            }
+            first[d] = &worker->block[d][0][0];
+            second[d] = &worker->block[d][1][0];
+        }
+        taut_cell_load(&job->scaled, r->span[0], r->span[1], &worker->cell);
+        job->split[i] =
+            !taut_cell_try(job, worker, TAUT_PART, r, first, second, job->allowed, value, error) &&
+            !job->last;
+        taut_task_result_add(share, !job->split[i], 2 * job->integrand->count, value, error);
+    }
+}
+
+/* The cells that the first pass left, in order. */
+static taut_status collect_hard(taut_job *job)
+{
+    const size_t columns = (size_t)job->cells[1]->count;
+    const size_t cells = (size_t)job->cells[0]->count * columns;
+    long count = 0;
+
+    for (size_t i = 0; i < cells; i++) {
+        count += job->hard[i];
+    }
+    job->active = taut_alloc((size_t)count, sizeof *job->active);
+    if (job->active == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (int w = 0; w < job->worker_count; w++) {
-        if (!bench_init(job, &job->benches[w])) {
-            return TAUT_NO_MEMORY;
+    for (size_t i = 0; i < cells; i++) {
+        if (job->hard[i]) {
+            job->active[job->active_count++] = cell_at(job, (int)(i / columns), (int)(i % columns));
         }
     }
     return TAUT_OK;
 }
 
-static void job_free(taut_job *job)
+/* Each rectangle marked becomes its four quarters. */
+static taut_status quarter_cells(taut_job *job)
 {
-    for (int w = 0; job->benches != NULL && w < job->worker_count; w++) {
-        taut_cell_work_free(&job->benches[w].cell);
-        taut_free(job->benches[w].numbers);
+    long count = 0, made = 0;
+    taut_rectangle *next = NULL;
+    for (long i = 0; i < job->active_count; i++) {
+        count += 4 * job->split[i];
     }
-    for (int d = 0; d < 2; d++) {
-        taut_panels_free(job->panels[d]);
-        taut_basis_free(job->moved[d]);
+    next = taut_alloc((size_t)count, sizeof *next);
+    if (next == NULL) {
+        return TAUT_NO_MEMORY;
     }
-    taut_free(job->benches);
-    taut_free(job->shares);
-    taut_free(job->hard);
+    for (long i = 0; i < job->active_count; i++) {
+        for (int q = 0; q < 4 && job->split[i]; q++) {
+            taut_rectangle quarter = job->active[i];
+            for (int d = 0; d < 2; d++) {
+                const double middle = quarter.lo[d] + (quarter.hi[d] - quarter.lo[d]) / 2;
+                double *end = (q >> d & 1) != 0 ? &quarter.lo[d] : &quarter.hi[d];
+                *end = middle;
+            }
+            next[made++] = quarter;
+        }
+    }
     taut_free(job->active);
-    taut_free(job->split);
-    taut_rules_free(&job->rules);
+    job->active = next;
+    job->active_count = made;
+    return TAUT_OK;
+}
+
+/* What a cell of this round may keep: an equal part of a sixteenth of the goal, as other rounds
+ * take theirs too. */
+static void allow_errors(taut_job *job, const taut_sum *value, const double *pending)
+{
+    for (int f = 0; f < 2 * job->integrand->count; f += 2) {
+        const taut_goal *goal = &job->integrand->goals[f / 2];
+        const double size = fabs(taut_sum_total(&value[f]) + pending[f]);
+        const double noise = fabs(taut_sum_total(&value[f + 1]) + pending[f + 1]);
+        job->allowed[f] =
+            (goal->relative * size + goal->floor * noise) / (16 * (double)job->active_count);
+    }
+}
+
+/* The rounds over the cells marked hard. TAUT_NO_MEMORY. */
+static taut_status run_rounds(taut_job *job, taut_sum *value, taut_sum *error, double *pending)
+{
+    taut_status status = collect_hard(job);
+    const long most = ACTIVE_MAX + 4 * job->active_count;
+
+    for (int round = 0; status == TAUT_OK && job->active_count > 0; round++) {
+        job->last = round + 1 >= ROUNDS_MAX || job->active_count > most;
+        job->share_count = (job->active_count + SHARE - 1) / SHARE;
+        taut_free(job->shares);
+        taut_free(job->split);
+        job->shares = taut_alloc((size_t)job->share_count, sizeof *job->shares);
+        job->split = taut_alloc((size_t)job->active_count, 1);
+        if (job->shares == NULL || job->split == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+        allow_errors(job, value, pending);
+        taut_parallel_run(job->worker_count, job->share_count, round_task, job);
+        gather_shares(job, value, error, pending);
+        status = quarter_cells(job);
+    }
+    return status;
+}
+
+static taut_status run_job(const taut_surface *surface, int threads, taut_job *job,
+                           taut_integrals *integrals)
+{
+    taut_sum value[TAUT_FIELDS_MAX] = {{0, 0}}, error[TAUT_FIELDS_MAX] = {{0, 0}};
+    double pending[TAUT_FIELDS_MAX];
+
+    if (begin_job(surface, threads, job) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_parallel_run(job->worker_count, job->share_count, first_task, job);
+    gather_shares(job, value, error, pending);
+    if (run_rounds(job, value, error, pending) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int f = 0; f < 2 * job->integrand->count; f++) {
+        integrals->value[f] = taut_sum_total(&value[f]);
+        integrals->error[f] = taut_sum_total(&error[f]);
+    }
+    integrals->scale = job->scaled.scale;
+    integrals->shift[0] = job->scaled.shift[0];
+    integrals->shift[1] = job->scaled.shift[1];
+    return TAUT_OK;
 }
 
 taut_status taut_integrate(const taut_surface *surface, const taut_integrand *integrand,
                            int threads, taut_integrals *integrals)
 {
-    taut_sum value[TAUT_FIELDS_MAX] = {{0, 0}}, error[TAUT_FIELDS_MAX] = {{0, 0}};
-    double pending[TAUT_FIELDS_MAX];
     taut_job job = {.integrand = integrand};
-    taut_status status = job_init(surface, threads, &job);
-
-    if (status == TAUT_OK) {
-        taut_parallel_run(job.worker_count, job.share_count, first_task, &job);
-        taut_job_gather(&job, value, error, pending);
-        status = taut_job_rounds(&job, value, error, pending);
-    }
-    if (status == TAUT_OK) {
-        for (int f = 0; f < 2 * integrand->count; f++) {
-            integrals->value[f] = taut_sum_total(&value[f]);
-            integrals->error[f] = taut_sum_total(&error[f]);
-        }
-        integrals->scale = job.cells.scale;
-        integrals->shift[0] = job.cells.shift[0];
-        integrals->shift[1] = job.cells.shift[1];
-    }
-    job_free(&job);
+    const taut_status status = run_job(surface, threads, &job, integrals);
+    clear_job(&job);
     return status;
 }

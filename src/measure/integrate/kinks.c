@@ -23,13 +23,13 @@ static const double fine[2] = {2e-13, 1e-7};
 
 static double area_of(const taut_job *job, const taut_rectangle *r)
 {
-    return ldexp(r->hi[0] - r->lo[0], -job->cells.shift[0]) *
-           ldexp(r->hi[1] - r->lo[1], -job->cells.shift[1]);
+    return ldexp(r->hi[0] - r->lo[0], -job->scaled.shift[0]) *
+           ldexp(r->hi[1] - r->lo[1], -job->scaled.shift[1]);
 }
 
 /* n[0] becomes the component of the vectors n along the largest one; returns that one's size. The
  * smallest size goes to *least, the largest part across that line to *across. */
-static double project(double *const n[3], int count, double *least, double *across)
+static double project_on_line(double *const n[3], int count, double *least, double *across)
 {
     double largest = 0, unit[3] = {0, 0, 1};
     *least = INFINITY;
@@ -65,8 +65,8 @@ static int comes_near_zero(const double *f, int count)
 }
 
 /* Takes f into the fits of argument k. */
-static void take(const taut_job *job, int ladder, int level, const double *f, int k,
-                 taut_arguments *a)
+static void take_fit(const taut_job *job, int ladder, int level, const double *f, int k,
+                     taut_arguments *a)
 {
     const taut_rule *u = &job->rules.at[ladder][0][level], *v = &job->rules.at[ladder][1][level];
     a->near[k] = u->count <= TAUT_FIT_MAX && v->count <= TAUT_FIT_MAX;
@@ -75,14 +75,14 @@ static void take(const taut_job *job, int ladder, int level, const double *f, in
     }
 }
 
-void taut_arguments_take(const taut_job *job, const taut_bench *bench, int ladder, int level,
+void taut_arguments_take(const taut_job *job, const taut_worker *worker, int ladder, int level,
                          const taut_rectangle *r, taut_arguments *a, const double *value,
                          double *error)
 {
     const taut_integrand *in = job->integrand;
     const int count = job->rules.at[ladder][0][level].count * job->rules.at[ladder][1][level].count;
     const int field[2] = {0, 2 * in->count - 2};
-    double *const *kept = bench->cell.kept;
+    double *const *kept = worker->cell.kept;
     double least = 0, across = 0, largest = 0;
 
     for (int k = 0; k < 2; k++) {
@@ -96,13 +96,13 @@ void taut_arguments_take(const taut_job *job, const taut_bench *bench, int ladde
     }
     /* not where |s| is all rounding, as on minimal surfaces */
     if (in->kinks > 1 && comes_near_zero(kept[3], count) &&
-        value[field[1]] > in->targets[in->count - 1].floor * value[field[1] + 1]) {
-        take(job, ladder, level, kept[3], 1, a);
+        value[field[1]] > in->goals[in->count - 1].floor * value[field[1] + 1]) {
+        take_fit(job, ladder, level, kept[3], 1, a);
     }
-    largest = project(kept, count, &least, &across);
+    largest = project_on_line(kept, count, &least, &across);
     if (largest > 0 && !(least > suspicion * largest)) {
         if (across <= 64 * DBL_EPSILON * largest) {
-            take(job, ladder, level, kept[0], 0, a);
+            take_fit(job, ladder, level, kept[0], 0, a);
         }
         a->doubt = !a->near[0];
     }
@@ -126,30 +126,31 @@ void taut_arguments_settle(const taut_job *job, const taut_rectangle *r, const t
     }
 }
 
-/* bench->samples: x_u x x_v. */
-static void sample(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r)
+/* worker->samples: x_u x x_v. */
+static void sample_normals(const taut_job *job, taut_worker *worker, int ladder,
+                           const taut_rectangle *r)
 {
     const taut_integrand *in = job->integrand;
-    const size_t stride = (size_t)bench->cell.stride;
-    taut_nodes *nodes = bench->nodes;
+    const size_t stride = (size_t)worker->cell.stride;
+    taut_nodes *nodes = worker->nodes;
 
     for (int d = 0; d < 2; d++) {
-        taut_rule_fill(&job->rules.samples[ladder][d], &job->cells, d, r->span[d], r->lo[d],
+        taut_rule_fill(&job->rules.samples[ladder][d], &job->scaled, d, r->span[d], r->lo[d],
                        r->hi[d], in->order, &nodes[d]);
     }
     for (int i = 0; i < nodes[0].count; i++) {
-        taut_cell_row(&job->cells, &nodes[0], i, &nodes[1], in->order, in->fields, &bench->cell);
+        taut_cell_row(&job->scaled, &nodes[0], i, &nodes[1], in->order, in->fields, &worker->cell);
         for (int k = 0; k < 3; k++) {
-            const double *out = bench->cell.out + (size_t)(2 * in->count + k) * stride;
+            const double *out = worker->cell.out + (size_t)(2 * in->count + k) * stride;
             for (int j = 0; j < nodes[1].count; j++) {
-                bench->samples[k][i * nodes[1].count + j] = out[j];
+                worker->samples[k][i * nodes[1].count + j] = out[j];
             }
         }
     }
 }
 
 /* An eighth of the second difference at place i of n, `step` apart; 0 at the ends. */
-static double dip(const double *f, int i, int n, int step)
+static double dip_at(const double *f, int i, int n, int step)
 {
     return i > 0 && i < n - 1 ? fabs(f[-step] - 2 * f[0] + f[step]) / 8 : 0;
 }
@@ -158,15 +159,15 @@ static double dip(const double *f, int i, int n, int step)
  * taken: on a collapsed edge f is 0, and its differences along the edge too: no kink, as it must
  * be.
  */
-static double shortfall(const double *f, const int count[2], double noise)
+static double mean_shortfall(const double *f, const int count[2], double noise)
 {
     double sum = 0;
     for (int i = 0; i < count[0]; i++) {
         for (int j = 0; j < count[1]; j++) {
             const double *at = f + (size_t)i * (size_t)count[1] + (size_t)j;
             const int on_u = i == 0 || i == count[0] - 1, on_v = j == 0 || j == count[1] - 1;
-            const double along_u = on_u ? 0 : dip(at, i, count[0], count[1]);
-            const double along_v = on_v ? 0 : dip(at, j, count[1], 1);
+            const double along_u = on_u ? 0 : dip_at(at, i, count[0], count[1]);
+            const double along_v = on_v ? 0 : dip_at(at, j, count[1], 1);
             const double deficit =
                 (on_v || !on_u ? along_u : 0) + (on_u || !on_v ? along_v : 0) - *at;
             sum += deficit > noise ? deficit : 0;
@@ -175,16 +176,17 @@ static double shortfall(const double *f, const int count[2], double noise)
     return sum / ((double)count[0] * count[1]);
 }
 
-void taut_cell_turns(const taut_job *job, taut_bench *bench, int ladder, const taut_rectangle *r,
+void taut_cell_turns(const taut_job *job, taut_worker *worker, int ladder, const taut_rectangle *r,
                      double *error)
 {
     double largest = 0, least = 0, across = 0;
     int count[2];
 
-    sample(job, bench, ladder, r);
-    count[0] = bench->nodes[0].count;
-    count[1] = bench->nodes[1].count;
-    largest = project(bench->samples, count[0] * count[1], &least, &across);
-    error[0] = fmax(error[0], 2 * area_of(job, r) *
-                                  shortfall(bench->samples[0], count, 64 * DBL_EPSILON * largest));
+    sample_normals(job, worker, ladder, r);
+    count[0] = worker->nodes[0].count;
+    count[1] = worker->nodes[1].count;
+    largest = project_on_line(worker->samples, count[0] * count[1], &least, &across);
+    error[0] =
+        fmax(error[0], 2 * area_of(job, r) *
+                           mean_shortfall(worker->samples[0], count, 64 * DBL_EPSILON * largest));
 }

@@ -1,10 +1,11 @@
 #include "measure/integrate/line.h"
 
 #include "basis/basis_ops.h"
-#include "core/memory.h"
-#include "geometry/nurbs/panels.h"
+#include "core/vec3.h"
+#include "geometry/exponent.h"
+#include "geometry/net.h"
+#include "geometry/nurbs/cells.h"
 #include "measure/curvature/place.h"
-#include "measure/curvature/scaling.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
@@ -13,21 +14,21 @@
 #include <string.h>
 
 /* points[k] Euclidean, weights or NULL: fills net, scale and shift. */
-static taut_status fill(const taut_basis *basis, const double *points, const double *weights,
-                        taut_line *line)
+static taut_status scale_net(taut_arena *arena, const taut_basis *basis, const double *points,
+                             const double *weights, taut_line *line)
 {
-    const int count = taut_basis_count(basis);
+    const int count = taut_basis_count(basis), dim = weights != NULL ? 4 : 3;
+    double *net = taut_arena_take(arena, (size_t)count * (size_t)dim, sizeof(double));
 
-    *line = (taut_line){.basis = basis, .dim = weights != NULL ? 4 : 3};
-    line->net = taut_alloc((size_t)count * (size_t)line->dim, sizeof(double));
-    if (line->net == NULL) {
+    *line = (taut_line){.basis = basis, .dim = dim, .net = net};
+    if (net == NULL) {
         return TAUT_NO_MEMORY;
     }
     line->scale = taut_exponent(taut_half_size((size_t)count, points)) + 1;
     line->shift = taut_range_exponent(basis);
     const double factor = taut_half_factor(line->scale);
     for (long k = 0; k < count; k++) {
-        double *out = line->net + k * line->dim;
+        double *out = net + k * dim;
         const double w = weights != NULL ? weights[k] / weights[0] : 1;
         for (int c = 0; c < 3; c++) {
             out[c] = w * ((points[3 * k + c] / 2 - points[c] / 2) * factor);
@@ -39,9 +40,10 @@ static taut_status fill(const taut_basis *basis, const double *points, const dou
     return TAUT_OK;
 }
 
-taut_status taut_line_of_curve(const taut_curve *curve, taut_line *line)
+taut_status taut_line_of_curve(taut_arena *arena, const taut_curve *curve, taut_line *line)
 {
-    return fill(taut_curve_t(curve), taut_curve_points(curve), taut_curve_weights(curve), line);
+    return scale_net(arena, taut_curve_t(curve), taut_curve_points(curve),
+                     taut_curve_weights(curve), line);
 }
 
 /* The control points of an edge: sum_a N_a(end) P[a][j], the functions at the end of their range.
@@ -74,47 +76,27 @@ static void edge_net(const taut_surface *surface, int edge, const double *n, int
     }
 }
 
-taut_status taut_line_of_edge(const taut_surface *surface, int edge, taut_line *line)
+taut_status taut_line_of_edge(taut_arena *arena, const taut_surface *surface, int edge,
+                              taut_line *line)
 {
     const taut_basis *held = edge < 2 ? taut_surface_u(surface) : taut_surface_v(surface);
     const taut_basis *runs = edge < 2 ? taut_surface_v(surface) : taut_surface_u(surface);
     const int span = edge % 2 == 0 ? 0 : taut_basis_span_count(held) - 1;
     const double t = edge % 2 == 0 ? taut_basis_lo(held) : taut_basis_hi(held);
     const size_t count = (size_t)taut_basis_count(runs);
-    const int rational = taut_surface_weights(surface) != NULL;
     double n[TAUT_DEGREE_MAX + 1];
-    double *points = taut_alloc(count, 3 * sizeof(double));
-    double *weights = rational ? taut_alloc(count, sizeof(double)) : NULL;
-    taut_status status = TAUT_NO_MEMORY;
+    double *points = taut_arena_take(arena, count, 3 * sizeof(double));
+    double *weights = NULL;
 
-    if (points != NULL && (!rational || weights != NULL)) {
-        taut_basis_eval(held, span, t, 0, n);
-        edge_net(surface, edge, n, taut_basis_first(held, span), points, weights);
-        status = fill(runs, points, weights, line);
+    if (taut_surface_weights(surface) != NULL) {
+        weights = taut_arena_take(arena, count, sizeof(double));
     }
-    taut_free(points);
-    taut_free(weights);
-    return status;
-}
-
-void taut_line_free(taut_line *line)
-{
-    taut_free(line->net);
-}
-
-/* x^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) x^(k-i)) / w ([PieglTiller1997] eq. 4.8). */
-static void project(int order, double h[4][4], double *d)
-{
-    static const double binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
-    for (int k = 0; k <= order; k++) {
-        for (int c = 0; c < 3; c++) {
-            double sum = h[k][c];
-            for (int i = 1; i <= k; i++) {
-                sum -= binomial[k][i] * h[i][3] * d[3 * (k - i) + c];
-            }
-            d[3 * k + c] = sum / h[0][3];
-        }
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
+    taut_basis_eval(held, span, t, 0, n);
+    edge_net(surface, edge, n, taut_basis_first(held, span), points, weights);
+    return scale_net(arena, runs, points, weights, line);
 }
 
 /* The derivatives of the functions sum to 0: taken of differences from the first point alive. */
@@ -148,7 +130,7 @@ void taut_line_eval(const taut_line *line, int span, double t, double rest, int 
         }
     }
     if (line->dim == 4) {
-        project(order, h, d);
+        taut_net_project_curve(order, h, d);
     } else {
         for (int k = 0; k <= order; k++) {
             memcpy(d + 3 * k, h[k], 3 * sizeof(double));
@@ -173,23 +155,23 @@ static double speed_integral(const taut_line *line, int span, double lo, double 
         double rest = 0;
         const double t = taut_node_place(lo, hi, r->nodes[i], &rest);
         taut_line_eval(line, span, t, rest, 1, d, NULL);
-        sum += r->weights[i] * sqrt(d[3] * d[3] + d[4] * d[4] + d[5] * d[5]);
+        sum += r->weights[i] * sqrt(taut_dot(d + 3, d + 3));
     }
     return sum * ldexp(half, -line->shift);
 }
 
-/* int |x'| over one panel: two rules until they agree, else halves. Where x' = 0 one piece a level
+/* int |x'| over one cell: two rules until they agree, else halves. Where x' = 0 one piece a level
  * is left, whose share falls fourfold. `floor` is what may be neglected. */
-static double panel_length(const taut_line *line, const taut_panels *panels, int k,
-                           const rule rules[2], double floor)
+static double cell_length(const taut_line *line, const taut_cells *cells, int k,
+                          const rule rules[2], double floor)
 {
-    const int span = panels->span[k];
+    const int span = cells->span[k];
     double lo[DEPTH_MAX + 1], hi[DEPTH_MAX + 1];
     taut_sum sum = {0, 0};
     int depth = 0;
 
-    lo[0] = panels->lo[k];
-    hi[0] = panels->hi[k];
+    lo[0] = cells->lo[k];
+    hi[0] = cells->hi[k];
     while (depth >= 0) {
         const double a = speed_integral(line, span, lo[depth], hi[depth], &rules[0]);
         const double b = speed_integral(line, span, lo[depth], hi[depth], &rules[1]);
@@ -210,11 +192,11 @@ static double panel_length(const taut_line *line, const taut_panels *panels, int
 taut_status taut_line_length(const taut_line *line, double *length)
 {
     const int local = taut_basis_local(line->basis);
-    taut_panels *panels = NULL;
+    taut_cells *cells = NULL;
     rule rules[2];
     taut_sum sum = {0, 0};
 
-    if (taut_panels_new(line->basis, 1, NULL, 1, 0, &panels) != TAUT_OK) {
+    if (taut_cells_new(line->basis, 1, NULL, 1, 0, &cells) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
 
@@ -222,10 +204,10 @@ taut_status taut_line_length(const taut_line *line, double *length)
         rules[r].count = (local < 4 ? 4 : local) + 2 * r;
         taut_gauss_rule(rules[r].count, rules[r].nodes, rules[r].weights);
     }
-    for (int k = 0; k < panels->count; k++) {
-        taut_sum_add(&sum, panel_length(line, panels, k, rules, DBL_EPSILON / 16));
+    for (int k = 0; k < cells->count; k++) {
+        taut_sum_add(&sum, cell_length(line, cells, k, rules, DBL_EPSILON / 16));
     }
-    taut_panels_free(panels);
+    taut_cells_free(cells);
     *length = ldexp(taut_sum_total(&sum), line->scale);
     return TAUT_OK;
 }
@@ -234,18 +216,15 @@ taut_status taut_line_length(const taut_line *line, double *length)
 
 static double norm(const double *a)
 {
-    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    return sqrt(taut_dot(a, a));
 }
 
 void taut_line_bend(const taut_line *line, int span, double t, int order, taut_bend *bend)
 {
     double bound[4];
     taut_line_eval(line, span, t, 0, order, &bend->d[0][0], bound);
-    const double *a = bend->d[1], *b = bend->d[2];
-    bend->binormal[0] = a[1] * b[2] - a[2] * b[1];
-    bend->binormal[1] = a[2] * b[0] - a[0] * b[2];
-    bend->binormal[2] = a[0] * b[1] - a[1] * b[0];
-    bend->speed = norm(a);
+    taut_cross(bend->d[1], bend->d[2], bend->binormal);
+    bend->speed = norm(bend->d[1]);
     bend->curvature = nan("");
     bend->trust = 0;
     /* a speed of 2^-40 of what the net allows is a sum that cancels but for its rounding */
@@ -255,7 +234,7 @@ void taut_line_bend(const taut_line *line, int span, double t, int order, taut_b
     }
 }
 
-double taut_line_curvature(const taut_line *line, const taut_lines *lines)
+double taut_line_curvature(const taut_line *line, const taut_parameters *lines)
 {
     double largest = nan("");
     for (int i = 0; i < lines->count; i++) {

@@ -6,21 +6,21 @@
 #ifndef TAUT_MEASURE_INTEGRATE_LINE_H
 #define TAUT_MEASURE_INTEGRATE_LINE_H
 
-#include "measure/integrate/lines.h"
+#include "measure/integrate/parameters.h"
 #include "taut/curve.h"
 #include "taut/surface.h"
 
 typedef struct taut_line {
     const taut_basis *basis; /* borrowed */
     int dim;                 /* 3, or 4: homogeneous */
-    double *net;             /* [count][dim] */
+    const double *net;       /* [count][dim] */
     int scale, shift;        /* points were divided by 2^scale, parameters by 2^shift */
 } taut_line;
 
-/* TAUT_NO_MEMORY. The curve or surface must outlive the line. */
-taut_status taut_line_of_curve(const taut_curve *curve, taut_line *line);
-taut_status taut_line_of_edge(const taut_surface *surface, int edge, taut_line *line);
-void taut_line_free(taut_line *line);
+/* In the arena. The curve or surface must outlive the line. TAUT_NO_MEMORY. */
+taut_status taut_line_of_curve(taut_arena *arena, const taut_curve *curve, taut_line *line);
+taut_status taut_line_of_edge(taut_arena *arena, const taut_surface *surface, int edge,
+                              taut_line *line);
 
 /* d[k][3], k = 0..order: position and derivatives (scaled) at t + rest, t in the closed span, rest
  * a rounding error of it. bound[k], if not NULL: how large derivative k could be for the part of
@@ -43,7 +43,7 @@ typedef struct taut_bend {
 void taut_line_bend(const taut_line *line, int span, double t, int order, taut_bend *bend);
 
 /* The largest curvature over the entries of a grid, scaled; NaN where undefined everywhere. */
-double taut_line_curvature(const taut_line *line, const taut_lines *lines);
+double taut_line_curvature(const taut_line *line, const taut_parameters *lines);
 
 /* Is the curve as good as straight here, so that its osculating plane means nothing? `largest` is
  * the largest curvature, `length` the length, both scaled. A binormal comes with an error of

@@ -7,12 +7,10 @@
  * as it stands, with what rounding may do to it added. Only points that may be the largest are
  * looked at with forms.c's care, and so are those whose numbers are too small, too large or too
  * nearly singular for a bound. */
-#include "measure/integrate/mean.h"
+#include "measure/integrate/integrals.h"
 
-#include "core/memory.h"
 #include "core/vec3.h"
 #include "measure/curvature/scan.h"
-#include "measure/integrate/integrals.h"
 #include "taut/measure.h"
 
 #include <math.h>
@@ -47,7 +45,7 @@ static double bound_of(const double *x)
     return sizes < largest ? bound * (1 + 1e-8) : INFINITY;
 }
 
-static double exactly(const double *x)
+static double exact_mean(const double *x)
 {
     taut_forms forms;
     taut_forms_of((const double(*)[3])x, &forms);
@@ -55,7 +53,7 @@ static double exactly(const double *x)
 }
 
 /* The largest |H| of `count` points and of `most`, which is -1 before there is one. */
-static double raise(int count, const double *values, double *bounds, double most)
+static double raise_largest(int count, const double *values, double *bounds, double most)
 {
     int best = 0;
     for (int j = 0; j < count; j++) {
@@ -63,48 +61,40 @@ static double raise(int count, const double *values, double *bounds, double most
         best = bounds[j] > bounds[best] ? j : best;
     }
     if (count > 0 && bounds[best] > most) { /* the likeliest first: it spares the others */
-        most = fmax(most, exactly(values + 18 * (size_t)best));
+        most = fmax(most, exact_mean(values + 18 * (size_t)best));
         bounds[best] = -1;
     }
     for (int j = 0; j < count; j++) {
         if (bounds[j] > most) {
-            most = fmax(most, exactly(values + 18 * (size_t)j));
+            most = fmax(most, exact_mean(values + 18 * (size_t)j));
         }
     }
     return most;
 }
 
-static taut_status find_largest(const taut_surface *surface, int grid, double *most)
+static taut_status find_largest(taut_arena *arena, const taut_surface *surface, int grid,
+                                double *most)
 {
-    taut_lines *u = NULL, *v = NULL;
+    const taut_parameters *u = taut_parameters_new(arena, taut_surface_u(surface), grid, 0);
+    const taut_parameters *v = taut_parameters_new(arena, taut_surface_v(surface), grid, 0);
     taut_scan *scan = NULL;
-    double *scratch = NULL, *values = NULL, *bounds = NULL, found = -1;
-    taut_status status = taut_lines_new(taut_surface_u(surface), grid, 0, &u);
+    double found = -1;
 
-    if (status == TAUT_OK) {
-        status = taut_lines_new(taut_surface_v(surface), grid, 0, &v);
+    if (taut_scan_new(arena, surface, u, v, &scan) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    if (status == TAUT_OK) {
-        status = taut_scan_new(surface, u, v, &scan);
+    double *scratch = taut_arena_take(arena, taut_scan_scratch(scan), sizeof(double));
+    double *values = taut_arena_take(arena, (size_t)v->count, 18 * sizeof(double));
+    double *bounds = taut_arena_take(arena, (size_t)v->count, sizeof(double));
+    if (bounds == NULL) {
+        return TAUT_NO_MEMORY;
     }
-    if (status == TAUT_OK) {
-        scratch = taut_alloc_aligned(taut_scan_scratch(scan), sizeof(double));
-        values = taut_alloc_aligned((size_t)v->count, 18 * sizeof(double));
-        bounds = taut_alloc_aligned((size_t)v->count, sizeof(double));
-        status = scratch != NULL && values != NULL && bounds != NULL ? TAUT_OK : TAUT_NO_MEMORY;
-    }
-    for (int i = 0; status == TAUT_OK && i < u->count; i++) {
+    for (int i = 0; i < u->count; i++) {
         taut_scan_line(scan, i, scratch, values);
-        found = raise(v->count, values, bounds, found);
+        found = raise_largest(v->count, values, bounds, found);
     }
     *most = found >= 0 ? found : nan("");
-    taut_free(scratch);
-    taut_free(values);
-    taut_free(bounds);
-    taut_scan_free(scan);
-    taut_lines_free(u);
-    taut_lines_free(v);
-    return status;
+    return TAUT_OK;
 }
 
 taut_status taut_mean_figures_of(const taut_surface *surface, int grid, int threads,
@@ -112,12 +102,15 @@ taut_status taut_mean_figures_of(const taut_surface *surface, int grid, int thre
 {
     taut_mean_figures made = {0, 0, 0};
     taut_status status = taut_surface_mean(surface, threads, &made.area, &made.mean_abs);
-
-    if (status == TAUT_OK) {
-        status = find_largest(surface, grid, &made.max_abs);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        *figures = made;
+    taut_arena *arena = taut_arena_new();
+    status = find_largest(arena, surface, grid, &made.max_abs);
+    taut_arena_free(arena);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    *figures = made;
+    return TAUT_OK;
 }

@@ -1,7 +1,6 @@
-#include "measure/integrate/rules.h"
+/* rules.c -- the Gauss rules that an adaptive integral climbs through. */
+#include "measure/integrate/job.h"
 
-#include "core/memory.h"
-#include "measure/integrate/absolute.h"
 #include "numeric/quadrature.h"
 
 #include <string.h>
@@ -13,10 +12,10 @@ static int next_count(int before)
 }
 
 /* How many nodes each rule has. */
-static void plan(const taut_cells *cells, taut_rules *rules)
+static void plan_counts(const taut_scaled_surface *scaled, taut_rules *rules)
 {
     for (int k = 0; k < 2 * TAUT_LADDERS; k++) {
-        const int d = k % 2, ladder = k / 2, local = cells->local[d];
+        const int d = k % 2, ladder = k / 2, local = scaled->local[d];
         const int first = ladder == TAUT_PART && local > 5 ? 5 : local;
         for (int level = 0; level < TAUT_LEVELS_MAX; level++) {
             taut_rule *rule = &rules->at[ladder][d][level];
@@ -50,7 +49,7 @@ static size_t numbers_of(const taut_rule *rule)
     return 2 * count + (is_fitted(rule) ? count * count : 0);
 }
 
-static double *place(taut_rule *rule, double *at)
+static double *place_rule(taut_rule *rule, double *at)
 {
     rule->nodes = at;
     rule->weights = at + rule->count;
@@ -66,30 +65,30 @@ static void fill_samples(taut_rule *rule)
     }
 }
 
-int taut_rules_init(taut_rules *rules, const taut_cells *cells)
+int taut_rules_init(taut_rules *rules, const taut_scaled_surface *scaled, taut_arena *arena)
 {
     size_t total = 0;
     double *at = NULL;
 
     memset(rules, 0, sizeof *rules);
-    plan(cells, rules);
+    plan_counts(scaled, rules);
     for (int k = 0; k < 2 * TAUT_LADDERS; k++) {
         total += numbers_of(&rules->samples[k / 2][k % 2]);
         for (int level = 0; level < TAUT_LEVELS_MAX; level++) {
             total += numbers_of(&rules->at[k / 2][k % 2][level]);
         }
     }
-    at = rules->numbers = taut_alloc(total, sizeof(double));
+    at = taut_arena_take(arena, total, sizeof(double));
     if (at == NULL) {
         return 0;
     }
     for (int k = 0; k < 2 * TAUT_LADDERS; k++) {
         const int d = k % 2, ladder = k / 2;
-        at = place(&rules->samples[ladder][d], at);
+        at = place_rule(&rules->samples[ladder][d], at);
         fill_samples(&rules->samples[ladder][d]);
         for (int level = 0; level < TAUT_LEVELS_MAX; level++) {
             taut_rule *rule = &rules->at[ladder][d][level];
-            at = place(rule, at);
+            at = place_rule(rule, at);
             taut_gauss_rule(rule->count, rule->nodes, rule->weights);
             if (is_fitted(rule)) {
                 taut_fit_table(rule->count, rule->nodes, rule->weights, rule->to_legendre);
@@ -99,14 +98,9 @@ int taut_rules_init(taut_rules *rules, const taut_cells *cells)
     return 1;
 }
 
-void taut_rules_free(taut_rules *rules)
+void taut_rule_fill(const taut_rule *rule, const taut_scaled_surface *scaled, int direction,
+                    int span, double lo, double hi, int order, taut_nodes *nodes)
 {
-    taut_free(rules->numbers);
-}
-
-void taut_rule_fill(const taut_rule *rule, const taut_cells *cells, int direction, int span,
-                    double lo, double hi, int order, taut_nodes *nodes)
-{
-    taut_nodes_fill(cells, direction, span, lo, hi, order, rule->count, rule->nodes, rule->weights,
+    taut_nodes_fill(scaled, direction, span, lo, hi, order, rule->count, rule->nodes, rule->weights,
                     nodes);
 }

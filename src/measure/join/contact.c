@@ -8,33 +8,23 @@
  */
 #include "measure/join/side.h"
 
+#include "core/vec3.h"
+
 #include <float.h>
 #include <math.h>
 
 enum { S1 = 1, T1 = 2 }; /* places of s and t in a jet; those of order k begin at k(k+1)/2 */
 
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static double norm(const double *a)
 {
-    return sqrt(dot(a, a));
+    return sqrt(taut_dot(a, a));
 }
 
-static void cross(const double *a, const double *b, double *c)
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static double angle(const double *a, const double *b)
+static double angle_between(const double *a, const double *b)
 {
     double c[3];
-    cross(a, b, c);
-    return atan2(norm(c), dot(a, b));
+    taut_cross(a, b, c);
+    return atan2(norm(c), taut_dot(a, b));
 }
 
 static void vector_at(const taut_spot *spot, int k, double *x)
@@ -57,7 +47,7 @@ static tangents tangents_of(const taut_spot *spot)
     tangents d;
     vector_at(spot, S1, d.s);
     vector_at(spot, T1, d.t);
-    cross(d.s, d.t, d.normal);
+    taut_cross(d.s, d.t, d.normal);
     d.length_s = norm(d.s);
     d.length_t = norm(d.t);
     const double w = norm(d.normal);
@@ -91,7 +81,7 @@ static void height_bounds(const taut_spot *spot, const tangents *d, double bound
 }
 
 /* f(s, t) with s and t themselves series without constant terms: a sum over the monomials. */
-static taut_jet compose(const taut_jet *f, const taut_jet *s, const taut_jet *t)
+static taut_jet compose_jets(const taut_jet *f, const taut_jet *s, const taut_jet *t)
 {
     taut_jet power[TAUT_JET];
     taut_jet sum = {{f->c[0]}};
@@ -108,7 +98,7 @@ static taut_jet compose(const taut_jet *f, const taut_jet *s, const taut_jet *t)
 /* The height of the surface over the plane of e1, e2: solves xi(s,t) = xi, eta(s,t) = eta for s and
  * t by the simplified Newton iteration from 0, which gains an order each time. Lengths along e1 and
  * e2 are taken over the speeds, so that everything is of size 1; returned in (xi, eta). */
-static taut_jet height(const taut_spot *spot, const double frame[3][3])
+static taut_jet height_over(const taut_spot *spot, const double frame[3][3])
 {
     taut_jet coordinate[3];
     taut_jet s = {{0}}, t = {{0}};
@@ -117,14 +107,15 @@ static taut_jet height(const taut_spot *spot, const double frame[3][3])
         for (int k = 0; k < TAUT_JET; k++) {
             double x[3];
             vector_at(spot, k, x);
-            coordinate[r].c[k] = k > 0 ? dot(frame[r], x) : 0;
+            coordinate[r].c[k] = k > 0 ? taut_dot(frame[r], x) : 0;
         }
     }
     const double a = coordinate[0].c[S1], b = coordinate[0].c[T1];
     const double c = coordinate[1].c[S1], d = coordinate[1].c[T1];
     const double det = a * d - b * c;
     for (int order = 1; order <= 3; order++) {
-        taut_jet xi = compose(&coordinate[0], &s, &t), eta = compose(&coordinate[1], &s, &t);
+        taut_jet xi = compose_jets(&coordinate[0], &s, &t),
+                 eta = compose_jets(&coordinate[1], &s, &t);
         xi.c[S1] -= 1;
         eta.c[T1] -= 1;
         for (int k = 0; k < TAUT_JET; k++) {
@@ -132,7 +123,7 @@ static taut_jet height(const taut_spot *spot, const double frame[3][3])
             t.c[k] -= (a * eta.c[k] - c * xi.c[k]) / det;
         }
     }
-    return compose(&coordinate[2], &s, &t);
+    return compose_jets(&coordinate[2], &s, &t);
 }
 
 /* 0..3. */
@@ -144,12 +135,12 @@ static int geometric_order(const taut_spot *a, const tangents *da, const taut_sp
         frame[0][c] = da->s[c] / da->length_s;
         frame[2][c] = da->normal[c] / norm(da->normal);
     }
-    cross(frame[2], frame[0], frame[1]);
-    if (!(dot(db->t, frame[1]) > 0) || !(dot(db->normal, da->normal) > 0)) {
+    taut_cross(frame[2], frame[0], frame[1]);
+    if (!(taut_dot(db->t, frame[1]) > 0) || !(taut_dot(db->normal, da->normal) > 0)) {
         return 0; /* a fold, or at right angles */
     }
-    const taut_jet ha = height(a, (const double(*)[3])frame);
-    const taut_jet hb = height(b, (const double(*)[3])frame);
+    const taut_jet ha = height_over(a, (const double(*)[3])frame);
+    const taut_jet hb = height_over(b, (const double(*)[3])frame);
     height_bounds(a, da, bound_a);
     height_bounds(b, db, bound_b);
     for (int k = 1; k <= 3; k++) {
@@ -178,17 +169,17 @@ static int parametric_order(const taut_spot *a, const taut_spot *b)
     return 3;
 }
 
-taut_contact taut_contact_of(const taut_spot *a, const taut_spot *b)
+taut_join_contact taut_join_contact_of(const taut_spot *a, const taut_spot *b)
 {
     const tangents da = tangents_of(a), db = tangents_of(b);
-    taut_contact contact = {parametric_order(a, b), 3, nan(""), nan("")};
+    taut_join_contact contact = {parametric_order(a, b), 3, nan(""), nan("")};
 
     if (da.length_t > 64 * DBL_EPSILON * a->bound[T1] &&
         db.length_t > 64 * DBL_EPSILON * b->bound[T1]) {
-        contact.tangent_angle = angle(da.t, db.t);
+        contact.tangent_angle = angle_between(da.t, db.t);
     }
     if (da.regular && db.regular) {
-        contact.normal_angle = angle(da.normal, db.normal);
+        contact.normal_angle = angle_between(da.normal, db.normal);
         contact.g = geometric_order(a, &da, b, &db);
     }
     return contact;

@@ -8,7 +8,7 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
-#include "measure/curvature/scaling.h"
+#include "geometry/exponent.h"
 #include "measure/join/side.h"
 
 #include <float.h>
@@ -37,9 +37,10 @@ taut_status taut_edge_of_name(const char *name, taut_edge *edge)
 }
 
 /* `leaves`: the parameter across is to grow out of the surface (the first) or into it. */
-static taut_side side_of(const taut_surface *surface, taut_edge edge, int leaves)
+static taut_join_side side_of(const taut_surface *surface, taut_edge edge, int leaves)
 {
-    taut_side side = {.surface = surface, .edge = edge, .held = (int)edge / 2, .sign_along = 1};
+    taut_join_side side = {
+        .surface = surface, .edge = edge, .held = (int)edge / 2, .sign_along = 1};
     side.along = side.held == 0 ? taut_surface_v(surface) : taut_surface_u(surface);
     side.across = side.held == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
     side.sign_across = ((int)edge % 2 == 1) == (leaves != 0) ? 1 : -1;
@@ -49,7 +50,7 @@ static taut_side side_of(const taut_surface *surface, taut_edge edge, int leaves
     return side;
 }
 
-static int ascending(const void *a, const void *b)
+static int compare_numbers(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -57,9 +58,9 @@ static int ascending(const void *a, const void *b)
 
 /* The parts at which either edge has a knot, in order, without those that fall together: double
  * [*count], ends included; NULL when memory runs out. The caller frees it. */
-static double *common_breaks(const taut_side *a, const taut_side *b, int *count)
+static double *common_breaks(const taut_join_side *a, const taut_join_side *b, int *count)
 {
-    const taut_side *sides[2] = {a, b};
+    const taut_join_side *sides[2] = {a, b};
     const size_t most =
         (size_t)taut_basis_span_count(a->along) + (size_t)taut_basis_span_count(b->along) + 2;
     double *parts = taut_alloc(most, sizeof(double));
@@ -76,7 +77,7 @@ static double *common_breaks(const taut_side *a, const taut_side *b, int *count)
             parts[made++] = sides[s]->sign_along > 0 ? part : 1 - part;
         }
     }
-    qsort(parts, (size_t)made, sizeof(double), ascending);
+    qsort(parts, (size_t)made, sizeof(double), compare_numbers);
     for (int i = 1; i < made; i++) {
         /* knots of both sides that are meant to be the same differ by a few roundings */
         if (parts[i] - parts[kept - 1] > 1e-12) {
@@ -104,22 +105,22 @@ static double clamp_to_span(const taut_basis *basis, int span, double t)
 }
 
 /* Takes one pair of points into the worst of all; returns the gap there. */
-static double visit(const taut_side *a, const taut_side *b, const piece *p, int step,
-                    taut_join *join)
+static double compare_pair(const taut_join_side *a, const taut_join_side *b, const piece *p,
+                           int step, taut_join *join)
 {
     const double part = step == p->steps ? p->to : p->from + (p->to - p->from) * step / p->steps;
-    const double ta = clamp_to_span(a->along, p->span_a, taut_side_parameter(a, part));
-    double tb = taut_side_parameter(b, part);
+    const double ta = clamp_to_span(a->along, p->span_a, taut_join_parameter(a, part));
+    double tb = taut_join_parameter(b, part);
     taut_spot sa, sb;
 
-    taut_side_spot(a, p->span_a, ta, 3, &sa);
+    taut_join_spot(a, p->span_a, ta, 3, &sa);
     const double x[3] = {sa.x[0].c[0], sa.x[1].c[0], sa.x[2].c[0]};
     if (!p->is_affine) {
-        taut_side_foot(b, x, part, SAMPLES, &tb);
+        taut_join_foot(b, x, part, SAMPLES, &tb);
     }
     tb = clamp_to_span(b->along, p->span_b, tb);
-    taut_side_spot(b, p->span_b, tb, 3, &sb);
-    const taut_contact contact = taut_contact_of(&sa, &sb);
+    taut_join_spot(b, p->span_b, tb, 3, &sb);
+    const taut_join_contact contact = taut_join_contact_of(&sa, &sb);
     join->c_order = contact.c < join->c_order ? contact.c : join->c_order;
     join->g_order = contact.g < join->g_order ? contact.g : join->g_order;
     join->max_tangent_angle = fmax(join->max_tangent_angle, contact.tangent_angle);
@@ -128,8 +129,8 @@ static double visit(const taut_side *a, const taut_side *b, const piece *p, int 
 }
 
 /* Along the whole edge; angles and orders go to *join, the largest gap is returned. */
-static double walk(const taut_side *a, const taut_side *b, int break_count, const double *breaks,
-                   int is_affine, taut_join *join)
+static double compare_along(const taut_join_side *a, const taut_join_side *b, int break_count,
+                            const double *breaks, int is_affine, taut_join *join)
 {
     const int degrees = taut_basis_local(a->along) + taut_basis_local(b->along);
     double gap = 0;
@@ -140,39 +141,39 @@ static double walk(const taut_side *a, const taut_side *b, int break_count, cons
         const double middle = breaks[i] + (breaks[i + 1] - breaks[i]) / 2;
         const int steps = SAMPLES / (break_count - 1) + 1;
         piece p = {.from = breaks[i], .to = breaks[i + 1], .is_affine = is_affine};
-        double ta = taut_side_parameter(a, middle), tb = taut_side_parameter(b, middle);
+        double ta = taut_join_parameter(a, middle), tb = taut_join_parameter(b, middle);
         p.span_a = taut_basis_span(a->along, ta);
         p.steps = steps > degrees ? steps : degrees;
         if (!is_affine) {
             double x[3];
-            taut_side_position(a, ta, x);
-            taut_side_foot(b, x, middle, SAMPLES, &tb);
+            taut_join_position(a, ta, x);
+            taut_join_foot(b, x, middle, SAMPLES, &tb);
         }
         p.span_b = taut_basis_span(b->along, tb);
         for (int step = 0; step <= p.steps; step++) {
-            gap = fmax(gap, visit(a, b, &p, step, join));
+            gap = fmax(gap, compare_pair(a, b, &p, step, join));
         }
     }
     return gap;
 }
 
 /* The largest distance of a point of b's edge from a's. */
-static double gap_back(const taut_side *a, const taut_side *b)
+static double gap_back(const taut_join_side *a, const taut_join_side *b)
 {
     double gap = 0;
     for (int i = 0; i <= SAMPLES; i++) {
         const double part = (double)i / SAMPLES;
         double x[3], t = 0;
-        taut_side_position(b, taut_side_parameter(b, part), x);
-        gap = fmax(gap, taut_side_foot(a, x, part, SAMPLES, &t));
+        taut_join_position(b, taut_join_parameter(b, part), x);
+        gap = fmax(gap, taut_join_foot(a, x, part, SAMPLES, &t));
     }
     return gap;
 }
 
 /* What a gap may be: 1e-9 of the larger net, or the rounding of the coordinates. */
-static double gap_limit(const taut_side *a, const taut_side *b)
+static double gap_limit(const taut_join_side *a, const taut_join_side *b)
 {
-    const taut_side *sides[2] = {a, b};
+    const taut_join_side *sides[2] = {a, b};
     double size = 0, offset = 0;
     for (int s = 0; s < 2; s++) {
         const taut_surface *surface = sides[s]->surface;
@@ -187,25 +188,25 @@ static double gap_limit(const taut_side *a, const taut_side *b)
 }
 
 /* Scales, direction, orders and angles. */
-static taut_status judge(taut_side *a, taut_side *b, taut_join *join)
+static taut_status judge_join(taut_join_side *a, taut_join_side *b, taut_join *join)
 {
     const double limit = gap_limit(a, b);
     int break_count = 0, is_affine = 1;
-    double *breaks = NULL, forward = 0, backward = 0;
+    double *breaks = NULL;
 
-    forward = taut_sides_affine_gap(a, b, SAMPLES);
+    const double forward = taut_join_affine_gap(a, b, SAMPLES);
     b->sign_along = -1;
-    backward = taut_sides_affine_gap(a, b, SAMPLES);
+    const double backward = taut_join_affine_gap(a, b, SAMPLES);
     join->reversed = backward < forward;
     b->sign_along = join->reversed ? -1 : 1;
     breaks = common_breaks(a, b, &break_count);
     if (breaks == NULL) {
         return TAUT_NO_MEMORY;
     }
-    join->max_gap = walk(a, b, break_count, breaks, is_affine, join);
+    join->max_gap = compare_along(a, b, break_count, breaks, is_affine, join);
     if (join->max_gap > limit) {
         is_affine = 0;
-        join->max_gap = walk(a, b, break_count, breaks, is_affine, join);
+        join->max_gap = compare_along(a, b, break_count, breaks, is_affine, join);
         join->max_gap = fmax(join->max_gap, gap_back(a, b));
         join->c_order = 0;
     }
@@ -222,8 +223,7 @@ taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a, const tau
                               taut_edge edge_b, taut_join *join, taut_error *error)
 {
     taut_join made;
-    taut_side sides[2];
-    taut_status status = TAUT_OK;
+    taut_join_side sides[2];
 
     if (a == NULL || b == NULL || join == NULL || taut_edge_name(edge_a)[0] == '\0' ||
         taut_edge_name(edge_b)[0] == '\0') {
@@ -240,11 +240,8 @@ taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a, const tau
             sides[s].shift_across = sides[1 - s].shift_across;
         }
     }
-    status = judge(&sides[0], &sides[1], &made);
-    if (status == TAUT_OK) {
-        status = taut_sides_are_one(&sides[0], &sides[1], &made.one_surface);
-    }
-    if (status != TAUT_OK) {
+    if (judge_join(&sides[0], &sides[1], &made) != TAUT_OK ||
+        taut_join_is_one_surface(&sides[0], &sides[1], &made.one_surface) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     made.max_gap = ldexp(made.max_gap, sides[0].scale);

@@ -1,11 +1,12 @@
 /* match.c -- which point of one edge belongs to which of the other. */
 #include "measure/join/side.h"
 
-#include "measure/curvature/scaling.h"
+#include "core/vec3.h"
+#include "geometry/exponent.h"
 
 #include <math.h>
 
-void taut_side_spot(const taut_side *side, int span, double t, int order, taut_spot *spot)
+void taut_join_spot(const taut_join_side *side, int span, double t, int order, taut_spot *spot)
 {
     const int last = taut_basis_span_count(side->across) - 1, held = side->held;
     const int high = (int)side->edge % 2 == 1;
@@ -34,42 +35,37 @@ void taut_side_spot(const taut_side *side, int span, double t, int order, taut_s
     }
 }
 
-double taut_side_parameter(const taut_side *side, double part)
+double taut_join_parameter(const taut_join_side *side, double part)
 {
     const double lo = taut_basis_lo(side->along), hi = taut_basis_hi(side->along);
     const double p = side->sign_along > 0 ? part : 1 - part;
     return p <= 0 ? lo : p >= 1 ? hi : fmin(hi, lo + p * (hi - lo));
 }
 
-void taut_side_position(const taut_side *side, double t, double *x)
+void taut_join_position(const taut_join_side *side, double t, double *x)
 {
     taut_spot spot;
-    taut_side_spot(side, taut_basis_span(side->along, t), t, 0, &spot);
+    taut_join_spot(side, taut_basis_span(side->along, t), t, 0, &spot);
     for (int c = 0; c < 3; c++) {
         x[c] = spot.x[c].c[0];
     }
 }
 
-static double distance(const double *a, const double *b)
-{
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
-}
-
-double taut_sides_affine_gap(const taut_side *a, const taut_side *b, int samples)
+double taut_join_affine_gap(const taut_join_side *a, const taut_join_side *b, int samples)
 {
     double gap = 0;
     for (int i = 0; i <= samples; i++) {
         double x[3], y[3];
-        taut_side_position(a, taut_side_parameter(a, (double)i / samples), x);
-        taut_side_position(b, taut_side_parameter(b, (double)i / samples), y);
-        gap = fmax(gap, distance(x, y));
+        taut_join_position(a, taut_join_parameter(a, (double)i / samples), x);
+        taut_join_position(b, taut_join_parameter(b, (double)i / samples), y);
+        gap = fmax(gap, taut_distance(x, y));
     }
     return gap;
 }
 
 /* The point of the side nearest to x, sought near the parameter *t and within `reach` of it, by
  * golden section on the distance; returns it. */
-static double nearest(const taut_side *side, const double *x, double reach, double *t)
+static double find_nearest(const taut_join_side *side, const double *x, double reach, double *t)
 {
     const double golden = 0.6180339887498949;
     double lo = fmax(taut_basis_lo(side->along), *t - reach);
@@ -79,38 +75,39 @@ static double nearest(const taut_side *side, const double *x, double reach, doub
     for (int i = 0; i < 60; i++) {
         const double p = hi - golden * (hi - lo), q = lo + golden * (hi - lo);
         double yp[3], yq[3];
-        taut_side_position(side, p, yp);
-        taut_side_position(side, q, yq);
-        if (distance(x, yp) <= distance(x, yq)) {
+        taut_join_position(side, p, yp);
+        taut_join_position(side, q, yq);
+        if (taut_distance(x, yp) <= taut_distance(x, yq)) {
             hi = q;
         } else {
             lo = p;
         }
     }
     *t = lo + (hi - lo) / 2;
-    taut_side_position(side, *t, y);
-    best = distance(x, y);
+    taut_join_position(side, *t, y);
+    best = taut_distance(x, y);
     return best;
 }
 
-double taut_side_foot(const taut_side *side, const double *x, double part, int samples, double *t)
+double taut_join_foot(const taut_join_side *side, const double *x, double part, int samples,
+                      double *t)
 {
     const double range = taut_basis_hi(side->along) - taut_basis_lo(side->along);
     double y[3], best = INFINITY;
     int at = 0;
 
     if (part == 0 || part == 1) {
-        *t = taut_side_parameter(side, part);
-        taut_side_position(side, *t, y);
-        return distance(x, y);
+        *t = taut_join_parameter(side, part);
+        taut_join_position(side, *t, y);
+        return taut_distance(x, y);
     }
     for (int i = 0; i <= samples; i++) {
-        taut_side_position(side, taut_side_parameter(side, (double)i / samples), y);
-        if (distance(x, y) < best) {
-            best = distance(x, y);
+        taut_join_position(side, taut_join_parameter(side, (double)i / samples), y);
+        if (taut_distance(x, y) < best) {
+            best = taut_distance(x, y);
             at = i;
         }
     }
-    *t = taut_side_parameter(side, (double)at / samples);
-    return nearest(side, x, range / samples, t);
+    *t = taut_join_parameter(side, (double)at / samples);
+    return find_nearest(side, x, range / samples, t);
 }

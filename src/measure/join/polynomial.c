@@ -20,7 +20,7 @@ static int is_polynomial_bezier(const taut_surface *surface)
 }
 
 /* Point j, in the common direction along the edge, of the i-th row from the edge, scaled. */
-static void point_of(const taut_side *side, int i, int j, double *x)
+static void point_of(const taut_join_side *side, int i, int j, double *x)
 {
     const int columns = taut_basis_count(taut_surface_v(side->surface));
     const int across = taut_basis_count(side->across), along = taut_basis_count(side->along);
@@ -34,7 +34,7 @@ static void point_of(const taut_side *side, int i, int j, double *x)
 
 /* d[k][j][3] = sign^k Delta^k of the rows at the edge, k = 0..n; the largest |coordinate| of the
  * net relative to its first point is *size. */
-static void differences(const taut_side *side, double sign, double *d, double *size)
+static void find_differences(const taut_join_side *side, double sign, double *d, double *size)
 {
     const int rows = taut_basis_count(side->across), columns = taut_basis_count(side->along);
     const size_t length = 3 * (size_t)columns;
@@ -72,7 +72,7 @@ static double ratio_of(const double *a, const double *b, size_t length)
     return aa > 0 && ab > 0 ? ab / aa : 1;
 }
 
-static int agree(const double *a, const double *b, int rows, size_t length, double size)
+static int differences_agree(const double *a, const double *b, int rows, size_t length, double size)
 {
     const double r = ratio_of(a + length, b + length, length);
     double power = 1, width = 1;
@@ -89,7 +89,7 @@ static int agree(const double *a, const double *b, int rows, size_t length, doub
     return 1;
 }
 
-taut_status taut_sides_are_one(const taut_side *a, const taut_side *b, int *one)
+taut_status taut_join_is_one_surface(const taut_join_side *a, const taut_join_side *b, int *one)
 {
     const int rows = taut_basis_count(a->across), columns = taut_basis_count(a->along);
     const size_t length = 3 * (size_t)columns;
@@ -103,9 +103,9 @@ taut_status taut_sides_are_one(const taut_side *a, const taut_side *b, int *one)
     da = taut_alloc((size_t)rows * length, sizeof(double));
     db = taut_alloc((size_t)rows * length, sizeof(double));
     if (da != NULL && db != NULL) {
-        differences(a, -1, da, &size);
-        differences(b, 1, db, &size);
-        *one = agree(da, db, rows, length, size);
+        find_differences(a, -1, da, &size);
+        find_differences(b, 1, db, &size);
+        *one = differences_agree(da, db, rows, length, size);
     }
     const taut_status status = da != NULL && db != NULL ? TAUT_OK : TAUT_NO_MEMORY;
     taut_free(da);

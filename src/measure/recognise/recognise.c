@@ -7,16 +7,25 @@
  *      how the window is shifted; what is left is a rotation.
  *   3. The surface that this describes is compared with the net on a grid. Of several points in 1,
  *      for coefficients drown where cosh y is large, the one that fits best is taken.
+ *
+ * The limit lambda = 1 is Enneper's surface, whose net is bicubic: harmonic and isothermal,
+ * Phi' = a + b z + c z^2 with Phi'.Phi' = 0 is (p^2 - q^2, i (p^2 + q^2), 2 p q) up to rotation, p
+ * and q linear in z; a unitary change of p and q, which turns the surface, makes p constant. So it
+ * is Enneper's surface in parameters z / L, times a scale s, and
+ *
+ *     |b.b| = 4 s^2 / L^4,    |c| = sqrt(2) s / L^3
  */
 #include "taut/recognise.h"
 
 #include "core/fail.h"
-#include "measure/recognise/recognise.h"
+#include "core/vec3.h"
+#include "taut/measure.h"
 
+#include <complex.h>
 #include <math.h>
 #include <string.h>
 
-enum { TRIES = 5, GRID = 9 };
+enum { TRIES = 5, GRID = 9, SIDE = 8 };
 static const double pi = 3.14159265358979323846;
 static const double close_enough = 1e-9;
 
@@ -37,8 +46,10 @@ static double length(const vector a)
     return sqrt(creal(dot_conjugate(a, a)));
 }
 
-void taut_phi_of(const taut_surface *surface, int turned, const double at[2],
-                 double complex phi[3][3])
+/* Phi', Phi'', Phi''' at (x, y): x runs along u, or along v where turned. Four functions alive in
+ * each direction. */
+static void phi_of(const taut_surface *surface, int turned, const double at[2],
+                   double complex phi[3][3])
 {
     static const int orders[3][2][2] = {{{1, 0}, {0, 1}}, {{2, 0}, {1, 1}}, {{3, 0}, {2, 1}}};
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
@@ -80,13 +91,13 @@ static void family_point(const taut_family_member *m, double w, double x, double
     }
 }
 
-static void move(const taut_family_member *m, double w, const double at[2], double moved[3])
+static void move_point(const taut_family_member *m, double w, const double at[2], double moved[3])
 {
     double r[3];
     family_point(m, w, at[0] + m->shift[0], at[1] + m->shift[1], r);
     for (int k = 0; k < 3; k++) {
         const double *row = m->motion[k];
-        moved[k] = m->scale * (row[0] * r[0] + row[1] * r[1] + row[2] * r[2]) + row[3];
+        moved[k] = m->scale * (taut_dot(row, r)) + row[3];
     }
 }
 
@@ -107,8 +118,8 @@ static int rotation_of(const vector a, const vector b, const vector d, double w,
     }
     for (int i = 0; i < 3; i++) {
         const double *p = column[i], *q = column[(i + 1) % 3];
-        defect = fmax(defect, fabs(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] - 1));
-        defect = fmax(defect, fabs(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]));
+        defect = fmax(defect, fabs(taut_dot(p, p) - 1));
+        defect = fmax(defect, fabs(taut_dot(p, q)));
         volume += column[0][i] * (column[1][(i + 1) % 3] * column[2][(i + 2) % 3] -
                                   column[1][(i + 2) % 3] * column[2][(i + 1) % 3]);
     }
@@ -124,11 +135,11 @@ static int rotation_of(const vector a, const vector b, const vector d, double w,
 }
 
 /* Steps 1 and 2 at one point; 0 where the coefficients belong to no member. */
-static int describe(const taut_surface *surface, const double at[2], double *w,
-                    taut_family_member *m)
+static int describe_at(const taut_surface *surface, const double at[2], double *w,
+                       taut_family_member *m)
 {
     vector phi[3], a, b, d;
-    taut_phi_of(surface, m->turned, at, phi);
+    phi_of(surface, m->turned, at, phi);
     for (int k = 0; k < 3; k++) {
         a[k] = phi[0][k] + phi[2][k];
         b[k] = 0.5 * (-phi[1][k] + I * phi[2][k]);
@@ -159,26 +170,27 @@ static int describe(const taut_surface *surface, const double at[2], double *w,
     return isfinite(m->shift[1]) && rotation_of(a, b, d, *w, m);
 }
 
-static double place(const taut_basis *basis, int k, int steps)
+static double parameter_at(const taut_basis *basis, int k, int steps)
 {
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
     return k == steps ? hi : lo + (hi - lo) * k / steps;
 }
 
 /* Step 3: the residual, with the translation that makes the point `at` agree. */
-static void compare(const taut_surface *surface, const double at[2], double w,
-                    taut_family_member *m)
+static void compare_with_net(const taut_surface *surface, const double at[2], double w,
+                             taut_family_member *m)
 {
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     double apart = 0, box[2][3] = {{0}}, r[3];
 
     for (int k = -1; k < (GRID + 1) * (GRID + 1); k++) {
-        const double uv[2] = {k < 0 ? at[m->turned] : place(bases[0], k / (GRID + 1), GRID),
-                              k < 0 ? at[1 - m->turned] : place(bases[1], k % (GRID + 1), GRID)};
+        const double uv[2] = {k < 0 ? at[m->turned] : parameter_at(bases[0], k / (GRID + 1), GRID),
+                              k < 0 ? at[1 - m->turned]
+                                    : parameter_at(bases[1], k % (GRID + 1), GRID)};
         const double xy[2] = {uv[m->turned], uv[1 - m->turned]};
         double x[3];
         taut_surface_eval(surface, uv[0], uv[1], 0, x);
-        move(m, w, xy, r);
+        move_point(m, w, xy, r);
         for (int c = 0; c < 3; c++) {
             if (k < 0) {
                 m->motion[c][3] = x[c] - r[c];
@@ -219,15 +231,16 @@ static int is_hyperbolic(const taut_basis *basis)
     return is_type(basis, "h-bezier", "h-bspline");
 }
 
-static void recognise(const taut_surface *surface, int turned, taut_family_member *best)
+static void recognise_member(const taut_surface *surface, int turned, taut_family_member *best)
 {
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     for (int k = 0; k < TRIES; k++) {
         taut_family_member m = {.turned = turned};
-        const double at[2] = {place(bases[turned], 1, 2), place(bases[1 - turned], k, TRIES - 1)};
+        const double at[2] = {parameter_at(bases[turned], 1, 2),
+                              parameter_at(bases[1 - turned], k, TRIES - 1)};
         double w = 1;
-        if (describe(surface, at, &w, &m)) {
-            compare(surface, at, w, &m);
+        if (describe_at(surface, at, &w, &m)) {
+            compare_with_net(surface, at, w, &m);
             if (m.residual < best->residual) {
                 *best = m;
             }
@@ -239,6 +252,62 @@ static void recognise(const taut_surface *surface, int turned, taut_family_membe
             best->lambda = 0;
         }
     }
+}
+
+static double norm_of(const double *x)
+{
+    return sqrt(taut_dot(x, x));
+}
+
+/* Largest of |E-G|/E, |F|/E, |r_uu + r_vv|/|r_uu| on a grid. */
+static double defect_of(const taut_surface *surface)
+{
+    double largest = 0;
+    for (int k = 0; k < (SIDE + 1) * (SIDE + 1); k++) {
+        const double u = parameter_at(taut_surface_u(surface), k / (SIDE + 1), SIDE);
+        const double v = parameter_at(taut_surface_v(surface), k % (SIDE + 1), SIDE);
+        double x[6][3], sum[3];
+        taut_forms f;
+        taut_surface_eval(surface, u, v, 2, &x[0][0]);
+        taut_forms_of((const double(*)[3])x, &f);
+        for (int c = 0; c < 3; c++) {
+            sum[c] = x[TAUT_XUU][c] + x[TAUT_XVV][c];
+        }
+        const double second = fmax(norm_of(x[TAUT_XUU]), norm_of(x[TAUT_XUV]));
+        const double here = fmax(fmax(fabs(f.e - f.g), fabs(f.f)) / f.e, norm_of(sum) / second);
+        largest = here <= largest ? largest : here;
+        if (!(here <= 1)) { /* infinite or NaN too: a point, a line, a plane in affine parameters */
+            return INFINITY;
+        }
+    }
+    return largest;
+}
+
+/* A bicubic net without weights; residual stays infinite where it cannot be Enneper's surface. */
+static void recognise_enneper(const taut_surface *surface, taut_family_member *member)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const double at[2] = {0.5 * (taut_basis_lo(u) + taut_basis_hi(u)),
+                          0.5 * (taut_basis_lo(v) + taut_basis_hi(v))};
+    const double defect = defect_of(surface);
+    double complex phi[3][3], bb = 0;
+    double cc = 0, b2 = 0;
+
+    phi_of(surface, 0, at, phi);
+    for (int k = 0; k < 3; k++) {
+        bb += phi[1][k] * phi[1][k];
+        b2 += creal(phi[1][k] * conj(phi[1][k]));
+        cc += 0.25 * creal(phi[2][k] * conj(phi[2][k]));
+    }
+    /* a plane conformally mapped has b.b = 0 */
+    if (!(cabs(bb) > 1e-6 * b2) || !(cc > 0)) {
+        return;
+    }
+    const double second = 0.5 * sqrt(cabs(bb)), third = sqrt(0.5 * cc), unit = second / third;
+    member->name = "Enneper's surface";
+    member->scale = second * unit * unit;
+    member->lambda = 1;
+    member->residual = defect;
 }
 
 taut_status taut_surface_recognise(const taut_surface *surface, taut_family_member *member,
@@ -253,15 +322,16 @@ taut_status taut_surface_recognise(const taut_surface *surface, taut_family_memb
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     if (taut_surface_weights(surface) == NULL) {
         if (is_circular(u) && is_hyperbolic(v)) {
-            recognise(surface, 0, &best);
+            recognise_member(surface, 0, &best);
         } else if (is_hyperbolic(u) && is_circular(v)) {
-            recognise(surface, 1, &best);
+            recognise_member(surface, 1, &best);
         } else if (taut_basis_degree(u) == 3 && taut_basis_degree(v) == 3) {
-            taut_recognise_enneper(surface, &best);
+            recognise_enneper(surface, &best);
         }
     }
     if (!(best.residual <= close_enough)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, best.residual, close_enough,
+        return taut_fail(error, TAUT_NO_SOLUTION, "not-in-family", NULL, best.residual,
+                         close_enough,
                          "the surface is none of the minimal surfaces with planar curvature lines "
                          "and their associates on the bases that hold them");
     }

@@ -11,15 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A refusal: the status, the limit as a number and in the sentence, the output as it was. */
+/* A refusal: the status, the limit, the output as it was. */
 static void check_refused(const char *what, taut_status status, taut_status expected,
                           const taut_error *error, double limit, const void *output)
 {
-    char digits[32];
-    snprintf(digits, sizeof digits, "%.17g", limit);
     CHECK(status == expected && error->status == expected, "%s: status %d", what, (int)status);
     CHECK(error->limit == limit, "%s: limit %g, expected %g", what, error->limit, limit);
-    CHECK(strstr(error->message, digits) != NULL, "%s: \"%s\"", what, error->message);
     CHECK(output == NULL, "%s: the output was touched", what);
 }
 

@@ -2,8 +2,8 @@
 #include "check.h"
 #include "problems.h"
 
+#include "geometry/nurbs/cells.h"
 #include "geometry/nurbs/gram.h"
-#include "geometry/nurbs/panels.h"
 
 #include <string.h>
 
@@ -151,38 +151,38 @@ static void test_hidden_bump(void)
 {
     const double weights[8] = {0.273286, 0.1, 0.95583, 0.1, 0.1, 0.809596, 8.55489, 0.248999};
     taut_basis *basis = bezier(7, 0, 1);
-    taut_panels *panels = NULL;
+    taut_cells *cells = NULL;
     taut_gram gram;
-    CHECK(taut_panels_new(basis, 1, weights, 1, 0, &panels) == TAUT_OK, "panels");
-    CHECK(panels->count > 2 && panels->hi[panels->count - 1] == 1, "%d panels", panels->count);
+    CHECK(taut_cells_new(basis, 1, weights, 1, 0, &cells) == TAUT_OK, "cells");
+    CHECK(cells->count > 2 && cells->hi[cells->count - 1] == 1, "%d cells", cells->count);
     CHECK(taut_gram_new(basis, weights, &gram, NULL) == TAUT_OK, "gram");
     check_sums(&gram, 64 * unit_roundoff * gram.roundings);
     taut_gram_clear(&gram);
-    taut_panels_free(panels);
+    taut_cells_free(cells);
     taut_basis_free(basis);
 }
 
-/* Panels tile the range in order, each inside its span. */
+/* Cells tile the range in order, each inside its span. */
 static void test_panels(void)
 {
     int cut = 0;
     for (int trial = 0; trial < 100; trial++) {
         taut_basis *basis = basis_random(5, 12);
         double weights[64], end = taut_basis_lo(basis);
-        taut_panels *panels = NULL;
+        taut_cells *cells = NULL;
         for (int i = 0; i < taut_basis_count(basis); i++) {
             weights[i] = random_log(1e-3, 1e3);
         }
-        CHECK(taut_panels_new(basis, 1, weights, 1, 0, &panels) == TAUT_OK, "trial=%d", trial);
-        for (int k = 0; k < panels->count; k++) {
-            const double *span = taut_basis_breaks(basis) + panels->span[k];
-            CHECK(panels->lo[k] == end && panels->hi[k] > end, "trial=%d k=%d", trial, k);
-            CHECK(panels->lo[k] >= span[0] && panels->hi[k] <= span[1], "trial=%d k=%d", trial, k);
-            end = panels->hi[k];
+        CHECK(taut_cells_new(basis, 1, weights, 1, 0, &cells) == TAUT_OK, "trial=%d", trial);
+        for (int k = 0; k < cells->count; k++) {
+            const double *span = taut_basis_breaks(basis) + cells->span[k];
+            CHECK(cells->lo[k] == end && cells->hi[k] > end, "trial=%d k=%d", trial, k);
+            CHECK(cells->lo[k] >= span[0] && cells->hi[k] <= span[1], "trial=%d k=%d", trial, k);
+            end = cells->hi[k];
         }
         CHECK(end == taut_basis_hi(basis), "trial=%d", trial);
-        cut += panels->count > taut_basis_span_count(basis);
-        taut_panels_free(panels);
+        cut += cells->count > taut_basis_span_count(basis);
+        taut_cells_free(cells);
         taut_basis_free(basis);
     }
     CHECK(cut > 80, "only %d of 100 were cut", cut); /* a few have weights that hardly differ */
@@ -271,7 +271,7 @@ static void test_nearly_mirrored(void)
     taut_basis_free(basis);
 }
 
-/* Weights over 30 decades have a pole nearer than panels go; weights of 1e-300 on a span of 1e-12
+/* Weights over 30 decades have a pole nearer than cells go; weights of 1e-300 on a span of 1e-12
  * have slopes no double holds. Both are refused, and nothing is touched. */
 static void test_extremes(void)
 {
@@ -280,10 +280,10 @@ static void test_extremes(void)
     taut_gram gram = {.length = -1};
     taut_error error = {.where = "", .message = ""};
     CHECK(taut_gram_new(bases[0], steep, &gram, &error) == TAUT_NOT_CONVERGED, "steep");
-    CHECK(error.found > error.limit && strstr(error.message, "256 Gauss nodes") != NULL, "%s",
-          error.message);
+    CHECK(error.found > error.limit && strcmp(error.reason, "not-converged") == 0, "%s",
+          error.reason);
     CHECK(taut_gram_new(bases[1], slight, &gram, &error) == TAUT_BAD_INPUT, "slight");
-    CHECK(strstr(error.message, "overflow") != NULL, "%s", error.message);
+    CHECK(strcmp(error.reason, "short-span") == 0, "%s", error.reason);
     CHECK(gram.length == -1, "the output was touched");
     taut_basis_free(bases[0]);
     taut_basis_free(bases[1]);

@@ -3,7 +3,7 @@
 #include "check.h"
 #include "shapes.h"
 
-#include "measure/integrate/mean.h"
+#include "measure/integrate/integrals.h"
 #include "taut/measure.h"
 
 enum { POINTS_MAX = 49 };

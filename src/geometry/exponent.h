@@ -1,6 +1,6 @@
-/* scaling.h -- powers of two that bring numbers to size 1 and round nothing. */
-#ifndef TAUT_MEASURE_CURVATURE_SCALING_H
-#define TAUT_MEASURE_CURVATURE_SCALING_H
+/* exponent.h -- powers of two that bring numbers to size 1 and round nothing. */
+#ifndef TAUT_GEOMETRY_EXPONENT_H
+#define TAUT_GEOMETRY_EXPONENT_H
 
 #include "taut/surface.h"
 
@@ -15,6 +15,16 @@ static inline int taut_exponent(double x)
         frexp(x, &exponent);
     }
     return exponent;
+}
+
+/* The largest |coordinate|. */
+static inline double taut_largest(size_t count, const double *points)
+{
+    double largest = 0;
+    for (size_t k = 0; k < 3 * count; k++) {
+        largest = fmax(largest, fabs(points[k]));
+    }
+    return largest;
 }
 
 /* Half the largest distance of a coordinate from the first point's. Half, as the whole may be twice
@@ -47,4 +57,4 @@ static inline size_t taut_point_count(const taut_surface *surface)
            (size_t)taut_basis_count(taut_surface_v(surface));
 }
 
-#endif /* TAUT_MEASURE_CURVATURE_SCALING_H */
+#endif /* TAUT_GEOMETRY_EXPONENT_H */

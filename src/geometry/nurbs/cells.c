@@ -1,4 +1,4 @@
-#include "geometry/nurbs/panels.h"
+#include "geometry/nurbs/cells.h"
 
 #include "basis/basis_ops.h"
 #include "core/memory.h"
@@ -9,24 +9,24 @@
 enum { DEPTH_MAX = 24 }; /* a pole nearer than 2^-24 of its span is no longer resolved */
 static const double layer_width = 4;
 
-/* What is asked about, and the panels so far; `room` of them fit. */
+/* What is asked about, and the cells so far; `room` of them fit. */
 typedef struct cutting {
     const taut_basis *basis;
     int lines;
     const double *weights;
     size_t step, next;
-    taut_panels *panels;
+    taut_cells *cells;
     int room;
     double *values; /* [local + 1][local] */
 } cutting;
 
-void taut_panels_free(taut_panels *panels)
+void taut_cells_free(taut_cells *cells)
 {
-    if (panels != NULL) {
-        taut_free(panels->lo);
-        taut_free(panels->hi);
-        taut_free(panels->span);
-        taut_free(panels);
+    if (cells != NULL) {
+        taut_free(cells->lo);
+        taut_free(cells->hi);
+        taut_free(cells->span);
+        taut_free(cells);
     }
 }
 
@@ -59,16 +59,16 @@ static int varies(const cutting *c, int span, double lo, double hi)
 }
 
 /* Is [lo, hi] long against the exponentials in it? They fade towards the middle of the span: there
- * a panel may be as wide as it is far from the nearer end. */
+ * a cell may be as wide as it is far from the nearer end. */
 static int has_layer(const taut_basis *basis, int span, double lo, double hi)
 {
     const double *ends = taut_basis_breaks(basis) + span;
     return basis->ops->layers && hi - lo > fmax(layer_width, fmin(lo - ends[0], ends[1] - hi));
 }
 
-static taut_status add(cutting *c, int span, double lo, double hi)
+static taut_status add_cell(cutting *c, int span, double lo, double hi)
 {
-    taut_panels *p = c->panels;
+    taut_cells *p = c->cells;
     if (p->count == c->room) {
         const size_t room = 2 * (size_t)c->room;
         double *low = taut_realloc(p->lo, room, sizeof *low);
@@ -89,45 +89,46 @@ static taut_status add(cutting *c, int span, double lo, double hi)
 }
 
 /* Cuts one span; the stack holds the right halves still to do. */
-static taut_status cut(cutting *c, int span)
+static taut_status cut_span(cutting *c, int span)
 {
     const double *breaks = taut_basis_breaks(c->basis);
     double ends[DEPTH_MAX + 1];
     double lo = breaks[span];
     int depth = 0;
-    taut_status status = TAUT_OK;
 
     ends[0] = breaks[span + 1];
-    while (status == TAUT_OK && depth >= 0) {
+    while (depth >= 0) {
         const double hi = ends[depth], middle = lo + 0.5 * (hi - lo);
         if (depth < DEPTH_MAX && middle > lo && middle < hi &&
             hi - lo > ldexp(breaks[span + 1] - breaks[span], -DEPTH_MAX) &&
             (has_layer(c->basis, span, lo, hi) ||
              (c->weights != NULL && varies(c, span, lo, hi)))) {
             ends[++depth] = middle;
-        } else {
-            status = add(c, span, lo, hi);
-            lo = hi;
-            depth--;
+            continue;
         }
+        if (add_cell(c, span, lo, hi) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+        lo = hi;
+        depth--;
     }
-    return status;
+    return TAUT_OK;
 }
 
-double taut_panels_finest(const taut_basis *basis, int span)
+double taut_cells_finest(const taut_basis *basis, int span)
 {
     const double *ends = taut_basis_breaks(basis) + span;
     return basis->ops->layers ? fmin(ends[1] - ends[0], 1) : ends[1] - ends[0];
 }
 
-taut_status taut_panels_new(const taut_basis *basis, int lines, const double *weights, size_t step,
-                            size_t next, taut_panels **panels)
+taut_status taut_cells_new(const taut_basis *basis, int lines, const double *weights, size_t step,
+                           size_t next, taut_cells **cells)
 {
     const int spans = taut_basis_span_count(basis);
-    taut_panels *made = taut_alloc_zero(1, sizeof *made);
+    taut_cells *made = taut_alloc_zero(1, sizeof *made);
     const size_t local = (size_t)taut_basis_local(basis);
     cutting c = {basis, lines, weights, step, next, made, spans, NULL};
-    taut_status status = TAUT_OK;
+    int is_whole = 1;
 
     if (made == NULL) {
         return TAUT_NO_MEMORY;
@@ -135,21 +136,17 @@ taut_status taut_panels_new(const taut_basis *basis, int lines, const double *we
     made->lo = taut_alloc((size_t)spans, sizeof(double));
     made->hi = taut_alloc((size_t)spans, sizeof(double));
     made->span = taut_alloc((size_t)spans, sizeof(int));
-    if (weights != NULL) {
-        c.values = taut_alloc(local + 1, local * sizeof(double));
-    }
-    if (made->lo == NULL || made->hi == NULL || made->span == NULL ||
-        (weights != NULL && c.values == NULL)) {
-        status = TAUT_NO_MEMORY;
-    }
-    for (int k = 0; status == TAUT_OK && k < spans; k++) {
-        status = cut(&c, k);
+    c.values = weights != NULL ? taut_alloc(local + 1, local * sizeof(double)) : NULL;
+    is_whole = made->lo != NULL && made->hi != NULL && made->span != NULL &&
+               (weights == NULL || c.values != NULL);
+    for (int k = 0; is_whole && k < spans; k++) {
+        is_whole = cut_span(&c, k) == TAUT_OK;
     }
     taut_free(c.values);
-    if (status != TAUT_OK) {
-        taut_panels_free(made);
-        return status;
+    if (!is_whole) {
+        taut_cells_free(made);
+        return TAUT_NO_MEMORY;
     }
-    *panels = made;
+    *cells = made;
     return TAUT_OK;
 }
