@@ -2,7 +2,7 @@
 #ifndef TAUT_CAD_OCCT_HPP
 #define TAUT_CAD_OCCT_HPP
 
-#include "io/cad/cad.h"
+#include "io/cad/module_interface.h"
 
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>

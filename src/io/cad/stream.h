@@ -5,7 +5,7 @@
 #ifndef TAUT_IO_CAD_STREAM_H
 #define TAUT_IO_CAD_STREAM_H
 
-#include "io/cad/cad.h"
+#include "io/cad/module_interface.h"
 #include "taut/model.h"
 #include "taut/record.h"
 
