@@ -90,7 +90,7 @@ static int check_file(const char *target, const struct stat *about)
     return faccessat(AT_FDCWD, target, W_OK, AT_EACCESS) == 0 ? 0 : errno;
 }
 
-taut_status taut_target_find(const char *path, taut_target *kind, char target[TAUT_PATH_ROOM],
+taut_status taut_target_find(const char *path, taut_target_kind *kind, char target[TAUT_PATH_ROOM],
                              taut_error *error)
 {
     struct stat about;
