@@ -1,7 +1,7 @@
 #include "io/problem/net_document.h"
 
 #include "core/fail.h"
-#include "io/json/rational_text.h"
+#include "io/json/number_value.h"
 #include "io/model/basis.h"
 #include "taut/limits.h"
 
