@@ -8,6 +8,7 @@
  * of the groups; positions and normals in single precision. glTF is in metres with y up: the root
  * node scales, turns (x, y, z) to (x, z, -y) and, where a model lies far from the origin and single
  * precision would show, shifts back what was taken off the positions. */
+#include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "draw/colour.h"
@@ -28,6 +29,7 @@ typedef struct glb_part {
 } glb_part;
 
 typedef struct glb_plan {
+    taut_arena *arena; /* parts and values, and the mesh */
     const taut_mesh *mesh;
     int count; /* groups */
     glb_part *parts;
@@ -351,30 +353,27 @@ static taut_status choose_colours(glb_plan *plan, const taut_model *model, int t
                                     [TAUT_COLOUR_GAUSSIAN] = TAUT_FIELD_K,
                                     [TAUT_COLOUR_ISOTHERMALITY] = TAUT_FIELD_I};
     const int field = fields_of[plan->colour];
-    double *fields = taut_alloc(vertices, TAUT_FIELDS * sizeof(double));
-    double *sorted = taut_alloc(vertices, sizeof(double));
-    taut_status status = TAUT_OK;
+    double *fields = taut_arena_take(plan->arena, vertices, TAUT_FIELDS * sizeof(double));
+    double *sorted = taut_arena_take(plan->arena, vertices, sizeof(double));
+    double *values = taut_arena_take(plan->arena, vertices, sizeof(double));
+    taut_status status = taut_arena_status(plan->arena);
     int cut = 0;
 
-    plan->values = taut_alloc(vertices, sizeof(double));
-    if (fields == NULL || sorted == NULL || plan->values == NULL) {
-        status = TAUT_NO_MEMORY;
-    }
     for (int g = 0; status == TAUT_OK && g < plan->count; g++) {
         const taut_mesh_group *group = taut_mesh_group_at(plan->mesh, g);
         status = taut_mesh_fields(taut_model_surface(model, group->surface), plan->mesh, group,
                                   threads, fields + TAUT_FIELDS * group->first_vertex);
     }
-    for (size_t i = 0; status == TAUT_OK && i < vertices; i++) {
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < vertices; i++) {
         const double value = fields[TAUT_FIELDS * i + (size_t)field];
-        plan->values[i] = sorted[i] = isfinite(value) ? value : nan("");
+        values[i] = sorted[i] = isfinite(value) ? value : nan("");
     }
-    if (status == TAUT_OK) {
-        plan->limit = taut_colour_limit(vertices, sorted, 0x1p-1000, &cut);
-    }
-    taut_free(fields);
-    taut_free(sorted);
-    return status;
+    plan->values = values;
+    plan->limit = taut_colour_limit(vertices, sorted, 0x1p-1000, &cut);
+    return TAUT_OK;
 }
 
 /* What is where: every number of the JSON chunk. */
@@ -382,7 +381,7 @@ static taut_status plan_file(glb_plan *plan, const taut_model *model,
                              const taut_write_options *options)
 {
     plan->count = taut_mesh_group_count(plan->mesh);
-    plan->parts = taut_alloc_zero((size_t)plan->count, sizeof *plan->parts);
+    plan->parts = taut_arena_take(plan->arena, (size_t)plan->count, sizeof *plan->parts);
     if (plan->parts == NULL) {
         return TAUT_NO_MEMORY;
     }
@@ -404,7 +403,7 @@ static taut_status plan_file(glb_plan *plan, const taut_model *model,
                                              : TAUT_OK;
 }
 
-static void put_vertices(taut_sink *sink, const glb_plan *plan)
+static void write_vertices(taut_sink *sink, const glb_plan *plan)
 {
     const size_t vertices = taut_mesh_vertex_count(plan->mesh);
     const double *positions = taut_mesh_positions(plan->mesh);
@@ -424,7 +423,7 @@ static void put_vertices(taut_sink *sink, const glb_plan *plan)
     }
 }
 
-static void put_indices(taut_sink *sink, const glb_plan *plan)
+static void write_indices(taut_sink *sink, const glb_plan *plan)
 {
     for (int g = 0; g < plan->count; g++) {
         const taut_mesh_group *group = taut_mesh_group_at(plan->mesh, g);
@@ -439,8 +438,8 @@ static void put_indices(taut_sink *sink, const glb_plan *plan)
     }
 }
 
-static taut_status put_file(const glb_plan *plan, const taut_model *model, FILE *out,
-                            taut_error *error)
+static taut_status write_file(const glb_plan *plan, const taut_model *model, FILE *out,
+                              taut_error *error)
 {
     const size_t data = data_length(plan);
     taut_sink sink;
@@ -461,32 +460,46 @@ static taut_status put_file(const glb_plan *plan, const taut_model *model, FILE 
     taut_sink_bytes(&sink, "   ", padded - length);
     taut_put_u32(&sink, (uint32_t)data);
     taut_sink_bytes(&sink, "BIN", 4);
-    put_vertices(&sink, plan);
-    put_indices(&sink, plan);
+    write_vertices(&sink, plan);
+    write_indices(&sink, plan);
     taut_free(text);
     return taut_mesh_out_finish(&sink, error);
+}
+
+static void release_mesh(void *mesh)
+{
+    taut_mesh_free(mesh);
+}
+
+static taut_status write_planned(glb_plan *plan, const taut_model *model,
+                                 const taut_write_options *options, FILE *out, taut_error *error)
+{
+    taut_mesh *mesh = NULL;
+    taut_status status = taut_mesh_out_new(model, options, &mesh, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (!taut_arena_keep(plan->arena, mesh, release_mesh)) {
+        return taut_fail_memory(error);
+    }
+    status = taut_mesh_out_check_float(mesh, "glTF", error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    plan->mesh = mesh;
+    if (plan_file(plan, model, options) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return write_file(plan, model, out, error);
 }
 
 static taut_status write_glb(const taut_model *model, const taut_write_options *options, FILE *out,
                              taut_error *error)
 {
-    taut_mesh *mesh = NULL;
-    glb_plan plan = {.colour = options->colour};
-    taut_status status = taut_mesh_out_new(model, options, &mesh, error);
-
-    if (status == TAUT_OK) {
-        status = taut_mesh_out_check_float(mesh, "glTF", error);
-    }
-    if (status == TAUT_OK) {
-        plan.mesh = mesh;
-        status = plan_file(&plan, model, options) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
-    }
-    if (status == TAUT_OK) {
-        status = put_file(&plan, model, out, error);
-    }
-    taut_free(plan.parts);
-    taut_free(plan.values);
-    taut_mesh_free(mesh);
+    glb_plan plan = {.arena = taut_arena_new(), .colour = options->colour};
+    const taut_status status = write_planned(&plan, model, options, out, error);
+    taut_arena_free(plan.arena);
     return status;
 }
 

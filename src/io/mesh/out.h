@@ -32,7 +32,7 @@ void taut_put_f64(taut_sink *sink, double value);
 /* The group's name, or "surface<i>" where it has none, in room for TAUT_NAME_MAX + 1 bytes. */
 const char *taut_mesh_out_name(const taut_mesh_group *group, char *room);
 
-/* Ends writing: the sink's own trouble goes before `status`. */
+/* Ends writing. */
 taut_status taut_mesh_out_finish(taut_sink *sink, taut_error *error);
 
 #endif /* TAUT_IO_MESH_OUT_H */

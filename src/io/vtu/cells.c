@@ -9,7 +9,6 @@
  * inside, away from edges that may be collapsed: with A_ki = B_i(t_k) and W = sum w_ij B_i B_j,
  *     w_ij f_ij = sum_kl inv(A_u)_ik inv(A_v)_jl (f W)(s_k, t_l). */
 #include "core/fail.h"
-#include "core/memory.h"
 #include "io/vtu/grid.h"
 #include "taut/operations.h"
 
@@ -305,38 +304,45 @@ static taut_status add_cells(const taut_surface *surface, const taut_model *piec
     return status;
 }
 
+static void release_model(void *model)
+{
+    taut_model_free(model);
+}
+
+static taut_status add_surface(const taut_surface *surface, const vtu_cells *plan, int index,
+                               taut_arena *arena, vtu_grid *grid, taut_error *error)
+{
+    const size_t columns = (size_t)plan->count[1] * (size_t)(plan->degree[1] + 1);
+    const size_t rows = (size_t)(plan->degree[0] + 1);
+    taut_model *pieces = NULL;
+    cell_work *work = taut_arena_take(arena, 1, sizeof *work);
+    double *v = taut_arena_take(arena, columns, sizeof(double));
+    double *vectors = taut_arena_take(arena, columns, 18 * sizeof(double));
+    double *fields = taut_arena_take(arena, columns * rows, TAUT_FIELDS * sizeof(double));
+    taut_status status = TAUT_OK;
+
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = taut_surface_pieces(surface, &pieces, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    *work = (cell_work){.plan = plan, .v = v, .vectors = vectors, .fields = fields};
+    make_rule(plan->degree[0], &work->rules[0]);
+    make_rule(plan->degree[1], &work->rules[1]);
+    if (!taut_arena_keep(arena, pieces, release_model) ||
+        add_cells(surface, pieces, index, work, grid) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return TAUT_OK;
+}
+
 taut_status vtu_cells_add(const taut_surface *surface, const vtu_cells *plan, int index,
                           vtu_grid *grid, taut_error *error)
 {
-    const size_t columns = (size_t)plan->count[1] * (size_t)(plan->degree[1] + 1);
-    taut_model *pieces = NULL;
-    cell_work *work = taut_alloc_zero(1, sizeof *work);
-    taut_status status = TAUT_OK;
-
-    if (work == NULL) {
-        return taut_fail_memory(error);
-    }
-    work->plan = plan;
-    work->v = taut_alloc(columns, sizeof(double));
-    work->vectors = taut_alloc_aligned(columns, 18 * sizeof(double));
-    work->fields =
-        taut_alloc(columns * (size_t)(plan->degree[0] + 1), TAUT_FIELDS * sizeof(double));
-    if (work->v == NULL || work->vectors == NULL || work->fields == NULL) {
-        status = taut_fail_memory(error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_surface_pieces(surface, &pieces, error);
-    }
-    if (status == TAUT_OK) {
-        make_rule(plan->degree[0], &work->rules[0]);
-        make_rule(plan->degree[1], &work->rules[1]);
-        status = add_cells(surface, pieces, index, work, grid) == TAUT_OK ? TAUT_OK
-                                                                          : taut_fail_memory(error);
-    }
-    taut_model_free(pieces);
-    taut_free(work->v);
-    taut_free(work->vectors);
-    taut_free(work->fields);
-    taut_free(work);
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = add_surface(surface, plan, index, arena, grid, error);
+    taut_arena_free(arena);
     return status;
 }

@@ -26,9 +26,8 @@ typedef struct vtu_grid {
     int32_t *surfaces;             /* [cells] */
 } vtu_grid;
 
-/* Room for so many; TAUT_NO_MEMORY. */
-taut_status vtu_grid_new(size_t points, size_t cells, size_t corners, taut_arena *arena,
-                         vtu_grid *grid);
+/* Room for so many; whether there was memory is taut_arena_status. */
+vtu_grid vtu_grid_of(taut_arena *arena, size_t points, size_t cells, size_t corners);
 /* Adds a cell on points that are, or will be, there; returns where its corners go. */
 int64_t *vtu_grid_add_cell(vtu_grid *grid, int type, size_t corners, int degree_u, int degree_v,
                            int surface);

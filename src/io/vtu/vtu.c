@@ -22,6 +22,7 @@ typedef struct vtu_part {
 } vtu_part;
 
 typedef struct vtu_file {
+    taut_arena *arena;
     vtu_part *parts;
     int count;
     taut_mesh *mesh; /* NULL where all is exact */
@@ -29,11 +30,11 @@ typedef struct vtu_file {
 } vtu_file;
 
 static taut_status choose_parts(const taut_model *model, const taut_write_options *options,
-                                taut_arena *arena, vtu_file *file, taut_error *error)
+                                vtu_file *file, taut_error *error)
 {
     const int count = taut_model_surface_count(model);
     int inexact = 0;
-    file->parts = taut_arena_take(arena, (size_t)count, sizeof *file->parts);
+    file->parts = taut_arena_take(file->arena, (size_t)count, sizeof *file->parts);
     if (file->parts == NULL) {
         return taut_fail_memory(error);
     }
@@ -69,7 +70,7 @@ static size_t net_points(const taut_surface *surface)
            (size_t)taut_basis_count(taut_surface_v(surface));
 }
 
-static taut_status take_grids(taut_arena *arena, vtu_file *file, taut_error *error)
+static taut_status take_grids(vtu_file *file, taut_error *error)
 {
     double points = 0, cells = 0, corners = 0, of_nets = 0, lines = 0;
     for (int i = 0; i < file->count; i++) {
@@ -96,13 +97,9 @@ static taut_status take_grids(taut_arena *arena, vtu_file *file, taut_error *err
                          "a grid of %.0f points, expected at most %d: ask for a coarser one",
                          points > of_nets ? points : of_nets, TAUT_POINTS_MAX);
     }
-    if (vtu_grid_new((size_t)points, (size_t)cells, (size_t)corners, arena, &file->surfaces) !=
-            TAUT_OK ||
-        vtu_grid_new((size_t)of_nets, (size_t)lines, 2 * (size_t)of_nets, arena, &file->nets) !=
-            TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    return TAUT_OK;
+    file->surfaces = vtu_grid_of(file->arena, (size_t)points, (size_t)cells, (size_t)corners);
+    file->nets = vtu_grid_of(file->arena, (size_t)of_nets, (size_t)lines, 2 * (size_t)of_nets);
+    return taut_arena_status(file->arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 /* The quads of the mesh of one surface. */
@@ -154,18 +151,21 @@ static void add_net(const vtu_part *part, vtu_grid *grid)
 
 static taut_status fill_grids(const taut_write_options *options, vtu_file *file, taut_error *error)
 {
-    taut_status status = TAUT_OK;
-    for (int i = 0; status == TAUT_OK && i < file->count; i++) {
+    for (int i = 0; i < file->count; i++) {
         const vtu_part *part = &file->parts[i];
+        taut_status status = TAUT_OK;
         if (part->is_exact) {
             status =
                 vtu_cells_add(part->surface, &part->cells, part->index, &file->surfaces, error);
         } else if (add_mesh(part, file->mesh, options->threads, &file->surfaces) != TAUT_OK) {
             status = taut_fail_memory(error);
         }
+        if (status != TAUT_OK) {
+            return status;
+        }
         add_net(part, &file->nets);
     }
-    return status;
+    return TAUT_OK;
 }
 
 /* Three bytes wait to become four letters. */
@@ -308,35 +308,38 @@ static void write_end(taut_sink *sink)
     taut_sink_text(sink, "</UnstructuredGrid>\n</VTKFile>\n");
 }
 
+static taut_status write_file(vtu_file *file, const taut_model *model,
+                              const taut_write_options *options, FILE *out, taut_error *error)
+{
+    taut_sink sink;
+    taut_status status = choose_parts(model, options, file, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = take_grids(file, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = fill_grids(options, file, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    sink = taut_sink_to(out);
+    write_begin(&sink, taut_model_unit(model));
+    write_piece(&sink, &file->surfaces, 0);
+    write_piece(&sink, &file->nets, 1);
+    write_end(&sink);
+    return taut_mesh_out_finish(&sink, error);
+}
+
 static taut_status write_vtu(const taut_model *model, const taut_write_options *options, FILE *out,
                              taut_error *error)
 {
-    taut_arena *arena = taut_arena_new();
-    vtu_file file;
-    taut_sink sink;
-    taut_status status = TAUT_OK;
-
-    memset(&file, 0, sizeof file);
-    if (arena == NULL) {
-        return taut_fail_memory(error);
-    }
-    status = choose_parts(model, options, arena, &file, error);
-    if (status == TAUT_OK) {
-        status = take_grids(arena, &file, error);
-    }
-    if (status == TAUT_OK) {
-        status = fill_grids(options, &file, error);
-    }
-    if (status == TAUT_OK) {
-        sink = taut_sink_to(out);
-        write_begin(&sink, taut_model_unit(model));
-        write_piece(&sink, &file.surfaces, 0);
-        write_piece(&sink, &file.nets, 1);
-        write_end(&sink);
-        status = taut_mesh_out_finish(&sink, error);
-    }
+    vtu_file file = {.arena = taut_arena_new()};
+    const taut_status status = write_file(&file, model, options, out, error);
     taut_mesh_free(file.mesh);
-    taut_arena_free(arena);
+    taut_arena_free(file.arena);
     return status;
 }
 
