@@ -55,9 +55,13 @@ taut_status taut_json_word(const taut_json *at, const char *const *words, int *w
 taut_status taut_json_flag(const taut_json *document, const char *key, int *value,
                            taut_error *error);
 
-/* TAUT_BAD_INPUT at this place: "found <what is there>, expected <expected>". */
+/* TAUT_BAD_INPUT at this place: "found <what is there>, expected <expected>". The reason is
+ * "missing" where nothing is there, else "value" where numbers or a list are, else "type". */
 taut_status taut_json_expected(const taut_json *at, taut_error *error, const char *expected, ...)
     __attribute__((format(printf, 3, 4)));
+/* The same for this reason, where something is there. */
+taut_status taut_json_refuse(const taut_json *at, taut_error *error, const char *reason,
+                             const char *expected, ...) __attribute__((format(printf, 4, 5)));
 /* TAUT_BAD_INPUT at this place with a sentence of one's own. */
 taut_status taut_json_fail(const taut_json *at, taut_error *error, const char *reason, double found,
                            double limit, const char *format, ...)

@@ -86,15 +86,22 @@ typedef struct json_scan {
     taut_plain_locale plain;
     int no_memory;
     const char *place;    /* in the text */
+    const char *reason;   /* a word */
     const char *sentence; /* whose %s is what is found there, or NULL: the text ended */
 } json_scan;
 
 /* Stops at `place`. Always 0. */
-static int stop(json_scan *scan, const char *place, const char *sentence)
+static int stop_for(json_scan *scan, const char *reason, const char *place, const char *sentence)
 {
     scan->place = place;
+    scan->reason = reason;
     scan->sentence = sentence;
     return 0;
+}
+
+static int stop(json_scan *scan, const char *place, const char *sentence)
+{
+    return stop_for(scan, "syntax", place, sentence);
 }
 
 static int stop_memory(json_scan *scan)
@@ -273,7 +280,7 @@ static int scan_word(json_scan *scan, taut_json_value *value)
             return stop_memory(scan);
         }
         if (!isfinite(x)) {
-            return stop(scan, scan->at, "%s does not fit double precision");
+            return stop_for(scan, "value", scan->at, "%s does not fit double precision");
         }
         *value = (taut_json_value){TAUT_JSON_NUMBER, 0, {.number = x}};
         scan->at = after;
@@ -426,8 +433,8 @@ static int check_twice(parser *p, const taut_json_entry *members, size_t count)
         }
         taut_free((void *)sorted);
     }
-    return twice == NULL ||
-           stop(&p->scan, p->scan.begin + twice->offset, "the member %s is given twice");
+    return twice == NULL || stop_for(&p->scan, "twice", p->scan.begin + twice->offset,
+                                     "the member %s is given twice");
 }
 
 /* One "key": value. */
@@ -490,8 +497,8 @@ static int parse_value(parser *p, int depth, taut_json_value *value)
     }
     if (depth == TAUT_JSON_DEPTH_MAX) {
         _Static_assert(TAUT_JSON_DEPTH_MAX == 256, "the message says the limit");
-        return stop(&p->scan, p->scan.at,
-                    "lists and objects are nested too deep: more than 256 of them");
+        return stop_for(&p->scan, "depth", p->scan.at,
+                        "lists and objects are nested too deep: more than 256 of them");
     }
     p->scan.at++;
     return c == '[' ? parse_array(p, depth + 1, value) : parse_object(p, depth + 1, value);
@@ -532,6 +539,7 @@ static void quote_place(const char *at, const char *end, char quoted[32])
  * error->where; of a long name the end is kept. */
 static taut_status report_stop(const json_scan *scan, const char *name, taut_error *error)
 {
+    static const char between[] = ", expected ";
     char where[sizeof error->where], numbers[48], quoted[32] = "the end", message[200];
     size_t line = 1, column = 1, length = strlen(name), room = 0;
     const int ended = scan->place == scan->end && scan->begin != scan->end;
@@ -551,7 +559,7 @@ static taut_status report_stop(const json_scan *scan, const char *name, taut_err
         *c = (unsigned char)*c < 0x20 || *c == 0x7f ? '?' : *c;
     }
     if (ended || scan->sentence == NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "syntax", where, taut_none, taut_none,
                          "the text ends before the document does");
     }
     if (scan->place < scan->end) {
@@ -562,7 +570,14 @@ static taut_status report_stop(const json_scan *scan, const char *name, taut_err
         (int)(hole != NULL ? (size_t)(hole - scan->sentence) : strlen(scan->sentence));
     snprintf(message, sizeof message, "%.*s%s%s", before, scan->sentence,
              hole != NULL ? quoted : "", hole != NULL ? hole + 2 : "");
-    return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none, "%s", message);
+    char *wish = strstr(message, between);
+    if (wish == NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, scan->reason, where, taut_none, taut_none, "%s",
+                         message);
+    }
+    *wish = '\0';
+    return taut_fail_expected(error, TAUT_BAD_INPUT, scan->reason, where, taut_none,
+                              wish + strlen(between), "%s", message);
 }
 
 taut_status taut_json_parse(const char *text, size_t length, const char *name,
@@ -576,7 +591,7 @@ taut_status taut_json_parse(const char *text, size_t length, const char *name,
     parser p = {.scan = {.begin = begin, .at = begin, .end = begin + (length - skip)}};
 
     if ((double)length > TAUT_FILE_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", NULL, (double)length, TAUT_FILE_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "size", NULL, (double)length, TAUT_FILE_MAX,
                          "a document of %zu bytes, expected at most %.0f", length, TAUT_FILE_MAX);
     }
     made = taut_alloc_zero(1, sizeof *made);

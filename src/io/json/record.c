@@ -15,7 +15,7 @@ static taut_status add_members(taut_record *record, const taut_json *at, taut_er
     taut_status status = TAUT_OK;
 
     if (count > TAUT_MEMBERS_MAX) {
-        return taut_json_fail(at, error, "value", (double)count, TAUT_MEMBERS_MAX,
+        return taut_json_fail(at, error, "size", (double)count, TAUT_MEMBERS_MAX,
                               "found an object of %zu members, expected at most %d", count,
                               TAUT_MEMBERS_MAX);
     }
@@ -67,7 +67,7 @@ taut_status taut_json_record(const taut_json *at, taut_record **record, taut_err
     taut_status status = TAUT_OK;
 
     if (kind != TAUT_JSON_OBJECT && kind != TAUT_JSON_ARRAY) {
-        return taut_json_expected(at, error, "an object");
+        return taut_json_refuse(at, error, "type", "an object");
     }
     made = kind == TAUT_JSON_OBJECT ? taut_record_new() : taut_record_new_list();
     status = kind == TAUT_JSON_OBJECT ? add_members(made, at, error) : add_items(made, at, error);
