@@ -154,3 +154,52 @@ taut_status taut_json_flag(const taut_json *document, const char *key, int *valu
     *value = kind == TAUT_JSON_TRUE;
     return TAUT_OK;
 }
+
+taut_status taut_json_each(const taut_json *at, size_t least, size_t most, const char *items,
+                           taut_json_read *read, void *into, taut_error *error)
+{
+    size_t count = 0;
+    taut_status status = taut_json_array(at, least, most, items, &count, error);
+    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
+        const taut_json item = taut_json_item(at, i);
+        status = read(&item, into, error);
+    }
+    return status;
+}
+
+taut_reader taut_reader_of(const taut_json *object, const char *const *members, taut_error *error)
+{
+    return (taut_reader){object, error,
+                         members != NULL ? taut_json_object(object, members, error) : TAUT_OK};
+}
+
+void taut_reader_text(taut_reader *reader, const char *key, const char **text)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_text(&at, text, reader->error);
+    }
+}
+
+void taut_reader_word(taut_reader *reader, const char *key, const char *const *words, int *word)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_word(&at, words, word, reader->error);
+    }
+}
+
+void taut_reader_member(taut_reader *reader, const char *key, taut_json_read *read, void *into)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = read(&at, into, reader->error);
+    }
+}
+
+void taut_reader_optional(taut_reader *reader, const char *key, taut_json_read *read, void *into)
+{
+    if (taut_json_find(reader->object->value, key) != NULL) {
+        taut_reader_member(reader, key, read, into);
+    }
+}

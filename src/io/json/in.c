@@ -12,9 +12,10 @@ taut_status taut_json_load(const char *path, taut_json_document **document, taut
     char *text = NULL;
     size_t length = 0;
     taut_status status = taut_file_read(path, &text, &length, error);
-    if (status == TAUT_OK) {
-        status = taut_json_parse(text, length, name, document, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_json_parse(text, length, name, document, error);
     taut_free(text);
     return status;
 }

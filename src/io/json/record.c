@@ -82,6 +82,14 @@ taut_status taut_json_record(const taut_json *at, taut_record **record, taut_err
     return TAUT_OK;
 }
 
+taut_status taut_json_record_object(const taut_json *at, taut_record **record, taut_error *error)
+{
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
+        return taut_json_refuse(at, error, "type", "an object");
+    }
+    return taut_json_record(at, record, error);
+}
+
 taut_status taut_record_read_text(const char *text, size_t length, const char *name,
                                   taut_record **record, taut_error *error)
 {
@@ -92,10 +100,11 @@ taut_status taut_record_read_text(const char *text, size_t length, const char *n
                          "reading needs a text, its name and a place for the record");
     }
     status = taut_json_parse(text, length, name, &document, error);
-    if (status == TAUT_OK) {
-        const taut_json root = taut_json_root(document);
-        status = taut_json_record(&root, record, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    const taut_json root = taut_json_root(document);
+    status = taut_json_record(&root, record, error);
     taut_json_document_free(document);
     return status;
 }
