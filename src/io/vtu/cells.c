@@ -9,6 +9,7 @@
  * inside, away from edges that may be collapsed: with A_ki = B_i(t_k) and W = sum w_ij B_i B_j,
  *     w_ij f_ij = sum_kl inv(A_u)_ik inv(A_v)_jl (f W)(s_k, t_l). */
 #include "core/fail.h"
+#include "io/model/keep.h"
 #include "io/vtu/grid.h"
 #include "taut/operations.h"
 
@@ -304,11 +305,6 @@ static taut_status add_cells(const taut_surface *surface, const taut_model *piec
     return status;
 }
 
-static void release_model(void *model)
-{
-    taut_model_free(model);
-}
-
 static taut_status add_surface(const taut_surface *surface, const vtu_cells *plan, int index,
                                taut_arena *arena, vtu_grid *grid, taut_error *error)
 {
@@ -331,7 +327,7 @@ static taut_status add_surface(const taut_surface *surface, const vtu_cells *pla
     *work = (cell_work){.plan = plan, .v = v, .vectors = vectors, .fields = fields};
     make_rule(plan->degree[0], &work->rules[0]);
     make_rule(plan->degree[1], &work->rules[1]);
-    if (!taut_arena_keep(arena, pieces, release_model) ||
+    if (!taut_keep_model(arena, pieces) ||
         add_cells(surface, pieces, index, work, grid) != TAUT_OK) {
         return taut_fail_memory(error);
     }
