@@ -89,7 +89,7 @@ static void put_curve(taut_json_out *out, const taut_curve *curve)
     taut_json_close(out, '}');
 }
 
-static taut_status put_model(const taut_model *nurbs, FILE *file, taut_error *error)
+static taut_status write_nurbs(const taut_model *nurbs, FILE *file, taut_error *error)
 {
     const int surfaces = taut_model_surface_count(nurbs), curves = taut_model_curve_count(nurbs);
     taut_json_out out = taut_json_out_to(file);
@@ -125,13 +125,14 @@ static taut_status write_geomdl(const taut_model *model, const taut_write_option
     double bound = 0;
     taut_status status = taut_format_nurbs(model, options, tolerance, &nurbs, &bound, error);
 
-    if (status == TAUT_OK) {
-        status = put_model(nurbs, out, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = write_nurbs(nurbs, out, error);
+    taut_model_free(nurbs);
     if (status == TAUT_OK && options->bound != NULL) {
         *options->bound = bound;
     }
-    taut_model_free(nurbs);
     return status;
 }
 
