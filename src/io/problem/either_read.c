@@ -25,15 +25,15 @@ taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,
     }
     if (status == TAUT_OK && root != NULL) {
         const taut_json document = taut_json_root(root);
-        const int is_problem = taut_json_kind_at(&document) == TAUT_JSON_OBJECT &&
-                               taut_json_find(document.value, "construct") != NULL;
-        status = is_problem ? taut_problem_of_document(root, path, &read_problem, error)
-                            : taut_model_of_document(root, &read_model, error);
+        status = taut_json_find(document.value, "construct") != NULL
+                     ? taut_problem_of_document(root, path, &read_problem, error)
+                     : taut_model_of_document(root, &read_model, error);
     }
     taut_json_document_free(root);
-    if (status == TAUT_OK) {
-        *problem = read_problem;
-        *model = read_model;
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    *problem = read_problem;
+    *model = read_model;
+    return TAUT_OK;
 }
