@@ -47,7 +47,8 @@ taut_status taut_mesh_out_check_float(const taut_mesh *mesh, const char *format,
     const double *positions = taut_mesh_positions(mesh);
     for (size_t i = 0; i < 3 * taut_mesh_vertex_count(mesh); i++) {
         if (!(fabs(positions[i]) <= FLT_MAX)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, positions[i], FLT_MAX,
+            return taut_fail(error, TAUT_NO_SOLUTION, "single-precision", NULL, positions[i],
+                             FLT_MAX,
                              "a coordinate of %g is too large for %s, which has single precision: "
                              "write .ply or .obj",
                              positions[i], format);

@@ -49,7 +49,7 @@ static taut_status choose_parts(const taut_model *model, const taut_write_option
         }
     }
     if (file->count == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "empty", NULL, taut_none, taut_none,
                          "the model has no surface to make a grid of");
     }
     return inexact > 0 ? taut_mesh_out_new(model, options, &file->mesh, error) : TAUT_OK;
@@ -92,7 +92,7 @@ static taut_status take_grids(vtu_file *file, taut_error *error)
                  taut_basis_count(taut_surface_v(part->surface));
     }
     if (points > TAUT_POINTS_MAX || of_nets > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "cells", NULL,
                          points > of_nets ? points : of_nets, TAUT_POINTS_MAX,
                          "a grid of %.0f points, expected at most %d: ask for a coarser one",
                          points > of_nets ? points : of_nets, TAUT_POINTS_MAX);
