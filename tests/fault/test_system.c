@@ -7,7 +7,7 @@
 #include "fault.h"
 #include "shapes.h"
 
-#include "io/cad/stream.h"
+#include "io/cad/child.h"
 #include "taut/read.h"
 #include "taut/write.h"
 

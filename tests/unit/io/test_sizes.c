@@ -5,7 +5,7 @@
 #include "shapes.h"
 
 #include "core/memory.h"
-#include "io/cad/stream.h"
+#include "io/cad/child.h"
 #include "io/problem/net_document.h"
 #include "page/html_data.h"
 #include "taut/limits.h"

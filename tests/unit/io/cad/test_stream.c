@@ -2,7 +2,7 @@
  * changed. */
 #include "check.h"
 
-#include "io/cad/stream.h"
+#include "io/cad/child.h"
 #include "taut/curve.h"
 #include "taut/surface.h"
 
