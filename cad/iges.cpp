@@ -49,7 +49,7 @@ static const unit_row &row_of(const std::string &unit)
             return row;
         }
     }
-    throw occt_failure(TAUT_INTERNAL, "there is no unit \"" + unit + "\"");
+    throw occt_failure(TAUT_INTERNAL, "fault", "there is no unit \"" + unit + "\"");
 }
 
 const char *occt_unit(const char *unit)
@@ -228,7 +228,7 @@ void occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *it
     output.SendModel(protocol);
     std::ofstream file(job.path, std::ios::binary | std::ios::trunc);
     if (!output.Print(file) || !file.flush()) {
-        throw occt_failure(TAUT_IO, "the file cannot be written");
+        throw occt_failure(TAUT_IO, "write", "the file cannot be written");
     }
 }
 
@@ -240,7 +240,7 @@ TopoDS_Shape occt_read_iges(const taut_cad_job &job, const taut_cad_sink &sink, 
     occt_keep_closed();
     Interface_Static::SetIVal("read.iges.bspline.continuity", 0); /* cut nothing that has a kink */
     if (reader.ReadFile(job.path) != IFSelect_RetDone) {
-        throw occt_failure(TAUT_BAD_INPUT, "this is no IGES file, or a broken one");
+        throw occt_failure(TAUT_BAD_INPUT, "broken", "this is no IGES file, or a broken one");
     }
     const Handle(IGESData_IGESModel) model = reader.IGESModel();
     occt_check_loaded(model, STANDARD_TYPE(IGESData_IGESEntity));

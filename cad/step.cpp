@@ -41,7 +41,7 @@ static Handle(TCollection_HAsciiString) text(const std::string &from)
 static void set(const char *name, const char *value)
 {
     if (!Interface_Static::SetCVal(name, value)) {
-        throw occt_failure(TAUT_INTERNAL,
+        throw occt_failure(TAUT_INTERNAL, "library",
                            std::string("OpenCASCADE does not take ") + name + " " + value);
     }
 }
@@ -58,15 +58,17 @@ static TopoDS_Shape shape_of(const taut_cad_item &item, double precision)
     if (item.count[1] == 0) {
         BRepBuilderAPI_MakeEdge make(occt_curve(item));
         if (!make.IsDone()) {
-            throw occt_failure(TAUT_NO_SOLUTION, "OpenCASCADE makes no edge of the curve \"" +
-                                                     std::string(item.name) + "\"");
+            throw occt_failure(TAUT_NO_SOLUTION, "library",
+                               "OpenCASCADE makes no edge of the curve \"" +
+                                   std::string(item.name) + "\"");
         }
         return make.Edge();
     }
     BRepBuilderAPI_MakeFace make(occt_surface(item), precision);
     if (!make.IsDone()) {
-        throw occt_failure(TAUT_NO_SOLUTION, "OpenCASCADE makes no face of the surface \"" +
-                                                 std::string(item.name) + "\"");
+        throw occt_failure(TAUT_NO_SOLUTION, "library",
+                           "OpenCASCADE makes no face of the surface \"" + std::string(item.name) +
+                               "\"");
     }
     return make.Face();
 }
@@ -112,7 +114,7 @@ void occt_write_step(const taut_cad_job &job, int count, const taut_cad_item *it
         builder.Add(all, shapes.back());
     }
     if (writer.Transfer(all, STEPControl_AsIs) != IFSelect_RetDone) {
-        throw occt_failure(TAUT_INTERNAL, "OpenCASCADE did not take the model");
+        throw occt_failure(TAUT_INTERNAL, "library", "OpenCASCADE did not take the model");
     }
     const Handle(Transfer_FinderProcess) found = writer.WS()->TransferWriter()->FinderProcess();
     for (int i = 0; i < count; i++) {
@@ -129,7 +131,7 @@ void occt_write_step(const taut_cad_job &job, int count, const taut_cad_item *it
     output.SendModel(Handle(StepData_Protocol)::DownCast(model->Protocol()));
     std::ofstream file(job.path, std::ios::binary | std::ios::trunc);
     if (!output.Print(file) || !file.flush()) {
-        throw occt_failure(TAUT_IO, "the file cannot be written");
+        throw occt_failure(TAUT_IO, "write", "the file cannot be written");
     }
 }
 
@@ -159,7 +161,7 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const taut_cad_sink &sink, 
 
     occt_keep_closed();
     if (reader.ReadFile(job.path) != IFSelect_RetDone) {
-        throw occt_failure(TAUT_BAD_INPUT, "this is no STEP file, or a broken one");
+        throw occt_failure(TAUT_BAD_INPUT, "broken", "this is no STEP file, or a broken one");
     }
     occt_check_loaded(reader.Model(), STANDARD_TYPE(StepRepr_RepresentationItem));
     reader.FileUnits(lengths, angles, solid_angles);

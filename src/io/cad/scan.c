@@ -86,7 +86,7 @@ static taut_status refuse(const scan *s, const char *what, taut_error *error)
 {
     char where[32];
     snprintf(where, sizeof where, "line %zu", s->line);
-    return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none, "%s", what);
+    return taut_fail(error, TAUT_BAD_INPUT, "broken", where, taut_none, taut_none, "%s", what);
 }
 
 static void advance(scan *s, size_t count)

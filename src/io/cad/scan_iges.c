@@ -35,7 +35,7 @@ static taut_status refuse(const iges_scan *s, const char *what, taut_error *erro
 {
     char where[32];
     snprintf(where, sizeof where, "line %zu", s->number);
-    return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none, "%s", what);
+    return taut_fail(error, TAUT_BAD_INPUT, "broken", where, taut_none, taut_none, "%s", what);
 }
 
 /* A number right-justified in the columns; -1 where there is none. */
