@@ -83,31 +83,18 @@ static size_t data_length(const glb_plan *plan)
            plan->index_count * INDEX_BYTES;
 }
 
-static void put_pair(taut_json_out *out, const char *key, double value)
-{
-    taut_json_key(out, key);
-    taut_json_put_number(out, value);
-}
-
-static void put_word(taut_json_out *out, const char *key, const char *word)
-{
-    taut_json_key(out, key);
-    taut_json_put_text(out, word);
-}
-
 static void put_asset(taut_json_out *out)
 {
     taut_json_key(out, "asset");
     taut_json_open_inline(out, '{');
-    put_word(out, "version", "2.0");
-    put_word(out, "generator", "taut");
+    taut_json_pair_text(out, "version", "2.0");
+    taut_json_pair_text(out, "generator", "taut");
     taut_json_close(out, '}');
-    put_pair(out, "scene", 0);
+    taut_json_pair_number(out, "scene", 0);
     taut_json_key(out, "scenes");
     taut_json_open_inline(out, '[');
     taut_json_open_inline(out, '{');
-    taut_json_key(out, "nodes");
-    taut_json_put_numbers(out, 1, (const double[]){0});
+    taut_json_pair_numbers(out, "nodes", 1, (const double[]){0});
     taut_json_close(out, '}');
     taut_json_close(out, ']');
 }
@@ -117,29 +104,27 @@ static void put_nodes(taut_json_out *out, const glb_plan *plan, const taut_model
 {
     const double metres = metres_of(taut_model_unit(model)), *origin = plan->origin;
     const double half = sqrt(0.5);
-    taut_json_key(out, "nodes");
-    taut_json_open(out, '[');
+    taut_json_open_pair(out, "nodes", '[');
     taut_json_open_inline(out, '{');
-    put_word(out, "name", "model");
+    taut_json_pair_text(out, "name", "model");
     taut_json_key(out, "children");
     taut_json_open_inline(out, '[');
     for (int g = 0; g < plan->count; g++) {
         taut_json_put_number(out, g + 1);
     }
     taut_json_close(out, ']');
-    taut_json_key(out, "translation");
-    taut_json_put_numbers(
-        out, 3, (const double[]){metres * origin[0], metres * origin[2], 0 - metres * origin[1]});
-    taut_json_key(out, "rotation");
-    taut_json_put_numbers(out, 4, (const double[]){-half, 0, 0, half});
-    taut_json_key(out, "scale");
-    taut_json_put_numbers(out, 3, (const double[]){metres, metres, metres});
+    taut_json_pair_numbers(
+        out, "translation", 3,
+        (const double[]){metres * origin[0], metres * origin[2], 0 - metres * origin[1]});
+    taut_json_pair_numbers(out, "rotation", 4, (const double[]){-half, 0, 0, half});
+    taut_json_pair_numbers(out, "scale", 3, (const double[]){metres, metres, metres});
     taut_json_close(out, '}');
     for (int g = 0; g < plan->count; g++) {
         char room[TAUT_NAME_MAX + 1];
         taut_json_open_inline(out, '{');
-        put_word(out, "name", taut_mesh_out_name(taut_mesh_group_at(plan->mesh, g), room));
-        put_pair(out, "mesh", g);
+        taut_json_pair_text(out, "name",
+                            taut_mesh_out_name(taut_mesh_group_at(plan->mesh, g), room));
+        taut_json_pair_number(out, "mesh", g);
         taut_json_close(out, '}');
     }
     taut_json_close(out, ']');
@@ -148,25 +133,23 @@ static void put_nodes(taut_json_out *out, const glb_plan *plan, const taut_model
 static void put_meshes(taut_json_out *out, const glb_plan *plan)
 {
     const int views = views_of(plan);
-    taut_json_key(out, "meshes");
-    taut_json_open(out, '[');
+    taut_json_open_pair(out, "meshes", '[');
     for (int g = 0; g < plan->count; g++) {
         char room[TAUT_NAME_MAX + 1];
         taut_json_open_inline(out, '{');
-        put_word(out, "name", taut_mesh_out_name(taut_mesh_group_at(plan->mesh, g), room));
-        taut_json_key(out, "primitives");
-        taut_json_open(out, '[');
+        taut_json_pair_text(out, "name",
+                            taut_mesh_out_name(taut_mesh_group_at(plan->mesh, g), room));
+        taut_json_open_pair(out, "primitives", '[');
         taut_json_open(out, '{');
-        taut_json_key(out, "attributes");
-        taut_json_open(out, '{');
-        put_pair(out, "POSITION", views * g);
-        put_pair(out, "NORMAL", views * g + 1);
+        taut_json_open_pair(out, "attributes", '{');
+        taut_json_pair_number(out, "POSITION", views * g);
+        taut_json_pair_number(out, "NORMAL", views * g + 1);
         if (plan->values != NULL) {
-            put_pair(out, "COLOR_0", views * g + 2);
+            taut_json_pair_number(out, "COLOR_0", views * g + 2);
         }
         taut_json_close(out, '}');
-        put_pair(out, "indices", views * g + views - 1);
-        put_pair(out, "material", plan->values != NULL ? 0 : g % PLAIN_COLOURS);
+        taut_json_pair_number(out, "indices", views * g + views - 1);
+        taut_json_pair_number(out, "material", plan->values != NULL ? 0 : g % PLAIN_COLOURS);
         taut_json_close(out, '}');
         taut_json_close(out, ']');
         taut_json_close(out, '}');
@@ -180,28 +163,23 @@ static void put_materials(taut_json_out *out, const glb_plan *plan)
 {
     const int some = plan->count < PLAIN_COLOURS ? plan->count : PLAIN_COLOURS;
     const int count = plan->values != NULL ? 1 : some;
-    taut_json_key(out, "materials");
-    taut_json_open(out, '[');
+    taut_json_open_pair(out, "materials", '[');
     for (int i = 0; i < count; i++) {
         const taut_ink white = {255, 255, 255};
         const taut_ink ink = plan->values != NULL ? white : taut_colour_plain(i);
         taut_json_open_inline(out, '{');
-        taut_json_key(out, "pbrMetallicRoughness");
-        taut_json_open(out, '{');
-        taut_json_key(out, "baseColorFactor");
-        taut_json_put_numbers(
-            out, 4,
+        taut_json_open_pair(out, "pbrMetallicRoughness", '{');
+        taut_json_pair_numbers(
+            out, "baseColorFactor", 4,
             (const double[]){linear_share(ink.r), linear_share(ink.g), linear_share(ink.b), 1});
-        put_pair(out, "metallicFactor", 0);
-        put_pair(out, "roughnessFactor", 0.6);
+        taut_json_pair_number(out, "metallicFactor", 0);
+        taut_json_pair_number(out, "roughnessFactor", 0.6);
         taut_json_close(out, '}');
-        taut_json_key(out, "doubleSided");
-        taut_json_put_verdict(out, TAUT_TRUE);
+        taut_json_pair_verdict(out, "doubleSided", TAUT_TRUE);
         if (plan->values != NULL) {
-            taut_json_key(out, "extras");
-            taut_json_open(out, '{');
-            put_word(out, "colour", plan->colour == TAUT_COLOUR_MEAN ? "H" : "K");
-            put_pair(out, "limit", plan->limit);
+            taut_json_open_pair(out, "extras", '{');
+            taut_json_pair_text(out, "colour", plan->colour == TAUT_COLOUR_MEAN ? "H" : "K");
+            taut_json_pair_number(out, "limit", plan->limit);
             taut_json_close(out, '}');
         }
         taut_json_close(out, '}');
@@ -214,28 +192,24 @@ static void put_accessor(taut_json_out *out, int view, size_t offset, int compon
                          const char *type, const glb_part *box)
 {
     taut_json_open_inline(out, '{');
-    put_pair(out, "bufferView", view);
-    put_pair(out, "byteOffset", (double)offset);
-    put_pair(out, "componentType", component);
+    taut_json_pair_number(out, "bufferView", view);
+    taut_json_pair_number(out, "byteOffset", (double)offset);
+    taut_json_pair_number(out, "componentType", component);
     if (component == UNSIGNED_SHORT) {
-        taut_json_key(out, "normalized");
-        taut_json_put_verdict(out, TAUT_TRUE);
+        taut_json_pair_verdict(out, "normalized", TAUT_TRUE);
     }
-    put_pair(out, "count", (double)count);
-    put_word(out, "type", type);
+    taut_json_pair_number(out, "count", (double)count);
+    taut_json_pair_text(out, "type", type);
     if (box != NULL) {
-        taut_json_key(out, "min");
-        taut_json_put_numbers(out, 3, box->lo);
-        taut_json_key(out, "max");
-        taut_json_put_numbers(out, 3, box->hi);
+        taut_json_pair_numbers(out, "min", 3, box->lo);
+        taut_json_pair_numbers(out, "max", 3, box->hi);
     }
     taut_json_close(out, '}');
 }
 
 static void put_accessors(taut_json_out *out, const glb_plan *plan)
 {
-    taut_json_key(out, "accessors");
-    taut_json_open(out, '[');
+    taut_json_open_pair(out, "accessors", '[');
     for (int g = 0; g < plan->count; g++) {
         const taut_mesh_group *group = taut_mesh_group_at(plan->mesh, g);
         const glb_part *part = &plan->parts[g];
@@ -256,13 +230,13 @@ static void put_accessors(taut_json_out *out, const glb_plan *plan)
 static size_t put_view(taut_json_out *out, size_t offset, size_t length, int stride)
 {
     taut_json_open_inline(out, '{');
-    put_pair(out, "buffer", 0);
-    put_pair(out, "byteOffset", (double)offset);
-    put_pair(out, "byteLength", (double)length);
+    taut_json_pair_number(out, "buffer", 0);
+    taut_json_pair_number(out, "byteOffset", (double)offset);
+    taut_json_pair_number(out, "byteLength", (double)length);
     if (stride > 0) {
-        put_pair(out, "byteStride", stride);
+        taut_json_pair_number(out, "byteStride", stride);
     }
-    put_pair(out, "target", stride > 0 ? ARRAY_BUFFER : ELEMENT_ARRAY_BUFFER);
+    taut_json_pair_number(out, "target", stride > 0 ? ARRAY_BUFFER : ELEMENT_ARRAY_BUFFER);
     taut_json_close(out, '}');
     return offset + length;
 }
@@ -271,8 +245,7 @@ static void put_buffers(taut_json_out *out, const glb_plan *plan)
 {
     const size_t vertices = taut_mesh_vertex_count(plan->mesh);
     size_t end = 0;
-    taut_json_key(out, "bufferViews");
-    taut_json_open(out, '[');
+    taut_json_open_pair(out, "bufferViews", '[');
     end = put_view(out, end, VECTOR_BYTES * vertices, VECTOR_BYTES);
     end = put_view(out, end, VECTOR_BYTES * vertices, VECTOR_BYTES);
     if (plan->values != NULL) {
@@ -280,10 +253,9 @@ static void put_buffers(taut_json_out *out, const glb_plan *plan)
     }
     end = put_view(out, end, INDEX_BYTES * plan->index_count, 0);
     taut_json_close(out, ']');
-    taut_json_key(out, "buffers");
-    taut_json_open(out, '[');
+    taut_json_open_pair(out, "buffers", '[');
     taut_json_open_inline(out, '{');
-    put_pair(out, "byteLength", (double)end);
+    taut_json_pair_number(out, "byteLength", (double)end);
     taut_json_close(out, '}');
     taut_json_close(out, ']');
 }

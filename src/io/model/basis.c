@@ -202,8 +202,7 @@ void taut_basis_document_write(taut_json_out *out, const taut_basis *basis)
 
     taut_basis_spec_of(basis, &spec);
     taut_json_open_inline(out, '{');
-    taut_json_key(out, "type");
-    taut_json_put_text(out, spec.type);
+    taut_json_pair_text(out, "type", spec.type);
     for (int i = 0; i < MEMBER_COUNT; i++) {
         const unsigned bit = member_table[i].bit;
         if ((ops->needs & bit) != 0 ||

@@ -97,28 +97,20 @@ taut_status taut_certificate_document_read(const taut_json *at, taut_certificate
 static void write_claim(taut_json_out *out, const taut_claim *claim)
 {
     taut_json_open_inline(out, '{');
-    taut_json_key(out, "claim");
-    taut_json_put_text(out, claim->claim);
-    taut_json_key(out, "residual");
-    taut_json_put_number(out, claim->residual);
-    taut_json_key(out, "limit");
-    taut_json_put_number(out, claim->limit);
-    taut_json_key(out, "holds");
-    taut_json_put_verdict(out, claim->holds);
-    taut_json_key(out, "where");
-    taut_json_put_text(out, claim->where);
+    taut_json_pair_text(out, "claim", claim->claim);
+    taut_json_pair_number(out, "residual", claim->residual);
+    taut_json_pair_number(out, "limit", claim->limit);
+    taut_json_pair_verdict(out, "holds", claim->holds);
+    taut_json_pair_text(out, "where", claim->where);
     taut_json_close(out, '}');
 }
 
 void taut_certificate_document_write(taut_json_out *out, const taut_certificate *certificate)
 {
     taut_json_open(out, '{');
-    taut_json_key(out, "construct");
-    taut_json_put_text(out, taut_certificate_construct(certificate));
-    taut_json_key(out, "holds");
-    taut_json_put_verdict(out, taut_certificate_holds(certificate));
-    taut_json_key(out, "claims");
-    taut_json_open(out, '[');
+    taut_json_pair_text(out, "construct", taut_certificate_construct(certificate));
+    taut_json_pair_verdict(out, "holds", taut_certificate_holds(certificate));
+    taut_json_open_pair(out, "claims", '[');
     for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
         write_claim(out, taut_certificate_claim(certificate, i));
     }

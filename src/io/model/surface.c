@@ -166,8 +166,7 @@ void taut_surface_document_write(taut_json_out *out, const taut_surface *surface
     const size_t rows = (size_t)taut_basis_count(u), columns = (size_t)taut_basis_count(v);
 
     taut_json_open(out, '{');
-    taut_json_key(out, "name");
-    taut_json_put_text(out, taut_surface_name(surface));
+    taut_json_pair_text(out, "name", taut_surface_name(surface));
     taut_json_key(out, "u");
     taut_basis_document_write(out, u);
     taut_json_key(out, "v");
@@ -179,8 +178,7 @@ void taut_surface_document_write(taut_json_out *out, const taut_surface *surface
         taut_json_put_net(out, rows, columns, 3, taut_surface_points(surface));
     }
     if (taut_surface_weights(surface) != NULL) {
-        taut_json_key(out, "weights");
-        taut_json_put_net(out, rows, columns, 1, taut_surface_weights(surface));
+        taut_json_pair_net(out, "weights", rows, columns, 1, taut_surface_weights(surface));
     }
     taut_json_close(out, '}');
 }
@@ -190,15 +188,12 @@ void taut_curve_document_write(taut_json_out *out, const taut_curve *curve)
     const size_t count = (size_t)taut_basis_count(taut_curve_t(curve));
 
     taut_json_open(out, '{');
-    taut_json_key(out, "name");
-    taut_json_put_text(out, taut_curve_name(curve));
+    taut_json_pair_text(out, "name", taut_curve_name(curve));
     taut_json_key(out, "t");
     taut_basis_document_write(out, taut_curve_t(curve));
-    taut_json_key(out, "points");
-    taut_json_put_net(out, 0, count, 3, taut_curve_points(curve));
+    taut_json_pair_net(out, "points", 0, count, 3, taut_curve_points(curve));
     if (taut_curve_weights(curve) != NULL) {
-        taut_json_key(out, "weights");
-        taut_json_put_net(out, 0, count, 1, taut_curve_weights(curve));
+        taut_json_pair_net(out, "weights", 0, count, 1, taut_curve_weights(curve));
     }
     taut_json_close(out, '}');
 }
