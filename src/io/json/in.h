@@ -20,11 +20,16 @@ typedef struct taut_json {
     size_t index;
 } taut_json;
 
-/* The document of a file, "-" is standard input: errors as taut_json_parse, and TAUT_IO. */
-taut_status taut_json_load(const char *path, taut_json_document **document, taut_error *error);
+/* How a value of one's own is read. */
+typedef taut_status taut_json_read(const taut_json *at, void *into, taut_error *error);
 
-/* The place of the root. */
-taut_json taut_json_root(const taut_json_document *document);
+/* Parses a text, or the file `path` ("-" is standard input), and reads its root: errors as
+ * taut_json_parse, and TAUT_IO. The document lives until `read` returns. */
+taut_status taut_json_read_text(const char *text, size_t length, const char *name,
+                                taut_json_read *read, void *into, taut_error *error);
+taut_status taut_json_read_file(const char *path, taut_json_read *read, void *into,
+                                taut_error *error);
+
 /* Item i of an array; its value is NULL if it is missing. */
 taut_json taut_json_item(const taut_json *array, size_t i);
 /* A member of an object; its value is NULL if it is missing. */
@@ -55,8 +60,6 @@ taut_status taut_json_word(const taut_json *at, const char *const *words, int *w
 taut_status taut_json_flag(const taut_json *document, const char *key, int *value,
                            taut_error *error);
 
-/* How a value of one's own is read. */
-typedef taut_status taut_json_read(const taut_json *at, void *into, taut_error *error);
 /* Reads every item of an array of least to most, in their order. */
 taut_status taut_json_each(const taut_json *at, size_t least, size_t most, const char *items,
                            taut_json_read *read, void *into, taut_error *error);

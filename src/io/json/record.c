@@ -90,21 +90,17 @@ taut_status taut_json_record_object(const taut_json *at, taut_record **record, t
     return taut_json_record(at, record, error);
 }
 
+static taut_status read_root(const taut_json *at, void *record, taut_error *error)
+{
+    return taut_json_record(at, record, error);
+}
+
 taut_status taut_record_read_text(const char *text, size_t length, const char *name,
                                   taut_record **record, taut_error *error)
 {
-    taut_json_document *document = NULL;
-    taut_status status = TAUT_OK;
     if (text == NULL || name == NULL || record == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "reading needs a text, its name and a place for the record");
     }
-    status = taut_json_parse(text, length, name, &document, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    const taut_json root = taut_json_root(document);
-    status = taut_json_record(&root, record, error);
-    taut_json_document_free(document);
-    return status;
+    return taut_json_read_text(text, length, name, read_root, record, error);
 }

@@ -101,34 +101,33 @@ static taut_status read_members(taut_model *model, const taut_json *document, ta
     return in.status;
 }
 
-taut_status taut_model_of_document(const taut_json_document *root, taut_model **model,
-                                   taut_error *error)
+taut_status taut_model_document_read(const taut_json *document, taut_model **model,
+                                     taut_error *error)
 {
-    const taut_json document = taut_json_root(root);
     taut_model *made = NULL;
     taut_status status = TAUT_OK;
 
-    if (taut_json_find(document.value, "construct") != NULL &&
-        taut_json_find(document.value, "surfaces") == NULL) {
-        const taut_json at = taut_json_member(&document, "construct");
+    if (taut_json_find(document->value, "construct") != NULL &&
+        taut_json_find(document->value, "surfaces") == NULL) {
+        const taut_json at = taut_json_member(document, "construct");
         return taut_json_fail(&at, error, "kind", taut_none, taut_none,
                               "this is a problem, expected a model: `taut make` makes one from it");
     }
-    if (taut_geomdl_is(&document)) {
-        return taut_geomdl_read(&document, model, error);
+    if (taut_geomdl_is(document)) {
+        return taut_geomdl_read(document, model, error);
     }
-    status = taut_json_object(&document, model_members, error);
+    status = taut_json_object(document, model_members, error);
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_version_document_check(&document, error);
+    status = taut_version_document_check(document, error);
     if (status != TAUT_OK) {
         return status;
     }
     if (taut_model_new(&made) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    status = read_members(made, &document, error);
+    status = read_members(made, document, error);
     if (status != TAUT_OK) {
         taut_model_free(made);
         return status;
@@ -137,42 +136,29 @@ taut_status taut_model_of_document(const taut_json_document *root, taut_model **
     return TAUT_OK;
 }
 
+static taut_status read_root(const taut_json *document, void *model, taut_error *error)
+{
+    return taut_model_document_read(document, model, error);
+}
+
 taut_status taut_model_read_text(const char *text, size_t length, const char *name,
                                  taut_model **model, taut_error *error)
 {
-    taut_json_document *root = NULL;
-    taut_status status = TAUT_OK;
     if ((text == NULL && length > 0) || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_model_read_text needs a text and a place for the model");
     }
-    status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_model_of_document(root, model, error);
-    taut_json_document_free(root);
-    return status;
+    return taut_json_read_text(text, length, name != NULL ? name : "text", read_root, model, error);
 }
 
 taut_status taut_model_read(const char *path, taut_model **model, taut_error *error)
 {
-    taut_json_document *root = NULL;
     const taut_format_ops *ops = NULL;
-    taut_status status = TAUT_OK;
     if (path == NULL || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_model_read needs a path and a place for the model");
     }
     ops = taut_format_ops_at(taut_format_of(path, NULL));
-    if (ops != NULL && ops->read != NULL) {
-        return ops->read(path, model, error);
-    }
-    status = taut_json_load(path, &root, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_model_of_document(root, model, error);
-    taut_json_document_free(root);
-    return status;
+    return ops != NULL && ops->read != NULL ? ops->read(path, model, error)
+                                            : taut_json_read_file(path, read_root, model, error);
 }
