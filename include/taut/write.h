@@ -30,7 +30,8 @@ extern "C" {
       "write .json, or figures of fewer models")                                                   \
     X("surface", "the surface asked for is the name of none, or of several",                       \
       "name one of the model's surfaces")                                                          \
-    X("empty", "there is nothing that the format holds", "give a model with surfaces or curves")   \
+    X("empty", "there is nothing that the format holds, or nothing in the file",                   \
+      "give a model with surfaces or curves")                                                      \
     X("cells", "a grid of more points than a file may have", "ask for a coarser one")              \
     X("single-precision", "a coordinate is too large for the single precision of the format",      \
       "write .ply or .obj")                                                                        \
