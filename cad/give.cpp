@@ -172,7 +172,7 @@ static std::vector<double> numbers(const TColStd_Array1OfReal &array)
     return out;
 }
 
-static void give(const taut_cad_sink &sink, const taut_cad_item &item)
+static void give_item(const taut_cad_sink &sink, const taut_cad_item &item)
 {
     if (!sink.item(sink.context, &item)) {
         throw occt_failure(TAUT_IO, "write", "what was read could not be passed on");
@@ -203,7 +203,7 @@ static void give_face(const TopoDS_Face &face, const char *name, const taut_cad_
     item.points = points.data();
     item.weights = s->IsURational() || s->IsVRational() ? weights.data() : nullptr;
     item.notes |= is_trimmed(face, box) ? TAUT_CAD_TRIMMED : 0;
-    give(sink, item);
+    give_item(sink, item);
 }
 
 static void give_edge(const TopoDS_Edge &edge, const char *name, const taut_cad_sink &sink)
@@ -238,7 +238,7 @@ static void give_edge(const TopoDS_Edge &edge, const char *name, const taut_cad_
     item.knots[0] = t.data();
     item.points = points.data();
     item.weights = made->IsRational() ? weights.data() : nullptr;
-    give(sink, item);
+    give_item(sink, item);
 }
 
 void occt_give(const TopoDS_Shape &shape, const occt_names &names, const taut_cad_sink &sink)

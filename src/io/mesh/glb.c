@@ -381,17 +381,17 @@ static void write_vertices(taut_sink *sink, const glb_plan *plan)
     const double *positions = taut_mesh_positions(plan->mesh);
     const double *normals = taut_mesh_normals(plan->mesh);
     for (size_t i = 0; i < 3 * vertices; i++) {
-        taut_put_f32(sink, positions[i] - plan->origin[i % 3]);
+        taut_mesh_out_f32(sink, positions[i] - plan->origin[i % 3]);
     }
     for (size_t i = 0; i < 3 * vertices; i++) {
-        taut_put_f32(sink, normals[i]);
+        taut_mesh_out_f32(sink, normals[i]);
     }
     for (size_t i = 0; plan->values != NULL && i < vertices; i++) {
         const taut_ink ink = taut_colour_diverging(plan->values[i] / plan->limit);
-        taut_put_u16(sink, (unsigned)lround(65535 * linear_share(ink.r)));
-        taut_put_u16(sink, (unsigned)lround(65535 * linear_share(ink.g)));
-        taut_put_u16(sink, (unsigned)lround(65535 * linear_share(ink.b)));
-        taut_put_u16(sink, 65535);
+        taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.r)));
+        taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.g)));
+        taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.b)));
+        taut_mesh_out_u16(sink, 65535);
     }
 }
 
@@ -404,7 +404,7 @@ static void write_indices(taut_sink *sink, const glb_plan *plan)
         for (size_t i = 0; i < 3 * count; i++) {
             if (plan->parts[g].keeps_all ||
                 taut_mesh_out_is_kept(plan->mesh, triangles + i / 3 * 3)) {
-                taut_put_u32(sink, triangles[i] - (uint32_t)group->first_vertex);
+                taut_mesh_out_u32(sink, triangles[i] - (uint32_t)group->first_vertex);
             }
         }
     }
@@ -424,13 +424,13 @@ static taut_status write_file(const glb_plan *plan, const taut_model *model, FIL
     const size_t padded = (length + 3) / 4 * 4;
     sink = taut_sink_to(out);
     taut_sink_text(&sink, "glTF");
-    taut_put_u32(&sink, 2);
-    taut_put_u32(&sink, (uint32_t)(12 + 8 + padded + 8 + data));
-    taut_put_u32(&sink, (uint32_t)padded);
+    taut_mesh_out_u32(&sink, 2);
+    taut_mesh_out_u32(&sink, (uint32_t)(12 + 8 + padded + 8 + data));
+    taut_mesh_out_u32(&sink, (uint32_t)padded);
     taut_sink_text(&sink, "JSON");
     taut_sink_bytes(&sink, text, length);
     taut_sink_bytes(&sink, "   ", padded - length);
-    taut_put_u32(&sink, (uint32_t)data);
+    taut_mesh_out_u32(&sink, (uint32_t)data);
     taut_sink_bytes(&sink, "BIN", 4);
     write_vertices(&sink, plan);
     write_indices(&sink, plan);

@@ -50,9 +50,9 @@ static void write_triangle(taut_sink *sink, const double *positions, const uint3
     memcpy(row + 6, b, 3 * sizeof(double));
     memcpy(row + 9, c, 3 * sizeof(double));
     for (int k = 0; k < 12; k++) {
-        taut_put_f32(sink, row[k]);
+        taut_mesh_out_f32(sink, row[k]);
     }
-    taut_put_u16(sink, 0);
+    taut_mesh_out_u16(sink, 0);
 }
 
 static taut_status write_mesh(const taut_model *model, const taut_mesh *mesh, FILE *out,
@@ -65,7 +65,7 @@ static taut_status write_mesh(const taut_model *model, const taut_mesh *mesh, FI
     }
     sink = taut_sink_to(out);
     write_header(&sink, model);
-    taut_put_u32(&sink, (uint32_t)taut_mesh_out_count(mesh, NULL));
+    taut_mesh_out_u32(&sink, (uint32_t)taut_mesh_out_count(mesh, NULL));
     for (int g = 0; g < taut_mesh_group_count(mesh); g++) {
         const taut_mesh_group *group = taut_mesh_group_at(mesh, g);
         size_t count = 0;

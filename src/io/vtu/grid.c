@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-vtu_grid vtu_grid_of(taut_arena *arena, size_t points, size_t cells, size_t corners)
+taut_vtu_grid taut_vtu_grid_of(taut_arena *arena, size_t points, size_t cells, size_t corners)
 {
-    return (vtu_grid){
+    return (taut_vtu_grid){
         .positions = taut_arena_take(arena, points, 3 * sizeof(double)),
         .weights = taut_arena_take(arena, points, sizeof(double)),
         .fields = taut_arena_take(arena, points, TAUT_FIELDS * sizeof(double)),
@@ -17,8 +17,8 @@ vtu_grid vtu_grid_of(taut_arena *arena, size_t points, size_t cells, size_t corn
     };
 }
 
-int64_t *vtu_grid_add_cell(vtu_grid *grid, int type, size_t corners, int degree_u, int degree_v,
-                           int surface)
+int64_t *taut_vtu_grid_add_cell(taut_vtu_grid *grid, int type, size_t corners, int degree_u,
+                                int degree_v, int surface)
 {
     int64_t *place = grid->connectivity + grid->corners;
     grid->corners += corners;
@@ -32,7 +32,7 @@ int64_t *vtu_grid_add_cell(vtu_grid *grid, int type, size_t corners, int degree_
     return place;
 }
 
-size_t vtu_grid_add_point(vtu_grid *grid, const double *position, double weight)
+size_t taut_vtu_grid_add_point(taut_vtu_grid *grid, const double *position, double weight)
 {
     const size_t index = grid->points++;
     memcpy(grid->positions + 3 * index, position, 3 * sizeof(double));

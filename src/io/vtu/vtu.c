@@ -17,7 +17,7 @@
 typedef struct vtu_part {
     const taut_surface *surface;
     int index, is_exact;
-    vtu_cells cells;
+    taut_vtu_cells cells;
     const taut_mesh_group *group; /* of the mesh, where it is not exact */
 } vtu_part;
 
@@ -26,7 +26,7 @@ typedef struct vtu_file {
     vtu_part *parts;
     int count;
     taut_mesh *mesh; /* NULL where all is exact */
-    vtu_grid surfaces, nets;
+    taut_vtu_grid surfaces, nets;
 } vtu_file;
 
 static taut_status choose_parts(const taut_model *model, const taut_write_options *options,
@@ -43,7 +43,7 @@ static taut_status choose_parts(const taut_model *model, const taut_write_option
         if (taut_format_wants(model, options, i)) {
             part->surface = taut_model_surface(model, i);
             part->index = i;
-            part->is_exact = vtu_cells_plan(part->surface, options->divide, &part->cells);
+            part->is_exact = taut_vtu_cells_plan(part->surface, options->divide, &part->cells);
             inexact += !part->is_exact;
             file->count++;
         }
@@ -97,14 +97,14 @@ static taut_status take_grids(vtu_file *file, taut_error *error)
                          "a grid of %.0f points, expected at most %d: ask for a coarser one",
                          points > of_nets ? points : of_nets, TAUT_POINTS_MAX);
     }
-    file->surfaces = vtu_grid_of(file->arena, (size_t)points, (size_t)cells, (size_t)corners);
-    file->nets = vtu_grid_of(file->arena, (size_t)of_nets, (size_t)lines, 2 * (size_t)of_nets);
+    file->surfaces = taut_vtu_grid_of(file->arena, (size_t)points, (size_t)cells, (size_t)corners);
+    file->nets = taut_vtu_grid_of(file->arena, (size_t)of_nets, (size_t)lines, 2 * (size_t)of_nets);
     return taut_arena_status(file->arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 /* The quads of the mesh of one surface. */
 static taut_status add_mesh(const vtu_part *part, const taut_mesh *mesh, int threads,
-                            vtu_grid *grid)
+                            taut_vtu_grid *grid)
 {
     const taut_mesh_group *group = part->group;
     const size_t first = grid->points;
@@ -112,10 +112,10 @@ static taut_status add_mesh(const vtu_part *part, const taut_mesh *mesh, int thr
     const size_t vertices = (size_t)group->nu * (size_t)group->nv;
     const uint32_t *corners = taut_mesh_quads(mesh) + 4 * group->first_quad;
     for (size_t i = 0; i < vertices; i++) {
-        vtu_grid_add_point(grid, taut_mesh_positions(mesh) + 3 * (group->first_vertex + i), 1);
+        taut_vtu_grid_add_point(grid, taut_mesh_positions(mesh) + 3 * (group->first_vertex + i), 1);
     }
     for (size_t i = 0; i < quads; i++) {
-        int64_t *cell = vtu_grid_add_cell(grid, VTK_QUAD, 4, 1, 1, part->index);
+        int64_t *cell = taut_vtu_grid_add_cell(grid, VTK_QUAD, 4, 1, 1, part->index);
         for (size_t c = 0; c < 4; c++) {
             cell[c] = (int64_t)(corners[4 * i + c] - group->first_vertex + first);
         }
@@ -125,7 +125,7 @@ static taut_status add_mesh(const vtu_part *part, const taut_mesh *mesh, int thr
 }
 
 /* The control net: a line for each of its rows and columns. */
-static void add_net(const vtu_part *part, vtu_grid *grid)
+static void add_net(const vtu_part *part, taut_vtu_grid *grid)
 {
     const int nu = taut_basis_count(taut_surface_u(part->surface));
     const int nv = taut_basis_count(taut_surface_v(part->surface));
@@ -133,16 +133,16 @@ static void add_net(const vtu_part *part, vtu_grid *grid)
     const double *weights = taut_surface_weights(part->surface);
     const int64_t first = (int64_t)grid->points;
     for (size_t i = 0; i < net_points(part->surface); i++) {
-        vtu_grid_add_point(grid, points + 3 * i, weights != NULL ? weights[i] : 1);
+        taut_vtu_grid_add_point(grid, points + 3 * i, weights != NULL ? weights[i] : 1);
     }
     for (int i = 0; i < nu; i++) {
-        int64_t *cell = vtu_grid_add_cell(grid, VTK_POLY_LINE, (size_t)nv, 1, 1, part->index);
+        int64_t *cell = taut_vtu_grid_add_cell(grid, VTK_POLY_LINE, (size_t)nv, 1, 1, part->index);
         for (int j = 0; j < nv; j++) {
             cell[j] = first + (int64_t)i * nv + j;
         }
     }
     for (int j = 0; j < nv; j++) {
-        int64_t *cell = vtu_grid_add_cell(grid, VTK_POLY_LINE, (size_t)nu, 1, 1, part->index);
+        int64_t *cell = taut_vtu_grid_add_cell(grid, VTK_POLY_LINE, (size_t)nu, 1, 1, part->index);
         for (int i = 0; i < nu; i++) {
             cell[i] = first + (int64_t)i * nv + j;
         }
@@ -155,8 +155,8 @@ static taut_status fill_grids(const taut_write_options *options, vtu_file *file,
         const vtu_part *part = &file->parts[i];
         taut_status status = TAUT_OK;
         if (part->is_exact) {
-            status =
-                vtu_cells_add(part->surface, &part->cells, part->index, &file->surfaces, error);
+            status = taut_vtu_cells_add(part->surface, &part->cells, part->index, &file->surfaces,
+                                        error);
         } else if (add_mesh(part, file->mesh, options->threads, &file->surfaces) != TAUT_OK) {
             status = taut_fail_memory(error);
         }
@@ -277,7 +277,7 @@ static void write_begin(taut_sink *sink, const char *unit)
                          "<UnstructuredGrid>\n");
 }
 
-static void write_piece(taut_sink *sink, const vtu_grid *grid, int part)
+static void write_piece(taut_sink *sink, const taut_vtu_grid *grid, int part)
 {
     static const char *const names[] = {"H", "K", "E_minus_G", "F", "isothermality"};
     _Static_assert(sizeof names / sizeof names[0] == TAUT_FIELDS, "a name for each field");
