@@ -173,6 +173,23 @@ taut_reader taut_reader_of(const taut_json *object, const char *const *members, 
                          members != NULL ? taut_json_object(object, members, error) : TAUT_OK};
 }
 
+void taut_reader_integer(taut_reader *reader, const char *key, int least, int most, int *value)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_integer(&at, least, most, value, reader->error);
+    }
+}
+
+void taut_reader_array(taut_reader *reader, const char *key, size_t least, size_t most,
+                       const char *items, size_t *count)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_array(&at, least, most, items, count, reader->error);
+    }
+}
+
 void taut_reader_text(taut_reader *reader, const char *key, const char **text)
 {
     const taut_json at = taut_json_member(reader->object, key);

@@ -74,6 +74,9 @@ typedef struct taut_reader {
 
 /* Of an object that has only members of this list (ended by NULL; no list: any). */
 taut_reader taut_reader_of(const taut_json *object, const char *const *members, taut_error *error);
+void taut_reader_integer(taut_reader *reader, const char *key, int least, int most, int *value);
+void taut_reader_array(taut_reader *reader, const char *key, size_t least, size_t most,
+                       const char *items, size_t *count);
 void taut_reader_text(taut_reader *reader, const char *key, const char **text);
 void taut_reader_word(taut_reader *reader, const char *key, const char *const *words, int *word);
 void taut_reader_member(taut_reader *reader, const char *key, taut_json_read *read, void *into);
