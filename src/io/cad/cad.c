@@ -1,8 +1,8 @@
 /* cad.c -- the formats step, stp, igs and iges: models to NURBS and on to the module, and back.
  *
  * What is polynomial or rational goes out exactly as it is; c- and h- directions within the
- * tolerance, by conversions whose bound is proved (taut/operations.h). The bound stands in the file's
- * header. */
+ * tolerance, by conversions whose bound is proved (taut/operations.h). The bound stands in the
+ * file's header. */
 #include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"

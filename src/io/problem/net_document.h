@@ -34,8 +34,8 @@ taut_status taut_net_document_point(const taut_json *at, double point[3], taut_e
 taut_status taut_net_document_points(const taut_json *at, int rows, int columns, double *points,
                                      unsigned char *known, taut_error *error);
 /* The texts of rational coordinates, [rows][columns][3], borrowed from the document, NULL for
- * numbers and unknown points; *found whether there are any; `texts` may be NULL. The points have been
- * read already. */
+ * numbers and unknown points; *found whether there are any; `texts` may be NULL. The points have
+ * been read already. */
 void taut_net_document_texts(const taut_json *at, int rows, int columns, const char **texts,
                              int *found);
 /* weights double[rows][columns], positive; rows 0 as above. */

@@ -103,7 +103,8 @@ static void test_commit_fails(const taut_model *model)
     CHECK(rmdir("late.obj") == 0, "the folder is empty and there");
 }
 
-/* The model in the format of the name is refused, for this reason (NULL: one of the mesh or the page), and leaves no file. */
+/* The model in the format of the name is refused, for this reason (NULL: one of the mesh or the
+ * page), and leaves no file. */
 static void check_refused(const taut_model *model, const char *name,
                           const taut_write_options *options, taut_status expected,
                           const char *reason)
