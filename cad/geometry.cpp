@@ -44,7 +44,7 @@ void occt_check_degree(const taut_cad_item &item)
 {
     for (int d = 0; d < 2; d++) {
         if (item.degree[d] > Geom_BSplineSurface::MaxDegree()) {
-            throw occt_failure(TAUT_NO_SOLUTION,
+            throw occt_failure(TAUT_NO_SOLUTION, "degree",
                                "\"" + std::string(item.name) + "\" has degree " +
                                    std::to_string(item.degree[d]) +
                                    ", and OpenCASCADE writes none above " +

@@ -29,14 +29,15 @@ void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
 {
     Handle(Interface_Check) check = model->GlobalCheck();
     if (check->HasFailed()) {
-        throw occt_failure(TAUT_BAD_INPUT, std::string("the file is broken: ") + check->CFail(1));
+        throw occt_failure(TAUT_BAD_INPUT, "broken",
+                           std::string("the file is broken: ") + check->CFail(1));
     }
     for (int i = 1; i <= model->NbEntities(); i++) {
         if (model->IsReportEntity(i) && model->Value(i)->IsKind(needed)) {
             check = model->ReportEntity(i)->Check();
             if (check->HasFailed()) {
                 throw occt_failure(
-                    TAUT_BAD_INPUT,
+                    TAUT_BAD_INPUT, "broken",
                     "entity " + std::string(model->StringLabel(model->Value(i))->ToCString()) +
                         " is broken: " + check->CFail(1));
             }
@@ -131,7 +132,7 @@ static Handle(Geom_BSplineSurface)
     Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
     double ends[4] = {0, 0, 0, 0};
     if (surface.IsNull()) {
-        throw occt_failure(TAUT_BAD_INPUT, "a face of the file has no surface");
+        throw occt_failure(TAUT_BAD_INPUT, "broken", "a face of the file has no surface");
     }
     const Handle(Geom_RectangularTrimmedSurface) cut =
         Handle(Geom_RectangularTrimmedSurface)::DownCast(surface);
@@ -171,10 +172,10 @@ static std::vector<double> numbers(const TColStd_Array1OfReal &array)
     return out;
 }
 
-static void give(const taut_cad_sink &sink, const taut_cad_item &item)
+static void give_item(const taut_cad_sink &sink, const taut_cad_item &item)
 {
     if (!sink.item(sink.context, &item)) {
-        throw occt_failure(TAUT_IO, "what was read could not be passed on");
+        throw occt_failure(TAUT_IO, "write", "what was read could not be passed on");
     }
 }
 
@@ -202,7 +203,7 @@ static void give_face(const TopoDS_Face &face, const char *name, const taut_cad_
     item.points = points.data();
     item.weights = s->IsURational() || s->IsVRational() ? weights.data() : nullptr;
     item.notes |= is_trimmed(face, box) ? TAUT_CAD_TRIMMED : 0;
-    give(sink, item);
+    give_item(sink, item);
 }
 
 static void give_edge(const TopoDS_Edge &edge, const char *name, const taut_cad_sink &sink)
@@ -237,7 +238,7 @@ static void give_edge(const TopoDS_Edge &edge, const char *name, const taut_cad_
     item.knots[0] = t.data();
     item.points = points.data();
     item.weights = made->IsRational() ? weights.data() : nullptr;
-    give(sink, item);
+    give_item(sink, item);
 }
 
 void occt_give(const TopoDS_Shape &shape, const occt_names &names, const taut_cad_sink &sink)
@@ -250,7 +251,7 @@ void occt_give(const TopoDS_Shape &shape, const occt_names &names, const taut_ca
         }
     }
     if (faces.IsEmpty() && edges.IsEmpty()) {
-        throw occt_failure(TAUT_BAD_INPUT, "the file holds no surface and no curve");
+        throw occt_failure(TAUT_BAD_INPUT, "empty", "the file holds no surface and no curve");
     }
     for (int i = 1; i <= faces.Extent(); i++) {
         give_face(TopoDS::Face(faces(i)), names.find(faces(i)), sink);

@@ -49,7 +49,7 @@ static const unit_row &row_of(const std::string &unit)
             return row;
         }
     }
-    throw occt_failure(TAUT_INTERNAL, "there is no unit \"" + unit + "\"");
+    throw occt_failure(TAUT_INTERNAL, "fault", "there is no unit \"" + unit + "\"");
 }
 
 const char *occt_unit(const char *unit)
@@ -57,7 +57,7 @@ const char *occt_unit(const char *unit)
     return row_of(unit).occt;
 }
 
-static Handle(TCollection_HAsciiString) text(const std::string &from)
+static Handle(TCollection_HAsciiString) to_text(const std::string &from)
 {
     return new TCollection_HAsciiString(from.c_str());
 }
@@ -161,18 +161,18 @@ static void set_global(const taut_cad_job &job, const Handle(IGESData_IGESModel)
     date.erase(std::remove(date.begin(), date.end(), '-'), date.end());
     date.erase(std::remove(date.begin(), date.end(), ':'), date.end());
     std::replace(date.begin(), date.end(), 'T', '.');
-    global.SetSendName(text(job.name));
-    global.SetReceiveName(text(job.name));
-    global.SetFileName(text(job.name));
-    global.SetSystemId(text("taut"));
-    global.SetInterfaceVersion(text("OpenCASCADE 7.6"));
+    global.SetSendName(to_text(job.name));
+    global.SetReceiveName(to_text(job.name));
+    global.SetFileName(to_text(job.name));
+    global.SetSystemId(to_text("taut"));
+    global.SetInterfaceVersion(to_text("OpenCASCADE 7.6"));
     global.SetUnitFlag(unit.flag);
-    global.SetUnitName(text(unit.iges));
+    global.SetUnitName(to_text(unit.iges));
     global.SetResolution(job.precision);
-    global.SetDate(text(date));
-    global.SetLastChangeDate(text(date));
-    global.SetAuthorName(text(""));
-    global.SetCompanyName(text(""));
+    global.SetDate(to_text(date));
+    global.SetLastChangeDate(to_text(date));
+    global.SetAuthorName(to_text(""));
+    global.SetCompanyName(to_text(""));
     model->SetGlobalSection(global);
     model->ClearStartSection();
     for (int i = 0; i < job.note_count; i++) {
@@ -194,7 +194,7 @@ static void add_named(const Handle(IGESData_IGESModel) & model,
 {
     if (name[0] != '\0') {
         Handle(IGESBasic_Name) property = new IGESBasic_Name();
-        property->Init(1, text(printable(name)));
+        property->Init(1, to_text(printable(name)));
         property->InitStatus(0, 1, 0, 0);
         entity->AddProperty(property);
         model->AddEntity(property);
@@ -228,7 +228,7 @@ void occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *it
     output.SendModel(protocol);
     std::ofstream file(job.path, std::ios::binary | std::ios::trunc);
     if (!output.Print(file) || !file.flush()) {
-        throw occt_failure(TAUT_IO, "the file cannot be written");
+        throw occt_failure(TAUT_IO, "write", "the file cannot be written");
     }
 }
 
@@ -240,7 +240,7 @@ TopoDS_Shape occt_read_iges(const taut_cad_job &job, const taut_cad_sink &sink, 
     occt_keep_closed();
     Interface_Static::SetIVal("read.iges.bspline.continuity", 0); /* cut nothing that has a kink */
     if (reader.ReadFile(job.path) != IFSelect_RetDone) {
-        throw occt_failure(TAUT_BAD_INPUT, "this is no IGES file, or a broken one");
+        throw occt_failure(TAUT_BAD_INPUT, "broken", "this is no IGES file, or a broken one");
     }
     const Handle(IGESData_IGESModel) model = reader.IGESModel();
     occt_check_loaded(model, STANDARD_TYPE(IGESData_IGESEntity));

@@ -9,15 +9,18 @@
 #include <cstring>
 #include <new>
 
-/* Runs `work`; what it throws becomes a status and a message, `blame` where the library fails. */
+/* Runs `work`; what it throws becomes a status, a word and a message, `blame` where the library
+ * fails. */
 template <class Work> static taut_status guard(taut_status blame, taut_error *error, Work work)
 {
     taut_status status = TAUT_OK;
+    const char *reason = "library";
     std::string message;
     try {
         work();
     } catch (const occt_failure &failure) {
         status = failure.status;
+        reason = failure.reason;
         message = failure.what();
     } catch (const Standard_OutOfMemory &) {
         status = TAUT_NO_MEMORY;
@@ -34,6 +37,8 @@ template <class Work> static taut_status guard(taut_status blame, taut_error *er
         std::memset(error, 0, sizeof *error);
         error->status = status;
         error->found = error->limit = std::nan("");
+        std::snprintf(error->reason, sizeof error->reason, "%s",
+                      status == TAUT_NO_MEMORY ? "memory" : reason);
         std::snprintf(error->message, sizeof error->message, "%s",
                       status == TAUT_NO_MEMORY ? "memory ran out" : message.c_str());
     }

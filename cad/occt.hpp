@@ -2,7 +2,7 @@
 #ifndef TAUT_CAD_OCCT_HPP
 #define TAUT_CAD_OCCT_HPP
 
-#include "io/cad/cad.h"
+#include "io/cad/module_interface.h"
 
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -13,15 +13,16 @@
 #include <stdexcept>
 #include <string>
 
-/* A failure with its status; the message is a sentence. */
+/* A failure with its status and its word (TAUT_FILE_REASON_LIST); the message is a sentence. */
 class occt_failure : public std::runtime_error
 {
   public:
-    occt_failure(taut_status why, const std::string &message)
-        : std::runtime_error(message), status(why)
+    occt_failure(taut_status why, const char *word, const std::string &message)
+        : std::runtime_error(message), status(why), reason(word)
     {
     }
     taut_status status;
+    const char *reason;
 };
 
 /* Geometry of OpenCASCADE from an item: the same numbers. */

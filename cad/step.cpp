@@ -33,15 +33,15 @@
 #include <fstream>
 #include <vector>
 
-static Handle(TCollection_HAsciiString) text(const std::string &from)
+static Handle(TCollection_HAsciiString) to_text(const std::string &from)
 {
     return new TCollection_HAsciiString(from.c_str());
 }
 
-static void set(const char *name, const char *value)
+static void set_option(const char *name, const char *value)
 {
     if (!Interface_Static::SetCVal(name, value)) {
-        throw occt_failure(TAUT_INTERNAL,
+        throw occt_failure(TAUT_INTERNAL, "library",
                            std::string("OpenCASCADE does not take ") + name + " " + value);
     }
 }
@@ -49,8 +49,8 @@ static void set(const char *name, const char *value)
 /* Lengths stay as they are: the library's own unit is made the file's. */
 static void set_unit(const char *unit)
 {
-    set("xstep.cascade.unit", occt_unit(unit));
-    set("write.step.unit", occt_unit(unit));
+    set_option("xstep.cascade.unit", occt_unit(unit));
+    set_option("write.step.unit", occt_unit(unit));
 }
 
 static TopoDS_Shape shape_of(const taut_cad_item &item, double precision)
@@ -58,15 +58,17 @@ static TopoDS_Shape shape_of(const taut_cad_item &item, double precision)
     if (item.count[1] == 0) {
         BRepBuilderAPI_MakeEdge make(occt_curve(item));
         if (!make.IsDone()) {
-            throw occt_failure(TAUT_NO_SOLUTION, "OpenCASCADE makes no edge of the curve \"" +
-                                                     std::string(item.name) + "\"");
+            throw occt_failure(TAUT_NO_SOLUTION, "library",
+                               "OpenCASCADE makes no edge of the curve \"" +
+                                   std::string(item.name) + "\"");
         }
         return make.Edge();
     }
     BRepBuilderAPI_MakeFace make(occt_surface(item), precision);
     if (!make.IsDone()) {
-        throw occt_failure(TAUT_NO_SOLUTION, "OpenCASCADE makes no face of the surface \"" +
-                                                 std::string(item.name) + "\"");
+        throw occt_failure(TAUT_NO_SOLUTION, "library",
+                           "OpenCASCADE makes no face of the surface \"" + std::string(item.name) +
+                               "\"");
     }
     return make.Face();
 }
@@ -77,18 +79,18 @@ static void set_header(const taut_cad_job &job, const Handle(StepData_StepModel)
     APIHeaderSection_MakeHeader header(model);
     const int count = job.note_count > 0 ? job.note_count : 1;
     Handle(Interface_HArray1OfHAsciiString) notes = new Interface_HArray1OfHAsciiString(1, count);
-    notes->SetValue(1, text(""));
+    notes->SetValue(1, to_text(""));
     for (int i = 0; i < job.note_count; i++) {
-        notes->SetValue(i + 1, text(job.notes[i]));
+        notes->SetValue(i + 1, to_text(job.notes[i]));
     }
     header.SetDescription(notes);
-    header.SetName(text(job.name));
-    header.SetTimeStamp(text(job.date));
-    header.SetAuthorValue(1, text(""));
-    header.SetOrganizationValue(1, text(""));
-    header.SetPreprocessorVersion(text("OpenCASCADE 7.6"));
-    header.SetOriginatingSystem(text("taut"));
-    header.SetAuthorisation(text(""));
+    header.SetName(to_text(job.name));
+    header.SetTimeStamp(to_text(job.date));
+    header.SetAuthorValue(1, to_text(""));
+    header.SetOrganizationValue(1, to_text(""));
+    header.SetPreprocessorVersion(to_text("OpenCASCADE 7.6"));
+    header.SetOriginatingSystem(to_text("taut"));
+    header.SetAuthorisation(to_text(""));
 }
 
 void occt_write_step(const taut_cad_job &job, int count, const taut_cad_item *items)
@@ -99,8 +101,8 @@ void occt_write_step(const taut_cad_job &job, int count, const taut_cad_item *it
     std::vector<TopoDS_Shape> shapes;
 
     set_unit(job.unit);
-    set("write.step.schema", "AP214IS");
-    set("write.step.product.name", job.name);
+    set_option("write.step.schema", "AP214IS");
+    set_option("write.step.product.name", job.name);
     Interface_Static::SetIVal("write.precision.mode", 2);
     Interface_Static::SetRVal("write.precision.val", job.precision);
     Interface_Static::SetIVal("write.surfacecurve.mode", 1); /* spares readers a projection */
@@ -112,14 +114,14 @@ void occt_write_step(const taut_cad_job &job, int count, const taut_cad_item *it
         builder.Add(all, shapes.back());
     }
     if (writer.Transfer(all, STEPControl_AsIs) != IFSelect_RetDone) {
-        throw occt_failure(TAUT_INTERNAL, "OpenCASCADE did not take the model");
+        throw occt_failure(TAUT_INTERNAL, "library", "OpenCASCADE did not take the model");
     }
     const Handle(Transfer_FinderProcess) found = writer.WS()->TransferWriter()->FinderProcess();
     for (int i = 0; i < count; i++) {
         const Handle(StepRepr_RepresentationItem) entity =
             STEPConstruct::FindEntity(found, shapes[static_cast<size_t>(i)]);
         if (!entity.IsNull()) {
-            entity->SetName(text(items[i].name));
+            entity->SetName(to_text(items[i].name));
         }
     }
     const Handle(StepData_StepModel) model = writer.Model(Standard_False);
@@ -129,7 +131,7 @@ void occt_write_step(const taut_cad_job &job, int count, const taut_cad_item *it
     output.SendModel(Handle(StepData_Protocol)::DownCast(model->Protocol()));
     std::ofstream file(job.path, std::ios::binary | std::ios::trunc);
     if (!output.Print(file) || !file.flush()) {
-        throw occt_failure(TAUT_IO, "the file cannot be written");
+        throw occt_failure(TAUT_IO, "write", "the file cannot be written");
     }
 }
 
@@ -159,7 +161,7 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const taut_cad_sink &sink, 
 
     occt_keep_closed();
     if (reader.ReadFile(job.path) != IFSelect_RetDone) {
-        throw occt_failure(TAUT_BAD_INPUT, "this is no STEP file, or a broken one");
+        throw occt_failure(TAUT_BAD_INPUT, "broken", "this is no STEP file, or a broken one");
     }
     occt_check_loaded(reader.Model(), STANDARD_TYPE(StepRepr_RepresentationItem));
     reader.FileUnits(lengths, angles, solid_angles);

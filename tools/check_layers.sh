@@ -23,7 +23,7 @@ cli:
 modules/*: core draw
 modules/exact: core <flint/fmpq.h>
 modules/cairo: core draw <cairo.h> <cairo-svg.h> <cairo-pdf.h>
-cad:       io/cad/cad.h <*.hxx>
+cad:       io/cad/module_interface.h <*.hxx>
 include/taut:
 '
 

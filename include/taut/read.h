@@ -18,6 +18,26 @@
 extern "C" {
 #endif
 
+/* What can be wrong with a document: word, meaning, remedy. */
+#define TAUT_DOCUMENT_REASON_LIST(X)                                                               \
+    X("syntax", "the text is not JSON in UTF-8, or ends before its document does",                 \
+      "mend it at the line and column")                                                            \
+    X("depth", "lists and objects are nested too deep", "nest them less")                          \
+    X("twice", "an object has a member twice", "leave one of them out")                            \
+    X("version", "the member `taut` is no version of the format that is known", "write 1")         \
+    X("kind", "a model where a problem is expected, or a problem where a model is",                \
+      "give the other document, or make a model from the problem first")                           \
+    X("missing", "a member that must be there is not", "add it")                                   \
+    X("unknown-member", "an object has a member that is none of its own",                          \
+      "spell it as docs/format.md does, or leave it out")                                          \
+    X("conflict", "members that exclude each other", "leave one of them out")                      \
+    X("type", "another JSON type, or another shape of a list, than expected",                      \
+      "write what error.expected says")                                                            \
+    X("value", "the right type, but a value outside of its range",                                 \
+      "stay within error.limit, or what error.expected says")                                      \
+    X("size", "too many or too few items, points, bytes", "give as many as error.limit says")      \
+    X("name", "a word that is none of those known here", "take one that error.expected names")
+
 /* path "-" is standard input. The results are the caller's. */
 TAUT_API taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error);
 TAUT_API taut_status taut_model_read(const char *path, taut_model **model, taut_error *error);

@@ -16,6 +16,38 @@
 extern "C" {
 #endif
 
+/* What can be wrong with a file, and with a model that a format is to hold: word, meaning, remedy.
+ */
+#define TAUT_FILE_REASON_LIST(X)                                                                   \
+    X("read", "a file is not there or cannot be read", "see to the path and its permissions")      \
+    X("write", "a file cannot be written", "see to its folder, permissions and room")              \
+    X("large", "a file is larger than any document may be", "take it apart")                       \
+    X("format", "the ending of a path is that of no format", "take one that is listed")            \
+    X("not-regular", "the format can be written to nothing else than a regular file",              \
+      "write a file")                                                                              \
+    X("same-place", "two outputs go to the same place", "give each its own path")                  \
+    X("several", "the format holds one model a file, or not so many",                              \
+      "write .json, or figures of fewer models")                                                   \
+    X("surface", "the surface asked for is the name of none, or of several",                       \
+      "name one of the model's surfaces")                                                          \
+    X("empty", "there is nothing that the format holds, or nothing in the file",                   \
+      "give a model with surfaces or curves")                                                      \
+    X("cells", "a grid of more points than a file may have", "ask for a coarser one")              \
+    X("single-precision", "a coordinate is too large for the single precision of the format",      \
+      "write .ply or .obj")                                                                        \
+    X("single-point", "a surface is one point, which no STEP file gives back",                     \
+      "leave it out, or write IGES or JSON")                                                       \
+    X("degree", "a degree that OpenCASCADE does not have", "write JSON")                           \
+    X("broken", "a STEP or IGES file is none, or is cut off, or breaks the rules of its format",   \
+      "export it again")                                                                           \
+    X("claims", "a STEP or IGES file claims to hold more than its size explains",                  \
+      "export it again")                                                                           \
+    X("library", "OpenCASCADE failed over a file or a model", "try the other of STEP and IGES")    \
+    X("process", "OpenCASCADE cannot be started in a process of its own",                          \
+      "let the process have more files and children")                                              \
+    X("not-there", "the part of taut that does this is not installed",                             \
+      "install the package that the message names, and build taut again")
+
 /* Colour of the surfaces in figures: none, H, K, or how far the parametrisation is from isothermal,
  * sqrt((E-G)^2 + 4 F^2) / (E+G) in [0, 1], 0 where it is. */
 typedef enum taut_colour {

@@ -100,7 +100,7 @@ int taut_format_of(const char *path, taut_error *error)
         return find_ending(".json"); /* a device or a pipe: as standard output */
     }
     list_endings(list, sizeof list);
-    taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+    taut_fail(error, TAUT_BAD_ARGUMENT, "format", NULL, taut_none, taut_none,
               "the ending of %.100s is not one of %s", path, list);
     return -1;
 }
@@ -141,14 +141,14 @@ taut_status taut_format_check(const taut_model *model, const taut_write_options 
         return TAUT_OK;
     }
     if (named > 1) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, named, 1,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "surface", NULL, named, 1,
                          "%d surfaces are named \"%.60s\", expected one", named, options->surface);
     }
     if (taut_model_surface_count(model) == 0) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, 0, 1,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "surface", NULL, 0, 1,
                          "no surface is named \"%.60s\": the model has none", options->surface);
     }
-    return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, 0, 1,
+    return taut_fail(error, TAUT_BAD_ARGUMENT, "surface", NULL, 0, 1,
                      "no surface is named \"%.60s\"; the nearest name is \"%.60s\"",
                      options->surface, nearest_surface(model, options->surface));
 }

@@ -10,8 +10,7 @@ static void write_members(taut_json_out *out, const taut_model *model,
                           const taut_write_options *options)
 {
     const int all = options->surface == NULL;
-    taut_json_key(out, "surfaces");
-    taut_json_open(out, '[');
+    taut_json_open_pair(out, "surfaces", '[');
     for (int i = 0; i < taut_model_surface_count(model); i++) {
         if (taut_format_wants(model, options, i)) {
             taut_surface_document_write(out, taut_model_surface(model, i));
@@ -19,16 +18,14 @@ static void write_members(taut_json_out *out, const taut_model *model,
     }
     taut_json_close(out, ']');
     if (all && taut_model_curve_count(model) > 0) {
-        taut_json_key(out, "curves");
-        taut_json_open(out, '[');
+        taut_json_open_pair(out, "curves", '[');
         for (int i = 0; i < taut_model_curve_count(model); i++) {
             taut_curve_document_write(out, taut_model_curve(model, i));
         }
         taut_json_close(out, ']');
     }
     if (all && taut_model_details(model) != NULL) {
-        taut_json_key(out, "details");
-        taut_json_put_record(out, taut_model_details(model));
+        taut_json_pair_record(out, "details", taut_model_details(model));
     }
     if (all && taut_model_certificate(model) != NULL) {
         taut_json_key(out, "certificate");
@@ -40,10 +37,8 @@ static void write_model(taut_json_out *out, const taut_model *model,
                         const taut_write_options *options)
 {
     taut_json_open(out, '{');
-    taut_json_key(out, "taut");
-    taut_json_put_number(out, 1);
-    taut_json_key(out, "unit");
-    taut_json_put_text(out, taut_model_unit(model));
+    taut_json_pair_number(out, "taut", 1);
+    taut_json_pair_text(out, "unit", taut_model_unit(model));
     write_members(out, model, options);
     taut_json_close(out, '}');
 }

@@ -9,7 +9,7 @@
 #include "folder.h"
 #include "shapes.h"
 
-#include "io/cad/stream.h"
+#include "io/cad/child.h"
 #include "taut/read.h"
 #include "taut/write.h"
 
@@ -166,15 +166,15 @@ static void test_outputs(void)
         system_call staging, placing;
         int reason;
         taut_status expected;
-        const char *message;
+        const char *word;
     } rows[] = {
         {"a", CALL_FDOPEN, CALL_NONE, ENOMEM, TAUT_NO_MEMORY, "memory"},
-        {"a", CALL_FCLOSE, CALL_NONE, ENOSPC, TAUT_IO, "No space left"},
-        {"a", CALL_FCLOSE, CALL_NONE, 0, TAUT_IO, "nput/output error"},
-        {"a", CALL_GETRANDOM, CALL_NONE, ENOSYS, TAUT_IO, "Function not implemented"},
+        {"a", CALL_FCLOSE, CALL_NONE, ENOSPC, TAUT_IO, "write"},
+        {"a", CALL_FCLOSE, CALL_NONE, 0, TAUT_IO, "write"},
+        {"a", CALL_GETRANDOM, CALL_NONE, ENOSYS, TAUT_IO, "write"},
         {NULL, CALL_FCLOSE, CALL_NONE, ENOMEM, TAUT_NO_MEMORY, "memory"},
-        {NULL, CALL_NONE, CALL_FDOPEN, ENOMEM, TAUT_IO, "Cannot allocate memory"},
-        {NULL, CALL_NONE, CALL_FCLOSE, ENOSPC, TAUT_IO, "No space left"},
+        {NULL, CALL_NONE, CALL_FDOPEN, ENOMEM, TAUT_IO, "write"},
+        {NULL, CALL_NONE, CALL_FCLOSE, ENOSPC, TAUT_IO, "write"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const char *const path = rows[i].name != NULL ? in_folder(rows[i].name) : "/dev/null";
@@ -182,7 +182,7 @@ static void test_outputs(void)
         const taut_status status =
             put(path, rows[i].staging, rows[i].placing, rows[i].reason, &error);
         CHECK(status == rows[i].expected && error.status == status &&
-                  strstr(error.message, rows[i].message) != NULL,
+                  strcmp(error.reason, rows[i].word) == 0,
               "row %zu: %d, \"%s\"", i, (int)status, error.message);
         CHECK(status != TAUT_IO || strstr(error.message, path) != NULL, "row %zu: \"%s\"", i,
               error.message);
@@ -223,19 +223,19 @@ typedef struct end {
     int reason;
     int fatal; /* ...the signal that the child dies of */
     taut_status reading, writing;
-    const char *message;
+    const char *word;
 } end;
 
 static const end ends[] = {
-    {CALL_PIPE, EMFILE, 0, TAUT_IO, TAUT_IO, "process of its own: Too many open files"},
+    {CALL_PIPE, EMFILE, 0, TAUT_IO, TAUT_IO, "process"},
     {CALL_PIPE, ENOMEM, 0, TAUT_NO_MEMORY, TAUT_NO_MEMORY, "memory"},
-    {CALL_FORK, EAGAIN, 0, TAUT_IO, TAUT_IO, "process of its own: Resource temporarily"},
+    {CALL_FORK, EAGAIN, 0, TAUT_IO, TAUT_IO, "process"},
     {CALL_FORK, ENOMEM, 0, TAUT_NO_MEMORY, TAUT_NO_MEMORY, "memory"},
-    {CALL_NONE, 0, SIGXCPU, TAUT_BAD_INPUT, TAUT_INTERNAL, "more time than its size explains"},
-    {CALL_NONE, 0, SIGKILL, TAUT_BAD_INPUT, TAUT_INTERNAL, "more time than its size explains"},
-    {CALL_NONE, 0, SIGTERM, TAUT_INTERRUPTED, TAUT_INTERRUPTED, "stopped on request"},
-    {CALL_NONE, 0, SIGFPE, TAUT_BAD_INPUT, TAUT_INTERNAL, "broke down over the"},
-    {CALL_NONE, 0, NO_SIGNAL, TAUT_BAD_INPUT, TAUT_INTERNAL, "gave up on the"},
+    {CALL_NONE, 0, SIGXCPU, TAUT_BAD_INPUT, TAUT_INTERNAL, "library"},
+    {CALL_NONE, 0, SIGKILL, TAUT_BAD_INPUT, TAUT_INTERNAL, "library"},
+    {CALL_NONE, 0, SIGTERM, TAUT_INTERRUPTED, TAUT_INTERRUPTED, "interrupted"},
+    {CALL_NONE, 0, SIGFPE, TAUT_BAD_INPUT, TAUT_INTERNAL, "library"},
+    {CALL_NONE, 0, NO_SIGNAL, TAUT_BAD_INPUT, TAUT_INTERNAL, "library"},
 };
 
 /* OpenCASCADE's process is not to be had, or dies: the file or the model is refused. */
@@ -254,7 +254,7 @@ static void test_processes(const taut_model *model, const char *path)
             fatal = 0;
             CHECK(failing == CALL_NONE, "row %zu: the call is not made", i);
             CHECK(status == (writing ? ends[i].writing : ends[i].reading) &&
-                      error.status == status && strstr(error.message, ends[i].message) != NULL,
+                      error.status == status && strcmp(error.reason, ends[i].word) == 0,
                   "row %zu: %d, \"%s\"", i, (int)status, error.message);
             CHECK(read == NULL && folder_entries() == 1, "row %zu: %d entries", i,
                   folder_entries());

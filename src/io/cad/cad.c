@@ -1,8 +1,8 @@
 /* cad.c -- the formats step, stp, igs and iges: models to NURBS and on to the module, and back.
  *
  * What is polynomial or rational goes out exactly as it is; c- and h- directions within the
- * tolerance, by conversions whose bound is proved (taut/operations.h). The bound stands in the file's
- * header. */
+ * tolerance, by conversions whose bound is proved (taut/operations.h). The bound stands in the
+ * file's header. */
 #include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
@@ -26,7 +26,7 @@ static const double default_tolerance = 1e-6;
 static const double precision_of_size = 1e-7; /* what CAD systems take for one point */
 
 /* The seconds that SOURCE_DATE_EPOCH says, else 0: same model, same bytes. */
-static void tell_date(char text[32])
+static void write_date(char text[32])
 {
     const char *found = getenv("SOURCE_DATE_EPOCH");
     const long long seconds = found != NULL ? strtoll(found, NULL, 10) : 0;
@@ -93,7 +93,7 @@ static taut_status check_faces(const taut_cad_item *items, int count, taut_error
 {
     for (int i = 0; i < count; i++) {
         if (items[i].count[1] > 0 && size_of(&items[i], 1) == 0) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, 0, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "single-point", NULL, 0, taut_none,
                              "surface \"%s\" is a single point, which no STEP file gives back: "
                              "leave it out (--surface), or write IGES or JSON",
                              items[i].name);
@@ -103,23 +103,19 @@ static taut_status check_faces(const taut_cad_item *items, int count, taut_error
 }
 
 static taut_status send_items(taut_cad_kind kind, const taut_model *nurbs, double bound,
-                              const char *path, taut_error *error)
+                              const char *path, taut_arena *arena, taut_error *error)
 {
     const int count = taut_model_surface_count(nurbs) + taut_model_curve_count(nurbs);
-    taut_arena *arena = taut_arena_new();
-    taut_cad_item *items =
-        arena != NULL ? taut_arena_take(arena, (size_t)count, sizeof *items) : NULL;
+    taut_cad_item *items = taut_arena_take(arena, (size_t)count, sizeof *items);
     taut_cad_result result = {NULL, NULL, 0, TAUT_OK};
     char date[32], made[64], exact[128];
     const char *const notes[] = {made, exact};
-    taut_status status = TAUT_OK;
 
     if (items == NULL) {
-        taut_arena_free(arena);
         return taut_fail_memory(error);
     }
     list_items(nurbs, items);
-    tell_date(date);
+    write_date(date);
     snprintf(made, sizeof made, "NURBS by taut %s", TAUT_VERSION);
     if (bound > 0) {
         snprintf(exact, sizeof exact, "proved to lie within %.3g %s of the exact model", bound,
@@ -137,30 +133,33 @@ static taut_status send_items(taut_cad_kind kind, const taut_model *nurbs, doubl
         .date = date,
         .precision = fmax(fmax(bound, precision_of_size * size_of(items, count)), 1e-290)};
     if (kind == TAUT_CAD_STEP) {
-        status = check_faces(items, count, error);
+        const taut_status status = check_faces(items, count, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
-    if (status == TAUT_OK) {
-        status = taut_cad_run(&job, count, items, &result, error);
-    }
-    taut_arena_free(arena);
-    return status;
+    return taut_cad_run(&job, count, items, &result, error);
 }
 
 static taut_status write_cad(taut_cad_kind kind, const taut_model *model,
                              const taut_write_options *options, const char *path, taut_error *error)
 {
     const double tolerance = options->tolerance > 0 ? options->tolerance : default_tolerance;
+    taut_arena *arena = NULL;
     taut_model *nurbs = NULL;
     double bound = 0;
     taut_status status = taut_format_nurbs(model, options, tolerance, &nurbs, &bound, error);
 
-    if (status == TAUT_OK) {
-        status = send_items(kind, nurbs, bound, path, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    arena = taut_arena_new();
+    status = send_items(kind, nurbs, bound, path, arena, error);
+    taut_arena_free(arena);
+    taut_model_free(nurbs);
     if (status == TAUT_OK && options->bound != NULL) {
         *options->bound = bound;
     }
-    taut_model_free(nurbs);
     return status;
 }
 
@@ -195,10 +194,10 @@ static taut_status scan_file(taut_cad_kind kind, const char *path, taut_error *e
     char *text = NULL;
     size_t length = 0;
     taut_status status = taut_file_read(path, &text, &length, error);
-    if (status == TAUT_OK) {
-        status =
-            (kind == TAUT_CAD_STEP ? taut_cad_scan_step : taut_cad_scan_iges)(text, length, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = (kind == TAUT_CAD_STEP ? taut_cad_scan_step : taut_cad_scan_iges)(text, length, error);
     taut_free(text);
     return status;
 }
@@ -221,6 +220,17 @@ static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, tau
     return TAUT_OK;
 }
 
+static taut_status read_items(const taut_cad_job *job, taut_cad_result *result, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    result->notes = taut_record_new_list();
+    if (result->notes == NULL || taut_model_new(&result->model) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = taut_cad_run(job, 0, NULL, result, error);
+    return status == TAUT_OK ? finish_model(job->kind, result, error) : status;
+}
+
 static taut_status read_cad(taut_cad_kind kind, const char *path, taut_model **model,
                             taut_error *error)
 {
@@ -228,21 +238,14 @@ static taut_status read_cad(taut_cad_kind kind, const char *path, taut_model **m
     taut_cad_result result = {NULL, NULL, 0, TAUT_OK};
     taut_status status = check_file(path, error);
 
-    if (status == TAUT_OK) {
-        status = scan_file(kind, path, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        result.notes = taut_record_new_list();
-        status = result.notes != NULL ? taut_model_new(&result.model) : TAUT_NO_MEMORY;
-        if (status == TAUT_OK) {
-            status = taut_cad_run(&job, 0, NULL, &result, error);
-        } else {
-            taut_fail_memory(error);
-        }
+    status = scan_file(kind, path, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = finish_model(kind, &result, error);
-    }
+    status = read_items(&job, &result, error);
     taut_record_free(result.notes);
     if (status != TAUT_OK) {
         taut_model_free(result.model);

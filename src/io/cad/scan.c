@@ -82,11 +82,11 @@ static char peek(const scan *s, size_t ahead)
     return ahead < s->length - s->at ? s->text[s->at + ahead] : '\0';
 }
 
-static taut_status refuse(const scan *s, const char *what, taut_error *error)
+static taut_status refuse_line(const scan *s, const char *what, taut_error *error)
 {
     char where[32];
     snprintf(where, sizeof where, "line %zu", s->line);
-    return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none, "%s", what);
+    return taut_fail(error, TAUT_BAD_INPUT, "broken", where, taut_none, taut_none, "%s", what);
 }
 
 static void advance(scan *s, size_t count)
@@ -133,10 +133,10 @@ static taut_status scan_number(scan *s, taut_error *error)
     int is_huge = 0;
     const size_t size = taut_cad_number(s->text + s->at, s->length - s->at, "Ee", &is_huge);
     if (size == 0) {
-        return refuse(s, "half a number", error);
+        return refuse_line(s, "half a number", error);
     }
     if (is_huge) {
-        return refuse(s, "a number of 1e308 or more", error);
+        return refuse_line(s, "a number of 1e308 or more", error);
     }
     advance(s, size);
     return TAUT_OK;
@@ -152,10 +152,10 @@ static taut_status scan_keyword(scan *s, taut_error *error)
     }
     const size_t size = s->at - begin;
     if (!skip_blanks(s)) {
-        return refuse(s, "a comment that does not end", error);
+        return refuse_line(s, "a comment that does not end", error);
     }
     if (s->depth > 0 && peek(s, 0) != '(') {
-        return refuse(s, "found a word where a value is expected", error);
+        return refuse_line(s, "found a word where a value is expected", error);
     }
     if (s->depth == 0 && size == strlen(end) && memcmp(s->text + begin, end, size) == 0 &&
         peek(s, 0) == ';') {
@@ -169,13 +169,13 @@ static taut_status scan_mark(scan *s, taut_error *error)
     const char c = peek(s, 0);
     s->depth += (c == '(') - (c == ')');
     if (s->depth < 0 || (c == ';' && s->depth > 0)) {
-        return refuse(s, "parentheses that do not match", error);
+        return refuse_line(s, "parentheses that do not match", error);
     }
     if (s->depth > DEPTH_MAX) {
-        return refuse(s, "more than 100 parentheses in one another", error);
+        return refuse_line(s, "more than 100 parentheses in one another", error);
     }
     if (c == '\0') {
-        return refuse(s, "a byte that is 0", error);
+        return refuse_line(s, "a byte that is 0", error);
     }
     advance(s, 1);
     return TAUT_OK;
@@ -187,11 +187,11 @@ static taut_status scan_token(scan *s, taut_error *error)
     if (c == '\'' || c == '"') {
         return skip_past(s, 1, c == '"' ? "\"" : "'")
                    ? TAUT_OK
-                   : refuse(s, "a string that does not end", error);
+                   : refuse_line(s, "a string that does not end", error);
     }
     if (c == '.' && is_letter(peek(s, 1))) {
         return skip_past(s, 1, ".") ? TAUT_OK
-                                    : refuse(s, "an enumeration that does not end", error);
+                                    : refuse_line(s, "an enumeration that does not end", error);
     }
     if (is_letter(c)) {
         return scan_keyword(s, error);
@@ -215,13 +215,13 @@ taut_status taut_cad_scan_step(const char *text, size_t length, taut_error *erro
 
     if (!skip_blanks(&s) || length - s.at < strlen(begin) ||
         memcmp(text + s.at, begin, strlen(begin)) != 0) {
-        return refuse(&s, "this is no STEP file: it does not begin with ISO-10303-21;", error);
+        return refuse_line(&s, "this is no STEP file: it does not begin with ISO-10303-21;", error);
     }
     while (status == TAUT_OK && !s.has_ended) {
         if (!skip_blanks(&s)) {
-            status = refuse(&s, "a comment that does not end", error);
+            status = refuse_line(&s, "a comment that does not end", error);
         } else if (s.at == s.length) {
-            status = refuse(&s, "the file is broken off: END-ISO-10303-21; is missing", error);
+            status = refuse_line(&s, "the file is broken off: END-ISO-10303-21; is missing", error);
         } else {
             status = scan_token(&s, error);
         }

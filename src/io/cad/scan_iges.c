@@ -31,11 +31,11 @@ typedef struct iges_scan {
     long skip;      /* characters of a text that go on in this line */
 } iges_scan;
 
-static taut_status refuse(const iges_scan *s, const char *what, taut_error *error)
+static taut_status refuse_line(const iges_scan *s, const char *what, taut_error *error)
 {
     char where[32];
     snprintf(where, sizeof where, "line %zu", s->number);
-    return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none, "%s", what);
+    return taut_fail(error, TAUT_BAD_INPUT, "broken", where, taut_none, taut_none, "%s", what);
 }
 
 /* A number right-justified in the columns; -1 where there is none. */
@@ -58,7 +58,7 @@ static long number_in(const char *columns, int width)
 static taut_status check_counts(const iges_scan *s, taut_error *error)
 {
     if (s->size < LINE || number_in(s->line + LETTER + 1, FIELD - 1) != 1) {
-        return refuse(s, "the file is broken off: its last line is not whole", error);
+        return refuse_line(s, "the file is broken off: its last line is not whole", error);
     }
     for (int k = 0; k < SECTIONS - 1; k++) {
         const char *field = s->line + k * FIELD;
@@ -66,11 +66,11 @@ static taut_status check_counts(const iges_scan *s, taut_error *error)
             char what[96];
             snprintf(what, sizeof what, "section %c has %ld lines, which the last line denies",
                      letters[k], s->counts[k]);
-            return refuse(s, what, error);
+            return refuse_line(s, what, error);
         }
     }
     if (s->last_parameter > s->counts[SECTION_P]) {
-        return refuse(s, "an entity points at parameters that are not there", error);
+        return refuse_line(s, "an entity points at parameters that are not there", error);
     }
     return TAUT_OK;
 }
@@ -138,8 +138,8 @@ static taut_status check_parameters(iges_scan *s, taut_error *error)
             s->is_first = 0;
             s->is_checked = type >= 100 && type < 200;
             if (s->is_checked && length < 0) {
-                return refuse(s, "found something else where a number below 1e308 is expected",
-                              error);
+                return refuse_line(s, "found something else where a number below 1e308 is expected",
+                                   error);
             }
             at += length > 0 ? length : 0;
         }
@@ -154,7 +154,7 @@ static taut_status check_line(iges_scan *s, taut_error *error)
         s->size > LETTER && s->line[LETTER] != '\0' ? strchr(letters, s->line[LETTER]) : NULL;
     s->number++;
     if (letter == NULL) {
-        return refuse(
+        return refuse_line(
             s,
             s->number == 1
                 ? "this is no IGES file: its first line has no section's letter in column "
@@ -163,7 +163,7 @@ static taut_status check_line(iges_scan *s, taut_error *error)
             error);
     }
     if (letter - letters < s->section) {
-        return refuse(s, "sections out of order", error);
+        return refuse_line(s, "sections out of order", error);
     }
     s->section = (int)(letter - letters);
     s->counts[s->section]++;
@@ -193,7 +193,7 @@ taut_status taut_cad_scan_iges(const char *text, size_t length, taut_error *erro
         status = check_line(&s, error);
     }
     if (status == TAUT_OK && s.section < SECTION_T) {
-        status = refuse(
+        status = refuse_line(
             &s, "the file is broken off: its last line, with a T in column 73, is missing", error);
     }
     return status;

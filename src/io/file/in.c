@@ -41,15 +41,15 @@ taut_status taut_fail_file(taut_error *error, const char *path, const char *verb
 {
     char shown[160], text[96];
     show_path(strcmp(path, "-") == 0 ? "standard input or output" : path, shown, sizeof shown);
-    return taut_fail(error, TAUT_IO, "file", NULL, taut_none, taut_none, "cannot %s %s: %s", verb,
+    return taut_fail(error, TAUT_IO, verb, NULL, taut_none, taut_none, "cannot %s %s: %s", verb,
                      shown, reason_text(reason, text, sizeof text));
 }
 
-static taut_status too_large(const char *path, double size, taut_error *error)
+static taut_status refuse_size(const char *path, double size, taut_error *error)
 {
     char shown[160];
     show_path(path, shown, sizeof shown);
-    return taut_fail(error, TAUT_IO, "file", NULL, size, TAUT_FILE_MAX,
+    return taut_fail(error, TAUT_IO, "large", NULL, size, TAUT_FILE_MAX,
                      "%s is larger than the %.0f bytes that a document may have", shown,
                      TAUT_FILE_MAX);
 }
@@ -81,7 +81,7 @@ static taut_status read_all(int file, const char *path, size_t room, char **text
             filled += got > 0 ? (size_t)got : 0;
             if (status == TAUT_OK && (double)filled > TAUT_FILE_MAX) {
                 /* not reached: an endless file fills 4 GB of memory before it is too large */
-                status = too_large(path, (double)filled, error);
+                status = refuse_size(path, (double)filled, error);
             }
         }
     }
@@ -95,7 +95,7 @@ static taut_status read_all(int file, const char *path, size_t room, char **text
 }
 
 /* Room for the file and one byte, from what the system says of it. */
-static taut_status room_of(int file, const char *path, size_t *room, taut_error *error)
+static taut_status find_room(int file, const char *path, size_t *room, taut_error *error)
 {
     struct stat about;
     if (fstat(file, &about) != 0) {
@@ -105,10 +105,18 @@ static taut_status room_of(int file, const char *path, size_t *room, taut_error 
         return taut_fail_file(error, path, "read", EISDIR);
     }
     if (S_ISREG(about.st_mode) && (double)about.st_size > TAUT_FILE_MAX) {
-        return too_large(path, (double)about.st_size, error);
+        return refuse_size(path, (double)about.st_size, error);
     }
     *room = S_ISREG(about.st_mode) && about.st_size > 0 ? (size_t)about.st_size + 1 : FIRST_ROOM;
     return TAUT_OK;
+}
+
+static taut_status read_open(int file, const char *path, char **text, size_t *length,
+                             taut_error *error)
+{
+    size_t room = 0;
+    const taut_status status = find_room(file, path, &room, error);
+    return status == TAUT_OK ? read_all(file, path, room, text, length, error) : status;
 }
 
 taut_status taut_file_read(const char *path, char **text, size_t *length, taut_error *error)
@@ -116,15 +124,11 @@ taut_status taut_file_read(const char *path, char **text, size_t *length, taut_e
     const int standard = strcmp(path, "-") == 0;
     const int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
     taut_status status = TAUT_OK;
-    size_t room = 0;
 
     if (file < 0) {
         return taut_fail_file(error, path, "read", errno);
     }
-    status = room_of(file, path, &room, error);
-    if (status == TAUT_OK) {
-        status = read_all(file, path, room, text, length, error);
-    }
+    status = read_open(file, path, text, length, error);
     if (!standard) {
         close(file);
     }

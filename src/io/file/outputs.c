@@ -73,14 +73,14 @@ static int is_taken(const taut_outputs *outputs, const taut_staged *staged)
 }
 
 /* A new output, in the list and open. */
-static taut_status stage(taut_outputs *outputs, const char *path, taut_staged **staged,
-                         taut_error *error)
+static taut_status stage_output(taut_outputs *outputs, const char *path, taut_staged **staged,
+                                taut_error *error)
 {
     taut_staged *made = NULL;
     taut_status status = taut_staged_new(path, &made, error);
 
     if (status == TAUT_OK && is_taken(outputs, made)) {
-        status = taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+        status = taut_fail(error, TAUT_BAD_ARGUMENT, "same-place", NULL, taut_none, taut_none,
                            "two outputs go to %.200s",
                            made->kind == TAUT_TARGET_STANDARD ? "standard output" : path);
     }
@@ -90,16 +90,13 @@ static taut_status stage(taut_outputs *outputs, const char *path, taut_staged **
     }
     made->next = atomic_load(&outputs->first);
     atomic_store(&outputs->first, made);
-    status = taut_staged_open(made, error);
-    if (status == TAUT_OK) {
-        *staged = made;
-    }
-    return status;
+    *staged = made;
+    return taut_staged_open(made, error);
 }
 
 /* Ends the writing of an output: `status` is the writer's, who may have left it to us to say what
  * the file's trouble was. */
-static taut_status finish(taut_staged *staged, taut_status status, taut_error *error)
+static taut_status finish_output(taut_staged *staged, taut_status status, taut_error *error)
 {
     const int reason = errno != 0 ? errno : EIO;
     if (status == TAUT_OK) {
@@ -121,7 +118,7 @@ static taut_status write_by_path(taut_staged *staged, const taut_format_ops *ops
 {
     char own[TAUT_STAGED_ROOM];
     if (staged->kind != TAUT_TARGET_FILE) {
-        return taut_fail(error, TAUT_IO, "file", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_IO, "not-regular", NULL, taut_none, taut_none,
                          "%.200s is no regular file: this format can be written to nothing else",
                          staged->path);
     }
@@ -169,28 +166,29 @@ static taut_status write_models(taut_outputs *outputs, int count, const taut_mod
         return TAUT_BAD_ARGUMENT;
     }
     if (together && ops->write_many == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, count, 1,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "several", NULL, count, 1,
                          "the format of %.200s holds one model a file; several go into .json, or "
                          "side by side into .svg, .pdf and .png",
                          path);
     }
     if (together && count > ops->models_max) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, count, ops->models_max,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "several", NULL, count, ops->models_max,
                          "%.200s would hold %d models, %d at most", path, count, ops->models_max);
     }
-    for (int i = 0; status == TAUT_OK && i < count; i++) {
+    for (int i = 0; i < count; i++) {
         status = taut_format_check(models[i], options, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
-    if (status == TAUT_OK) {
-        status = stage(outputs, path, &staged, error);
-    }
+    status = stage_output(outputs, path, &staged, error);
     if (status != TAUT_OK) {
         return status;
     }
     errno = 0;
     status = together ? ops->write_many(count, models, options, staged->file, error)
                       : write_one(staged, ops, models[0], options, error);
-    return finish(staged, status, error);
+    return finish_output(staged, status, error);
 }
 
 taut_status taut_outputs_model(taut_outputs *outputs, const taut_model *model, const char *path,
@@ -231,14 +229,15 @@ taut_status taut_outputs_record(taut_outputs *outputs, const taut_record *record
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an output needs a record and a path");
     }
-    status = stage(outputs, path, &staged, error);
+    status = stage_output(outputs, path, &staged, error);
     if (status != TAUT_OK) {
         return status;
     }
     out = taut_json_out_to(staged->file);
     taut_json_put_record(&out, record);
     status = taut_json_out_finish(&out);
-    return finish(staged, status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status, error);
+    return finish_output(staged, status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status,
+                         error);
 }
 
 taut_status taut_outputs_text(taut_outputs *outputs, const char *text, size_t length,
@@ -251,7 +250,7 @@ taut_status taut_outputs_text(taut_outputs *outputs, const char *text, size_t le
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an output needs a text and a path");
     }
-    status = stage(outputs, path, &staged, error);
+    status = stage_output(outputs, path, &staged, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -259,7 +258,7 @@ taut_status taut_outputs_text(taut_outputs *outputs, const char *text, size_t le
     if (length > 0 && fwrite(text, 1, length, staged->file) != length) {
         status = TAUT_IO;
     }
-    return finish(staged, status, error);
+    return finish_output(staged, status, error);
 }
 
 /* Places what is ready of one kind of target. */
@@ -298,8 +297,8 @@ taut_status taut_model_write(const taut_model *model, const char *path,
                              const taut_write_options *options, taut_error *error)
 {
     taut_outputs *outputs = NULL;
-    taut_status status = taut_outputs_new(&outputs);
-    if (status != TAUT_OK) {
+    taut_status status = TAUT_OK;
+    if (taut_outputs_new(&outputs) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     status = taut_outputs_model(outputs, model, path, options, error);

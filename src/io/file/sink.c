@@ -20,7 +20,7 @@ taut_sink taut_sink_to(FILE *file)
     return sink;
 }
 
-static void send(taut_sink *sink, const char *bytes, size_t length)
+static void send_bytes(taut_sink *sink, const char *bytes, size_t length)
 {
     errno = 0;
     if (fwrite(bytes, 1, length, sink->file) != length) {
@@ -33,7 +33,7 @@ static void send(taut_sink *sink, const char *bytes, size_t length)
 static void make_room(taut_sink *sink, size_t length)
 {
     if (sink->file != NULL) {
-        send(sink, sink->text, sink->length);
+        send_bytes(sink, sink->text, sink->length);
         sink->length = 0;
     } else {
         size_t factor = 2;
@@ -60,7 +60,7 @@ void taut_sink_bytes(taut_sink *sink, const char *bytes, size_t length)
         return;
     }
     if (length > sink->room) {
-        send(sink, bytes, length);
+        send_bytes(sink, bytes, length);
         return;
     }
     memcpy(sink->text + sink->length, bytes, length);
@@ -94,7 +94,7 @@ taut_status taut_sink_finish(taut_sink *sink)
 {
     if (sink->file != NULL) {
         if (sink->status == TAUT_OK) {
-            send(sink, sink->text, sink->length);
+            send_bytes(sink, sink->text, sink->length);
         }
         errno = 0;
         if (sink->status == TAUT_OK && fflush(sink->file) != 0) {

@@ -29,7 +29,7 @@ static char *text_copy(const char *text, size_t room)
 taut_status taut_staged_new(const char *path, taut_staged **staged, taut_error *error)
 {
     char target[TAUT_PATH_ROOM];
-    taut_target kind = TAUT_TARGET_FILE;
+    taut_target_kind kind = TAUT_TARGET_FILE;
     taut_staged *made = NULL;
     taut_status status = taut_target_find(path, &kind, target, error);
 

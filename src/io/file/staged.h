@@ -9,19 +9,17 @@
 #ifndef TAUT_IO_FILE_STAGED_H
 #define TAUT_IO_FILE_STAGED_H
 
-#include "taut/status.h"
+#include "io/file/target.h"
 
 #include <signal.h>
 #include <stddef.h>
 #include <stdio.h>
 
-typedef enum taut_target { TAUT_TARGET_FILE, TAUT_TARGET_DEVICE, TAUT_TARGET_STANDARD } taut_target;
-
 enum { TAUT_STAGED_ROOM = 32 };
 
 typedef struct taut_staged {
     struct taut_staged *next;
-    taut_target kind;
+    taut_target_kind kind;
     char *path;                    /* as given, for messages */
     char *target;                  /* links resolved; "" for standard output */
     char *temporary;               /* of a file; else NULL */

@@ -20,7 +20,7 @@ static int is_standard(const char *path)
 }
 
 /* Joins the folder of `path` and a name: "a/b" and "c" give "a/c". 0 if it does not fit. */
-static int beside(const char *path, const char *name, char joined[TAUT_PATH_ROOM])
+static int join_path(const char *path, const char *name, char joined[TAUT_PATH_ROOM])
 {
     const char *slash = strrchr(path, '/');
     const size_t folder = slash != NULL ? (size_t)(slash - path) + 1 : 0;
@@ -33,7 +33,7 @@ static int beside(const char *path, const char *name, char joined[TAUT_PATH_ROOM
 }
 
 /* Follows the links of the last part, also one that leads nowhere yet. Returns errno, or 0. */
-static int follow(char path[TAUT_PATH_ROOM])
+static int follow_links(char path[TAUT_PATH_ROOM])
 {
     char link[TAUT_PATH_ROOM];
     char joined[TAUT_PATH_ROOM];
@@ -43,7 +43,7 @@ static int follow(char path[TAUT_PATH_ROOM])
             return 0; /* not a link: other troubles are found when it is used */
         }
         link[length] = '\0';
-        if (!beside(link[0] == '/' ? "" : path, link, joined)) {
+        if (!join_path(link[0] == '/' ? "" : path, link, joined)) {
             return ENAMETOOLONG;
         }
         memcpy(path, joined, strlen(joined) + 1);
@@ -90,7 +90,7 @@ static int check_file(const char *target, const struct stat *about)
     return faccessat(AT_FDCWD, target, W_OK, AT_EACCESS) == 0 ? 0 : errno;
 }
 
-taut_status taut_target_find(const char *path, taut_target *kind, char target[TAUT_PATH_ROOM],
+taut_status taut_target_find(const char *path, taut_target_kind *kind, char target[TAUT_PATH_ROOM],
                              taut_error *error)
 {
     struct stat about;
@@ -113,7 +113,7 @@ taut_status taut_target_find(const char *path, taut_target *kind, char target[TA
         return TAUT_OK;
     }
     *kind = TAUT_TARGET_FILE;
-    reason = follow(target);
+    reason = follow_links(target);
     if (reason == 0) {
         reason = spell_folder(target);
     }

@@ -23,40 +23,30 @@ static void put_direction(taut_json_out *out, const taut_basis *basis, const cha
 {
     taut_basis_spec spec;
     taut_basis_spec_of(basis, &spec);
-    taut_json_key(out, keys[0]);
-    taut_json_put_number(out, spec.degree);
-    taut_json_key(out, keys[1]);
-    taut_json_put_numbers(out, (size_t)spec.knot_count, spec.knots);
+    taut_json_pair_number(out, keys[0], spec.degree);
+    taut_json_pair_numbers(out, keys[1], (size_t)spec.knot_count, spec.knots);
     if (keys[2] != NULL) {
-        taut_json_key(out, keys[2]);
-        taut_json_put_number(out, taut_basis_count(basis));
+        taut_json_pair_number(out, keys[2], taut_basis_count(basis));
     }
 }
 
 static void put_head(taut_json_out *out, const char *name, int is_rational)
 {
     taut_json_open(out, '{');
-    taut_json_key(out, "type");
-    taut_json_put_text(out, "spline");
-    taut_json_key(out, "name");
-    taut_json_put_text(out, name);
-    taut_json_key(out, "rational");
-    taut_json_put_verdict(out, is_rational ? TAUT_TRUE : TAUT_FALSE);
-    taut_json_key(out, "dimension");
-    taut_json_put_number(out, 3);
+    taut_json_pair_text(out, "type", "spline");
+    taut_json_pair_text(out, "name", name);
+    taut_json_pair_verdict(out, "rational", is_rational ? TAUT_TRUE : TAUT_FALSE);
+    taut_json_pair_number(out, "dimension", 3);
 }
 
 /* All points in one list, and their weights. */
 static void put_points(taut_json_out *out, size_t count, const double *points,
                        const double *weights)
 {
-    taut_json_key(out, "control_points");
-    taut_json_open(out, '{');
-    taut_json_key(out, "points");
-    taut_json_put_net(out, 0, count, 3, points);
+    taut_json_open_pair(out, "control_points", '{');
+    taut_json_pair_net(out, "points", 0, count, 3, points);
     if (weights != NULL) {
-        taut_json_key(out, "weights");
-        taut_json_put_net(out, 0, count, 1, weights);
+        taut_json_pair_net(out, "weights", 0, count, 1, weights);
     }
     taut_json_close(out, '}');
 }
@@ -71,8 +61,7 @@ static void put_surface(taut_json_out *out, const taut_surface *surface)
     put_direction(out, v, of_v);
     put_points(out, (size_t)taut_basis_count(u) * (size_t)taut_basis_count(v),
                taut_surface_points(surface), taut_surface_weights(surface));
-    taut_json_key(out, "delta");
-    taut_json_put_numbers(out, 2, (const double[]){delta, delta});
+    taut_json_pair_numbers(out, "delta", 2, (const double[]){delta, delta});
     taut_json_close(out, '}');
 }
 
@@ -84,26 +73,21 @@ static void put_curve(taut_json_out *out, const taut_curve *curve)
     put_direction(out, t, keys);
     put_points(out, (size_t)taut_basis_count(t), taut_curve_points(curve),
                taut_curve_weights(curve));
-    taut_json_key(out, "delta");
-    taut_json_put_number(out, delta);
+    taut_json_pair_number(out, "delta", delta);
     taut_json_close(out, '}');
 }
 
-static taut_status put_model(const taut_model *nurbs, FILE *file, taut_error *error)
+static taut_status write_nurbs(const taut_model *nurbs, FILE *file, taut_error *error)
 {
     const int surfaces = taut_model_surface_count(nurbs), curves = taut_model_curve_count(nurbs);
     taut_json_out out = taut_json_out_to(file);
     taut_status status = TAUT_OK;
 
     taut_json_open(&out, '{');
-    taut_json_key(&out, "shape");
-    taut_json_open(&out, '{');
-    taut_json_key(&out, "type");
-    taut_json_put_text(&out, surfaces > 0 ? "surface" : "curve");
-    taut_json_key(&out, "count");
-    taut_json_put_number(&out, surfaces > 0 ? surfaces : curves);
-    taut_json_key(&out, "data");
-    taut_json_open(&out, '[');
+    taut_json_open_pair(&out, "shape", '{');
+    taut_json_pair_text(&out, "type", surfaces > 0 ? "surface" : "curve");
+    taut_json_pair_number(&out, "count", surfaces > 0 ? surfaces : curves);
+    taut_json_open_pair(&out, "data", '[');
     for (int i = 0; i < surfaces; i++) {
         put_surface(&out, taut_model_surface(nurbs, i));
     }
@@ -125,13 +109,14 @@ static taut_status write_geomdl(const taut_model *model, const taut_write_option
     double bound = 0;
     taut_status status = taut_format_nurbs(model, options, tolerance, &nurbs, &bound, error);
 
-    if (status == TAUT_OK) {
-        status = put_model(nurbs, out, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = write_nurbs(nurbs, out, error);
+    taut_model_free(nurbs);
     if (status == TAUT_OK && options->bound != NULL) {
         *options->bound = bound;
     }
-    taut_model_free(nurbs);
     return status;
 }
 

@@ -12,7 +12,7 @@ static taut_status unknown_member(const taut_json *object, const char *key,
 {
     const taut_json at = taut_json_member(object, key);
     const char *near = taut_nearest(key, members);
-    return taut_json_fail(&at, error, "value", taut_none, taut_none,
+    return taut_json_fail(&at, error, "unknown-member", taut_none, taut_none,
                           "there is no such member here; the nearest one known is \"%s\"",
                           near != NULL ? near : "");
 }
@@ -28,7 +28,7 @@ static int is_listed(const char *key, const char *const *members)
 taut_status taut_json_object(const taut_json *at, const char *const *members, taut_error *error)
 {
     if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
-        return taut_json_expected(at, error, "an object");
+        return taut_json_refuse(at, error, "type", "an object");
     }
     for (size_t i = 0; i < at->value->count; i++) {
         const char *key = at->value->as.members[i].key;
@@ -44,32 +44,33 @@ taut_status taut_json_array(const taut_json *at, size_t least, size_t most, cons
 {
     const int is_array = taut_json_kind_at(at) == TAUT_JSON_ARRAY;
     const size_t size = taut_json_count_at(at);
+    const char *reason = is_array ? "size" : "type";
     if (is_array && size >= least && size <= most) {
         *count = size;
         return TAUT_OK;
     }
     if (least == 1 && most == 1) {
-        return taut_json_expected(at, error, "an array of one item");
+        return taut_json_refuse(at, error, reason, "an array of one item");
     }
     if (least == most) {
-        return taut_json_expected(at, error, "an array of %zu %s", least, items);
+        return taut_json_refuse(at, error, reason, "an array of %zu %s", least, items);
     }
     if (is_array && size > most) {
-        return taut_json_expected(at, error, "an array of at most %zu %s", most, items);
+        return taut_json_refuse(at, error, reason, "an array of at most %zu %s", most, items);
     }
     if (least == 1) {
-        return taut_json_expected(at, error, "an array of %s, one at least", items);
+        return taut_json_refuse(at, error, reason, "an array of %s, one at least", items);
     }
     if (least > 0) {
-        return taut_json_expected(at, error, "an array of at least %zu %s", least, items);
+        return taut_json_refuse(at, error, reason, "an array of at least %zu %s", least, items);
     }
-    return taut_json_expected(at, error, "an array of %s", items);
+    return taut_json_refuse(at, error, reason, "an array of %s", items);
 }
 
 taut_status taut_json_number(const taut_json *at, double *value, taut_error *error)
 {
     if (taut_json_kind_at(at) != TAUT_JSON_NUMBER) {
-        return taut_json_expected(at, error, "a number");
+        return taut_json_refuse(at, error, "type", "a number");
     }
     *value = at->value->as.number; /* finite: the parser sees to that */
     return TAUT_OK;
@@ -81,8 +82,8 @@ taut_status taut_json_integer(const taut_json *at, int least, int most, int *val
     const int is_number = taut_json_kind_at(at) == TAUT_JSON_NUMBER;
     const double number = taut_json_number_at(at);
     if (!is_number || number != floor(number) || number < least || number > most) {
-        const taut_status status =
-            taut_json_expected(at, error, "a whole number from %d to %d", least, most);
+        const taut_status status = taut_json_refuse(at, error, is_number ? "value" : "type",
+                                                    "a whole number from %d to %d", least, most);
         if (error != NULL && is_number) {
             error->limit = number < least ? least : most;
         }
@@ -106,7 +107,7 @@ taut_status taut_json_numbers(const taut_json *at, size_t count, double *values,
 taut_status taut_json_text(const taut_json *at, const char **text, taut_error *error)
 {
     if (taut_json_kind_at(at) != TAUT_JSON_STRING) {
-        return taut_json_expected(at, error, "a string");
+        return taut_json_refuse(at, error, "type", "a string");
     }
     *text = at->value->as.string;
     return TAUT_OK;
@@ -139,7 +140,7 @@ taut_status taut_json_word(const taut_json *at, const char *const *words, int *w
         }
     }
     list_words(words, list, sizeof list);
-    return taut_json_expected(at, error, "%s", list);
+    return taut_json_refuse(at, error, found != NULL ? "name" : "type", "%s", list);
 }
 
 taut_status taut_json_flag(const taut_json *document, const char *key, int *value,
@@ -148,8 +149,74 @@ taut_status taut_json_flag(const taut_json *document, const char *key, int *valu
     const taut_json at = taut_json_member(document, key);
     const taut_json_kind kind = taut_json_kind_at(&at);
     if (at.value != NULL && kind != TAUT_JSON_TRUE && kind != TAUT_JSON_FALSE) {
-        return taut_json_expected(&at, error, "true or false");
+        return taut_json_refuse(&at, error, "type", "true or false");
     }
     *value = kind == TAUT_JSON_TRUE;
     return TAUT_OK;
+}
+
+taut_status taut_json_each(const taut_json *at, size_t least, size_t most, const char *items,
+                           taut_json_read *read, void *into, taut_error *error)
+{
+    size_t count = 0;
+    taut_status status = taut_json_array(at, least, most, items, &count, error);
+    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
+        const taut_json item = taut_json_item(at, i);
+        status = read(&item, into, error);
+    }
+    return status;
+}
+
+taut_reader taut_reader_of(const taut_json *object, const char *const *members, taut_error *error)
+{
+    return (taut_reader){object, error,
+                         members != NULL ? taut_json_object(object, members, error) : TAUT_OK};
+}
+
+void taut_reader_integer(taut_reader *reader, const char *key, int least, int most, int *value)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_integer(&at, least, most, value, reader->error);
+    }
+}
+
+void taut_reader_array(taut_reader *reader, const char *key, size_t least, size_t most,
+                       const char *items, size_t *count)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_array(&at, least, most, items, count, reader->error);
+    }
+}
+
+void taut_reader_text(taut_reader *reader, const char *key, const char **text)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_text(&at, text, reader->error);
+    }
+}
+
+void taut_reader_word(taut_reader *reader, const char *key, const char *const *words, int *word)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_word(&at, words, word, reader->error);
+    }
+}
+
+void taut_reader_member(taut_reader *reader, const char *key, taut_json_read *read, void *into)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = read(&at, into, reader->error);
+    }
+}
+
+void taut_reader_optional(taut_reader *reader, const char *key, taut_json_read *read, void *into)
+{
+    if (taut_json_find(reader->object->value, key) != NULL) {
+        taut_reader_member(reader, key, read, into);
+    }
 }

@@ -6,22 +6,36 @@
 
 #include <string.h>
 
-taut_status taut_json_load(const char *path, taut_json_document **document, taut_error *error)
+/* Of a text that is freed as soon as it is parsed, where it is `owned`. */
+static taut_status read_root(const char *text, size_t length, const char *name, char *owned,
+                             taut_json_read *read, void *into, taut_error *error)
+{
+    taut_json_document *document = NULL;
+    taut_status status = taut_json_parse(text, length, name, &document, error);
+    taut_free(owned);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const taut_json root = {taut_json_document_root(document), NULL, NULL, 0};
+    status = read(&root, into, error);
+    taut_json_document_free(document);
+    return status;
+}
+
+taut_status taut_json_read_text(const char *text, size_t length, const char *name,
+                                taut_json_read *read, void *into, taut_error *error)
+{
+    return read_root(text, length, name, NULL, read, into, error);
+}
+
+taut_status taut_json_read_file(const char *path, taut_json_read *read, void *into,
+                                taut_error *error)
 {
     const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
     char *text = NULL;
     size_t length = 0;
-    taut_status status = taut_file_read(path, &text, &length, error);
-    if (status == TAUT_OK) {
-        status = taut_json_parse(text, length, name, document, error);
-    }
-    taut_free(text);
-    return status;
-}
-
-taut_json taut_json_root(const taut_json_document *document)
-{
-    return (taut_json){taut_json_document_root(document), NULL, NULL, 0};
+    const taut_status status = taut_file_read(path, &text, &length, error);
+    return status == TAUT_OK ? read_root(text, length, name, text, read, into, error) : status;
 }
 
 taut_json taut_json_item(const taut_json *array, size_t i)

@@ -20,11 +20,16 @@ typedef struct taut_json {
     size_t index;
 } taut_json;
 
-/* The document of a file, "-" is standard input: errors as taut_json_parse, and TAUT_IO. */
-taut_status taut_json_load(const char *path, taut_json_document **document, taut_error *error);
+/* How a value of one's own is read. */
+typedef taut_status taut_json_read(const taut_json *at, void *into, taut_error *error);
 
-/* The place of the root. */
-taut_json taut_json_root(const taut_json_document *document);
+/* Parses a text, or the file `path` ("-" is standard input), and reads its root: errors as
+ * taut_json_parse, and TAUT_IO. The document lives until `read` returns. */
+taut_status taut_json_read_text(const char *text, size_t length, const char *name,
+                                taut_json_read *read, void *into, taut_error *error);
+taut_status taut_json_read_file(const char *path, taut_json_read *read, void *into,
+                                taut_error *error);
+
 /* Item i of an array; its value is NULL if it is missing. */
 taut_json taut_json_item(const taut_json *array, size_t i);
 /* A member of an object; its value is NULL if it is missing. */
@@ -55,9 +60,36 @@ taut_status taut_json_word(const taut_json *at, const char *const *words, int *w
 taut_status taut_json_flag(const taut_json *document, const char *key, int *value,
                            taut_error *error);
 
-/* TAUT_BAD_INPUT at this place: "found <what is there>, expected <expected>". */
+/* Reads every item of an array of least to most, in their order. */
+taut_status taut_json_each(const taut_json *at, size_t least, size_t most, const char *items,
+                           taut_json_read *read, void *into, taut_error *error);
+
+/* The members of one object, read one after another: the first failure sticks and turns what comes
+ * after it into nothing, so that a run of members is checked once, by the status. */
+typedef struct taut_reader {
+    const taut_json *object;
+    taut_error *error;
+    taut_status status;
+} taut_reader;
+
+/* Of an object that has only members of this list (ended by NULL; no list: any). */
+taut_reader taut_reader_of(const taut_json *object, const char *const *members, taut_error *error);
+void taut_reader_integer(taut_reader *reader, const char *key, int least, int most, int *value);
+void taut_reader_array(taut_reader *reader, const char *key, size_t least, size_t most,
+                       const char *items, size_t *count);
+void taut_reader_text(taut_reader *reader, const char *key, const char **text);
+void taut_reader_word(taut_reader *reader, const char *key, const char *const *words, int *word);
+void taut_reader_member(taut_reader *reader, const char *key, taut_json_read *read, void *into);
+/* The same where the member is there. */
+void taut_reader_optional(taut_reader *reader, const char *key, taut_json_read *read, void *into);
+
+/* TAUT_BAD_INPUT at this place: "found <what is there>, expected <expected>". The reason is
+ * "missing" where nothing is there, else "value" where numbers or a list are, else "type". */
 taut_status taut_json_expected(const taut_json *at, taut_error *error, const char *expected, ...)
     __attribute__((format(printf, 3, 4)));
+/* The same for this reason, where something is there. */
+taut_status taut_json_refuse(const taut_json *at, taut_error *error, const char *reason,
+                             const char *expected, ...) __attribute__((format(printf, 4, 5)));
 /* TAUT_BAD_INPUT at this place with a sentence of one's own. */
 taut_status taut_json_fail(const taut_json *at, taut_error *error, const char *reason, double found,
                            double limit, const char *format, ...)
@@ -68,6 +100,8 @@ taut_status taut_json_within(const taut_json *at, taut_status status, taut_error
 
 /* Any value as a record: the root of *record is an object or a list. */
 taut_status taut_json_record(const taut_json *at, taut_record **record, taut_error *error);
+/* The same of an object only. */
+taut_status taut_json_record_object(const taut_json *at, taut_record **record, taut_error *error);
 
 /* The name of a list (ended by NULL) that is nearest to `word`, in single edits; NULL if the list
  * is empty. */

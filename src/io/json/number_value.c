@@ -1,11 +1,13 @@
-/* number_value.c -- from a decimal to the nearest double.
+/* number_value.c -- from a decimal, or a rational number, to the nearest double.
  *
  * A decimal is d 10^k with a whole d of at most 19 digits, so d < 2^64. Two exact ways cover nearly
  * all numbers of documents:
  *
  *     d <= 2^53, |k| <= 22     d and 10^|k| are doubles: one multiplication or division, rounded
- * once -27 <= k < 0             d / 5^q = Q + rest in whole numbers, q = -k, with Q of 63 or 64
- * bits: rounded by hand, half to even, knowing whether there is a rest
+ *                              once
+ *     -27 <= k < 0             d / 5^q = Q + rest in whole numbers, q = -k, with Q of 63 or 64
+ *                              bits: rounded by hand, half to even, knowing whether there is a
+ *                              rest
  *
  * All else goes to strtod in the "C" locale.
  */
@@ -174,4 +176,59 @@ void taut_plain_locale_free(taut_plain_locale *plain)
         freelocale(plain->locale);
         plain->locale = (locale_t)0;
     }
+}
+
+/* A whole number as its first digits, at most 19, times a power of ten. */
+typedef struct whole {
+    uint64_t digits;
+    long power;
+} whole;
+
+/* Reads digits up to the first other character; NULL if there is none. */
+static const char *read_whole(const char *text, whole *number)
+{
+    const char *first = text;
+    number->digits = 0;
+    number->power = 0;
+    for (; *text >= '0' && *text <= '9'; text++) {
+        if (number->digits <= (UINT64_MAX - 9) / 10) {
+            number->digits = 10 * number->digits + (uint64_t)(*text - '0');
+        } else {
+            number->power++;
+        }
+    }
+    return text > first ? text : NULL;
+}
+
+/* x 10^power: 10^27 is exact in the wider format. */
+static long double scaled(long double x, long power)
+{
+    while (power != 0 && x != 0 && isfinite(x)) {
+        const long part = power > 27 ? 27 : power < -27 ? -27 : power;
+        long double ten = 1;
+        for (long k = 0; k < (part < 0 ? -part : part); k++) {
+            ten *= 10;
+        }
+        x = part < 0 ? x / ten : x * ten;
+        power -= part;
+    }
+    return x;
+}
+
+int taut_rational_value(const char *text, double *value)
+{
+    const int negative = *text == '-';
+    whole top = {0, 0}, bottom = {1, 0};
+    const char *rest = read_whole(text + negative, &top);
+
+    if (rest != NULL && *rest == '/') {
+        rest = read_whole(rest + 1, &bottom);
+    }
+    if (rest == NULL || *rest != '\0' || rest - text > TAUT_RATIONAL_MAX || bottom.digits == 0) {
+        return 0;
+    }
+    const long double size =
+        scaled((long double)top.digits / (long double)bottom.digits, top.power - bottom.power);
+    *value = negative ? -(double)size : (double)size;
+    return 1;
 }

@@ -1,4 +1,4 @@
-/* number_value.h -- the number a JSON number spells. */
+/* number_value.h -- the number that a text spells: a JSON number, or a rational one. */
 #ifndef TAUT_IO_JSON_NUMBER_VALUE_H
 #define TAUT_IO_JSON_NUMBER_VALUE_H
 
@@ -19,5 +19,12 @@ size_t taut_number_length(const char *text, size_t room);
 int taut_number_value(const char *text, size_t length, taut_plain_locale *plain, double *value);
 
 void taut_plain_locale_free(taut_plain_locale *plain);
+
+enum { TAUT_RATIONAL_MAX = 20000 }; /* bytes */
+
+/* A rational number: an optional minus, digits, and "/" with digits that are not all 0. The double
+ * nearest to it, to within 2^-60 of it; infinite where it is too large. 0, and *value untouched, if
+ * the text is none or longer than TAUT_RATIONAL_MAX. */
+int taut_rational_value(const char *text, double *value);
 
 #endif /* TAUT_IO_JSON_NUMBER_VALUE_H */

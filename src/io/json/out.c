@@ -215,6 +215,49 @@ void taut_json_put_record(taut_json_out *out, const taut_record *record)
     }
 }
 
+void taut_json_open_pair(taut_json_out *out, const char *key, char c)
+{
+    taut_json_key(out, key);
+    taut_json_open(out, c);
+}
+
+void taut_json_pair_number(taut_json_out *out, const char *key, double x)
+{
+    taut_json_key(out, key);
+    taut_json_put_number(out, x);
+}
+
+void taut_json_pair_numbers(taut_json_out *out, const char *key, size_t count, const double *x)
+{
+    taut_json_key(out, key);
+    taut_json_put_numbers(out, count, x);
+}
+
+void taut_json_pair_text(taut_json_out *out, const char *key, const char *text)
+{
+    taut_json_key(out, key);
+    taut_json_put_text(out, text);
+}
+
+void taut_json_pair_verdict(taut_json_out *out, const char *key, taut_verdict verdict)
+{
+    taut_json_key(out, key);
+    taut_json_put_verdict(out, verdict);
+}
+
+void taut_json_pair_net(taut_json_out *out, const char *key, size_t rows, size_t columns,
+                        size_t size, const double *points)
+{
+    taut_json_key(out, key);
+    taut_json_put_net(out, rows, columns, size, points);
+}
+
+void taut_json_pair_record(taut_json_out *out, const char *key, const taut_record *record)
+{
+    taut_json_key(out, key);
+    taut_json_put_record(out, record);
+}
+
 taut_status taut_json_out_finish(taut_json_out *out)
 {
     taut_sink_bytes(&out->sink, "\n", 1);

@@ -5,8 +5,7 @@
  *
  *     taut_json_out out = taut_json_out_to(file);
  *     taut_json_open(&out, '{');
- *     taut_json_key(&out, "taut");
- *     taut_json_put_number(&out, 1);
+ *     taut_json_pair_number(&out, "taut", 1);
  *     taut_json_close(&out, '}');
  *     status = taut_json_out_finish(&out);
  */
@@ -40,6 +39,15 @@ void taut_json_put_verdict(taut_json_out *out, taut_verdict verdict); /* true, f
 void taut_json_put_net(taut_json_out *out, size_t rows, size_t columns, size_t size,
                        const double *points);
 void taut_json_put_record(taut_json_out *out, const taut_record *record);
+/* A key and its value. */
+void taut_json_open_pair(taut_json_out *out, const char *key, char c);
+void taut_json_pair_number(taut_json_out *out, const char *key, double x);
+void taut_json_pair_numbers(taut_json_out *out, const char *key, size_t count, const double *x);
+void taut_json_pair_text(taut_json_out *out, const char *key, const char *text);
+void taut_json_pair_verdict(taut_json_out *out, const char *key, taut_verdict verdict);
+void taut_json_pair_net(taut_json_out *out, const char *key, size_t rows, size_t columns,
+                        size_t size, const double *points);
+void taut_json_pair_record(taut_json_out *out, const char *key, const taut_record *record);
 /* Ends the last line; errors as taut_sink_finish, whose text it leaves in out->sink. */
 taut_status taut_json_out_finish(taut_json_out *out);
 

@@ -87,7 +87,7 @@ static void describe_string(const char *string, char *text, size_t size)
 }
 
 /* What is there, for a message. */
-static void describe(const taut_json *at, char *text, size_t size)
+static void describe_value(const taut_json *at, char *text, size_t size)
 {
     static const char *const kinds[] = {"nothing", "null", "false",    "true",
                                         NULL,      NULL,   "an array", "an object"};
@@ -107,20 +107,42 @@ static void describe(const taut_json *at, char *text, size_t size)
     }
 }
 
+static taut_status refuse_value(const taut_json *at, taut_error *error, const char *reason,
+                                const char *expected, va_list arguments)
+{
+    const taut_json_kind kind = taut_json_kind_at(at);
+    char pointer[POINTER_ROOM], found[80], wish[200];
+
+    vsnprintf(wish, sizeof wish, expected, arguments);
+    spell_pointer(at, pointer);
+    describe_value(at, found, sizeof found);
+    return taut_fail_expected(
+        error, TAUT_BAD_INPUT, kind == TAUT_JSON_MISSING ? "missing" : reason, pointer,
+        kind == TAUT_JSON_NUMBER ? taut_json_number_at(at) : taut_none, wish, "found %s", found);
+}
+
+taut_status taut_json_refuse(const taut_json *at, taut_error *error, const char *reason,
+                             const char *expected, ...)
+{
+    va_list arguments;
+    taut_status status = TAUT_OK;
+    va_start(arguments, expected);
+    status = refuse_value(at, error, reason, expected, arguments);
+    va_end(arguments);
+    return status;
+}
+
 taut_status taut_json_expected(const taut_json *at, taut_error *error, const char *expected, ...)
 {
-    char pointer[POINTER_ROOM], found[80], wish[200];
+    const taut_json_kind kind = taut_json_kind_at(at);
     va_list arguments;
-
+    taut_status status = TAUT_OK;
     va_start(arguments, expected);
-    vsnprintf(wish, sizeof wish, expected, arguments);
+    status = refuse_value(at, error,
+                          kind == TAUT_JSON_NUMBER || kind == TAUT_JSON_ARRAY ? "value" : "type",
+                          expected, arguments);
     va_end(arguments);
-    spell_pointer(at, pointer);
-    describe(at, found, sizeof found);
-    return taut_fail(error, TAUT_BAD_INPUT, "value", pointer,
-                     taut_json_kind_at(at) == TAUT_JSON_NUMBER ? taut_json_number_at(at)
-                                                               : taut_none,
-                     taut_none, "found %s, expected %s", found, wish);
+    return status;
 }
 
 taut_status taut_json_fail(const taut_json *at, taut_error *error, const char *reason, double found,

@@ -15,7 +15,7 @@ static taut_status add_members(taut_record *record, const taut_json *at, taut_er
     taut_status status = TAUT_OK;
 
     if (count > TAUT_MEMBERS_MAX) {
-        return taut_json_fail(at, error, "value", (double)count, TAUT_MEMBERS_MAX,
+        return taut_json_fail(at, error, "size", (double)count, TAUT_MEMBERS_MAX,
                               "found an object of %zu members, expected at most %d", count,
                               TAUT_MEMBERS_MAX);
     }
@@ -67,7 +67,7 @@ taut_status taut_json_record(const taut_json *at, taut_record **record, taut_err
     taut_status status = TAUT_OK;
 
     if (kind != TAUT_JSON_OBJECT && kind != TAUT_JSON_ARRAY) {
-        return taut_json_expected(at, error, "an object");
+        return taut_json_refuse(at, error, "type", "an object");
     }
     made = kind == TAUT_JSON_OBJECT ? taut_record_new() : taut_record_new_list();
     status = kind == TAUT_JSON_OBJECT ? add_members(made, at, error) : add_items(made, at, error);
@@ -82,20 +82,25 @@ taut_status taut_json_record(const taut_json *at, taut_record **record, taut_err
     return TAUT_OK;
 }
 
+taut_status taut_json_record_object(const taut_json *at, taut_record **record, taut_error *error)
+{
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
+        return taut_json_refuse(at, error, "type", "an object");
+    }
+    return taut_json_record(at, record, error);
+}
+
+static taut_status read_root(const taut_json *at, void *record, taut_error *error)
+{
+    return taut_json_record(at, record, error);
+}
+
 taut_status taut_record_read_text(const char *text, size_t length, const char *name,
                                   taut_record **record, taut_error *error)
 {
-    taut_json_document *document = NULL;
-    taut_status status = TAUT_OK;
     if (text == NULL || name == NULL || record == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "reading needs a text, its name and a place for the record");
     }
-    status = taut_json_parse(text, length, name, &document, error);
-    if (status == TAUT_OK) {
-        const taut_json root = taut_json_root(document);
-        status = taut_json_record(&root, record, error);
-    }
-    taut_json_document_free(document);
-    return status;
+    return taut_json_read_text(text, length, name, read_root, record, error);
 }

@@ -1,21 +1,285 @@
 /* glb.c -- the format `glb`: glTF 2.0 in one file, for renderers and the web.
  *
- *     header   "glTF", 2, length          chunk   length, "JSON", text          chunk   length,
- * "BIN", data
+ *     header   "glTF", 2, length
+ *     chunk    length, "JSON", text
+ *     chunk    length, "BIN", data
  *
  * The data is all positions, all normals, all colours (where asked for), all indices, in the order
  * of the groups; positions and normals in single precision. glTF is in metres with y up: the root
  * node scales, turns (x, y, z) to (x, z, -y) and, where a model lies far from the origin and single
  * precision would show, shifts back what was taken off the positions. */
+#include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "draw/colour.h"
 #include "io/format.h"
+#include "io/json/out.h"
 #include "io/mesh/fields.h"
-#include "io/mesh/glb_document.h"
+#include "io/mesh/out.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+/* What of the data is one group's. */
+typedef struct glb_part {
+    double lo[3], hi[3]; /* of its positions as written */
+    size_t first_index, index_count;
+    int keeps_all; /* all its triangles have a place twice, and are written all the same */
+} glb_part;
+
+typedef struct glb_plan {
+    taut_arena *arena; /* parts and values, and the mesh */
+    const taut_mesh *mesh;
+    int count; /* groups */
+    glb_part *parts;
+    size_t index_count;
+    double origin[3]; /* taken off the positions */
+    taut_colour colour;
+    double *values; /* [vertices]: the curvature shown; NULL: plain colours */
+    double limit;   /* of its colours */
+} glb_plan;
+
+/* Numbers that glTF gives to kinds of data. */
+enum { UNSIGNED_SHORT = 5123, UNSIGNED_INT = 5125, FLOAT = 5126 };
+enum { ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963 };
+enum { VECTOR_BYTES = 12, COLOUR_BYTES = 8, INDEX_BYTES = 4, PLAIN_COLOURS = 8 };
+
+static const struct {
+    const char *unit;
+    double metres;
+} units[] = {{"mm", 1e-3}, {"m", 1}, {"cm", 1e-2}, {"in", 0.0254}, {"ft", 0.3048}};
+
+static double metres_of(const char *unit)
+{
+    double metres = 1e-3;
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (strcmp(units[i].unit, unit) == 0) {
+            metres = units[i].metres;
+        }
+    }
+    return metres;
+}
+
+/* A byte of sRGB as the linear share that glTF wants. */
+static double linear_share(unsigned char byte)
+{
+    const double x = byte / 255.0;
+    return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4);
+}
+
+/* Buffer views: positions, normals, colours if there are any, indices. Accessors: as many for each
+ * group, in this order. */
+static int views_of(const glb_plan *plan)
+{
+    return plan->values != NULL ? 4 : 3;
+}
+
+/* Bytes of the BIN chunk. */
+static size_t data_length(const glb_plan *plan)
+{
+    const size_t colour = plan->values != NULL ? COLOUR_BYTES : 0;
+    return taut_mesh_vertex_count(plan->mesh) * (2 * VECTOR_BYTES + colour) +
+           plan->index_count * INDEX_BYTES;
+}
+
+static void put_asset(taut_json_out *out)
+{
+    taut_json_key(out, "asset");
+    taut_json_open_inline(out, '{');
+    taut_json_pair_text(out, "version", "2.0");
+    taut_json_pair_text(out, "generator", "taut");
+    taut_json_close(out, '}');
+    taut_json_pair_number(out, "scene", 0);
+    taut_json_key(out, "scenes");
+    taut_json_open_inline(out, '[');
+    taut_json_open_inline(out, '{');
+    taut_json_pair_numbers(out, "nodes", 1, (const double[]){0});
+    taut_json_close(out, '}');
+    taut_json_close(out, ']');
+}
+
+/* The root, which knows unit and axes, and a node for each surface. */
+static void put_nodes(taut_json_out *out, const glb_plan *plan, const taut_model *model)
+{
+    const double metres = metres_of(taut_model_unit(model)), *origin = plan->origin;
+    const double half = sqrt(0.5);
+    taut_json_open_pair(out, "nodes", '[');
+    taut_json_open_inline(out, '{');
+    taut_json_pair_text(out, "name", "model");
+    taut_json_key(out, "children");
+    taut_json_open_inline(out, '[');
+    for (int g = 0; g < plan->count; g++) {
+        taut_json_put_number(out, g + 1);
+    }
+    taut_json_close(out, ']');
+    taut_json_pair_numbers(
+        out, "translation", 3,
+        (const double[]){metres * origin[0], metres * origin[2], 0 - metres * origin[1]});
+    taut_json_pair_numbers(out, "rotation", 4, (const double[]){-half, 0, 0, half});
+    taut_json_pair_numbers(out, "scale", 3, (const double[]){metres, metres, metres});
+    taut_json_close(out, '}');
+    for (int g = 0; g < plan->count; g++) {
+        char room[TAUT_NAME_MAX + 1];
+        taut_json_open_inline(out, '{');
+        taut_json_pair_text(out, "name",
+                            taut_mesh_out_name(taut_mesh_group_at(plan->mesh, g), room));
+        taut_json_pair_number(out, "mesh", g);
+        taut_json_close(out, '}');
+    }
+    taut_json_close(out, ']');
+}
+
+static void put_meshes(taut_json_out *out, const glb_plan *plan)
+{
+    const int views = views_of(plan);
+    taut_json_open_pair(out, "meshes", '[');
+    for (int g = 0; g < plan->count; g++) {
+        char room[TAUT_NAME_MAX + 1];
+        taut_json_open_inline(out, '{');
+        taut_json_pair_text(out, "name",
+                            taut_mesh_out_name(taut_mesh_group_at(plan->mesh, g), room));
+        taut_json_open_pair(out, "primitives", '[');
+        taut_json_open(out, '{');
+        taut_json_open_pair(out, "attributes", '{');
+        taut_json_pair_number(out, "POSITION", views * g);
+        taut_json_pair_number(out, "NORMAL", views * g + 1);
+        if (plan->values != NULL) {
+            taut_json_pair_number(out, "COLOR_0", views * g + 2);
+        }
+        taut_json_close(out, '}');
+        taut_json_pair_number(out, "indices", views * g + views - 1);
+        taut_json_pair_number(out, "material", plan->values != NULL ? 0 : g % PLAIN_COLOURS);
+        taut_json_close(out, '}');
+        taut_json_close(out, ']');
+        taut_json_close(out, '}');
+    }
+    taut_json_close(out, ']');
+}
+
+/* One white one where the vertices carry the colour, with what the colours mean; else the plain
+ * colours of figures. */
+static void put_materials(taut_json_out *out, const glb_plan *plan)
+{
+    const int some = plan->count < PLAIN_COLOURS ? plan->count : PLAIN_COLOURS;
+    const int count = plan->values != NULL ? 1 : some;
+    taut_json_open_pair(out, "materials", '[');
+    for (int i = 0; i < count; i++) {
+        const taut_ink white = {255, 255, 255};
+        const taut_ink ink = plan->values != NULL ? white : taut_colour_plain(i);
+        taut_json_open_inline(out, '{');
+        taut_json_open_pair(out, "pbrMetallicRoughness", '{');
+        taut_json_pair_numbers(
+            out, "baseColorFactor", 4,
+            (const double[]){linear_share(ink.r), linear_share(ink.g), linear_share(ink.b), 1});
+        taut_json_pair_number(out, "metallicFactor", 0);
+        taut_json_pair_number(out, "roughnessFactor", 0.6);
+        taut_json_close(out, '}');
+        taut_json_pair_verdict(out, "doubleSided", TAUT_TRUE);
+        if (plan->values != NULL) {
+            taut_json_open_pair(out, "extras", '{');
+            taut_json_pair_text(out, "colour", plan->colour == TAUT_COLOUR_MEAN ? "H" : "K");
+            taut_json_pair_number(out, "limit", plan->limit);
+            taut_json_close(out, '}');
+        }
+        taut_json_close(out, '}');
+    }
+    taut_json_close(out, ']');
+}
+
+/* One accessor: `offset` in bytes, box of three numbers or NULL. */
+static void put_accessor(taut_json_out *out, int view, size_t offset, int component, size_t count,
+                         const char *type, const glb_part *box)
+{
+    taut_json_open_inline(out, '{');
+    taut_json_pair_number(out, "bufferView", view);
+    taut_json_pair_number(out, "byteOffset", (double)offset);
+    taut_json_pair_number(out, "componentType", component);
+    if (component == UNSIGNED_SHORT) {
+        taut_json_pair_verdict(out, "normalized", TAUT_TRUE);
+    }
+    taut_json_pair_number(out, "count", (double)count);
+    taut_json_pair_text(out, "type", type);
+    if (box != NULL) {
+        taut_json_pair_numbers(out, "min", 3, box->lo);
+        taut_json_pair_numbers(out, "max", 3, box->hi);
+    }
+    taut_json_close(out, '}');
+}
+
+static void put_accessors(taut_json_out *out, const glb_plan *plan)
+{
+    taut_json_open_pair(out, "accessors", '[');
+    for (int g = 0; g < plan->count; g++) {
+        const taut_mesh_group *group = taut_mesh_group_at(plan->mesh, g);
+        const glb_part *part = &plan->parts[g];
+        const size_t first = group->first_vertex;
+        const size_t count = (size_t)group->nu * (size_t)group->nv;
+        put_accessor(out, 0, VECTOR_BYTES * first, FLOAT, count, "VEC3", part);
+        put_accessor(out, 1, VECTOR_BYTES * first, FLOAT, count, "VEC3", NULL);
+        if (plan->values != NULL) {
+            put_accessor(out, 2, COLOUR_BYTES * first, UNSIGNED_SHORT, count, "VEC4", NULL);
+        }
+        put_accessor(out, views_of(plan) - 1, INDEX_BYTES * part->first_index, UNSIGNED_INT,
+                     part->index_count, "SCALAR", NULL);
+    }
+    taut_json_close(out, ']');
+}
+
+/* One view after the other; stride 0: indices. Returns where it ends. */
+static size_t put_view(taut_json_out *out, size_t offset, size_t length, int stride)
+{
+    taut_json_open_inline(out, '{');
+    taut_json_pair_number(out, "buffer", 0);
+    taut_json_pair_number(out, "byteOffset", (double)offset);
+    taut_json_pair_number(out, "byteLength", (double)length);
+    if (stride > 0) {
+        taut_json_pair_number(out, "byteStride", stride);
+    }
+    taut_json_pair_number(out, "target", stride > 0 ? ARRAY_BUFFER : ELEMENT_ARRAY_BUFFER);
+    taut_json_close(out, '}');
+    return offset + length;
+}
+
+static void put_buffers(taut_json_out *out, const glb_plan *plan)
+{
+    const size_t vertices = taut_mesh_vertex_count(plan->mesh);
+    size_t end = 0;
+    taut_json_open_pair(out, "bufferViews", '[');
+    end = put_view(out, end, VECTOR_BYTES * vertices, VECTOR_BYTES);
+    end = put_view(out, end, VECTOR_BYTES * vertices, VECTOR_BYTES);
+    if (plan->values != NULL) {
+        end = put_view(out, end, COLOUR_BYTES * vertices, COLOUR_BYTES);
+    }
+    end = put_view(out, end, INDEX_BYTES * plan->index_count, 0);
+    taut_json_close(out, ']');
+    taut_json_open_pair(out, "buffers", '[');
+    taut_json_open_inline(out, '{');
+    taut_json_pair_number(out, "byteLength", (double)end);
+    taut_json_close(out, '}');
+    taut_json_close(out, ']');
+}
+
+/* The JSON chunk, freed by taut_free. TAUT_NO_MEMORY. */
+static taut_status write_document(const glb_plan *plan, const taut_model *model, char **text,
+                                  size_t *length)
+{
+    taut_json_out out = taut_json_out_to(NULL);
+    taut_json_open(&out, '{');
+    put_asset(&out);
+    put_nodes(&out, plan, model);
+    put_meshes(&out, plan);
+    put_materials(&out, plan);
+    put_accessors(&out, plan);
+    put_buffers(&out, plan);
+    taut_json_close(&out, '}');
+    if (taut_json_out_finish(&out) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    *text = out.sink.text;
+    *length = out.sink.length;
+    return TAUT_OK;
+}
 
 static const double far_off = 16; /* sizes from the origin: four bits of 24 */
 
@@ -61,30 +325,27 @@ static taut_status choose_colours(glb_plan *plan, const taut_model *model, int t
                                     [TAUT_COLOUR_GAUSSIAN] = TAUT_FIELD_K,
                                     [TAUT_COLOUR_ISOTHERMALITY] = TAUT_FIELD_I};
     const int field = fields_of[plan->colour];
-    double *fields = taut_alloc(vertices, TAUT_FIELDS * sizeof(double));
-    double *sorted = taut_alloc(vertices, sizeof(double));
-    taut_status status = TAUT_OK;
+    double *fields = taut_arena_take(plan->arena, vertices, TAUT_FIELDS * sizeof(double));
+    double *sorted = taut_arena_take(plan->arena, vertices, sizeof(double));
+    double *values = taut_arena_take(plan->arena, vertices, sizeof(double));
+    taut_status status = taut_arena_status(plan->arena);
     int cut = 0;
 
-    plan->values = taut_alloc(vertices, sizeof(double));
-    if (fields == NULL || sorted == NULL || plan->values == NULL) {
-        status = TAUT_NO_MEMORY;
-    }
     for (int g = 0; status == TAUT_OK && g < plan->count; g++) {
         const taut_mesh_group *group = taut_mesh_group_at(plan->mesh, g);
         status = taut_mesh_fields(taut_model_surface(model, group->surface), plan->mesh, group,
                                   threads, fields + TAUT_FIELDS * group->first_vertex);
     }
-    for (size_t i = 0; status == TAUT_OK && i < vertices; i++) {
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < vertices; i++) {
         const double value = fields[TAUT_FIELDS * i + (size_t)field];
-        plan->values[i] = sorted[i] = isfinite(value) ? value : nan("");
+        values[i] = sorted[i] = isfinite(value) ? value : nan("");
     }
-    if (status == TAUT_OK) {
-        plan->limit = taut_colour_limit(vertices, sorted, 0x1p-1000, &cut);
-    }
-    taut_free(fields);
-    taut_free(sorted);
-    return status;
+    plan->values = values;
+    plan->limit = taut_colour_limit(vertices, sorted, 0x1p-1000, &cut);
+    return TAUT_OK;
 }
 
 /* What is where: every number of the JSON chunk. */
@@ -92,7 +353,7 @@ static taut_status plan_file(glb_plan *plan, const taut_model *model,
                              const taut_write_options *options)
 {
     plan->count = taut_mesh_group_count(plan->mesh);
-    plan->parts = taut_alloc_zero((size_t)plan->count, sizeof *plan->parts);
+    plan->parts = taut_arena_take(plan->arena, (size_t)plan->count, sizeof *plan->parts);
     if (plan->parts == NULL) {
         return TAUT_NO_MEMORY;
     }
@@ -114,27 +375,27 @@ static taut_status plan_file(glb_plan *plan, const taut_model *model,
                                              : TAUT_OK;
 }
 
-static void put_vertices(taut_sink *sink, const glb_plan *plan)
+static void write_vertices(taut_sink *sink, const glb_plan *plan)
 {
     const size_t vertices = taut_mesh_vertex_count(plan->mesh);
     const double *positions = taut_mesh_positions(plan->mesh);
     const double *normals = taut_mesh_normals(plan->mesh);
     for (size_t i = 0; i < 3 * vertices; i++) {
-        taut_put_f32(sink, positions[i] - plan->origin[i % 3]);
+        taut_mesh_out_f32(sink, positions[i] - plan->origin[i % 3]);
     }
     for (size_t i = 0; i < 3 * vertices; i++) {
-        taut_put_f32(sink, normals[i]);
+        taut_mesh_out_f32(sink, normals[i]);
     }
     for (size_t i = 0; plan->values != NULL && i < vertices; i++) {
         const taut_ink ink = taut_colour_diverging(plan->values[i] / plan->limit);
-        taut_put_u16(sink, (unsigned)lround(65535 * glb_linear(ink.r)));
-        taut_put_u16(sink, (unsigned)lround(65535 * glb_linear(ink.g)));
-        taut_put_u16(sink, (unsigned)lround(65535 * glb_linear(ink.b)));
-        taut_put_u16(sink, 65535);
+        taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.r)));
+        taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.g)));
+        taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.b)));
+        taut_mesh_out_u16(sink, 65535);
     }
 }
 
-static void put_indices(taut_sink *sink, const glb_plan *plan)
+static void write_indices(taut_sink *sink, const glb_plan *plan)
 {
     for (int g = 0; g < plan->count; g++) {
         const taut_mesh_group *group = taut_mesh_group_at(plan->mesh, g);
@@ -143,60 +404,74 @@ static void put_indices(taut_sink *sink, const glb_plan *plan)
         for (size_t i = 0; i < 3 * count; i++) {
             if (plan->parts[g].keeps_all ||
                 taut_mesh_out_is_kept(plan->mesh, triangles + i / 3 * 3)) {
-                taut_put_u32(sink, triangles[i] - (uint32_t)group->first_vertex);
+                taut_mesh_out_u32(sink, triangles[i] - (uint32_t)group->first_vertex);
             }
         }
     }
 }
 
-static taut_status put_file(const glb_plan *plan, const taut_model *model, FILE *out,
-                            taut_error *error)
+static taut_status write_file(const glb_plan *plan, const taut_model *model, FILE *out,
+                              taut_error *error)
 {
-    const size_t data = glb_data_length(plan);
+    const size_t data = data_length(plan);
     taut_sink sink;
     char *text = NULL;
     size_t length = 0;
 
-    if (glb_document_text(plan, model, &text, &length) != TAUT_OK) {
+    if (write_document(plan, model, &text, &length) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     const size_t padded = (length + 3) / 4 * 4;
     sink = taut_sink_to(out);
     taut_sink_text(&sink, "glTF");
-    taut_put_u32(&sink, 2);
-    taut_put_u32(&sink, (uint32_t)(12 + 8 + padded + 8 + data));
-    taut_put_u32(&sink, (uint32_t)padded);
+    taut_mesh_out_u32(&sink, 2);
+    taut_mesh_out_u32(&sink, (uint32_t)(12 + 8 + padded + 8 + data));
+    taut_mesh_out_u32(&sink, (uint32_t)padded);
     taut_sink_text(&sink, "JSON");
     taut_sink_bytes(&sink, text, length);
     taut_sink_bytes(&sink, "   ", padded - length);
-    taut_put_u32(&sink, (uint32_t)data);
+    taut_mesh_out_u32(&sink, (uint32_t)data);
     taut_sink_bytes(&sink, "BIN", 4);
-    put_vertices(&sink, plan);
-    put_indices(&sink, plan);
+    write_vertices(&sink, plan);
+    write_indices(&sink, plan);
     taut_free(text);
     return taut_mesh_out_finish(&sink, error);
+}
+
+static void release_mesh(void *mesh)
+{
+    taut_mesh_free(mesh);
+}
+
+static taut_status write_planned(glb_plan *plan, const taut_model *model,
+                                 const taut_write_options *options, FILE *out, taut_error *error)
+{
+    taut_mesh *mesh = NULL;
+    taut_status status = taut_mesh_out_new(model, options, &mesh, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (!taut_arena_keep(plan->arena, mesh, release_mesh)) {
+        return taut_fail_memory(error);
+    }
+    status = taut_mesh_out_check_float(mesh, "glTF", error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    plan->mesh = mesh;
+    if (plan_file(plan, model, options) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return write_file(plan, model, out, error);
 }
 
 static taut_status write_glb(const taut_model *model, const taut_write_options *options, FILE *out,
                              taut_error *error)
 {
-    taut_mesh *mesh = NULL;
-    glb_plan plan = {.colour = options->colour};
-    taut_status status = taut_mesh_out_new(model, options, &mesh, error);
-
-    if (status == TAUT_OK) {
-        status = taut_mesh_out_check_float(mesh, "glTF", error);
-    }
-    if (status == TAUT_OK) {
-        plan.mesh = mesh;
-        status = plan_file(&plan, model, options) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
-    }
-    if (status == TAUT_OK) {
-        status = put_file(&plan, model, out, error);
-    }
-    taut_free(plan.parts);
-    taut_free(plan.values);
-    taut_mesh_free(mesh);
+    glb_plan plan = {.arena = taut_arena_new(), .colour = options->colour};
+    const taut_status status = write_planned(&plan, model, options, out, error);
+    taut_arena_free(plan.arena);
     return status;
 }
 

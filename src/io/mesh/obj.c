@@ -1,8 +1,7 @@
 /* obj.c -- the format `obj` (Wavefront): v, vt, vn and quads, a group per surface. */
 #include "core/fail.h"
-#include "io/file/sink.h"
 #include "io/format.h"
-#include "taut/mesh.h"
+#include "io/mesh/out.h"
 
 #include <string.h>
 
@@ -56,11 +55,9 @@ static void write_name(taut_sink *sink, const taut_mesh_group *group)
 static taut_status write_obj(const taut_model *model, const taut_write_options *options, FILE *out,
                              taut_error *error)
 {
-    const taut_mesh_options wish = {options->tolerance, options->divide, options->threads,
-                                    options->surface, options->monitor};
     taut_mesh *mesh = NULL;
     taut_sink sink;
-    taut_status status = taut_mesh_new(model, &wish, &mesh, error);
+    taut_status status = taut_mesh_out_new(model, options, &mesh, error);
 
     if (status != TAUT_OK) {
         return status;
@@ -80,8 +77,7 @@ static taut_status write_obj(const taut_model *model, const taut_write_options *
                     taut_mesh_quads(mesh) + 4 * group->first_quad);
     }
     taut_mesh_free(mesh);
-    status = taut_sink_finish(&sink);
-    return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
+    return taut_mesh_out_finish(&sink, error);
 }
 
 const taut_format_ops taut_format_obj = {.write = write_obj};

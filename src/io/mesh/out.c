@@ -47,7 +47,8 @@ taut_status taut_mesh_out_check_float(const taut_mesh *mesh, const char *format,
     const double *positions = taut_mesh_positions(mesh);
     for (size_t i = 0; i < 3 * taut_mesh_vertex_count(mesh); i++) {
         if (!(fabs(positions[i]) <= FLT_MAX)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, positions[i], FLT_MAX,
+            return taut_fail(error, TAUT_NO_SOLUTION, "single-precision", NULL, positions[i],
+                             FLT_MAX,
                              "a coordinate of %g is too large for %s, which has single precision: "
                              "write .ply or .obj",
                              positions[i], format);
@@ -65,17 +66,17 @@ static void put_low_bytes(taut_sink *sink, uint64_t value, size_t count)
     taut_sink_bytes(sink, bytes, count);
 }
 
-void taut_put_u16(taut_sink *sink, unsigned value)
+void taut_mesh_out_u16(taut_sink *sink, unsigned value)
 {
     put_low_bytes(sink, value, 2);
 }
 
-void taut_put_u32(taut_sink *sink, uint32_t value)
+void taut_mesh_out_u32(taut_sink *sink, uint32_t value)
 {
     put_low_bytes(sink, value, 4);
 }
 
-void taut_put_f32(taut_sink *sink, double value)
+void taut_mesh_out_f32(taut_sink *sink, double value)
 {
     const float rounded = (float)value;
     uint32_t bits = 0;
@@ -83,7 +84,7 @@ void taut_put_f32(taut_sink *sink, double value)
     put_low_bytes(sink, bits, 4);
 }
 
-void taut_put_f64(taut_sink *sink, double value)
+void taut_mesh_out_f64(taut_sink *sink, double value)
 {
     uint64_t bits = 0;
     memcpy(&bits, &value, sizeof bits);

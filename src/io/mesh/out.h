@@ -24,15 +24,15 @@ const uint32_t *taut_mesh_out_triangles(const taut_mesh *mesh, const taut_mesh_g
 /* TAUT_NO_SOLUTION where a coordinate is too large for single precision, which `format` has. */
 taut_status taut_mesh_out_check_float(const taut_mesh *mesh, const char *format, taut_error *error);
 
-void taut_put_u16(taut_sink *sink, unsigned value);
-void taut_put_u32(taut_sink *sink, uint32_t value);
-void taut_put_f32(taut_sink *sink, double value);
-void taut_put_f64(taut_sink *sink, double value);
+void taut_mesh_out_u16(taut_sink *sink, unsigned value);
+void taut_mesh_out_u32(taut_sink *sink, uint32_t value);
+void taut_mesh_out_f32(taut_sink *sink, double value);
+void taut_mesh_out_f64(taut_sink *sink, double value);
 
 /* The group's name, or "surface<i>" where it has none, in room for TAUT_NAME_MAX + 1 bytes. */
 const char *taut_mesh_out_name(const taut_mesh_group *group, char *room);
 
-/* Ends writing: the sink's own trouble goes before `status`. */
+/* Ends writing. */
 taut_status taut_mesh_out_finish(taut_sink *sink, taut_error *error);
 
 #endif /* TAUT_IO_MESH_OUT_H */

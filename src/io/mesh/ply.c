@@ -42,13 +42,13 @@ static void put_vertices(taut_sink *sink, const taut_mesh *mesh)
     const double *parameters = taut_mesh_parameters(mesh);
     for (size_t i = 0; i < taut_mesh_vertex_count(mesh); i++) {
         for (size_t c = 0; c < 3; c++) {
-            taut_put_f64(sink, positions[3 * i + c]);
+            taut_mesh_out_f64(sink, positions[3 * i + c]);
         }
         for (size_t c = 0; c < 3; c++) {
-            taut_put_f64(sink, normals[3 * i + c]);
+            taut_mesh_out_f64(sink, normals[3 * i + c]);
         }
-        taut_put_f64(sink, parameters[2 * i]);
-        taut_put_f64(sink, parameters[2 * i + 1]);
+        taut_mesh_out_f64(sink, parameters[2 * i]);
+        taut_mesh_out_f64(sink, parameters[2 * i + 1]);
     }
 }
 
@@ -60,9 +60,9 @@ static void put_faces(taut_sink *sink, const taut_mesh *mesh, const taut_mesh_gr
         if (taut_mesh_out_is_kept(mesh, triangles + 3 * i)) {
             taut_sink_bytes(sink, "\3", 1);
             for (size_t c = 0; c < 3; c++) {
-                taut_put_u32(sink, triangles[3 * i + c]);
+                taut_mesh_out_u32(sink, triangles[3 * i + c]);
             }
-            taut_put_u32(sink, (uint32_t)group->surface);
+            taut_mesh_out_u32(sink, (uint32_t)group->surface);
         }
     }
 }

@@ -13,7 +13,7 @@
 enum { HEADER = 80 };
 
 /* Must not begin with "solid", which is how a text file begins. */
-static void put_header(taut_sink *sink, const taut_model *model)
+static void write_header(taut_sink *sink, const taut_model *model)
 {
     char header[HEADER] = "taut, binary STL, unit ";
     memset(header + strlen(header), 0, HEADER - strlen(header));
@@ -38,8 +38,8 @@ static void normal_of(const double *a, const double *b, const double *c, double 
     }
 }
 
-static void put_triangle(taut_sink *sink, const double *positions, const uint32_t *triangle,
-                         int turned)
+static void write_triangle(taut_sink *sink, const double *positions, const uint32_t *triangle,
+                           int turned)
 {
     const double *a = positions + 3 * (size_t)triangle[0];
     const double *b = positions + 3 * (size_t)triangle[turned ? 2 : 1];
@@ -50,24 +50,29 @@ static void put_triangle(taut_sink *sink, const double *positions, const uint32_
     memcpy(row + 6, b, 3 * sizeof(double));
     memcpy(row + 9, c, 3 * sizeof(double));
     for (int k = 0; k < 12; k++) {
-        taut_put_f32(sink, row[k]);
+        taut_mesh_out_f32(sink, row[k]);
     }
-    taut_put_u16(sink, 0);
+    taut_mesh_out_u16(sink, 0);
 }
 
-static taut_status put_mesh(const taut_model *model, const taut_mesh *mesh, FILE *out,
-                            taut_error *error)
+static taut_status write_mesh(const taut_model *model, const taut_mesh *mesh, FILE *out,
+                              taut_error *error)
 {
-    taut_sink sink = taut_sink_to(out);
-    put_header(&sink, model);
-    taut_put_u32(&sink, (uint32_t)taut_mesh_out_count(mesh, NULL));
+    taut_sink sink;
+    const taut_status status = taut_mesh_out_check_float(mesh, "STL", error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    sink = taut_sink_to(out);
+    write_header(&sink, model);
+    taut_mesh_out_u32(&sink, (uint32_t)taut_mesh_out_count(mesh, NULL));
     for (int g = 0; g < taut_mesh_group_count(mesh); g++) {
         const taut_mesh_group *group = taut_mesh_group_at(mesh, g);
         size_t count = 0;
         const uint32_t *triangles = taut_mesh_out_triangles(mesh, group, &count);
         for (size_t i = 0; i < count; i++) {
             if (taut_mesh_out_is_kept(mesh, triangles + 3 * i)) {
-                put_triangle(&sink, taut_mesh_positions(mesh), triangles + 3 * i, group->turned);
+                write_triangle(&sink, taut_mesh_positions(mesh), triangles + 3 * i, group->turned);
             }
         }
     }
@@ -79,12 +84,10 @@ static taut_status write_stl(const taut_model *model, const taut_write_options *
 {
     taut_mesh *mesh = NULL;
     taut_status status = taut_mesh_out_new(model, options, &mesh, error);
-    if (status == TAUT_OK) {
-        status = taut_mesh_out_check_float(mesh, "STL", error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = put_mesh(model, mesh, out, error);
-    }
+    status = write_mesh(model, mesh, out, error);
     taut_mesh_free(mesh);
     return status;
 }

@@ -3,6 +3,7 @@
 #include "basis/basis_ops.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "io/model/keep.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -45,9 +46,9 @@ static taut_status read_type(const taut_json *at, const taut_basis_ops **ops, ta
     int count = 0;
 
     if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
-        return taut_json_expected(at, error,
-                                  "an object, such as {\"type\": \"bezier\", "
-                                  "\"degree\": 3}");
+        return taut_json_refuse(at, error, "type",
+                                "an object, such as {\"type\": \"bezier\", "
+                                "\"degree\": 3}");
     }
     status = taut_json_text(&type, &name, error);
     if (status != TAUT_OK) {
@@ -60,8 +61,8 @@ static taut_status read_type(const taut_json *at, const taut_basis_ops **ops, ta
             count++;
         }
         types[count] = NULL;
-        return taut_json_expected(&type, error, "a type of basis; the nearest one is \"%s\"",
-                                  taut_nearest(name, types));
+        return taut_json_refuse(&type, error, "name", "a type of basis; the nearest one is \"%s\"",
+                                taut_nearest(name, types));
     }
     return TAUT_OK;
 }
@@ -74,7 +75,7 @@ static taut_status check_members(const taut_json *at, const taut_basis_ops *ops,
     for (int i = 0; i < MEMBER_COUNT; i++) {
         const taut_json member = taut_json_member(at, member_table[i].name);
         if (member.value != NULL && ((ops->needs | ops->allows) & member_table[i].bit) == 0) {
-            return taut_json_fail(&member, error, "value", taut_none, taut_none,
+            return taut_json_fail(&member, error, "unknown-member", taut_none, taut_none,
                                   "there is no such member in a basis of type \"%s\"", ops->type);
         }
         if (((ops->needs | ops->allows) & member_table[i].bit) != 0) {
@@ -88,11 +89,10 @@ static taut_status check_members(const taut_json *at, const taut_basis_ops *ops,
 /* The knots, into memory that the caller frees (spec->knots). */
 static taut_status read_knots(const taut_json *at, taut_basis_spec *spec, taut_error *error)
 {
-    taut_status status = TAUT_OK;
     double *knots = NULL;
     size_t count = 0;
+    const taut_status status = taut_json_array(at, 2, KNOTS_MAX, "numbers", &count, error);
 
-    status = taut_json_array(at, 2, KNOTS_MAX, "numbers", &count, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -122,27 +122,48 @@ static taut_status read_member(const basis_member *member, const taut_json *at,
     return taut_json_numbers(at, 2, spec->range, error);
 }
 
-taut_status taut_basis_document_read(const taut_json *at, int functions, taut_basis **basis,
-                                     taut_error *error)
+/* spec->knots is the caller's to free, also on failure. */
+static taut_status read_basis(const taut_json *at, int functions, taut_basis_spec *spec,
+                              taut_basis **basis, taut_error *error)
 {
     const taut_basis_ops *ops = NULL;
-    taut_basis_spec spec = {0};
     taut_status status = read_type(at, &ops, error);
 
-    if (status == TAUT_OK) {
-        status = check_members(at, ops, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = check_members(at, ops, error);
     for (int i = 0; status == TAUT_OK && i < MEMBER_COUNT; i++) {
         const taut_json member = taut_json_member(at, member_table[i].name);
         if (member.value != NULL || (ops->needs & member_table[i].bit) != 0) {
-            status = read_member(&member_table[i], &member, &spec, error);
+            status = read_member(&member_table[i], &member, spec, error);
         }
     }
-    if (status == TAUT_OK) {
-        spec.type = ops->type;
-        status = taut_json_within(at, taut_basis_new(&spec, functions, basis, error), error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    spec->type = ops->type;
+    return taut_json_within(at, taut_basis_new(spec, functions, basis, error), error);
+}
+
+taut_status taut_basis_document_read(const taut_json *at, int functions, taut_basis **basis,
+                                     taut_error *error)
+{
+    taut_basis_spec spec = {0};
+    const taut_status status = read_basis(at, functions, &spec, basis, error);
     taut_free((void *)(size_t)spec.knots);
+    return status;
+}
+
+taut_status taut_basis_document_keep(const taut_json *at, int functions, taut_arena *arena,
+                                     const taut_basis **basis, taut_error *error)
+{
+    taut_basis *made = NULL;
+    const taut_status status = taut_basis_document_read(at, functions, &made, error);
+    if (status == TAUT_OK && !taut_keep_basis(arena, made)) {
+        return taut_fail_memory(error);
+    }
+    *basis = made;
     return status;
 }
 
@@ -181,8 +202,7 @@ void taut_basis_document_write(taut_json_out *out, const taut_basis *basis)
 
     taut_basis_spec_of(basis, &spec);
     taut_json_open_inline(out, '{');
-    taut_json_key(out, "type");
-    taut_json_put_text(out, spec.type);
+    taut_json_pair_text(out, "type", spec.type);
     for (int i = 0; i < MEMBER_COUNT; i++) {
         const unsigned bit = member_table[i].bit;
         if ((ops->needs & bit) != 0 ||

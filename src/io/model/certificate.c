@@ -10,103 +10,59 @@ static const char *const certificate_members[] = {"construct", "holds", "claims"
 static const char *const claim_members[] = {"claim", "residual", "limit", "holds", "where", NULL};
 
 /* A number, or null for one that is not finite. */
-static taut_status read_residual(const taut_json *at, double *value, taut_error *error)
+static taut_status read_residual(const taut_json *at, void *value, taut_error *error)
 {
     if (taut_json_kind_at(at) == TAUT_JSON_NULL) {
-        *value = taut_none;
+        *(double *)value = taut_none;
         return TAUT_OK;
     }
     return taut_json_number(at, value, error);
 }
 
-static taut_status read_verdict(const taut_json *at, taut_verdict *verdict, taut_error *error)
+static taut_status read_verdict(const taut_json *at, void *verdict, taut_error *error)
 {
     const taut_json_kind kind = taut_json_kind_at(at);
     if (kind != TAUT_JSON_TRUE && kind != TAUT_JSON_FALSE && kind != TAUT_JSON_NULL) {
-        return taut_json_expected(at, error, "true, false or null");
+        return taut_json_refuse(at, error, "type", "true, false or null");
     }
-    *verdict = kind == TAUT_JSON_TRUE    ? TAUT_TRUE
-               : kind == TAUT_JSON_FALSE ? TAUT_FALSE
-                                         : TAUT_UNDECIDED;
+    *(taut_verdict *)verdict = kind == TAUT_JSON_TRUE    ? TAUT_TRUE
+                               : kind == TAUT_JSON_FALSE ? TAUT_FALSE
+                                                         : TAUT_UNDECIDED;
     return TAUT_OK;
 }
 
-static taut_status read_claim(const taut_json *at, taut_certificate *certificate, taut_error *error)
+static taut_status read_place(const taut_json *at, void *where, taut_error *error)
 {
-    taut_status status = taut_json_object(at, claim_members, error);
-    const taut_json name = taut_json_member(at, "claim");
-    const taut_json residual = taut_json_member(at, "residual");
-    const taut_json limit = taut_json_member(at, "limit");
-    const taut_json holds = taut_json_member(at, "holds");
-    const taut_json where = taut_json_member(at, "where");
+    return taut_json_text(at, where, error);
+}
+
+static taut_status read_claim(const taut_json *at, void *certificate, taut_error *error)
+{
     taut_claim claim = {"", 0, 0, TAUT_FALSE, ""};
+    taut_reader in = taut_reader_of(at, claim_members, error);
 
-    if (status == TAUT_OK) {
-        status = taut_json_text(&name, &claim.claim, error);
+    taut_reader_text(&in, "claim", &claim.claim);
+    taut_reader_member(&in, "residual", read_residual, &claim.residual);
+    taut_reader_member(&in, "limit", read_residual, &claim.limit);
+    taut_reader_member(&in, "holds", read_verdict, &claim.holds);
+    taut_reader_optional(&in, "where", read_place, &claim.where);
+    if (in.status != TAUT_OK) {
+        return in.status;
     }
-    if (status == TAUT_OK) {
-        status = read_residual(&residual, &claim.residual, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_residual(&limit, &claim.limit, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_verdict(&holds, &claim.holds, error);
-    }
-    if (status == TAUT_OK && where.value != NULL) {
-        status = taut_json_text(&where, &claim.where, error);
-    }
-    if (status == TAUT_OK && taut_certificate_add(certificate, &claim) != TAUT_OK) {
-        status = taut_fail_memory(error);
-    }
-    return status;
+    return taut_certificate_add(certificate, &claim) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
-static taut_status read_claims(const taut_json *at, taut_certificate *certificate,
-                               taut_error *error)
+static taut_status read_claims(const taut_json *at, void *certificate, taut_error *error)
 {
-    size_t count = 0;
-    taut_status status = taut_json_array(at, 0, TAUT_OBJECTS_MAX, "claims", &count, error);
-    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
-        const taut_json claim = taut_json_item(at, i);
-        status = read_claim(&claim, certificate, error);
-    }
-    return status;
+    return taut_json_each(at, 0, TAUT_OBJECTS_MAX, "claims", read_claim, certificate, error);
 }
 
-static taut_status read_figures(const taut_json *at, taut_certificate *certificate,
-                                taut_error *error)
+static taut_status read_figures(const taut_json *at, void *certificate, taut_error *error)
 {
     taut_record *figures = NULL;
-    taut_status status = TAUT_OK;
-    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
-        return taut_json_expected(at, error, "an object");
-    }
-    status = taut_json_record(at, &figures, error);
+    const taut_status status = taut_json_record_object(at, &figures, error);
     if (status == TAUT_OK) {
         taut_certificate_set_figures(certificate, figures);
-    }
-    return status;
-}
-
-/* The members besides the name. `holds` follows from the claims: only its kind is looked at. */
-static taut_status read_members(const taut_json *at, taut_certificate *certificate,
-                                taut_error *error)
-{
-    const taut_json holds = taut_json_member(at, "holds");
-    const taut_json claims = taut_json_member(at, "claims");
-    const taut_json figures = taut_json_member(at, "figures");
-    taut_verdict verdict = TAUT_FALSE;
-    taut_status status = TAUT_OK;
-
-    if (holds.value != NULL) {
-        status = read_verdict(&holds, &verdict, error);
-    }
-    if (status == TAUT_OK && claims.value != NULL) {
-        status = read_claims(&claims, certificate, error);
-    }
-    if (status == TAUT_OK && figures.value != NULL) {
-        status = read_figures(&figures, certificate, error);
     }
     return status;
 }
@@ -114,23 +70,25 @@ static taut_status read_members(const taut_json *at, taut_certificate *certifica
 taut_status taut_certificate_document_read(const taut_json *at, taut_certificate **certificate,
                                            taut_error *error)
 {
-    taut_status status = taut_json_object(at, certificate_members, error);
-    const taut_json construct = taut_json_member(at, "construct");
     taut_certificate *made = NULL;
+    taut_verdict verdict = TAUT_FALSE;
     const char *name = "";
+    taut_reader in = taut_reader_of(at, certificate_members, error);
 
-    if (status == TAUT_OK) {
-        status = taut_json_text(&construct, &name, error);
+    taut_reader_text(&in, "construct", &name);
+    if (in.status != TAUT_OK) {
+        return in.status;
     }
-    if (status == TAUT_OK && taut_certificate_new(name, &made) != TAUT_OK) {
-        status = taut_fail_memory(error);
+    if (taut_certificate_new(name, &made) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        status = read_members(at, made, error);
-    }
-    if (status != TAUT_OK) {
+    /* `holds` follows from the claims: only its kind is looked at */
+    taut_reader_optional(&in, "holds", read_verdict, &verdict);
+    taut_reader_optional(&in, "claims", read_claims, made);
+    taut_reader_optional(&in, "figures", read_figures, made);
+    if (in.status != TAUT_OK) {
         taut_certificate_free(made);
-        return status;
+        return in.status;
     }
     *certificate = made;
     return TAUT_OK;
@@ -139,28 +97,20 @@ taut_status taut_certificate_document_read(const taut_json *at, taut_certificate
 static void write_claim(taut_json_out *out, const taut_claim *claim)
 {
     taut_json_open_inline(out, '{');
-    taut_json_key(out, "claim");
-    taut_json_put_text(out, claim->claim);
-    taut_json_key(out, "residual");
-    taut_json_put_number(out, claim->residual);
-    taut_json_key(out, "limit");
-    taut_json_put_number(out, claim->limit);
-    taut_json_key(out, "holds");
-    taut_json_put_verdict(out, claim->holds);
-    taut_json_key(out, "where");
-    taut_json_put_text(out, claim->where);
+    taut_json_pair_text(out, "claim", claim->claim);
+    taut_json_pair_number(out, "residual", claim->residual);
+    taut_json_pair_number(out, "limit", claim->limit);
+    taut_json_pair_verdict(out, "holds", claim->holds);
+    taut_json_pair_text(out, "where", claim->where);
     taut_json_close(out, '}');
 }
 
 void taut_certificate_document_write(taut_json_out *out, const taut_certificate *certificate)
 {
     taut_json_open(out, '{');
-    taut_json_key(out, "construct");
-    taut_json_put_text(out, taut_certificate_construct(certificate));
-    taut_json_key(out, "holds");
-    taut_json_put_verdict(out, taut_certificate_holds(certificate));
-    taut_json_key(out, "claims");
-    taut_json_open(out, '[');
+    taut_json_pair_text(out, "construct", taut_certificate_construct(certificate));
+    taut_json_pair_verdict(out, "holds", taut_certificate_holds(certificate));
+    taut_json_open_pair(out, "claims", '[');
     for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
         write_claim(out, taut_certificate_claim(certificate, i));
     }

@@ -7,12 +7,11 @@
 #include "taut/construct.h"
 #include "taut/model.h"
 
-/* The problem, or the model, of a document that has been parsed; path NULL: it came from no file.
- */
-taut_status taut_problem_of_document(const taut_json_document *root, const char *path,
-                                     taut_problem **problem, taut_error *error);
-taut_status taut_model_of_document(const taut_json_document *root, taut_model **model,
-                                   taut_error *error);
+/* The problem, or the model, of a document; path NULL: it came from no file. */
+taut_status taut_problem_document_read(const taut_json *document, const char *path,
+                                       taut_problem **problem, taut_error *error);
+taut_status taut_model_document_read(const taut_json *document, taut_model **model,
+                                     taut_error *error);
 
 /* Is the member `taut` there, and the version this reader knows? */
 taut_status taut_version_document_check(const taut_json *document, taut_error *error);

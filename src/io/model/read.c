@@ -15,8 +15,10 @@ static const char *const model_members[] = {"taut",    "unit",        "surfaces"
 taut_status taut_version_document_check(const taut_json *document, taut_error *error)
 {
     const taut_json at = taut_json_member(document, "taut");
-    if (taut_json_kind_at(&at) != TAUT_JSON_NUMBER || taut_json_number_at(&at) != 1) {
-        return taut_json_expected(&at, error, "1, the version of the format");
+    const int is_number = taut_json_kind_at(&at) == TAUT_JSON_NUMBER;
+    if (!is_number || taut_json_number_at(&at) != 1) {
+        return taut_json_refuse(&at, error, is_number ? "version" : "type",
+                                "1, the version of the format");
     }
     return TAUT_OK;
 }
@@ -25,85 +27,60 @@ taut_status taut_unit_document_read(const taut_json *document, const char **unit
 {
     static const char *const units[] = {"mm", "m", "cm", "in", "ft", NULL};
     const taut_json at = taut_json_member(document, "unit");
-    taut_status status = TAUT_OK;
     int word = 0;
-    if (at.value != NULL) {
-        status = taut_json_word(&at, units, &word, error);
-    }
-    if (status == TAUT_OK) {
-        *unit = units[word];
-    }
+    const taut_status status =
+        at.value != NULL ? taut_json_word(&at, units, &word, error) : TAUT_OK;
+    *unit = units[word];
     return status;
 }
 
 /* Ownership goes to the model, or is given up with the object. */
-static taut_status add_surface(taut_model *model, const taut_json *at, taut_error *error)
+static taut_status add_surface(const taut_json *at, void *model, taut_error *error)
 {
     taut_surface *surface = NULL;
-    taut_status status = taut_surface_document_read(at, &surface, error);
+    const taut_status status = taut_surface_document_read(at, &surface, error);
     if (status == TAUT_OK && taut_model_add_surface(model, surface) != TAUT_OK) {
         taut_surface_free(surface);
-        status = taut_fail_memory(error);
+        return taut_fail_memory(error);
     }
     return status;
 }
 
-static taut_status add_curve(taut_model *model, const taut_json *at, taut_error *error)
+static taut_status add_curve(const taut_json *at, void *model, taut_error *error)
 {
     taut_curve *curve = NULL;
-    taut_status status = taut_curve_document_read(at, &curve, error);
+    const taut_status status = taut_curve_document_read(at, &curve, error);
     if (status == TAUT_OK && taut_model_add_curve(model, curve) != TAUT_OK) {
         taut_curve_free(curve);
-        status = taut_fail_memory(error);
+        return taut_fail_memory(error);
     }
     return status;
 }
 
-/* Every object of the list `key`, if there is one. */
-static taut_status add_all(taut_model *model, const taut_json *document, const char *key,
-                           taut_status (*add)(taut_model *, const taut_json *, taut_error *),
-                           taut_error *error)
+static taut_status add_surfaces(const taut_json *at, void *model, taut_error *error)
 {
-    const taut_json list = taut_json_member(document, key);
-    taut_status status = TAUT_OK;
-    size_t count = 0;
-    if (list.value != NULL) {
-        status = taut_json_array(&list, 0, TAUT_OBJECTS_MAX, key, &count, error);
-    }
-    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
-        const taut_json item = taut_json_item(&list, i);
-        status = add(model, &item, error);
-    }
-    return status;
+    return taut_json_each(at, 0, TAUT_OBJECTS_MAX, "surfaces", add_surface, model, error);
 }
 
-static taut_status add_details(taut_model *model, const taut_json *document, taut_error *error)
+static taut_status add_curves(const taut_json *at, void *model, taut_error *error)
 {
-    const taut_json at = taut_json_member(document, "details");
+    return taut_json_each(at, 0, TAUT_OBJECTS_MAX, "curves", add_curve, model, error);
+}
+
+static taut_status add_details(const taut_json *at, void *model, taut_error *error)
+{
     taut_record *details = NULL;
-    taut_status status = TAUT_OK;
-    if (at.value == NULL) {
-        return TAUT_OK;
-    }
-    if (taut_json_kind_at(&at) != TAUT_JSON_OBJECT) {
-        return taut_json_expected(&at, error, "an object");
-    }
-    status = taut_json_record(&at, &details, error);
+    const taut_status status = taut_json_record_object(at, &details, error);
     if (status == TAUT_OK) {
         taut_model_set_details(model, details);
     }
     return status;
 }
 
-static taut_status add_certificate(taut_model *model, const taut_json *document, taut_error *error)
+static taut_status add_certificate(const taut_json *at, void *model, taut_error *error)
 {
-    const taut_json at = taut_json_member(document, "certificate");
     taut_certificate *certificate = NULL;
-    taut_status status = TAUT_OK;
-    if (at.value == NULL) {
-        return TAUT_OK;
-    }
-    status = taut_certificate_document_read(&at, &certificate, error);
+    const taut_status status = taut_certificate_document_read(at, &certificate, error);
     if (status == TAUT_OK) {
         taut_model_set_certificate(model, certificate);
     }
@@ -113,49 +90,44 @@ static taut_status add_certificate(taut_model *model, const taut_json *document,
 static taut_status read_members(taut_model *model, const taut_json *document, taut_error *error)
 {
     const char *unit = "mm";
-    taut_status status = taut_unit_document_read(document, &unit, error);
-    if (status == TAUT_OK) {
-        taut_model_set_unit(model, unit);
-        status = add_all(model, document, "surfaces", add_surface, error);
-    }
-    if (status == TAUT_OK) {
-        status = add_all(model, document, "curves", add_curve, error);
-    }
-    if (status == TAUT_OK) {
-        status = add_details(model, document, error);
-    }
-    if (status == TAUT_OK) {
-        status = add_certificate(model, document, error);
-    }
-    return status;
+    taut_reader in = taut_reader_of(document, NULL, error);
+
+    in.status = taut_unit_document_read(document, &unit, error);
+    taut_model_set_unit(model, unit);
+    taut_reader_optional(&in, "surfaces", add_surfaces, model);
+    taut_reader_optional(&in, "curves", add_curves, model);
+    taut_reader_optional(&in, "details", add_details, model);
+    taut_reader_optional(&in, "certificate", add_certificate, model);
+    return in.status;
 }
 
-taut_status taut_model_of_document(const taut_json_document *root, taut_model **model,
-                                   taut_error *error)
+taut_status taut_model_document_read(const taut_json *document, taut_model **model,
+                                     taut_error *error)
 {
-    const taut_json document = taut_json_root(root);
     taut_model *made = NULL;
     taut_status status = TAUT_OK;
 
-    if (taut_json_find(document.value, "construct") != NULL &&
-        taut_json_find(document.value, "surfaces") == NULL) {
-        const taut_json at = taut_json_member(&document, "construct");
-        return taut_json_fail(&at, error, "value", taut_none, taut_none,
+    if (taut_json_find(document->value, "construct") != NULL &&
+        taut_json_find(document->value, "surfaces") == NULL) {
+        const taut_json at = taut_json_member(document, "construct");
+        return taut_json_fail(&at, error, "kind", taut_none, taut_none,
                               "this is a problem, expected a model: `taut make` makes one from it");
     }
-    if (taut_geomdl_is(&document)) {
-        return taut_geomdl_read(&document, model, error);
+    if (taut_geomdl_is(document)) {
+        return taut_geomdl_read(document, model, error);
     }
-    status = taut_json_object(&document, model_members, error);
-    if (status == TAUT_OK) {
-        status = taut_version_document_check(&document, error);
+    status = taut_json_object(document, model_members, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && taut_model_new(&made) != TAUT_OK) {
-        status = taut_fail_memory(error);
+    status = taut_version_document_check(document, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = read_members(made, &document, error);
+    if (taut_model_new(&made) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
+    status = read_members(made, document, error);
     if (status != TAUT_OK) {
         taut_model_free(made);
         return status;
@@ -164,40 +136,29 @@ taut_status taut_model_of_document(const taut_json_document *root, taut_model **
     return TAUT_OK;
 }
 
+static taut_status read_root(const taut_json *document, void *model, taut_error *error)
+{
+    return taut_model_document_read(document, model, error);
+}
+
 taut_status taut_model_read_text(const char *text, size_t length, const char *name,
                                  taut_model **model, taut_error *error)
 {
-    taut_json_document *root = NULL;
-    taut_status status = TAUT_OK;
     if ((text == NULL && length > 0) || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_model_read_text needs a text and a place for the model");
     }
-    status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
-    if (status == TAUT_OK) {
-        status = taut_model_of_document(root, model, error);
-    }
-    taut_json_document_free(root);
-    return status;
+    return taut_json_read_text(text, length, name != NULL ? name : "text", read_root, model, error);
 }
 
 taut_status taut_model_read(const char *path, taut_model **model, taut_error *error)
 {
-    taut_json_document *root = NULL;
     const taut_format_ops *ops = NULL;
-    taut_status status = TAUT_OK;
     if (path == NULL || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_model_read needs a path and a place for the model");
     }
     ops = taut_format_ops_at(taut_format_of(path, NULL));
-    if (ops != NULL && ops->read != NULL) {
-        return ops->read(path, model, error);
-    }
-    status = taut_json_load(path, &root, error);
-    if (status == TAUT_OK) {
-        status = taut_model_of_document(root, model, error);
-    }
-    taut_json_document_free(root);
-    return status;
+    return ops != NULL && ops->read != NULL ? ops->read(path, model, error)
+                                            : taut_json_read_file(path, read_root, model, error);
 }

@@ -1,7 +1,7 @@
 #include "io/model/surface.h"
 
+#include "core/arena.h"
 #include "core/fail.h"
-#include "core/memory.h"
 #include "io/model/basis.h"
 #include "io/problem/net_document.h"
 #include "taut/limits.h"
@@ -15,160 +15,128 @@ taut_status taut_name_document_read(const taut_json *object, const char **name, 
 {
     const taut_json at = taut_json_member(object, "name");
     const char *text = "";
-    taut_status status = at.value != NULL ? taut_json_text(&at, &text, error) : TAUT_OK;
+    const taut_status status = at.value != NULL ? taut_json_text(&at, &text, error) : TAUT_OK;
     if (status == TAUT_OK && strlen(text) > TAUT_NAME_MAX) {
-        status = taut_json_fail(&at, error, "value", (double)strlen(text), TAUT_NAME_MAX,
-                                "found a name of %zu bytes, expected at most %d", strlen(text),
-                                TAUT_NAME_MAX);
+        return taut_json_fail(&at, error, "size", (double)strlen(text), TAUT_NAME_MAX,
+                              "found a name of %zu bytes, expected at most %d", strlen(text),
+                              TAUT_NAME_MAX);
     }
-    if (status == TAUT_OK) {
-        *name = text;
-    }
+    *name = text;
     return status;
 }
 
-/* The points and, if there are any, the weights of a net (rows 0: of a polygon), into memory that
- * the caller frees, also on failure. */
-static taut_status read_net(const taut_json *object, int rows, int columns, double **points,
-                            double **weights, taut_error *error)
+/* What objects begin with: no other members, and a name. */
+static taut_status read_head(const taut_json *at, const char *const *members, const char **name,
+                             taut_error *error)
 {
-    const taut_json at = taut_json_member(object, "points");
-    const taut_json weighted = taut_json_member(object, "weights");
-    const size_t count = (size_t)(rows > 0 ? rows : 1) * (size_t)columns;
-    taut_status status = TAUT_OK;
-
-    *points = taut_alloc(3 * count, sizeof(double));
-    if (*points == NULL) {
-        return taut_fail_memory(error);
-    }
-    status = taut_net_document_points(&at, rows, columns, *points, NULL, error);
-    if (status == TAUT_OK && weighted.value != NULL) {
-        *weights = taut_alloc(count, sizeof(double));
-        status = *weights != NULL
-                     ? taut_net_document_weights(&weighted, rows, columns, *weights, error)
-                     : taut_fail_memory(error);
-    }
-    return status;
+    const taut_status status = taut_json_object(at, members, error);
+    return status == TAUT_OK ? taut_name_document_read(at, name, error) : status;
 }
 
-/* Is there a text in the net? */
-static int has_text(const taut_json *points, int rows, int columns)
+static taut_status read_surface(const taut_json *at, taut_arena *arena, taut_surface **surface,
+                                taut_error *error)
 {
-    for (int i = 0; i < rows; i++) {
-        const taut_json row = taut_json_item(points, (size_t)i);
-        for (int j = 0; j < columns; j++) {
-            const taut_json point = taut_json_item(&row, (size_t)j);
-            for (size_t c = 0; c < 3; c++) {
-                const taut_json at = taut_json_item(&point, c);
-                if (taut_json_text_at(&at) != NULL) {
-                    return 1;
-                }
-            }
-        }
-    }
-    return 0;
-}
+    const taut_json points = taut_json_member(at, "points");
+    const char *name = "", **texts = NULL;
+    taut_net_document net;
+    int rows = 0, columns = 0, has_texts = 0;
+    taut_status status = read_head(at, surface_members, &name, error);
 
-/* The texts of rational coordinates, the caller's to free; NULL where all are numbers. */
-static taut_status read_texts(const taut_json *points, int rows, int columns, const char ***texts,
-                              taut_error *error)
-{
-    int found = has_text(points, rows, columns);
-    if (found) {
-        *texts = taut_alloc(3 * (size_t)rows * (size_t)columns, sizeof **texts);
-        if (*texts == NULL) {
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_net_document_read_known(at, arena, &net, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    rows = taut_basis_count(net.u);
+    columns = taut_basis_count(net.v);
+    taut_net_document_texts(&points, rows, columns, NULL, &has_texts);
+    if (has_texts) {
+        texts = taut_arena_take(arena, 3 * (size_t)rows * (size_t)columns, sizeof *texts);
+        if (texts == NULL) {
             return taut_fail_memory(error);
         }
-        taut_net_document_texts(points, rows, columns, *texts, &found);
+        taut_net_document_texts(&points, rows, columns, texts, &has_texts);
     }
-    return TAUT_OK;
+    status =
+        taut_surface_new_exact(name, net.u, net.v, net.points, net.weights, texts, surface, error);
+    return taut_json_within(at, status, error);
 }
 
 taut_status taut_surface_document_read(const taut_json *at, taut_surface **surface,
                                        taut_error *error)
 {
-    taut_status status = taut_json_object(at, surface_members, error);
-    const taut_json points_at = taut_json_member(at, "points");
-    const char *name = "";
-    taut_basis *u = NULL, *v = NULL;
-    double *points = NULL, *weights = NULL;
-    const char **texts = NULL;
-    int rows = 0, columns = 0;
-
-    if (status == TAUT_OK) {
-        status = taut_name_document_read(at, &name, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_net_document_shape(&points_at, &rows, &columns, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_net_document_bases(at, rows, columns, &u, &v, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_net(at, rows, columns, &points, &weights, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_texts(&points_at, rows, columns, &texts, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_json_within(
-            at, taut_surface_new_exact(name, u, v, points, weights, texts, surface, error), error);
-    }
-    taut_basis_free(u);
-    taut_basis_free(v);
-    taut_free(points);
-    taut_free(weights);
-    taut_free(texts);
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = read_surface(at, arena, surface, error);
+    taut_arena_free(arena);
     return status;
 }
 
 /* The basis of a polygon of `count` points. */
-static taut_status read_parameter(const taut_json *at, int count, taut_basis **t, taut_error *error)
+static taut_status read_parameter(const taut_json *at, int count, taut_arena *arena,
+                                  const taut_basis **t, taut_error *error)
 {
     const taut_json basis_at = taut_json_member(at, "t");
     const taut_json points_at = taut_json_member(at, "points");
-    taut_status status = taut_basis_document_read(&basis_at, count, t, error);
+    const taut_status status = taut_basis_document_keep(&basis_at, count, arena, t, error);
     if (status == TAUT_OK && taut_basis_count(*t) != count) {
-        status = taut_json_fail(&points_at, error, "value", count, taut_basis_count(*t),
-                                "found %d point%s, expected %d, one for each function of \"t\"",
-                                count, count == 1 ? "" : "s", taut_basis_count(*t));
+        return taut_json_fail(&points_at, error, "size", count, taut_basis_count(*t),
+                              "found %d point%s, expected %d, one for each function of \"t\"",
+                              count, count == 1 ? "" : "s", taut_basis_count(*t));
     }
     return status;
+}
+
+static taut_status read_curve(const taut_json *at, taut_arena *arena, taut_curve **curve,
+                              taut_error *error)
+{
+    const taut_json points_at = taut_json_member(at, "points");
+    const taut_json weights_at = taut_json_member(at, "weights");
+    const int is_weighted = weights_at.value != NULL;
+    const char *name = "";
+    const taut_basis *t = NULL;
+    double *points = NULL, *weights = NULL;
+    size_t count = 0;
+    taut_status status = read_head(at, curve_members, &name, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_json_array(&points_at, 1, TAUT_COUNT_MAX, "points", &count, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = read_parameter(at, (int)count, arena, &t, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    points = taut_arena_take(arena, 3 * count, sizeof(double));
+    weights = is_weighted ? taut_arena_take(arena, count, sizeof(double)) : NULL;
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = taut_net_document_points(&points_at, 0, (int)count, points, NULL, error);
+    if (status == TAUT_OK && is_weighted) {
+        status = taut_net_document_weights(&weights_at, 0, (int)count, weights, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return taut_json_within(at, taut_curve_new(name, t, points, weights, curve, error), error);
 }
 
 taut_status taut_curve_document_read(const taut_json *at, taut_curve **curve, taut_error *error)
 {
-    taut_status status = taut_json_object(at, curve_members, error);
-    const taut_json points_at = taut_json_member(at, "points");
-    const char *name = "";
-    taut_basis *t = NULL;
-    double *points = NULL, *weights = NULL;
-    size_t count = 0;
-
-    if (status == TAUT_OK) {
-        status = taut_name_document_read(at, &name, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_json_array(&points_at, 1, TAUT_COUNT_MAX, "points", &count, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_parameter(at, (int)count, &t, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_net(at, 0, (int)count, &points, &weights, error);
-    }
-    if (status == TAUT_OK) {
-        status =
-            taut_json_within(at, taut_curve_new(name, t, points, weights, curve, error), error);
-    }
-    taut_basis_free(t);
-    taut_free(points);
-    taut_free(weights);
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = read_curve(at, arena, curve, error);
+    taut_arena_free(arena);
     return status;
 }
 
 /* The points with their texts, a row a line. */
-static void put_exact(taut_json_out *out, size_t rows, size_t columns, const taut_surface *surface)
+static void write_exact(taut_json_out *out, size_t rows, size_t columns,
+                        const taut_surface *surface)
 {
     const double *points = taut_surface_points(surface);
     const char *const *texts = taut_surface_exact(surface);
@@ -198,21 +166,19 @@ void taut_surface_document_write(taut_json_out *out, const taut_surface *surface
     const size_t rows = (size_t)taut_basis_count(u), columns = (size_t)taut_basis_count(v);
 
     taut_json_open(out, '{');
-    taut_json_key(out, "name");
-    taut_json_put_text(out, taut_surface_name(surface));
+    taut_json_pair_text(out, "name", taut_surface_name(surface));
     taut_json_key(out, "u");
     taut_basis_document_write(out, u);
     taut_json_key(out, "v");
     taut_basis_document_write(out, v);
     taut_json_key(out, "points");
     if (taut_surface_exact(surface) != NULL) {
-        put_exact(out, rows, columns, surface);
+        write_exact(out, rows, columns, surface);
     } else {
         taut_json_put_net(out, rows, columns, 3, taut_surface_points(surface));
     }
     if (taut_surface_weights(surface) != NULL) {
-        taut_json_key(out, "weights");
-        taut_json_put_net(out, rows, columns, 1, taut_surface_weights(surface));
+        taut_json_pair_net(out, "weights", rows, columns, 1, taut_surface_weights(surface));
     }
     taut_json_close(out, '}');
 }
@@ -222,15 +188,12 @@ void taut_curve_document_write(taut_json_out *out, const taut_curve *curve)
     const size_t count = (size_t)taut_basis_count(taut_curve_t(curve));
 
     taut_json_open(out, '{');
-    taut_json_key(out, "name");
-    taut_json_put_text(out, taut_curve_name(curve));
+    taut_json_pair_text(out, "name", taut_curve_name(curve));
     taut_json_key(out, "t");
     taut_basis_document_write(out, taut_curve_t(curve));
-    taut_json_key(out, "points");
-    taut_json_put_net(out, 0, count, 3, taut_curve_points(curve));
+    taut_json_pair_net(out, "points", 0, count, 3, taut_curve_points(curve));
     if (taut_curve_weights(curve) != NULL) {
-        taut_json_key(out, "weights");
-        taut_json_put_net(out, 0, count, 1, taut_curve_weights(curve));
+        taut_json_pair_net(out, "weights", 0, count, 1, taut_curve_weights(curve));
     }
     taut_json_close(out, '}');
 }

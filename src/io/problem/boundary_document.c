@@ -1,7 +1,7 @@
 #include "io/problem/boundary_document.h"
 
 #include "core/fail.h"
-#include "core/memory.h"
+#include "io/model/keep.h"
 #include "taut/limits.h"
 #include "taut/read.h"
 
@@ -21,61 +21,75 @@ int taut_boundary_document_is(const taut_json *document)
 static taut_status find_path(const taut_json *at, const taut_problem *problem, char path[PATH_ROOM],
                              taut_error *error)
 {
-    const char *name = NULL;
-    taut_status status = taut_json_text(at, &name, error);
-    if (status == TAUT_OK && (name[0] == '\0' || strcmp(name, "-") == 0)) {
-        status = taut_json_expected(at, error, "the name of a file");
+    const char *name = NULL, *folder = NULL;
+    const taut_status status = taut_json_text(at, &name, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && snprintf(path, PATH_ROOM, "%s%s",
-                                      name[0] == '/' ? "" : problem->folder, name) >= PATH_ROOM) {
-        status = taut_json_expected(at, error, "a shorter name");
+    if (name[0] == '\0' || strcmp(name, "-") == 0) {
+        return taut_json_refuse(at, error, "value", "the name of a file");
     }
-    return status;
+    folder = name[0] == '/' ? "" : problem->folder;
+    if (snprintf(path, PATH_ROOM, "%s%s", folder, name) >= PATH_ROOM) {
+        return taut_json_refuse(at, error, "value", "a shorter name");
+    }
+    return TAUT_OK;
 }
 
-/* What is wrong with the file, told at the member that names it. */
+/* What is wrong with the file, if anything, told at the member that names it. */
 static taut_status blame_file(const taut_json *at, const taut_error *found, taut_status status,
                               taut_error *error)
 {
     char where[sizeof found->where];
+    if (status == TAUT_OK) {
+        return TAUT_OK;
+    }
     snprintf(where, sizeof where, "%s", found->where);
-    taut_json_fail(at, error, "value", found->found, found->limit, "%s%s%s", where,
+    taut_json_fail(at, error, found->reason, found->found, found->limit, "%s%s%s", where,
                    where[0] != '\0' ? ": " : "", found->message);
     if (error != NULL) {
         error->status = status;
+        memcpy(error->expected, found->expected, sizeof error->expected);
     }
     return status;
 }
 
-taut_status taut_boundary_document_sides(const taut_json *document, const taut_problem *problem,
-                                         taut_curve *sides[TAUT_SIDES], taut_error *error)
+static taut_status order_sides(const taut_json *at, const taut_model *model,
+                               taut_curve *sides[TAUT_SIDES], taut_error *error)
 {
-    const taut_json at = taut_json_member(document, "boundary");
+    const int count = taut_model_curve_count(model);
     const taut_curve *curves[TAUT_SIDES];
+    taut_error found = {.status = TAUT_OK};
+
+    if (count != TAUT_SIDES) {
+        return taut_json_fail(at, error, "size", count, TAUT_SIDES,
+                              "found %d curves in that file, expected %d", count, TAUT_SIDES);
+    }
+    for (int i = 0; i < TAUT_SIDES; i++) {
+        curves[i] = taut_model_curve(model, i);
+    }
+    const taut_status status = taut_boundary_order(curves, closed, sides, &found);
+    return blame_file(at, &found, status, error);
+}
+
+/* The four sides out of the file that "boundary" names (any that taut reads, beside the problem's
+ * own document), in order and closed; the caller's. */
+static taut_status read_sides(const taut_json *at, const taut_problem *problem,
+                              taut_curve *sides[TAUT_SIDES], taut_error *error)
+{
     taut_error found = {.status = TAUT_OK};
     taut_model *model = NULL;
     char path[PATH_ROOM];
-    taut_status status = find_path(&at, problem, path, error);
+    taut_status status = find_path(at, problem, path, error);
 
     if (status != TAUT_OK) {
         return status;
     }
     status = taut_model_read(path, &model, &found);
     if (status != TAUT_OK) {
-        return blame_file(&at, &found, status, error);
+        return blame_file(at, &found, status, error);
     }
-    if (taut_model_curve_count(model) != TAUT_SIDES) {
-        status = taut_json_fail(&at, error, "value", taut_model_curve_count(model), TAUT_SIDES,
-                                "found %d curves in that file, expected %d",
-                                taut_model_curve_count(model), TAUT_SIDES);
-    }
-    for (int i = 0; status == TAUT_OK && i < TAUT_SIDES; i++) {
-        curves[i] = taut_model_curve(model, i);
-    }
-    if (status == TAUT_OK) {
-        status = taut_boundary_order(curves, closed, sides, &found);
-        status = status != TAUT_OK ? blame_file(&at, &found, status, error) : TAUT_OK;
-    }
+    status = order_sides(at, model, sides, error);
     taut_model_free(model);
     return status;
 }
@@ -106,26 +120,18 @@ static taut_status check_alone(const taut_json *document, const char *const *oth
     for (; *others != NULL; others++) {
         const taut_json at = taut_json_member(document, *others);
         if (at.value != NULL) {
-            return taut_json_fail(&at, error, "value", taut_none, taut_none,
+            return taut_json_fail(&at, error, "conflict", taut_none, taut_none,
                                   "found \"%s\" beside \"boundary\", which says it all", *others);
         }
     }
     return TAUT_OK;
 }
 
-static void release_basis(void *basis)
-{
-    taut_basis_free(basis);
-}
-
 static const taut_basis *keep_basis(const taut_curve *side, taut_arena *arena)
 {
     taut_basis *copy = NULL;
-    if (taut_basis_copy(taut_curve_t(side), &copy) != TAUT_OK ||
-        !taut_arena_keep(arena, copy, release_basis)) {
-        return NULL;
-    }
-    return copy;
+    const taut_status status = taut_basis_copy(taut_curve_t(side), &copy);
+    return status == TAUT_OK && taut_keep_basis(arena, copy) ? copy : NULL;
 }
 
 static taut_status fill_net(taut_curve *const fitted[TAUT_SIDES], const taut_json *at,
@@ -137,7 +143,7 @@ static taut_status fill_net(taut_curve *const fitted[TAUT_SIDES], const taut_jso
     taut_net_document made = {NULL, NULL, NULL, NULL, NULL};
 
     if ((double)nu * (double)nv > TAUT_POINTS_MAX) {
-        return taut_json_fail(at, error, "value", (double)nu * (double)nv, TAUT_POINTS_MAX,
+        return taut_json_fail(at, error, "size", (double)nu * (double)nv, TAUT_POINTS_MAX,
                               "a net of %zu x %zu points, expected at most %d points", nu, nv,
                               TAUT_POINTS_MAX);
     }
@@ -155,41 +161,85 @@ static taut_status fill_net(taut_curve *const fitted[TAUT_SIDES], const taut_jso
     return TAUT_OK;
 }
 
+/* What a boundary becomes: curves that are freed together. */
+typedef struct boundary_work {
+    const taut_json *at;
+    taut_problem *problem;
+    taut_curve *sides[TAUT_SIDES], *made[TAUT_SIDES];
+} boundary_work;
+
+static void clear_work(boundary_work *work)
+{
+    taut_boundary_free(work->sides);
+    taut_boundary_free(work->made);
+}
+
+static taut_status read_net(boundary_work *work, const int degree[2], const int halvings[2],
+                            taut_net_document *net, taut_error *error)
+{
+    taut_error found = {.status = TAUT_OK};
+    taut_status status = read_sides(work->at, work->problem, work->sides, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_boundary_fit(work->sides, degree, halvings, work->made, &found);
+    if (status != TAUT_OK) {
+        return blame_file(work->at, &found, status, error);
+    }
+    return fill_net(work->made, work->at, work->problem->arena, net, error);
+}
+
 taut_status taut_boundary_document_read(const taut_json *document, taut_problem *problem,
                                         taut_net_document *net, taut_error *error)
 {
     static const char *const others[] = {"u", "v", "points", "weights", NULL};
     const taut_json at = taut_json_member(document, "boundary");
-    taut_curve *sides[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
-    taut_curve *fitted[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
-    taut_error found = {.status = TAUT_OK};
+    boundary_work work = {.at = &at, .problem = problem};
     int degree[2], halvings[2];
     taut_status status = check_alone(document, others, error);
 
-    if (status == TAUT_OK) {
-        status = read_pair(document, "degree", TAUT_DEGREE_MAX, degree, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = read_pair(document, "refine", HALVINGS_MAX, halvings, error);
+    status = read_pair(document, "degree", TAUT_DEGREE_MAX, degree, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_boundary_document_sides(document, problem, sides, error);
+    status = read_pair(document, "refine", HALVINGS_MAX, halvings, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_boundary_fit(sides, degree, halvings, fitted, &found);
-        status = status != TAUT_OK ? blame_file(&at, &found, status, error) : TAUT_OK;
-    }
-    if (status == TAUT_OK) {
-        status = fill_net(fitted, &at, problem->arena, net, error);
-    }
-    taut_boundary_free(sides);
-    taut_boundary_free(fitted);
+    status = read_net(&work, degree, halvings, net, error);
+    clear_work(&work);
     return status;
 }
 
-static void release_curve(void *curve)
+static taut_status read_bezier(boundary_work *work, int agree, const taut_curve *sides[TAUT_SIDES],
+                               taut_error *error)
 {
-    taut_curve_free(curve);
+    taut_error found = {.status = TAUT_OK};
+    taut_status status = read_sides(work->at, work->problem, work->sides, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_boundary_bezier(work->sides, work->made, &found);
+    if (status == TAUT_OK && agree) {
+        status = taut_boundary_agree(work->made, &found);
+    }
+    if (status != TAUT_OK) {
+        return blame_file(work->at, &found, status, error);
+    }
+    for (int s = 0; s < TAUT_SIDES; s++) {
+        taut_curve *made = work->made[s];
+        work->made[s] = NULL;
+        if (!taut_keep_curve(work->problem->arena, made)) {
+            return taut_fail_memory(error);
+        }
+        sides[s] = made;
+    }
+    return TAUT_OK;
 }
 
 taut_status taut_boundary_document_bezier(const taut_json *document, taut_problem *problem,
@@ -197,30 +247,13 @@ taut_status taut_boundary_document_bezier(const taut_json *document, taut_proble
                                           const taut_curve *sides[TAUT_SIDES], taut_error *error)
 {
     const taut_json at = taut_json_member(document, "boundary");
-    taut_curve *loose[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
-    taut_curve *made[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
-    taut_error found = {.status = TAUT_OK};
+    boundary_work work = {.at = &at, .problem = problem};
     taut_status status = check_alone(document, others, error);
 
-    if (status == TAUT_OK) {
-        status = taut_boundary_document_sides(document, problem, loose, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_boundary_bezier(loose, made, &found);
-        if (status == TAUT_OK && agree) {
-            status = taut_boundary_agree(made, &found);
-        }
-        status = status != TAUT_OK ? blame_file(&at, &found, status, error) : TAUT_OK;
-    }
-    for (int s = 0; status == TAUT_OK && s < TAUT_SIDES; s++) {
-        if (taut_arena_keep(problem->arena, made[s], release_curve)) {
-            sides[s] = made[s];
-        } else {
-            status = taut_fail_memory(error);
-        }
-        made[s] = NULL;
-    }
-    taut_boundary_free(loose);
-    taut_boundary_free(made);
+    status = read_bezier(&work, agree, sides, error);
+    clear_work(&work);
     return status;
 }

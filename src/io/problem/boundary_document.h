@@ -12,12 +12,8 @@
 /* Has the document the member "boundary"? */
 int taut_boundary_document_is(const taut_json *document);
 
-/* The four sides out of the file that "boundary" names (any that taut reads, beside the problem's
- * own document), in order and closed; the caller's. */
-taut_status taut_boundary_document_sides(const taut_json *document, const taut_problem *problem,
-                                         taut_curve *sides[TAUT_SIDES], taut_error *error);
-
-/* The net that they bound, its inside unknown, on common bases: with at least the degrees of
+/* The net between the four curves of the file that "boundary" names (any that taut reads, beside
+ * the problem's own document), its inside unknown, on common bases: with at least the degrees of
  * "degree": [p, q], and spans halved as often as "refine": [k, l] says. The problem's arena owns
  * it. The members u, v, points and weights must not be there. */
 taut_status taut_boundary_document_read(const taut_json *document, taut_problem *problem,

@@ -4,12 +4,25 @@
 #include "io/model/model.h"
 #include "taut/read.h"
 
+/* What a file turns out to hold: one of them. */
+typedef struct either {
+    const char *path;
+    taut_problem *problem;
+    taut_model *model;
+} either;
+
+static taut_status read_root(const taut_json *document, void *into, taut_error *error)
+{
+    either *e = into;
+    return taut_json_find(document->value, "construct") != NULL
+               ? taut_problem_document_read(document, e->path, &e->problem, error)
+               : taut_model_document_read(document, &e->model, error);
+}
+
 taut_status taut_problem_or_model_read(const char *path, taut_problem **problem, taut_model **model,
                                        taut_error *error)
 {
-    taut_json_document *root = NULL;
-    taut_problem *read_problem = NULL;
-    taut_model *read_model = NULL;
+    either e = {path, NULL, NULL};
     const taut_format_ops *ops = NULL;
     taut_status status = TAUT_OK;
 
@@ -18,22 +31,12 @@ taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,
                          "taut_problem_or_model_read needs a path and places for both");
     }
     ops = taut_format_ops_at(taut_format_of(path, NULL));
-    if (ops != NULL && ops->read != NULL) {
-        status = ops->read(path, &read_model, error);
-    } else {
-        status = taut_json_load(path, &root, error);
+    status = ops != NULL && ops->read != NULL ? ops->read(path, &e.model, error)
+                                              : taut_json_read_file(path, read_root, &e, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && root != NULL) {
-        const taut_json document = taut_json_root(root);
-        const int is_problem = taut_json_kind_at(&document) == TAUT_JSON_OBJECT &&
-                               taut_json_find(document.value, "construct") != NULL;
-        status = is_problem ? taut_problem_of_document(root, path, &read_problem, error)
-                            : taut_model_of_document(root, &read_model, error);
-    }
-    taut_json_document_free(root);
-    if (status == TAUT_OK) {
-        *problem = read_problem;
-        *model = read_model;
-    }
-    return status;
+    *problem = e.problem;
+    *model = e.model;
+    return TAUT_OK;
 }

@@ -1,7 +1,7 @@
 #include "io/problem/net_document.h"
 
 #include "core/fail.h"
-#include "io/json/rational_text.h"
+#include "io/json/number_value.h"
 #include "io/model/basis.h"
 #include "taut/limits.h"
 
@@ -17,72 +17,50 @@ taut_status taut_net_document_shape(const taut_json *points, int *rows, int *col
 
     for (size_t i = 0; status == TAUT_OK && i < count; i++) {
         const taut_json row = taut_json_item(points, i);
+        const int is_array = taut_json_kind_at(&row) == TAUT_JSON_ARRAY;
         if (i == 0) {
             status = taut_json_array(&row, 1, TAUT_COUNT_MAX, "points", &length, error);
-        } else if (taut_json_kind_at(&row) != TAUT_JSON_ARRAY ||
-                   taut_json_count_at(&row) != length) {
-            status =
-                taut_json_expected(&row, error, "an array of %zu points, as row 0 has", length);
+        } else if (!is_array || taut_json_count_at(&row) != length) {
+            status = taut_json_refuse(&row, error, is_array ? "size" : "type",
+                                      "an array of %zu points, as row 0 has", length);
         }
     }
-    if (status == TAUT_OK && (double)count * (double)length > TAUT_POINTS_MAX) {
-        status =
-            taut_json_fail(points, error, "value", (double)count * (double)length, TAUT_POINTS_MAX,
-                           "found a net of %zu x %zu points, expected at most %d points", count,
-                           length, TAUT_POINTS_MAX);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        *rows = (int)count;
-        *columns = (int)length;
+    if ((double)count * (double)length > TAUT_POINTS_MAX) {
+        return taut_json_fail(points, error, "size", (double)count * (double)length,
+                              TAUT_POINTS_MAX,
+                              "found a net of %zu x %zu points, expected at most %d points", count,
+                              length, TAUT_POINTS_MAX);
     }
-    return status;
+    *rows = (int)count;
+    *columns = (int)length;
+    return TAUT_OK;
 }
 
 /* A basis whose functions must be as many as the points along it. */
 static taut_status read_basis(const taut_json *object, const char *key, int functions,
-                              const char *things, const char *where, taut_basis **basis,
-                              taut_error *error)
+                              const char *things, const char *where, taut_arena *arena,
+                              const taut_basis **basis, taut_error *error)
 {
     const taut_json at = taut_json_member(object, key);
     const taut_json points = taut_json_member(object, "points");
-    taut_basis *made = NULL;
-    taut_status status = taut_basis_document_read(&at, functions, &made, error);
+    const taut_status status = taut_basis_document_keep(&at, functions, arena, basis, error);
 
-    if (status == TAUT_OK && taut_basis_count(made) != functions) {
-        status = taut_json_fail(&points, error, "value", functions, taut_basis_count(made),
-                                "found %d %s%s%s, expected %d, one for each function of \"%s\"",
-                                functions, things, functions == 1 ? "" : "s", where,
-                                taut_basis_count(made), key);
-        taut_basis_free(made);
-        made = NULL;
-    }
-    if (status == TAUT_OK) {
-        *basis = made;
+    if (status == TAUT_OK && taut_basis_count(*basis) != functions) {
+        return taut_json_fail(&points, error, "size", functions, taut_basis_count(*basis),
+                              "found %d %s%s%s, expected %d, one for each function of \"%s\"",
+                              functions, things, functions == 1 ? "" : "s", where,
+                              taut_basis_count(*basis), key);
     }
     return status;
-}
-
-taut_status taut_net_document_bases(const taut_json *object, int rows, int columns, taut_basis **u,
-                                    taut_basis **v, taut_error *error)
-{
-    taut_basis *made_u = NULL, *made_v = NULL;
-    taut_status status = read_basis(object, "u", rows, "row", "", &made_u, error);
-    if (status == TAUT_OK) {
-        status = read_basis(object, "v", columns, "point", " in each row", &made_v, error);
-    }
-    if (status != TAUT_OK) {
-        taut_basis_free(made_u);
-        return status;
-    }
-    *u = made_u;
-    *v = made_v;
-    return TAUT_OK;
 }
 
 taut_status taut_net_document_point(const taut_json *at, double point[3], taut_error *error)
 {
     if (taut_json_kind_at(at) != TAUT_JSON_ARRAY || taut_json_count_at(at) != 3) {
-        return taut_json_expected(at, error, "a point [x, y, z]");
+        return taut_json_refuse(at, error, "type", "a point [x, y, z]");
     }
     double read[3];
     for (size_t c = 0; c < 3; c++) {
@@ -94,8 +72,8 @@ taut_status taut_net_document_point(const taut_json *at, double point[3], taut_e
                 return status;
             }
         } else if (!taut_rational_value(text, &read[c]) || !isfinite(read[c])) {
-            return taut_json_expected(
-                &item, error,
+            return taut_json_refuse(
+                &item, error, "value",
                 "a number, or a rational one as \"3/4\", not too large and in at most "
                 "20000 bytes");
         }
@@ -104,15 +82,18 @@ taut_status taut_net_document_point(const taut_json *at, double point[3], taut_e
     return TAUT_OK;
 }
 
-static int row_texts(const taut_json *row, int columns, const char **texts)
+static int list_row_texts(const taut_json *row, int columns, const char **texts)
 {
     int found = 0;
     for (int j = 0; j < columns; j++) {
         const taut_json point = taut_json_item(row, (size_t)j);
         for (int c = 0; c < 3; c++) {
             const taut_json at = taut_json_item(&point, (size_t)c);
-            texts[3 * j + c] = taut_json_text_at(&at);
-            found = found || texts[3 * j + c] != NULL;
+            const char *text = taut_json_text_at(&at);
+            found = found || text != NULL;
+            if (texts != NULL) {
+                texts[3 * j + c] = text;
+            }
         }
     }
     return found;
@@ -121,10 +102,11 @@ static int row_texts(const taut_json *row, int columns, const char **texts)
 void taut_net_document_texts(const taut_json *at, int rows, int columns, const char **texts,
                              int *found)
 {
-    *found = rows == 0 && row_texts(at, columns, texts);
+    *found = rows == 0 && list_row_texts(at, columns, texts);
     for (int i = 0; i < rows; i++) {
         const taut_json row = taut_json_item(at, (size_t)i);
-        *found = row_texts(&row, columns, texts + 3 * (size_t)i * (size_t)columns) || *found;
+        const char **of_row = texts != NULL ? texts + 3 * (size_t)i * (size_t)columns : NULL;
+        *found = list_row_texts(&row, columns, of_row) || *found;
     }
 }
 
@@ -139,7 +121,8 @@ static taut_status read_row(const taut_json *row, int columns, double *points, u
             memset(points + 3 * j, 0, 3 * sizeof(double));
             known[j] = 0;
         } else if (known != NULL && taut_json_kind_at(&at) != TAUT_JSON_ARRAY) {
-            status = taut_json_expected(&at, error, "a point [x, y, z], or null: to be found");
+            status =
+                taut_json_refuse(&at, error, "type", "a point [x, y, z], or null: to be found");
         } else {
             status = taut_net_document_point(&at, points + 3 * j, error);
             if (known != NULL) {
@@ -174,7 +157,7 @@ static taut_status read_weight_row(const taut_json *row, int columns, double *we
     for (int j = 0; status == TAUT_OK && j < columns; j++) {
         if (!(weights[j] > 0)) {
             const taut_json at = taut_json_item(row, (size_t)j);
-            status = taut_json_expected(&at, error, "a positive weight");
+            status = taut_json_refuse(&at, error, "value", "a positive weight");
         }
     }
     return status;
@@ -198,35 +181,13 @@ taut_status taut_net_document_weights(const taut_json *at, int rows, int columns
     return status;
 }
 
-static void release_basis(void *basis)
-{
-    taut_basis_free(basis);
-}
-
-/* The bases, with both of them handed to the arena. */
-static taut_status keep_bases(const taut_json *document, taut_arena *arena, int rows, int columns,
-                              taut_net_document *net, taut_error *error)
-{
-    taut_basis *u = NULL, *v = NULL;
-    taut_status status = taut_net_document_bases(document, rows, columns, &u, &v, error);
-    int kept = 0;
-    if (status == TAUT_OK) {
-        kept = taut_arena_keep(arena, u, release_basis);
-        kept += taut_arena_keep(arena, v, release_basis);
-        status = kept == 2 ? TAUT_OK : taut_fail_memory(error);
-        net->u = u;
-        net->v = v;
-    }
-    return status;
-}
-
 static taut_status check_weighable(const taut_json *document, const taut_net_document *net,
                                    taut_error *error)
 {
     const taut_json at = taut_json_member(document, "weights");
     const taut_basis *basis = taut_basis_allows_weights(net->u) ? net->v : net->u;
     if (!taut_basis_allows_weights(basis)) {
-        return taut_json_fail(&at, error, "value", taut_none, taut_none,
+        return taut_json_fail(&at, error, "conflict", taut_none, taut_none,
                               "found weights, expected none: a basis of type \"%s\" carries no "
                               "weights",
                               taut_basis_type(basis));
@@ -234,19 +195,26 @@ static taut_status check_weighable(const taut_json *document, const taut_net_doc
     return TAUT_OK;
 }
 
-taut_status taut_net_document_read(const taut_json *document, taut_arena *arena,
-                                   taut_net_document *net, taut_error *error)
+/* Unknown points may be null where `net` is a problem's. */
+static taut_status read_net(const taut_json *document, taut_arena *arena, int is_problem,
+                            taut_net_document *net, taut_error *error)
 {
     const taut_json points = taut_json_member(document, "points");
     const taut_json weights = taut_json_member(document, "weights");
+    const int is_weighted = weights.value != NULL;
     taut_net_document read = {NULL, NULL, NULL, NULL, NULL};
     int rows = 0, columns = 0;
     taut_status status = taut_net_document_shape(&points, &rows, &columns, error);
 
-    if (status == TAUT_OK) {
-        status = keep_bases(document, arena, rows, columns, &read, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && weights.value != NULL) {
+    status = read_basis(document, "u", rows, "row", "", arena, &read.u, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = read_basis(document, "v", columns, "point", " in each row", arena, &read.v, error);
+    if (status == TAUT_OK && is_weighted && is_problem) {
         status = check_weighable(document, &read, error);
     }
     if (status != TAUT_OK) {
@@ -254,20 +222,27 @@ taut_status taut_net_document_read(const taut_json *document, taut_arena *arena,
     }
     const size_t count = (size_t)rows * (size_t)columns;
     read.points = taut_arena_take(arena, 3 * count, sizeof(double));
-    read.known = taut_arena_take(arena, count, 1);
-    if (weights.value != NULL) {
-        read.weights = taut_arena_take(arena, count, sizeof(double));
-    }
-    if (read.points == NULL || read.known == NULL ||
-        (weights.value != NULL && read.weights == NULL)) {
+    read.known = is_problem ? taut_arena_take(arena, count, 1) : NULL;
+    read.weights = is_weighted ? taut_arena_take(arena, count, sizeof(double)) : NULL;
+    if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     status = taut_net_document_points(&points, rows, columns, read.points, read.known, error);
-    if (status == TAUT_OK && read.weights != NULL) {
+    if (status == TAUT_OK && is_weighted) {
         status = taut_net_document_weights(&weights, rows, columns, read.weights, error);
     }
-    if (status == TAUT_OK) {
-        *net = read;
-    }
+    *net = read;
     return status;
+}
+
+taut_status taut_net_document_read(const taut_json *document, taut_arena *arena,
+                                   taut_net_document *net, taut_error *error)
+{
+    return read_net(document, arena, 1, net, error);
+}
+
+taut_status taut_net_document_read_known(const taut_json *object, taut_arena *arena,
+                                         taut_net_document *net, taut_error *error)
+{
+    return read_net(object, arena, 0, net, error);
 }

@@ -20,12 +20,13 @@ typedef struct taut_net_document {
 taut_status taut_net_document_read(const taut_json *document, taut_arena *arena,
                                    taut_net_document *net, taut_error *error);
 
+/* The same of a surface, whose points are all known: net->known is NULL. */
+taut_status taut_net_document_read_known(const taut_json *object, taut_arena *arena,
+                                         taut_net_document *net, taut_error *error);
+
 /* The rows and columns of an array of arrays, each row as long as the first. */
 taut_status taut_net_document_shape(const taut_json *points, int *rows, int *columns,
                                     taut_error *error);
-/* The members `u` and `v` for a net of this shape. On failure neither is made. */
-taut_status taut_net_document_bases(const taut_json *object, int rows, int columns, taut_basis **u,
-                                    taut_basis **v, taut_error *error);
 /* One point [x, y, z], each a number or the text of a rational one. */
 taut_status taut_net_document_point(const taut_json *at, double point[3], taut_error *error);
 /* points double[rows][columns][3]; known [rows][columns] or NULL where every point must be given.
@@ -33,7 +34,8 @@ taut_status taut_net_document_point(const taut_json *at, double point[3], taut_e
 taut_status taut_net_document_points(const taut_json *at, int rows, int columns, double *points,
                                      unsigned char *known, taut_error *error);
 /* The texts of rational coordinates, [rows][columns][3], borrowed from the document, NULL for
- * numbers and unknown points; *found whether there are any. The points have been read already. */
+ * numbers and unknown points; *found whether there are any; `texts` may be NULL. The points have
+ * been read already. */
 void taut_net_document_texts(const taut_json *at, int rows, int columns, const char **texts,
                              int *found);
 /* weights double[rows][columns], positive; rows 0 as above. */

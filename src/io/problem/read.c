@@ -26,22 +26,22 @@ static taut_status read_construct(const taut_json *document, int *construct, tau
         names[i] = taut_construct_name(i);
     }
     if (taut_json_kind_at(document) != TAUT_JSON_OBJECT) {
-        return taut_json_expected(document, error, "an object");
+        return taut_json_refuse(document, error, "type", "an object");
     }
     if (at.value == NULL && taut_json_find(document->value, "surfaces") != NULL) {
-        return taut_json_fail(&at, error, "value", taut_none, taut_none,
+        return taut_json_fail(&at, error, "kind", taut_none, taut_none,
                               "found nothing, expected a construction: this is a model, not a "
                               "problem");
     }
     name = taut_json_text_at(&at);
     if (name == NULL) {
-        return taut_json_expected(&at, error, "the name of a construction, such as \"%s\"",
-                                  names[0]);
+        return taut_json_refuse(&at, error, "type", "the name of a construction, such as \"%s\"",
+                                names[0]);
     }
     *construct = taut_construct_find(name);
     if (*construct < 0) {
-        return taut_json_expected(&at, error, "a construction; the nearest one is \"%s\"",
-                                  taut_nearest(name, names));
+        return taut_json_refuse(&at, error, "name", "a construction; the nearest one is \"%s\"",
+                                taut_nearest(name, names));
     }
     return TAUT_OK;
 }
@@ -76,32 +76,39 @@ static taut_status set_folder(taut_problem *problem, const char *path, taut_erro
     return TAUT_OK;
 }
 
-/* The problem of a document that has been parsed; path NULL: it came from no file. */
-static taut_status problem_of(const taut_json *document, const char *path, taut_problem **problem,
-                              taut_error *error)
+/* What all problems have. */
+static taut_status read_head(const taut_json *document, int *construct, const char **unit,
+                             taut_error *error)
+{
+    taut_status status = read_construct(document, construct, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = check_members(document, ops_table[*construct], error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_version_document_check(document, error);
+    return status == TAUT_OK ? taut_unit_document_read(document, unit, error) : status;
+}
+
+taut_status taut_problem_document_read(const taut_json *document, const char *path,
+                                       taut_problem **problem, taut_error *error)
 {
     const char *unit = "mm";
     taut_problem *made = NULL;
     int construct = 0;
-    taut_status status = read_construct(document, &construct, error);
+    taut_status status = read_head(document, &construct, &unit, error);
 
-    if (status == TAUT_OK) {
-        status = check_members(document, ops_table[construct], error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_version_document_check(document, error);
+    if (taut_problem_new(construct, &made) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
+    snprintf(made->unit, sizeof made->unit, "%s", unit);
+    status = set_folder(made, path, error);
     if (status == TAUT_OK) {
-        status = taut_unit_document_read(document, &unit, error);
-    }
-    if (status == TAUT_OK && taut_problem_new(construct, &made) != TAUT_OK) {
-        status = taut_fail_memory(error);
-    }
-    if (status == TAUT_OK) {
-        status = set_folder(made, path, error);
-    }
-    if (status == TAUT_OK) {
-        snprintf(made->unit, sizeof made->unit, "%s", unit);
         status = ops_table[construct]->read(document, made, error);
     }
     if (status != TAUT_OK) {
@@ -112,44 +119,37 @@ static taut_status problem_of(const taut_json *document, const char *path, taut_
     return TAUT_OK;
 }
 
-taut_status taut_problem_of_document(const taut_json_document *root, const char *path,
-                                     taut_problem **problem, taut_error *error)
+/* Where a document comes from, and what it becomes. */
+typedef struct one_problem {
+    const char *path; /* NULL: no file */
+    taut_problem **problem;
+} one_problem;
+
+static taut_status read_one(const taut_json *root, void *into, taut_error *error)
 {
-    const taut_json document = taut_json_root(root);
-    return problem_of(&document, path, problem, error);
+    const one_problem *one = into;
+    return taut_problem_document_read(root, one->path, one->problem, error);
 }
 
 taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
                                    taut_problem **problem, taut_error *error)
 {
-    taut_json_document *root = NULL;
-    taut_status status = TAUT_OK;
+    one_problem one = {NULL, problem};
     if ((text == NULL && length > 0) || problem == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_read_text needs a text and a place for the problem");
     }
-    status = taut_json_parse(text, length, name != NULL ? name : "text", &root, error);
-    if (status == TAUT_OK) {
-        status = taut_problem_of_document(root, NULL, problem, error);
-    }
-    taut_json_document_free(root);
-    return status;
+    return taut_json_read_text(text, length, name != NULL ? name : "text", read_one, &one, error);
 }
 
 taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error)
 {
-    taut_json_document *root = NULL;
-    taut_status status = TAUT_OK;
+    one_problem one = {path, problem};
     if (path == NULL || problem == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_read needs a path and a place for the problem");
     }
-    status = taut_json_load(path, &root, error);
-    if (status == TAUT_OK) {
-        status = taut_problem_of_document(root, path, problem, error);
-    }
-    taut_json_document_free(root);
-    return status;
+    return taut_json_read_file(path, read_one, &one, error);
 }
 
 struct taut_problem_list {
@@ -184,8 +184,8 @@ int taut_problem_list_is_list(const taut_problem_list *list)
 }
 
 /* Fills a list that is empty; what was read before a failure is in it. */
-static taut_status fill(const taut_json *root, const char *path, taut_problem_list *list,
-                        taut_error *error)
+static taut_status fill_list(const taut_json *root, const char *path, taut_problem_list *list,
+                             taut_error *error)
 {
     size_t count = 1;
     taut_status status = TAUT_OK;
@@ -194,56 +194,58 @@ static taut_status fill(const taut_json *root, const char *path, taut_problem_li
     if (list->is_list) {
         status = taut_json_array(root, 1, TAUT_OBJECTS_MAX, "problems", &count, error);
     }
-    if (status == TAUT_OK) {
-        list->problems = taut_alloc_zero(count, sizeof(taut_problem *));
-        status = list->problems != NULL ? TAUT_OK : taut_fail_memory(error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    list->problems = taut_alloc_zero(count, sizeof(taut_problem *));
+    if (list->problems == NULL) {
+        return taut_fail_memory(error);
     }
     for (size_t i = 0; status == TAUT_OK && i < count; i++) {
         const taut_json item = list->is_list ? taut_json_item(root, i) : *root;
-        status = problem_of(&item, path, &list->problems[i], error);
+        status = taut_problem_document_read(&item, path, &list->problems[i], error);
         list->count += status == TAUT_OK;
     }
     return status;
 }
 
-/* Of a document that has been parsed, which it frees. */
-static taut_status list_of(taut_json_document *document, const char *path, taut_problem_list **list,
-                           taut_error *error)
-{
-    const taut_json root = taut_json_root(document);
-    taut_problem_list *made = taut_alloc_zero(1, sizeof *made);
-    taut_status status = made != NULL ? fill(&root, path, made, error) : taut_fail_memory(error);
+typedef struct many_problems {
+    const char *path; /* NULL: no file */
+    taut_problem_list **list;
+} many_problems;
 
-    taut_json_document_free(document);
+static taut_status read_many(const taut_json *root, void *into, taut_error *error)
+{
+    const many_problems *many = into;
+    taut_problem_list *made = taut_alloc_zero(1, sizeof *made);
+    const taut_status status =
+        made != NULL ? fill_list(root, many->path, made, error) : taut_fail_memory(error);
+
     if (status != TAUT_OK) {
         taut_problem_list_free(made);
         return status;
     }
-    *list = made;
+    *many->list = made;
     return TAUT_OK;
 }
 
 taut_status taut_problem_list_read_text(const char *text, size_t length, const char *name,
                                         taut_problem_list **list, taut_error *error)
 {
-    taut_json_document *document = NULL;
-    taut_status status = TAUT_OK;
+    many_problems many = {NULL, list};
     if ((text == NULL && length > 0) || list == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_list_read_text needs a text and a place for the list");
     }
-    status = taut_json_parse(text, length, name != NULL ? name : "text", &document, error);
-    return status == TAUT_OK ? list_of(document, NULL, list, error) : status;
+    return taut_json_read_text(text, length, name != NULL ? name : "text", read_many, &many, error);
 }
 
 taut_status taut_problem_list_read(const char *path, taut_problem_list **list, taut_error *error)
 {
-    taut_json_document *document = NULL;
-    taut_status status = TAUT_OK;
+    many_problems many = {path, list};
     if (path == NULL || list == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_list_read needs a path and a place for the list");
     }
-    status = taut_json_load(path, &document, error);
-    return status == TAUT_OK ? list_of(document, path, list, error) : status;
+    return taut_json_read_file(path, read_many, &many, error);
 }

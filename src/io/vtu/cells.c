@@ -9,7 +9,7 @@
  * inside, away from edges that may be collapsed: with A_ki = B_i(t_k) and W = sum w_ij B_i B_j,
  *     w_ij f_ij = sum_kl inv(A_u)_ik inv(A_v)_jl (f W)(s_k, t_l). */
 #include "core/fail.h"
-#include "core/memory.h"
+#include "io/model/keep.h"
 #include "io/vtu/grid.h"
 #include "taut/operations.h"
 
@@ -18,7 +18,7 @@
 
 enum { ORDER_MAX = VTU_DEGREE_MAX + 1, CELLS_WISHED = 4 };
 
-int vtu_cells_plan(const taut_surface *surface, int divide, vtu_cells *plan)
+int taut_vtu_cells_plan(const taut_surface *surface, int divide, taut_vtu_cells *plan)
 {
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     for (int d = 0; d < 2; d++) {
@@ -104,7 +104,7 @@ static void make_rule(int degree, node_rule *rule)
 }
 
 /* The part [a, b] of a Bezier curve whose points, of four numbers, lie `stride` numbers apart. */
-static void clip(double *points, int degree, size_t stride, double a, double b)
+static void clip_curve(double *points, int degree, size_t stride, double a, double b)
 {
     for (int r = 1; r <= degree; r++) { /* [0, b] */
         for (int i = degree; i >= r; i--) {
@@ -126,7 +126,7 @@ static void clip(double *points, int degree, size_t stride, double a, double b)
 
 /* All that one surface's cells share. */
 typedef struct cell_work {
-    const vtu_cells *plan;
+    const taut_vtu_cells *plan;
     node_rule rules[2];
     double net[ORDER_MAX * ORDER_MAX][4]; /* homogeneous, of the cell; [i][j] */
     double *v, *vectors;                  /* [nodes along v], and their six vectors */
@@ -193,7 +193,7 @@ static void order_corners(int p, int q, size_t first, int64_t *corners)
 /* The net of part (a, b) of per_span of a Bezier piece. */
 static void cut_net(const taut_surface *piece, cell_work *work, int a, int b)
 {
-    const vtu_cells *plan = work->plan;
+    const taut_vtu_cells *plan = work->plan;
     const int p = plan->degree[0], q = plan->degree[1];
     const double *points = taut_surface_points(piece), *weights = taut_surface_weights(piece);
     for (int i = 0; i < (p + 1) * (q + 1); i++) {
@@ -204,18 +204,18 @@ static void cut_net(const taut_surface *piece, cell_work *work, int a, int b)
         work->net[i][3] = w;
     }
     for (int j = 0; j <= q; j++) {
-        clip(work->net[j], p, 4 * (size_t)(q + 1), (double)a / plan->per_span[0],
-             (double)(a + 1) / plan->per_span[0]);
+        clip_curve(work->net[j], p, 4 * (size_t)(q + 1), (double)a / plan->per_span[0],
+                   (double)(a + 1) / plan->per_span[0]);
     }
     for (int i = 0; i <= p; i++) {
-        clip(work->net[i * (q + 1)], q, 4, (double)b / plan->per_span[1],
-             (double)(b + 1) / plan->per_span[1]);
+        clip_curve(work->net[i * (q + 1)], q, 4, (double)b / plan->per_span[1],
+                   (double)(b + 1) / plan->per_span[1]);
     }
 }
 
 /* Coefficients of every field on the cell whose points begin at `first` and whose nodes along v
  * begin at column `column`. */
-static void fit_fields(cell_work *work, vtu_grid *grid, size_t first, int column)
+static void fit_fields(cell_work *work, taut_vtu_grid *grid, size_t first, int column)
 {
     const int nu = work->rules[0].order, nv = work->rules[1].order;
     const int columns = work->plan->count[1] * nv;
@@ -241,16 +241,16 @@ static void fit_fields(cell_work *work, vtu_grid *grid, size_t first, int column
     }
 }
 
-static void add_cell(cell_work *work, int index, int column, vtu_grid *grid)
+static void add_cell(cell_work *work, int index, int column, taut_vtu_grid *grid)
 {
     const int p = work->plan->degree[0], q = work->plan->degree[1];
     const size_t first = grid->points;
-    int64_t *corners = vtu_grid_add_cell(grid, VTK_BEZIER_QUADRILATERAL,
-                                         (size_t)(p + 1) * (size_t)(q + 1), p, q, index);
+    int64_t *corners = taut_vtu_grid_add_cell(grid, VTK_BEZIER_QUADRILATERAL,
+                                              (size_t)(p + 1) * (size_t)(q + 1), p, q, index);
     for (int i = 0; i < (p + 1) * (q + 1); i++) {
         const double w = work->net[i][3];
         const double point[3] = {work->net[i][0] / w, work->net[i][1] / w, work->net[i][2] / w};
-        vtu_grid_add_point(grid, point, w);
+        taut_vtu_grid_add_point(grid, point, w);
     }
     order_corners(p, q, first, corners);
     fit_fields(work, grid, first, column);
@@ -268,7 +268,7 @@ static double node_at(const taut_basis *basis, int per_span, int cell, double no
 /* The fields at the nodes of one row of cells. */
 static taut_status sample_row(const taut_surface *surface, int row, cell_work *work)
 {
-    const vtu_cells *plan = work->plan;
+    const taut_vtu_cells *plan = work->plan;
     const int columns = plan->count[1] * work->rules[1].order;
     taut_status status = TAUT_OK;
     for (int k = 0; status == TAUT_OK && k < work->rules[0].order; k++) {
@@ -284,9 +284,9 @@ static taut_status sample_row(const taut_surface *surface, int row, cell_work *w
 }
 
 static taut_status add_cells(const taut_surface *surface, const taut_model *pieces, int index,
-                             cell_work *work, vtu_grid *grid)
+                             cell_work *work, taut_vtu_grid *grid)
 {
-    const vtu_cells *plan = work->plan;
+    const taut_vtu_cells *plan = work->plan;
     const int order = work->rules[1].order, spans_v = plan->count[1] / plan->per_span[1];
     taut_status status = TAUT_OK;
     for (int l = 0; l < plan->count[1] * order; l++) {
@@ -305,38 +305,40 @@ static taut_status add_cells(const taut_surface *surface, const taut_model *piec
     return status;
 }
 
-taut_status vtu_cells_add(const taut_surface *surface, const vtu_cells *plan, int index,
-                          vtu_grid *grid, taut_error *error)
+static taut_status add_surface(const taut_surface *surface, const taut_vtu_cells *plan, int index,
+                               taut_arena *arena, taut_vtu_grid *grid, taut_error *error)
 {
     const size_t columns = (size_t)plan->count[1] * (size_t)(plan->degree[1] + 1);
+    const size_t rows = (size_t)(plan->degree[0] + 1);
     taut_model *pieces = NULL;
-    cell_work *work = taut_alloc_zero(1, sizeof *work);
+    cell_work *work = taut_arena_take(arena, 1, sizeof *work);
+    double *v = taut_arena_take(arena, columns, sizeof(double));
+    double *vectors = taut_arena_take(arena, columns, 18 * sizeof(double));
+    double *fields = taut_arena_take(arena, columns * rows, TAUT_FIELDS * sizeof(double));
     taut_status status = TAUT_OK;
 
-    if (work == NULL) {
+    if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    work->plan = plan;
-    work->v = taut_alloc(columns, sizeof(double));
-    work->vectors = taut_alloc_aligned(columns, 18 * sizeof(double));
-    work->fields =
-        taut_alloc(columns * (size_t)(plan->degree[0] + 1), TAUT_FIELDS * sizeof(double));
-    if (work->v == NULL || work->vectors == NULL || work->fields == NULL) {
-        status = taut_fail_memory(error);
+    status = taut_surface_pieces(surface, &pieces, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_surface_pieces(surface, &pieces, error);
+    *work = (cell_work){.plan = plan, .v = v, .vectors = vectors, .fields = fields};
+    make_rule(plan->degree[0], &work->rules[0]);
+    make_rule(plan->degree[1], &work->rules[1]);
+    if (!taut_keep_model(arena, pieces) ||
+        add_cells(surface, pieces, index, work, grid) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        make_rule(plan->degree[0], &work->rules[0]);
-        make_rule(plan->degree[1], &work->rules[1]);
-        status = add_cells(surface, pieces, index, work, grid) == TAUT_OK ? TAUT_OK
-                                                                          : taut_fail_memory(error);
-    }
-    taut_model_free(pieces);
-    taut_free(work->v);
-    taut_free(work->vectors);
-    taut_free(work->fields);
-    taut_free(work);
+    return TAUT_OK;
+}
+
+taut_status taut_vtu_cells_add(const taut_surface *surface, const taut_vtu_cells *plan, int index,
+                               taut_vtu_grid *grid, taut_error *error)
+{
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = add_surface(surface, plan, index, arena, grid, error);
+    taut_arena_free(arena);
     return status;
 }

@@ -3,27 +3,22 @@
 #include <math.h>
 #include <string.h>
 
-taut_status vtu_grid_new(size_t points, size_t cells, size_t corners, taut_arena *arena,
-                         vtu_grid *grid)
+taut_vtu_grid taut_vtu_grid_of(taut_arena *arena, size_t points, size_t cells, size_t corners)
 {
-    *grid = (vtu_grid){0};
-    grid->positions = taut_arena_take(arena, points, 3 * sizeof(double));
-    grid->weights = taut_arena_take(arena, points, sizeof(double));
-    grid->fields = taut_arena_take(arena, points, TAUT_FIELDS * sizeof(double));
-    grid->connectivity = taut_arena_take(arena, corners, sizeof(int64_t));
-    grid->offsets = taut_arena_take(arena, cells, sizeof(int64_t));
-    grid->types = taut_arena_take(arena, cells, 1);
-    grid->degrees = taut_arena_take(arena, cells, 3 * sizeof(int32_t));
-    grid->surfaces = taut_arena_take(arena, cells, sizeof(int32_t));
-    return grid->positions != NULL && grid->weights != NULL && grid->fields != NULL &&
-                   grid->connectivity != NULL && grid->offsets != NULL && grid->types != NULL &&
-                   grid->degrees != NULL && grid->surfaces != NULL
-               ? TAUT_OK
-               : TAUT_NO_MEMORY;
+    return (taut_vtu_grid){
+        .positions = taut_arena_take(arena, points, 3 * sizeof(double)),
+        .weights = taut_arena_take(arena, points, sizeof(double)),
+        .fields = taut_arena_take(arena, points, TAUT_FIELDS * sizeof(double)),
+        .connectivity = taut_arena_take(arena, corners, sizeof(int64_t)),
+        .offsets = taut_arena_take(arena, cells, sizeof(int64_t)),
+        .types = taut_arena_take(arena, cells, 1),
+        .degrees = taut_arena_take(arena, cells, 3 * sizeof(int32_t)),
+        .surfaces = taut_arena_take(arena, cells, sizeof(int32_t)),
+    };
 }
 
-int64_t *vtu_grid_add_cell(vtu_grid *grid, int type, size_t corners, int degree_u, int degree_v,
-                           int surface)
+int64_t *taut_vtu_grid_add_cell(taut_vtu_grid *grid, int type, size_t corners, int degree_u,
+                                int degree_v, int surface)
 {
     int64_t *place = grid->connectivity + grid->corners;
     grid->corners += corners;
@@ -37,7 +32,7 @@ int64_t *vtu_grid_add_cell(vtu_grid *grid, int type, size_t corners, int degree_
     return place;
 }
 
-size_t vtu_grid_add_point(vtu_grid *grid, const double *position, double weight)
+size_t taut_vtu_grid_add_point(taut_vtu_grid *grid, const double *position, double weight)
 {
     const size_t index = grid->points++;
     memcpy(grid->positions + 3 * index, position, 3 * sizeof(double));

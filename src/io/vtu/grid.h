@@ -14,7 +14,7 @@ enum { VTK_POLY_LINE = 4, VTK_QUAD = 9, VTK_BEZIER_QUADRILATERAL = 77 };
 enum { VTU_DEGREE_MAX = 10 };
 
 /* All arrays are as long as they may become; the counts say how long they are. */
-typedef struct vtu_grid {
+typedef struct taut_vtu_grid {
     size_t points, cells, corners; /* corners: of all cells together */
     double *positions;             /* [points][3] */
     double *weights;               /* [points] */
@@ -24,26 +24,25 @@ typedef struct vtu_grid {
     uint8_t *types;                /* [cells] */
     int32_t *degrees;              /* [cells][3] */
     int32_t *surfaces;             /* [cells] */
-} vtu_grid;
+} taut_vtu_grid;
 
-/* Room for so many; TAUT_NO_MEMORY. */
-taut_status vtu_grid_new(size_t points, size_t cells, size_t corners, taut_arena *arena,
-                         vtu_grid *grid);
+/* Room for so many; whether there was memory is taut_arena_status. */
+taut_vtu_grid taut_vtu_grid_of(taut_arena *arena, size_t points, size_t cells, size_t corners);
 /* Adds a cell on points that are, or will be, there; returns where its corners go. */
-int64_t *vtu_grid_add_cell(vtu_grid *grid, int type, size_t corners, int degree_u, int degree_v,
-                           int surface);
+int64_t *taut_vtu_grid_add_cell(taut_vtu_grid *grid, int type, size_t corners, int degree_u,
+                                int degree_v, int surface);
 /* Adds a point with a weight; its fields are NaN. Returns its index. */
-size_t vtu_grid_add_point(vtu_grid *grid, const double *position, double weight);
+size_t taut_vtu_grid_add_point(taut_vtu_grid *grid, const double *position, double weight);
 
 /* A surface as Bezier cells: what it is, exactly, with fields that interpolate at Chebyshev points
  * inside each cell. */
-typedef struct vtu_cells {
+typedef struct taut_vtu_cells {
     int degree[2], per_span[2], count[2]; /* cells in all along u and v */
-} vtu_cells;
+} taut_vtu_cells;
 
 /* Can it be? Then how many cells, for `divide` of them per span (0: by the number of spans). */
-int vtu_cells_plan(const taut_surface *surface, int divide, vtu_cells *plan);
-taut_status vtu_cells_add(const taut_surface *surface, const vtu_cells *plan, int index,
-                          vtu_grid *grid, taut_error *error);
+int taut_vtu_cells_plan(const taut_surface *surface, int divide, taut_vtu_cells *plan);
+taut_status taut_vtu_cells_add(const taut_surface *surface, const taut_vtu_cells *plan, int index,
+                               taut_vtu_grid *grid, taut_error *error);
 
 #endif /* TAUT_IO_VTU_GRID_H */

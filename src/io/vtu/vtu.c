@@ -2,12 +2,14 @@
  *
  * Two pieces: the surfaces, and their control nets as lines (cell data `part` is 0 or 1). A
  * polynomial or rational surface goes as Bezier cells, exactly; any other as quads to the chord
- * tolerance. Point data: H and K, E_minus_G and F, the weights; NaN where there is no value. */
+ * tolerance. Point data: H and K, E_minus_G and F, the weights; NaN where there is no value.
+ *
+ * An array is base 64 of its length in bytes, eight of them, and its numbers, all with the lowest
+ * byte first. */
 #include "core/fail.h"
 #include "io/format.h"
 #include "io/mesh/out.h"
 #include "io/vtu/grid.h"
-#include "io/vtu/xml.h"
 
 #include <string.h>
 
@@ -15,23 +17,24 @@
 typedef struct vtu_part {
     const taut_surface *surface;
     int index, is_exact;
-    vtu_cells cells;
+    taut_vtu_cells cells;
     const taut_mesh_group *group; /* of the mesh, where it is not exact */
 } vtu_part;
 
 typedef struct vtu_file {
+    taut_arena *arena;
     vtu_part *parts;
     int count;
     taut_mesh *mesh; /* NULL where all is exact */
-    vtu_grid surfaces, nets;
+    taut_vtu_grid surfaces, nets;
 } vtu_file;
 
 static taut_status choose_parts(const taut_model *model, const taut_write_options *options,
-                                taut_arena *arena, vtu_file *file, taut_error *error)
+                                vtu_file *file, taut_error *error)
 {
     const int count = taut_model_surface_count(model);
     int inexact = 0;
-    file->parts = taut_arena_take(arena, (size_t)count, sizeof *file->parts);
+    file->parts = taut_arena_take(file->arena, (size_t)count, sizeof *file->parts);
     if (file->parts == NULL) {
         return taut_fail_memory(error);
     }
@@ -40,13 +43,13 @@ static taut_status choose_parts(const taut_model *model, const taut_write_option
         if (taut_format_wants(model, options, i)) {
             part->surface = taut_model_surface(model, i);
             part->index = i;
-            part->is_exact = vtu_cells_plan(part->surface, options->divide, &part->cells);
+            part->is_exact = taut_vtu_cells_plan(part->surface, options->divide, &part->cells);
             inexact += !part->is_exact;
             file->count++;
         }
     }
     if (file->count == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "empty", NULL, taut_none, taut_none,
                          "the model has no surface to make a grid of");
     }
     return inexact > 0 ? taut_mesh_out_new(model, options, &file->mesh, error) : TAUT_OK;
@@ -67,7 +70,7 @@ static size_t net_points(const taut_surface *surface)
            (size_t)taut_basis_count(taut_surface_v(surface));
 }
 
-static taut_status take_grids(taut_arena *arena, vtu_file *file, taut_error *error)
+static taut_status take_grids(vtu_file *file, taut_error *error)
 {
     double points = 0, cells = 0, corners = 0, of_nets = 0, lines = 0;
     for (int i = 0; i < file->count; i++) {
@@ -89,23 +92,19 @@ static taut_status take_grids(taut_arena *arena, vtu_file *file, taut_error *err
                  taut_basis_count(taut_surface_v(part->surface));
     }
     if (points > TAUT_POINTS_MAX || of_nets > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "cells", NULL,
                          points > of_nets ? points : of_nets, TAUT_POINTS_MAX,
                          "a grid of %.0f points, expected at most %d: ask for a coarser one",
                          points > of_nets ? points : of_nets, TAUT_POINTS_MAX);
     }
-    if (vtu_grid_new((size_t)points, (size_t)cells, (size_t)corners, arena, &file->surfaces) !=
-            TAUT_OK ||
-        vtu_grid_new((size_t)of_nets, (size_t)lines, 2 * (size_t)of_nets, arena, &file->nets) !=
-            TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    return TAUT_OK;
+    file->surfaces = taut_vtu_grid_of(file->arena, (size_t)points, (size_t)cells, (size_t)corners);
+    file->nets = taut_vtu_grid_of(file->arena, (size_t)of_nets, (size_t)lines, 2 * (size_t)of_nets);
+    return taut_arena_status(file->arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 /* The quads of the mesh of one surface. */
 static taut_status add_mesh(const vtu_part *part, const taut_mesh *mesh, int threads,
-                            vtu_grid *grid)
+                            taut_vtu_grid *grid)
 {
     const taut_mesh_group *group = part->group;
     const size_t first = grid->points;
@@ -113,10 +112,10 @@ static taut_status add_mesh(const vtu_part *part, const taut_mesh *mesh, int thr
     const size_t vertices = (size_t)group->nu * (size_t)group->nv;
     const uint32_t *corners = taut_mesh_quads(mesh) + 4 * group->first_quad;
     for (size_t i = 0; i < vertices; i++) {
-        vtu_grid_add_point(grid, taut_mesh_positions(mesh) + 3 * (group->first_vertex + i), 1);
+        taut_vtu_grid_add_point(grid, taut_mesh_positions(mesh) + 3 * (group->first_vertex + i), 1);
     }
     for (size_t i = 0; i < quads; i++) {
-        int64_t *cell = vtu_grid_add_cell(grid, VTK_QUAD, 4, 1, 1, part->index);
+        int64_t *cell = taut_vtu_grid_add_cell(grid, VTK_QUAD, 4, 1, 1, part->index);
         for (size_t c = 0; c < 4; c++) {
             cell[c] = (int64_t)(corners[4 * i + c] - group->first_vertex + first);
         }
@@ -126,7 +125,7 @@ static taut_status add_mesh(const vtu_part *part, const taut_mesh *mesh, int thr
 }
 
 /* The control net: a line for each of its rows and columns. */
-static void add_net(const vtu_part *part, vtu_grid *grid)
+static void add_net(const vtu_part *part, taut_vtu_grid *grid)
 {
     const int nu = taut_basis_count(taut_surface_u(part->surface));
     const int nv = taut_basis_count(taut_surface_v(part->surface));
@@ -134,16 +133,16 @@ static void add_net(const vtu_part *part, vtu_grid *grid)
     const double *weights = taut_surface_weights(part->surface);
     const int64_t first = (int64_t)grid->points;
     for (size_t i = 0; i < net_points(part->surface); i++) {
-        vtu_grid_add_point(grid, points + 3 * i, weights != NULL ? weights[i] : 1);
+        taut_vtu_grid_add_point(grid, points + 3 * i, weights != NULL ? weights[i] : 1);
     }
     for (int i = 0; i < nu; i++) {
-        int64_t *cell = vtu_grid_add_cell(grid, VTK_POLY_LINE, (size_t)nv, 1, 1, part->index);
+        int64_t *cell = taut_vtu_grid_add_cell(grid, VTK_POLY_LINE, (size_t)nv, 1, 1, part->index);
         for (int j = 0; j < nv; j++) {
             cell[j] = first + (int64_t)i * nv + j;
         }
     }
     for (int j = 0; j < nv; j++) {
-        int64_t *cell = vtu_grid_add_cell(grid, VTK_POLY_LINE, (size_t)nu, 1, 1, part->index);
+        int64_t *cell = taut_vtu_grid_add_cell(grid, VTK_POLY_LINE, (size_t)nu, 1, 1, part->index);
         for (int i = 0; i < nu; i++) {
             cell[i] = first + (int64_t)i * nv + j;
         }
@@ -152,49 +151,195 @@ static void add_net(const vtu_part *part, vtu_grid *grid)
 
 static taut_status fill_grids(const taut_write_options *options, vtu_file *file, taut_error *error)
 {
-    taut_status status = TAUT_OK;
-    for (int i = 0; status == TAUT_OK && i < file->count; i++) {
+    for (int i = 0; i < file->count; i++) {
         const vtu_part *part = &file->parts[i];
+        taut_status status = TAUT_OK;
         if (part->is_exact) {
-            status =
-                vtu_cells_add(part->surface, &part->cells, part->index, &file->surfaces, error);
+            status = taut_vtu_cells_add(part->surface, &part->cells, part->index, &file->surfaces,
+                                        error);
         } else if (add_mesh(part, file->mesh, options->threads, &file->surfaces) != TAUT_OK) {
             status = taut_fail_memory(error);
         }
+        if (status != TAUT_OK) {
+            return status;
+        }
         add_net(part, &file->nets);
     }
-    return status;
+    return TAUT_OK;
+}
+
+/* Three bytes wait to become four letters. */
+typedef struct base64 {
+    taut_sink *sink;
+    unsigned char bytes[3];
+    int count;
+} base64;
+
+static void put_letters(base64 *out)
+{
+    static const char letters[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const unsigned whole =
+        (unsigned)out->bytes[0] << 16 | (unsigned)out->bytes[1] << 8 | out->bytes[2];
+    char text[4];
+    for (int i = 0; i < 4; i++) {
+        text[i] = i <= out->count ? letters[whole >> (18 - 6 * i) & 63] : '=';
+    }
+    taut_sink_bytes(out->sink, text, 4);
+    memset(out->bytes, 0, sizeof out->bytes);
+    out->count = 0;
+}
+
+/* The `size` lowest bytes of a number. */
+static void put_bytes(base64 *out, uint64_t bits, size_t size)
+{
+    for (size_t i = 0; i < size; i++) {
+        out->bytes[out->count++] = (unsigned char)(bits >> (8 * i) & 0xff);
+        if (out->count == 3) {
+            put_letters(out);
+        }
+    }
+}
+
+static base64 open_array(taut_sink *sink, const char *type, const char *name, int components,
+                         size_t bytes)
+{
+    base64 out = {sink, {0, 0, 0}, 0};
+    taut_sink_text(sink, "<DataArray type=\"");
+    taut_sink_text(sink, type);
+    taut_sink_text(sink, "\" Name=\"");
+    taut_sink_text(sink, name);
+    taut_sink_text(sink, "\" NumberOfComponents=\"");
+    taut_sink_count(sink, (size_t)components);
+    taut_sink_text(sink, "\" format=\"binary\">\n");
+    put_bytes(&out, bytes, 8);
+    return out;
+}
+
+static void close_array(base64 *out)
+{
+    if (out->count > 0) {
+        put_letters(out);
+    }
+    taut_sink_text(out->sink, "\n</DataArray>\n");
+}
+
+/* Every `stride`-th number from `values` on, `components` of them at a time. */
+static void put_doubles(taut_sink *sink, const char *name, int components, size_t count,
+                        size_t stride, const double *values)
+{
+    base64 out = open_array(sink, "Float64", name, components, 8 * count * (size_t)components);
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < (size_t)components; c++) {
+            uint64_t bits = 0;
+            memcpy(&bits, &values[i * stride + c], sizeof bits);
+            put_bytes(&out, bits, 8);
+        }
+    }
+    close_array(&out);
+}
+
+static void put_long(taut_sink *sink, const char *name, size_t count, const int64_t *values)
+{
+    base64 out = open_array(sink, "Int64", name, 1, 8 * count);
+    for (size_t i = 0; i < count; i++) {
+        put_bytes(&out, (uint64_t)values[i], 8);
+    }
+    close_array(&out);
+}
+
+/* One value over and over where `values` is NULL. */
+static void put_int(taut_sink *sink, const char *name, int components, size_t count,
+                    const int32_t *values, int32_t same)
+{
+    base64 out = open_array(sink, "Int32", name, components, 4 * count * (size_t)components);
+    for (size_t i = 0; i < count * (size_t)components; i++) {
+        put_bytes(&out, (uint32_t)(values != NULL ? values[i] : same), 4);
+    }
+    close_array(&out);
+}
+
+static void put_small(taut_sink *sink, const char *name, size_t count, const uint8_t *values)
+{
+    base64 out = open_array(sink, "UInt8", name, 1, count);
+    for (size_t i = 0; i < count; i++) {
+        put_bytes(&out, values[i], 1);
+    }
+    close_array(&out);
+}
+
+static void write_begin(taut_sink *sink, const char *unit)
+{
+    taut_sink_text(sink, "<?xml version=\"1.0\"?>\n<!-- taut, unit ");
+    taut_sink_text(sink, unit);
+    taut_sink_text(sink, " -->\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
+                         "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+                         "<UnstructuredGrid>\n");
+}
+
+static void write_piece(taut_sink *sink, const taut_vtu_grid *grid, int part)
+{
+    static const char *const names[] = {"H", "K", "E_minus_G", "F", "isothermality"};
+    _Static_assert(sizeof names / sizeof names[0] == TAUT_FIELDS, "a name for each field");
+    taut_sink_text(sink, "<Piece NumberOfPoints=\"");
+    taut_sink_count(sink, grid->points);
+    taut_sink_text(sink, "\" NumberOfCells=\"");
+    taut_sink_count(sink, grid->cells);
+    taut_sink_text(sink, "\">\n<PointData RationalWeights=\"RationalWeights\">\n");
+    for (size_t f = 0; f < TAUT_FIELDS; f++) {
+        put_doubles(sink, names[f], 1, grid->points, TAUT_FIELDS, grid->fields + f);
+    }
+    put_doubles(sink, "RationalWeights", 1, grid->points, 1, grid->weights);
+    taut_sink_text(sink, "</PointData>\n<CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n");
+    put_int(sink, "HigherOrderDegrees", 3, grid->cells, grid->degrees, 0);
+    put_int(sink, "part", 1, grid->cells, NULL, part);
+    put_int(sink, "surface", 1, grid->cells, grid->surfaces, 0);
+    taut_sink_text(sink, "</CellData>\n<Points>\n");
+    put_doubles(sink, "Points", 3, grid->points, 3, grid->positions);
+    taut_sink_text(sink, "</Points>\n<Cells>\n");
+    put_long(sink, "connectivity", grid->corners, grid->connectivity);
+    put_long(sink, "offsets", grid->cells, grid->offsets);
+    put_small(sink, "types", grid->cells, grid->types);
+    taut_sink_text(sink, "</Cells>\n</Piece>\n");
+}
+
+static void write_end(taut_sink *sink)
+{
+    taut_sink_text(sink, "</UnstructuredGrid>\n</VTKFile>\n");
+}
+
+static taut_status write_file(vtu_file *file, const taut_model *model,
+                              const taut_write_options *options, FILE *out, taut_error *error)
+{
+    taut_sink sink;
+    taut_status status = choose_parts(model, options, file, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = take_grids(file, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = fill_grids(options, file, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    sink = taut_sink_to(out);
+    write_begin(&sink, taut_model_unit(model));
+    write_piece(&sink, &file->surfaces, 0);
+    write_piece(&sink, &file->nets, 1);
+    write_end(&sink);
+    return taut_mesh_out_finish(&sink, error);
 }
 
 static taut_status write_vtu(const taut_model *model, const taut_write_options *options, FILE *out,
                              taut_error *error)
 {
-    taut_arena *arena = taut_arena_new();
-    vtu_file file;
-    taut_sink sink;
-    taut_status status = TAUT_OK;
-
-    memset(&file, 0, sizeof file);
-    if (arena == NULL) {
-        return taut_fail_memory(error);
-    }
-    status = choose_parts(model, options, arena, &file, error);
-    if (status == TAUT_OK) {
-        status = take_grids(arena, &file, error);
-    }
-    if (status == TAUT_OK) {
-        status = fill_grids(options, &file, error);
-    }
-    if (status == TAUT_OK) {
-        sink = taut_sink_to(out);
-        vtu_xml_begin(&sink, taut_model_unit(model));
-        vtu_xml_piece(&sink, &file.surfaces, 0);
-        vtu_xml_piece(&sink, &file.nets, 1);
-        vtu_xml_end(&sink);
-        status = taut_mesh_out_finish(&sink, error);
-    }
+    vtu_file file = {.arena = taut_arena_new()};
+    const taut_status status = write_file(&file, model, options, out, error);
     taut_mesh_free(file.mesh);
-    taut_arena_free(arena);
+    taut_arena_free(file.arena);
     return status;
 }
 

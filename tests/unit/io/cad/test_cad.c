@@ -248,7 +248,7 @@ static void test_degree(void)
         taut_error error = {.status = TAUT_OK};
         const char *path = in_folder(e == 0 ? "high.step" : "high.igs");
         CHECK(taut_model_write(model, path, NULL, &error) == TAUT_NO_SOLUTION, "%s", path);
-        CHECK(strstr(error.message, "degree 26") != NULL, "%s", error.message);
+        CHECK(strcmp(error.reason, "degree") == 0, "%s", error.message);
         CHECK(access(path, F_OK) != 0, "%s is there", path);
     }
     taut_basis_free(basis);
@@ -405,7 +405,7 @@ static int is_there(void)
     add_some_curve(model, "");
     status = taut_model_write(model, in_folder("probe.step"), NULL, &error);
     taut_model_free(model);
-    if (status == TAUT_IO && strstr(error.message, "install") != NULL) {
+    if (status == TAUT_IO && strcmp(error.reason, "not-there") == 0) {
         CHECK(required == NULL || strcmp(required, "all") != 0, "%s", error.message);
         printf("left out: OpenCASCADE is not here: tools/deps.sh test, and build anew\n");
         return 0;
@@ -435,7 +435,7 @@ static void test_point(void)
         taut_model_free(back);
         if (k == 0) {
             CHECK(taut_model_write(model, step, NULL, &error) == TAUT_NO_SOLUTION &&
-                      strstr(error.message, "is a single point") != NULL,
+                      strcmp(error.reason, "single-point") == 0,
                   "%s", error.message);
             CHECK(access(step, F_OK) != 0, "nothing is left of it");
         } else {

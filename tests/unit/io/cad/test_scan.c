@@ -19,7 +19,8 @@ static void check_told(taut_status status, const taut_error *error, const char *
         return;
     }
     CHECK(status == TAUT_BAD_INPUT && error->status == status, "%d of %s", (int)status, text);
-    CHECK(strcmp(error->where, where) == 0 && strcmp(error->message, message) == 0,
+    CHECK(strcmp(error->where, where) == 0 && strcmp(error->reason, "broken") == 0 &&
+              strcmp(error->message, message) == 0,
           "%s: %s, expected %s: %s", error->where, error->message, where, message);
 }
 

@@ -96,14 +96,15 @@ static void test_commit_fails(const taut_model *model)
     CHECK(rmdir("late.obj") == 0, "the folder is empty and there");
 }
 
-/* The model in the format of the name is refused, with these words, and leaves no file. */
+/* The model in the format of the name is refused, for this reason (NULL: one of the mesh or the
+ * page), and leaves no file. */
 static void check_refused(const taut_model *model, const char *name,
                           const taut_write_options *options, taut_status expected,
-                          const char *message)
+                          const char *reason)
 {
     taut_error e = {.status = TAUT_OK};
     check_told(name, taut_model_write(model, name, options, &e), expected, &e);
-    CHECK(strstr(e.message, message) != NULL, "%s: \"%s\"", name, e.message);
+    CHECK(reason == NULL || strcmp(e.reason, reason) == 0, "%s: %s, %s", name, e.reason, e.message);
     CHECK(access(name, F_OK) != 0, "%s is there", name);
 }
 
@@ -120,13 +121,13 @@ static void test_contents(const taut_model *model)
     CHECK(taut_model_add_curve(curves, shape_curve(shape_bezier(1, 0, 1), &line[0][0], NULL)) ==
               TAUT_OK,
           "curve");
-    check_refused(large, "m.glb", NULL, TAUT_NO_SOLUTION, "too large for glTF");
-    check_refused(large, "m.stl", NULL, TAUT_NO_SOLUTION, "too large for");
-    check_refused(curves, "m.vtu", NULL, TAUT_NO_SOLUTION, "no surface to make a grid of");
+    check_refused(large, "m.glb", NULL, TAUT_NO_SOLUTION, "single-precision");
+    check_refused(large, "m.stl", NULL, TAUT_NO_SOLUTION, "single-precision");
+    check_refused(curves, "m.vtu", NULL, TAUT_NO_SOLUTION, "empty");
     check_refused(curves, "m.json", &(taut_write_options){.surface = "face"}, TAUT_BAD_ARGUMENT,
-                  "no surface is named \"face\": the model has none");
+                  "surface");
     check_refused(model, "m.vtu", &(taut_write_options){.divide = 4000}, TAUT_BAD_ARGUMENT,
-                  "a grid of 64000000 points, expected at most 50000000");
+                  "cells");
     taut_model_free(large);
     taut_model_free(curves);
 }
@@ -146,9 +147,9 @@ static void test_many_cells(void)
                                                       &points[0][0], NULL)) == TAUT_OK,
           "four spans each way");
     check_refused(model, "m.vtu", &(taut_write_options){.divide = (1 << 30) + 1}, TAUT_BAD_ARGUMENT,
-                  "a coarser one");
+                  NULL);
     check_refused(model, "m.vtu", &(taut_write_options){.divide = 0x7fffffff}, TAUT_BAD_ARGUMENT,
-                  "a coarser one");
+                  NULL);
     taut_model_free(model);
 }
 
@@ -165,13 +166,13 @@ static void test_kinds(const taut_model *model)
     }
     check_told("many", taut_outputs_models(outputs, MANY, many, "m.svg", NULL, &e),
                TAUT_BAD_ARGUMENT, &e);
-    CHECK(strstr(e.message, "m.svg would hold 1000 models, ") != NULL && e.found == MANY &&
-              e.limit < MANY,
-          "\"%s\"", e.message);
+    CHECK(strcmp(e.reason, "several") == 0 && e.found == MANY && e.limit < MANY, "\"%s\"",
+          e.message);
     check_told("obj", taut_outputs_models(outputs, 2, many, "m.obj", NULL, &e), TAUT_BAD_ARGUMENT,
                &e);
+    CHECK(strcmp(e.reason, "several") == 0 && e.limit == 1, "%s", e.message);
     check_told("step", taut_outputs_model(outputs, model, "-", &step, &e), TAUT_IO, &e);
-    CHECK(strstr(e.message, "- is no regular file") != NULL, "\"%s\"", e.message);
+    CHECK(strcmp(e.reason, "not-regular") == 0, "\"%s\"", e.message);
     CHECK(taut_outputs_commit(outputs, &e) == TAUT_OK, "nothing is to be put in place");
     taut_outputs_free(outputs);
 }
@@ -189,7 +190,7 @@ static void test_stopped(const taut_model *model)
 {
     int calls = 0;
     const taut_write_options options = {.monitor = {stop_sampling, &calls}};
-    check_refused(model, "m.html", &options, TAUT_INTERRUPTED, "");
+    check_refused(model, "m.html", &options, TAUT_INTERRUPTED, NULL);
     CHECK(calls == 1, "%d calls", calls);
 }
 

@@ -1,11 +1,12 @@
-/* cad.h -- what the module `occt` does for CAD formats: NURBS to and from STEP and IGES files.
+/* module_interface.h -- what the module `occt` does for CAD formats: NURBS to and from STEP and
+ * IGES files.
  *
  * Its functions run in a process of their own (io/cad/child.h), so that a file that brings the
  * library down, or makes it take all memory, costs no more than a message. Nothing of taut is
  * linked into the module.
  */
-#ifndef TAUT_IO_CAD_CAD_H
-#define TAUT_IO_CAD_CAD_H
+#ifndef TAUT_IO_CAD_MODULE_INTERFACE_H
+#define TAUT_IO_CAD_MODULE_INTERFACE_H
 
 #include "taut/status.h"
 
@@ -60,4 +61,4 @@ typedef struct taut_cad_ops {
 #ifdef __cplusplus
 }
 #endif
-#endif /* TAUT_IO_CAD_CAD_H */
+#endif /* TAUT_IO_CAD_MODULE_INTERFACE_H */
