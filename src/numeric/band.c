@@ -103,8 +103,9 @@ void taut_band_multiply_add(const taut_band *band, double factor, const double *
 }
 
 /* Row by row: with u(i,j) = L(i,j) D(j),
- *     u(i,j) = A(i,j) - sum_k u(i,k) L(j,k),    L(i,j) = u(i,j) / D(j),    D(i) = A(i,i) - sum_j
- * u(i,j) L(i,j) sums over the band, k < j < i. */
+ *     u(i,j) = A(i,j) - sum_k u(i,k) L(j,k),    L(i,j) = u(i,j) / D(j),
+ *     D(i)   = A(i,i) - sum_j u(i,j) L(i,j)
+ * sums over the band, k < j < i. */
 taut_status taut_band_factor(taut_band *band)
 {
     const int n = band->n, w = band->width;
