@@ -3,8 +3,8 @@
 #define TAUT_NUMERIC_TENSOR_INTERNAL_H
 
 #include "numeric/band.h"
-#include "numeric/contract.h"
 #include "numeric/modes.h"
+#include "numeric/tensor/contract.h"
 #include "numeric/tensor/solver.h"
 
 /* One direction of the net: its matrices, as given but of one width, and its modes if they were

@@ -1,4 +1,4 @@
-#include "numeric/contract.h"
+#include "numeric/tensor/contract.h"
 
 #include "core/memory.h"
 

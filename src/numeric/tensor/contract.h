@@ -4,8 +4,8 @@
  * column c has its entries at
  *     x[offset(c) + row * stride],    offset(c) = c / inner * outer + c % inner
  */
-#ifndef TAUT_NUMERIC_CONTRACT_H
-#define TAUT_NUMERIC_CONTRACT_H
+#ifndef TAUT_NUMERIC_TENSOR_CONTRACT_H
+#define TAUT_NUMERIC_TENSOR_CONTRACT_H
 
 #include "numeric/modes.h"
 
@@ -58,4 +58,4 @@ void taut_tails_clear(taut_tails *tails);
 void taut_synthesise_tails(const taut_panel *panel, const taut_lines *lines,
                            const taut_tails *tails, int is_new, double *x);
 
-#endif /* TAUT_NUMERIC_CONTRACT_H */
+#endif /* TAUT_NUMERIC_TENSOR_CONTRACT_H */
