@@ -1,7 +1,7 @@
 /* bezier.c -- Bernstein polynomials on a range: N_i(t) = B[n,i]((t-lo)/(hi-lo)). */
 #include "basis/basis_ops.h"
-#include "basis/bernstein.h"
 #include "basis/change.h"
+#include "numeric/bernstein.h"
 
 static taut_status bezier_plan(const taut_basis_spec *spec, int functions, taut_basis_shape *shape,
                                taut_error *error)

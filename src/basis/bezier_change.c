@@ -1,8 +1,8 @@
 /* bezier_change.c -- splitting and degree elevation of Bezier form; the rest through the bspline
  * basis of one span, which has the same coefficients. */
-#include "basis/bernstein.h"
 #include "basis/bspline_change.h"
 #include "core/fail.h"
+#include "numeric/bernstein.h"
 
 /* The low piece has b_i = sum_j B[i,j](s) P_j, the high one b_i = sum_j B[n-i,j](s) P_{i+j}: de
  * Casteljau's triangle written out ([Farin2002] section 5.4). */

@@ -9,9 +9,9 @@
  * any shape numbers up to TAUT_SHAPE_MAX in size; who needs the box asks for it.
  */
 #include "basis/basis_ops.h"
-#include "basis/bernstein.h"
 #include "basis/change.h"
 #include "core/fail.h"
+#include "numeric/bernstein.h"
 
 #include <math.h>
 

@@ -1,4 +1,4 @@
-#include "basis/bernstein.h"
+#include "numeric/bernstein.h"
 
 #include <assert.h>
 #include <stddef.h>
