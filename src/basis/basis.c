@@ -141,9 +141,10 @@ taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basi
                          spec->type != NULL ? spec->type : "");
     }
     status = check_spec(ops, spec, error);
-    if (status == TAUT_OK) {
-        status = ops->plan(spec, functions, &shape, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = ops->plan(ops, spec, functions, &shape, error);
     if (status != TAUT_OK) {
         return status;
     }

@@ -31,7 +31,31 @@ static int knots_dropped(const taut_basis_spec *spec, int functions)
     return functions > 0 && spec->knot_count == functions + spec->degree - 1 ? 1 : 0;
 }
 
-/* Checks the knots one by one; counts non-empty spans. */
+static taut_status check_clamped(const taut_basis_spec *spec, int dropped, int count,
+                                 taut_error *error)
+{
+    const int p = spec->degree;
+    const double lo = full_knot(spec, dropped, 0);
+    const double hi = full_knot(spec, dropped, count + p);
+    if (!(hi > lo) || !isfinite(hi - lo)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", hi - lo, 0,
+                         "the knots run from %.17g to %.17g, expected a range that is not empty",
+                         lo, hi);
+    }
+    if (full_knot(spec, dropped, p) != lo || full_knot(spec, dropped, count) != hi) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", taut_none, p + 1,
+                         "the knots are not clamped: expected the first and the last to come %d "
+                         "times (or once less, without the outermost two)",
+                         p + 1);
+    }
+    if (full_knot(spec, dropped, p + 1) == lo || full_knot(spec, dropped, count - 1) == hi) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", taut_none, p + 1,
+                         "an end knot comes more than %d times", p + 1);
+    }
+    return TAUT_OK;
+}
+
+/* Checks the ends, then the knots one by one; counts non-empty spans. */
 static taut_status check_knots(const taut_basis_spec *spec, int dropped, int count, int *spans,
                                taut_error *error)
 {
@@ -39,7 +63,11 @@ static taut_status check_knots(const taut_basis_spec *spec, int dropped, int cou
     const int total = count + p + 1;
     char where[48];
     int run = 0; /* how often the current value has come so far */
+    const taut_status status = check_clamped(spec, dropped, count, error);
 
+    if (status != TAUT_OK) {
+        return status;
+    }
     *spans = 0;
     for (int i = 0; i < total; i++) {
         const double knot = full_knot(spec, dropped, i);
@@ -67,38 +95,14 @@ static taut_status check_knots(const taut_basis_spec *spec, int dropped, int cou
     return TAUT_OK;
 }
 
-static taut_status check_clamped(const taut_basis_spec *spec, int dropped, int count,
-                                 taut_error *error)
-{
-    const int p = spec->degree;
-    const double lo = full_knot(spec, dropped, 0);
-    const double hi = full_knot(spec, dropped, count + p);
-    if (!(hi > lo) || !isfinite(hi - lo)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", hi - lo, 0,
-                         "the knots run from %.17g to %.17g, expected a range that is not empty",
-                         lo, hi);
-    }
-    if (full_knot(spec, dropped, p) != lo || full_knot(spec, dropped, count) != hi) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", taut_none, p + 1,
-                         "the knots are not clamped: expected the first and the last to come %d "
-                         "times (or once less, without the outermost two)",
-                         p + 1);
-    }
-    if (full_knot(spec, dropped, p + 1) == lo || full_knot(spec, dropped, count - 1) == hi) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", taut_none, p + 1,
-                         "an end knot comes more than %d times", p + 1);
-    }
-    return TAUT_OK;
-}
-
-static taut_status bspline_plan(const taut_basis_spec *spec, int functions, taut_basis_shape *shape,
-                                taut_error *error)
+static taut_status bspline_plan(const taut_basis_ops *ops, const taut_basis_spec *spec,
+                                int functions, taut_basis_shape *shape, taut_error *error)
 {
     const int p = spec->degree;
     int count = spec->count;
     int spans = 0;
-    taut_status status = TAUT_OK;
 
+    (void)ops;
     if ((spec->knots == NULL) == (spec->count == 0)) {
         return taut_fail(error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
                          "a bspline needs either \"knots\" or \"count\"");
@@ -124,17 +128,15 @@ static taut_status bspline_plan(const taut_basis_spec *spec, int functions, taut
                          p + 1);
     }
     if (spec->knots != NULL) {
-        const int dropped = knots_dropped(spec, functions);
-        status = check_clamped(spec, dropped, count, error);
-        if (status == TAUT_OK) {
-            status = check_knots(spec, dropped, count, &spans, error);
+        const taut_status status =
+            check_knots(spec, knots_dropped(spec, functions), count, &spans, error);
+        if (status != TAUT_OK) {
+            return status;
         }
-    } else {
-        spans = count - p;
     }
-    *shape =
-        (taut_basis_shape){count, p + 1, spans, count <= TAUT_COUNT_MAX ? count + p + 1 : 0, p};
-    return status;
+    *shape = (taut_basis_shape){count, p + 1, spec->knots != NULL ? spans : count - p,
+                                count <= TAUT_COUNT_MAX ? count + p + 1 : 0, p};
+    return TAUT_OK;
 }
 
 static void bspline_fill(taut_basis *basis)
@@ -258,5 +260,5 @@ const taut_basis_ops taut_basis_bspline = {
     .eval = bspline_eval,
     .eval_beside = bspline_eval_beside,
     .linear = bspline_linear,
-    .changes = &taut_changes_bspline,
+    .changes = &taut_bspline_changes,
 };

@@ -214,7 +214,20 @@ static double middle_hyperbolic(double length)
     return cosh(length / 2);
 }
 
-const taut_quasi_kernel taut_quasi_circular = {prepare_circular, half_circular, -1,
-                                               middle_circular};
+/* y(t) = y(m) cos(t - m) + y'(m) sin(t - m); reach is at most pi/2. */
+static void growth_circular(double reach, double *at, double *slope)
+{
+    *at = 1;
+    *slope = sin(reach);
+}
+
+static void growth_hyperbolic(double reach, double *at, double *slope)
+{
+    *at = cosh(reach);
+    *slope = sinh(reach);
+}
+
+const taut_quasi_kernel taut_quasi_circular = {prepare_circular, half_circular, -1, middle_circular,
+                                               growth_circular};
 const taut_quasi_kernel taut_quasi_hyperbolic = {prepare_hyperbolic, half_hyperbolic, 1,
-                                                 middle_hyperbolic};
+                                                 middle_hyperbolic, growth_hyperbolic};

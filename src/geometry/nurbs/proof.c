@@ -56,7 +56,7 @@ taut_nurbs_panel taut_nurbs_panel_of(const taut_side *s, int p, double lo, doubl
     taut_nurbs_panel panel;
 
     piece->ops->eval(piece, 0, lo + h / 2, 3, u);
-    s->basis->ops->changes->growth(h / 2, &at, &slope);
+    s->basis->ops->changes->growth(s->basis, h / 2, &at, &slope);
     for (int i = 0; i < 4; i++) {
         panel.rows[0][i] = factor * at * u[8 + i];
         panel.rows[1][i] = factor * slope * u[12 + i];
