@@ -38,18 +38,18 @@ static taut_status check_clamped(const taut_basis_spec *spec, int dropped, int c
     const double lo = full_knot(spec, dropped, 0);
     const double hi = full_knot(spec, dropped, count + p);
     if (!(hi > lo) || !isfinite(hi - lo)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", hi - lo, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "knots", "/knots", hi - lo, 0,
                          "the knots run from %.17g to %.17g, expected a range that is not empty",
                          lo, hi);
     }
     if (full_knot(spec, dropped, p) != lo || full_knot(spec, dropped, count) != hi) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", taut_none, p + 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "knots", "/knots", taut_none, p + 1,
                          "the knots are not clamped: expected the first and the last to come %d "
                          "times (or once less, without the outermost two)",
                          p + 1);
     }
     if (full_knot(spec, dropped, p + 1) == lo || full_knot(spec, dropped, count - 1) == hi) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", taut_none, p + 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "knots", "/knots", taut_none, p + 1,
                          "an end knot comes more than %d times", p + 1);
     }
     return TAUT_OK;
@@ -79,14 +79,14 @@ static taut_status check_knots(const taut_basis_spec *spec, int dropped, int cou
                              "a knot is not a finite number");
         }
         if (knot < before) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, knot, before,
+            return taut_fail(error, TAUT_BAD_INPUT, "knots", where, knot, before,
                              "knot %.17g comes after %.17g, expected knots that do not decrease",
                              knot, before);
         }
         run = i > 0 && knot == before ? run + 1 : 1;
         *spans += i > 0 && knot > before;
         if (i > p && i < count && run > p) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, run, p,
+            return taut_fail(error, TAUT_BAD_INPUT, "knots", where, run, p,
                              "inner knot %.17g is repeated %d times, expected at most the degree, "
                              "%d: more would tear the surface",
                              knot, run, p);
@@ -104,18 +104,18 @@ static taut_status bspline_plan(const taut_basis_ops *ops, const taut_basis_spec
 
     (void)ops;
     if ((spec->knots == NULL) == (spec->count == 0)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "", taut_none, taut_none,
                          "a bspline needs either \"knots\" or \"count\"");
     }
     if (spec->knots != NULL) {
         const int dropped = knots_dropped(spec, functions);
         if (spec->knot_count < 0 || spec->knot_count > TAUT_COUNT_MAX + 2 * TAUT_DEGREE_MAX) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", spec->knot_count,
+            return taut_fail(error, TAUT_BAD_INPUT, "size", "/knots", spec->knot_count,
                              TAUT_COUNT_MAX, "%d knots are too many", spec->knot_count);
         }
         count = spec->knot_count + 2 * dropped - p - 1;
         if (functions > 0 && count != functions) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", spec->knot_count,
+            return taut_fail(error, TAUT_BAD_INPUT, "size", "/knots", spec->knot_count,
                              functions + p + 1,
                              "%d knots, expected %d (or %d without the outermost two) for %d "
                              "points of degree %d",
@@ -123,7 +123,7 @@ static taut_status bspline_plan(const taut_basis_ops *ops, const taut_basis_spec
         }
     }
     if (count < p + 1) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", spec->knots != NULL ? "/knots" : "/count",
+        return taut_fail(error, TAUT_BAD_INPUT, "size", spec->knots != NULL ? "/knots" : "/count",
                          count, p + 1, "%d functions of degree %d, expected at least %d", count, p,
                          p + 1);
     }

@@ -148,8 +148,7 @@ static taut_status halve_spans(const taut_basis *basis, double *knots, int *coun
             const double a = basis->knots[i], b = basis->knots[i + 1];
             const double middle = a + (b - a) / 2;
             if (!(middle > a && middle < b)) {
-                return taut_fail(error, TAUT_NO_SOLUTION, "span-too-short", "/knots", b - a,
-                                 taut_none,
+                return taut_fail(error, TAUT_NO_SOLUTION, "short-span", "/knots", b - a, taut_none,
                                  "the span from %.17g to %.17g is too short to be halved", a, b);
             }
             knots[n++] = middle;

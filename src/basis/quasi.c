@@ -63,7 +63,7 @@ static taut_status check_length(const taut_quasi_kind *kind, double length, int 
                          TAUT_SPAN_MIN);
     }
     if (bspline && !kind->longest_bspline && length >= kind->longest) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", kind->where, length, kind->longest,
+        return taut_fail(error, TAUT_NO_SOLUTION, "dependent", kind->where, length, kind->longest,
                          "%s is %.17g, but from pi on the functions of a %s are dependent: use "
                          "more segments, each at most 2.5, say",
                          name, length, kind->bspline);
@@ -86,7 +86,8 @@ static taut_status check_range(const taut_basis_spec *spec, double length, int s
     const double far = fmax(fabs(spec->range[0]), fabs(spec->range[1]));
 
     if (length < TAUT_QUASI_APART * far) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/range", far, length / TAUT_QUASI_APART,
+        return taut_fail(error, TAUT_BAD_INPUT, "short-span", "/range", far,
+                         length / TAUT_QUASI_APART,
                          "range [%.17g, %.17g] is too far from 0 for segments of length %.17g",
                          spec->range[0], spec->range[1], length);
     }

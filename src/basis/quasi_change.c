@@ -61,7 +61,7 @@ static taut_status check_cut(double lo, double hi, double t, taut_error *error)
     const double shorter = fmin(t - lo, hi - t);
     const double limit = fmax(TAUT_QUASI_APART * fmax(fabs(lo), fabs(hi)), TAUT_SPAN_MIN);
     if (!(shorter >= limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, shorter, limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "short-span", NULL, shorter, limit,
                          "a cut at %.17g leaves a piece of length %g, too short for its parameters "
                          "to be told apart: cut further from %.17g",
                          t, shorter, t - lo < hi - t ? lo : hi);

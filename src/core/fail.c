@@ -55,6 +55,17 @@ taut_status taut_fail_memory(taut_error *error)
     return taut_fail(error, TAUT_NO_MEMORY, "memory", NULL, taut_none, taut_none, "memory ran out");
 }
 
+taut_status taut_fail_status(taut_error *error, taut_status status)
+{
+    const char *reason = status == TAUT_NO_MEMORY      ? "memory"
+                         : status == TAUT_BAD_ARGUMENT ? "argument"
+                         : status == TAUT_INTERRUPTED  ? "interrupted"
+                                                       : "fault";
+    return status == TAUT_OK ? TAUT_OK
+                             : taut_fail(error, status, reason, NULL, taut_none, taut_none, "%s",
+                                         taut_status_text(status));
+}
+
 void taut_error_prefix(taut_error *error, const char *prefix)
 {
     if (error != NULL) {
