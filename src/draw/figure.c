@@ -4,11 +4,11 @@
 
 #include "core/arena.h"
 #include "core/fail.h"
-#include "draw/colour.h"
 #include "draw/label.h"
 #include "draw/legend.h"
 #include "draw/pane.h"
 #include "draw/panes.h"
+#include "mesh/colour.h"
 #include "platform/module.h"
 
 #include <errno.h>

@@ -1,7 +1,7 @@
 #include "draw/legend.h"
 
-#include "draw/colour.h"
 #include "draw/label.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <stdio.h>

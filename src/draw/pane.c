@@ -1,7 +1,7 @@
 #include "draw/pane.h"
 
-#include "draw/colour.h"
 #include "draw/parts.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <string.h>

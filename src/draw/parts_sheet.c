@@ -1,6 +1,6 @@
 /* parts_sheet.c -- the shaded cells of a surface, its boundary and its knot lines. */
-#include "draw/colour.h"
 #include "draw/parts.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,9 +2,9 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
-#include "draw/colour.h"
 #include "io/json/out.h"
 #include "io/model/model.h"
+#include "mesh/colour.h"
 #include "page/html_page.h"
 
 #include <math.h>

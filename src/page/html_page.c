@@ -1,10 +1,10 @@
 #include "page/html_page.h"
 
 #include "core/fail.h"
-#include "draw/colour.h"
 #include "draw/parts.h"
 #include "draw/view.h"
 #include "io/format.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <string.h>
@@ -124,7 +124,7 @@ static int choose_box(taut_page_model *p)
     return taut_camera_settle(&p->box);
 }
 
-/* The scale of each field over all surfaces, as in figures (draw/colour.h). */
+/* The scale of each field over all surfaces, as in figures (mesh/colour.h). */
 static taut_status choose_limits(taut_page_model *p)
 {
     const double noise[TAUT_PAGE_FIELDS] = {1e-9 / p->box.half, 1e-9 / p->box.half / p->box.half,

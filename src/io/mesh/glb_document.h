@@ -2,8 +2,8 @@
 #ifndef TAUT_IO_MESH_GLB_DOCUMENT_H
 #define TAUT_IO_MESH_GLB_DOCUMENT_H
 
-#include "draw/colour.h"
 #include "io/mesh/out.h"
+#include "mesh/colour.h"
 
 /* What of the data is one group's. */
 typedef struct glb_part {
