@@ -103,14 +103,14 @@ void taut_camera_see(taut_camera *camera, size_t count, const double *points)
     }
 }
 
-void taut_camera_fit(taut_camera *camera, const double frame[4])
+void taut_camera_fit(taut_camera *camera, const double place[4])
 {
-    taut_camera_fit_within(camera, frame, INFINITY);
+    taut_camera_fit_within(camera, place, INFINITY);
 }
 
-void taut_camera_fit_within(taut_camera *camera, const double frame[4], double most)
+void taut_camera_fit_within(taut_camera *camera, const double place[4], double most)
 {
-    const double room[2] = {frame[2] - frame[0], frame[3] - frame[1]};
+    const double room[2] = {place[2] - place[0], place[3] - place[1]};
     double centre[2] = {0, 0};
     double side = 0; /* the larger part of the room that a scale of 1 takes */
 
@@ -121,8 +121,8 @@ void taut_camera_fit_within(taut_camera *camera, const double frame[4], double m
     }
     /* Seen end on, a line is a point: a hundredth of the room is the smallest it is blown up. */
     camera->scale = fmin(1 / fmax(side, 0.01 / fmax(room[0], room[1])), most);
-    camera->origin[0] = (frame[0] + frame[2]) / 2 - camera->scale * centre[0];
-    camera->origin[1] = (frame[1] + frame[3]) / 2 + camera->scale * centre[1];
+    camera->origin[0] = (place[0] + place[2]) / 2 - camera->scale * centre[0];
+    camera->origin[1] = (place[1] + place[3]) / 2 + camera->scale * centre[1];
 }
 
 void taut_camera_project(const taut_camera *camera, const double point[3], double page[3])

@@ -145,11 +145,11 @@ void taut_legend_scale(const taut_legend *legend, taut_colour colour, double lim
     }
 }
 
-void taut_legend_label(const taut_legend *legend, const double frame[4], const char *label)
+void taut_legend_label(const taut_legend *legend, const double place[4], const char *label)
 {
     char text[256];
-    taut_label_clean(label, (size_t)fmax(4, (frame[2] - frame[0]) / 11), text, sizeof text);
-    write_text(legend, (frame[0] + frame[2]) / 2, frame[1] - 10, text_size, TAUT_ANCHOR_MIDDLE,
+    taut_label_clean(label, (size_t)fmax(4, (place[2] - place[0]) / 11), text, sizeof text);
+    write_text(legend, (place[0] + place[2]) / 2, place[1] - 10, text_size, TAUT_ANCHOR_MIDDLE,
                text);
 }
 

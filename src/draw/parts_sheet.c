@@ -156,7 +156,7 @@ static void add_grid_line(const grid *g, size_t line, taut_ink ink, double width
 }
 
 /* One direction's knot lines, or its two boundary lines (one thin line where they are a seam). */
-static void add_lines(const grid *g, const taut_lines *lines, int boundary, taut_ink knot_ink,
+static void add_lines(const grid *g, const taut_grid_lines *lines, int boundary, taut_ink knot_ink,
                       double *row, taut_scene *scene)
 {
     const size_t last = g->lines - 1;
