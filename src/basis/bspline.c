@@ -191,7 +191,7 @@ static void raise_degree(int m, const double *left, const double *right, double 
 
 /* b[0..m-1] holds functions of degree m-1 on entry, derivatives of those of degree m on return:
  *     N'_{r,m} = m (N_{r-1,m-1} / (t_{i+r} - t_{i+r-m}) - N_{r,m-1} / (t_{i+r+1} - t_{i+r+1-m})) */
-static void differentiate(int m, const double *inverse, double *b)
+static void differentiate_row(int m, const double *inverse, double *b)
 {
     double below = m * b[m - 1] * inverse[m - 1];
     b[m] = below;
@@ -228,7 +228,7 @@ static void bspline_eval_beside(const taut_basis *basis, int span, double t, dou
             continue;
         }
         for (int m = p - k + 1; m <= p; m++) {
-            differentiate(m, inverse[p - m], row);
+            differentiate_row(m, inverse[p - m], row);
         }
     }
 }

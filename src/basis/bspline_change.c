@@ -47,7 +47,7 @@ static taut_status to_knots(const taut_basis *from, const double *knots, int cou
 }
 
 /* Writes x `times` times and returns where to go on. */
-static double *repeat(double *out, double x, int times)
+static double *repeat_knot(double *out, double x, int times)
 {
     for (int i = 0; i < times; i++) {
         *out++ = x;
@@ -81,12 +81,13 @@ static taut_status fill_split(const taut_basis *basis, double t, double *knots,
     }
     find_knot(basis, t, &below, &upto);
     memcpy(knots, basis->knots, (size_t)below * sizeof(double));
-    repeat(knots + below, t, p + 1);
+    repeat_knot(knots + below, t, p + 1);
     status = to_knots(basis, knots, below + p + 1, &list->items[0], error);
     if (status != TAUT_OK) {
         return status;
     }
-    memcpy(repeat(knots, t, p + 1), basis->knots + upto, (size_t)(total - upto) * sizeof(double));
+    memcpy(repeat_knot(knots, t, p + 1), basis->knots + upto,
+           (size_t)(total - upto) * sizeof(double));
     return to_knots(basis, knots, total - upto + p + 1, &list->items[1], error);
 }
 
@@ -192,7 +193,7 @@ static taut_status bspline_insert(const taut_basis *basis, double t, int times,
         return taut_fail_memory(error);
     }
     memcpy(knots, basis->knots, (size_t)upto * sizeof(double));
-    repeat(knots + upto, t, times);
+    repeat_knot(knots + upto, t, times);
     memcpy(knots + upto + times, basis->knots + upto, (size_t)(total - upto) * sizeof(double));
     status = to_knots(basis, knots, total + times, change, error);
     taut_free(knots);
@@ -313,8 +314,8 @@ static taut_status bspline_elevate(const taut_basis *basis, taut_change **change
 }
 
 /* A change of the knots alone: knot i becomes map(i); coefficients stay, or turn round. */
-static taut_status moved(const taut_basis *basis, double lo, double hi, int reversed,
-                         taut_change **change, taut_error *error)
+static taut_status move_knots(const taut_basis *basis, double lo, double hi, int reversed,
+                              taut_change **change, taut_error *error)
 {
     const int total = basis->shape.knot_count;
     const double from = taut_basis_lo(basis), to = taut_basis_hi(basis);
@@ -341,13 +342,13 @@ static taut_status moved(const taut_basis *basis, double lo, double hi, int reve
 
 static taut_status bspline_reverse(const taut_basis *basis, taut_change **change, taut_error *error)
 {
-    return moved(basis, taut_basis_lo(basis), taut_basis_hi(basis), 1, change, error);
+    return move_knots(basis, taut_basis_lo(basis), taut_basis_hi(basis), 1, change, error);
 }
 
 static taut_status bspline_rerange(const taut_basis *basis, double lo, double hi,
                                    taut_change **change, taut_error *error)
 {
-    return moved(basis, lo, hi, 0, change, error);
+    return move_knots(basis, lo, hi, 0, change, error);
 }
 
 static taut_status bspline_to_bspline(const taut_basis *basis, int panels, const double *ends,
@@ -366,7 +367,7 @@ taut_status taut_bspline_of_bezier(const taut_basis *bezier, taut_basis **bsplin
     const taut_basis_spec spec = {
         .type = "bspline", .degree = p, .knots = knots, .knot_count = 2 * p + 2};
 
-    repeat(repeat(knots, taut_basis_lo(bezier), p + 1), taut_basis_hi(bezier), p + 1);
+    repeat_knot(repeat_knot(knots, taut_basis_lo(bezier), p + 1), taut_basis_hi(bezier), p + 1);
     return taut_basis_new(&spec, p + 1, bspline, error);
 }
 

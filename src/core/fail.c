@@ -7,8 +7,8 @@
 
 const double taut_none = (double)NAN;
 
-static void fill(taut_error *error, taut_status status, const char *reason, const char *where,
-                 double found, double limit)
+static void fill_error(taut_error *error, taut_status status, const char *reason, const char *where,
+                       double found, double limit)
 {
     error->status = status;
     snprintf(error->reason, sizeof error->reason, "%s", reason);
@@ -23,7 +23,7 @@ taut_status taut_fail(taut_error *error, taut_status status, const char *reason,
 {
     if (error != NULL) {
         va_list arguments;
-        fill(error, status, reason, where, found, limit);
+        fill_error(error, status, reason, where, found, limit);
         va_start(arguments, format);
         vsnprintf(error->message, sizeof error->message, format, arguments);
         va_end(arguments);
@@ -38,7 +38,7 @@ taut_status taut_fail_expected(taut_error *error, taut_status status, const char
     if (error != NULL) {
         size_t length = 0;
         va_list arguments;
-        fill(error, status, reason, where, found, taut_none);
+        fill_error(error, status, reason, where, found, taut_none);
         snprintf(error->expected, sizeof error->expected, "%s", expected);
         va_start(arguments, format);
         vsnprintf(error->message, sizeof error->message, format, arguments);

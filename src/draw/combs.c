@@ -14,7 +14,7 @@ static void bend_of(const double *d1, const double *d2, double bend[3])
     }
 }
 
-static double between(double a, double b, int i)
+static double parameter_at(double a, double b, int i)
 {
     const double s = (double)i / (TAUT_COMB_TEETH - 1);
     return fmin(fmax((1 - s) * a + s * b, a), b);
@@ -26,9 +26,9 @@ static void tooth_parameters(const taut_surface *surface, int edge, int i, doubl
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     if (edge < 2) {
         uv[0] = edge == 0 ? taut_basis_lo(u) : taut_basis_hi(u);
-        uv[1] = between(taut_basis_lo(v), taut_basis_hi(v), i);
+        uv[1] = parameter_at(taut_basis_lo(v), taut_basis_hi(v), i);
     } else {
-        uv[0] = between(taut_basis_lo(u), taut_basis_hi(u), i);
+        uv[0] = parameter_at(taut_basis_lo(u), taut_basis_hi(u), i);
         uv[1] = edge == 2 ? taut_basis_lo(v) : taut_basis_hi(v);
     }
 }

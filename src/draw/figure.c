@@ -187,7 +187,7 @@ static long long source_date(void)
 }
 
 /* TAUT_IO when the bytes do not arrive. */
-static taut_status paint(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out)
+static taut_status paint_page(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out)
 {
     char title[512] = "";
     taut_page page = {.kind = kind,
@@ -222,7 +222,7 @@ static taut_status paint(figure *f, const taut_canvas_ops *ops, const char *kind
     return fflush(out) != 0 || ferror(out) ? TAUT_IO : TAUT_OK;
 }
 
-/* What paint() says, in words; errno is of its last write. */
+/* What paint_page() says, in words; errno is of its last write. */
 static taut_status fail_painting(taut_status status, taut_error *error)
 {
     char reason[128] = "the device took no more";
@@ -250,8 +250,8 @@ static taut_status make_scene(figure *f)
     return status == TAUT_OK && is_interrupted(f, 0.7) ? TAUT_INTERRUPTED : status;
 }
 
-static taut_status draw(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out,
-                        taut_error *error)
+static taut_status draw_panes(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out,
+                              taut_error *error)
 {
     const int wide = f->options.colour != TAUT_COLOUR_PLAIN;
     taut_status status = sample_panes(f);
@@ -270,7 +270,7 @@ static taut_status draw(figure *f, const taut_canvas_ops *ops, const char *kind,
     if (status != TAUT_OK) {
         return taut_fail_status(error, status);
     }
-    status = paint(f, ops, kind, out);
+    status = paint_page(f, ops, kind, out);
     return status == TAUT_OK ? TAUT_OK : fail_painting(status, error);
 }
 
@@ -344,7 +344,7 @@ static taut_status draw_models(figure *f, int count, const taut_model *const *mo
         return taut_fail_memory(error);
     }
     status = taut_panes_new(count, models, &f->options, f->arena, &f->panes, error);
-    return status == TAUT_OK ? draw(f, ops, kind, out, error) : status;
+    return status == TAUT_OK ? draw_panes(f, ops, kind, out, error) : status;
 }
 
 taut_status taut_draw_figures(int count, const taut_model *const *models,

@@ -7,7 +7,8 @@ static const taut_ink line_ink = {44, 48, 60};
 static const double line_width = 1.0, zero_width = 2.0;
 
 /* The points on the sides of a triangle where s = level; 2, or 0. */
-static int crossings(const double *const p[3], const double s[3], double level, double at[2][3])
+static int find_crossings(const double *const p[3], const double s[3], double level,
+                          double at[2][3])
 {
     int count = 0;
     for (int k = 0; k < 3; k++) {
@@ -36,7 +37,7 @@ static void add_triangle(const double *const p[3], const double s[3], double ste
     const int to = (int)fmin(last, floor(fmin(high / step, last)));
     for (int k = from; k <= to; k++) {
         double at[2][3];
-        if (crossings(p, s, k * step, at) == 2) {
+        if (find_crossings(p, s, k * step, at) == 2) {
             taut_scene_line(scene, 2, at[0], line_ink, k == 0 ? zero_width : line_width);
         }
     }

@@ -136,7 +136,7 @@ taut_status taut_band_factor(taut_band *band)
     return TAUT_OK;
 }
 
-static void reverse(int n, double *x)
+static void reverse_order(int n, double *x)
 {
     for (int i = 0, j = n - 1; i < j; i++, j--) {
         const double xi = x[i];
@@ -152,7 +152,7 @@ static void solve_wide(const taut_band *factor, double *x)
     const taut_kernel *kernel = taut_kernel_best();
     const int n = factor->n, w = factor->width;
 
-    reverse(n, x);
+    reverse_order(n, x);
     for (int i = 1; i < n; i++) {
         const size_t reach = (size_t)(i < w ? i : w);
         x[n - 1 - i] -= kernel->dot(reach, taut_band_row(factor, i) + 1, x + (n - i));
@@ -164,7 +164,7 @@ static void solve_wide(const taut_band *factor, double *x)
         const size_t reach = (size_t)(i < w ? i : w);
         kernel->add_scaled(reach, -x[n - 1 - i], taut_band_row(factor, i) + 1, x + (n - i));
     }
-    reverse(n, x);
+    reverse_order(n, x);
 }
 
 void taut_band_solve(const taut_band *factor, int count, double *x)

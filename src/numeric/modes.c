@@ -68,7 +68,7 @@ static taut_status split_by_parity(const taut_band *a, taut_band *even, taut_ban
     return TAUT_OK;
 }
 
-static size_t slivers(int count, int tile_rows)
+static size_t sliver_count(int count, int tile_rows)
 {
     return ((size_t)count + (size_t)tile_rows - 1) / (size_t)tile_rows;
 }
@@ -81,15 +81,15 @@ static taut_status pack_vectors(const double *vectors, int pairs, const taut_ker
     const size_t t = (size_t)kernel->tile_rows, count = (size_t)part->count,
                  rows = (size_t)part->rows;
     part->synthesis =
-        taut_alloc_aligned(slivers(part->rows, kernel->tile_rows) * count, t * sizeof(double));
+        taut_alloc_aligned(sliver_count(part->rows, kernel->tile_rows) * count, t * sizeof(double));
     part->analysis =
-        taut_alloc_aligned(slivers(part->count, kernel->tile_rows) * rows, t * sizeof(double));
+        taut_alloc_aligned(sliver_count(part->count, kernel->tile_rows) * rows, t * sizeof(double));
     if (part->synthesis == NULL || part->analysis == NULL) {
         return TAUT_NO_MEMORY;
     }
-    memset(part->synthesis + (slivers(part->rows, kernel->tile_rows) - 1) * count * t, 0,
+    memset(part->synthesis + (sliver_count(part->rows, kernel->tile_rows) - 1) * count * t, 0,
            count * t * sizeof(double));
-    memset(part->analysis + (slivers(part->count, kernel->tile_rows) - 1) * rows * t, 0,
+    memset(part->analysis + (sliver_count(part->count, kernel->tile_rows) - 1) * rows * t, 0,
            rows * t * sizeof(double));
     for (size_t j = 0; j < count; j++) {
         double *analysis = part->analysis + j / t * rows * t + j % t;

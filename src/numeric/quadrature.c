@@ -9,7 +9,7 @@
 #include <math.h>
 
 /* P_n(x) and its derivative at |x| < 1. */
-static void legendre(int n, double x, double *value, double *slope)
+static void evaluate_legendre(int n, double x, double *value, double *slope)
 {
     double before = 1, now = x;
     for (int k = 1; k < n; k++) {
@@ -32,7 +32,7 @@ void taut_gauss_rule(int count, double *nodes, double *weights)
         double x = (1 - (n - 1) / (8 * n * n * n)) * cos(angle);
         double value = 0, slope = 1;
         for (int step = 0; step < 8; step++) {
-            legendre(count, x, &value, &slope);
+            evaluate_legendre(count, x, &value, &slope);
             x -= value / slope;
             if (fabs(value / slope) < 1e-16) {
                 break;
@@ -41,7 +41,7 @@ void taut_gauss_rule(int count, double *nodes, double *weights)
         if (2 * i + 1 == count) {
             x = 0;
         }
-        legendre(count, x, &value, &slope);
+        evaluate_legendre(count, x, &value, &slope);
         nodes[count - 1 - i] = x;
         nodes[i] = -x;
         weights[i] = weights[count - 1 - i] = 2 / ((1 - x) * (1 + x) * slope * slope);

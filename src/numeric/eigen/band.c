@@ -215,8 +215,8 @@ struct work {
     double *scratch;                 /* [3][n] */
 };
 
-static taut_status solve(const taut_band *k, const taut_band *m, struct work *work,
-                         taut_eigenpairs *pairs)
+static taut_status solve_pencil(const taut_band *k, const taut_band *m, struct work *work,
+                                taut_eigenpairs *pairs)
 {
     taut_status status = check_definite(m);
     if (status != TAUT_OK) {
@@ -262,7 +262,7 @@ taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *valu
     taut_eigenpairs pairs = {k->n, values, vectors, work.noise, work.residual};
     taut_status status = taut_arena_status(arena);
     if (status == TAUT_OK) {
-        status = solve(k, m, &work, &pairs);
+        status = solve_pencil(k, m, &work, &pairs);
     }
     clear_pencil(&work.pencil);
     taut_arena_free(arena);
