@@ -128,21 +128,6 @@ static taut_status bezier_elevate(const taut_basis *basis, taut_change **change,
     return status;
 }
 
-static taut_status bezier_reverse(const taut_basis *basis, taut_change **change, taut_error *error)
-{
-    return taut_change_select(&basis->spec, 0, 0, 1, change, error);
-}
-
-static taut_status bezier_rerange(const taut_basis *basis, double lo, double hi,
-                                  taut_change **change, taut_error *error)
-{
-    taut_basis_spec spec = basis->spec;
-    spec.has_range = 1;
-    spec.range[0] = lo;
-    spec.range[1] = hi;
-    return taut_change_select(&spec, 0, 0, 0, change, error);
-}
-
 static taut_status bezier_to_bspline(const taut_basis *basis, int panels, const double *ends,
                                      taut_change **change, taut_error *error)
 {
@@ -165,8 +150,8 @@ static const taut_change_ops bezier_changes = {
     .halve = bezier_halve,
     .insert = bezier_insert,
     .elevate = bezier_elevate,
-    .reverse = bezier_reverse,
-    .rerange = bezier_rerange,
+    .reverse = taut_change_reverse,
+    .rerange = taut_change_rerange,
     .to_bspline = bezier_to_bspline,
     .growth = NULL,
 };

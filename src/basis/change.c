@@ -149,6 +149,21 @@ taut_status taut_change_whole(const taut_basis *basis, taut_change_list *list, t
     return taut_change_list_done(status, list);
 }
 
+taut_status taut_change_reverse(const taut_basis *basis, taut_change **change, taut_error *error)
+{
+    return taut_change_select(&basis->spec, 0, 0, 1, change, error);
+}
+
+taut_status taut_change_rerange(const taut_basis *basis, double lo, double hi, taut_change **change,
+                                taut_error *error)
+{
+    taut_basis_spec spec = basis->spec;
+    spec.has_range = 1;
+    spec.range[0] = lo;
+    spec.range[1] = hi;
+    return taut_change_select(&spec, 0, 0, 0, change, error);
+}
+
 void taut_change_apply(const taut_change *change, size_t blocks, int old_count, size_t inner,
                        const double *in, double *out)
 {

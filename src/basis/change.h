@@ -67,8 +67,12 @@ double *taut_change_row(const taut_change *change, int i);
 /* new[i] = old[from + i], or old[from + count - 1 - i] when reversed. */
 taut_status taut_change_select(const taut_basis_spec *to, int functions, int from, int reversed,
                                taut_change **change, taut_error *error);
-/* As taut_change_ops.pieces of a basis that is its own only piece. */
+/* As taut_change_ops.pieces of a basis that is its own only piece; as reverse and rerange where the
+ * range is a member of the spec and the functions are symmetric. */
 taut_status taut_change_whole(const taut_basis *basis, taut_change_list *list, taut_error *error);
+taut_status taut_change_reverse(const taut_basis *basis, taut_change **change, taut_error *error);
+taut_status taut_change_rerange(const taut_basis *basis, double lo, double hi, taut_change **change,
+                                taut_error *error);
 
 /* First `a`, then `b`. */
 taut_status taut_change_compose(const taut_change *a, const taut_change *b, taut_change **change,

@@ -3,6 +3,7 @@
  * [XuWang2006] sections 3 and 4; the formulas of a segment are in quasi_kernel.h. */
 #include "basis/quasi.h"
 
+#include "core/constants.h"
 #include "core/fail.h"
 
 #include <assert.h>
@@ -35,7 +36,7 @@ static const taut_quasi_kind circular = {
     .length = alpha_of,
     .set_length = set_alpha,
     .where = "/alpha",
-    .longest = 3.14159265358979311600,
+    .longest = TAUT_PI,
     .longest_bspline = 0,
     .bezier = "c-bezier",
     .bspline = "c-bspline",

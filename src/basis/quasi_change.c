@@ -289,22 +289,6 @@ static taut_status quasi_bezier_halve(const taut_basis *basis, taut_change **cha
     return TAUT_OK;
 }
 
-static taut_status quasi_reverse(const taut_basis *basis, taut_change **change, taut_error *error)
-{
-    return taut_change_select(&basis->spec, 0, 0, 1, change, error);
-}
-
-/* Only translations: the plan of the type refuses any other length. */
-static taut_status quasi_rerange(const taut_basis *basis, double lo, double hi,
-                                 taut_change **change, taut_error *error)
-{
-    taut_basis_spec spec = basis->spec;
-    spec.has_range = 1;
-    spec.range[0] = lo;
-    spec.range[1] = hi;
-    return taut_change_select(&spec, 0, 0, 0, change, error);
-}
-
 /* knots[0 .. 3 N + 8]: six at each end, three at each of the N - 1 inner panel ends. */
 static void fill_hermite_knots(int panels, const double *ends, double *knots)
 {
@@ -374,8 +358,8 @@ const taut_change_ops taut_quasi_bezier_changes = {
     .halve = quasi_bezier_halve,
     .insert = NULL,
     .elevate = NULL,
-    .reverse = quasi_reverse,
-    .rerange = quasi_rerange,
+    .reverse = taut_change_reverse,
+    .rerange = taut_change_rerange, /* by translation: plan refuses another length */
     .to_bspline = quasi_to_bspline,
     .growth = quasi_growth,
 };
@@ -386,8 +370,8 @@ const taut_change_ops taut_quasi_bspline_changes = {
     .halve = quasi_bspline_halve,
     .insert = NULL,
     .elevate = NULL,
-    .reverse = quasi_reverse,
-    .rerange = quasi_rerange,
+    .reverse = taut_change_reverse,
+    .rerange = taut_change_rerange, /* by translation: plan refuses another length */
     .to_bspline = quasi_to_bspline,
     .growth = quasi_growth,
 };

@@ -1,5 +1,6 @@
 #include "numeric/band.h"
 
+#include "core/constants.h"
 #include "core/memory.h"
 #include "numeric/kernel/kernel.h"
 
@@ -10,8 +11,6 @@
 
 /* Largest n * (width + 1): keeps every index computation far from overflow. */
 static const size_t entries_max = (size_t)1 << 40;
-
-static const double unit_roundoff = 0x1p-53;
 
 enum { WIDE = 32 }; /* half-width from which the vector kernels pay */
 
@@ -129,7 +128,7 @@ taut_status taut_band_factor(taut_band *band)
             row[d] = u / taut_band_row(band, i - d)[0];
             row[0] -= u * row[d];
         }
-        if (!(row[0] > 8.0 * n * unit_roundoff * diagonal)) {
+        if (!(row[0] > 8.0 * n * TAUT_UNIT_ROUNDOFF * diagonal)) {
             return TAUT_NO_SOLUTION;
         }
     }

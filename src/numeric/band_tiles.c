@@ -9,14 +9,13 @@
  */
 #include "numeric/band.h"
 
+#include "core/constants.h"
 #include "numeric/kernel/kernel.h"
 
 #include <assert.h>
 #include <string.h>
 
 enum { DEPTH = 32, PAD = 64 }; /* PAD: more than a tile is wide, so that the last may stick out */
-
-static const double unit_roundoff = 0x1p-53;
 
 /* Of one block of columns first..end-1. Row r of the rest is row end + r of the matrix. */
 typedef struct block {
@@ -58,7 +57,7 @@ static taut_status factor_corner(const block *b)
             row[d] = u / taut_band_row(b->band, i - d)[0];
             row[0] -= u * row[d];
         }
-        if (!(row[0] > 8.0 * b->band->n * unit_roundoff * b->before[i])) {
+        if (!(row[0] > 8.0 * b->band->n * TAUT_UNIT_ROUNDOFF * b->before[i])) {
             return TAUT_NO_SOLUTION;
         }
     }

@@ -5,6 +5,8 @@
  */
 #include "numeric/quadrature.h"
 
+#include "core/constants.h"
+
 #include <assert.h>
 #include <math.h>
 
@@ -23,11 +25,9 @@ static void evaluate_legendre(int n, double x, double *value, double *slope)
 
 void taut_gauss_rule(int count, double *nodes, double *weights)
 {
-    const double pi = 3.14159265358979323846;
-
     assert(count >= 1 && count <= TAUT_GAUSS_MAX);
     for (int i = 0; i < (count + 1) / 2; i++) {
-        const double angle = pi * (4.0 * i + 3) / (4.0 * count + 2);
+        const double angle = TAUT_PI * (4.0 * i + 3) / (4.0 * count + 2);
         const double n = count;
         double x = (1 - (n - 1) / (8 * n * n * n)) * cos(angle);
         double value = 0, slope = 1;

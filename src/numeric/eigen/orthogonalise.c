@@ -6,14 +6,13 @@
  * neighbourhood. */
 #include "numeric/eigen/internal.h"
 
+#include "core/constants.h"
 #include <math.h>
 #include <string.h>
 
 /* Largest loss of orthogonality left to itself, as bounded by the worst case; rounding errors have
  * random signs, so what is seen is smaller by about sqrt(n). */
 static const double tolerated = 0x1p-46;
-
-static const double unit_roundoff = 0x1p-53;
 
 enum { STEPS = 6 }; /* of inverse iteration, for a vector that is computed again */
 
@@ -46,7 +45,7 @@ static double purge_vector(const taut_diagonals *m, const taut_eigenpairs *pairs
     for (int i = first; i < j; i++) {
         const double *xi = taut_eigen_vector(pairs, i);
         const double part = kernel->dot(m->n, xi, mx);
-        if (fabs(part) > 4.0 * unit_roundoff * before) {
+        if (fabs(part) > 4.0 * TAUT_UNIT_ROUNDOFF * before) {
             changed = 1;
             kernel->add_scaled(m->n, -part, xi, x);
         }
@@ -101,8 +100,8 @@ static void factor_pivoted(const taut_pencil *pencil, double shift, struct pivot
             row[c] = other[c];
             other[c] = swap;
         }
-        if (fabs(row[0]) < unit_roundoff * unit_roundoff * pencil->norm) {
-            row[0] = unit_roundoff * unit_roundoff * pencil->norm;
+        if (fabs(row[0]) < TAUT_UNIT_ROUNDOFF * TAUT_UNIT_ROUNDOFF * pencil->norm) {
+            row[0] = TAUT_UNIT_ROUNDOFF * TAUT_UNIT_ROUNDOFF * pencil->norm;
         }
         /* every row i+1..last starts at column i by now; eliminate and move it one column on */
         for (int r = i + 1; r <= last; r++) {
@@ -186,9 +185,9 @@ static void recompute_pair(const taut_pencil *pencil, const taut_diagonals *m, i
 static int first_neighbour(const taut_eigenpairs *pairs, int j)
 {
     int first = j;
-    const double noise = unit_roundoff * pairs->noise[j];
+    const double noise = TAUT_UNIT_ROUNDOFF * pairs->noise[j];
     while (first > 0 && pairs->values[j] - pairs->values[first - 1] <=
-                            (noise + unit_roundoff * pairs->noise[first - 1]) / tolerated) {
+                            (noise + TAUT_UNIT_ROUNDOFF * pairs->noise[first - 1]) / tolerated) {
         first--;
     }
     return first;
