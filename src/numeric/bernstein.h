@@ -3,9 +3,9 @@
  *     B[n,i](t) = C(n,i) t^i (1-t)^(n-i),    i = 0..n,        a(t) = sum_i a_i B[n,i](t)
  *
  * A polynomial of degree p with values in R^dim is double[p + 1][dim]. No power basis anywhere
- * ([Farouki2012] section 4): every operation keeps the coefficients' relative accuracy or says what it
- * loses. Nothing allocates. src/certify has its own algebra on purpose, so that what it proves does
- * not rest on what it checks.
+ * ([Farouki2012] section 4): every operation keeps the coefficients' relative accuracy or says what
+ * it loses. Nothing allocates. src/certify has its own algebra on purpose, so that what it proves
+ * does not rest on what it checks.
  */
 #ifndef TAUT_NUMERIC_BERNSTEIN_H
 #define TAUT_NUMERIC_BERNSTEIN_H
