@@ -57,6 +57,16 @@ typedef struct taut_basis_spec {
     double range[2];
 } taut_basis_spec;
 
+/* What can be wrong with a basis, or with a change of it, besides what is of any document
+ * (TAUT_DOCUMENT_REASON_LIST in taut/read.h): word, meaning, remedy. */
+#define TAUT_BASIS_REASON_LIST(X)                                                                  \
+    X("knots", "the knots decrease, are not clamped, or repeat more often than the degree allows", \
+      "give knots that do not decrease, the ends degree + 1 times, inner ones at most degree")     \
+    X("short-span", "a span is, or would become, too short to tell parameters apart in it",        \
+      "take breaks, or a cut, further apart")                                                      \
+    X("dependent", "a c-bspline of segments of pi or longer has dependent functions",              \
+      "use more segments, each at most 2.5, say")
+
 /* Makes a basis. `functions` is the number of control points it must serve, or 0 if not known yet;
  * a bspline needs it to tell the two knot forms apart (0 takes the full form).
  * TAUT_BAD_INPUT: the spec is illegal; error->where is the member, such as "/knots/3", "" where it

@@ -44,9 +44,7 @@ extern "C" {
       "export it again")                                                                           \
     X("library", "OpenCASCADE failed over a file or a model", "try the other of STEP and IGES")    \
     X("process", "OpenCASCADE cannot be started in a process of its own",                          \
-      "let the process have more files and children")                                              \
-    X("not-there", "the part of taut that does this is not installed",                             \
-      "install the package that the message names, and build taut again")
+      "let the process have more files and children")
 
 /* Colour of the surfaces in figures: none, H, K, or how far the parametrisation is from isothermal,
  * sqrt((E-G)^2 + 4 F^2) / (E+G) in [0, 1], 0 where it is. */

@@ -58,7 +58,7 @@ static taut_status check_spec(const taut_basis_ops *ops, const taut_basis_spec *
         }
     }
     if ((members_given(spec) & ~(ops->needs | ops->allows)) != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "unknown-member", "", taut_none, taut_none,
                          "a basis of type \"%s\" was given a member it does not have", ops->type);
     }
     if (((ops->needs | ops->allows) & TAUT_MEMBER_DEGREE) != 0 &&
@@ -114,7 +114,7 @@ static taut_status check_breaks(const taut_basis *basis, taut_error *error)
                              TAUT_PARAMETER_MAX);
         }
         if (i > 0 && !(now - basis->breaks[i - 1] >= TAUT_SPAN_MIN)) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, now - basis->breaks[i - 1],
+            return taut_fail(error, TAUT_BAD_INPUT, "short-span", where, now - basis->breaks[i - 1],
                              TAUT_SPAN_MIN, "the span from %.17g to %.17g is narrower than %g",
                              basis->breaks[i - 1], now, TAUT_SPAN_MIN);
         }
@@ -136,19 +136,20 @@ taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basi
     }
     ops = taut_basis_ops_find(spec->type);
     if (ops == NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/type", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "name", "/type", taut_none, taut_none,
                          "there is no basis of type \"%.40s\"",
                          spec->type != NULL ? spec->type : "");
     }
     status = check_spec(ops, spec, error);
-    if (status == TAUT_OK) {
-        status = ops->plan(spec, functions, &shape, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = ops->plan(ops, spec, functions, &shape, error);
     if (status != TAUT_OK) {
         return status;
     }
     if (shape.count > TAUT_COUNT_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "", shape.count, TAUT_COUNT_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "", shape.count, TAUT_COUNT_MAX,
                          "a basis of %d functions, expected at most %d", shape.count,
                          TAUT_COUNT_MAX);
     }

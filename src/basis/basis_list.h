@@ -1,5 +1,5 @@
 /* basis_list.h -- every basis taut knows, sorted by name. One line adds one: its file exports
- * `const taut_basis_ops taut_basis_<name>` and nothing else. */
+ * `const taut_basis_ops taut_basis_<identifier>`. */
 #ifndef TAUT_BASIS_LIST_H
 #define TAUT_BASIS_LIST_H
 

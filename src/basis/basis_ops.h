@@ -27,6 +27,7 @@ typedef struct taut_basis_shape {
 } taut_basis_shape;
 
 struct taut_change_ops; /* change.h */
+struct taut_quasi_kind; /* quasi.h */
 
 typedef struct taut_basis_ops {
     const char *type;
@@ -38,8 +39,8 @@ typedef struct taut_basis_ops {
                         spans */
     /* Is the spec legal? Fills the shape. `functions` as in taut_basis_new. Members present, degree
      * within its limit and all numbers finite have been checked already. */
-    taut_status (*plan)(const taut_basis_spec *spec, int functions, taut_basis_shape *shape,
-                        taut_error *error);
+    taut_status (*plan)(const struct taut_basis_ops *ops, const taut_basis_spec *spec,
+                        int functions, taut_basis_shape *shape, taut_error *error);
     /* Fills basis->breaks, ->first, ->knots, ->data (shape and spec are in place). Cannot fail. */
     void (*fill)(taut_basis *basis);
     /* values[k][a], k = 0..order, a = 0..local-1, at t of the closed span. */
@@ -52,6 +53,7 @@ typedef struct taut_basis_ops {
      * not among the functions. */
     void (*linear)(const taut_basis *basis, double *t);
     const struct taut_change_ops *changes; /* splitting, refining and so on */
+    const struct taut_quasi_kind *quasi;   /* which of the c- and h- bases; NULL for others */
 } taut_basis_ops;
 
 enum { TAUT_BASIS_DATA = 24 };

@@ -1,11 +1,13 @@
-/* bezier.c -- Bernstein polynomials on a range: N_i(t) = B[n,i]((t-lo)/(hi-lo)). */
-#include "basis/basis_ops.h"
-#include "basis/bernstein.h"
+/* bezier.c -- Bernstein polynomials on a range: N_i(t) = B[n,i]((t-lo)/(hi-lo)). Splitting and degree
+ * elevation are those of the coefficients; the rest goes through the bspline basis of one span,
+ * which has the same coefficients. */
 #include "basis/change.h"
+#include "numeric/bernstein.h"
 
-static taut_status bezier_plan(const taut_basis_spec *spec, int functions, taut_basis_shape *shape,
-                               taut_error *error)
+static taut_status bezier_plan(const taut_basis_ops *ops, const taut_basis_spec *spec,
+                               int functions, taut_basis_shape *shape, taut_error *error)
 {
+    (void)ops;
     (void)functions;
     (void)error;
     *shape = (taut_basis_shape){spec->degree + 1, spec->degree + 1, 1, 0, spec->degree};
@@ -49,6 +51,111 @@ static void bezier_linear(const taut_basis *basis, double *t)
     }
 }
 
+/* The low piece has b_i = sum_j B[i,j](s) P_j, the high one b_i = sum_j B[n-i,j](s) P_{i+j}: de
+ * Casteljau's triangle written out ([Farin2002] section 5.4). */
+static taut_status fill_split(const taut_basis *basis, double t, taut_change_list *list,
+                              taut_error *error)
+{
+    const int n = basis->spec.degree;
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    const double s = (t - lo) / (hi - lo), ends[3] = {lo, t, hi};
+    taut_status status = taut_change_list_new(2, list, error);
+
+    for (int k = 0; status == TAUT_OK && k < 2; k++) {
+        const taut_basis_spec piece = {
+            .type = "bezier", .degree = n, .has_range = 1, .range = {ends[k], ends[k + 1]}};
+        status = taut_change_new(&piece, 0, n + 1, &list->items[k], error);
+    }
+    for (int i = 0; status == TAUT_OK && i <= n; i++) {
+        taut_bernstein_eval(i, 0, s, taut_change_row(list->items[0], i));
+        taut_bernstein_eval(n - i, 0, s, taut_change_row(list->items[1], i) + i);
+    }
+    return status;
+}
+
+static taut_status bezier_split(const taut_basis *basis, double t, taut_change_list *list,
+                                taut_error *error)
+{
+    return taut_change_list_done(fill_split(basis, t, list, error), list);
+}
+
+static taut_status bezier_halve(const taut_basis *basis, taut_change **change, taut_error *error)
+{
+    taut_basis *bspline = NULL;
+    taut_status status = taut_bspline_of_bezier(basis, &bspline, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_bspline_changes.halve(bspline, change, error);
+    taut_basis_free(bspline);
+    return status;
+}
+
+static taut_status bezier_insert(const taut_basis *basis, double t, int times, taut_change **change,
+                                 taut_error *error)
+{
+    taut_basis *bspline = NULL;
+    taut_status status = taut_bspline_of_bezier(basis, &bspline, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_bspline_changes.insert(bspline, t, times, change, error);
+    taut_basis_free(bspline);
+    return status;
+}
+
+/* b_i = i/(n+1) P_{i-1} + (1 - i/(n+1)) P_i ([Farin2002] section 6.1). */
+static taut_status bezier_elevate(const taut_basis *basis, taut_change **change, taut_error *error)
+{
+    const int n = basis->spec.degree;
+    taut_basis_spec spec = basis->spec;
+    taut_status status = TAUT_OK;
+
+    spec.degree = n + 1;
+    status = taut_change_new(&spec, 0, 2, change, error);
+    for (int i = 0; status == TAUT_OK && i <= n + 1; i++) {
+        const double part = (double)i / (n + 1);
+        double *row = taut_change_row(*change, i);
+        const int first = i == 0 ? 0 : i > n ? n - 1 : i - 1;
+        (*change)->first[i] = first;
+        if (i > 0) {
+            row[i - 1 - first] = part;
+        }
+        if (i <= n) {
+            row[i - first] = 1 - part;
+        }
+    }
+    return status;
+}
+
+static taut_status bezier_to_bspline(const taut_basis *basis, int panels, const double *ends,
+                                     taut_change **change, taut_error *error)
+{
+    taut_basis *bspline = NULL;
+    taut_status status = taut_bspline_of_bezier(basis, &bspline, error);
+
+    (void)panels;
+    (void)ends;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_change_select(&bspline->spec, 0, 0, 0, change, error);
+    taut_basis_free(bspline);
+    return status;
+}
+
+static const taut_change_ops bezier_changes = {
+    .split = bezier_split,
+    .pieces = taut_change_whole,
+    .halve = bezier_halve,
+    .insert = bezier_insert,
+    .elevate = bezier_elevate,
+    .reverse = taut_change_reverse,
+    .rerange = taut_change_rerange,
+    .to_bspline = bezier_to_bspline,
+    .growth = NULL,
+};
+
 const taut_basis_ops taut_basis_bezier = {
     .type = "bezier",
     .needs = TAUT_MEMBER_DEGREE,
@@ -58,5 +165,5 @@ const taut_basis_ops taut_basis_bezier = {
     .fill = bezier_fill,
     .eval = bezier_eval,
     .linear = bezier_linear,
-    .changes = &taut_changes_bezier,
+    .changes = &bezier_changes,
 };

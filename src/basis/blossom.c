@@ -65,7 +65,7 @@ static int interval_of(const double *knots, int degree, int count, double x)
 }
 
 /* How often x is among the window's knots. */
-static int multiplicity(const taut_blossom *b, double x)
+static int multiplicity_of(const taut_blossom *b, double x)
 {
     int times = 0;
     for (int i = 0; i < b->knot_count; i++) {
@@ -76,10 +76,10 @@ static int multiplicity(const taut_blossom *b, double x)
 
 /* d'_i = a_i d_i + (1 - a_i) d_{i-1}, a_i = (x - t_i) / (t_{i+p} - t_i) for q-p < i <= q-s, where
  * t_q <= x < t_{q+1} and x has multiplicity s already. */
-static void insert(taut_blossom *b, double x)
+static void insert_knot(taut_blossom *b, double x)
 {
     const int p = b->degree;
-    const int s = multiplicity(b, x);
+    const int s = multiplicity_of(b, x);
     const size_t bytes = (size_t)b->columns * sizeof(double);
     int q = b->knot_count - 1;
 
@@ -104,7 +104,7 @@ static void insert(taut_blossom *b, double x)
 }
 
 /* The first i with knots i+1 .. i+p of the window equal to x. */
-static int find(const taut_blossom *b, const double *x)
+static int find_row(const taut_blossom *b, const double *x)
 {
     int i = 0, same = 0;
     for (; same < b->degree && i < b->row_count; i++) {
@@ -145,11 +145,11 @@ void taut_blossom_row(taut_blossom *b, const double *knots, int count, const dou
     open_window(b, knots, low, high);
     for (int i = 0, run = 0; i < p; i++) {
         run = i > 0 && x[i] == x[i - 1] ? run + 1 : 1;
-        if (multiplicity(b, x[i]) < run) {
-            insert(b, x[i]);
+        if (multiplicity_of(b, x[i]) < run) {
+            insert_knot(b, x[i]);
         }
     }
-    const double *found = row_at(b, find(b, x));
+    const double *found = row_at(b, find_row(b, x));
     while (start < b->columns - p - 1 && found[start] == 0) {
         start++;
     }
@@ -165,8 +165,8 @@ void taut_blossom_piece(taut_blossom *b, const double *knots, int low, double *r
 
     open_window(b, knots, low, low + 1);
     for (int e = 0; e < 2; e++) {
-        while (multiplicity(b, ends[e]) < p) {
-            insert(b, ends[e]);
+        while (multiplicity_of(b, ends[e]) < p) {
+            insert_knot(b, ends[e]);
         }
     }
     while (b->knots[first + p] != ends[0] || b->knots[first + p + 1] == ends[0]) {

@@ -31,7 +31,31 @@ static int knots_dropped(const taut_basis_spec *spec, int functions)
     return functions > 0 && spec->knot_count == functions + spec->degree - 1 ? 1 : 0;
 }
 
-/* Checks the knots one by one; counts non-empty spans. */
+static taut_status check_clamped(const taut_basis_spec *spec, int dropped, int count,
+                                 taut_error *error)
+{
+    const int p = spec->degree;
+    const double lo = full_knot(spec, dropped, 0);
+    const double hi = full_knot(spec, dropped, count + p);
+    if (!(hi > lo) || !isfinite(hi - lo)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "knots", "/knots", hi - lo, 0,
+                         "the knots run from %.17g to %.17g, expected a range that is not empty",
+                         lo, hi);
+    }
+    if (full_knot(spec, dropped, p) != lo || full_knot(spec, dropped, count) != hi) {
+        return taut_fail(error, TAUT_BAD_INPUT, "knots", "/knots", taut_none, p + 1,
+                         "the knots are not clamped: expected the first and the last to come %d "
+                         "times (or once less, without the outermost two)",
+                         p + 1);
+    }
+    if (full_knot(spec, dropped, p + 1) == lo || full_knot(spec, dropped, count - 1) == hi) {
+        return taut_fail(error, TAUT_BAD_INPUT, "knots", "/knots", taut_none, p + 1,
+                         "an end knot comes more than %d times", p + 1);
+    }
+    return TAUT_OK;
+}
+
+/* Checks the ends, then the knots one by one; counts non-empty spans. */
 static taut_status check_knots(const taut_basis_spec *spec, int dropped, int count, int *spans,
                                taut_error *error)
 {
@@ -39,7 +63,11 @@ static taut_status check_knots(const taut_basis_spec *spec, int dropped, int cou
     const int total = count + p + 1;
     char where[48];
     int run = 0; /* how often the current value has come so far */
+    const taut_status status = check_clamped(spec, dropped, count, error);
 
+    if (status != TAUT_OK) {
+        return status;
+    }
     *spans = 0;
     for (int i = 0; i < total; i++) {
         const double knot = full_knot(spec, dropped, i);
@@ -51,14 +79,14 @@ static taut_status check_knots(const taut_basis_spec *spec, int dropped, int cou
                              "a knot is not a finite number");
         }
         if (knot < before) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, knot, before,
+            return taut_fail(error, TAUT_BAD_INPUT, "knots", where, knot, before,
                              "knot %.17g comes after %.17g, expected knots that do not decrease",
                              knot, before);
         }
         run = i > 0 && knot == before ? run + 1 : 1;
         *spans += i > 0 && knot > before;
         if (i > p && i < count && run > p) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, run, p,
+            return taut_fail(error, TAUT_BAD_INPUT, "knots", where, run, p,
                              "inner knot %.17g is repeated %d times, expected at most the degree, "
                              "%d: more would tear the surface",
                              knot, run, p);
@@ -67,51 +95,27 @@ static taut_status check_knots(const taut_basis_spec *spec, int dropped, int cou
     return TAUT_OK;
 }
 
-static taut_status check_clamped(const taut_basis_spec *spec, int dropped, int count,
-                                 taut_error *error)
-{
-    const int p = spec->degree;
-    const double lo = full_knot(spec, dropped, 0);
-    const double hi = full_knot(spec, dropped, count + p);
-    if (!(hi > lo) || !isfinite(hi - lo)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", hi - lo, 0,
-                         "the knots run from %.17g to %.17g, expected a range that is not empty",
-                         lo, hi);
-    }
-    if (full_knot(spec, dropped, p) != lo || full_knot(spec, dropped, count) != hi) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", taut_none, p + 1,
-                         "the knots are not clamped: expected the first and the last to come %d "
-                         "times (or once less, without the outermost two)",
-                         p + 1);
-    }
-    if (full_knot(spec, dropped, p + 1) == lo || full_knot(spec, dropped, count - 1) == hi) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", taut_none, p + 1,
-                         "an end knot comes more than %d times", p + 1);
-    }
-    return TAUT_OK;
-}
-
-static taut_status bspline_plan(const taut_basis_spec *spec, int functions, taut_basis_shape *shape,
-                                taut_error *error)
+static taut_status bspline_plan(const taut_basis_ops *ops, const taut_basis_spec *spec,
+                                int functions, taut_basis_shape *shape, taut_error *error)
 {
     const int p = spec->degree;
     int count = spec->count;
     int spans = 0;
-    taut_status status = TAUT_OK;
 
+    (void)ops;
     if ((spec->knots == NULL) == (spec->count == 0)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "", taut_none, taut_none,
                          "a bspline needs either \"knots\" or \"count\"");
     }
     if (spec->knots != NULL) {
         const int dropped = knots_dropped(spec, functions);
         if (spec->knot_count < 0 || spec->knot_count > TAUT_COUNT_MAX + 2 * TAUT_DEGREE_MAX) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", spec->knot_count,
+            return taut_fail(error, TAUT_BAD_INPUT, "size", "/knots", spec->knot_count,
                              TAUT_COUNT_MAX, "%d knots are too many", spec->knot_count);
         }
         count = spec->knot_count + 2 * dropped - p - 1;
         if (functions > 0 && count != functions) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/knots", spec->knot_count,
+            return taut_fail(error, TAUT_BAD_INPUT, "size", "/knots", spec->knot_count,
                              functions + p + 1,
                              "%d knots, expected %d (or %d without the outermost two) for %d "
                              "points of degree %d",
@@ -119,22 +123,20 @@ static taut_status bspline_plan(const taut_basis_spec *spec, int functions, taut
         }
     }
     if (count < p + 1) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", spec->knots != NULL ? "/knots" : "/count",
+        return taut_fail(error, TAUT_BAD_INPUT, "size", spec->knots != NULL ? "/knots" : "/count",
                          count, p + 1, "%d functions of degree %d, expected at least %d", count, p,
                          p + 1);
     }
     if (spec->knots != NULL) {
-        const int dropped = knots_dropped(spec, functions);
-        status = check_clamped(spec, dropped, count, error);
-        if (status == TAUT_OK) {
-            status = check_knots(spec, dropped, count, &spans, error);
+        const taut_status status =
+            check_knots(spec, knots_dropped(spec, functions), count, &spans, error);
+        if (status != TAUT_OK) {
+            return status;
         }
-    } else {
-        spans = count - p;
     }
-    *shape =
-        (taut_basis_shape){count, p + 1, spans, count <= TAUT_COUNT_MAX ? count + p + 1 : 0, p};
-    return status;
+    *shape = (taut_basis_shape){count, p + 1, spec->knots != NULL ? spans : count - p,
+                                count <= TAUT_COUNT_MAX ? count + p + 1 : 0, p};
+    return TAUT_OK;
 }
 
 static void bspline_fill(taut_basis *basis)
@@ -189,7 +191,7 @@ static void raise_degree(int m, const double *left, const double *right, double 
 
 /* b[0..m-1] holds functions of degree m-1 on entry, derivatives of those of degree m on return:
  *     N'_{r,m} = m (N_{r-1,m-1} / (t_{i+r} - t_{i+r-m}) - N_{r,m-1} / (t_{i+r+1} - t_{i+r+1-m})) */
-static void differentiate(int m, const double *inverse, double *b)
+static void differentiate_row(int m, const double *inverse, double *b)
 {
     double below = m * b[m - 1] * inverse[m - 1];
     b[m] = below;
@@ -226,7 +228,7 @@ static void bspline_eval_beside(const taut_basis *basis, int span, double t, dou
             continue;
         }
         for (int m = p - k + 1; m <= p; m++) {
-            differentiate(m, inverse[p - m], row);
+            differentiate_row(m, inverse[p - m], row);
         }
     }
 }
@@ -258,5 +260,5 @@ const taut_basis_ops taut_basis_bspline = {
     .eval = bspline_eval,
     .eval_beside = bspline_eval_beside,
     .linear = bspline_linear,
-    .changes = &taut_changes_bspline,
+    .changes = &taut_bspline_changes,
 };

@@ -5,26 +5,28 @@
 
 #include <string.h>
 
+static taut_status fill_change(const taut_basis_spec *to, int functions, int width,
+                               taut_change *change, taut_error *error)
+{
+    const taut_status status = taut_basis_new(to, functions, &change->to, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const size_t count = (size_t)taut_basis_count(change->to);
+    change->width = width;
+    change->first = taut_alloc_zero(count, sizeof(int));
+    change->rows = taut_alloc_zero(count * (size_t)width, sizeof(double));
+    return change->first != NULL && change->rows != NULL ? TAUT_OK : taut_fail_memory(error);
+}
+
 taut_status taut_change_new(const taut_basis_spec *to, int functions, int width,
                             taut_change **change, taut_error *error)
 {
     taut_change *made = taut_alloc_zero(1, sizeof *made);
-    taut_status status = TAUT_OK;
-    size_t count = 0;
-
     if (made == NULL) {
         return taut_fail_memory(error);
     }
-    status = taut_basis_new(to, functions, &made->to, error);
-    if (status == TAUT_OK) {
-        count = (size_t)taut_basis_count(made->to);
-        made->width = width;
-        made->first = taut_alloc_zero(count, sizeof(int));
-        made->rows = taut_alloc_zero(count * (size_t)width, sizeof(double));
-        if (made->first == NULL || made->rows == NULL) {
-            status = taut_fail_memory(error);
-        }
-    }
+    const taut_status status = fill_change(to, functions, width, made, error);
     if (status != TAUT_OK) {
         taut_change_free(made);
         return status;
@@ -52,18 +54,19 @@ taut_status taut_change_select(const taut_basis_spec *to, int functions, int fro
                                taut_change **change, taut_error *error)
 {
     const taut_status status = taut_change_new(to, functions, 1, change, error);
-    if (status == TAUT_OK) {
-        const int count = taut_basis_count((*change)->to);
-        for (int i = 0; i < count; i++) {
-            (*change)->first[i] = from + (reversed ? count - 1 - i : i);
-            (*change)->rows[i] = 1;
-        }
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    const int count = taut_basis_count((*change)->to);
+    for (int i = 0; i < count; i++) {
+        (*change)->first[i] = from + (reversed ? count - 1 - i : i);
+        (*change)->rows[i] = 1;
+    }
+    return TAUT_OK;
 }
 
 /* The old coefficients that row i of b, through a, takes: [*low, *high). */
-static void reach(const taut_change *a, const taut_change *b, int i, int *low, int *high)
+static void reach_of_row(const taut_change *a, const taut_change *b, int i, int *low, int *high)
 {
     const double *row = taut_change_row(b, i);
     *low = -1;
@@ -88,7 +91,7 @@ taut_status taut_change_compose(const taut_change *a, const taut_change *b, taut
 
     for (int i = 0; i < count; i++) {
         int low = 0, high = 0;
-        reach(a, b, i, &low, &high);
+        reach_of_row(a, b, i, &low, &high);
         width = high - low > width ? high - low : width;
     }
     taut_basis_spec_of(b->to, &spec);
@@ -97,7 +100,7 @@ taut_status taut_change_compose(const taut_change *a, const taut_change *b, taut
         const double *row = taut_change_row(b, i);
         double *sum = taut_change_row(*change, i);
         int low = 0, high = 0;
-        reach(a, b, i, &low, &high);
+        reach_of_row(a, b, i, &low, &high);
         (*change)->first[i] = low;
         for (int m = 0; m < b->width; m++) {
             const int middle = b->first[i] + m;
@@ -126,6 +129,39 @@ void taut_change_list_free(taut_change_list *list)
     }
     taut_free(list->items);
     *list = (taut_change_list){0, NULL};
+}
+
+taut_status taut_change_list_done(taut_status status, taut_change_list *list)
+{
+    if (status != TAUT_OK) {
+        taut_change_list_free(list);
+    }
+    return status;
+}
+
+taut_status taut_change_whole(const taut_basis *basis, taut_change_list *list, taut_error *error)
+{
+    taut_status status = taut_change_list_new(1, list, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_change_select(&basis->spec, 0, 0, 0, &list->items[0], error);
+    return taut_change_list_done(status, list);
+}
+
+taut_status taut_change_reverse(const taut_basis *basis, taut_change **change, taut_error *error)
+{
+    return taut_change_select(&basis->spec, 0, 0, 1, change, error);
+}
+
+taut_status taut_change_rerange(const taut_basis *basis, double lo, double hi, taut_change **change,
+                                taut_error *error)
+{
+    taut_basis_spec spec = basis->spec;
+    spec.has_range = 1;
+    spec.range[0] = lo;
+    spec.range[1] = hi;
+    return taut_change_select(&spec, 0, 0, 0, change, error);
 }
 
 void taut_change_apply(const taut_change *change, size_t blocks, int old_count, size_t inner,

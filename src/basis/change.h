@@ -54,7 +54,7 @@ typedef struct taut_change_ops {
                               taut_change **change, taut_error *error);
     /* Only where to_bspline is not exact. The sixth derivative of such functions is the second one,
      * y; within `reach` of m, |y(t)| <= at |y(m)| + slope |y'(m)|. */
-    void (*growth)(double reach, double *at, double *slope);
+    void (*growth)(const taut_basis *basis, double reach, double *at, double *slope);
 } taut_change_ops;
 
 /* A change to the basis of this spec, all rows zero. */
@@ -67,10 +67,12 @@ double *taut_change_row(const taut_change *change, int i);
 /* new[i] = old[from + i], or old[from + count - 1 - i] when reversed. */
 taut_status taut_change_select(const taut_basis_spec *to, int functions, int from, int reversed,
                                taut_change **change, taut_error *error);
-#define TAUT_CHANGES_DECLARE(identifier, name)                                                     \
-    extern const taut_change_ops taut_changes_##identifier;
-TAUT_BASIS_LIST(TAUT_CHANGES_DECLARE)
-#undef TAUT_CHANGES_DECLARE
+/* As taut_change_ops.pieces of a basis that is its own only piece; as reverse and rerange where the
+ * range is a member of the spec and the functions are symmetric. */
+taut_status taut_change_whole(const taut_basis *basis, taut_change_list *list, taut_error *error);
+taut_status taut_change_reverse(const taut_basis *basis, taut_change **change, taut_error *error);
+taut_status taut_change_rerange(const taut_basis *basis, double lo, double hi, taut_change **change,
+                                taut_error *error);
 
 /* First `a`, then `b`. */
 taut_status taut_change_compose(const taut_change *a, const taut_change *b, taut_change **change,
@@ -79,10 +81,20 @@ taut_status taut_change_compose(const taut_change *a, const taut_change *b, taut
 /* A list of `count` places, NULL yet; and its end. Freeing leaves it empty. */
 taut_status taut_change_list_new(int count, taut_change_list *list, taut_error *error);
 void taut_change_list_free(taut_change_list *list);
+/* Ends the filling of a list: one that failed is freed. Returns `status`. */
+taut_status taut_change_list_done(taut_status status, taut_change_list *list);
 
 /* out[b][i][c] = sum_a rows[i][a] in[b][first[i] + a][c], b < blocks, c < inner, `old_count` the
  * number of old coefficients. */
 void taut_change_apply(const taut_change *change, size_t blocks, int old_count, size_t inner,
                        const double *in, double *out);
+
+/* ---- B-splines, which other types turn into ---- */
+
+extern const taut_change_ops taut_bspline_changes;
+
+/* The bspline basis of one span that is this bezier basis, with the same coefficients. */
+taut_status taut_bspline_of_bezier(const taut_basis *bezier, taut_basis **bspline,
+                                   taut_error *error);
 
 #endif /* TAUT_BASIS_CHANGE_H */

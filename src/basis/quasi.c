@@ -1,5 +1,9 @@
+/* quasi.c -- the c- and h- bases: {1, t, sin t, cos t}, 0 < alpha <= pi, and {1, t, sinh t, cosh t},
+ * 0 < beta <= 700, on one segment or as uniform C^2 splines, not clamped, on any number of them.
+ * [XuWang2006] sections 3 and 4; the formulas of a segment are in quasi_kernel.h. */
 #include "basis/quasi.h"
 
+#include "core/constants.h"
 #include "core/fail.h"
 
 #include <assert.h>
@@ -27,18 +31,18 @@ static void set_beta(taut_basis_spec *spec, double length)
     spec->beta = length;
 }
 
-const taut_quasi_kind taut_quasi_c = {
+static const taut_quasi_kind circular = {
     .kernel = &taut_quasi_circular,
     .length = alpha_of,
     .set_length = set_alpha,
     .where = "/alpha",
-    .longest = 3.14159265358979311600,
+    .longest = TAUT_PI,
     .longest_bspline = 0,
     .bezier = "c-bezier",
     .bspline = "c-bspline",
 };
 
-const taut_quasi_kind taut_quasi_h = {
+static const taut_quasi_kind hyperbolic = {
     .kernel = &taut_quasi_hyperbolic,
     .length = beta_of,
     .set_length = set_beta,
@@ -60,7 +64,7 @@ static taut_status check_length(const taut_quasi_kind *kind, double length, int 
                          TAUT_SPAN_MIN);
     }
     if (bspline && !kind->longest_bspline && length >= kind->longest) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", kind->where, length, kind->longest,
+        return taut_fail(error, TAUT_NO_SOLUTION, "dependent", kind->where, length, kind->longest,
                          "%s is %.17g, but from pi on the functions of a %s are dependent: use "
                          "more segments, each at most 2.5, say",
                          name, length, kind->bspline);
@@ -83,7 +87,8 @@ static taut_status check_range(const taut_basis_spec *spec, double length, int s
     const double far = fmax(fabs(spec->range[0]), fabs(spec->range[1]));
 
     if (length < TAUT_QUASI_APART * far) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/range", far, length / TAUT_QUASI_APART,
+        return taut_fail(error, TAUT_BAD_INPUT, "short-span", "/range", far,
+                         length / TAUT_QUASI_APART,
                          "range [%.17g, %.17g] is too far from 0 for segments of length %.17g",
                          spec->range[0], spec->range[1], length);
     }
@@ -95,30 +100,33 @@ static taut_status check_range(const taut_basis_spec *spec, double length, int s
     return TAUT_OK;
 }
 
-taut_status taut_quasi_plan(const taut_quasi_kind *kind, const taut_basis_spec *spec, int bspline,
-                            taut_basis_shape *shape, taut_error *error)
+static taut_status quasi_plan(const taut_basis_ops *ops, const taut_basis_spec *spec, int functions,
+                              taut_basis_shape *shape, taut_error *error)
 {
-    const double length = kind->length(spec);
+    const int bspline = (ops->needs & TAUT_MEMBER_SEGMENTS) != 0;
+    const double length = ops->quasi->length(spec);
     const int segments = bspline ? spec->segments : 1;
-    taut_status status = check_length(kind, length, bspline, error);
+    taut_status status = check_length(ops->quasi, length, bspline, error);
 
-    if (status == TAUT_OK && (segments < 1 || segments > TAUT_COUNT_MAX - 3)) {
-        status =
-            taut_fail(error, TAUT_BAD_INPUT, "value", "/segments", segments, TAUT_COUNT_MAX - 3,
-                      "%d segments, expected 1 to %d", segments, TAUT_COUNT_MAX - 3);
+    (void)functions;
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && spec->has_range) {
+    if (segments < 1 || segments > TAUT_COUNT_MAX - 3) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/segments", segments, TAUT_COUNT_MAX - 3,
+                         "%d segments, expected 1 to %d", segments, TAUT_COUNT_MAX - 3);
+    }
+    if (spec->has_range) {
         status = check_range(spec, length, segments, error);
     }
-    if (status == TAUT_OK) {
-        *shape = (taut_basis_shape){
-            .count = segments + 3, .local = 4, .span_count = segments, .degree = -1};
-    }
+    *shape =
+        (taut_basis_shape){.count = segments + 3, .local = 4, .span_count = segments, .degree = -1};
     return status;
 }
 
-void taut_quasi_fill(const taut_quasi_kind *kind, taut_basis *basis)
+static void quasi_fill(taut_basis *basis)
 {
+    const taut_quasi_kind *kind = basis->ops->quasi;
     const double length = kind->length(&basis->spec);
     const int segments = basis->shape.span_count;
     taut_quasi_segment segment;
@@ -187,16 +195,16 @@ static void half_at(const taut_quasi_kernel *kernel, const taut_quasi_segment *s
     }
 }
 
-void taut_quasi_four(const taut_quasi_kind *kind, const taut_quasi_segment *segment, double lo,
+void taut_quasi_four(const taut_quasi_kernel *kernel, const taut_quasi_segment *segment, double lo,
                      double hi, double t, int order, double (*u)[4])
 {
     double low[TAUT_QUASI_ROWS][2], high[TAUT_QUASI_ROWS][2];
     double rest = 0;
     double x = local_parameter(t, lo, hi - lo, segment->length, &rest);
 
-    half_at(kind->kernel, segment, x, rest, order, low);
+    half_at(kernel, segment, x, rest, order, low);
     x = local_parameter(hi, t, hi - lo, segment->length, &rest);
-    half_at(kind->kernel, segment, x, rest, order, high);
+    half_at(kernel, segment, x, rest, order, high);
     for (int d = 0; d <= order; d++) {
         const double sign = d % 2 == 0 ? 1 : -1;
         u[d][0] = sign * high[d][1];
@@ -206,27 +214,28 @@ void taut_quasi_four(const taut_quasi_kind *kind, const taut_quasi_segment *segm
     }
 }
 
-void taut_quasi_bezier_eval(const taut_quasi_kind *kind, const taut_basis *basis, int span,
-                            double t, int order, double *values)
+static void quasi_bezier_eval(const taut_basis *basis, int span, double t, int order,
+                              double *values)
 {
     const taut_quasi_segment segment = taut_quasi_segment_of(basis);
     double u[TAUT_QUASI_ROWS][4];
 
-    taut_quasi_four(kind, &segment, basis->breaks[span], basis->breaks[span + 1], t, order, u);
+    taut_quasi_four(basis->ops->quasi->kernel, &segment, basis->breaks[span],
+                    basis->breaks[span + 1], t, order, u);
     memcpy(values, u, 4 * sizeof(double) * ((size_t)order + 1));
 }
 
 /* With x = t/a along a segment of length a,
  *     N_0 = rho U_0,  N_1 = 1 - x - 2 N_0 + N_3,  N_2 = x + N_0 - 2 N_3,  N_3 = rho U_3,
  * the matrix of [XuWang2006] section 4 with its sine terms gathered by sin(a - t). */
-void taut_quasi_bspline_eval(const taut_quasi_kind *kind, const taut_basis *basis, int span,
-                             double t, int order, double *values)
+static void quasi_bspline_eval(const taut_basis *basis, int span, double t, int order,
+                               double *values)
 {
     const taut_quasi_segment segment = taut_quasi_segment_of(basis);
     const double lo = basis->breaks[span], hi = basis->breaks[span + 1];
     double u[TAUT_QUASI_ROWS][4];
 
-    taut_quasi_four(kind, &segment, lo, hi, t, order, u);
+    taut_quasi_four(basis->ops->quasi->kernel, &segment, lo, hi, t, order, u);
     for (int d = 0; d <= order; d++) {
         const double n0 = segment.rho * u[d][0];
         const double n3 = segment.rho * u[d][3];
@@ -244,7 +253,7 @@ void taut_quasi_bspline_eval(const taut_quasi_kind *kind, const taut_basis *basi
 }
 
 /* 0, k, a - k, a ([XuWang2006] section 3). */
-void taut_quasi_bezier_linear(const taut_basis *basis, double *t)
+static void quasi_bezier_linear(const taut_basis *basis, double *t)
 {
     const double k = taut_quasi_segment_of(basis).k;
     t[0] = basis->breaks[0];
@@ -254,7 +263,7 @@ void taut_quasi_bezier_linear(const taut_basis *basis, double *t)
 }
 
 /* The knots, and one more at either end (ibid. section 4). */
-void taut_quasi_bspline_linear(const taut_basis *basis, double *t)
+static void quasi_bspline_linear(const taut_basis *basis, double *t)
 {
     const double length = taut_quasi_segment_of(basis).length;
     const int last = basis->shape.count - 1;
@@ -264,3 +273,27 @@ void taut_quasi_bspline_linear(const taut_basis *basis, double *t)
     t[0] = basis->breaks[0] - length;
     t[last] = basis->breaks[basis->shape.span_count] + length;
 }
+
+/*    identifier, name in documents, kind, form, members, layers of width 1 at the ends */
+#define QUASI_LIST(X)                                                                              \
+    X(c_bezier, "c-bezier", circular, bezier, TAUT_MEMBER_ALPHA, 0)                                \
+    X(c_bspline, "c-bspline", circular, bspline, TAUT_MEMBER_ALPHA | TAUT_MEMBER_SEGMENTS, 0)      \
+    X(h_bezier, "h-bezier", hyperbolic, bezier, TAUT_MEMBER_BETA, 1)                               \
+    X(h_bspline, "h-bspline", hyperbolic, bspline, TAUT_MEMBER_BETA | TAUT_MEMBER_SEGMENTS, 1)
+
+#define QUASI_OPS(identifier, name, kind, form, members, has_layers)                               \
+    const taut_basis_ops taut_basis_##identifier = {                                               \
+        .type = (name),                                                                            \
+        .needs = (members),                                                                        \
+        .allows = TAUT_MEMBER_RANGE,                                                               \
+        .weights = 0,                                                                              \
+        .layers = (has_layers),                                                                    \
+        .plan = quasi_plan,                                                                        \
+        .fill = quasi_fill,                                                                        \
+        .eval = quasi_##form##_eval,                                                               \
+        .linear = quasi_##form##_linear,                                                           \
+        .changes = &taut_quasi_##form##_changes,                                                   \
+        .quasi = &(kind),                                                                          \
+    };
+QUASI_LIST(QUASI_OPS)
+#undef QUASI_OPS

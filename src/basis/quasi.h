@@ -2,11 +2,13 @@
  *
  *     quasi-Bezier      4 functions on one segment, U_0..U_3 (quasi_kernel.h)
  *     quasi-B-spline    k + 3 functions on k segments of one length, C^2, not clamped
+ *
+ * The four types are the rows of the table in quasi.c.
  */
 #ifndef TAUT_BASIS_QUASI_H
 #define TAUT_BASIS_QUASI_H
 
-#include "basis/basis_ops.h"
+#include "basis/change.h"
 #include "basis/quasi_kernel.h"
 
 /* Which member of the spec is the length, and its kernel. */
@@ -21,13 +23,9 @@ typedef struct taut_quasi_kind {
     const char *bspline;
 } taut_quasi_kind;
 
-extern const taut_quasi_kind taut_quasi_c;
-extern const taut_quasi_kind taut_quasi_h;
-
-/* Is the spec legal? As taut_basis_ops.plan; `bspline` is 0 for a quasi-Bezier basis. */
-taut_status taut_quasi_plan(const taut_quasi_kind *kind, const taut_basis_spec *spec, int bspline,
-                            taut_basis_shape *shape, taut_error *error);
-void taut_quasi_fill(const taut_quasi_kind *kind, taut_basis *basis);
+/* Splitting and refining (quasi_change.c). */
+extern const taut_change_ops taut_quasi_bezier_changes;
+extern const taut_change_ops taut_quasi_bspline_changes;
 
 /* The constants that fill put into basis->data. */
 taut_quasi_segment taut_quasi_segment_of(const taut_basis *basis);
@@ -37,17 +35,7 @@ taut_quasi_segment taut_quasi_segment_of(const taut_basis *basis);
 
 /* u[d][i] = U_i^(d)(t), d = 0..order <= 3, on a segment that runs from lo to hi, t in between, seen
  * from both ends so that each is met exactly. */
-void taut_quasi_four(const taut_quasi_kind *kind, const taut_quasi_segment *segment, double lo,
+void taut_quasi_four(const taut_quasi_kernel *kernel, const taut_quasi_segment *segment, double lo,
                      double hi, double t, int order, double (*u)[4]);
-
-/* As taut_basis_ops.eval. */
-void taut_quasi_bezier_eval(const taut_quasi_kind *kind, const taut_basis *basis, int span,
-                            double t, int order, double *values);
-void taut_quasi_bspline_eval(const taut_quasi_kind *kind, const taut_basis *basis, int span,
-                             double t, int order, double *values);
-
-/* As taut_basis_ops.linear. */
-void taut_quasi_bezier_linear(const taut_basis *basis, double *t);
-void taut_quasi_bspline_linear(const taut_basis *basis, double *t);
 
 #endif /* TAUT_BASIS_QUASI_H */

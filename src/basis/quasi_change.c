@@ -4,11 +4,18 @@
  *     phi(x0),  phi(x0) + k phi'(x0),  phi(x1) - k phi'(x1),  phi(x1),     k = k(x1 - x0),
  * which gives the rows of a cut straight from the functions at the cut. It is the same map as the
  * quasi de Casteljau algorithm (ibid. section 6), whose ratios become 0/0 near alpha = pi.
+ *
+ * As a B-spline such a basis is met by a quintic C^2 one with two derivatives at the ends of
+ * panels. All inner knots are triple. The coefficient with knots x, x, x, x+y, x+z is the blossom
+ * of the osculating parabola at x:
+ *     f(x) + f'(x) (y + z)/5 + f''(x) y z/20
  */
-#include "basis/quasi_change.h"
+#include "basis/quasi.h"
 
 #include "core/fail.h"
+#include "core/memory.h"
 
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -32,7 +39,7 @@ static void cut_segment(const taut_quasi_kind *kind, const taut_quasi_segment *s
 
     kind->kernel->prepare(t - lo, &left);
     kind->kernel->prepare(hi - t, &right);
-    taut_quasi_four(kind, segment, lo, hi, t, 1, u);
+    taut_quasi_four(kind->kernel, segment, lo, hi, t, 1, u);
     memset(low, 0, sizeof(taut_rows));
     memset(high, 0, sizeof(taut_rows));
     low[0][0] = 1;
@@ -54,7 +61,7 @@ static taut_status check_cut(double lo, double hi, double t, taut_error *error)
     const double shorter = fmin(t - lo, hi - t);
     const double limit = fmax(TAUT_QUASI_APART * fmax(fabs(lo), fabs(hi)), TAUT_SPAN_MIN);
     if (!(shorter >= limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", NULL, shorter, limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "short-span", NULL, shorter, limit,
                          "a cut at %.17g leaves a piece of length %g, too short for its parameters "
                          "to be told apart: cut further from %.17g",
                          t, shorter, t - lo < hi - t ? lo : hi);
@@ -62,49 +69,34 @@ static taut_status check_cut(double lo, double hi, double t, taut_error *error)
     return TAUT_OK;
 }
 
-taut_status taut_quasi_bezier_split(const taut_quasi_kind *kind, const taut_basis *basis, double t,
-                                    taut_change_list *list, taut_error *error)
+static taut_status fill_cut(const taut_basis *basis, double t, taut_change_list *list,
+                            taut_error *error)
 {
+    const taut_quasi_kind *kind = basis->ops->quasi;
     const taut_quasi_segment segment = taut_quasi_segment_of(basis);
-    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-    taut_change_list made = {0, NULL};
+    const double ends[3] = {taut_basis_lo(basis), t, taut_basis_hi(basis)};
     taut_rows rows[2];
-    taut_status status = check_cut(lo, hi, t, error);
+    taut_status status = check_cut(ends[0], ends[2], t, error);
 
-    if (status == TAUT_OK) {
-        status = taut_change_list_new(2, &made, error);
-    }
-    for (int i = 0; status == TAUT_OK && i < 2; i++) {
-        const double a = i == 0 ? lo : t, b = i == 0 ? t : hi;
-        const taut_basis_spec spec = piece_spec(kind, b - a, a, b);
-        status = taut_change_new(&spec, 0, 4, &made.items[i], error);
-    }
     if (status != TAUT_OK) {
-        taut_change_list_free(&made);
         return status;
     }
-    cut_segment(kind, &segment, lo, hi, t, rows[0], rows[1]);
-    memcpy(made.items[0]->rows, rows[0], sizeof(taut_rows));
-    memcpy(made.items[1]->rows, rows[1], sizeof(taut_rows));
-    *list = made;
-    return TAUT_OK;
+    status = taut_change_list_new(2, list, error);
+    cut_segment(kind, &segment, ends[0], ends[2], t, rows[0], rows[1]);
+    for (int i = 0; status == TAUT_OK && i < 2; i++) {
+        const taut_basis_spec spec = piece_spec(kind, ends[i + 1] - ends[i], ends[i], ends[i + 1]);
+        status = taut_change_new(&spec, 0, 4, &list->items[i], error);
+        if (status == TAUT_OK) {
+            memcpy(list->items[i]->rows, rows[i], sizeof rows[i]);
+        }
+    }
+    return status;
 }
 
-taut_status taut_quasi_bezier_pieces(const taut_basis *basis, taut_change_list *list,
-                                     taut_error *error)
+static taut_status quasi_bezier_split(const taut_basis *basis, double t, taut_change_list *list,
+                                      taut_error *error)
 {
-    taut_change_list made = {0, NULL};
-    taut_status status = taut_change_list_new(1, &made, error);
-
-    if (status == TAUT_OK) {
-        status = taut_change_select(&basis->spec, 0, 0, 0, &made.items[0], error);
-    }
-    if (status != TAUT_OK) {
-        taut_change_list_free(&made);
-        return status;
-    }
-    *list = made;
-    return TAUT_OK;
+    return taut_change_list_done(fill_cut(basis, t, list, error), list);
 }
 
 /* The Bezier points of a segment ([XuWang2006] section 4):
@@ -143,55 +135,49 @@ static taut_status opened_piece(const taut_quasi_kind *kind, double length, doub
 }
 
 /* All segments as quasi-Bezier pieces; with cut >= 0, segment `cut` as two, cut at t. */
-static taut_status open_segments(const taut_quasi_kind *kind, const taut_basis *basis, int cut,
-                                 double t, taut_change_list *list, taut_error *error)
+static taut_status fill_segments(const taut_basis *basis, int cut, double t, taut_change_list *list,
+                                 taut_error *error)
 {
+    const taut_quasi_kind *kind = basis->ops->quasi;
     const taut_quasi_segment segment = taut_quasi_segment_of(basis);
     const int segments = basis->shape.span_count;
-    taut_change_list made = {0, NULL};
     taut_rows opened, parts[2];
-    taut_status status = taut_change_list_new(segments + (cut >= 0), &made, error);
+    taut_status status = taut_change_list_new(segments + (cut >= 0), list, error);
 
     opening_rows(segment.rho, opened);
     for (int i = 0, n = 0; status == TAUT_OK && i < segments; i++) {
         const double lo = basis->breaks[i], hi = basis->breaks[i + 1];
         if (i != cut) {
-            status = opened_piece(kind, segment.length, lo, hi, i, opened, NULL, &made.items[n++],
+            status = opened_piece(kind, segment.length, lo, hi, i, opened, NULL, &list->items[n++],
                                   error);
             continue;
         }
         status = check_cut(lo, hi, t, error);
-        if (status == TAUT_OK) {
-            cut_segment(kind, &segment, lo, hi, t, parts[0], parts[1]);
-            status =
-                opened_piece(kind, t - lo, lo, t, i, opened, parts[0], &made.items[n++], error);
+        if (status != TAUT_OK) {
+            return status;
         }
-        if (status == TAUT_OK) {
-            status =
-                opened_piece(kind, hi - t, t, hi, i, opened, parts[1], &made.items[n++], error);
+        cut_segment(kind, &segment, lo, hi, t, parts[0], parts[1]);
+        status = opened_piece(kind, t - lo, lo, t, i, opened, parts[0], &list->items[n++], error);
+        if (status != TAUT_OK) {
+            return status;
         }
+        status = opened_piece(kind, hi - t, t, hi, i, opened, parts[1], &list->items[n++], error);
     }
-    if (status != TAUT_OK) {
-        taut_change_list_free(&made);
-        return status;
-    }
-    *list = made;
-    return TAUT_OK;
+    return status;
 }
 
-taut_status taut_quasi_bspline_pieces(const taut_quasi_kind *kind, const taut_basis *basis,
-                                      taut_change_list *list, taut_error *error)
+static taut_status quasi_bspline_pieces(const taut_basis *basis, taut_change_list *list,
+                                        taut_error *error)
 {
-    return open_segments(kind, basis, -1, 0, list, error);
+    return taut_change_list_done(fill_segments(basis, -1, 0, list, error), list);
 }
 
 /* Two splines of the same type, when the cut is at knot number `knot`. */
-static taut_status split_at_knot(const taut_basis *basis, int knot, taut_change_list *list,
-                                 taut_error *error)
+static taut_status fill_at_knot(const taut_basis *basis, int knot, taut_change_list *list,
+                                taut_error *error)
 {
     const int ends[3] = {0, knot, basis->shape.span_count};
-    taut_change_list made = {0, NULL};
-    taut_status status = taut_change_list_new(2, &made, error);
+    taut_status status = taut_change_list_new(2, list, error);
 
     for (int i = 0; status == TAUT_OK && i < 2; i++) {
         taut_basis_spec spec = basis->spec;
@@ -199,14 +185,9 @@ static taut_status split_at_knot(const taut_basis *basis, int knot, taut_change_
         spec.has_range = 1;
         spec.range[0] = basis->breaks[ends[i]];
         spec.range[1] = basis->breaks[ends[i + 1]];
-        status = taut_change_select(&spec, 0, ends[i], 0, &made.items[i], error);
+        status = taut_change_select(&spec, 0, ends[i], 0, &list->items[i], error);
     }
-    if (status != TAUT_OK) {
-        taut_change_list_free(&made);
-        return status;
-    }
-    *list = made;
-    return TAUT_OK;
+    return status;
 }
 
 /* A knot i a is rounded; who asks for it may have rounded otherwise, by so much of the range. */
@@ -216,22 +197,23 @@ static int is_knot(const taut_basis *basis, double t, double knot)
     return fabs(t - knot) <= 2 * DBL_EPSILON * far;
 }
 
-taut_status taut_quasi_bspline_split(const taut_quasi_kind *kind, const taut_basis *basis, double t,
-                                     taut_change_list *list, taut_error *error)
+static taut_status quasi_bspline_split(const taut_basis *basis, double t, taut_change_list *list,
+                                       taut_error *error)
 {
     const int span = taut_basis_span(basis, t);
 
     for (int i = span; i <= span + 1; i++) {
         if (i > 0 && i < basis->shape.span_count && is_knot(basis, t, basis->breaks[i])) {
-            return split_at_knot(basis, i, list, error);
+            return taut_change_list_done(fill_at_knot(basis, i, list, error), list);
         }
     }
-    return open_segments(kind, basis, span, t, list, error);
+    return taut_change_list_done(fill_segments(basis, span, t, list, error), list);
 }
 
 /* Half the length, twice the segments, the same range. */
-static taut_basis_spec halved_spec(const taut_quasi_kind *kind, const taut_basis *basis)
+static taut_basis_spec halved_spec(const taut_basis *basis)
 {
+    const taut_quasi_kind *kind = basis->ops->quasi;
     taut_basis_spec spec = basis->spec;
     spec.type = kind->bspline;
     spec.segments = 2 * basis->shape.span_count;
@@ -241,10 +223,11 @@ static taut_basis_spec halved_spec(const taut_quasi_kind *kind, const taut_basis
 
 /* Q' = (Q_i + Q_{i+1}) / 2 and (Q_i + (2 + 4 x) Q_{i+1} + Q_{i+2}) / (4 + 4 x) in turn, with
  * x = cos(a/2) or cosh(a/2) ([XuWang2006] section 6). */
-taut_status taut_quasi_bspline_halve(const taut_quasi_kind *kind, const taut_basis *basis,
-                                     taut_change **change, taut_error *error)
+static taut_status quasi_bspline_halve(const taut_basis *basis, taut_change **change,
+                                       taut_error *error)
 {
-    const taut_basis_spec spec = halved_spec(kind, basis);
+    const taut_basis_spec spec = halved_spec(basis);
+    const taut_quasi_kind *kind = basis->ops->quasi;
     const double side = 1 / (4 + 4 * kind->kernel->middle(kind->length(&basis->spec)));
     const taut_status status = taut_change_new(&spec, 0, 3, change, error);
 
@@ -269,10 +252,11 @@ taut_status taut_quasi_bspline_halve(const taut_quasi_kind *kind, const taut_bas
  * C + phi''/(2 delta) -+ b phi', where delta = rho(b) s(b)/f(b) is the second derivative of an
  * outer function at a knot: three conditions, phi = C + rho (second difference), phi' = (difference
  * of the neighbours)/(2 b), phi'' = delta (second difference). */
-taut_status taut_quasi_bezier_halve(const taut_quasi_kind *kind, const taut_basis *basis,
-                                    taut_change **change, taut_error *error)
+static taut_status quasi_bezier_halve(const taut_basis *basis, taut_change **change,
+                                      taut_error *error)
 {
-    const taut_basis_spec spec = halved_spec(kind, basis);
+    const taut_quasi_kind *kind = basis->ops->quasi;
+    const taut_basis_spec spec = halved_spec(basis);
     const taut_quasi_segment segment = taut_quasi_segment_of(basis);
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
     const double b = kind->length(&spec);
@@ -290,7 +274,7 @@ taut_status taut_quasi_bezier_halve(const taut_quasi_kind *kind, const taut_basi
     const double bend = 1 / top[2][1]; /* f(b)/s(b), because U_3'' = s/f(b) */
     for (int n = 0; n < 3; n++) {
         double u[TAUT_QUASI_ROWS][4];
-        taut_quasi_four(kind, &segment, lo, hi, knots[n], 2, u);
+        taut_quasi_four(kind->kernel, &segment, lo, hi, knots[n], 2, u);
         for (int i = 0; i < 4; i++) {
             const double centre = u[0][i] - bend * u[2][i];
             const double curve = bend / (2 * half.rho) * u[2][i];
@@ -305,18 +289,88 @@ taut_status taut_quasi_bezier_halve(const taut_quasi_kind *kind, const taut_basi
     return TAUT_OK;
 }
 
-taut_status taut_quasi_reverse(const taut_basis *basis, taut_change **change, taut_error *error)
+/* knots[0 .. 3 N + 8]: six at each end, three at each of the N - 1 inner panel ends. */
+static void fill_hermite_knots(int panels, const double *ends, double *knots)
 {
-    return taut_change_select(&basis->spec, 0, 0, 1, change, error);
+    int n = 0;
+    for (int k = 0; k <= panels; k++) {
+        const int times = k == 0 || k == panels ? 6 : 3;
+        for (int i = 0; i < times; i++) {
+            knots[n++] = ends[k];
+        }
+    }
 }
 
-/* Only translations: the plan of the type refuses any other length. */
-taut_status taut_quasi_rerange(const taut_basis *basis, double lo, double hi, taut_change **change,
-                               taut_error *error)
+/* The three coefficients at panel end k. */
+static void fill_hermite_rows(const taut_basis *basis, int panels, const double *ends, int k,
+                              taut_change *change)
 {
-    taut_basis_spec spec = basis->spec;
-    spec.has_range = 1;
-    spec.range[0] = lo;
-    spec.range[1] = hi;
-    return taut_change_select(&spec, 0, 0, 0, change, error);
+    const double x = ends[k];
+    const int span = taut_basis_span(basis, x);
+    const double before = k > 0 ? ends[k - 1] - x : 0;
+    const double after = k < panels ? ends[k + 1] - x : 0;
+    const double y[3] = {before, before, after};
+    const double z[3] = {before, after, after};
+    double u[3 * 4];
+
+    basis->ops->eval(basis, span, x, 2, u);
+    for (int m = 0; m < 3; m++) {
+        double *row = taut_change_row(change, 3 * k + m);
+        change->first[3 * k + m] = basis->first[span];
+        for (int i = 0; i < 4; i++) {
+            row[i] = u[i] + u[4 + i] * (y[m] + z[m]) / 5 + u[8 + i] * y[m] * z[m] / 20;
+        }
+    }
 }
+
+static taut_status quasi_to_bspline(const taut_basis *basis, int panels, const double *ends,
+                                    taut_change **change, taut_error *error)
+{
+    taut_basis_spec spec = {.type = "bspline", .degree = 5};
+    taut_status status = TAUT_OK;
+    double *knots = NULL;
+
+    assert(panels >= 1 && panels <= (TAUT_COUNT_MAX - 3) / 3); /* see geometry/nurbs/spans.c */
+    spec.knot_count = 3 * panels + 9;
+    knots = taut_alloc((size_t)spec.knot_count, sizeof(double));
+    if (knots == NULL) {
+        return taut_fail_memory(error);
+    }
+    fill_hermite_knots(panels, ends, knots);
+    spec.knots = knots;
+    status = taut_change_new(&spec, 0, 4, change, error);
+    for (int k = 0; status == TAUT_OK && k <= panels; k++) {
+        fill_hermite_rows(basis, panels, ends, k, *change);
+    }
+    taut_free(knots);
+    return status;
+}
+
+static void quasi_growth(const taut_basis *basis, double reach, double *at, double *slope)
+{
+    basis->ops->quasi->kernel->growth(reach, at, slope);
+}
+
+const taut_change_ops taut_quasi_bezier_changes = {
+    .split = quasi_bezier_split,
+    .pieces = taut_change_whole,
+    .halve = quasi_bezier_halve,
+    .insert = NULL,
+    .elevate = NULL,
+    .reverse = taut_change_reverse,
+    .rerange = taut_change_rerange, /* by translation: plan refuses another length */
+    .to_bspline = quasi_to_bspline,
+    .growth = quasi_growth,
+};
+
+const taut_change_ops taut_quasi_bspline_changes = {
+    .split = quasi_bspline_split,
+    .pieces = quasi_bspline_pieces,
+    .halve = quasi_bspline_halve,
+    .insert = NULL,
+    .elevate = NULL,
+    .reverse = taut_change_reverse,
+    .rerange = taut_change_rerange, /* by translation: plan refuses another length */
+    .to_bspline = quasi_to_bspline,
+    .growth = quasi_growth,
+};

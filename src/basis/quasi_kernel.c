@@ -92,7 +92,7 @@ static void half_polynomial(double a, double t, int order, double (*values)[2])
 }
 
 /* c g (k - f/g), 0 exactly at the far end. */
-static double upper(const taut_quasi_segment *segment, double f, double g)
+static double upper_value(const taut_quasi_segment *segment, double f, double g)
 {
     return g > 0 ? segment->c * g * (segment->k - f / g) : 0;
 }
@@ -130,7 +130,7 @@ static void half_circular(const taut_quasi_segment *segment, double t, int order
     const double s = 2 * sh * xh, x = 1 - g;
     const double c = segment->c, k = segment->k;
 
-    values[0][0] = upper(segment, f, g);
+    values[0][0] = upper_value(segment, f, g);
     values[0][1] = f / segment->f;
     if (order >= 1) {
         values[1][0] = c * (k * s - g);
@@ -193,7 +193,7 @@ static void half_hyperbolic(const taut_quasi_segment *segment, double t, int ord
     const double c = segment->c, k = segment->k, q = segment->q;
     const int by_q = is_long(segment->length) && t > 1;
 
-    values[0][0] = by_q ? c * g * ((t + expm1(-t)) / g - q) : upper(segment, f, g);
+    values[0][0] = by_q ? c * g * ((t + expm1(-t)) / g - q) : upper_value(segment, f, g);
     values[0][1] = f / segment->f;
     if (order >= 1) {
         values[1][0] = by_q ? c * (-expm1(-t) - q * s) : c * (k * s - g);
@@ -214,7 +214,20 @@ static double middle_hyperbolic(double length)
     return cosh(length / 2);
 }
 
-const taut_quasi_kernel taut_quasi_circular = {prepare_circular, half_circular, -1,
-                                               middle_circular};
+/* y(t) = y(m) cos(t - m) + y'(m) sin(t - m); reach is at most pi/2. */
+static void growth_circular(double reach, double *at, double *slope)
+{
+    *at = 1;
+    *slope = sin(reach);
+}
+
+static void growth_hyperbolic(double reach, double *at, double *slope)
+{
+    *at = cosh(reach);
+    *slope = sinh(reach);
+}
+
+const taut_quasi_kernel taut_quasi_circular = {prepare_circular, half_circular, -1, middle_circular,
+                                               growth_circular};
 const taut_quasi_kernel taut_quasi_hyperbolic = {prepare_hyperbolic, half_hyperbolic, 1,
-                                                 middle_hyperbolic};
+                                                 middle_hyperbolic, growth_hyperbolic};

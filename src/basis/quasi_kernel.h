@@ -29,6 +29,8 @@ typedef struct taut_quasi_kernel {
     void (*half)(const taut_quasi_segment *segment, double t, int order, double (*values)[2]);
     double sign; /* fourth derivatives are sign times the second: -1 circular, 1 hyperbolic */
     double (*middle)(double length); /* cos(length/2) or cosh(length/2) */
+    /* y'' = -y, or y'' = y: |y(t)| <= at |y(m)| + slope |y'(m)| for |t - m| <= reach. */
+    void (*growth)(double reach, double *at, double *slope);
 } taut_quasi_kernel;
 
 extern const taut_quasi_kernel taut_quasi_circular;   /* lengths in (0, pi] */

@@ -60,20 +60,25 @@ int taut_arena_keep(taut_arena *arena, void *object, void (*release)(void *))
     return 1;
 }
 
-void *taut_arena_take(taut_arena *arena, size_t count, size_t size)
+void *taut_arena_take_raw(taut_arena *arena, size_t count, size_t size)
 {
     const int is_sound = arena != NULL && !arena->has_failed;
     void *memory = is_sound ? taut_alloc_aligned(count, size) : NULL;
-    if (!taut_arena_keep(arena, memory, taut_free)) {
-        return NULL;
+    return taut_arena_keep(arena, memory, taut_free) ? memory : NULL;
+}
+
+void *taut_arena_take(taut_arena *arena, size_t count, size_t size)
+{
+    void *memory = taut_arena_take_raw(arena, count, size);
+    if (memory != NULL) {
+        memset(memory, 0, count * size);
     }
-    memset(memory, 0, count * size);
     return memory;
 }
 
 void *taut_arena_copy(taut_arena *arena, const void *from, size_t count, size_t size)
 {
-    void *memory = from != NULL ? taut_arena_take(arena, count, size) : NULL;
+    void *memory = from != NULL ? taut_arena_take_raw(arena, count, size) : NULL;
     if (memory != NULL) {
         memcpy(memory, from, count * size);
     }

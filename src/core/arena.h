@@ -19,6 +19,8 @@ void taut_arena_free(taut_arena *arena); /* NULL is fine */
 
 /* count * size bytes, aligned to 64, zeroed; NULL when memory runs out or the product overflows. */
 void *taut_arena_take(taut_arena *arena, size_t count, size_t size);
+/* The same, not zeroed: for large scratch that is written before it is read. */
+void *taut_arena_take_raw(taut_arena *arena, size_t count, size_t size);
 /* A copy of count * size bytes; NULL as above or when `from` is NULL. */
 void *taut_arena_copy(taut_arena *arena, const void *from, size_t count, size_t size);
 char *taut_arena_text(taut_arena *arena, const char *text); /* a copy of a string */

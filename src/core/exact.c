@@ -13,7 +13,7 @@ taut_status taut_exact_load(const taut_exact_ops **ops, taut_error *error)
     }
     found = table;
     if (found->size != sizeof *found) {
-        return taut_fail(error, TAUT_IO, "file", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_IO, "not-installed", NULL, taut_none, taut_none,
                          "the module taut-exact.so is of another version of taut");
     }
     *ops = found;

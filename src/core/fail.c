@@ -7,8 +7,8 @@
 
 const double taut_none = (double)NAN;
 
-static void fill(taut_error *error, taut_status status, const char *reason, const char *where,
-                 double found, double limit)
+static void fill_error(taut_error *error, taut_status status, const char *reason, const char *where,
+                       double found, double limit)
 {
     error->status = status;
     snprintf(error->reason, sizeof error->reason, "%s", reason);
@@ -23,7 +23,7 @@ taut_status taut_fail(taut_error *error, taut_status status, const char *reason,
 {
     if (error != NULL) {
         va_list arguments;
-        fill(error, status, reason, where, found, limit);
+        fill_error(error, status, reason, where, found, limit);
         va_start(arguments, format);
         vsnprintf(error->message, sizeof error->message, format, arguments);
         va_end(arguments);
@@ -38,7 +38,7 @@ taut_status taut_fail_expected(taut_error *error, taut_status status, const char
     if (error != NULL) {
         size_t length = 0;
         va_list arguments;
-        fill(error, status, reason, where, found, taut_none);
+        fill_error(error, status, reason, where, found, taut_none);
         snprintf(error->expected, sizeof error->expected, "%s", expected);
         va_start(arguments, format);
         vsnprintf(error->message, sizeof error->message, format, arguments);
@@ -53,6 +53,17 @@ taut_status taut_fail_expected(taut_error *error, taut_status status, const char
 taut_status taut_fail_memory(taut_error *error)
 {
     return taut_fail(error, TAUT_NO_MEMORY, "memory", NULL, taut_none, taut_none, "memory ran out");
+}
+
+taut_status taut_fail_status(taut_error *error, taut_status status)
+{
+    const char *reason = status == TAUT_NO_MEMORY      ? "memory"
+                         : status == TAUT_BAD_ARGUMENT ? "argument"
+                         : status == TAUT_INTERRUPTED  ? "interrupted"
+                                                       : "fault";
+    return status == TAUT_OK ? TAUT_OK
+                             : taut_fail(error, status, reason, NULL, taut_none, taut_none, "%s",
+                                         taut_status_text(status));
 }
 
 void taut_error_prefix(taut_error *error, const char *prefix)

@@ -20,6 +20,10 @@ taut_status taut_fail_expected(taut_error *error, taut_status status, const char
 /* TAUT_NO_MEMORY with its usual sentence. */
 taut_status taut_fail_memory(taut_error *error);
 
+/* What is known is the status alone: its own sentence, and "memory", "argument", "interrupted" or
+ * "fault". TAUT_OK is left alone. */
+taut_status taut_fail_status(taut_error *error, taut_status status);
+
 /* Puts `prefix` before error->where, as an outer reader knows more of the place. */
 void taut_error_prefix(taut_error *error, const char *prefix);
 

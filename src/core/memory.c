@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 /* The product in *bytes, at least 1; 0 when it overflows. */
-static int product(size_t count, size_t size, size_t *bytes)
+static int multiply_sizes(size_t count, size_t size, size_t *bytes)
 {
     if (size != 0 && count > SIZE_MAX / 2 / size) {
         return 0;
@@ -16,25 +16,25 @@ static int product(size_t count, size_t size, size_t *bytes)
 void *taut_alloc(size_t count, size_t size)
 {
     size_t bytes = 0;
-    return product(count, size, &bytes) ? malloc(bytes) : NULL;
+    return multiply_sizes(count, size, &bytes) ? malloc(bytes) : NULL;
 }
 
 void *taut_alloc_zero(size_t count, size_t size)
 {
     size_t bytes = 0;
-    return product(count, size, &bytes) ? calloc(1, bytes) : NULL;
+    return multiply_sizes(count, size, &bytes) ? calloc(1, bytes) : NULL;
 }
 
 void *taut_realloc(void *block, size_t count, size_t size)
 {
     size_t bytes = 0;
-    return product(count, size, &bytes) ? realloc(block, bytes) : NULL;
+    return multiply_sizes(count, size, &bytes) ? realloc(block, bytes) : NULL;
 }
 
 void *taut_alloc_aligned(size_t count, size_t size)
 {
     size_t bytes = 0;
-    if (!product(count, size, &bytes)) {
+    if (!multiply_sizes(count, size, &bytes)) {
         return NULL;
     }
     return aligned_alloc(64, (bytes + 63) / 64 * 64);

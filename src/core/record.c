@@ -63,7 +63,7 @@ void taut_record_free(taut_record *record)
 }
 
 /* Makes room for one more child. */
-static int grow(taut_record *record)
+static int grow_room(taut_record *record)
 {
     if (record->count == record->room) {
         const size_t room = record->room > 0 ? 2 * record->room : 4;
@@ -91,7 +91,7 @@ static size_t slot_of(const taut_record *record, const char *key)
 }
 
 /* Adds a child of some kind and returns it, or NULL with the failure remembered. */
-static taut_record *add(taut_record *record, const char *key, taut_record_kind kind)
+static taut_record *add_item(taut_record *record, const char *key, taut_record_kind kind)
 {
     taut_record *child = NULL;
     size_t slot = 0;
@@ -104,7 +104,8 @@ static taut_record *add(taut_record *record, const char *key, taut_record_kind k
     }
     slot = slot_of(record, key);
     child = node_new(record->root, kind);
-    if (child == NULL || (key != NULL && (child->key = text_copy(key)) == NULL) || !grow(record)) {
+    if (child == NULL || (key != NULL && (child->key = text_copy(key)) == NULL) ||
+        !grow_room(record)) {
         record->root->status = TAUT_NO_MEMORY;
         taut_record_free(child);
         return NULL;
@@ -120,12 +121,12 @@ static taut_record *add(taut_record *record, const char *key, taut_record_kind k
 
 void taut_record_add_null(taut_record *record, const char *key)
 {
-    (void)add(record, key, TAUT_RECORD_NULL);
+    (void)add_item(record, key, TAUT_RECORD_NULL);
 }
 
 void taut_record_add_bool(taut_record *record, const char *key, int value)
 {
-    taut_record *child = add(record, key, TAUT_RECORD_BOOL);
+    taut_record *child = add_item(record, key, TAUT_RECORD_BOOL);
     if (child != NULL) {
         child->number = value != 0;
     }
@@ -133,7 +134,8 @@ void taut_record_add_bool(taut_record *record, const char *key, int value)
 
 void taut_record_add_number(taut_record *record, const char *key, double value)
 {
-    taut_record *child = add(record, key, isfinite(value) ? TAUT_RECORD_NUMBER : TAUT_RECORD_NULL);
+    taut_record *child =
+        add_item(record, key, isfinite(value) ? TAUT_RECORD_NUMBER : TAUT_RECORD_NULL);
     if (child != NULL) {
         child->number = value;
     }
@@ -141,7 +143,7 @@ void taut_record_add_number(taut_record *record, const char *key, double value)
 
 void taut_record_add_text(taut_record *record, const char *key, const char *value)
 {
-    taut_record *child = add(record, key, TAUT_RECORD_TEXT);
+    taut_record *child = add_item(record, key, TAUT_RECORD_TEXT);
     if (child != NULL) {
         child->text = text_copy(value != NULL ? value : "");
         if (child->text == NULL) {
@@ -152,7 +154,7 @@ void taut_record_add_text(taut_record *record, const char *key, const char *valu
 
 void taut_record_add_numbers(taut_record *record, const char *key, int count, const double *values)
 {
-    taut_record *list = add(record, key, TAUT_RECORD_LIST);
+    taut_record *list = add_item(record, key, TAUT_RECORD_LIST);
     for (int i = 0; i < count; i++) {
         taut_record_add_number(list, NULL, values[i]);
     }
@@ -160,12 +162,12 @@ void taut_record_add_numbers(taut_record *record, const char *key, int count, co
 
 taut_record *taut_record_add_list(taut_record *record, const char *key)
 {
-    return add(record, key, TAUT_RECORD_LIST);
+    return add_item(record, key, TAUT_RECORD_LIST);
 }
 
 taut_record *taut_record_add_object(taut_record *record, const char *key)
 {
-    return add(record, key, TAUT_RECORD_OBJECT);
+    return add_item(record, key, TAUT_RECORD_OBJECT);
 }
 
 /* Adds the children of `from` to `to`, of the same kind. */
@@ -193,7 +195,7 @@ void taut_record_add_record(taut_record *record, const char *key, const taut_rec
     } else if (child->kind == TAUT_RECORD_TEXT) {
         taut_record_add_text(record, key, child->text);
     } else {
-        copy = add(record, key, child->kind);
+        copy = add_item(record, key, child->kind);
         if (copy != NULL) {
             copy->number = child->number;
             copy_children(copy, child);

@@ -10,17 +10,17 @@ static const struct {
 #undef TAUT_STATUS_ROW
 };
 
-static int known(taut_status status)
+static int is_known(taut_status status)
 {
     return (int)status >= 0 && (int)status < (int)(sizeof rows / sizeof rows[0]);
 }
 
 const char *taut_status_text(taut_status status)
 {
-    return known(status) ? rows[status].text : "an unknown status";
+    return is_known(status) ? rows[status].text : "an unknown status";
 }
 
 int taut_status_exit_code(taut_status status)
 {
-    return known(status) ? rows[status].exit_code : 6;
+    return is_known(status) ? rows[status].exit_code : 6;
 }

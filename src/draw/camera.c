@@ -1,14 +1,12 @@
 #include "draw/camera.h"
 
+#include "core/constants.h"
+#include "core/vec3.h"
+
 #include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 void taut_camera_init(taut_camera *camera)
 {
@@ -50,7 +48,7 @@ int taut_camera_settle(taut_camera *camera)
 
 void taut_camera_aim(taut_camera *camera, double azimuth, double elevation)
 {
-    const double degree = 3.14159265358979323846 / 180;
+    const double degree = TAUT_PI / 180;
     const double ca = cos(azimuth * degree), sa = sin(azimuth * degree);
     const double ce = cos(elevation * degree), se = sin(elevation * degree);
     const double eye[3] = {ce * ca, ce * sa, se};
@@ -93,7 +91,7 @@ void taut_camera_see(taut_camera *camera, size_t count, const double *points)
     for (size_t i = 0; i < count; i++) {
         double p[3];
         taut_camera_normalise(camera, points + 3 * i, p);
-        const double at[2] = {dot(p, camera->right), dot(p, camera->up)};
+        const double at[2] = {taut_dot(p, camera->right), taut_dot(p, camera->up)};
         if (isfinite(at[0]) && isfinite(at[1])) {
             for (int c = 0; c < 2; c++) {
                 camera->seen[0][c] = fmin(camera->seen[0][c], at[c]);
@@ -103,14 +101,14 @@ void taut_camera_see(taut_camera *camera, size_t count, const double *points)
     }
 }
 
-void taut_camera_fit(taut_camera *camera, const double frame[4])
+void taut_camera_fit(taut_camera *camera, const double place[4])
 {
-    taut_camera_fit_within(camera, frame, INFINITY);
+    taut_camera_fit_within(camera, place, INFINITY);
 }
 
-void taut_camera_fit_within(taut_camera *camera, const double frame[4], double most)
+void taut_camera_fit_within(taut_camera *camera, const double place[4], double most)
 {
-    const double room[2] = {frame[2] - frame[0], frame[3] - frame[1]};
+    const double room[2] = {place[2] - place[0], place[3] - place[1]};
     double centre[2] = {0, 0};
     double side = 0; /* the larger part of the room that a scale of 1 takes */
 
@@ -121,15 +119,15 @@ void taut_camera_fit_within(taut_camera *camera, const double frame[4], double m
     }
     /* Seen end on, a line is a point: a hundredth of the room is the smallest it is blown up. */
     camera->scale = fmin(1 / fmax(side, 0.01 / fmax(room[0], room[1])), most);
-    camera->origin[0] = (frame[0] + frame[2]) / 2 - camera->scale * centre[0];
-    camera->origin[1] = (frame[1] + frame[3]) / 2 + camera->scale * centre[1];
+    camera->origin[0] = (place[0] + place[2]) / 2 - camera->scale * centre[0];
+    camera->origin[1] = (place[1] + place[3]) / 2 + camera->scale * centre[1];
 }
 
 void taut_camera_project(const taut_camera *camera, const double point[3], double page[3])
 {
     double p[3];
     taut_camera_normalise(camera, point, p);
-    page[0] = camera->origin[0] + camera->scale * dot(p, camera->right);
-    page[1] = camera->origin[1] - camera->scale * dot(p, camera->up);
-    page[2] = camera->scale * dot(p, camera->eye);
+    page[0] = camera->origin[0] + camera->scale * taut_dot(p, camera->right);
+    page[1] = camera->origin[1] - camera->scale * taut_dot(p, camera->up);
+    page[2] = camera->scale * taut_dot(p, camera->eye);
 }

@@ -33,10 +33,10 @@ int taut_camera_is_far(const taut_camera *camera, size_t count, const double *po
 void taut_camera_aim(taut_camera *camera, double azimuth, double elevation);
 /* Widens what is to be seen on the page. */
 void taut_camera_see(taut_camera *camera, size_t count, const double *points);
-/* Fits all that is seen into the frame x0 y0 x1 y1 of the page. */
-void taut_camera_fit(taut_camera *camera, const double frame[4]);
+/* Fits all that is seen into the place x0 y0 x1 y1 of the page. */
+void taut_camera_fit(taut_camera *camera, const double place[4]);
 /* The same, but no larger than at `most` page units to half a box. */
-void taut_camera_fit_within(taut_camera *camera, const double frame[4], double most);
+void taut_camera_fit_within(taut_camera *camera, const double place[4], double most);
 
 /* (x, y) on the page and the depth in the same unit, larger is nearer; NaN for points that are
  * not finite. */

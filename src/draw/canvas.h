@@ -8,13 +8,10 @@
 #ifndef TAUT_DRAW_CANVAS_H
 #define TAUT_DRAW_CANVAS_H
 
+#include "mesh/colour.h"
 #include "taut/status.h"
 
 #include <stddef.h>
-
-typedef struct taut_ink {
-    unsigned char r, g, b;
-} taut_ink;
 
 typedef struct taut_page {
     const char *kind; /* "svg", "pdf" or "png" */

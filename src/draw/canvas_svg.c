@@ -21,7 +21,7 @@ struct taut_canvas {
     char buffer[BUFFER];
 };
 
-static void flush(taut_canvas *canvas)
+static void flush_text(taut_canvas *canvas)
 {
     if (!canvas->failed && canvas->used > 0) {
         canvas->failed = !canvas->page->write(canvas->page->context, canvas->buffer, canvas->used);
@@ -39,12 +39,12 @@ static void put_bytes(taut_canvas *canvas, const char *bytes, size_t count)
         bytes += part;
         count -= part;
         if (canvas->used == BUFFER) {
-            flush(canvas);
+            flush_text(canvas);
         }
     }
 }
 
-static void put(taut_canvas *canvas, const char *text)
+static void put_text(taut_canvas *canvas, const char *text)
 {
     put_bytes(canvas, text, strlen(text));
 }
@@ -81,11 +81,11 @@ static void put_number(taut_canvas *canvas, double value)
 
 static void put_attribute(taut_canvas *canvas, const char *name, double value)
 {
-    put(canvas, " ");
-    put(canvas, name);
-    put(canvas, "=\"");
+    put_text(canvas, " ");
+    put_text(canvas, name);
+    put_text(canvas, "=\"");
     put_number(canvas, value);
-    put(canvas, "\"");
+    put_text(canvas, "\"");
 }
 
 static void put_ink(taut_canvas *canvas, const char *name, taut_ink ink)
@@ -99,9 +99,9 @@ static void put_ink(taut_canvas *canvas, const char *name, taut_ink ink)
                           digit[ink.b / 16],
                           digit[ink.b % 16],
                           '"'};
-    put(canvas, " ");
-    put(canvas, name);
-    put(canvas, "=\"");
+    put_text(canvas, " ");
+    put_text(canvas, name);
+    put_text(canvas, "=\"");
     put_bytes(canvas, text, sizeof text);
 }
 
@@ -109,11 +109,11 @@ static void put_escaped(taut_canvas *canvas, const char *text)
 {
     for (; *text != '\0'; text++) {
         if (*text == '<') {
-            put(canvas, "&lt;");
+            put_text(canvas, "&lt;");
         } else if (*text == '>') {
-            put(canvas, "&gt;");
+            put_text(canvas, "&gt;");
         } else if (*text == '&') {
-            put(canvas, "&amp;");
+            put_text(canvas, "&amp;");
         } else {
             put_bytes(canvas, text, 1);
         }
@@ -125,49 +125,49 @@ static void put_path(taut_canvas *canvas, int count, const double (*xy)[2], long
                      const char *end)
 {
     long last[2] = {0, 0};
-    put(canvas, " d=\"");
+    put_text(canvas, " d=\"");
     for (int i = 0; i < count; i++) {
-        put(canvas, i == 0 ? "M" : i == 1 ? "l" : "");
+        put_text(canvas, i == 0 ? "M" : i == 1 ? "l" : "");
         for (int c = 0; c < 2; c++) {
             const long at = lround(xy[i][c] * 100 / (double)unit) * unit;
             const long step = at - last[c];
             if ((c > 0 || i > 1) && step >= 0) {
-                put(canvas, " ");
+                put_text(canvas, " ");
             }
             put_hundredths(canvas, step);
             last[c] = at;
         }
     }
-    put(canvas, end);
+    put_text(canvas, end);
 }
 
 static taut_status svg_begin(taut_canvas *canvas, const taut_page *page)
 {
     canvas->page = page;
-    put(canvas, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"");
+    put_text(canvas, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                     "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"");
     put_number(canvas, page->width / 2); /* half a point to the unit */
-    put(canvas, "pt\" height=\"");
+    put_text(canvas, "pt\" height=\"");
     put_number(canvas, page->height / 2);
-    put(canvas, "pt\" viewBox=\"0 0 ");
+    put_text(canvas, "pt\" viewBox=\"0 0 ");
     put_number(canvas, page->width);
-    put(canvas, " ");
+    put_text(canvas, " ");
     put_number(canvas, page->height);
-    put(canvas, "\">\n");
+    put_text(canvas, "\">\n");
     if (page->title != NULL) {
-        put(canvas, "<title>");
+        put_text(canvas, "<title>");
         put_escaped(canvas, page->title);
-        put(canvas, "</title>\n");
+        put_text(canvas, "</title>\n");
     }
-    put(canvas, "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
-                "<g font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" "
-                "stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
+    put_text(canvas, "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
+                     "<g font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" "
+                     "stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
     return TAUT_OK;
 }
 
 static void svg_polygon(taut_canvas *canvas, int count, const double (*xy)[2], taut_ink ink)
 {
-    put(canvas, "<path");
+    put_text(canvas, "<path");
     put_ink(canvas, "fill", ink);
     put_path(canvas, count, xy, 10, "z\"/>\n");
 }
@@ -175,7 +175,7 @@ static void svg_polygon(taut_canvas *canvas, int count, const double (*xy)[2], t
 static void svg_line(taut_canvas *canvas, int count, const double (*xy)[2], taut_ink ink,
                      double width)
 {
-    put(canvas, "<path fill=\"none\"");
+    put_text(canvas, "<path fill=\"none\"");
     put_ink(canvas, "stroke", ink);
     put_attribute(canvas, "stroke-width", width);
     put_path(canvas, count, xy, 5, "\"/>\n");
@@ -184,35 +184,35 @@ static void svg_line(taut_canvas *canvas, int count, const double (*xy)[2], taut
 static void svg_disc(taut_canvas *canvas, const double xy[2], double radius, taut_ink ink,
                      taut_ink rim, double rim_width)
 {
-    put(canvas, "<circle");
+    put_text(canvas, "<circle");
     put_attribute(canvas, "cx", xy[0]);
     put_attribute(canvas, "cy", xy[1]);
     put_attribute(canvas, "r", radius);
     put_ink(canvas, "fill", ink);
     put_ink(canvas, "stroke", rim);
     put_attribute(canvas, "stroke-width", rim_width);
-    put(canvas, "/>\n");
+    put_text(canvas, "/>\n");
 }
 
 static void svg_text(taut_canvas *canvas, double x, double y, double size, taut_anchor anchor,
                      taut_ink ink, const char *text)
 {
     static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
-    put(canvas, "<text");
+    put_text(canvas, "<text");
     put_attribute(canvas, "x", x);
     put_attribute(canvas, "y", y);
     put_attribute(canvas, "font-size", size);
-    put(canvas, anchors[anchor]);
+    put_text(canvas, anchors[anchor]);
     put_ink(canvas, "fill", ink);
-    put(canvas, ">");
+    put_text(canvas, ">");
     put_escaped(canvas, text);
-    put(canvas, "</text>\n");
+    put_text(canvas, "</text>\n");
 }
 
 static taut_status svg_finish(taut_canvas *canvas)
 {
-    put(canvas, "</g>\n</svg>\n");
-    flush(canvas);
+    put_text(canvas, "</g>\n</svg>\n");
+    flush_text(canvas);
     return canvas->failed ? TAUT_IO : TAUT_OK;
 }
 

@@ -1,59 +1,54 @@
-#include "draw/combs.h"
+/* combs.c -- curvature combs of the edges of a surface. */
+#include "core/vec3.h"
+#include "draw/parts.h"
 
 #include <math.h>
 #include <string.h>
 
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* k from x' and x''. */
 static void bend_of(const double *d1, const double *d2, double bend[3])
 {
-    const double speed2 = dot(d1, d1), along = dot(d1, d2) / speed2;
+    const double speed2 = taut_dot(d1, d1), along = taut_dot(d1, d2) / speed2;
     for (int c = 0; c < 3; c++) {
         bend[c] = (d2[c] - along * d1[c]) / speed2;
     }
 }
 
-static double between(double a, double b, int i)
+static double parameter_at(double a, double b, int i)
 {
     const double s = (double)i / (TAUT_COMB_TEETH - 1);
     return fmin(fmax((1 - s) * a + s * b, a), b);
 }
 
 /* The parameters of tooth i of an edge: u0, u1 run along v, and v0, v1 along u. */
-static void place(const taut_surface *surface, int edge, int i, double uv[2])
+static void tooth_parameters(const taut_surface *surface, int edge, int i, double uv[2])
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     if (edge < 2) {
         uv[0] = edge == 0 ? taut_basis_lo(u) : taut_basis_hi(u);
-        uv[1] = between(taut_basis_lo(v), taut_basis_hi(v), i);
+        uv[1] = parameter_at(taut_basis_lo(v), taut_basis_hi(v), i);
     } else {
-        uv[0] = between(taut_basis_lo(u), taut_basis_hi(u), i);
+        uv[0] = parameter_at(taut_basis_lo(u), taut_basis_hi(u), i);
         uv[1] = edge == 2 ? taut_basis_lo(v) : taut_basis_hi(v);
     }
 }
 
 taut_status taut_combs_fill(const taut_surface *surface, taut_combs *combs, double *most)
 {
-    taut_status status = TAUT_OK;
-    for (int edge = 0; edge < 4; edge++) {
+    for (int k = 0; k < 4 * TAUT_COMB_TEETH; k++) {
+        const int edge = k / TAUT_COMB_TEETH, i = k % TAUT_COMB_TEETH;
         const int first = edge < 2 ? TAUT_XV : TAUT_XU, second = edge < 2 ? TAUT_XVV : TAUT_XUU;
-        for (int i = 0; i < TAUT_COMB_TEETH && status == TAUT_OK; i++) {
-            double uv[2], values[6][3];
-            place(surface, edge, i, uv);
-            status = taut_surface_eval(surface, uv[0], uv[1], 2, &values[0][0]);
-            if (status == TAUT_OK) {
-                double *bend = combs->bend[edge][i];
-                memcpy(combs->foot[edge][i], values[TAUT_X], sizeof values[TAUT_X]);
-                bend_of(values[first], values[second], bend);
-                *most = fmax(*most, hypot(hypot(bend[0], bend[1]), bend[2])); /* passes over NaN */
-            }
+        double uv[2], values[6][3], *bend = combs->bend[edge][i];
+        tooth_parameters(surface, edge, i, uv);
+        const taut_status status = taut_surface_eval(surface, uv[0], uv[1], 2, &values[0][0]);
+        if (status != TAUT_OK) {
+            return status;
         }
+        memcpy(combs->foot[edge][i], values[TAUT_X], sizeof values[TAUT_X]);
+        bend_of(values[first], values[second], bend);
+        *most = fmax(*most, hypot(hypot(bend[0], bend[1]), bend[2])); /* passes over NaN */
     }
-    return status;
+    return TAUT_OK;
 }
 
 void taut_combs_scale(taut_combs *combs, double scale)

@@ -4,11 +4,12 @@
 
 #include "core/arena.h"
 #include "core/fail.h"
-#include "draw/colour.h"
 #include "draw/label.h"
 #include "draw/legend.h"
 #include "draw/pane.h"
 #include "draw/panes.h"
+#include "io/format.h"
+#include "mesh/colour.h"
 #include "platform/module.h"
 
 #include <errno.h>
@@ -30,7 +31,7 @@ typedef struct figure {
     int cut, has_grey;
 } figure;
 
-static int interrupted(const figure *f, double done)
+static int is_interrupted(const figure *f, double done)
 {
     const taut_monitor *monitor = &f->options.monitor;
     return monitor->progress != NULL && monitor->progress(monitor->context, done, "drawing") != 0;
@@ -45,14 +46,14 @@ static int cells_each(const figure *f, int sheets)
     return share > one ? one : share < least ? least : share;
 }
 
-static taut_status sample(figure *f)
+static taut_status sample_panes(figure *f)
 {
     const int sheets = taut_panes_sheets(&f->panes, &f->options);
     const int most = (f->vector ? 40000 : 1000000) / (sheets > 0 ? sheets : 1) + 1;
     taut_status status = TAUT_OK;
 
     for (int i = 0; i < f->panes.count && status == TAUT_OK; i++) {
-        status = interrupted(f, 0.5 * i / f->panes.count)
+        status = is_interrupted(f, 0.5 * i / f->panes.count)
                      ? TAUT_INTERRUPTED
                      : taut_pane_sample(&f->panes.pane[i], &f->options, cells_each(f, sheets), most,
                                         f->vector ? 120 : 400, f->arena);
@@ -162,7 +163,7 @@ static void draw_legend(const figure *f, const taut_legend *legend)
     }
     for (int i = 0; i < f->panes.count; i++) {
         if (f->panes.pane[i].label != NULL) {
-            taut_legend_label(legend, f->panes.frame[i], f->panes.pane[i].label);
+            taut_legend_label(legend, f->panes.place[i], f->panes.pane[i].label);
         }
     }
     draw_names(f, legend);
@@ -185,8 +186,8 @@ static long long source_date(void)
                                                                                               : -1;
 }
 
-static taut_status paint(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out,
-                         taut_error *error)
+/* TAUT_IO when the bytes do not arrive. */
+static taut_status paint_page(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out)
 {
     char title[512] = "";
     taut_page page = {.kind = kind,
@@ -198,69 +199,79 @@ static taut_status paint(figure *f, const taut_canvas_ops *ops, const char *kind
                       .context = out};
     taut_canvas *canvas = taut_arena_take(f->arena, 1, ops->size);
     const taut_legend legend = {ops, canvas, page_width, page_height};
-    taut_status status = TAUT_NO_MEMORY;
 
+    if (canvas == NULL) {
+        return TAUT_NO_MEMORY;
+    }
     if (f->options.title != NULL) {
         taut_label_clean(f->options.title, sizeof title, title, sizeof title);
         page.title = title;
     }
     errno = 0;
-    if (canvas != NULL) {
-        status = ops->begin(canvas, &page);
+    taut_status status = ops->begin(canvas, &page);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        taut_legend_axes(&legend, &f->panes.pane[0].camera);
-        taut_scene_paint(&f->scene, ops, canvas);
-        draw_legend(f, &legend);
-        status = ops->finish(canvas);
+    taut_legend_axes(&legend, &f->panes.pane[0].camera);
+    taut_scene_paint(&f->scene, ops, canvas);
+    draw_legend(f, &legend);
+    status = ops->finish(canvas);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && (fflush(out) != 0 || ferror(out))) {
-        status = TAUT_IO;
-    }
-    if (status == TAUT_IO) {
-        char reason[128] = "the device took no more";
-        if (errno != 0) {
-            strerror_r(errno, reason, sizeof reason);
-        }
-        return taut_fail(error, TAUT_IO, "file", NULL, taut_none, taut_none,
-                         "the figure could not be written: %s", reason);
-    }
-    return status == TAUT_OK ? TAUT_OK
-                             : taut_fail(error, status, "value", NULL, taut_none, taut_none, "%s",
-                                         taut_status_text(status));
+    return fflush(out) != 0 || ferror(out) ? TAUT_IO : TAUT_OK;
 }
 
-static taut_status draw(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out,
-                        taut_error *error)
+/* What paint_page() says, in words; errno is of its last write. */
+static taut_status fail_painting(taut_status status, taut_error *error)
+{
+    char reason[128] = "the device took no more";
+    if (status != TAUT_IO) {
+        return taut_fail_status(error, status);
+    }
+    if (errno != 0) {
+        strerror_r(errno, reason, sizeof reason);
+    }
+    return taut_fail(error, TAUT_IO, "file", NULL, taut_none, taut_none,
+                     "the figure could not be written: %s", reason);
+}
+
+/* Everything up to the page, from sampled panes that are aimed. */
+static taut_status make_scene(figure *f)
+{
+    if (f->options.colour != TAUT_COLOUR_PLAIN && choose_limit(f) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_status status = taut_scene_init(&f->scene, page_width, page_height, f->arena);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = add_all(f);
+    return status == TAUT_OK && is_interrupted(f, 0.7) ? TAUT_INTERRUPTED : status;
+}
+
+static taut_status draw_panes(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out,
+                              taut_error *error)
 {
     const int wide = f->options.colour != TAUT_COLOUR_PLAIN;
-    taut_status status = sample(f);
+    taut_status status = sample_panes(f);
 
-    if (status == TAUT_OK) {
-        const int names = names_shown(f) > 0;
-        const double page[4] = {0,
-                                f->options.title == NULL ? 0
-                                : f->panes.count > 1     ? 60
-                                                         : 30,
-                                page_width - (wide || names ? 160 : 0), page_height};
-        if (!taut_panes_aim(&f->panes, &f->options, page)) {
-            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, 0, 1,
-                             "there is nothing to draw: no surface or curve has a finite point");
-        }
-        status = wide ? choose_limit(f) : TAUT_OK;
+    if (status != TAUT_OK) {
+        return taut_fail_status(error, status);
     }
-    if (status == TAUT_OK) {
-        status = taut_scene_init(&f->scene, page_width, page_height, f->arena);
+    const double title = f->options.title == NULL ? 0 : f->panes.count > 1 ? 60 : 30;
+    const double page[4] = {0, title, page_width - (wide || names_shown(f) > 0 ? 160 : 0),
+                            page_height};
+    if (!taut_panes_aim(&f->panes, &f->options, page)) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, 0, 1,
+                         "there is nothing to draw: no surface or curve has a finite point");
     }
-    if (status == TAUT_OK) {
-        status = add_all(f);
+    status = make_scene(f);
+    if (status != TAUT_OK) {
+        return taut_fail_status(error, status);
     }
-    if (status == TAUT_OK && interrupted(f, 0.7)) {
-        status = TAUT_INTERRUPTED;
-    }
-    return status == TAUT_OK ? paint(f, ops, kind, out, error)
-                             : taut_fail(error, status, "value", NULL, taut_none, taut_none, "%s",
-                                         taut_status_text(status));
+    status = paint_page(f, ops, kind, out);
+    return status == TAUT_OK ? TAUT_OK : fail_painting(status, error);
 }
 
 /* The table that draws this kind; cairo is loaded for what needs it. */
@@ -301,7 +312,7 @@ static taut_status check_numbers(const taut_write_options *o, taut_error *error)
     return TAUT_OK;
 }
 
-static taut_status check(const taut_write_options *options, taut_error *error)
+static taut_status check_options(const taut_write_options *options, taut_error *error)
 {
     const double a = options->view[0], e = options->view[1];
     if (options->has_view && !(isfinite(a) && e >= -90 && e <= 90)) {
@@ -312,13 +323,35 @@ static taut_status check(const taut_write_options *options, taut_error *error)
     return check_numbers(options, error);
 }
 
+/* f is zero but for its options. */
+static taut_status draw_models(figure *f, int count, const taut_model *const *models,
+                               const char *kind, FILE *out, taut_error *error)
+{
+    const taut_canvas_ops *ops = NULL;
+    taut_status status = check_options(&f->options, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = find_canvas(kind, &ops, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    f->limit = 1;
+    f->vector = strcmp(kind, "png") != 0;
+    f->arena = taut_arena_new();
+    if (f->arena == NULL) {
+        return taut_fail_memory(error);
+    }
+    status = taut_panes_new(count, models, &f->options, f->arena, &f->panes, error);
+    return status == TAUT_OK ? draw_panes(f, ops, kind, out, error) : status;
+}
+
 taut_status taut_draw_figures(int count, const taut_model *const *models,
                               const taut_write_options *options, const char *kind, FILE *out,
                               taut_error *error)
 {
-    const taut_canvas_ops *ops = NULL;
-    figure f = {.limit = 1};
-    taut_status status = TAUT_OK;
+    figure f = {.arena = NULL};
 
     if (count < 1 || count > TAUT_MODELS_MAX || models == NULL || kind == NULL || out == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, count, TAUT_MODELS_MAX,
@@ -327,20 +360,7 @@ taut_status taut_draw_figures(int count, const taut_model *const *models,
     if (options != NULL) {
         f.options = *options;
     }
-    status = check(&f.options, error);
-    if (status == TAUT_OK) {
-        status = find_canvas(kind, &ops, error);
-    }
-    if (status == TAUT_OK) {
-        f.vector = strcmp(kind, "png") != 0;
-        f.arena = taut_arena_new();
-        status = f.arena != NULL
-                     ? taut_panes_new(count, models, &f.options, f.arena, &f.panes, error)
-                     : taut_fail_memory(error);
-    }
-    if (status == TAUT_OK) {
-        status = draw(&f, ops, kind, out, error);
-    }
+    const taut_status status = draw_models(&f, count, models, kind, out, error);
     taut_scene_clear(&f.scene);
     taut_arena_free(f.arena);
     return status;
@@ -355,3 +375,23 @@ taut_status taut_draw_figure(const taut_model *model, const taut_write_options *
     }
     return taut_draw_figures(1, &model, options, kind, out, error);
 }
+
+/* The formats that are pictures. */
+#define TAUT_FIGURE(kind)                                                                          \
+    static taut_status write_##kind(const taut_model *model, const taut_write_options *options,    \
+                                    FILE *out, taut_error *error)                                  \
+    {                                                                                              \
+        return taut_draw_figure(model, options, #kind, out, error);                                \
+    }                                                                                              \
+    static taut_status write_many_##kind(int count, const taut_model *const *models,               \
+                                         const taut_write_options *options, FILE *out,             \
+                                         taut_error *error)                                        \
+    {                                                                                              \
+        return taut_draw_figures(count, models, options, #kind, out, error);                       \
+    }                                                                                              \
+    const taut_format_ops taut_format_##kind = {                                                   \
+        .write = write_##kind, .write_many = write_many_##kind, .models_max = TAUT_MODELS_MAX}
+
+TAUT_FIGURE(svg);
+TAUT_FIGURE(pdf);
+TAUT_FIGURE(png);

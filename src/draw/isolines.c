@@ -7,7 +7,8 @@ static const taut_ink line_ink = {44, 48, 60};
 static const double line_width = 1.0, zero_width = 2.0;
 
 /* The points on the sides of a triangle where s = level; 2, or 0. */
-static int crossings(const double *const p[3], const double s[3], double level, double at[2][3])
+static int find_crossings(const double *const p[3], const double s[3], double level,
+                          double at[2][3])
 {
     int count = 0;
     for (int k = 0; k < 3; k++) {
@@ -36,7 +37,7 @@ static void add_triangle(const double *const p[3], const double s[3], double ste
     const int to = (int)fmin(last, floor(fmin(high / step, last)));
     for (int k = from; k <= to; k++) {
         double at[2][3];
-        if (crossings(p, s, k * step, at) == 2) {
+        if (find_crossings(p, s, k * step, at) == 2) {
             taut_scene_line(scene, 2, at[0], line_ink, k == 0 ? zero_width : line_width);
         }
     }
@@ -64,7 +65,7 @@ taut_status taut_parts_isolines(const taut_sheet *sheet, const double *page, dou
 
 enum { STEPS = 96 };
 
-static double share(const taut_basis *basis, int i, int of)
+static double parameter_at(const taut_basis *basis, int i, int of)
 {
     const double a = taut_basis_lo(basis), b = taut_basis_hi(basis), s = (double)i / of;
     return fmin(fmax((1 - s) * a + s * b, a), b);
@@ -77,24 +78,27 @@ taut_status taut_parts_parameter_lines(const taut_surface *surface, int count,
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     double along[STEPS + 1];
     double *points = taut_arena_take(arena, STEPS + 1, 3 * sizeof(double));
-    taut_status status = points != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 
+    if (points == NULL) {
+        return TAUT_NO_MEMORY;
+    }
     for (int held = 0; held < 2; held++) {
         for (int i = 0; i <= STEPS; i++) {
-            along[i] = share(bases[1 - held], i, STEPS);
+            along[i] = parameter_at(bases[1 - held], i, STEPS);
         }
-        for (int k = 1; k <= count && status == TAUT_OK; k++) {
-            const double at = share(bases[held], k, count + 1);
-            status = held == 0
-                         ? taut_surface_eval_grid(surface, 1, &at, STEPS + 1, along, 0, 1, points)
-                         : taut_surface_eval_grid(surface, STEPS + 1, along, 1, &at, 0, 1, points);
-            for (int i = 0; i <= STEPS && status == TAUT_OK; i++) {
+        for (int k = 1; k <= count; k++) {
+            const double at = parameter_at(bases[held], k, count + 1);
+            const taut_status status =
+                held == 0 ? taut_surface_eval_grid(surface, 1, &at, STEPS + 1, along, 0, 1, points)
+                          : taut_surface_eval_grid(surface, STEPS + 1, along, 1, &at, 0, 1, points);
+            if (status != TAUT_OK) {
+                return status;
+            }
+            for (int i = 0; i <= STEPS; i++) {
                 taut_camera_project(camera, points + 3 * i, points + 3 * i);
             }
-            if (status == TAUT_OK) {
-                taut_scene_line(scene, STEPS + 1, points, line_ink, line_width);
-            }
+            taut_scene_line(scene, STEPS + 1, points, line_ink, line_width);
         }
     }
-    return status == TAUT_OK ? scene->status : status;
+    return scene->status;
 }

@@ -40,7 +40,7 @@ void taut_label_number(double value, char *text, size_t size)
 
 /* The bytes of the letter at `s`, 0 when they are not well-formed UTF-8 (no overlong forms, no
  * surrogates, no code above U+10FFFF: Unicode 15, table 3-7). */
-static size_t letter(const unsigned char *s)
+static size_t letter_length(const unsigned char *s)
 {
     const size_t length = s[0] < 0x80   ? 1
                           : s[0] < 0xc2 ? 0
@@ -61,7 +61,7 @@ static size_t letter(const unsigned char *s)
 }
 
 /* Control codes, and the two codes no XML document may hold. */
-static int unprintable(const unsigned char *s, size_t length)
+static int is_unprintable(const unsigned char *s, size_t length)
 {
     return (length == 1 && (s[0] < 0x20 || s[0] == 0x7f)) ||
            (length == 2 && s[0] == 0xc2 && s[1] < 0xa0) ||
@@ -75,8 +75,8 @@ void taut_label_clean(const char *from, size_t most, char *text, size_t size)
     size_t at = 0, letters = 0;
 
     while (*s != 0) {
-        const size_t length = letter(s);
-        const int bad = length == 0 || unprintable(s, length);
+        const size_t length = letter_length(s);
+        const int bad = length == 0 || is_unprintable(s, length);
         const size_t step = length > 0 ? length : 1;
         const int last = s[step] == 0;
         if (at + step + sizeof ellipsis > size || (letters + 1 >= most && !last)) {

@@ -1,7 +1,7 @@
 #include "draw/legend.h"
 
-#include "draw/colour.h"
 #include "draw/label.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -21,7 +21,7 @@ static void write_text(const taut_legend *l, double x, double y, double size, ta
     l->ops->text(l->canvas, x, y, size, anchor, text_ink, text);
 }
 
-static void box(const taut_legend *l, double x, double y, double w, double h, taut_ink ink)
+static void draw_box(const taut_legend *l, double x, double y, double w, double h, taut_ink ink)
 {
     const double xy[4][2] = {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
     l->ops->polygon(l->canvas, 4, xy, ink);
@@ -132,24 +132,24 @@ void taut_legend_scale(const taut_legend *legend, taut_colour colour, double lim
     s.power = tick_power(limit, &s.exponent);
     for (int k = 0; k < SLICES; k++) {
         const double over = k + 1 < SLICES ? 0.5 : 0; /* no white between slices */
-        box(legend, s.x, s.top + k * slice, bar_width, slice + over,
-            taut_colour_diverging(1 - (k + 0.5) / SLICES * (1 - s.from)));
+        draw_box(legend, s.x, s.top + k * slice, bar_width, slice + over,
+                 taut_colour_diverging(1 - (k + 0.5) / SLICES * (1 - s.from)));
     }
     draw_outline(legend, &s, cut);
     draw_ticks(legend, &s);
     draw_heading(legend, &s, colour, unit);
     if (has_grey) {
         const double y = bar_top + bar_height + 34;
-        box(legend, s.x, y, bar_width, 16, taut_colour_diverging((double)NAN));
+        draw_box(legend, s.x, y, bar_width, 16, taut_colour_diverging((double)NAN));
         write_text(legend, s.x + bar_width + 12, y + 14, text_size, TAUT_ANCHOR_START, "undefined");
     }
 }
 
-void taut_legend_label(const taut_legend *legend, const double frame[4], const char *label)
+void taut_legend_label(const taut_legend *legend, const double place[4], const char *label)
 {
     char text[256];
-    taut_label_clean(label, (size_t)fmax(4, (frame[2] - frame[0]) / 11), text, sizeof text);
-    write_text(legend, (frame[0] + frame[2]) / 2, frame[1] - 10, text_size, TAUT_ANCHOR_MIDDLE,
+    taut_label_clean(label, (size_t)fmax(4, (place[2] - place[0]) / 11), text, sizeof text);
+    write_text(legend, (place[0] + place[2]) / 2, place[1] - 10, text_size, TAUT_ANCHOR_MIDDLE,
                text);
 }
 
@@ -166,7 +166,7 @@ void taut_legend_name(const taut_legend *legend, int row, taut_ink ink, int is_c
     const double x = legend->width - bar_from_right - 40, y = 150 + 30.0 * row;
     char text[64];
     taut_label_clean(name, 14, text, sizeof text);
-    box(legend, x, is_curve ? y - 8 : y - 14, bar_width, is_curve ? 3 : 16, ink);
+    draw_box(legend, x, is_curve ? y - 8 : y - 14, bar_width, is_curve ? 3 : 16, ink);
     write_text(legend, x + bar_width + 12, y, text_size, TAUT_ANCHOR_START, text);
 }
 

@@ -22,7 +22,7 @@ void taut_legend_name(const taut_legend *legend, int row, taut_ink ink, int is_c
                       const char *name);
 void taut_legend_title(const taut_legend *legend, const char *title);
 /* What stands above one of several pictures, whose place is x0 y0 x1 y1. */
-void taut_legend_label(const taut_legend *legend, const double frame[4], const char *label);
+void taut_legend_label(const taut_legend *legend, const double place[4], const char *label);
 /* A line below; "" for none. */
 void taut_legend_note(const taut_legend *legend, const char *note);
 void taut_legend_axes(const taut_legend *legend, const taut_camera *camera);

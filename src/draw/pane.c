@@ -1,7 +1,6 @@
 #include "draw/pane.h"
 
-#include "draw/colour.h"
-#include "draw/parts.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <string.h>
@@ -23,19 +22,24 @@ int taut_pane_shows(const taut_pane *pane, const taut_write_options *options, in
                               : options->surface == NULL || strcmp(options->surface, name) == 0;
 }
 
+static taut_status sample_surface(taut_pane *pane, const taut_write_options *options, int i,
+                                  int cells, int most, taut_arena *arena)
+{
+    taut_sheet *sheet = &pane->sheets[pane->sheet_count++];
+    const taut_status status =
+        taut_sheet_new(taut_model_surface(pane->model, i), cells, most, options, arena, sheet);
+    return status == TAUT_OK && options->isolines > 0 && options->colour != TAUT_COLOUR_PLAIN
+               ? taut_sheet_corners(options, arena, sheet)
+               : status;
+}
+
 static taut_status sample_surfaces(taut_pane *pane, const taut_write_options *options, int cells,
                                    int most, taut_arena *arena)
 {
     taut_status status = TAUT_OK;
     for (int i = 0; i < taut_model_surface_count(pane->model) && status == TAUT_OK; i++) {
         if (taut_pane_shows(pane, options, i)) {
-            taut_sheet *sheet = &pane->sheets[pane->sheet_count++];
-            status = taut_sheet_new(taut_model_surface(pane->model, i), cells, most, options, arena,
-                                    sheet);
-            if (status == TAUT_OK && options->isolines > 0 &&
-                options->colour != TAUT_COLOUR_PLAIN) {
-                status = taut_sheet_corners(options, arena, sheet);
-            }
+            status = sample_surface(pane, options, i, cells, most, arena);
         }
     }
     return status;
@@ -104,9 +108,10 @@ taut_status taut_pane_sample(taut_pane *pane, const taut_write_options *options,
         return TAUT_NO_MEMORY;
     }
     status = sample_surfaces(pane, options, cells, most, arena);
-    if (status == TAUT_OK) {
-        status = sample_curves(pane, options, along, arena);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = sample_curves(pane, options, along, arena);
     return status == TAUT_OK && options->combs ? sample_combs(pane, arena) : status;
 }
 
@@ -131,7 +136,7 @@ static size_t size_of(net n)
     return (size_t)n.nu * (size_t)n.nv;
 }
 
-static int draws(const taut_pane *pane, const taut_write_options *options, int i)
+static int draws_net(const taut_pane *pane, const taut_write_options *options, int i)
 {
     const net n = net_of(pane, i);
     return !options->no_net && !taut_camera_is_far(&pane->core, size_of(n), n.points);
@@ -146,7 +151,7 @@ int taut_pane_far_nets(const taut_pane *pane, const taut_write_options *options)
 {
     int far = 0;
     for (int i = 0; i < taut_pane_nets(pane, options); i++) {
-        far += !draws(pane, options, i);
+        far += !draws_net(pane, options, i);
     }
     return far;
 }
@@ -171,7 +176,7 @@ void taut_pane_visit_nets(const taut_pane *pane, const taut_write_options *optio
 {
     for (int i = 0; i < taut_pane_nets(pane, options); i++) {
         const net n = net_of(pane, i);
-        if (draws(pane, options, i)) {
+        if (draws_net(pane, options, i)) {
             visit(camera, size_of(n), n.points);
         }
     }
@@ -186,11 +191,12 @@ taut_status taut_pane_add_cells(taut_pane *pane, const taut_write_options *optio
         const int colour = pane->surface >= 0 ? 0 : i;
         if (options->reflections > 0) {
             status = taut_sheet_stripes(options, &pane->camera, arena, sheet);
+            if (status != TAUT_OK) {
+                return status;
+            }
         }
-        if (status == TAUT_OK) {
-            status = taut_parts_cells(sheet, &pane->camera, taut_colour_plain(colour), limit, arena,
-                                      scene, &pane->pages[i]);
-        }
+        status = taut_parts_cells(sheet, &pane->camera, taut_colour_plain(colour), limit, arena,
+                                  scene, &pane->pages[i]);
     }
     return status;
 }
@@ -201,7 +207,7 @@ static int has_knot_lines(const taut_pane *pane, const taut_write_options *optio
 {
     const taut_surface *s = pane->sheets[i].surface;
     return options->isolines == 0 && options->reflections == 0 &&
-           (!draws(pane, options, i) || taut_parts_net_is_whole(net_u(s), net_v(s)));
+           (!draws_net(pane, options, i) || taut_parts_net_is_whole(net_u(s), net_v(s)));
 }
 
 static taut_status add_isolines(const taut_pane *pane, const taut_write_options *options, int i,
@@ -234,7 +240,7 @@ static taut_status add_lines(const taut_pane *pane, const taut_write_options *op
     if (status == TAUT_OK && pane->combs != NULL && pane->comb_scale > 0) {
         status = taut_combs_add(&pane->combs[i], &pane->camera, scene);
     }
-    if (status == TAUT_OK && draws(pane, options, i)) {
+    if (status == TAUT_OK && draws_net(pane, options, i)) {
         status =
             taut_parts_net(net_u(s), net_v(s), taut_surface_points(s), &pane->camera, arena, scene);
     }
@@ -264,14 +270,14 @@ taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *opti
         const taut_polyline *line = &pane->curves[i];
         status = taut_parts_curve(line->count, line->points, &pane->camera, taut_colour_curve(i),
                                   arena, scene);
-        if (status == TAUT_OK && draws(pane, options, pane->sheet_count + i)) {
+        if (status == TAUT_OK && draws_net(pane, options, pane->sheet_count + i)) {
             status = taut_parts_net(1, taut_basis_count(taut_curve_t(line->curve)),
                                     taut_curve_points(line->curve), &pane->camera, arena, scene);
         }
     }
     for (int i = 0; i < taut_pane_nets(pane, options); i++) {
         const net n = net_of(pane, i);
-        if (draws(pane, options, i)) {
+        if (draws_net(pane, options, i)) {
             taut_parts_net_points(n.nu, n.nv, n.points, &pane->camera, scene);
         }
     }

@@ -5,8 +5,7 @@
 #ifndef TAUT_DRAW_PANE_H
 #define TAUT_DRAW_PANE_H
 
-#include "draw/combs.h"
-#include "draw/sheet.h"
+#include "draw/parts.h"
 #include "taut/model.h"
 
 typedef struct taut_polyline {

@@ -1,8 +1,8 @@
+/* panes.c -- the panes of a figure; the frames of a deformation stand side by side. */
 #include "draw/panes.h"
 
 #include "core/fail.h"
 #include "draw/label.h"
-#include "draw/strip.h"
 #include "draw/view.h"
 
 #include <math.h>
@@ -11,6 +11,32 @@
 
 /* What the axes and the note below take, and a bit. */
 static const double axes_height = 130;
+
+/* Are the surfaces of a model the frames of a deformation? So it is when `details.lambda` lists one
+ * number for each of several surfaces. */
+static const taut_record *lambdas_of(const taut_model *model)
+{
+    return taut_record_get(taut_model_details(model), "lambda");
+}
+
+static int is_deformation(const taut_model *model)
+{
+    return taut_model_surface_count(model) > 1 && taut_model_curve_count(model) == 0 &&
+           taut_record_kind_of(lambdas_of(model)) == TAUT_RECORD_LIST &&
+           taut_record_count(lambdas_of(model)) == (size_t)taut_model_surface_count(model);
+}
+
+/* "lambda 0.2" for frame i of such a model, in the arena; NULL without memory. */
+static const char *frame_label(const taut_model *model, int i, taut_arena *arena)
+{
+    enum { ROOM = 32 };
+    char *label = taut_arena_take(arena, ROOM, 1);
+    if (label != NULL) {
+        snprintf(label, ROOM, "lambda %.4g",
+                 taut_record_number(taut_record_at(lambdas_of(model), (size_t)i)));
+    }
+    return label;
+}
 
 static int shown_of(const taut_model *model, const taut_write_options *options)
 {
@@ -23,17 +49,17 @@ static int shown_of(const taut_model *model, const taut_write_options *options)
 }
 
 /* Surface after surface of one model, `of` in all. */
-static taut_status split(const taut_model *model, taut_arena *arena, taut_panes *panes)
+static taut_status split_surfaces(const taut_model *model, taut_arena *arena, taut_panes *panes)
 {
-    const int is_strip = taut_strip_is(model);
+    const int has_frames = is_deformation(model);
     panes->of = taut_model_surface_count(model);
     panes->count = panes->of < TAUT_PANES_MAX ? panes->of : TAUT_PANES_MAX;
     for (int k = 0; k < panes->count; k++) {
         const int i = (int)((long)k * (panes->of - 1) / (panes->count > 1 ? panes->count - 1 : 1));
         panes->pane[k] = (taut_pane){
             .model = model, .surface = i, .label = taut_surface_name(taut_model_surface(model, i))};
-        if (is_strip) {
-            panes->pane[k].label = taut_strip_label(model, i, arena);
+        if (has_frames) {
+            panes->pane[k].label = frame_label(model, i, arena);
         }
         if (panes->pane[k].label == NULL) {
             return TAUT_NO_MEMORY;
@@ -59,9 +85,10 @@ taut_status taut_panes_new(int count, const taut_model *const *models,
         }
     }
     if (count == 1 && options->surface == NULL &&
-        (options->side_by_side || taut_strip_is(models[0])) &&
+        (options->side_by_side || is_deformation(models[0])) &&
         taut_model_surface_count(models[0]) > 1) {
-        return split(models[0], arena, panes) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+        return split_surfaces(models[0], arena, panes) == TAUT_OK ? TAUT_OK
+                                                                  : taut_fail_memory(error);
     }
     panes->count = panes->of = count;
     for (int i = 0; i < count; i++) {
@@ -83,7 +110,7 @@ int taut_panes_sheets(const taut_panes *panes, const taut_write_options *options
 }
 
 /* Rows and columns such that a pane of 4 by 3 is largest; room for a label above each. */
-static void place(taut_panes *panes, const double page[4])
+static void place_panes(taut_panes *panes, const double page[4])
 {
     const double width = page[2] - page[0], height = page[3] - page[1];
     int columns = 1;
@@ -91,7 +118,7 @@ static void place(taut_panes *panes, const double page[4])
 
     if (panes->count == 1) {
         const double only[4] = {page[0] + 60, page[1] + 60, page[2] - 60, page[3] - 60};
-        memcpy(panes->frame[0], only, sizeof only);
+        memcpy(panes->place[0], only, sizeof only);
         return;
     }
     for (int c = 1; c <= panes->count; c++) {
@@ -106,8 +133,8 @@ static void place(taut_panes *panes, const double page[4])
     for (int i = 0; i < panes->count; i++) {
         const double w = width / columns, h = (height - axes_height) / rows;
         const double x = page[0] + i % columns * w, y = page[1] + i / columns * h;
-        const double frame[4] = {x + 24, y + 52, x + w - 24, y + h - 8};
-        memcpy(panes->frame[i], frame, sizeof frame);
+        const double place[4] = {x + 24, y + 52, x + w - 24, y + h - 8};
+        memcpy(panes->place[i], place, sizeof place);
     }
 }
 
@@ -151,7 +178,7 @@ static int settle_boxes(taut_panes *panes, taut_camera *box[])
 }
 
 /* The box of the world: first without nets, to see which of them are far beyond it. */
-static int settle(taut_panes *panes, const taut_write_options *options)
+static int settle_cameras(taut_panes *panes, const taut_write_options *options)
 {
     taut_camera *core[TAUT_PANES_MAX], *whole[TAUT_PANES_MAX];
     for (int i = 0; i < panes->count; i++) {
@@ -174,11 +201,11 @@ int taut_panes_aim(taut_panes *panes, const taut_write_options *options, const d
 {
     double view[2] = {options->view[0], options->view[1]}, most = INFINITY;
 
-    place(panes, page);
+    place_panes(panes, page);
     if (panes->is_one_size && options->combs) {
         share_combs(panes);
     }
-    if (!settle(panes, options)) {
+    if (!settle_cameras(panes, options)) {
         return 0;
     }
     if (!options->has_view) {
@@ -195,7 +222,7 @@ int taut_panes_aim(taut_panes *panes, const taut_write_options *options, const d
                 static const double nothing[3] = {0, 0, 0};
                 taut_camera_see(camera, 1, nothing);
             }
-            taut_camera_fit_within(camera, panes->frame[i], most);
+            taut_camera_fit_within(camera, panes->place[i], most);
         }
         for (int i = 0; i < panes->count && panes->is_one_size; i++) {
             most = fmin(most, panes->pane[i].camera.scale);
@@ -205,7 +232,7 @@ int taut_panes_aim(taut_panes *panes, const taut_write_options *options, const d
 }
 
 /* Adds "; " where something stands already, and the text. */
-static void append(char *note, size_t size, const char *text)
+static void append_note(char *note, size_t size, const char *text)
 {
     const size_t used = strlen(note);
     snprintf(note + used, size - used, "%s%s", used > 0 ? "; " : "", text);
@@ -222,7 +249,7 @@ void taut_panes_note(const taut_panes *panes, const taut_write_options *options,
     note[0] = '\0';
     if (panes->of > panes->count) {
         snprintf(text, sizeof text, "%d of %d surfaces", panes->count, panes->of);
-        append(note, size, text);
+        append_note(note, size, text);
     }
     for (int i = 0; i < panes->count; i++) {
         far += taut_pane_far_nets(&panes->pane[i], options);
@@ -231,12 +258,12 @@ void taut_panes_note(const taut_panes *panes, const taut_write_options *options,
     if (far > 0) {
         snprintf(text, sizeof text, "%d of %d control nets left out: they reach far beyond", far,
                  nets);
-        append(note, size, text);
+        append_note(note, size, text);
     }
     if (options->isolines > 0 && options->colour != TAUT_COLOUR_PLAIN) {
         taut_label_number(limit / options->isolines, number, sizeof number);
         snprintf(text, sizeof text, "a line every %s", number);
-        append(note, size, text);
+        append_note(note, size, text);
     }
     if (options->combs) {
         taut_label_number(panes->pane[0].comb_most, number, sizeof number);
@@ -246,6 +273,6 @@ void taut_panes_note(const taut_panes *panes, const taut_write_options *options,
                        "curvature of %s/%s"
                      : "combs: the longest tooth is a curvature of %s/%s",
                  number, unit);
-        append(note, size, text);
+        append_note(note, size, text);
     }
 }

@@ -11,7 +11,7 @@ typedef struct taut_panes {
     int of;          /* so many surfaces there are to show; more than count: some are left out */
     int is_one_size; /* all of one model, at one scale of length */
     taut_pane pane[TAUT_PANES_MAX];
-    double frame[TAUT_PANES_MAX][4]; /* x0 y0 x1 y1 on the page */
+    double place[TAUT_PANES_MAX][4]; /* x0 y0 x1 y1 on the page */
 } taut_panes;
 
 /* A pane a model, or a surface where options say side_by_side: of more than TAUT_PANES_MAX so many,

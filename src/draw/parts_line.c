@@ -14,7 +14,7 @@ typedef struct thinning {
     int point, line;
 } thinning;
 
-static thinning thin(int count)
+static thinning thinning_of(int count)
 {
     thinning t = {(count + POINTS_ALONG - 1) / POINTS_ALONG, 0};
     const int points = (count + t.point - 1) / t.point;
@@ -23,7 +23,7 @@ static thinning thin(int count)
 }
 
 /* The step that starts at i: to i + step, or to the last point. */
-static int next(int i, int step, int count)
+static int next_line(int i, int step, int count)
 {
     return i + step < count || i == count - 1 ? i + step : count - 1;
 }
@@ -34,10 +34,10 @@ static void add_net_lines(int along, size_t stride, int across, size_t stride_ac
                           const double *points, const taut_camera *camera, double width,
                           double *row, taut_scene *scene)
 {
-    const int step_along = thin(along).point, step_across = thin(across).line;
-    for (int j = 0; j < across; j = next(j, step_across, across)) {
+    const int step_along = thinning_of(along).point, step_across = thinning_of(across).line;
+    for (int j = 0; j < across; j = next_line(j, step_across, across)) {
         size_t count = 0;
-        for (int i = 0; i < along; i = next(i, step_along, along)) {
+        for (int i = 0; i < along; i = next_line(i, step_along, along)) {
             taut_camera_project(camera, points + (size_t)i * stride + (size_t)j * stride_across,
                                 row + 3 * count++);
         }
@@ -47,7 +47,7 @@ static void add_net_lines(int along, size_t stride, int across, size_t stride_ac
 
 int taut_parts_net_is_whole(int nu, int nv)
 {
-    return thin(nu).line == 1 && thin(nv).line == 1;
+    return thinning_of(nu).line == 1 && thinning_of(nv).line == 1;
 }
 
 /* How large the points are drawn: 0.03 of the mean distance between them, as if they were spread

@@ -1,6 +1,6 @@
 /* parts_sheet.c -- the shaded cells of a surface, its boundary and its knot lines. */
-#include "draw/colour.h"
 #include "draw/parts.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <string.h>
@@ -129,7 +129,7 @@ typedef struct grid {
     size_t line_stride, along_stride;
 } grid;
 
-static const double *at(const grid *g, size_t line, size_t k)
+static const double *point_at(const grid *g, size_t line, size_t k)
 {
     return g->page + line * g->line_stride + k * g->along_stride;
 }
@@ -138,7 +138,7 @@ static const double *at(const grid *g, size_t line, size_t k)
 static int is_seam(const grid *g)
 {
     for (size_t k = 0; k < g->along; k++) {
-        const double *a = at(g, 0, k), *b = at(g, g->lines - 1, k);
+        const double *a = point_at(g, 0, k), *b = point_at(g, g->lines - 1, k);
         if (!(fabs(a[0] - b[0]) + fabs(a[1] - b[1]) + fabs(a[2] - b[2]) < 0.01)) {
             return 0;
         }
@@ -150,13 +150,13 @@ static void add_grid_line(const grid *g, size_t line, taut_ink ink, double width
                           taut_scene *scene)
 {
     for (size_t k = 0; k < g->along; k++) {
-        memcpy(row + 3 * k, at(g, line, k), 3 * sizeof(double));
+        memcpy(row + 3 * k, point_at(g, line, k), 3 * sizeof(double));
     }
     taut_scene_line(scene, g->along, row, ink, width);
 }
 
 /* One direction's knot lines, or its two boundary lines (one thin line where they are a seam). */
-static void add_lines(const grid *g, const taut_lines *lines, int boundary, taut_ink knot_ink,
+static void add_lines(const grid *g, const taut_grid_lines *lines, int boundary, taut_ink knot_ink,
                       double *row, taut_scene *scene)
 {
     const size_t last = g->lines - 1;

@@ -12,7 +12,7 @@ static const double silhouette_width = 1.1;
 
 /* The eye's part of a cell's normal in units of its length, from the diagonals; 0 where the cell
  * is a line to the eye or has no area. */
-static double facing(const double *a, const double *b, const double *c, const double *d)
+static double facing_of(const double *a, const double *b, const double *c, const double *d)
 {
     const double p[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
     const double q[3] = {d[0] - b[0], d[1] - b[1], d[2] - b[2]};
@@ -27,8 +27,8 @@ static void fill_facing(size_t nu, size_t nv, const double *page, double *g)
     for (size_t i = 0; i + 1 < nu; i++) {
         for (size_t j = 0; j + 1 < nv; j++) {
             const size_t at = i * nv + j;
-            const double f = facing(page + 3 * at, page + 3 * (at + nv), page + 3 * (at + nv + 1),
-                                    page + 3 * (at + 1));
+            const double f = facing_of(page + 3 * at, page + 3 * (at + nv),
+                                       page + 3 * (at + nv + 1), page + 3 * (at + 1));
             if (isfinite(f)) {
                 g[at] += f;
                 g[at + nv] += f;
@@ -40,7 +40,8 @@ static void fill_facing(size_t nu, size_t nv, const double *page, double *g)
 }
 
 /* The points of g = 0 on the four sides of a cell, at most four; returns how many. */
-static int crossings(const size_t corner[4], const double *page, const double *g, double at[4][3])
+static int find_crossings(const size_t corner[4], const double *page, const double *g,
+                          double at[4][3])
 {
     int count = 0;
     for (int k = 0; k < 4; k++) {
@@ -116,7 +117,7 @@ static void add_cell(const field *f, size_t i, size_t j, taut_scene *scene)
     const size_t first = i * f->nv + j;
     const size_t corner[4] = {first, first + f->nv, first + f->nv + 1, first + 1};
     double at[4][3], side[2];
-    const int count = crossings(corner, f->page, f->g, at);
+    const int count = find_crossings(corner, f->page, f->g, at);
 
     for (int k = 0; k + 1 < count; k += 2) {
         fold_side(f, i, j, side);

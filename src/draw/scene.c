@@ -134,7 +134,7 @@ static size_t steps_of(const double a[3], const double b[3])
 }
 
 /* hidden[k] for every step of the line, judged at its middle. Returns how many. */
-static size_t judge(taut_scene *scene, size_t count, const double *points)
+static size_t mark_hidden(taut_scene *scene, size_t count, const double *points)
 {
     size_t used = 0;
     for (size_t i = 0; i + 1 < count; i++) {
@@ -152,7 +152,7 @@ static size_t judge(taut_scene *scene, size_t count, const double *points)
 }
 
 /* Short runs between two others take their state, left to right. */
-static void smooth(size_t count, unsigned char *hidden)
+static void smooth_hidden(size_t count, unsigned char *hidden)
 {
     size_t start = 0;
     for (size_t i = 1; i <= count; i++) {
@@ -215,9 +215,9 @@ void taut_scene_line(taut_scene *scene, size_t count, const double *points, taut
                      double width)
 {
     const taut_stroke style = {.size = width, .ink = ink};
-    const size_t steps = judge(scene, count, points);
+    const size_t steps = mark_hidden(scene, count, points);
     if (scene->status == TAUT_OK) {
-        smooth(steps, scene->hidden);
+        smooth_hidden(steps, scene->hidden);
         add_runs(scene, count, points, style);
     }
 }

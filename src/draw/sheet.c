@@ -45,8 +45,8 @@ static void share_cells(const taut_surface *surface, int cells, int *u, int *v)
 
 /* `cells` cells: the spans cut into equal numbers, or as many breaks as that when there are more
  * spans. Between breaks the parameter is a convex combination, which cannot overflow. */
-static taut_status lines_new(const taut_basis *basis, int cells, taut_arena *arena,
-                             taut_lines *lines)
+static taut_status fill_lines(const taut_basis *basis, int cells, taut_arena *arena,
+                              taut_grid_lines *lines)
 {
     const int spans = taut_basis_span_count(basis);
     const double *breaks = taut_basis_breaks(basis);
@@ -58,7 +58,7 @@ static taut_status lines_new(const taut_basis *basis, int cells, taut_arena *are
     lines->at = taut_arena_take(arena, (size_t)count + 1, sizeof(double));
     lines->middle = taut_arena_take(arena, (size_t)count, sizeof(double));
     lines->is_knot = taut_arena_take(arena, (size_t)count + 1, 1);
-    if (lines->at == NULL || lines->middle == NULL || lines->is_knot == NULL) {
+    if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i <= count; i++) {
@@ -108,22 +108,23 @@ static taut_status fill_values(const taut_write_options *options, taut_arena *ar
     const int nu = sheet->u.count - 1, nv = sheet->v.count - 1;
     const int rows = nu < 64 ? nu : 64;
     double *vectors = taut_arena_take(arena, (size_t)rows * (size_t)nv, 18 * sizeof(double));
-    taut_status status = TAUT_OK;
 
     sheet->values = taut_arena_take(arena, (size_t)nu * (size_t)nv, sizeof(double));
-    if (vectors == NULL || sheet->values == NULL) {
+    if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    for (int i = 0; i < nu && status == TAUT_OK; i += rows) {
+    for (int i = 0; i < nu; i += rows) {
         const int part = nu - i < rows ? nu - i : rows;
-        status = taut_surface_eval_grid(sheet->surface, part, sheet->u.middle + i, nv,
-                                        sheet->v.middle, 2, options->threads, vectors);
-        if (status == TAUT_OK) {
-            forms_to_values(options, (size_t)part * (size_t)nv, vectors,
-                            sheet->values + (size_t)i * (size_t)nv);
+        const taut_status status =
+            taut_surface_eval_grid(sheet->surface, part, sheet->u.middle + i, nv, sheet->v.middle,
+                                   2, options->threads, vectors);
+        if (status != TAUT_OK) {
+            return status;
         }
+        forms_to_values(options, (size_t)part * (size_t)nv, vectors,
+                        sheet->values + (size_t)i * (size_t)nv);
     }
-    return status;
+    return TAUT_OK;
 }
 
 /* The cells in each direction: `divide` a span, or about `cells` in all. */
@@ -146,25 +147,22 @@ taut_status taut_sheet_new(const taut_surface *surface, int cells, int most,
                            const taut_write_options *options, taut_arena *arena, taut_sheet *sheet)
 {
     int cells_u = 1, cells_v = 1;
-    taut_status status = TAUT_OK;
 
     choose_cells(surface, cells, most, options->divide, &cells_u, &cells_v);
     sheet->surface = surface;
-    status = lines_new(taut_surface_u(surface), cells_u, arena, &sheet->u);
-    if (status == TAUT_OK) {
-        status = lines_new(taut_surface_v(surface), cells_v, arena, &sheet->v);
+    if (fill_lines(taut_surface_u(surface), cells_u, arena, &sheet->u) != TAUT_OK ||
+        fill_lines(taut_surface_v(surface), cells_v, arena, &sheet->v) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    if (status == TAUT_OK) {
-        sheet->points = taut_arena_take(arena, (size_t)sheet->u.count * (size_t)sheet->v.count,
-                                        3 * sizeof(double));
-        status = sheet->points != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    sheet->points =
+        taut_arena_take(arena, (size_t)sheet->u.count * (size_t)sheet->v.count, 3 * sizeof(double));
+    if (sheet->points == NULL) {
+        return TAUT_NO_MEMORY;
     }
-    if (status == TAUT_OK) {
-        status = taut_surface_eval_grid(surface, sheet->u.count, sheet->u.at, sheet->v.count,
-                                        sheet->v.at, 0, options->threads, sheet->points);
-    }
-    if (status == TAUT_OK && options->colour != TAUT_COLOUR_PLAIN) {
-        status = fill_values(options, arena, sheet);
-    }
-    return status;
+    const taut_status status =
+        taut_surface_eval_grid(surface, sheet->u.count, sheet->u.at, sheet->v.count, sheet->v.at, 0,
+                               options->threads, sheet->points);
+    return status == TAUT_OK && options->colour != TAUT_COLOUR_PLAIN
+               ? fill_values(options, arena, sheet)
+               : status;
 }

@@ -9,16 +9,16 @@
 #include "taut/write.h"
 
 /* The grid lines in one direction: every break of the basis is one, until there are too many. */
-typedef struct taut_lines {
+typedef struct taut_grid_lines {
     int count;              /* lines; cells are one fewer */
     double *at;             /* [count] parameters */
     double *middle;         /* [count - 1] parameters between them */
     unsigned char *is_knot; /* [count]: an inner break to be shown */
-} taut_lines;
+} taut_grid_lines;
 
 typedef struct taut_sheet {
     const taut_surface *surface;
-    taut_lines u, v;
+    taut_grid_lines u, v;
     double *points;  /* [u.count][v.count][3]; not finite where the surface overflows */
     double *values;  /* [u.count-1][v.count-1] what the colour shows; NaN: none; NULL when plain */
     double *corners; /* [u.count-1][v.count-1][4] the same at the corners of the cells, seen from

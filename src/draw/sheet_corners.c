@@ -10,7 +10,7 @@
 typedef double (*asked)(const void *context, const taut_forms *forms);
 
 /* The two lines of every cell, a millionth of it within. */
-static double *inner_lines(const taut_lines *lines, taut_arena *arena)
+static double *lines_within(const taut_grid_lines *lines, taut_arena *arena)
 {
     const int cells = lines->count - 1;
     double *at = taut_arena_take(arena, 2 * (size_t)cells, sizeof(double));
@@ -40,25 +40,23 @@ static taut_status fill_corners(const taut_sheet *sheet, asked ask, const void *
                                 int threads, taut_arena *arena, double **corners)
 {
     const int nu = sheet->u.count - 1, nv = sheet->v.count - 1;
-    const double *u = inner_lines(&sheet->u, arena), *v = inner_lines(&sheet->v, arena);
+    const double *u = lines_within(&sheet->u, arena), *v = lines_within(&sheet->v, arena);
     double *vectors = taut_arena_take(arena, 4 * (size_t)nv, 18 * sizeof(double));
     double *made = taut_arena_take(arena, (size_t)nu * (size_t)nv, 4 * sizeof(double));
-    taut_status status = TAUT_OK;
 
-    if (u == NULL || v == NULL || vectors == NULL || made == NULL) {
+    if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    for (int i = 0; i < nu && status == TAUT_OK; i++) {
-        status =
+    for (int i = 0; i < nu; i++) {
+        const taut_status status =
             taut_surface_eval_grid(sheet->surface, 2, u + 2 * i, 2 * nv, v, 2, threads, vectors);
-        if (status == TAUT_OK) {
-            fill_row(nv, vectors, ask, context, made + 4 * (size_t)i * (size_t)nv);
+        if (status != TAUT_OK) {
+            return status;
         }
+        fill_row(nv, vectors, ask, context, made + 4 * (size_t)i * (size_t)nv);
     }
-    if (status == TAUT_OK) {
-        *corners = made;
-    }
-    return status;
+    *corners = made;
+    return TAUT_OK;
 }
 
 static double ask_value(const void *context, const taut_forms *forms)

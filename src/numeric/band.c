@@ -1,5 +1,6 @@
 #include "numeric/band.h"
 
+#include "core/constants.h"
 #include "core/memory.h"
 #include "numeric/kernel/kernel.h"
 
@@ -10,8 +11,6 @@
 
 /* Largest n * (width + 1): keeps every index computation far from overflow. */
 static const size_t entries_max = (size_t)1 << 40;
-
-static const double unit_roundoff = 0x1p-53;
 
 enum { WIDE = 32 }; /* half-width from which the vector kernels pay */
 
@@ -103,8 +102,9 @@ void taut_band_multiply_add(const taut_band *band, double factor, const double *
 }
 
 /* Row by row: with u(i,j) = L(i,j) D(j),
- *     u(i,j) = A(i,j) - sum_k u(i,k) L(j,k),    L(i,j) = u(i,j) / D(j),    D(i) = A(i,i) - sum_j
- * u(i,j) L(i,j) sums over the band, k < j < i. */
+ *     u(i,j) = A(i,j) - sum_k u(i,k) L(j,k),    L(i,j) = u(i,j) / D(j),
+ *     D(i)   = A(i,i) - sum_j u(i,j) L(i,j)
+ * sums over the band, k < j < i. */
 taut_status taut_band_factor(taut_band *band)
 {
     const int n = band->n, w = band->width;
@@ -128,14 +128,14 @@ taut_status taut_band_factor(taut_band *band)
             row[d] = u / taut_band_row(band, i - d)[0];
             row[0] -= u * row[d];
         }
-        if (!(row[0] > 8.0 * n * unit_roundoff * diagonal)) {
+        if (!(row[0] > 8.0 * n * TAUT_UNIT_ROUNDOFF * diagonal)) {
             return TAUT_NO_SOLUTION;
         }
     }
     return TAUT_OK;
 }
 
-static void reverse(int n, double *x)
+static void reverse_order(int n, double *x)
 {
     for (int i = 0, j = n - 1; i < j; i++, j--) {
         const double xi = x[i];
@@ -151,7 +151,7 @@ static void solve_wide(const taut_band *factor, double *x)
     const taut_kernel *kernel = taut_kernel_best();
     const int n = factor->n, w = factor->width;
 
-    reverse(n, x);
+    reverse_order(n, x);
     for (int i = 1; i < n; i++) {
         const size_t reach = (size_t)(i < w ? i : w);
         x[n - 1 - i] -= kernel->dot(reach, taut_band_row(factor, i) + 1, x + (n - i));
@@ -163,7 +163,7 @@ static void solve_wide(const taut_band *factor, double *x)
         const size_t reach = (size_t)(i < w ? i : w);
         kernel->add_scaled(reach, -x[n - 1 - i], taut_band_row(factor, i) + 1, x + (n - i));
     }
-    reverse(n, x);
+    reverse_order(n, x);
 }
 
 void taut_band_solve(const taut_band *factor, int count, double *x)

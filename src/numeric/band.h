@@ -53,4 +53,15 @@ taut_status taut_band_factor(taut_band *band);
  * count). */
 void taut_band_solve(const taut_band *factor, int count, double *x);
 
+/* ---- wide bands (band_tiles.c) ---- */
+
+enum { TAUT_BAND_TILES_LEAST = 64 }; /* half-width from which the tiles pay */
+
+/* How many doubles taut_band_factor_tiled needs as `work`, aligned to 64 bytes, for this size. */
+size_t taut_band_tiles_work(int n, int width);
+
+/* As taut_band_factor, for a half-width >= TAUT_BAND_TILES_LEAST; the factors agree to rounding.
+ * Nothing is allocated. */
+taut_status taut_band_factor_tiled(taut_band *band, double *work);
+
 #endif /* TAUT_NUMERIC_BAND_H */

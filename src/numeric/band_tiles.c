@@ -1,13 +1,21 @@
-#include "numeric/band_tiles.h"
+/* band_tiles.c -- the factors of band.h for wide bands, with the matrix product kernel: columns are
+ * taken in blocks K of DEPTH, and what is right of a block is mended by it at once,
+ *
+ *     u(i,j) = A(i,j) - sum_k u(i,k) L(j,k),    L(i,j) = u(i,j) / D(j),    j, k in K, k < j
+ *     A(i,j) -= sum_k u(i,k) L(j,k),    k in K,    for all i >= j behind K
+ *
+ * ([GolubVanLoan2013] 4.2.9): the second line is a product of matrices, computed in tiles that stay
+ * in registers.
+ */
+#include "numeric/band.h"
 
+#include "core/constants.h"
 #include "numeric/kernel/kernel.h"
 
 #include <assert.h>
 #include <string.h>
 
 enum { DEPTH = 32, PAD = 64 }; /* PAD: more than a tile is wide, so that the last may stick out */
-
-static const double unit_roundoff = 0x1p-53;
 
 /* Of one block of columns first..end-1. Row r of the rest is row end + r of the matrix. */
 typedef struct block {
@@ -49,7 +57,7 @@ static taut_status factor_corner(const block *b)
             row[d] = u / taut_band_row(b->band, i - d)[0];
             row[0] -= u * row[d];
         }
-        if (!(row[0] > 8.0 * b->band->n * unit_roundoff * b->before[i])) {
+        if (!(row[0] > 8.0 * b->band->n * TAUT_UNIT_ROUNDOFF * b->before[i])) {
             return TAUT_NO_SOLUTION;
         }
     }
@@ -79,7 +87,7 @@ static void factor_panel(const block *b)
 }
 
 /* u and L = u / D as tiles; L to the band as well. */
-static void pack(const block *b)
+static void pack_tiles(const block *b)
 {
     const size_t rows = (size_t)b->kernel->tile_rows, columns = (size_t)b->kernel->tile_columns;
     const size_t depth = (size_t)(b->end - b->first);
@@ -103,7 +111,7 @@ static void pack(const block *b)
 
 /* A(i, i - d) lies at i (width + 2) - (i - d): backwards along its row. What a tile has above the
  * diagonal or behind the last row is left out. */
-static void mend_tile(const block *b, int r, int q, const double *left, const double *right)
+static void update_tile(const block *b, int r, int q, const double *left, const double *right)
 {
     const int rows = b->kernel->tile_rows, columns = b->kernel->tile_columns;
     const size_t depth = (size_t)(b->end - b->first), stride = (size_t)b->band->width + 1;
@@ -125,7 +133,7 @@ static void mend_tile(const block *b, int r, int q, const double *left, const do
     }
 }
 
-static void mend_rest(const block *b)
+static void update_rest(const block *b)
 {
     const int rows = b->kernel->tile_rows, columns = b->kernel->tile_columns;
     const size_t depth = (size_t)(b->end - b->first);
@@ -133,7 +141,7 @@ static void mend_rest(const block *b)
     for (int q = 0; q < b->rest; q += columns) {
         const double *right = b->right + (size_t)q * depth;
         for (int r = q / rows * rows; r < b->rest; r += rows) {
-            mend_tile(b, r, q, b->left + (size_t)r * depth, right);
+            update_tile(b, r, q, b->left + (size_t)r * depth, right);
         }
     }
 }
@@ -159,8 +167,8 @@ taut_status taut_band_factor_tiled(taut_band *band, double *work)
             return TAUT_NO_SOLUTION;
         }
         factor_panel(&b);
-        pack(&b);
-        mend_rest(&b);
+        pack_tiles(&b);
+        update_rest(&b);
     }
     return TAUT_OK;
 }

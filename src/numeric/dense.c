@@ -8,7 +8,7 @@
 enum { SWEEPS_MAX = 60 }; /* Jacobi converges quadratically: ten sweeps are seldom needed */
 
 /* Eight partial sums, which the compiler keeps in vectors. */
-static double dot(int n, const double *restrict x, const double *restrict y)
+static double dot_product(int n, const double *restrict x, const double *restrict y)
 {
     double part[8] = {0};
     int i = 0;
@@ -70,7 +70,7 @@ void taut_qr_append(int n, double *r, int rows, double *block)
         for (int k = j + 1; k < n; k++) {
             double *top = r + (long)k * n + j;
             double *y = block + (long)k * rows;
-            const double s = (head / beta) * (*top + dot(rows, x, y));
+            const double s = (head / beta) * (*top + dot_product(rows, x, y));
             *top += s;
             add_scaled(rows, s, x, y);
         }
@@ -96,7 +96,7 @@ int taut_triangle_solve(int n, int ld, const double *r, double *x)
 }
 
 /* The rotation that makes the columns x, y orthogonal, given their products; applied by rotate. */
-static void rotation(double xx, double yy, double xy, double *c, double *s)
+static void find_rotation(double xx, double yy, double xy, double *c, double *s)
 {
     const double zeta = (yy - xx) / (2.0 * xy);
     /* an overflow of zeta^2 gives t = 0, which it is to rounding */
@@ -105,7 +105,7 @@ static void rotation(double xx, double yy, double xy, double *c, double *s)
     *s = *c * t;
 }
 
-static void rotate(int n, double *restrict x, double *restrict y, double c, double s)
+static void rotate_columns(int n, double *restrict x, double *restrict y, double c, double s)
 {
     for (int i = 0; i < n; i++) {
         const double xi = x[i], yi = y[i];
@@ -123,7 +123,7 @@ static void swap_columns(int n, double *restrict x, double *restrict y)
     }
 }
 
-static void identity(int n, double *v)
+static void set_identity(int n, double *v)
 {
     memset(v, 0, (size_t)n * (size_t)n * sizeof *v);
     for (int i = 0; i < n; i++) {
@@ -138,14 +138,15 @@ static int svd_sweep(int rows, int columns, double *a, double *v)
     for (int p = 0; p < columns - 1; p++) {
         for (int q = p + 1; q < columns; q++) {
             double *x = a + (long)p * rows, *y = a + (long)q * rows;
-            const double xx = dot(rows, x, x), yy = dot(rows, y, y), xy = dot(rows, x, y);
+            const double xx = dot_product(rows, x, x), yy = dot_product(rows, y, y),
+                         xy = dot_product(rows, x, y);
             double c = 1.0, s = 0.0;
             if (fabs(xy) <= DBL_EPSILON * sqrt(xx) * sqrt(yy) || fabs(xy) < DBL_MIN) {
                 continue;
             }
-            rotation(xx, yy, xy, &c, &s);
-            rotate(rows, x, y, c, s);
-            rotate(columns, v + (long)p * columns, v + (long)q * columns, c, s);
+            find_rotation(xx, yy, xy, &c, &s);
+            rotate_columns(rows, x, y, c, s);
+            rotate_columns(columns, v + (long)p * columns, v + (long)q * columns, c, s);
             rotations++;
         }
     }
@@ -155,7 +156,7 @@ static int svd_sweep(int rows, int columns, double *a, double *v)
 void taut_svd(int rows, int columns, double *a, double *s, double *v)
 {
     assert(rows >= columns && columns >= 1);
-    identity(columns, v);
+    set_identity(columns, v);
     for (int sweep = 0; sweep < SWEEPS_MAX && svd_sweep(rows, columns, a, v) > 0; sweep++) {
     }
     for (int j = 0; j < columns; j++) {
@@ -197,7 +198,7 @@ int taut_least_norm(int rows, int columns, const double *a, const double *b, dou
     taut_svd(padded, columns, u, s, v);
     memset(x, 0, (size_t)columns * sizeof *x);
     for (; rank < columns && s[rank] > cut * s[0] && s[rank] > 0; rank++) {
-        const double part = dot(rows, u + (long)rank * padded, b) / s[rank];
+        const double part = dot_product(rows, u + (long)rank * padded, b) / s[rank];
         add_scaled(columns, part, v + (long)rank * columns, x);
     }
     if (null != NULL) {
@@ -211,15 +212,15 @@ int taut_least_norm(int rows, int columns, const double *a, const double *b, dou
 static void eigen_rotate(int n, double *a, double *v, int p, int q)
 {
     double c = 1.0, s = 0.0;
-    rotation(a[p + (long)p * n], a[q + (long)q * n], a[p + (long)q * n], &c, &s);
-    rotate(n, a + (long)p * n, a + (long)q * n, c, s);
+    find_rotation(a[p + (long)p * n], a[q + (long)q * n], a[p + (long)q * n], &c, &s);
+    rotate_columns(n, a + (long)p * n, a + (long)q * n, c, s);
     for (int k = 0; k < n; k++) {
         const double ap = a[p + (long)k * n], aq = a[q + (long)k * n];
         a[p + (long)k * n] = c * ap - s * aq;
         a[q + (long)k * n] = s * ap + c * aq;
     }
     a[p + (long)q * n] = a[q + (long)p * n] = 0.0;
-    rotate(n, v + (long)p * n, v + (long)q * n, c, s);
+    rotate_columns(n, v + (long)p * n, v + (long)q * n, c, s);
 }
 
 static int eigen_sweep(int n, double *a, double *v)
@@ -240,7 +241,7 @@ static int eigen_sweep(int n, double *a, double *v)
 void taut_symmetric_eigen(int n, double *a, double *values, double *v)
 {
     assert(n >= 1);
-    identity(n, v);
+    set_identity(n, v);
     for (int sweep = 0; sweep < SWEEPS_MAX && eigen_sweep(n, a, v) > 0; sweep++) {
     }
     for (int j = 0; j < n; j++) {

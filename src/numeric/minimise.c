@@ -26,7 +26,7 @@ typedef struct descent {
     int evaluations;
 } descent;
 
-static int evaluate(descent *d, const double *x, double *value, double *g)
+static int evaluate_at(descent *d, const double *x, double *value, double *g)
 {
     d->evaluations++;
     if (!d->objective(d->context, x, value, g) || !isfinite(*value)) {
@@ -40,7 +40,7 @@ static int evaluate(descent *d, const double *x, double *value, double *g)
     return 1;
 }
 
-static double largest(int n, const double *x)
+static double largest_of(int n, const double *x)
 {
     double most = 0.0;
     for (int i = 0; i < n; i++) {
@@ -49,7 +49,7 @@ static double largest(int n, const double *x)
     return most;
 }
 
-static double dot(int n, const double *x, const double *y)
+static double dot_product(int n, const double *x, const double *y)
 {
     double sum = 0.0;
     for (int i = 0; i < n; i++) {
@@ -67,10 +67,10 @@ static double size_of(double value)
 /* Moves along d->step, halving until the value falls enough (or, once differences of values are
  * rounding noise, until the gradient does). On success trial becomes here, with
  * g_trial the gradient that was here before. */
-static int move(descent *d)
+static int search_line(descent *d)
 {
-    const double most = largest(d->n, d->step);
-    const double slope = dot(d->n, d->step, d->g);
+    const double most = largest_of(d->n, d->step);
+    const double slope = dot_product(d->n, d->step, d->g);
     const double noise = 8 * DBL_EPSILON * size_of(d->value);
     double length = most > longest_step ? longest_step / most : 1.0;
 
@@ -85,12 +85,12 @@ static int move(descent *d)
         for (int i = 0; i < d->n; i++) {
             d->trial[i] = d->x[i] + length * d->step[i];
         }
-        if (!evaluate(d, d->trial, &value, d->g_trial)) {
+        if (!evaluate_at(d, d->trial, &value, d->g_trial)) {
             continue;
         }
         if (value <= d->value + 1e-4 * length * slope ||
             (fabs(value - d->value) <= noise &&
-             largest(d->n, d->g_trial) < 0.9 * largest(d->n, d->g))) {
+             largest_of(d->n, d->g_trial) < 0.9 * largest_of(d->n, d->g))) {
             double *const x = d->x;
             double *const g = d->g;
             d->x = d->trial;
@@ -114,14 +114,14 @@ static void quasi_update(descent *d)
         s[i] = d->x[i] - d->trial[i];
         y[i] = d->g[i] - y[i];
     }
-    ys = dot(n, y, s);
-    if (!(ys > 1e-12 * sqrt(dot(n, y, y) * dot(n, s, s)))) {
+    ys = dot_product(n, y, s);
+    if (!(ys > 1e-12 * sqrt(dot_product(n, y, y) * dot_product(n, s, s)))) {
         return;
     }
     for (int i = 0; i < n; i++) {
-        hy[i] = dot(n, d->matrix + i * n, y);
+        hy[i] = dot_product(n, d->matrix + i * n, y);
     }
-    yhy = dot(n, y, hy);
+    yhy = dot_product(n, y, hy);
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < n; j++) {
             d->matrix[i * n + j] +=
@@ -133,7 +133,7 @@ static void quasi_update(descent *d)
 /* The inverse Hessian's first guess: a step of the size of one tenth. */
 static void quasi_reset(descent *d)
 {
-    const double scale = 0.1 / fmax(largest(d->n, d->g), DBL_MIN);
+    const double scale = 0.1 / fmax(largest_of(d->n, d->g), DBL_MIN);
     memset(d->matrix, 0, (size_t)d->n * (size_t)d->n * sizeof *d->matrix);
     for (int i = 0; i < d->n; i++) {
         d->matrix[i * d->n + i] = scale;
@@ -145,13 +145,13 @@ static void quasi_newton(descent *d)
     int fresh = 1;
     quasi_reset(d);
     for (int iteration = 0; iteration < QUASI_MAX; iteration++) {
-        if (largest(d->n, d->g) <= newton_from * size_of(d->value)) {
+        if (largest_of(d->n, d->g) <= newton_from * size_of(d->value)) {
             return;
         }
         for (int i = 0; i < d->n; i++) {
-            d->step[i] = -dot(d->n, d->matrix + i * d->n, d->g);
+            d->step[i] = -dot_product(d->n, d->matrix + i * d->n, d->g);
         }
-        if (move(d)) {
+        if (search_line(d)) {
             quasi_update(d);
             fresh = 0;
         } else if (!fresh) {
@@ -165,7 +165,7 @@ static void quasi_newton(descent *d)
 
 /* matrix = the Hessian at x, made symmetric. A difference that leaves the domain is taken on one
  * side. Returns 0 if both sides leave it. */
-static int hessian(descent *d)
+static int find_hessian(descent *d)
 {
     const int n = d->n;
     for (int j = 0; j < n; j++) {
@@ -174,9 +174,9 @@ static int hessian(descent *d)
         int has_up = 0, has_down = 0;
         memcpy(d->trial, d->x, (size_t)n * sizeof *d->x);
         d->trial[j] = d->x[j] + difference;
-        has_up = evaluate(d, d->trial, &unused, up);
+        has_up = evaluate_at(d, d->trial, &unused, up);
         d->trial[j] = d->x[j] - difference;
-        has_down = evaluate(d, d->trial, &unused, down);
+        has_down = evaluate_at(d, d->trial, &unused, down);
         if (!has_up && !has_down) {
             return 0;
         }
@@ -207,7 +207,7 @@ static double newton_step(descent *d)
     memset(d->step, 0, (size_t)n * sizeof *d->step);
     for (int j = 0; j < n; j++) {
         const double *const v = d->vectors + j * n;
-        const double part = dot(n, v, d->g) / fmax(fabs(values[j]), floor_value);
+        const double part = dot_product(n, v, d->g) / fmax(fabs(values[j]), floor_value);
         for (int i = 0; i < n; i++) {
             d->step[i] -= part * v[i];
         }
@@ -217,18 +217,18 @@ static double newton_step(descent *d)
 
 /* At most `most` Newton steps until the gradient is at most `enough`; 0 goes down to rounding.
  * Returns the least eigenvalue of the last Hessian, or -1. */
-static double newton(descent *d, int most, double enough)
+static double run_newton(descent *d, int most, double enough)
 {
     double least = -1.0;
     for (int iteration = 0; iteration < most; iteration++) {
-        if (largest(d->n, d->g) <= enough) {
+        if (largest_of(d->n, d->g) <= enough) {
             break;
         }
-        if (!hessian(d)) {
+        if (!find_hessian(d)) {
             return -1.0;
         }
         least = newton_step(d);
-        if (largest(d->n, d->step) < DBL_EPSILON || !move(d)) {
+        if (largest_of(d->n, d->step) < DBL_EPSILON || !search_line(d)) {
             break;
         }
     }
@@ -252,14 +252,14 @@ int taut_minimise(int count, taut_objective objective, void *context, double *x,
     d.step = d.g_trial + count;
     d.scratch = d.step + count;
     memcpy(d.x, x, (size_t)count * sizeof *x);
-    if (!evaluate(&d, d.x, &d.value, d.g)) {
+    if (!evaluate_at(&d, d.x, &d.value, d.g)) {
         return 0;
     }
     quasi_newton(&d);
-    minimum->curvature =
-        rough ? newton(&d, ROUGH_MAX, newton_from * size_of(d.value)) : newton(&d, NEWTON_MAX, 0.0);
+    minimum->curvature = rough ? run_newton(&d, ROUGH_MAX, newton_from * size_of(d.value))
+                               : run_newton(&d, NEWTON_MAX, 0.0);
     minimum->value = d.value;
-    minimum->gradient = largest(count, d.g);
+    minimum->gradient = largest_of(count, d.g);
     minimum->evaluations = d.evaluations;
     minimum->converged = minimum->curvature > 0 && minimum->gradient <= settled * size_of(d.value);
     memcpy(x, d.x, (size_t)count * sizeof *x);

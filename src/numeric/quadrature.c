@@ -5,11 +5,13 @@
  */
 #include "numeric/quadrature.h"
 
+#include "core/constants.h"
+
 #include <assert.h>
 #include <math.h>
 
 /* P_n(x) and its derivative at |x| < 1. */
-static void legendre(int n, double x, double *value, double *slope)
+static void evaluate_legendre(int n, double x, double *value, double *slope)
 {
     double before = 1, now = x;
     for (int k = 1; k < n; k++) {
@@ -23,16 +25,14 @@ static void legendre(int n, double x, double *value, double *slope)
 
 void taut_gauss_rule(int count, double *nodes, double *weights)
 {
-    const double pi = 3.14159265358979323846;
-
     assert(count >= 1 && count <= TAUT_GAUSS_MAX);
     for (int i = 0; i < (count + 1) / 2; i++) {
-        const double angle = pi * (4.0 * i + 3) / (4.0 * count + 2);
+        const double angle = TAUT_PI * (4.0 * i + 3) / (4.0 * count + 2);
         const double n = count;
         double x = (1 - (n - 1) / (8 * n * n * n)) * cos(angle);
         double value = 0, slope = 1;
         for (int step = 0; step < 8; step++) {
-            legendre(count, x, &value, &slope);
+            evaluate_legendre(count, x, &value, &slope);
             x -= value / slope;
             if (fabs(value / slope) < 1e-16) {
                 break;
@@ -41,7 +41,7 @@ void taut_gauss_rule(int count, double *nodes, double *weights)
         if (2 * i + 1 == count) {
             x = 0;
         }
-        legendre(count, x, &value, &slope);
+        evaluate_legendre(count, x, &value, &slope);
         nodes[count - 1 - i] = x;
         nodes[i] = -x;
         weights[i] = weights[count - 1 - i] = 2 / ((1 - x) * (1 + x) * slope * slope);

@@ -1,7 +1,7 @@
 /* html.c -- the format `html`: a page to turn the model in, one file that asks for no other.
  *
  * src/page/viewer/page.html with its places filled: @name@ for the file of that name, @data@ for the
- * numbers and names of the model as JSON (html_data.h). In that every < is written \u003c, which
+ * numbers and names of the model as JSON (html_data.c). In that every < is written \u003c, which
  * within a JSON text can only stand in a string and means the same there: so no name, however
  * hostile, ends the element that holds it. The page's scripts put text into the page as text only.
  */
@@ -9,12 +9,12 @@
 #include "core/memory.h"
 #include "io/format.h"
 #include "io/mesh/out.h"
-#include "page/html_data.h"
+#include "page/html_page.h"
 #include "page/viewer_files.h"
 
 #include <string.h>
 
-static const taut_viewer_file *find(const char *name, size_t length)
+static const taut_viewer_file *find_file(const char *name, size_t length)
 {
     for (const taut_viewer_file *file = taut_viewer_files; file->name != NULL; file++) {
         if (strlen(file->name) == length && memcmp(file->name, name, length) == 0) {
@@ -41,7 +41,7 @@ static void put_data(taut_sink *sink, const char *data, size_t length)
 static void put_page(taut_sink *sink, const char *data, size_t data_length)
 {
     static const char data_place[] = "data";
-    const taut_viewer_file *page = find("page.html", strlen("page.html"));
+    const taut_viewer_file *page = find_file("page.html", strlen("page.html"));
     const char *at = page->text, *end = page->text + page->length;
 
     while (at < end) {
@@ -52,7 +52,7 @@ static void put_page(taut_sink *sink, const char *data, size_t data_length)
             return;
         }
         const size_t length = (size_t)(close - mark - 1);
-        const taut_viewer_file *file = find(mark + 1, length);
+        const taut_viewer_file *file = find_file(mark + 1, length);
         taut_sink_bytes(sink, at, (size_t)(mark - at));
         if (file != NULL) {
             taut_sink_bytes(sink, file->text, file->length);
@@ -70,11 +70,12 @@ static taut_status write_html(const taut_model *model, const taut_write_options 
     size_t length = 0;
     taut_status status = taut_html_data(model, options, &data, &length, error);
 
-    if (status == TAUT_OK) {
-        taut_sink sink = taut_sink_to(out);
-        put_page(&sink, data, length);
-        status = taut_mesh_out_finish(&sink, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    taut_sink sink = taut_sink_to(out);
+    put_page(&sink, data, length);
+    status = taut_mesh_out_finish(&sink, error);
     taut_free(data);
     return status;
 }

@@ -1,11 +1,10 @@
-#include "page/html_data.h"
+#include "page/html_page.h"
 
 #include "core/fail.h"
 #include "core/memory.h"
-#include "draw/colour.h"
 #include "io/json/out.h"
 #include "io/model/model.h"
-#include "page/html_page.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -50,7 +49,7 @@ typedef struct scratch {
     char *text;
 } scratch;
 
-static scratch scratch_new(taut_arena *arena, size_t count)
+static scratch scratch_of(taut_arena *arena, size_t count)
 {
     return (scratch){taut_arena_take(arena, count, sizeof(int16_t)),
                      taut_arena_take(arena, (2 * count + 2) / 3 * 4 + 1, 1)};
@@ -130,7 +129,7 @@ static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
     const size_t count = (size_t)s->u.count * (size_t)s->v.count;
     const size_t net = (size_t)taut_page_kept(net_u(surface), s->every[0]) *
                        (size_t)taut_page_kept(net_v(surface), s->every[1]);
-    const scratch room = scratch_new(p->arena, 3 * (count > net ? count : net));
+    const scratch room = scratch_of(p->arena, 3 * (count > net ? count : net));
 
     if (room.shorts == NULL || room.text == NULL) {
         return TAUT_NO_MEMORY;
@@ -168,7 +167,7 @@ static taut_status put_curve(taut_json_out *out, const taut_page_model *p,
     const int every[2] = {1, (points + TAUT_PAGE_ALONG - 1) / TAUT_PAGE_ALONG};
     const size_t count = line->count;
     const scratch room =
-        scratch_new(p->arena, 3 * (count > TAUT_PAGE_ALONG + 2 ? count : TAUT_PAGE_ALONG + 2));
+        scratch_of(p->arena, 3 * (count > TAUT_PAGE_ALONG + 2 ? count : TAUT_PAGE_ALONG + 2));
 
     if (room.shorts == NULL || room.text == NULL) {
         return TAUT_NO_MEMORY;
@@ -322,11 +321,7 @@ taut_status taut_html_data(const taut_model *model, const taut_write_options *op
     taut_status status = p.arena != NULL ? taut_page_prepare(&p, error) : taut_fail_memory(error);
 
     if (status == TAUT_OK) {
-        status = put_page(&p, text, length);
-        if (status != TAUT_OK) {
-            status = taut_fail(error, status, "value", NULL, taut_none, taut_none, "%s",
-                               taut_status_text(status));
-        }
+        status = taut_fail_status(error, put_page(&p, text, length));
     }
     taut_arena_free(p.arena);
     return status;

@@ -1,10 +1,10 @@
 #include "page/html_page.h"
 
 #include "core/fail.h"
-#include "draw/colour.h"
 #include "draw/parts.h"
 #include "draw/view.h"
 #include "io/format.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <string.h>
@@ -56,11 +56,10 @@ static taut_status sample_curves(taut_page_model *p)
     return status;
 }
 
-static taut_status sample(taut_page_model *p)
+static taut_status sample_model(taut_page_model *p)
 {
     const int all = taut_model_surface_count(p->model);
     const taut_monitor *monitor = &p->options->monitor;
-    taut_status status = TAUT_OK;
     int wanted = 0;
 
     for (int i = 0; i < all; i++) {
@@ -74,18 +73,23 @@ static taut_status sample(taut_page_model *p)
     }
     const int share = p->count > 0 ? clamp(SMALL_ALL / p->count, EACH_MIN, ONE_MAX) : 0;
     const int each = p->count > 0 ? clamp(share, 16, ALL_MAX / p->count) : 0;
-    for (int i = 0, k = 0; i < all && k < p->count && status == TAUT_OK; i++) {
-        if (taut_format_wants(p->model, p->options, i)) {
-            status = taut_page_sample(taut_model_surface(p->model, i), each, p->options->divide,
-                                      clamp(NET_MAX / p->count, 9, NET_ONE), p->options->threads,
-                                      p->arena, &p->surfaces[k++]);
-            if (status == TAUT_OK && monitor->progress != NULL &&
-                monitor->progress(monitor->context, (double)k / p->count, "sampling") != 0) {
-                status = TAUT_INTERRUPTED;
-            }
+    for (int i = 0, k = 0; i < all && k < p->count; i++) {
+        if (!taut_format_wants(p->model, p->options, i)) {
+            continue;
+        }
+        const taut_status status =
+            taut_page_sample(taut_model_surface(p->model, i), each, p->options->divide,
+                             clamp(NET_MAX / p->count, 9, NET_ONE), p->options->threads, p->arena,
+                             &p->surfaces[k++]);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        if (monitor->progress != NULL &&
+            monitor->progress(monitor->context, (double)k / p->count, "sampling") != 0) {
+            return TAUT_INTERRUPTED;
         }
     }
-    return status == TAUT_OK ? sample_curves(p) : status;
+    return sample_curves(p);
 }
 
 static void include_net(taut_page_model *p, size_t count, const double *points)
@@ -124,7 +128,7 @@ static int choose_box(taut_page_model *p)
     return taut_camera_settle(&p->box);
 }
 
-/* The scale of each field over all surfaces, as in figures (draw/colour.h). */
+/* The scale of each field over all surfaces, as in figures (mesh/colour.h). */
 static taut_status choose_limits(taut_page_model *p)
 {
     const double noise[TAUT_PAGE_FIELDS] = {1e-9 / p->box.half, 1e-9 / p->box.half / p->box.half,
@@ -156,37 +160,34 @@ static taut_status choose_view(taut_page_model *p)
     static const taut_write_options plain;
     taut_sheet sheets[VIEWED];
     const int count = clamp(p->count, 0, VIEWED);
-    taut_status status = TAUT_OK;
 
     memset(sheets, 0, sizeof sheets);
     memcpy(p->view, p->options->view, sizeof p->view);
     if (p->options->has_view) {
         return TAUT_OK;
     }
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
-        status = taut_sheet_new(p->surfaces[i].surface, 400, 4000, &plain, p->arena, &sheets[i]);
+    for (int i = 0; i < count; i++) {
+        const taut_status status =
+            taut_sheet_new(p->surfaces[i].surface, 400, 4000, &plain, p->arena, &sheets[i]);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
-    if (status == TAUT_OK) {
-        taut_view_choose(&p->box, count, sheets, p->view);
-    }
-    return status;
+    taut_view_choose(&p->box, count, sheets, p->view);
+    return TAUT_OK;
 }
 
 taut_status taut_page_prepare(taut_page_model *p, taut_error *error)
 {
-    taut_status status = sample(p);
+    taut_status status = sample_model(p);
 
-    if (status == TAUT_OK && !choose_box(p)) {
+    if (status != TAUT_OK) {
+        return taut_fail_status(error, status);
+    }
+    if (!choose_box(p)) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, 0, 1,
                          "there is nothing to show: no surface or curve has a finite point");
     }
-    if (status == TAUT_OK) {
-        status = choose_limits(p);
-    }
-    if (status == TAUT_OK) {
-        status = choose_view(p);
-    }
-    return status == TAUT_OK ? TAUT_OK
-                             : taut_fail(error, status, "value", NULL, taut_none, taut_none, "%s",
-                                         taut_status_text(status));
+    status = choose_limits(p);
+    return taut_fail_status(error, status == TAUT_OK ? choose_view(p) : status);
 }

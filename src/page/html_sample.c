@@ -1,4 +1,4 @@
-#include "page/html_sample.h"
+#include "page/html_page.h"
 
 #include "taut/measure.h"
 
@@ -7,8 +7,8 @@
 
 /* `cells` cells in all: the spans cut alike, both ends of each a line, or, where there are more
  * spans than that, lines at so many breaks. */
-static taut_status lines_new(const taut_basis *basis, int cells, taut_arena *arena,
-                             taut_page_lines *lines)
+static taut_status fill_lines(const taut_basis *basis, int cells, taut_arena *arena,
+                              taut_page_lines *lines)
 {
     const int spans = taut_basis_span_count(basis);
     const double *breaks = taut_basis_breaks(basis);
@@ -53,29 +53,28 @@ static void fill_row(size_t count, const double *vectors, size_t first, taut_pag
     }
 }
 
-static taut_status evaluate(int threads, taut_arena *arena, taut_page_surface *page)
+static taut_status fill_grid(int threads, taut_arena *arena, taut_page_surface *page)
 {
     const size_t nv = (size_t)page->v.count, count = (size_t)page->u.count * nv;
     double *vectors = taut_arena_take(arena, nv, 18 * sizeof(double));
-    taut_status status = TAUT_OK;
 
     page->points = taut_arena_take(arena, count, 3 * sizeof(double));
     page->normals = taut_arena_take(arena, count, 3 * sizeof(double));
     for (int k = 0; k < TAUT_PAGE_FIELDS; k++) {
         page->fields[k] = taut_arena_take(arena, count, sizeof(double));
-        status = page->fields[k] != NULL ? status : TAUT_NO_MEMORY;
     }
-    if (vectors == NULL || page->points == NULL || page->normals == NULL) {
-        status = TAUT_NO_MEMORY;
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    for (int i = 0; i < page->u.count && status == TAUT_OK; i++) {
-        status = taut_surface_eval_grid(page->surface, 1, page->u.at + i, page->v.count, page->v.at,
-                                        2, threads, vectors);
-        if (status == TAUT_OK) {
-            fill_row(nv, vectors, (size_t)i * nv, page);
+    for (int i = 0; i < page->u.count; i++) {
+        const taut_status status = taut_surface_eval_grid(
+            page->surface, 1, page->u.at + i, page->v.count, page->v.at, 2, threads, vectors);
+        if (status != TAUT_OK) {
+            return status;
         }
+        fill_row(nv, vectors, (size_t)i * nv, page);
     }
-    return status;
+    return TAUT_OK;
 }
 
 /* The least step, the same along u and v, that leaves at most `most` points of the net. */
@@ -102,14 +101,14 @@ taut_status taut_page_sample(const taut_surface *surface, int vertices, int divi
     const int side = (int)sqrt((double)vertices) - 1;
     const int u = cells_of(taut_surface_u(surface), side, divide);
     const int v = cells_of(taut_surface_v(surface), side, divide);
-    taut_status status = lines_new(taut_surface_u(surface), u, arena, &page->u);
 
     page->surface = surface;
     thin_net(surface, net, page->every);
-    if (status == TAUT_OK) {
-        status = lines_new(taut_surface_v(surface), v, arena, &page->v);
+    if (fill_lines(taut_surface_u(surface), u, arena, &page->u) != TAUT_OK ||
+        fill_lines(taut_surface_v(surface), v, arena, &page->v) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    return status == TAUT_OK ? evaluate(threads, arena, page) : status;
+    return fill_grid(threads, arena, page);
 }
 
 int taut_page_kept(int count, int every)

@@ -54,7 +54,7 @@ taut_status taut_module_load(const char *name, const char *package, const void *
     void *handle = open_module(name);
     const void *symbol = handle != NULL ? dlsym(handle, "taut_module_table") : NULL;
     if (symbol == NULL) {
-        return taut_fail(error, TAUT_IO, "not-there", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_IO, "not-installed", NULL, taut_none, taut_none,
                          "the part of taut that needs %s is not installed: install %s and build "
                          "taut again",
                          name, package);

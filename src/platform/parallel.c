@@ -11,7 +11,7 @@ typedef struct job {
     int part, from, to;
 } job;
 
-static void *run_part(void *argument)
+static void *run_job(void *argument)
 {
     const job *j = argument;
     j->work(j->context, j->part, j->from, j->to);
@@ -32,9 +32,9 @@ void taut_parallel_for(int count, int threads,
     for (int p = parts - 1; p >= 0; p--) {
         const int from = (int)((long)count * p / parts), to = (int)((long)count * (p + 1) / parts);
         jobs[p] = (job){work, context, p, from, to};
-        started[p] = p > 0 && pthread_create(&handles[p], NULL, run_part, &jobs[p]) == 0;
+        started[p] = p > 0 && pthread_create(&handles[p], NULL, run_job, &jobs[p]) == 0;
         if (!started[p]) {
-            run_part(&jobs[p]);
+            run_job(&jobs[p]);
         }
     }
     for (int p = 1; p < parts; p++) {

@@ -5,7 +5,7 @@
 
 #include "core/memory.h"
 #include "draw/figure.h"
-#include "page/html_data.h"
+#include "page/html_page.h"
 
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 #include "construct/asymptotic/curve_energy.h"
 
-#include "basis/bernstein.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 #include "numeric/quadrature.h"
 
 #include <string.h>

@@ -1,10 +1,10 @@
 #include "construct/asymptotic/plate.h"
 
-#include "basis/bernstein.h"
 #include "construct/asymptotic/bubble.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 #include "numeric/dense.h"
 #include "numeric/quadrature.h"
 

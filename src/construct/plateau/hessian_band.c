@@ -1,7 +1,7 @@
 #include "construct/plateau/hessian_band.h"
 
 #include "core/memory.h"
-#include "numeric/band_tiles.h"
+#include "numeric/band.h"
 
 #include <string.h>
 

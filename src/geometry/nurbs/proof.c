@@ -56,7 +56,7 @@ taut_nurbs_span taut_nurbs_span_of(const taut_nurbs_side *s, int p, double lo, d
     taut_nurbs_span span;
 
     piece->ops->eval(piece, 0, lo + h / 2, 3, u);
-    s->basis->ops->changes->growth(h / 2, &at, &slope);
+    s->basis->ops->changes->growth(s->basis, h / 2, &at, &slope);
     for (int i = 0; i < 4; i++) {
         span.rows[0][i] = factor * at * u[8 + i];
         span.rows[1][i] = factor * slope * u[12 + i];

@@ -11,11 +11,11 @@
 #include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
-#include "draw/colour.h"
 #include "io/format.h"
 #include "io/json/out.h"
 #include "io/mesh/fields.h"
 #include "io/mesh/out.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <stdio.h>

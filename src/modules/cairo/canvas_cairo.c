@@ -98,7 +98,7 @@ static void set_ink(cairo_t *cairo, taut_ink ink)
     cairo_set_source_rgb(cairo, ink.r / 255.0, ink.g / 255.0, ink.b / 255.0);
 }
 
-static void trace(cairo_t *cairo, int count, const double (*xy)[2])
+static void trace_path(cairo_t *cairo, int count, const double (*xy)[2])
 {
     for (int i = 0; i < count; i++) {
         cairo_line_to(cairo, xy[i][0], xy[i][1]);
@@ -108,7 +108,7 @@ static void trace(cairo_t *cairo, int count, const double (*xy)[2])
 static void cairo_polygon(taut_canvas *canvas, int count, const double (*xy)[2], taut_ink ink)
 {
     set_ink(canvas->cairo, ink);
-    trace(canvas->cairo, count, xy);
+    trace_path(canvas->cairo, count, xy);
     cairo_close_path(canvas->cairo);
     cairo_set_antialias(canvas->cairo, CAIRO_ANTIALIAS_NONE);
     cairo_fill(canvas->cairo);
@@ -120,7 +120,7 @@ static void cairo_line(taut_canvas *canvas, int count, const double (*xy)[2], ta
 {
     set_ink(canvas->cairo, ink);
     cairo_set_line_width(canvas->cairo, width);
-    trace(canvas->cairo, count, xy);
+    trace_path(canvas->cairo, count, xy);
     cairo_stroke(canvas->cairo);
 }
 

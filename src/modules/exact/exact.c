@@ -25,7 +25,7 @@ typedef struct chain {
 } chain;
 
 /* The v^l coefficient of a line: C(m,l) Delta^l. */
-static void coefficient(const chain *c, int side, int l, fmpq_t out)
+static void find_coefficient(const chain *c, int side, int l, fmpq_t out)
 {
     fmpq_t term;
     fmpq_init(term);
@@ -49,8 +49,8 @@ static void run_chain(chain *c, int from_derivative)
     const int columns = c->m + 1;
     for (int l = c->m; l >= 0; l--) {
         fmpq *first = c->power.x + l, *second = first + columns;
-        coefficient(c, 0, l, first);
-        coefficient(c, 1, l, second);
+        find_coefficient(c, 0, l, first);
+        find_coefficient(c, 1, l, second);
         if (!from_derivative) {
             fmpq_sub(second, second, first);
         }
@@ -100,7 +100,8 @@ static void note_move(taut_exact_net *net, const fmpq_t move)
 }
 
 /* Even degree: makes the lines agree as asked ([NiWang2015] section 3, B.1). */
-static void mend(chain *c, const taut_exact_lines *lines, const fmpq_t defect, taut_exact_net *net)
+static void mend_lines(chain *c, const taut_exact_lines *lines, const fmpq_t defect,
+                       taut_exact_net *net)
 {
     fmpq_t weight, share;
     fmpq_init(weight);
@@ -134,9 +135,9 @@ static void defect_of(const chain *c, int from_derivative, fmpq_t defect)
 {
     fmpq_t first;
     fmpq_init(first);
-    coefficient(c, 1, c->m, defect);
+    find_coefficient(c, 1, c->m, defect);
     if (!from_derivative) {
-        coefficient(c, 0, c->m, first);
+        find_coefficient(c, 0, c->m, first);
         fmpq_sub(defect, defect, first);
     }
     fmpq_clear(first);
@@ -171,7 +172,7 @@ static void read_lines(chain *c, const taut_exact_lines *lines, int coordinate)
 }
 
 /* Is a degree raised, or is there no net? Any coordinate can say so. */
-static int survey(chain *c, const taut_exact_lines *lines, taut_exact_net *net)
+static int survey_lines(chain *c, const taut_exact_lines *lines, taut_exact_net *net)
 {
     const int open = c->m % 2 == 0 && c->n == c->m && !lines->corner_missing;
     fmpq_t defect;
@@ -212,8 +213,8 @@ static void chain_free(chain *c)
     fmpq_clear(c->mu);
 }
 
-static int complete(const taut_exact_lines *lines, const taut_exact_memory *memory,
-                    taut_exact_net *net)
+static int complete_net(const taut_exact_lines *lines, const taut_exact_memory *memory,
+                        taut_exact_net *net)
 {
     const int columns = lines->m + 1;
     taut_exact_net made = {.n = lines->n, .m = lines->m};
@@ -223,7 +224,7 @@ static int complete(const taut_exact_lines *lines, const taut_exact_memory *memo
     int done = 1;
 
     chain_new(&c, lines, lines->n);
-    const int none = survey(&c, lines, &made);
+    const int none = survey_lines(&c, lines, &made);
     if (made.defect > 0 && lines->even == 3) {
         made.moved = 1;
         made.n++;
@@ -237,7 +238,7 @@ static int complete(const taut_exact_lines *lines, const taut_exact_memory *memo
         if (c.m % 2 == 0 && c.n == c.m) {
             defect_of(&c, lines->from_derivative, defect);
             if (!fmpq_is_zero(defect)) {
-                mend(&c, lines, defect, &made);
+                mend_lines(&c, lines, defect, &made);
             }
         }
         run_chain(&c, lines->from_derivative);
@@ -280,7 +281,7 @@ static void share_of(const double range[4], double at, fmpq_t share)
 }
 
 /* A line over [s, 1] when `high`, else over [0, s]: the sides of de Casteljau's triangle at s. */
-static void cut(int d, long stride, const fmpq_t s, int high, fmpq *c)
+static void cut_line(int d, long stride, const fmpq_t s, int high, fmpq *c)
 {
     fmpq_t low, part;
     fmpq_init(low);
@@ -316,22 +317,22 @@ static void rerange_line(int d, long stride, const fmpq_t from, const fmpq_t to,
     fmpq_init(one);
     fmpq_one(one);
     if (!fmpq_is_zero(to)) {
-        cut(d, stride, to, 0, c);
+        cut_line(d, stride, to, 0, c);
         fmpq_div(inner, from, to);
-        cut(d, stride, inner, 1, c);
+        cut_line(d, stride, inner, 1, c);
     } else { /* [from, 1], then the share (0 - from) / (1 - from) of it */
-        cut(d, stride, from, 1, c);
+        cut_line(d, stride, from, 1, c);
         fmpq_sub(one, one, from);
         fmpq_div(inner, from, one);
         fmpq_neg(inner, inner);
-        cut(d, stride, inner, 0, c);
+        cut_line(d, stride, inner, 0, c);
     }
     fmpq_clear(inner);
     fmpq_clear(one);
 }
 
-static int rerange(int n, int m, const taut_exact_numbers *net, int along_v, const double range[4],
-                   const taut_exact_memory *memory, taut_exact_net *out)
+static int rerange_net(int n, int m, const taut_exact_numbers *net, int along_v,
+                       const double range[4], const taut_exact_memory *memory, taut_exact_net *out)
 {
     const long count = 3L * (n + 1) * (m + 1), row = 3L * (m + 1);
     taut_exact_net made = {.n = n, .m = m};
@@ -387,8 +388,8 @@ static void add_second(int d, int i, long stride, const fmpq_t weight, const fmp
     fmpq_clear(factor);
 }
 
-static int residual(int n, int m, const taut_exact_numbers *net, const double rectangle[4],
-                    double *largest)
+static int find_residual(int n, int m, const taut_exact_numbers *net, const double rectangle[4],
+                         double *largest)
 {
     const long count = 3L * (n + 1) * (m + 1), row = 3L * (m + 1);
     taut_rationals all = taut_rationals_new(count);
@@ -427,7 +428,7 @@ static int residual(int n, int m, const taut_exact_numbers *net, const double re
 extern TAUT_API const taut_exact_ops taut_module_table;
 const taut_exact_ops taut_module_table = {
     .size = sizeof(taut_exact_ops),
-    .complete = complete,
-    .rerange = rerange,
-    .residual = residual,
+    .complete = complete_net,
+    .rerange = rerange_net,
+    .residual = find_residual,
 };

@@ -42,7 +42,7 @@ void taut_rational_set(fmpq_t x, const taut_exact_numbers *from, size_t i)
 }
 
 /* |x - value| */
-static void distance(fmpq_t out, const fmpq_t x, double value)
+static void set_distance(fmpq_t out, const fmpq_t x, double value)
 {
     taut_rational_set_double(out, value);
     fmpq_sub(out, x, out);
@@ -59,11 +59,11 @@ double taut_rational_nearest(const fmpq_t x)
     }
     fmpq_init(least);
     fmpq_init(other);
-    distance(least, x, best);
+    set_distance(least, x, best);
     for (int side = 0; side < 2; side++) {
         const double next = nextafter(fmpq_get_d(x), side == 0 ? -INFINITY : INFINITY);
         if (isfinite(next)) {
-            distance(other, x, next);
+            set_distance(other, x, next);
             if (fmpq_cmp(other, least) < 0) {
                 fmpq_swap(other, least);
                 best = next;

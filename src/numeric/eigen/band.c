@@ -1,6 +1,25 @@
+/* band.c -- all eigenpairs of a banded symmetric pencil.
+ *
+ *     scale the pencil so that M(i,i) = 1
+ *     isolate: bisect until each eigenvalue has a bracket of its own (isolate.c), by counting
+ *         the negative pivots of K - s M for many shifts s at a time (count.c)
+ *     sharpen: narrow the brackets by false position on det (K - s M) (sharpen.c)
+ *     for lanes eigenvalues at a time:
+ *         Rayleigh quotient iteration within the brackets (iterate.c)
+ *         correct x by (K - s M) z = (K - lambda M) x, x -= z, until z is rounding (polish.c)
+ *     sort the pairs
+ *     for each x_j with close values before it (orthogonalise.c):
+ *         take out its parts along their vectors
+ *         if it was a copy of them: compute it again by inverse iteration with row interchanges
+ *     sort the pairs, because that may move values
+ *     if a bracket was not found, a residual is above its bound, or the x_j are not complete:
+ *         Cholesky, Householder, QL (dense.c), then polish, sort and orthogonalise as above
+ *         if a bound still fails: TAUT_CHECK_FAILED
+ *     undo the scaling
+ */
 #include "numeric/eigen/band.h"
 
-#include "core/memory.h"
+#include "core/arena.h"
 #include "numeric/eigen/internal.h"
 
 #include <math.h>
@@ -12,10 +31,7 @@ static const double residual_limit = 64 * 0x1p-53;
 /* For the sum of all that is lost to rounding and to orthogonality: twice the promise. */
 static const double completeness_limit = 128 * 0x1p-53;
 
-/* ---- the scaled pencil
- * -------------------------------------------------------------------------------- */
-
-static void pencil_clear(taut_pencil *pencil)
+static void clear_pencil(taut_pencil *pencil)
 {
     taut_band_clear(&pencil->k);
     taut_band_clear(&pencil->m);
@@ -23,16 +39,15 @@ static void pencil_clear(taut_pencil *pencil)
     taut_band_clear(&pencil->abs_m);
 }
 
-/* scaled = A(i,j) root[i] root[j], absolute = |scaled|, both new. Returns the largest entry of
- * absolute. */
+/* scaled = A(i,j) root[i] root[j], absolute = |scaled|, both new; *largest: of absolute. */
 static taut_status scale_band(const taut_band *from, int width, const double *root,
                               taut_band *scaled, taut_band *absolute, double *largest)
 {
-    taut_status status = taut_band_widen(from, width, scaled);
-    if (status == TAUT_OK) {
-        status = taut_band_widen(from, width, absolute);
+    if (taut_band_widen(from, width, scaled) != TAUT_OK ||
+        taut_band_widen(from, width, absolute) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    for (int i = 0; i < from->n && status == TAUT_OK; i++) {
+    for (int i = 0; i < from->n; i++) {
         double *row = taut_band_row(scaled, i), *abs_row = taut_band_row(absolute, i);
         for (int d = 0; d <= width && d <= i; d++) {
             row[d] *= root[i] * root[i - d];
@@ -40,15 +55,14 @@ static taut_status scale_band(const taut_band *from, int width, const double *ro
             *largest = fmax(*largest, abs_row[d]);
         }
     }
-    return status;
+    return TAUT_OK;
 }
 
-/* x of the pencil given is root x of the pencil made. */
-static taut_status pencil_init(const taut_band *k, const taut_band *m, double *root,
-                               taut_pencil *out)
+/* x of the pencil given is root x of the pencil made; clear it also after a failure. */
+static taut_status scale_pencil(const taut_band *k, const taut_band *m, double *root,
+                                taut_pencil *p)
 {
     const int width = k->width > m->width ? k->width : m->width;
-    taut_pencil p = {.kernel = taut_kernel_best()};
     double most_k = 0.0, most_m = 0.0;
 
     for (int i = 0; i < m->n; i++) {
@@ -57,21 +71,14 @@ static taut_status pencil_init(const taut_band *k, const taut_band *m, double *r
             return TAUT_NO_SOLUTION;
         }
     }
-    taut_status status = scale_band(k, width, root, &p.k, &p.abs_k, &most_k);
-    if (status == TAUT_OK) {
-        status = scale_band(m, width, root, &p.m, &p.abs_m, &most_m);
+    if (scale_band(k, width, root, &p->k, &p->abs_k, &most_k) != TAUT_OK ||
+        scale_band(m, width, root, &p->m, &p->abs_m, &most_m) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    p.norm = most_k + most_m;
-    p.tiny = 0x1p-200 * p.norm;
-    if (status == TAUT_OK && !isfinite(p.norm * p.norm)) {
-        status = TAUT_BAD_ARGUMENT;
-    }
-    if (status != TAUT_OK) {
-        pencil_clear(&p);
-        return status;
-    }
-    *out = p;
-    return TAUT_OK;
+    p->kernel = taut_kernel_best();
+    p->norm = most_k + most_m;
+    p->tiny = 0x1p-200 * p->norm;
+    return isfinite(p->norm * p->norm) ? TAUT_OK : TAUT_BAD_ARGUMENT;
 }
 
 static taut_status check_definite(const taut_band *m)
@@ -85,15 +92,11 @@ static taut_status check_definite(const taut_band *m)
     return status;
 }
 
-/* ---- the pairs
- * ---------------------------------------------------------------------------------------- */
-
-/* Ascending by insertion: polished values are all but sorted. A vector is moved when its value is.
- */
-static taut_status sort(taut_eigenpairs *pairs)
+/* Ascending by insertion: polished values are all but sorted. A vector is moved when its value is;
+ * `held` is double[n]. */
+static void sort_pairs(taut_eigenpairs *pairs, double *held)
 {
     const size_t n = (size_t)pairs->n;
-    double *held = NULL;
     for (size_t j = 1; j < n; j++) {
         size_t to = j;
         while (to > 0 && pairs->values[to - 1] > pairs->values[j]) {
@@ -101,10 +104,6 @@ static taut_status sort(taut_eigenpairs *pairs)
         }
         if (to == j) {
             continue;
-        }
-        held = held == NULL ? taut_alloc(n, sizeof *held) : held;
-        if (held == NULL) {
-            return TAUT_NO_MEMORY;
         }
         double *const single[] = {pairs->values, pairs->noise, pairs->residual};
         for (size_t s = 0; s < sizeof single / sizeof *single; s++) {
@@ -117,8 +116,6 @@ static taut_status sort(taut_eigenpairs *pairs)
         memmove(x + (to + 1) * n, x + to * n, (j - to) * n * sizeof *x);
         memcpy(x + to * n, held, n * sizeof *x);
     }
-    taut_free(held);
-    return TAUT_OK;
 }
 
 /* Are the x_j a complete M-orthonormal set? Then sum_j x_j (x_j . M v) = v for any v: one scattered
@@ -156,42 +153,49 @@ static int is_right(const taut_pencil *pencil, const taut_eigenpairs *pairs, dou
 
 /* Puts pairs in order, orthogonalises them, and puts them in order again, for that may move values.
  */
-static taut_status finish(const taut_pencil *pencil, taut_eigenpairs *pairs)
+static taut_status finish_pairs(const taut_pencil *pencil, taut_arena *arena,
+                                taut_eigenpairs *pairs)
 {
-    taut_status status = sort(pairs);
-    if (status == TAUT_OK) {
-        status = taut_eigen_orthogonalise(pencil, pairs);
+    double *held = taut_arena_take(arena, (size_t)pairs->n, sizeof *held);
+    if (held == NULL) {
+        return TAUT_NO_MEMORY;
     }
-    return status == TAUT_OK ? sort(pairs) : status;
+    sort_pairs(pairs, held);
+    if (taut_eigen_orthogonalise(pencil, arena, pairs) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    sort_pairs(pairs, held);
+    return TAUT_OK;
 }
 
 /* The fast way. */
-static taut_status solve_banded(const taut_pencil *pencil, taut_eigenpairs *pairs)
+static taut_status solve_banded(const taut_pencil *pencil, taut_arena *arena, taut_bracket *bracket,
+                                taut_eigenpairs *pairs)
 {
-    taut_bracket *bracket = taut_alloc((size_t)pairs->n, sizeof *bracket);
-    taut_status status = bracket == NULL ? TAUT_NO_MEMORY : taut_eigen_isolate(pencil, bracket);
-    if (status == TAUT_OK) {
-        status = taut_eigen_sharpen(pencil, bracket);
+    const taut_status status = taut_eigen_isolate(pencil, arena, bracket);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_eigen_iterate(pencil, bracket, pairs);
+    if (taut_eigen_sharpen(pencil, arena, bracket) != TAUT_OK ||
+        taut_eigen_iterate(pencil, arena, bracket, pairs) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    taut_free(bracket);
-    return status == TAUT_OK ? finish(pencil, pairs) : status;
+    return finish_pairs(pencil, arena, pairs);
 }
 
 /* The sure way. */
-static taut_status solve_dense(const taut_pencil *pencil, taut_eigenpairs *pairs)
+static taut_status solve_dense(const taut_pencil *pencil, taut_arena *arena, taut_eigenpairs *pairs)
 {
-    taut_status status = taut_eigen_dense(pencil, pairs);
-    if (status == TAUT_OK) {
-        status = taut_eigen_polish(pencil, pairs);
+    const taut_status status = taut_eigen_dense(pencil, arena, pairs);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status == TAUT_OK ? finish(pencil, pairs) : status;
+    return taut_eigen_polish(pencil, arena, pairs) == TAUT_OK ? finish_pairs(pencil, arena, pairs)
+                                                              : TAUT_NO_MEMORY;
 }
 
 /* Back to the pencil given. */
-static void unscale(taut_eigenpairs *pairs, const double *root)
+static void unscale_vectors(taut_eigenpairs *pairs, const double *root)
 {
     const size_t n = (size_t)pairs->n;
     for (size_t j = 0; j < n; j++) {
@@ -202,6 +206,43 @@ static void unscale(taut_eigenpairs *pairs, const double *root)
     }
 }
 
+/* All that one call takes. */
+struct work {
+    taut_arena *arena;
+    taut_pencil pencil;
+    taut_bracket *bracket;           /* [n] */
+    double *noise, *residual, *root; /* [n] */
+    double *scratch;                 /* [3][n] */
+};
+
+static taut_status solve_pencil(const taut_band *k, const taut_band *m, struct work *work,
+                                taut_eigenpairs *pairs)
+{
+    taut_status status = check_definite(m);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = scale_pencil(k, m, work->root, &work->pencil);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = solve_banded(&work->pencil, work->arena, work->bracket, pairs);
+    if (status != TAUT_OK && status != TAUT_NOT_CONVERGED) {
+        return status;
+    }
+    if (status != TAUT_OK || !is_right(&work->pencil, pairs, work->scratch)) {
+        status = solve_dense(&work->pencil, work->arena, pairs);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        if (!is_right(&work->pencil, pairs, work->scratch)) {
+            return TAUT_CHECK_FAILED;
+        }
+    }
+    unscale_vectors(pairs, work->root);
+    return TAUT_OK;
+}
+
 taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *values, double *vectors)
 {
     if (!taut_band_is_legal(k) || !taut_band_is_legal(m) || k->n != m->n || values == NULL ||
@@ -209,33 +250,21 @@ taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *valu
         return TAUT_BAD_ARGUMENT;
     }
     const size_t n = (size_t)k->n;
-    taut_pencil pencil = {.kernel = NULL};
-    double *single =
-        taut_alloc(7 * n, sizeof *single); /* values, noise, residual, root, scratch[3] */
-    taut_status status = single == NULL ? TAUT_NO_MEMORY : check_definite(m);
-    if (status != TAUT_OK) {
-        goto done;
-    }
-    double *root = single + 2 * n, *scratch = single + 3 * n;
-    taut_eigenpairs pairs = {k->n, values, vectors, single, single + n};
-    status = pencil_init(k, m, root, &pencil);
-    if (status != TAUT_OK) {
-        goto done;
-    }
-    status = solve_banded(&pencil, &pairs);
-    if (status == TAUT_NOT_CONVERGED ||
-        (status == TAUT_OK && !is_right(&pencil, &pairs, scratch))) {
-        status = solve_dense(&pencil, &pairs);
-        if (status == TAUT_OK && !is_right(&pencil, &pairs, scratch)) {
-            status = TAUT_CHECK_FAILED;
-        }
-    }
+    taut_arena *arena = taut_arena_new();
+    struct work work = {
+        .arena = arena,
+        .bracket = taut_arena_take(arena, n, sizeof *work.bracket),
+        .noise = taut_arena_take(arena, n, sizeof(double)),
+        .residual = taut_arena_take(arena, n, sizeof(double)),
+        .root = taut_arena_take(arena, n, sizeof(double)),
+        .scratch = taut_arena_take(arena, 3 * n, sizeof(double)),
+    };
+    taut_eigenpairs pairs = {k->n, values, vectors, work.noise, work.residual};
+    taut_status status = taut_arena_status(arena);
     if (status == TAUT_OK) {
-        unscale(&pairs, root);
+        status = solve_pencil(k, m, &work, &pairs);
     }
-
-done:
-    pencil_clear(&pencil);
-    taut_free(single);
+    clear_pencil(&work.pencil);
+    taut_arena_free(arena);
     return status;
 }

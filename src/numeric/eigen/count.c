@@ -2,30 +2,21 @@
  * of K - s M ([Parlett1998] 3.3.1); the product of the pivots is its determinant. */
 #include "numeric/eigen/internal.h"
 
-#include "core/memory.h"
-
 #include <math.h>
 #include <string.h>
 
 enum { CHUNK = 48 }; /* rows of factors kept: they fit the first-level cache */
 
-taut_status taut_counter_init(const taut_pencil *pencil, taut_counter *counter)
+taut_counter taut_counter_of(const taut_pencil *pencil, taut_arena *arena)
 {
     const size_t w = (size_t)pencil->k.width, lanes = (size_t)pencil->kernel->lanes;
-    counter->pencil = pencil;
-    counter->factor = taut_alloc_aligned((CHUNK + w) * (w + 1), lanes * sizeof(double));
-    return counter->factor == NULL ? TAUT_NO_MEMORY : TAUT_OK;
-}
-
-void taut_counter_clear(taut_counter *counter)
-{
-    taut_free(counter->factor);
-    counter->factor = NULL;
+    return (taut_counter){pencil,
+                          taut_arena_take(arena, (CHUNK + w) * (w + 1), lanes * sizeof(double))};
 }
 
 /* One shift a lane. Rows of factors are made CHUNK at a time, and the last `width` carried over. */
-static void run_lanes(const taut_counter *counter, const double *minus, double *negative,
-                      double *log)
+static void count_lanes(const taut_counter *counter, const double *minus, double *negative,
+                        double *log)
 {
     const taut_pencil *p = counter->pencil;
     const int n = p->k.n, w = p->k.width, lanes = p->kernel->lanes;
@@ -61,7 +52,7 @@ void taut_counter_run(const taut_counter *counter, int shifts, const double *shi
         for (int l = 0; l < lanes; l++) {
             minus[l] = -shift[start + l < shifts ? start + l : shifts - 1];
         }
-        run_lanes(counter, minus, negative, logs);
+        count_lanes(counter, minus, negative, logs);
         for (int l = 0; l < lanes && start + l < shifts; l++) {
             count[start + l] = (int)negative[l];
             log[start + l] = logs[l];

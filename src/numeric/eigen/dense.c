@@ -1,27 +1,26 @@
+/* dense.c -- all eigenpairs by the methods for full matrices: slow, and sure. */
 #include "numeric/eigen/internal.h"
-
-#include "core/memory.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { QL_STEPS_MAX = 60 };
 
-static double *at(double *a, int n, int i, int j)
+static double *entry_at(double *a, int n, int i, int j)
 {
     return a + (size_t)i * (size_t)n + (size_t)j;
 }
 
 /* a = L^-1 K L^-T for M = L L^T: columns by forward substitution, then rows, by symmetry the same
  * loop on the transpose. `l` is the banded factor L D L^T of M, used as (L D^(1/2)). */
-static void reduce(const taut_band *l, double *a)
+static void reduce_pencil(const taut_band *l, double *a)
 {
     const int n = l->n, w = l->width;
     for (int pass = 0; pass < 2; pass++) {
         for (int j = 0; j < n; j++) {
             for (int i = 0; i < n; i++) {
                 double *row =
-                    at(a, n, j, 0); /* symmetric before, transposed after the first pass */
+                    entry_at(a, n, j, 0); /* symmetric before, transposed after the first pass */
                 double sum = row[i];
                 for (int d = 1; d <= w && d <= i; d++) {
                     sum -= taut_band_row(l, i)[d] * sqrt(taut_band_row(l, i - d)[0]) * row[i - d];
@@ -31,9 +30,9 @@ static void reduce(const taut_band *l, double *a)
         }
         for (int j = 0; j < n; j++) {
             for (int i = 0; i < j; i++) {
-                const double swap = *at(a, n, i, j);
-                *at(a, n, i, j) = *at(a, n, j, i);
-                *at(a, n, j, i) = swap;
+                const double swap = *entry_at(a, n, i, j);
+                *entry_at(a, n, i, j) = *entry_at(a, n, j, i);
+                *entry_at(a, n, j, i) = swap;
             }
         }
     }
@@ -46,16 +45,16 @@ static void tridiagonalise(int n, double *a, double *d, double *e, double *v, do
 {
     memset(q, 0, (size_t)n * (size_t)n * sizeof *q);
     for (int i = 0; i < n; i++) {
-        *at(q, n, i, i) = 1.0;
+        *entry_at(q, n, i, i) = 1.0;
     }
     for (int k = 0; k < n - 1; k++) {
         double norm = 0.0;
         for (int i = k + 1; i < n; i++) {
-            v[i] = *at(a, n, k, i);
+            v[i] = *entry_at(a, n, k, i);
             norm = hypot(norm, v[i]);
         }
         const double alpha = v[k + 1] > 0.0 ? -norm : norm;
-        d[k] = *at(a, n, k, k);
+        d[k] = *entry_at(a, n, k, k);
         e[k] = norm > 0.0 ? alpha : 0.0;
         v[k + 1] -= alpha;
         double vv = 0.0;
@@ -71,7 +70,7 @@ static void tridiagonalise(int n, double *a, double *d, double *e, double *v, do
         for (int i = k + 1; i < n; i++) {
             p[i] = 0.0;
             for (int j = k + 1; j < n; j++) {
-                p[i] += *at(a, n, i, j) * v[j];
+                p[i] += *entry_at(a, n, i, j) * v[j];
             }
             p[i] *= beta;
             vp += v[i] * p[i];
@@ -81,23 +80,23 @@ static void tridiagonalise(int n, double *a, double *d, double *e, double *v, do
         }
         for (int i = k + 1; i < n; i++) {
             for (int j = k + 1; j < n; j++) {
-                *at(a, n, i, j) -= v[i] * p[j] + p[i] * v[j];
+                *entry_at(a, n, i, j) -= v[i] * p[j] + p[i] * v[j];
             }
         }
         /* Q^T <- H Q^T */
         memset(p, 0, (size_t)n * sizeof *p);
         for (int i = k + 1; i < n; i++) {
             for (int j = 0; j < n; j++) {
-                p[j] += v[i] * *at(q, n, i, j);
+                p[j] += v[i] * *entry_at(q, n, i, j);
             }
         }
         for (int i = k + 1; i < n; i++) {
             for (int j = 0; j < n; j++) {
-                *at(q, n, i, j) -= beta * v[i] * p[j];
+                *entry_at(q, n, i, j) -= beta * v[i] * p[j];
             }
         }
     }
-    d[n - 1] = *at(a, n, n - 1, n - 1);
+    d[n - 1] = *entry_at(a, n, n - 1, n - 1);
     e[n - 1] = 0.0;
 }
 
@@ -124,9 +123,9 @@ static void ql_sweep(int n, int l, int m, double *d, double *e, double *q)
         d[i + 1] = g + p;
         g = c * t - b;
         for (int j = 0; j < n; j++) {
-            const double upper = *at(q, n, i, j), lower = *at(q, n, i + 1, j);
-            *at(q, n, i + 1, j) = s * upper + c * lower;
-            *at(q, n, i, j) = c * upper - s * lower;
+            const double upper = *entry_at(q, n, i, j), lower = *entry_at(q, n, i + 1, j);
+            *entry_at(q, n, i + 1, j) = s * upper + c * lower;
+            *entry_at(q, n, i, j) = c * upper - s * lower;
         }
     }
     d[l] -= p;
@@ -155,7 +154,7 @@ static int diagonalise(int n, double *d, double *e, double *q)
 }
 
 /* Ascending, rows of q along with d. */
-static void sort(int n, double *d, double *q)
+static void sort_pairs(int n, double *d, double *q)
 {
     for (int i = 0; i < n - 1; i++) {
         int least = i;
@@ -166,9 +165,9 @@ static void sort(int n, double *d, double *q)
         d[i] = d[least];
         d[least] = swap;
         for (int j = 0; j < n && least != i; j++) {
-            const double entry = *at(q, n, i, j);
-            *at(q, n, i, j) = *at(q, n, least, j);
-            *at(q, n, least, j) = entry;
+            const double entry = *entry_at(q, n, i, j);
+            *entry_at(q, n, i, j) = *entry_at(q, n, least, j);
+            *entry_at(q, n, least, j) = entry;
         }
     }
 }
@@ -178,7 +177,7 @@ static void back_transform(const taut_band *l, double *q)
 {
     const int n = l->n, w = l->width;
     for (int j = 0; j < n; j++) {
-        double *x = at(q, n, j, 0);
+        double *x = entry_at(q, n, j, 0);
         for (int i = n - 1; i >= 0; i--) {
             x[i] /= sqrt(taut_band_row(l, i)[0]);
             for (int d = 1; d <= w && i + d < n; d++) {
@@ -188,37 +187,35 @@ static void back_transform(const taut_band *l, double *q)
     }
 }
 
-taut_status taut_eigen_dense(const taut_pencil *pencil, taut_eigenpairs *pairs)
+taut_status taut_eigen_dense(const taut_pencil *pencil, taut_arena *arena, taut_eigenpairs *pairs)
 {
     double *values = pairs->values, *vectors = pairs->vectors;
     const int n = pencil->k.n;
     const size_t size = (size_t)n;
-    taut_band l = {0, 0, NULL};
-    taut_status status = taut_band_widen(&pencil->m, pencil->m.width, &l);
-    double *a = taut_alloc_zero(size * size, sizeof *a);
-    double *scratch = taut_alloc(3 * size, sizeof *scratch);
-    if (status != TAUT_OK || a == NULL || scratch == NULL) {
-        status = TAUT_NO_MEMORY;
-        goto done;
+    const taut_band *m = &pencil->m;
+    taut_band l = {n, m->width,
+                   taut_arena_copy(arena, m->a, size * ((size_t)m->width + 1), sizeof *m->a)};
+    double *a = taut_arena_take(arena, size * size, sizeof *a);
+    double *scratch = taut_arena_take(arena, 3 * size, sizeof *scratch);
+    taut_status status = taut_arena_status(arena);
+    if (status != TAUT_OK) {
+        return status;
     }
     status = taut_band_factor(&l);
     if (status != TAUT_OK) {
-        goto done;
+        return status;
     }
     for (int i = 0; i < n; i++) {
         for (int d = 0; d <= pencil->k.width && d <= i; d++) {
-            *at(a, n, i, i - d) = *at(a, n, i - d, i) = taut_band_row(&pencil->k, i)[d];
+            *entry_at(a, n, i, i - d) = *entry_at(a, n, i - d, i) = taut_band_row(&pencil->k, i)[d];
         }
     }
-    reduce(&l, a);
+    reduce_pencil(&l, a);
     tridiagonalise(n, a, values, scratch, scratch + size, scratch + 2 * size, vectors);
-    status = diagonalise(n, values, scratch, vectors) ? TAUT_OK : TAUT_NOT_CONVERGED;
-    sort(n, values, vectors);
+    if (!diagonalise(n, values, scratch, vectors)) {
+        return TAUT_NOT_CONVERGED;
+    }
+    sort_pairs(n, values, vectors);
     back_transform(&l, vectors);
-
-done:
-    taut_free(scratch);
-    taut_free(a);
-    taut_band_clear(&l);
-    return status;
+    return TAUT_OK;
 }

@@ -1,7 +1,9 @@
-/* internal.h -- the parts of band.h. All work on a scaled pencil: M(i,i) = 1. */
+/* internal.h -- the parts of band.h. All work on a scaled pencil: M(i,i) = 1, and take their scratch
+ * from the arena of the call. */
 #ifndef TAUT_NUMERIC_EIGEN_INTERNAL_H
 #define TAUT_NUMERIC_EIGEN_INTERNAL_H
 
+#include "core/arena.h"
 #include "numeric/band.h"
 #include "numeric/kernel/kernel.h"
 
@@ -40,23 +42,22 @@ typedef struct taut_counter {
     double *factor; /* scratch */
 } taut_counter;
 
-/* TAUT_OK or TAUT_NO_MEMORY; clear also after a failure. */
-taut_status taut_counter_init(const taut_pencil *pencil, taut_counter *counter);
-void taut_counter_clear(taut_counter *counter);
+/* Takes the scratch; the arena's status tells whether it is there. */
+taut_counter taut_counter_of(const taut_pencil *pencil, taut_arena *arena);
 /* count[i] = eigenvalues below shift[i], log[i] = log2 |det (K - shift[i] M)|, i < shifts. */
 void taut_counter_run(const taut_counter *counter, int shifts, const double *shift, int *count,
                       double *log);
 
 /* One bracket per eigenvalue in ascending order, into bracket[n]. TAUT_OK, TAUT_NO_MEMORY, or
  * TAUT_NOT_CONVERGED when the counts contradict each other. */
-taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_bracket *bracket);
+taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_arena *arena, taut_bracket *bracket);
 
 /* The j-th of `parts` - 1 places to cut a bracket: even steps of sqrt(s), in which the eigenvalues
  * of second order operators lie evenly, or of log(s) where the ends differ much. */
 double taut_eigen_place(const taut_bracket *bracket, int j, int parts);
 
 /* Better guesses, by the determinant as a function of the shift. TAUT_OK or TAUT_NO_MEMORY. */
-taut_status taut_eigen_sharpen(const taut_pencil *pencil, taut_bracket *bracket);
+taut_status taut_eigen_sharpen(const taut_pencil *pencil, taut_arena *arena, taut_bracket *bracket);
 
 /* The distance of guess j to its neighbours; the length of its bracket when it has none. */
 double taut_eigen_gap(int n, const taut_bracket *bracket, int j);
@@ -70,9 +71,8 @@ typedef struct taut_eigen_block {
     double gap[TAUT_LANES_MAX]; /* about the distance of lambda to the next eigenvalue */
 } taut_eigen_block;
 
-/* TAUT_OK or TAUT_NO_MEMORY; clear also after a failure. */
-taut_status taut_eigen_block_init(const taut_pencil *pencil, taut_eigen_block *block);
-void taut_eigen_block_clear(taut_eigen_block *block);
+/* Takes the scratch; the arena's status tells whether it is there. */
+taut_eigen_block taut_eigen_block_of(const taut_pencil *pencil, taut_arena *arena);
 
 /* Takes from each x the error that factors without row interchanges leave in it, moves lambda to
  * the Rayleigh quotient and stores the pairs as first..first+used-1, with their noise and residual.
@@ -81,35 +81,16 @@ void taut_eigen_block_polish(taut_eigen_block *block, int first, int used, taut_
 
 /* Values and vectors by Rayleigh quotient iteration inside the brackets, polished; not yet in
  * order, orthogonalised or checked. TAUT_OK or TAUT_NO_MEMORY. */
-taut_status taut_eigen_iterate(const taut_pencil *pencil, const taut_bracket *bracket,
-                               taut_eigenpairs *pairs);
+taut_status taut_eigen_iterate(const taut_pencil *pencil, taut_arena *arena,
+                               const taut_bracket *bracket, taut_eigenpairs *pairs);
 
 /* Polishes pairs that come from elsewhere, values ascending. TAUT_OK or TAUT_NO_MEMORY. */
-taut_status taut_eigen_polish(const taut_pencil *pencil, taut_eigenpairs *pairs);
+taut_status taut_eigen_polish(const taut_pencil *pencil, taut_arena *arena, taut_eigenpairs *pairs);
 
 /* Makes vectors with close values M-orthogonal. Those that turn out to be copies of others are
  * computed again by inverse iteration with row interchanges. TAUT_OK or TAUT_NO_MEMORY. */
-taut_status taut_eigen_orthogonalise(const taut_pencil *pencil, taut_eigenpairs *pairs);
-
-/* M by diagonals: a[d*n + i] = M(i, i-d), so that products run along vectors. */
-typedef struct taut_diagonals {
-    const taut_kernel *kernel;
-    size_t n, width;
-    double *a;
-} taut_diagonals;
-
-/* TAUT_OK or TAUT_NO_MEMORY; free out->a. */
-taut_status taut_diagonals_init(const taut_pencil *pencil, taut_diagonals *out);
-
-/* Takes the parts along vectors first..j-1 out of x, then M-normalises x; mx is scratch. Returns
- * the share of x, by M-norm, that was left. */
-double taut_eigen_purge(const taut_diagonals *m, const taut_eigenpairs *pairs, int first, int j,
-                        double *x, double *mx);
-
-/* Computes values[j] and vectors[j] again by inverse iteration with row interchanges near
- * values[j], kept M-orthogonal to vectors first..j-1. TAUT_OK or TAUT_NO_MEMORY. */
-taut_status taut_eigen_mend(const taut_pencil *pencil, const taut_diagonals *m, int first, int j,
-                            taut_eigenpairs *pairs);
+taut_status taut_eigen_orthogonalise(const taut_pencil *pencil, taut_arena *arena,
+                                     taut_eigenpairs *pairs);
 
 static inline double *taut_eigen_vector(const taut_eigenpairs *pairs, int j)
 {
@@ -119,7 +100,7 @@ static inline double *taut_eigen_vector(const taut_eigenpairs *pairs, int j)
 /* Values and vectors by Cholesky reduction, Householder tridiagonalisation and QL iteration
  * ([GolubVanLoan2013] 8.7.2, 8.3.1, 8.3.3) in O(n^3). TAUT_OK, TAUT_NO_MEMORY, TAUT_NO_SOLUTION (M
  * not positive definite) or TAUT_NOT_CONVERGED. */
-taut_status taut_eigen_dense(const taut_pencil *pencil, taut_eigenpairs *pairs);
+taut_status taut_eigen_dense(const taut_pencil *pencil, taut_arena *arena, taut_eigenpairs *pairs);
 
 /* Numbers in [-1, 1) that depend on the seed only. */
 double taut_eigen_scatter(unsigned long long seed);

@@ -2,8 +2,6 @@
  * short to cut; the cuts of one round are counted side by side. */
 #include "numeric/eigen/internal.h"
 
-#include "core/memory.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -36,7 +34,7 @@ double taut_eigen_place(const taut_bracket *interval, int j, int parts)
 
 /* All eigenvalues in one interval: low and high are moved out by factors of 4 until none is
  * outside. Returns 0 when they would overflow first. */
-static int enclose(const taut_counter *counter, taut_bracket *all)
+static int enclose_all(const taut_counter *counter, taut_bracket *all)
 {
     const int n = counter->pencil->k.n, steps = counter->pencil->kernel->lanes / 2;
     double high = counter->pencil->norm, low = -0x1p-40 * high;
@@ -72,7 +70,7 @@ static int is_short(const taut_bracket *interval)
 }
 
 /* Hands a finished interval to its eigenvalues. */
-static void settle(const taut_bracket *done, taut_bracket *bracket)
+static void settle_bracket(const taut_bracket *done, taut_bracket *bracket)
 {
     for (int j = 0; j < done->inside; j++) {
         bracket[done->below + j] = *done;
@@ -83,8 +81,8 @@ static void settle(const taut_bracket *done, taut_bracket *bracket)
 /* Divides `old` by `count` cuts, ascending, from cut `from` on, and appends the non-empty pieces
  * that need more cutting to list; others are settled. What cuts tell is forced to be monotone.
  * Returns the new length of the list. */
-static int divide(const taut_bracket *old, const struct cuts *cuts, int from, int count,
-                  taut_bracket *list, int length, taut_bracket *bracket)
+static int divide_bracket(const taut_bracket *old, const struct cuts *cuts, int from, int count,
+                          taut_bracket *list, int length, taut_bracket *bracket)
 {
     const int total = old->below + old->inside;
     taut_bracket piece = *old;
@@ -100,7 +98,7 @@ static int divide(const taut_bracket *old, const struct cuts *cuts, int from, in
         piece.high_log = is_cut ? cuts->log[c] : old->high_log;
         piece.inside = upto - piece.below;
         if (piece.inside == 1 || (piece.inside > 1 && is_short(&piece))) {
-            settle(&piece, bracket);
+            settle_bracket(&piece, bracket);
         } else if (piece.inside > 1) {
             list[length++] = piece;
         }
@@ -109,28 +107,24 @@ static int divide(const taut_bracket *old, const struct cuts *cuts, int from, in
     return length;
 }
 
-taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_bracket *bracket)
+taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_arena *arena, taut_bracket *bracket)
 {
     const int lanes = pencil->kernel->lanes;
     const size_t most = (size_t)pencil->k.n + (size_t)lanes; /* cuts in a round */
-    taut_counter counter = {pencil, NULL};
-    taut_bracket *list = taut_alloc(2 * most, sizeof *list);
-    double *places = taut_alloc(2 * most, sizeof *places);
-    int *below = taut_alloc(most, sizeof *below);
-    taut_status status = taut_counter_init(pencil, &counter);
-    if (status != TAUT_OK || list == NULL || places == NULL || below == NULL) {
-        status = TAUT_NO_MEMORY;
-        goto done;
-    }
-
-    status = TAUT_NOT_CONVERGED;
-    taut_bracket *next = list + most;
-    const struct cuts cuts = {places, places + most, below};
+    const taut_counter counter = taut_counter_of(pencil, arena);
+    taut_bracket *list = taut_arena_take(arena, most, sizeof *list);
+    taut_bracket *next = taut_arena_take(arena, most, sizeof *next);
+    const struct cuts cuts = {taut_arena_take(arena, most, sizeof(double)),
+                              taut_arena_take(arena, most, sizeof(double)),
+                              taut_arena_take(arena, most, sizeof(int))};
     taut_bracket all;
-    if (!enclose(&counter, &all)) {
-        goto done;
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    int length = divide(&all, &cuts, 0, 0, list, 0, bracket);
+    if (!enclose_all(&counter, &all)) {
+        return TAUT_NOT_CONVERGED;
+    }
+    int length = divide_bracket(&all, &cuts, 0, 0, list, 0, bracket);
     for (int round = 0; length > 0 && round < ROUNDS_MAX; round++) {
         const int count = length >= lanes ? 1 : lanes / length;
         for (int i = 0; i < length; i++) {
@@ -141,17 +135,10 @@ taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_bracket *bracket)
         taut_counter_run(&counter, length * count, cuts.at, cuts.below, cuts.log);
         int more = 0;
         for (int i = 0; i < length; i++) {
-            more = divide(&list[i], &cuts, i * count, count, next, more, bracket);
+            more = divide_bracket(&list[i], &cuts, i * count, count, next, more, bracket);
         }
         memcpy(list, next, (size_t)more * sizeof *list);
         length = more;
     }
-    status = length == 0 ? TAUT_OK : TAUT_NOT_CONVERGED;
-
-done:
-    taut_counter_clear(&counter);
-    taut_free(below);
-    taut_free(places);
-    taut_free(list);
-    return status;
+    return length == 0 ? TAUT_OK : TAUT_NOT_CONVERGED;
 }

@@ -5,8 +5,6 @@
  */
 #include "numeric/eigen/internal.h"
 
-#include "core/memory.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -26,7 +24,7 @@ struct lane {
 };
 
 /* splitmix64 */
-static uint64_t mixed(uint64_t seed)
+static uint64_t mix_bits(uint64_t seed)
 {
     uint64_t x = seed * 0x9e3779b97f4a7c15u;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -35,7 +33,7 @@ static uint64_t mixed(uint64_t seed)
 }
 
 /* The number in [-1, 1) of these bits. */
-static double between(uint64_t bits)
+static double number_of(uint64_t bits)
 {
     const uint64_t pattern = bits >> 12 | 0x4000000000000000u; /* [2, 4) */
     double x;
@@ -45,33 +43,33 @@ static double between(uint64_t bits)
 
 double taut_eigen_scatter(unsigned long long seed)
 {
-    return between(mixed(seed));
+    return number_of(mix_bits(seed));
 }
 
 /* Random right-hand sides, a different one for each eigenvalue. */
-static void start(const taut_eigen_block *block, const struct lane *lane)
+static void scatter_start(const taut_eigen_block *block, const struct lane *lane)
 {
     const size_t n = (size_t)block->pencil->k.n, lanes = (size_t)block->pencil->kernel->lanes;
     uint64_t own[TAUT_LANES_MAX];
     for (size_t l = 0; l < lanes; l++) {
-        own[l] = mixed((uint64_t)lane[l].index + n);
+        own[l] = mix_bits((uint64_t)lane[l].index + n);
     }
     for (size_t i = 0; i < n; i++) {
-        const uint64_t row = mixed(i);
+        const uint64_t row = mix_bits(i);
         for (size_t l = 0; l < lanes; l++) {
-            block->m[i * lanes + l] = between(row ^ own[l]);
+            block->m[i * lanes + l] = number_of(row ^ own[l]);
         }
     }
 }
 
-static double middle(double low, double high)
+static double middle_of(double low, double high)
 {
     return low + 0.5 * (high - low);
 }
 
 /* What one step tells about one eigenvalue: `below` eigenvalues lie under the shift, and the
  * quotient moved by `step`. */
-static void advance(struct lane *lane, int below, double step)
+static void advance_lane(struct lane *lane, int below, double step)
 {
     if (below <= lane->index) {
         lane->low = fmax(lane->low, lane->shift);
@@ -86,13 +84,13 @@ static void advance(struct lane *lane, int below, double step)
     if (lane->is_done || (next > lane->low && next < lane->high)) {
         lane->shift = next;
     } else {
-        lane->shift = middle(lane->low, lane->high);
+        lane->shift = middle_of(lane->low, lane->high);
     }
 }
 
 /* One step of all lanes from the right-hand sides in m, which are M x afterwards. Returns 1 when
  * all are done. */
-static int step(const taut_eigen_block *block, struct lane *lane)
+static int step_lanes(const taut_eigen_block *block, struct lane *lane)
 {
     const taut_pencil *p = block->pencil;
     const taut_kernel *kernel = p->kernel;
@@ -114,7 +112,7 @@ static int step(const taut_eigen_block *block, struct lane *lane)
     for (int l = 0; l < lanes; l++) {
         scale[l] = 1.0 / sqrt(dot[l]);
         if (!lane[l].is_done) {
-            advance(&lane[l], (int)negative[l], dot[lanes + l] / dot[l]);
+            advance_lane(&lane[l], (int)negative[l], dot[lanes + l] / dot[l]);
         }
         done = done && lane[l].is_done;
     }
@@ -140,8 +138,8 @@ static void iterate_block(taut_eigen_block *block, int first, const taut_bracket
         lane[l] = (struct lane){b->guess, b->low, b->high, gap, j, 0};
         block->gap[l] = fmax(gap, 0x1p-44 * fabs(b->guess));
     }
-    start(block, lane);
-    for (int i = 0; i < STEPS_MAX && !step(block, lane); i++) {
+    scatter_start(block, lane);
+    for (int i = 0; i < STEPS_MAX && !step_lanes(block, lane); i++) {
     }
     for (int l = 0; l < lanes; l++) {
         block->lambda[l] = lane[l].shift;
@@ -149,14 +147,15 @@ static void iterate_block(taut_eigen_block *block, int first, const taut_bracket
     taut_eigen_block_polish(block, first, n - first < lanes ? n - first : lanes, pairs);
 }
 
-taut_status taut_eigen_iterate(const taut_pencil *pencil, const taut_bracket *bracket,
-                               taut_eigenpairs *pairs)
+taut_status taut_eigen_iterate(const taut_pencil *pencil, taut_arena *arena,
+                               const taut_bracket *bracket, taut_eigenpairs *pairs)
 {
-    taut_eigen_block block;
-    const taut_status status = taut_eigen_block_init(pencil, &block);
-    for (int first = 0; first < pairs->n && status == TAUT_OK; first += pencil->kernel->lanes) {
+    taut_eigen_block block = taut_eigen_block_of(pencil, arena);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int first = 0; first < pairs->n; first += pencil->kernel->lanes) {
         iterate_block(&block, first, bracket, pairs);
     }
-    taut_eigen_block_clear(&block);
-    return status;
+    return TAUT_OK;
 }

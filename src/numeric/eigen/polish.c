@@ -4,8 +4,6 @@
  * small z, not x. The shift s stays a little away from lambda, so that x and z do not cancel. */
 #include "numeric/eigen/internal.h"
 
-#include "core/memory.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -18,39 +16,27 @@ static const double offset = 0x1p-22, least_offset = 0x1p-46;
 /* An error in a vector that is not worth another correction. */
 static const double small_error = 0x1p-54;
 
-taut_status taut_eigen_block_init(const taut_pencil *pencil, taut_eigen_block *block)
+taut_eigen_block taut_eigen_block_of(const taut_pencil *pencil, taut_arena *arena)
 {
     const size_t n = (size_t)pencil->k.n, w = (size_t)pencil->k.width;
     const size_t lane_bytes = (size_t)pencil->kernel->lanes * sizeof(double);
-    block->pencil = pencil;
-    block->factor = taut_alloc_aligned((n + w) * (w + 1) + n, lane_bytes);
-    block->x = taut_alloc_aligned(n, lane_bytes);
-    block->r = taut_alloc_aligned(n, lane_bytes);
-    block->m = taut_alloc_aligned(n, lane_bytes);
-    if (block->factor == NULL || block->x == NULL || block->r == NULL || block->m == NULL) {
-        return TAUT_NO_MEMORY;
-    }
-    memset(block->factor, 0, w * (w + 1) * lane_bytes);
-    return TAUT_OK;
-}
-
-void taut_eigen_block_clear(taut_eigen_block *block)
-{
-    taut_free(block->factor);
-    taut_free(block->x);
-    taut_free(block->r);
-    taut_free(block->m);
-    block->factor = block->x = block->r = block->m = NULL;
+    return (taut_eigen_block){
+        .pencil = pencil,
+        .factor = taut_arena_take(arena, (n + w) * (w + 1) + n, lane_bytes),
+        .x = taut_arena_take(arena, n, lane_bytes),
+        .r = taut_arena_take(arena, n, lane_bytes),
+        .m = taut_arena_take(arena, n, lane_bytes),
+    };
 }
 
 /* What band_pencil tells of x: x . M x, and the move of lambda to its Rayleigh quotient; the square
  * of the residual, all for x of length 1. */
-struct told {
+struct quotient {
     double length[TAUT_LANES_MAX], move[TAUT_LANES_MAX], square[TAUT_LANES_MAX];
 };
 
 /* Fills r, for lambda as it is, and m; then moves lambda. */
-static void take_residual(taut_eigen_block *block, struct told *told)
+static void find_residual(taut_eigen_block *block, struct quotient *quotient)
 {
     const taut_pencil *p = block->pencil;
     const int lanes = p->kernel->lanes;
@@ -59,16 +45,16 @@ static void take_residual(taut_eigen_block *block, struct told *told)
     p->kernel->band_pencil(p->k.n, p->k.width, p->k.a, p->m.a, block->lambda, block->x, block->r,
                            block->m, dot);
     for (int l = 0; l < lanes; l++) {
-        told->length[l] = dot[l];
-        told->move[l] = dot[lanes + l] / dot[l];
-        told->square[l] = dot[2 * lanes + l] / dot[l];
-        block->lambda[l] += told->move[l];
+        quotient->length[l] = dot[l];
+        quotient->move[l] = dot[lanes + l] / dot[l];
+        quotient->square[l] = dot[2 * lanes + l] / dot[l];
+        block->lambda[l] += quotient->move[l];
     }
 }
 
 /* Factors K - s M. A quotient is off by about ||r||^2 / gap, which s must not come near. share[l]:
  * what a correction leaves of an error. */
-static void factor(taut_eigen_block *block, const double *square, double *share)
+static void factor_shifted(taut_eigen_block *block, const double *square, double *share)
 {
     const taut_pencil *p = block->pencil;
     double minus[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
@@ -85,7 +71,7 @@ static void factor(taut_eigen_block *block, const double *square, double *share)
 
 /* x -= z with z of the formula above; spoils r. size[l]: ||z|| / ||x||, the part along x left out.
  */
-static void correct(taut_eigen_block *block, double *size)
+static void correct_vectors(taut_eigen_block *block, double *size)
 {
     const taut_kernel *kernel = block->pencil->kernel;
     const int n = block->pencil->k.n;
@@ -106,7 +92,7 @@ static void correct(taut_eigen_block *block, double *size)
 
 /* One factorisation and a few corrections by it. Returns 1 when no lane would gain from another:
  * its correction left little, or no longer shrank, being rounding. */
-static int correct_few(taut_eigen_block *block, struct told *told)
+static int correct_few(taut_eigen_block *block, struct quotient *quotient)
 {
     const int lanes = block->pencil->kernel->lanes;
     double before[TAUT_LANES_MAX], size[TAUT_LANES_MAX], share[TAUT_LANES_MAX];
@@ -114,24 +100,24 @@ static int correct_few(taut_eigen_block *block, struct told *told)
     for (int l = 0; l < lanes; l++) {
         before[l] = INFINITY;
     }
-    factor(block, told->square, share);
+    factor_shifted(block, quotient->square, share);
     for (int c = 0; c < CORRECTIONS && !done; c++) {
-        correct(block, size);
+        correct_vectors(block, size);
         done = 1;
         for (int l = 0; l < lanes; l++) {
             const int is_rounding = share[l] < 0x1p-8 && size[l] > 0.25 * before[l];
             done = done && (size[l] * share[l] <= small_error || is_rounding);
             before[l] = size[l];
         }
-        take_residual(block, told);
+        find_residual(block, quotient);
     }
     return done;
 }
 
 /* Stores the first `used` lanes with their noise and residual; spoils r, m and factor but its first
  * rows. */
-static void store(taut_eigen_block *block, const struct told *told, int first, int used,
-                  taut_eigenpairs *pairs)
+static void store_pairs(taut_eigen_block *block, const struct quotient *quotient, int first,
+                        int used, taut_eigenpairs *pairs)
 {
     const taut_pencil *p = block->pencil;
     const size_t n = (size_t)p->k.n, w = (size_t)p->k.width, lanes = (size_t)p->kernel->lanes;
@@ -150,8 +136,9 @@ static void store(taut_eigen_block *block, const struct told *told, int first, i
                            block->m, dot);
     for (size_t l = 0; l < (size_t)used; l++) {
         const size_t j = (size_t)first + l;
-        const double scale = 1.0 / sqrt(told->length[l]), move = told->move[l];
-        const double square = told->square[l] + scale * scale * move * (move * mm[l] - 2.0 * rm[l]);
+        const double scale = 1.0 / sqrt(quotient->length[l]), move = quotient->move[l];
+        const double square =
+            quotient->square[l] + scale * scale * move * (move * mm[l] - 2.0 * rm[l]);
         pairs->values[j] = block->lambda[l];
         pairs->noise[j] = scale * sqrt(dot[2 * lanes + l]);
         pairs->residual[j] = sqrt(fmax(square, 0.0));
@@ -165,32 +152,30 @@ void taut_eigen_block_polish(taut_eigen_block *block, int first, int used, taut_
 {
     const int lanes = block->pencil->kernel->lanes;
     const size_t entries = (size_t)block->pencil->k.n * (size_t)lanes;
-    struct told told;
+    struct quotient quotient;
 
-    take_residual(block, &told);
+    find_residual(block, &quotient);
     for (size_t i = 0; i < entries;
          i += (size_t)lanes) { /* r for the new lambda: the move may be large */
         for (int l = 0; l < lanes; l++) {
-            block->r[i + (size_t)l] -= told.move[l] * block->m[i + (size_t)l];
+            block->r[i + (size_t)l] -= quotient.move[l] * block->m[i + (size_t)l];
         }
     }
-    for (int round = 0; round < ROUNDS_MAX && !correct_few(block, &told); round++) {
+    for (int round = 0; round < ROUNDS_MAX && !correct_few(block, &quotient); round++) {
     }
-    store(block, &told, first, used, pairs);
+    store_pairs(block, &quotient, first, used, pairs);
 }
 
-taut_status taut_eigen_polish(const taut_pencil *pencil, taut_eigenpairs *pairs)
+taut_status taut_eigen_polish(const taut_pencil *pencil, taut_arena *arena, taut_eigenpairs *pairs)
 {
     const size_t n = (size_t)pairs->n;
     const int lanes = pencil->kernel->lanes;
-    taut_eigen_block block;
-    double *old = taut_alloc(n, sizeof *old); /* the values before any was polished */
-    taut_status status = taut_eigen_block_init(pencil, &block);
-    if (status != TAUT_OK || old == NULL) {
-        status = TAUT_NO_MEMORY;
-        goto done;
+    taut_eigen_block block = taut_eigen_block_of(pencil, arena);
+    /* the values before any was polished */
+    const double *old = taut_arena_copy(arena, pairs->values, n, sizeof *old);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    memcpy(old, pairs->values, n * sizeof *old);
     for (int first = 0; first < pairs->n; first += lanes) {
         const int used = pairs->n - first < lanes ? pairs->n - first : lanes;
         for (int l = 0; l < lanes; l++) {
@@ -205,9 +190,5 @@ taut_status taut_eigen_polish(const taut_pencil *pencil, taut_eigenpairs *pairs)
         }
         taut_eigen_block_polish(&block, first, used, pairs);
     }
-
-done:
-    taut_eigen_block_clear(&block);
-    taut_free(old);
-    return status;
+    return TAUT_OK;
 }

@@ -4,8 +4,6 @@
  * so that both ends close in. */
 #include "numeric/eigen/internal.h"
 
-#include "core/memory.h"
-
 #include <math.h>
 
 enum { ROUNDS_MAX = 16 };
@@ -18,7 +16,7 @@ static const double margin = 0x1p-7;
 static const double good_enough = 0x1p-9;
 
 /* Where the chord through the ends crosses zero; the logarithms give |f(high)| / |f(low)|. */
-static double crossing(const taut_bracket *bracket)
+static double crossing_of(const taut_bracket *bracket)
 {
     const double ratio = exp2(fmin(fmax(bracket->high_log - bracket->low_log, -60.0), 60.0));
     double t = 1.0 / (1.0 + ratio);
@@ -27,7 +25,7 @@ static double crossing(const taut_bracket *bracket)
 }
 
 /* log2 of the weight of the end that stays while f at the other moved from 2^before to 2^now. */
-static double weight(double before, double now)
+static double staying_weight(double before, double now)
 {
     const double m = 1.0 - exp2(fmin(now - before, 60.0));
     return m > 0x1p-10 ? log2(m) : -1.0;
@@ -35,27 +33,27 @@ static double weight(double before, double now)
 
 /* The guess becomes an end, and a new one is made; `side` remembers which end moved last: -1 low, 1
  * high. Returns the size of the move. */
-static double narrow(taut_bracket *bracket, int index, int below, double log, int *side)
+static double narrow_bracket(taut_bracket *bracket, int index, int below, double log, int *side)
 {
     const double old = bracket->guess;
     if (below <= index) {
-        bracket->high_log += *side < 0 ? weight(bracket->low_log, log) : 0.0;
+        bracket->high_log += *side < 0 ? staying_weight(bracket->low_log, log) : 0.0;
         bracket->low = bracket->guess;
         bracket->low_log = log;
         *side = -1;
     } else {
-        bracket->low_log += *side > 0 ? weight(bracket->high_log, log) : 0.0;
+        bracket->low_log += *side > 0 ? staying_weight(bracket->high_log, log) : 0.0;
         bracket->high = bracket->guess;
         bracket->high_log = log;
         *side = 1;
     }
-    bracket->guess = crossing(bracket);
+    bracket->guess = crossing_of(bracket);
     return fabs(bracket->guess - old);
 }
 
 /* False position may crawl where f is far from straight: a bracket that two rounds have not cut to
  * a quarter is halved, in the measure of isolate.c. */
-static void insist(taut_bracket *bracket, double *length)
+static void halve_slow_bracket(taut_bracket *bracket, double *length)
 {
     if (bracket->high - bracket->low > 0.25 * *length) {
         bracket->guess = taut_eigen_place(bracket, 1, 2);
@@ -71,25 +69,24 @@ double taut_eigen_gap(int n, const taut_bracket *bracket, int j)
     return isfinite(gap) ? gap : bracket[j].high - bracket[j].low;
 }
 
-taut_status taut_eigen_sharpen(const taut_pencil *pencil, taut_bracket *bracket)
+taut_status taut_eigen_sharpen(const taut_pencil *pencil, taut_arena *arena, taut_bracket *bracket)
 {
     const int n = pencil->k.n;
     const size_t size = (size_t)n;
-    taut_counter counter = {pencil, NULL};
-    double *shift = taut_alloc(3 * size, sizeof *shift);
-    int *below = taut_alloc(3 * size, sizeof *below);
-    taut_status status = taut_counter_init(pencil, &counter);
-    if (status != TAUT_OK || shift == NULL || below == NULL) {
-        status = TAUT_NO_MEMORY;
-        goto done;
-    }
-    double *log = shift + n, *length = log + n;
-    int *side = below + n, *who = side + n;
+    const taut_counter counter = taut_counter_of(pencil, arena);
+    double *shift = taut_arena_take(arena, size, sizeof *shift);
+    double *log = taut_arena_take(arena, size, sizeof *log);
+    double *length = taut_arena_take(arena, size, sizeof *length);
+    int *below = taut_arena_take(arena, size, sizeof *below);
+    int *side = taut_arena_take(arena, size, sizeof *side);
+    int *who = taut_arena_take(arena, size, sizeof *who);
     int count = 0;
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
     for (int j = 0; j < n; j++) {
         if (bracket[j].inside == 1) {
-            bracket[j].guess = crossing(&bracket[j]);
-            side[j] = 0;
+            bracket[j].guess = crossing_of(&bracket[j]);
             length[j] = bracket[j].high - bracket[j].low;
             who[count++] = j;
         }
@@ -102,20 +99,15 @@ taut_status taut_eigen_sharpen(const taut_pencil *pencil, taut_bracket *bracket)
         int more = 0;
         for (int i = 0; i < count; i++) {
             const int j = who[i];
-            const double move = narrow(&bracket[j], j, below[i], log[i], &side[j]);
+            const double move = narrow_bracket(&bracket[j], j, below[i], log[i], &side[j]);
             if (!(move <= good_enough * taut_eigen_gap(n, bracket, j))) {
                 who[more++] = j;
                 if (round % 2 == 1) {
-                    insist(&bracket[j], &length[j]);
+                    halve_slow_bracket(&bracket[j], &length[j]);
                 }
             }
         }
         count = more;
     }
-
-done:
-    taut_counter_clear(&counter);
-    taut_free(below);
-    taut_free(shift);
-    return status;
+    return TAUT_OK;
 }

@@ -7,8 +7,9 @@
 
 /* Row by row, u(i,j) = L(i,j) D(j) (compare band.c), with D(i) by way of u^2 / D, so that the next
  * pivot waits for one product less:
- *     u(i,j) = A(i,j) - sum_k u(i,k) L(j,k),  L(i,j) = u(i,j) / D(j),  D(i) = A(i,i) - sum_j
- * u(i,j)^2 / D(j) `width` is a constant here. */
+ *     u(i,j) = A(i,j) - sum_k u(i,k) L(j,k),    L(i,j) = u(i,j) / D(j),
+ *     D(i)   = A(i,i) - sum_j u(i,j)^2 / D(j)
+ * `width` is a constant here. */
 INLINE void factor_rows(int first, int end, const int width, const double *k, const double *m,
                         double scale, const double *shift, double tiny, double *factor,
                         double *negative)

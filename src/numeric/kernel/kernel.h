@@ -1,7 +1,7 @@
 /* kernel.h -- the innermost loops, once per instruction set, chosen when the program runs.
  *
- * Every set is compiled from the same sources (simd_*.h gives the vectors, *_body.h the loops) and
- * fills one const table. The sets differ in the order of their sums and in fused multiply-adds
+ * Every set is compiled from the same loops (*_body.h), with the vectors that baseline.c, avx2.c and
+ * avx512.c give, and fills one const table. The sets differ in the order of their sums and in fused multiply-adds
  * only: results agree to rounding, not bit for bit. To add a kernel: a member here, its loop in a
  * *_body.h, its line in the table of kernel_body.h, its test in test_kernel.c.
  */

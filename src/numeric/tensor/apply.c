@@ -1,14 +1,14 @@
 #include "numeric/tensor/apply.h"
 
-#include "core/memory.h"
+#include "core/arena.h"
 #include "numeric/kernel/kernel.h"
 
 #include <math.h>
 #include <string.h>
 
 /* A matrix of the second direction by diagonals, each entry repeated for every coordinate:
- *     at[e + width][j * nrhs + c] = A(j, j + e),    zero outside the matrix. */
-static void spread(const taut_band *band, size_t nrhs, double *at)
+ *     to[e + width][j * nrhs + c] = A(j, j + e),    zero outside the matrix. */
+static void spread_diagonals(const taut_band *band, size_t nrhs, double *to)
 {
     const ptrdiff_t n = band->n, w = band->width;
     for (ptrdiff_t e = -w; e <= w; e++) {
@@ -16,7 +16,7 @@ static void spread(const taut_band *band, size_t nrhs, double *at)
             const int inside = j + e >= 0 && j + e < n;
             const double value = inside ? taut_band_at(band, (int)j, (int)(j + e)) : 0.0;
             for (size_t c = 0; c < nrhs; c++) {
-                *at++ = value;
+                *to++ = value;
             }
         }
     }
@@ -33,36 +33,29 @@ struct walk {
     double *high, *low;   /* sums that are kept in two parts: double[2 wu + 1][length] */
 };
 
-static taut_status walk_init(const taut_tensor *tensor, int nrhs, int is_exact, struct walk *walk)
+/* The arena's status tells whether all is there. */
+static struct walk walk_of(const taut_tensor *tensor, int nrhs, int is_exact, taut_arena *arena)
 {
-    const size_t wv =
-        (size_t)(tensor->kv->width > tensor->mv->width ? tensor->kv->width : tensor->mv->width);
-    const size_t wu =
-        (size_t)(tensor->ku->width > tensor->mu->width ? tensor->ku->width : tensor->mu->width);
-    walk->tensor = tensor;
-    walk->kernel = taut_kernel_best();
-    walk->nrhs = (size_t)nrhs;
-    walk->length = (size_t)tensor->kv->n * (size_t)nrhs;
-    walk->mass = taut_alloc(2 * wv + 1, walk->length * sizeof(double));
-    walk->stiff = taut_alloc(2 * wv + 1, walk->length * sizeof(double));
-    walk->by_m = taut_alloc(4, walk->length * sizeof(double));
-    walk->high = taut_alloc(is_exact ? 2 * (2 * wu + 1) : 1, walk->length * sizeof(double));
-    if (walk->mass == NULL || walk->stiff == NULL || walk->by_m == NULL || walk->high == NULL) {
-        return TAUT_NO_MEMORY;
+    const int kv = tensor->kv->width, mv = tensor->mv->width;
+    const int ku = tensor->ku->width, mu = tensor->mu->width;
+    const size_t diagonals = 2 * (size_t)(kv > mv ? kv : mv) + 1;
+    const size_t ring = is_exact ? 2 * (size_t)(ku > mu ? ku : mu) + 1 : 0;
+    const size_t length = (size_t)tensor->kv->n * (size_t)nrhs, bytes = length * sizeof(double);
+    struct walk walk = {.tensor = tensor,
+                        .kernel = taut_kernel_best(),
+                        .nrhs = (size_t)nrhs,
+                        .length = length,
+                        .mass = taut_arena_take_raw(arena, diagonals, bytes),
+                        .stiff = taut_arena_take_raw(arena, diagonals, bytes),
+                        .by_m = taut_arena_take_raw(arena, 2, bytes),
+                        .by_k = taut_arena_take_raw(arena, 2, bytes),
+                        .high = taut_arena_take(arena, ring, bytes),
+                        .low = taut_arena_take(arena, ring, bytes)};
+    if (taut_arena_status(arena) == TAUT_OK) {
+        spread_diagonals(tensor->mv, walk.nrhs, walk.mass);
+        spread_diagonals(tensor->kv, walk.nrhs, walk.stiff);
     }
-    walk->by_k = walk->by_m + 2 * walk->length;
-    walk->low = walk->high + (2 * wu + 1) * walk->length;
-    spread(tensor->mv, walk->nrhs, walk->mass);
-    spread(tensor->kv, walk->nrhs, walk->stiff);
-    return TAUT_OK;
-}
-
-static void walk_clear(struct walk *walk)
-{
-    taut_free(walk->high);
-    taut_free(walk->by_m);
-    taut_free(walk->stiff);
-    taut_free(walk->mass);
+    return walk;
 }
 
 /* by_m and by_k of row x. */
@@ -98,19 +91,19 @@ static int last_row(int i, int width, int n)
     return n - 1 - i > width ? i + width : n - 1;
 }
 
-taut_status taut_tensor_apply(const taut_tensor *tensor, int nrhs, const double *x, double *y)
+static taut_status apply_with(const taut_tensor *tensor, int nrhs, const double *x,
+                              taut_arena *arena, double *y)
 {
-    struct walk walk;
-    const int nu = tensor->ku->n;
-    const taut_status status = walk_init(tensor, nrhs, 0, &walk);
-    if (status == TAUT_OK) {
-        memset(y, 0, (size_t)nu * walk.length * sizeof *y);
+    const struct walk walk = walk_of(tensor, nrhs, 0, arena);
+    const int nu = tensor->ku->n, wk = tensor->ku->width, wm = tensor->mu->width;
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    for (int i = 0; i < nu && status == TAUT_OK; i++) {
+    memset(y, 0, (size_t)nu * walk.length * sizeof *y);
+    for (int i = 0; i < nu; i++) {
         const double *row = x + (size_t)i * walk.length;
         make_row(&walk, tensor->mv, walk.mass, 0, row, walk.by_m);
         make_row(&walk, tensor->kv, walk.stiff, 0, row, walk.by_k);
-        const int wk = tensor->ku->width, wm = tensor->mu->width;
         for (int r = first_row(i, wk); r <= last_row(i, wk, nu); r++) {
             walk.kernel->add_scaled(walk.length, tensor->su * taut_band_at(tensor->ku, r, i),
                                     walk.by_m, y + (size_t)r * walk.length);
@@ -120,7 +113,14 @@ taut_status taut_tensor_apply(const taut_tensor *tensor, int nrhs, const double 
                                     walk.by_k, y + (size_t)r * walk.length);
         }
     }
-    walk_clear(&walk);
+    return TAUT_OK;
+}
+
+taut_status taut_tensor_apply(const taut_tensor *tensor, int nrhs, const double *x, double *y)
+{
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = apply_with(tensor, nrhs, x, arena, y);
+    taut_arena_free(arena);
     return status;
 }
 
@@ -132,18 +132,17 @@ static void add_to_row(const struct walk *walk, int r, int ring, double factor, 
                                      walk->low + at);
 }
 
-taut_status taut_tensor_residual(const taut_tensor *tensor, int nrhs, const double *right,
-                                 const double *x, double *r, double *norm)
+static taut_status find_residual(const taut_tensor *tensor, int nrhs, const double *right,
+                                 const double *x, taut_arena *arena, double *r, double *norm)
 {
-    struct walk walk;
+    const struct walk walk = walk_of(tensor, nrhs, 1, arena);
     const int nu = tensor->ku->n, wk = tensor->ku->width, wm = tensor->mu->width;
     const int wu = wk > wm ? wk : wm, ring = 2 * wu + 1;
     double before = 0.0, after = 0.0;
-    const taut_status status = walk_init(tensor, nrhs, 1, &walk);
-    if (status == TAUT_OK) {
-        memset(walk.high, 0, 2 * (size_t)ring * walk.length * sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    for (int i = 0; i < nu + wu && status == TAUT_OK; i++) {
+    for (int i = 0; i < nu + wu; i++) {
         if (i < nu) {
             const double *row = x + (size_t)i * walk.length;
             make_row(&walk, tensor->mv, walk.mass, 1, row, walk.by_m);
@@ -171,9 +170,17 @@ taut_status taut_tensor_residual(const taut_tensor *tensor, int nrhs, const doub
             }
         }
     }
-    walk_clear(&walk);
-    if (status == TAUT_OK && norm != NULL) {
+    if (norm != NULL) {
         *norm = before > 0.0 ? sqrt(after / before) : after > 0.0 ? INFINITY : 0.0;
     }
+    return TAUT_OK;
+}
+
+taut_status taut_tensor_residual(const taut_tensor *tensor, int nrhs, const double *right,
+                                 const double *x, double *r, double *norm)
+{
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = find_residual(tensor, nrhs, right, x, arena, r, norm);
+    taut_arena_free(arena);
     return status;
 }

@@ -1,5 +1,6 @@
 #include "numeric/tensor/solver.h"
 
+#include "core/arena.h"
 #include "core/memory.h"
 #include "numeric/tensor/apply.h"
 #include "numeric/tensor/internal.h"
@@ -9,7 +10,7 @@
 
 /* From this size on a second set of modes costs less than what it saves in one solve for boundary
  * values. */
-enum { FRAME_SIZE = 500 };
+enum { EDGES_SIZE = 500 };
 
 enum { BLOCK = 16 };
 
@@ -31,13 +32,13 @@ static taut_status check_definite(const taut_tensor_solver *solver, const double
     }
     taut_band system = {0, 0, NULL};
     taut_status status = taut_band_widen(&banded->m, banded->m.width, &system);
-    for (size_t i = 0; status == TAUT_OK && i < (size_t)system.n * ((size_t)system.width + 1);
-         i++) {
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < (size_t)system.n * ((size_t)system.width + 1); i++) {
         system.a[i] = weight[d] * least * system.a[i] + weight[1 - d] * banded->k.a[i];
     }
-    if (status == TAUT_OK) {
-        status = taut_band_factor(&system);
-    }
+    status = taut_band_factor(&system);
     taut_band_clear(&system);
     return status;
 }
@@ -57,20 +58,24 @@ static void clamp_values(taut_modes *modes)
     }
 }
 
+/* M must be definite also where no modes are made. */
 static taut_status copy_direction(const taut_band *k, const taut_band *m, taut_direction *out)
 {
     const int width = k->width > m->width ? k->width : m->width;
     taut_band factor = {0, 0, NULL};
     taut_status status = taut_band_widen(k, width, &out->k);
-    if (status == TAUT_OK) {
-        status = taut_band_widen(m, width, &out->m);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_band_widen(m, width, &factor);
+    status = taut_band_widen(m, width, &out->m);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) { /* M must be definite also where no modes are made */
-        status = taut_band_factor(&factor);
+    status = taut_band_widen(m, width, &factor);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_band_factor(&factor);
     taut_band_clear(&factor);
     return status;
 }
@@ -86,25 +91,29 @@ static taut_status make_modes(taut_direction *direction)
 
 /* Modes of one direction are enough; those of the other, where it pays, make solves for boundary
  * values cheap. */
-static taut_status fill(const taut_band *const *given, taut_tensor_solver *solver)
+static taut_status make_directions(const taut_band *const *given, taut_tensor_solver *solver)
 {
     taut_direction *u = &solver->direction[0], *v = &solver->direction[1];
-    taut_status status = copy_direction(given[0], given[1], u);
-    if (status == TAUT_OK) {
-        status = copy_direction(given[2], given[3], v);
-    }
-    if (status != TAUT_OK) {
-        return status;
+    for (int d = 0; d < 2; d++) {
+        const taut_status status =
+            copy_direction(given[2 * d], given[2 * d + 1], &solver->direction[d]);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
     solver->diagonal = u->k.n <= v->k.n ? 0 : 1;
     solver->has_shared = taut_band_equal(&u->k, &v->k) && taut_band_equal(&u->m, &v->m);
-    status = make_modes(&solver->direction[solver->diagonal]);
-    if (status == TAUT_OK && solver->has_shared) {
-        v->modes = u->modes;
-    } else if (status == TAUT_OK && u->k.n >= FRAME_SIZE && v->k.n >= FRAME_SIZE) {
-        status = make_modes(&solver->direction[1 - solver->diagonal]);
+    const taut_status status = make_modes(&solver->direction[solver->diagonal]);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    if (solver->has_shared) {
+        v->modes = u->modes;
+        return TAUT_OK;
+    }
+    return u->k.n >= EDGES_SIZE && v->k.n >= EDGES_SIZE
+               ? make_modes(&solver->direction[1 - solver->diagonal])
+               : TAUT_OK;
 }
 
 taut_status taut_tensor_solver_new(const taut_band *ku, const taut_band *mu, const taut_band *kv,
@@ -117,14 +126,14 @@ taut_status taut_tensor_solver_new(const taut_band *ku, const taut_band *mu, con
             return TAUT_BAD_ARGUMENT;
         }
     }
-    if (ku->n != mu->n || kv->n != mv->n || out == NULL) {
+    if (ku->n != mu->n || kv->n != mv->n || out == NULL || !is_weight(su) || !is_weight(sv)) {
         return TAUT_BAD_ARGUMENT;
     }
     taut_tensor_solver *solver = taut_alloc_zero(1, sizeof *solver);
     if (solver == NULL) {
         return TAUT_NO_MEMORY;
     }
-    taut_status status = is_weight(su) && is_weight(sv) ? fill(given, solver) : TAUT_BAD_ARGUMENT;
+    taut_status status = make_directions(given, solver);
     if (status == TAUT_OK) {
         status = taut_tensor_solver_rescale(solver, su, sv);
     }
@@ -173,8 +182,8 @@ struct layout {
 
 /* Modes first..first+used-1 to and from lanes: inside[(j * rhs + c) * lanes + l]. A few j at a
  * time, so that what is written with gaps stays in the first-level cache. */
-static void gather(const struct layout *at, size_t first, size_t used, size_t lanes,
-                   const double *x, double *inside)
+static void gather_modes(const struct layout *at, size_t first, size_t used, size_t lanes,
+                         const double *x, double *inside)
 {
     for (size_t block = 0; block < at->n; block += BLOCK) {
         const size_t end = block + BLOCK < at->n ? block + BLOCK : at->n;
@@ -189,8 +198,8 @@ static void gather(const struct layout *at, size_t first, size_t used, size_t la
     }
 }
 
-static void scatter(const struct layout *at, size_t first, size_t used, size_t lanes,
-                    const double *inside, double *x)
+static void scatter_modes(const struct layout *at, size_t first, size_t used, size_t lanes,
+                          const double *inside, double *x)
 {
     for (size_t block = 0; block < at->n; block += BLOCK) {
         const size_t end = block + BLOCK < at->n ? block + BLOCK : at->n;
@@ -216,34 +225,29 @@ static void solve_rows(const taut_systems *systems, const struct layout *at, dou
         if (used < lanes) {
             memset(systems->x, 0, at->n * at->rhs * lanes * sizeof *x);
         }
-        gather(at, first, used, lanes, x, systems->x);
+        gather_modes(at, first, used, lanes, x, systems->x);
         taut_systems_solve(systems, (int)first, (int)used, 0, (int)at->n, (int)at->rhs);
-        scatter(at, first, used, lanes, systems->x, x);
+        scatter_modes(at, first, used, lanes, systems->x, x);
     }
 }
 
-static taut_status solve_dense(const taut_tensor_solver *solver, int nrhs, double *x)
+static taut_status solve_dense(const taut_tensor_solver *solver, size_t rhs, taut_arena *arena,
+                               double *x)
 {
     const int d = solver->diagonal;
     const size_t nu = (size_t)solver->direction[0].k.n, nv = (size_t)solver->direction[1].k.n;
-    const size_t rhs = (size_t)nrhs;
-    const taut_lines lines =
-        d == 0 ? taut_lines_first(nu, nv, rhs) : taut_lines_second(nu, nv, rhs);
-    taut_panel panel = {NULL, NULL, NULL};
-    taut_systems systems;
-    taut_status status = taut_systems_init(solver, d, nrhs, &systems);
-    if (status == TAUT_OK) {
-        status = taut_panel_init(solver->direction[d].modes, &panel);
+    const taut_unfolding unfolding =
+        d == 0 ? taut_unfolding_first(nu, nv, rhs) : taut_unfolding_second(nu, nv, rhs);
+    const struct layout layout = {unfolding.stride, d == 0 ? rhs : nv * rhs, d == 0 ? nv : nu, rhs};
+    const taut_systems systems = taut_systems_of(solver, d, (int)rhs, arena);
+    const taut_contraction work = taut_contraction_of(solver->direction[d].modes, arena);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
-    if (status == TAUT_OK) {
-        taut_analyse(&panel, &lines, x);
-        const struct layout layout = {lines.stride, d == 0 ? rhs : nv * rhs, d == 0 ? nv : nu, rhs};
-        solve_rows(&systems, &layout, x);
-        taut_synthesise(&panel, &lines, x);
-    }
-    taut_panel_clear(&panel);
-    taut_systems_clear(&systems);
-    return status;
+    taut_contract_points(&work, &unfolding, x);
+    solve_rows(&systems, &layout, x);
+    taut_contract_modes(&work, &unfolding, x);
+    return TAUT_OK;
 }
 
 taut_status taut_tensor_solver_solve(const taut_tensor_solver *solver, int nrhs, double *x)
@@ -252,10 +256,40 @@ taut_status taut_tensor_solver_solve(const taut_tensor_solver *solver, int nrhs,
         return TAUT_BAD_ARGUMENT;
     }
     const taut_direction *u = &solver->direction[0], *v = &solver->direction[1];
-    const int may_frame =
-        u->modes != NULL && v->modes != NULL && u->k.n >= FRAME_SIZE && v->k.n >= FRAME_SIZE;
-    return may_frame && taut_frame_holds(solver, nrhs, x) ? taut_frame_solve(solver, nrhs, x)
-                                                          : solve_dense(solver, nrhs, x);
+    const int may_part =
+        u->modes != NULL && v->modes != NULL && u->k.n >= EDGES_SIZE && v->k.n >= EDGES_SIZE;
+    if (may_part && taut_edges_hold(solver, nrhs, x)) {
+        return taut_edges_solve(solver, nrhs, x);
+    }
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = solve_dense(solver, (size_t)nrhs, arena, x);
+    taut_arena_free(arena);
+    return status;
+}
+
+/* r is scratch. */
+static taut_status refine_with(const taut_tensor_solver *solver, int nrhs, const double *right,
+                               double *r, double *x, double *before)
+{
+    const taut_direction *u = &solver->direction[0], *v = &solver->direction[1];
+    const taut_tensor tensor = {&u->k, &u->m, &v->k, &v->m, u->weight, v->weight};
+    const size_t entries = (size_t)u->k.n * (size_t)v->k.n * (size_t)nrhs;
+    double norm = 0.0;
+    taut_status status = taut_tensor_residual(&tensor, nrhs, right, x, r, &norm);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_tensor_solver_solve(solver, nrhs, r);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < entries; i++) {
+        x[i] += r[i];
+    }
+    if (before != NULL) {
+        *before = norm;
+    }
+    return TAUT_OK;
 }
 
 taut_status taut_tensor_solver_refine(const taut_tensor_solver *solver, int nrhs,
@@ -264,26 +298,11 @@ taut_status taut_tensor_solver_refine(const taut_tensor_solver *solver, int nrhs
     if (solver == NULL || nrhs < 1 || right == NULL || x == NULL) {
         return TAUT_BAD_ARGUMENT;
     }
-    const taut_direction *u = &solver->direction[0], *v = &solver->direction[1];
-    const taut_tensor tensor = {&u->k, &u->m, &v->k, &v->m, u->weight, v->weight};
-    const size_t entries = (size_t)u->k.n * (size_t)v->k.n * (size_t)nrhs;
+    const size_t entries =
+        (size_t)solver->direction[0].k.n * (size_t)solver->direction[1].k.n * (size_t)nrhs;
     double *r = taut_alloc(entries, sizeof *r);
-    double norm = 0.0;
-    taut_status status = r == NULL ? TAUT_NO_MEMORY : TAUT_OK;
-    if (status == TAUT_OK) {
-        status = taut_tensor_residual(&tensor, nrhs, right, x, r, &norm);
-    }
-    if (status == TAUT_OK) {
-        status = taut_tensor_solver_solve(solver, nrhs, r);
-    }
-    if (status == TAUT_OK) {
-        for (size_t i = 0; i < entries; i++) {
-            x[i] += r[i];
-        }
-        if (before != NULL) {
-            *before = norm;
-        }
-    }
+    const taut_status status =
+        r != NULL ? refine_with(solver, nrhs, right, r, x, before) : TAUT_NO_MEMORY;
     taut_free(r);
     return status;
 }

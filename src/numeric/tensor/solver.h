@@ -18,10 +18,13 @@
 typedef struct taut_tensor_solver taut_tensor_solver;
 
 /* ku, mu   nu x nu; kv, mv nv x nv; widths free. mu and mv positive definite, ku and kv positive
- * semidefinite, not both singular. Copied. su, sv   finite, > 0 Cost: O(n^2 width^2) for the
- * eigenvectors of the better direction. Memory: about 16 n^2 bytes, half of that for knots that
- * mirror. Returns TAUT_OK; TAUT_BAD_ARGUMENT; TAUT_NO_SOLUTION when the system is singular or not
- * definite to working precision; TAUT_CHECK_FAILED, TAUT_NO_MEMORY. *out untouched on failure. */
+ *          semidefinite, not both singular. Copied.
+ * su, sv   finite, > 0
+ *
+ * Cost: O(n^2 width^2) for the eigenvectors of the better direction. Memory: about 16 n^2 bytes,
+ * half of that for knots that mirror. Returns TAUT_OK; TAUT_BAD_ARGUMENT; TAUT_NO_SOLUTION when the
+ * system is singular or not definite to working precision; TAUT_CHECK_FAILED, TAUT_NO_MEMORY. *out
+ * untouched on failure. */
 taut_status taut_tensor_solver_new(const taut_band *ku, const taut_band *mu, const taut_band *kv,
                                    const taut_band *mv, double su, double sv,
                                    taut_tensor_solver **out);

@@ -1,28 +1,13 @@
+/* systems.c -- the banded systems of many modes, side by side. */
 #include "numeric/tensor/internal.h"
 
-#include "core/memory.h"
-
-#include <string.h>
-
-taut_status taut_systems_init(const taut_tensor_solver *solver, int d, int nrhs, taut_systems *out)
+taut_systems taut_systems_of(const taut_tensor_solver *solver, int d, int nrhs, taut_arena *arena)
 {
     const taut_direction *banded = &solver->direction[1 - d];
     const size_t n = (size_t)banded->k.n, w = (size_t)banded->k.width;
     const size_t lane_bytes = (size_t)solver->direction[d].modes->kernel->lanes * sizeof(double);
-    *out = (taut_systems){solver, d, taut_alloc_aligned((n + w) * (w + 1), lane_bytes),
-                          taut_alloc_aligned(n * (size_t)nrhs, lane_bytes)};
-    if (out->factor == NULL || out->x == NULL) {
-        return TAUT_NO_MEMORY;
-    }
-    memset(out->factor, 0, w * (w + 1) * lane_bytes);
-    return TAUT_OK;
-}
-
-void taut_systems_clear(taut_systems *systems)
-{
-    taut_free(systems->factor);
-    taut_free(systems->x);
-    systems->factor = systems->x = NULL;
+    return (taut_systems){solver, d, taut_arena_take(arena, (n + w) * (w + 1), lane_bytes),
+                          taut_arena_take(arena, n * (size_t)nrhs, lane_bytes)};
 }
 
 void taut_systems_solve(const taut_systems *systems, int first, int used, int from, int upto,

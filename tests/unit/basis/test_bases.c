@@ -5,6 +5,7 @@
 #include "taut/basis.h"
 
 #include <stddef.h>
+#include <string.h>
 
 static const double unit_roundoff = 0x1p-53;
 
@@ -167,6 +168,43 @@ static void test_refusals(void)
     refuse((taut_basis_spec){.type = "bspline", .degree = 3, .count = 3}, 0, "/count");
 }
 
+/* The word says what is wrong; a status can have several. */
+static void test_reasons(void)
+{
+    static const double falling[] = {0, 0, 1, 0.5, 2, 2}, open_ends[] = {0, 1, 2, 3, 4, 5},
+                        torn[] = {0, 0, 1, 1, 2, 2}, tiny[] = {0, 0, 1e-300, 1, 1};
+    const struct {
+        taut_basis_spec spec;
+        taut_status status;
+        const char *reason;
+    } cases[] = {
+        {{.type = "spline"}, TAUT_BAD_INPUT, "name"},
+        {{.type = "bezier", .degree = 3, .alpha = 1}, TAUT_BAD_INPUT, "unknown-member"},
+        {{.type = "bezier", .degree = 3, .has_range = 1, .range = {1, 0}}, TAUT_BAD_INPUT, "value"},
+        {{.type = "bspline", .degree = 1}, TAUT_BAD_INPUT, "conflict"},
+        {{.type = "bspline", .degree = 3, .count = 2}, TAUT_BAD_INPUT, "size"},
+        {{.type = "bspline", .degree = 1, .knots = falling, .knot_count = 6},
+         TAUT_BAD_INPUT,
+         "knots"},
+        {{.type = "bspline", .degree = 2, .knots = open_ends, .knot_count = 6},
+         TAUT_BAD_INPUT,
+         "knots"},
+        {{.type = "bspline", .degree = 1, .knots = torn, .knot_count = 6}, TAUT_BAD_INPUT, "knots"},
+        {{.type = "bspline", .degree = 1, .knots = tiny, .knot_count = 5},
+         TAUT_BAD_INPUT,
+         "short-span"},
+        {{.type = "c-bspline", .alpha = 4, .segments = 2}, TAUT_NO_SOLUTION, "dependent"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        taut_basis *basis = NULL;
+        taut_error error = {.reason = ""};
+        const taut_status status = taut_basis_new(&cases[i].spec, 0, &basis, &error);
+        CHECK(status == cases[i].status && strcmp(error.reason, cases[i].reason) == 0,
+              "case %d: %s, expected %s; %s", (int)i, error.reason, cases[i].reason, error.message);
+        CHECK(basis == NULL, "outputs are untouched on failure");
+    }
+}
+
 int main(void)
 {
     random_seed(20260101);
@@ -174,5 +212,6 @@ int main(void)
     test_derivatives();
     test_short_knots();
     test_refusals();
+    test_reasons();
     return check_failures != 0;
 }

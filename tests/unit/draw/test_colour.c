@@ -2,8 +2,8 @@
 #include "check.h"
 
 #include "draw/camera.h"
-#include "draw/colour.h"
 #include "draw/label.h"
+#include "mesh/colour.h"
 
 #include <string.h>
 

@@ -7,7 +7,6 @@
 #include "check.h"
 #include "shapes.h"
 
-#include "draw/combs.h"
 #include "draw/parts.h"
 
 #include <stdlib.h>

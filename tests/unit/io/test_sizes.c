@@ -8,7 +8,7 @@
 #include "core/memory.h"
 #include "io/cad/child.h"
 #include "io/problem/net_document.h"
-#include "page/html_data.h"
+#include "page/html_page.h"
 #include "taut/limits.h"
 #include "taut/read.h"
 #include "taut/write.h"

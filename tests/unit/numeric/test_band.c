@@ -2,7 +2,6 @@
 #include "check.h"
 
 #include "numeric/band.h"
-#include "numeric/band_tiles.h"
 
 #include <stdlib.h>
 

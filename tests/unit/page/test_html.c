@@ -4,8 +4,7 @@
 #include "shapes.h"
 
 #include "core/memory.h"
-#include "page/html_data.h"
-#include "page/html_sample.h"
+#include "page/html_page.h"
 
 #include <stdlib.h>
 #include <string.h>

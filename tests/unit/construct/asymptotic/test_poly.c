@@ -2,11 +2,11 @@
  * against values. */
 #include "check.h"
 
-#include "basis/bernstein.h"
 #include "construct/asymptotic/bubble.h"
 #include "construct/asymptotic/inflection.h"
 #include "construct/asymptotic/poly.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 #include "numeric/quadrature.h"
 
 #include <float.h>

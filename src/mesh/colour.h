@@ -1,10 +1,13 @@
-/* colour.h -- the colours of figures: a diverging map for curvature, a palette, shading. */
-#ifndef TAUT_DRAW_COLOUR_H
-#define TAUT_DRAW_COLOUR_H
-
-#include "draw/canvas.h"
+/* colour.h -- the colours of figures, pages and meshes: a diverging map for curvature, a palette,
+ * shading. */
+#ifndef TAUT_MESH_COLOUR_H
+#define TAUT_MESH_COLOUR_H
 
 #include <stddef.h>
+
+typedef struct taut_ink {
+    unsigned char r, g, b;
+} taut_ink;
 
 /* The map, t in [-1, 1] (cut off outside; NaN gives grey): blue below 0, near white at 0, red
  * above. Along each arm CIELAB lightness falls linearly and alike, so that equal steps look equal
@@ -30,4 +33,4 @@ taut_ink taut_colour_mix(taut_ink a, taut_ink b, double t);
  * does not show as colour. */
 double taut_colour_limit(size_t count, double *values, double noise, int *cut);
 
-#endif /* TAUT_DRAW_COLOUR_H */
+#endif /* TAUT_MESH_COLOUR_H */

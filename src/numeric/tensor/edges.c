@@ -1,11 +1,11 @@
-/* Boundary values reach only the rows and columns of the right-hand side along the edges. It is
+/* edges.c -- right-hand sides that are zero but along the edges of the net.
+ *
+ * Boundary values reach only the rows and columns of the right-hand side along the edges. It is
  * split in two: what lies along the edges of the second direction is solved with the modes of the
  * first, (su lambda_i Mv + sv Kv) y_i = g_i,   g_i zero but at both ends, and the rest the other
  * way round. Such y_i fall off from the ends like exp(-sqrt(lambda_i) distance): most entries are
  * below rounding and are neither computed nor multiplied. That leaves O(n^2 log n) of O(n^3). */
 #include "numeric/tensor/internal.h"
-
-#include "core/memory.h"
 
 #include <math.h>
 #include <string.h>
@@ -20,7 +20,7 @@ static size_t depth_of(const taut_tensor_solver *solver, int e)
     return (size_t)solver->direction[e].k.width;
 }
 
-int taut_frame_holds(const taut_tensor_solver *solver, int nrhs, const double *x)
+int taut_edges_hold(const taut_tensor_solver *solver, int nrhs, const double *x)
 {
     const size_t nu = (size_t)solver->direction[0].k.n, nv = (size_t)solver->direction[1].k.n;
     const size_t fu = depth_of(solver, 0), fv = depth_of(solver, 1), rhs = (size_t)nrhs;
@@ -40,7 +40,7 @@ int taut_frame_holds(const taut_tensor_solver *solver, int nrhs, const double *x
 
 /* The part of x along the ends of direction e, as double[n_d][2 f][nrhs]; d = 1 leaves the corners
  * to d = 0. */
-static void take_edges(const taut_tensor_solver *solver, int d, size_t rhs, const double *x,
+static void copy_edges(const taut_tensor_solver *solver, int d, size_t rhs, const double *x,
                        double *edges)
 {
     const size_t nu = (size_t)solver->direction[0].k.n, nv = (size_t)solver->direction[1].k.n;
@@ -60,11 +60,11 @@ static void take_edges(const taut_tensor_solver *solver, int d, size_t rhs, cons
 }
 
 /* Edges become V^T edges. Returns the largest entry. */
-static double analyse_edges(const taut_panel *panel, size_t columns, double *edges)
+static double analyse_edges(const taut_contraction *work, size_t columns, double *edges)
 {
-    const size_t n = (size_t)panel->modes->n;
-    const taut_lines lines = {columns, columns, columns, 0};
-    taut_analyse(panel, &lines, edges);
+    const size_t n = (size_t)work->modes->n;
+    const taut_unfolding unfolding = {columns, columns, columns, 0};
+    taut_contract_points(work, &unfolding, edges);
     double most = 0.0;
     for (size_t i = 0; i < n * columns; i++) {
         most = fmax(most, fabs(edges[i]));
@@ -75,6 +75,7 @@ static double analyse_edges(const taut_panel *panel, size_t columns, double *edg
 /* One direction of modes at work. */
 struct side {
     taut_systems systems;
+    taut_arena *arena;
     size_t rhs, f;       /* f: rows at each end that carry the right-hand side */
     const double *edges; /* double[modes][2 f][nrhs] */
     double threshold;
@@ -147,30 +148,27 @@ static int solve_end(const struct side *side, int first, int used, int end, int 
 }
 
 /* Keeps `keep` rows of systems->x, from row `at` on, as one end of the block. */
-static taut_status keep_rows(const struct side *side, int end, int keep, int at,
-                             taut_tail_block *block)
+static void keep_rows(const struct side *side, int end, int keep, int at, taut_tail_block *block)
 {
     const size_t lanes =
         (size_t)side->systems.solver->direction[side->systems.d].modes->kernel->lanes;
     const size_t count = (size_t)keep * side->rhs, start = (size_t)at * side->rhs;
-    double *values = taut_alloc((size_t)block->used * count, sizeof *values);
+    double *values = taut_arena_take_raw(side->arena, (size_t)block->used * count, sizeof *values);
     if (values == NULL) {
-        return TAUT_NO_MEMORY;
+        return;
     }
     for (size_t l = 0; l < (size_t)block->used; l++) {
         for (size_t q = 0; q < count; q++) {
             values[l * count + q] = side->systems.x[(start + q) * lanes + l];
         }
     }
-    taut_free(block->values[end]);
     block->values[end] = values;
     block->keep[end] = (size_t)keep;
-    return TAUT_OK;
 }
 
 /* All rows at once, for modes that reach far: what is negligible in the middle is still left out.
  */
-static taut_status keep_all(const struct side *side, taut_tail_block *block)
+static void keep_all(const struct side *side, taut_tail_block *block)
 {
     const int n = side->systems.solver->direction[1 - side->systems.d].k.n;
     const int last = block->first + block->used - 1;
@@ -182,88 +180,91 @@ static taut_status keep_all(const struct side *side, taut_tail_block *block)
     while (tail > 0 && is_negligible(side, last, n - tail, (size_t)(n - tail))) {
         tail--;
     }
-    const taut_status status = keep_rows(side, 0, head, 0, block);
-    return status == TAUT_OK ? keep_rows(side, 1, tail, n - tail, block) : status;
+    keep_rows(side, 0, head, 0, block);
+    keep_rows(side, 1, tail, n - tail, block);
+}
+
+/* The tails of both ends within `reach` rows; 0 when one has not died out by then. */
+static int keep_ends(const struct side *side, int reach, taut_tail_block *block)
+{
+    for (int end = 0; end < 2; end++) {
+        const int keep = solve_end(side, block->first, block->used, end, reach);
+        if (keep < 0) {
+            return 0;
+        }
+        keep_rows(side, end, keep, end == 0 ? 0 : reach - keep, block);
+    }
+    return 1;
 }
 
 /* The tails of the modes of a block. *reach is a guess of how many rows they take, made better for
- * the next block. */
-static taut_status fill_block(const struct side *side, int *reach, taut_tail_block *block)
+ * the next block; an arena that fails leaves them empty. */
+static void fill_block(const struct side *side, int *reach, taut_tail_block *block)
 {
     const int n = side->systems.solver->direction[1 - side->systems.d].k.n, guard = (int)side->f;
-    int keep[2] = {-1, -1};
-    taut_status status = TAUT_OK;
-    while (*reach <= n / 3 && (keep[0] < 0 || keep[1] < 0) && status == TAUT_OK) {
-        for (int end = 0; end < 2 && status == TAUT_OK; end++) {
-            keep[end] = solve_end(side, block->first, block->used, end, *reach);
-            if (keep[end] < 0) {
-                *reach *= 2;
-                break;
-            }
-            status = keep_rows(side, end, keep[end], end == 0 ? 0 : *reach - keep[end], block);
-        }
+    while (*reach <= n / 3 && !keep_ends(side, *reach, block)) {
+        *reach *= 2;
     }
-    if (status == TAUT_OK && (keep[0] < 0 || keep[1] < 0)) {
-        status = keep_all(side, block);
+    if (*reach > n / 3) {
+        keep_all(side, block);
     }
     const size_t longest = block->keep[0] > block->keep[1] ? block->keep[0] : block->keep[1];
     *reach = (int)longest + 2 * guard;
-    return status;
 }
 
 /* All tails of direction d, for right-hand sides `edges` (after analysis). */
-static taut_status make_tails(const taut_tensor_solver *solver, int d, int nrhs,
-                              const double *edges, double most, taut_tails *tails)
+static void fill_tails(const struct side *side, taut_tails *tails)
 {
-    const taut_modes *modes = solver->direction[d].modes;
-    struct side side = {.rhs = (size_t)nrhs,
-                        .f = depth_of(solver, 1 - d),
-                        .edges = edges,
-                        .threshold = negligible * most};
-    taut_status status = taut_systems_init(solver, d, nrhs, &side.systems);
-    for (int p = 0; p < modes->parts && status == TAUT_OK; p++) {
+    const int d = side->systems.d;
+    const taut_tensor_solver *solver = side->systems.solver;
+    for (int p = 0; p < solver->direction[d].modes->parts; p++) {
         int reach = solver->direction[1 - d].k.n;
-        for (size_t b = 0; b < tails->blocks[p] && status == TAUT_OK; b++) {
-            status = fill_block(&side, &reach, &tails->block[p][b]);
+        for (size_t b = 0; b < tails->blocks[p]; b++) {
+            fill_block(side, &reach, &tails->block[p][b]);
         }
     }
-    taut_systems_clear(&side.systems);
-    return status;
 }
 
-taut_status taut_frame_solve(const taut_tensor_solver *solver, int nrhs, double *x)
+static taut_status solve_with(const taut_tensor_solver *solver, size_t rhs, taut_arena *arena,
+                              double *x)
 {
     const size_t n[2] = {(size_t)solver->direction[0].k.n, (size_t)solver->direction[1].k.n};
-    const size_t rhs = (size_t)nrhs;
-    const taut_lines lines[2] = {taut_lines_first(n[0], n[1], rhs),
-                                 taut_lines_second(n[0], n[1], rhs)};
-    taut_panel panel[2] = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
-    taut_tails tails[2] = {{{0, 0}, {NULL, NULL}, 0, 0}, {{0, 0}, {NULL, NULL}, 0, 0}};
-    taut_status status = TAUT_OK;
+    const taut_unfolding unfolding[2] = {taut_unfolding_first(n[0], n[1], rhs),
+                                         taut_unfolding_second(n[0], n[1], rhs)};
+    taut_contraction work[2];
+    taut_tails tails[2];
 
-    for (int d = 0; d < 2 && status == TAUT_OK; d++) {
-        const size_t columns = 2 * depth_of(solver, 1 - d) * rhs;
-        double *edges = taut_alloc(n[d] * columns, sizeof *edges);
-        status = taut_panel_init(solver->direction[d].modes, &panel[d]);
-        if (status == TAUT_OK) {
-            status = taut_tails_init(solver->direction[d].modes, n[1 - d], rhs, &tails[d]);
+    for (int d = 0; d < 2; d++) {
+        const taut_modes *modes = solver->direction[d].modes;
+        const size_t f = depth_of(solver, 1 - d), columns = 2 * f * rhs;
+        double *edges = taut_arena_take_raw(arena, n[d] * columns, sizeof *edges);
+        struct side side = {.systems = taut_systems_of(solver, d, (int)rhs, arena),
+                            .arena = arena,
+                            .rhs = rhs,
+                            .f = f,
+                            .edges = edges};
+        work[d] = taut_contraction_of(modes, arena);
+        tails[d] = taut_tails_of(modes, n[1 - d], rhs, arena);
+        if (taut_arena_status(arena) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
         }
-        if (status == TAUT_OK && edges == NULL) {
-            status = TAUT_NO_MEMORY;
-        }
-        if (status == TAUT_OK) {
-            take_edges(solver, d, rhs, x, edges);
-            const double most = analyse_edges(&panel[d], columns, edges);
-            status = make_tails(solver, d, nrhs, edges, most, &tails[d]);
-        }
-        taut_free(edges);
+        copy_edges(solver, d, rhs, x, edges);
+        side.threshold = negligible * analyse_edges(&work[d], columns, edges);
+        fill_tails(&side, &tails[d]);
     }
-    for (int d = 0; d < 2 && status == TAUT_OK; d++) {
-        taut_synthesise_tails(&panel[d], &lines[d], &tails[d], d == 0, x);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
     for (int d = 0; d < 2; d++) {
-        taut_tails_clear(&tails[d]);
-        taut_panel_clear(&panel[d]);
+        taut_contract_tails(&work[d], &unfolding[d], &tails[d], d == 0, x);
     }
+    return TAUT_OK;
+}
+
+taut_status taut_edges_solve(const taut_tensor_solver *solver, int nrhs, double *x)
+{
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = solve_with(solver, (size_t)nrhs, arena, x);
+    taut_arena_free(arena);
     return status;
 }

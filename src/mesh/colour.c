@@ -1,4 +1,4 @@
-#include "draw/colour.h"
+#include "mesh/colour.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,51 +1,42 @@
-#include "numeric/contract.h"
-
-#include "core/memory.h"
+/* contract.c -- products of modes with nets, in tiles that stay in registers. */
+#include "numeric/tensor/internal.h"
 
 #include <string.h>
 
-/* A packed panel of this many numbers stays in the second-level cache while all of V passes by. */
+/* A packed work of this many numbers stays in the second-level cache while all of V passes by. */
 enum { PANEL_SIZE = 64 * 1024, COLUMNS_MAX = 240, UNITS_MIN = 4, UNITS_MAX = 60 };
 
 static const double zeros[COLUMNS_MAX];
 
-taut_lines taut_lines_first(size_t nu, size_t nv, size_t nrhs)
+taut_unfolding taut_unfolding_first(size_t nu, size_t nv, size_t nrhs)
 {
     (void)nu;
-    return (taut_lines){nv * nrhs, nv * nrhs, nv * nrhs, 0};
+    return (taut_unfolding){nv * nrhs, nv * nrhs, nv * nrhs, 0};
 }
 
-taut_lines taut_lines_second(size_t nu, size_t nv, size_t nrhs)
+taut_unfolding taut_unfolding_second(size_t nu, size_t nv, size_t nrhs)
 {
-    return (taut_lines){nu * nrhs, nrhs, nrhs, nv * nrhs};
+    return (taut_unfolding){nu * nrhs, nrhs, nrhs, nv * nrhs};
 }
 
-taut_status taut_panel_init(const taut_modes *modes, taut_panel *panel)
+taut_contraction taut_contraction_of(const taut_modes *modes, taut_arena *arena)
 {
     const size_t unit = (size_t)modes->kernel->tile_columns, n = (size_t)modes->n;
     const size_t least = (n + 1) * UNITS_MIN * unit;
-    panel->modes = modes;
-    panel->in = taut_alloc_aligned(least > PANEL_SIZE ? least : PANEL_SIZE, sizeof(double));
-    panel->out =
-        taut_alloc_aligned(2 * (size_t)modes->kernel->tile_rows * COLUMNS_MAX, sizeof(double));
-    return panel->in == NULL || panel->out == NULL ? TAUT_NO_MEMORY : TAUT_OK;
-}
-
-void taut_panel_clear(taut_panel *panel)
-{
-    taut_free(panel->in);
-    taut_free(panel->out);
-    *panel = (taut_panel){NULL, NULL, NULL};
+    return (taut_contraction){
+        modes, taut_arena_take_raw(arena, least > PANEL_SIZE ? least : PANEL_SIZE, sizeof(double)),
+        taut_arena_take_raw(arena, 2 * (size_t)modes->kernel->tile_rows * COLUMNS_MAX,
+                            sizeof(double))};
 }
 
 /* The columns to take from `first` on, when `depth` numbers of each are packed. */
-static size_t columns_for(const taut_panel *panel, const taut_lines *lines, size_t first,
-                          size_t depth)
+static size_t columns_for(const taut_contraction *work, const taut_unfolding *unfolding,
+                          size_t first, size_t depth)
 {
-    const size_t unit = (size_t)panel->modes->kernel->tile_columns;
+    const size_t unit = (size_t)work->modes->kernel->tile_columns;
     size_t units = PANEL_SIZE / unit / (depth > 0 ? depth : 1);
     units = units < UNITS_MIN ? UNITS_MIN : units > COLUMNS_MAX / unit ? COLUMNS_MAX / unit : units;
-    const size_t left = lines->columns - first;
+    const size_t left = unfolding->columns - first;
     return left < units * unit ? left : units * unit;
 }
 
@@ -56,25 +47,25 @@ static size_t round_up(size_t count, size_t unit)
 
 /* ---- rows of the net to and from contiguous rows ---- */
 
-static size_t offset_of(const taut_lines *lines, size_t column)
+static size_t offset_of(const taut_unfolding *unfolding, size_t column)
 {
-    return column / lines->inner * lines->outer + column % lines->inner;
+    return column / unfolding->inner * unfolding->outer + column % unfolding->inner;
 }
 
 /* The columns from `column` on that are neighbours in memory, `limit` at most. */
-static size_t run_of(const taut_lines *lines, size_t column, size_t limit)
+static size_t run_of(const taut_unfolding *unfolding, size_t column, size_t limit)
 {
-    const size_t run = lines->inner - column % lines->inner;
+    const size_t run = unfolding->inner - column % unfolding->inner;
     return run < limit ? run : limit;
 }
 
 /* to[q] = x(row, first + q), q < count */
-static void read_row(const taut_lines *lines, const double *x, size_t row, size_t first,
+static void read_row(const taut_unfolding *unfolding, const double *x, size_t row, size_t first,
                      size_t count, double *to)
 {
     for (size_t q = 0; q < count;) {
-        const size_t run = run_of(lines, first + q, count - q);
-        const double *from = x + row * lines->stride + offset_of(lines, first + q);
+        const size_t run = run_of(unfolding, first + q, count - q);
+        const double *from = x + row * unfolding->stride + offset_of(unfolding, first + q);
         for (size_t r = 0; r < run; r++) {
             to[q++] = from[r];
         }
@@ -83,23 +74,24 @@ static void read_row(const taut_lines *lines, const double *x, size_t row, size_
 
 /* Some rows of a product, double[rows][width], on their way to rows first_row, first_row + step, ..
  * of a net. */
-struct put {
-    const taut_lines *lines;
+struct target_rows {
+    const taut_unfolding *unfolding;
     size_t first, count, width; /* columns */
     int is_new;                 /* replaces what is there, else is added */
 };
 
-static void put_rows(const struct put *put, size_t rows, const double *from, size_t first_row,
-                     ptrdiff_t step, double *x)
+static void write_rows(const struct target_rows *target, size_t rows, const double *from,
+                       size_t first_row, ptrdiff_t step, double *x)
 {
-    const ptrdiff_t stride = step * (ptrdiff_t)put->lines->stride;
-    for (size_t q = 0; q < put->count;) {
-        const size_t run = run_of(put->lines, put->first + q, put->count - q);
-        double *to = x + first_row * put->lines->stride + offset_of(put->lines, put->first + q);
+    const ptrdiff_t stride = step * (ptrdiff_t)target->unfolding->stride;
+    for (size_t q = 0; q < target->count;) {
+        const size_t run = run_of(target->unfolding, target->first + q, target->count - q);
+        double *to = x + first_row * target->unfolding->stride +
+                     offset_of(target->unfolding, target->first + q);
         for (size_t r = 0; r < rows; r++, to += stride) {
-            const double *row = from + r * put->width + q;
+            const double *row = from + r * target->width + q;
             for (size_t c = 0; c < run; c++) {
-                to[c] = put->is_new ? row[c] : to[c] + row[c];
+                to[c] = target->is_new ? row[c] : to[c] + row[c];
             }
         }
         q += run;
@@ -144,7 +136,7 @@ struct operands {
 };
 
 /* Nothing packed yet; every sliver reaches down to `depth`. */
-static void operands_init(const double *a, size_t a_depth, double *b, size_t b_depth, size_t depth,
+static void operands_open(const double *a, size_t a_depth, double *b, size_t b_depth, size_t depth,
                           struct operands *out)
 {
     out->a = a;
@@ -182,7 +174,7 @@ static void multiply_rows(const taut_kernel *kernel, const struct operands *o, s
 }
 
 /* sum[q], difference[q] <- sum[q] + difference[q], sum[q] - difference[q] */
-static void fold(size_t count, double *sum, double *difference)
+static void fold_rows(size_t count, double *sum, double *difference)
 {
     for (size_t q = 0; q < count; q++) {
         const double here = sum[q], there = difference[q];
@@ -192,56 +184,56 @@ static void fold(size_t count, double *sum, double *difference)
 }
 
 /* V^T B, mode by mode. */
-static void put_modes(const taut_panel *panel, int p, const struct operands *operands,
-                      const struct put *put, double *x)
+static void write_modes(const taut_contraction *work, int p, const struct operands *operands,
+                        const struct target_rows *target, double *x)
 {
-    const taut_modes_part *part = &panel->modes->part[p];
-    const size_t t = (size_t)panel->modes->kernel->tile_rows, count = (size_t)part->count;
+    const taut_modes_part *part = &work->modes->part[p];
+    const size_t t = (size_t)work->modes->kernel->tile_rows, count = (size_t)part->count;
     for (size_t j = 0; j < count; j += t) {
-        multiply_rows(panel->modes->kernel, operands, j, put->width, panel->out);
-        put_rows(put, count - j < t ? count - j : t, panel->out, (size_t)part->first + j, 1, x);
+        multiply_rows(work->modes->kernel, operands, j, target->width, work->out);
+        write_rows(target, count - j < t ? count - j : t, work->out, (size_t)part->first + j, 1, x);
     }
 }
 
 /* V B, point by point: of mirrored points one is the sum, one the difference of the even and the
  * odd part. */
-static void put_points(const taut_panel *panel, const struct operands *operands,
-                       const struct put *put, double *x)
+static void write_points(const taut_contraction *work, const struct operands *operands,
+                         const struct target_rows *target, double *x)
 {
-    const taut_modes *modes = panel->modes;
+    const taut_modes *modes = work->modes;
     const size_t t = (size_t)modes->kernel->tile_rows, n = (size_t)modes->n;
     const size_t pairs = modes->parts == 2 ? n / 2 : 0, rows = (size_t)modes->part[0].rows;
-    double *even = panel->out, *odd = panel->out + t * put->width;
+    double *even = work->out, *odd = work->out + t * target->width;
     for (size_t i = 0; i < rows; i += t) {
-        multiply_rows(modes->kernel, &operands[0], i, put->width, even);
+        multiply_rows(modes->kernel, &operands[0], i, target->width, even);
         if (i < pairs) {
             const size_t mirrored = pairs - i < t ? pairs - i : t;
-            multiply_rows(modes->kernel, &operands[1], i, put->width, odd);
-            fold(mirrored * put->width, even, odd);
-            put_rows(put, mirrored, odd, n - 1 - i, -1, x);
+            multiply_rows(modes->kernel, &operands[1], i, target->width, odd);
+            fold_rows(mirrored * target->width, even, odd);
+            write_rows(target, mirrored, odd, n - 1 - i, -1, x);
         }
-        put_rows(put, rows - i < t ? rows - i : t, even, i, 1, x);
+        write_rows(target, rows - i < t ? rows - i : t, even, i, 1, x);
     }
 }
 
 /* Packs columns of x, folded about the middle for modes of two parts. */
-static void pack_points(const taut_panel *panel, const struct put *put, const double *x,
-                        struct operands *operands)
+static void pack_points(const taut_contraction *work, const struct target_rows *target,
+                        const double *x, struct operands *operands)
 {
-    const taut_modes *modes = panel->modes;
+    const taut_modes *modes = work->modes;
     const size_t n = (size_t)modes->n, pairs = modes->parts == 2 ? n / 2 : 0;
     const size_t unit = (size_t)modes->kernel->tile_columns;
     double here[COLUMNS_MAX] = {0}, there[COLUMNS_MAX] = {0};
 
     for (size_t i = 0; i < n - pairs; i++) {
-        read_row(put->lines, x, i, put->first, put->count, here);
+        read_row(target->unfolding, x, i, target->first, target->count, here);
         if (i < pairs) {
-            read_row(put->lines, x, n - 1 - i, put->first, put->count, there);
-            fold(put->count, here, there);
-            pack_row(modes->kernel, there, put->width, i, &operands[1]);
+            read_row(target->unfolding, x, n - 1 - i, target->first, target->count, there);
+            fold_rows(target->count, here, there);
+            pack_row(modes->kernel, there, target->width, i, &operands[1]);
         }
-        pack_row(modes->kernel, here, put->width, i, &operands[0]);
-        for (size_t q = 0; q < put->width; q += unit) {
+        pack_row(modes->kernel, here, target->width, i, &operands[0]);
+        for (size_t q = 0; q < target->width; q += unit) {
             if (!is_zero(here + q, unit)) {
                 note_row(&operands[0].runs[q / unit], i);
             }
@@ -252,94 +244,74 @@ static void pack_points(const taut_panel *panel, const struct put *put, const do
     }
 }
 
-void taut_analyse(const taut_panel *panel, const taut_lines *lines, double *x)
+void taut_contract_points(const taut_contraction *work, const taut_unfolding *unfolding, double *x)
 {
-    const taut_modes *modes = panel->modes;
+    const taut_modes *modes = work->modes;
     const size_t unit = (size_t)modes->kernel->tile_columns;
-    for (size_t first = 0; first < lines->columns;) {
-        const size_t count = columns_for(panel, lines, first, (size_t)modes->n);
-        const struct put put = {lines, first, count, round_up(count, unit), 1};
+    for (size_t first = 0; first < unfolding->columns;) {
+        const size_t count = columns_for(work, unfolding, first, (size_t)modes->n);
+        const struct target_rows target = {unfolding, first, count, round_up(count, unit), 1};
         struct operands operands[2];
-        double *b = panel->in;
+        double *b = work->in;
         for (int p = 0; p < modes->parts; p++) {
             const size_t rows = (size_t)modes->part[p].rows;
-            operands_init(modes->part[p].analysis, rows, b, rows, 0, &operands[p]);
-            b += rows * put.width;
+            operands_open(modes->part[p].analysis, rows, b, rows, 0, &operands[p]);
+            b += rows * target.width;
         }
-        pack_points(panel, &put, x, operands);
+        pack_points(work, &target, x, operands);
         for (int p = 0; p < modes->parts; p++) {
-            put_modes(panel, p, &operands[p], &put, x);
+            write_modes(work, p, &operands[p], &target, x);
         }
         first += count;
     }
 }
 
-void taut_synthesise(const taut_panel *panel, const taut_lines *lines, double *x)
+void taut_contract_modes(const taut_contraction *work, const taut_unfolding *unfolding, double *x)
 {
-    const taut_modes *modes = panel->modes;
+    const taut_modes *modes = work->modes;
     const size_t unit = (size_t)modes->kernel->tile_columns;
     double row[COLUMNS_MAX] = {0};
-    for (size_t first = 0; first < lines->columns;) {
-        const size_t count = columns_for(panel, lines, first, (size_t)modes->n);
-        const struct put put = {lines, first, count, round_up(count, unit), 1};
+    for (size_t first = 0; first < unfolding->columns;) {
+        const size_t count = columns_for(work, unfolding, first, (size_t)modes->n);
+        const struct target_rows target = {unfolding, first, count, round_up(count, unit), 1};
         struct operands operands[2];
-        double *b = panel->in;
+        double *b = work->in;
         for (int p = 0; p < modes->parts; p++) {
             const taut_modes_part *part = &modes->part[p];
             const size_t depth = (size_t)part->count;
-            operands_init(part->synthesis, depth, b, depth, depth, &operands[p]);
+            operands_open(part->synthesis, depth, b, depth, depth, &operands[p]);
             for (size_t j = 0; j < depth; j++) {
-                read_row(lines, x, (size_t)part->first + j, first, count, row);
-                pack_row(modes->kernel, row, put.width, j, &operands[p]);
+                read_row(unfolding, x, (size_t)part->first + j, first, count, row);
+                pack_row(modes->kernel, row, target.width, j, &operands[p]);
             }
-            b += depth * put.width;
+            b += depth * target.width;
         }
-        put_points(panel, operands, &put, x);
+        write_points(work, operands, &target, x);
         first += count;
     }
 }
 
 /* ---- tails ---- */
 
-taut_status taut_tails_init(const taut_modes *modes, size_t points, size_t rhs, taut_tails *out)
+taut_tails taut_tails_of(const taut_modes *modes, size_t points, size_t rhs, taut_arena *arena)
 {
-    const int lanes = modes->kernel->lanes;
-    size_t total = 0;
-    *out = (taut_tails){{0, 0}, {NULL, NULL}, points, rhs};
+    const size_t lanes = (size_t)modes->kernel->lanes;
+    taut_tails tails = {{0, 0}, {NULL, NULL}, points, rhs};
     for (int p = 0; p < modes->parts; p++) {
-        out->blocks[p] = ((size_t)modes->part[p].count + (size_t)lanes - 1) / (size_t)lanes;
-        total += out->blocks[p];
-    }
-    taut_tail_block *block = taut_alloc_zero(total, sizeof *block);
-    if (block == NULL) {
-        return TAUT_NO_MEMORY;
-    }
-    for (int p = 0; p < modes->parts; p++) {
-        const int first = modes->part[p].first, end = first + modes->part[p].count;
-        out->block[p] = block;
-        for (int j = first; j < end; j += lanes, block++) {
-            block->first = j;
-            block->used = end - j < lanes ? end - j : lanes;
+        tails.blocks[p] = ((size_t)modes->part[p].count + lanes - 1) / lanes;
+        tails.block[p] = taut_arena_take(arena, tails.blocks[p], sizeof *tails.block[p]);
+        for (size_t b = 0; tails.block[p] != NULL && b < tails.blocks[p]; b++) {
+            const size_t left = (size_t)modes->part[p].count - b * lanes;
+            tails.block[p][b].first = modes->part[p].first + (int)(b * lanes);
+            tails.block[p][b].used = (int)(left < lanes ? left : lanes);
         }
     }
-    return TAUT_OK;
-}
-
-void taut_tails_clear(taut_tails *tails)
-{
-    for (int p = 0; p < 2 && tails->block[0] != NULL; p++) {
-        for (size_t b = 0; b < tails->blocks[p]; b++) {
-            taut_free(tails->block[p][b].values[0]);
-            taut_free(tails->block[p][b].values[1]);
-        }
-    }
-    taut_free(tails->block[0]);
-    tails->block[0] = tails->block[1] = NULL;
+    return tails;
 }
 
 /* Columns first..first+count-1 of the row of mode `l` of a block. Returns 0, row untouched, when
  * all are zero. */
-static int take_tail(const taut_tails *tails, const taut_tail_block *block, size_t l, size_t first,
+static int read_tail(const taut_tails *tails, const taut_tail_block *block, size_t l, size_t first,
                      size_t count, double *row)
 {
     const size_t end = first + count, whole = tails->points * tails->rhs;
@@ -378,44 +350,44 @@ static size_t depth_of(const taut_tails *tails, int p, size_t first, size_t coun
 
 /* Packs these columns of the tails of part p, operands->b_depth modes of them. */
 static void pack_tails(const taut_kernel *kernel, const taut_tails *tails, int p,
-                       const struct put *put, const struct operands *operands)
+                       const struct target_rows *target, const struct operands *operands)
 {
     double row[COLUMNS_MAX] = {0};
     size_t j = 0;
     for (const taut_tail_block *block = tails->block[p]; j < operands->b_depth; block++) {
         for (size_t l = 0; l < (size_t)block->used; l++) {
-            const int kept = take_tail(tails, block, l, put->first, put->count, row);
-            pack_row(kernel, kept ? row : zeros, put->width, j++, operands);
+            const int kept = read_tail(tails, block, l, target->first, target->count, row);
+            pack_row(kernel, kept ? row : zeros, target->width, j++, operands);
         }
     }
 }
 
-void taut_synthesise_tails(const taut_panel *panel, const taut_lines *lines,
-                           const taut_tails *tails, int is_new, double *x)
+void taut_contract_tails(const taut_contraction *work, const taut_unfolding *unfolding,
+                         const taut_tails *tails, int is_new, double *x)
 {
-    const taut_modes *modes = panel->modes;
+    const taut_modes *modes = work->modes;
     const size_t unit = (size_t)modes->kernel->tile_columns;
-    for (size_t first = 0; first < lines->columns;) {
-        size_t count = columns_for(panel, lines, first, 0), depth = 0;
+    for (size_t first = 0; first < unfolding->columns;) {
+        size_t count = columns_for(work, unfolding, first, 0), depth = 0;
         for (int p = 0; p < modes->parts; p++) {
             depth += depth_of(tails, p, first, count);
         }
-        count = columns_for(panel, lines, first, depth);
-        const struct put put = {lines, first, count, round_up(count, unit), is_new};
+        count = columns_for(work, unfolding, first, depth);
+        const struct target_rows target = {unfolding, first, count, round_up(count, unit), is_new};
         struct operands operands[2];
-        double *b = panel->in;
+        double *b = work->in;
         for (int p = 0; p < modes->parts; p++) {
             const taut_modes_part *part = &modes->part[p];
             depth = depth_of(tails, p, first, count);
-            operands_init(part->synthesis, (size_t)part->count, b, depth, depth, &operands[p]);
-            for (size_t q = 0; q < put.width; q += unit) {
+            operands_open(part->synthesis, (size_t)part->count, b, depth, depth, &operands[p]);
+            for (size_t q = 0; q < target.width; q += unit) {
                 const size_t some = count - q < unit ? count - q : unit;
                 operands[p].runs[q / unit].end[1] = depth_of(tails, p, first + q, some);
             }
-            pack_tails(modes->kernel, tails, p, &put, &operands[p]);
-            b += depth * put.width;
+            pack_tails(modes->kernel, tails, p, &target, &operands[p]);
+            b += depth * target.width;
         }
-        put_points(panel, operands, &put, x);
+        write_points(work, operands, &target, x);
         first += count;
     }
 }
