@@ -33,18 +33,6 @@ taut_status taut_neighbour_match(const taut_neighbour *e, double *width, taut_er
     return TAUT_OK;
 }
 
-double taut_neighbour_end(const taut_neighbour *e, double here, double end)
-{
-    const int is_v = e->edge == TAUT_EDGE_V0 || e->edge == TAUT_EDGE_V1;
-    if (e->other == NULL) {
-        return end;
-    }
-    const taut_basis *across = is_v ? taut_surface_v(e->other) : taut_surface_u(e->other);
-    const double near = e->reversed ? taut_basis_hi(across) : taut_basis_lo(across);
-    const double far = e->reversed ? taut_basis_lo(across) : taut_basis_hi(across);
-    return near == here ? far : end;
-}
-
 static void *take(void *context, size_t count, size_t size)
 {
     return taut_arena_take(context, count, size);

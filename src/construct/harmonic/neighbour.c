@@ -14,6 +14,19 @@ static size_t index_of(const taut_neighbour *e, int columns, int i, int j)
                      : (size_t)line * (size_t)columns + (size_t)j;
 }
 
+/* The parameter where `other` ends if its range begins at the edge; else `end`. */
+static double far_end(const taut_neighbour *e, double here, double end)
+{
+    const int is_v = e->edge == TAUT_EDGE_V0 || e->edge == TAUT_EDGE_V1;
+    if (e->other == NULL) {
+        return end;
+    }
+    const taut_basis *across = is_v ? taut_surface_v(e->other) : taut_surface_u(e->other);
+    const double near = e->reversed ? taut_basis_hi(across) : taut_basis_lo(across);
+    const double far = e->reversed ? taut_basis_lo(across) : taut_basis_hi(across);
+    return near == here ? far : end;
+}
+
 taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *error)
 {
     const taut_surface *surface = e->surface;
@@ -31,7 +44,7 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
     const double lo = taut_basis_lo(across), hi = taut_basis_hi(across);
     const double reach = (1 + e->ratio) * e->across;
     const double edge = e->reversed ? lo : hi;
-    const double end = taut_neighbour_end(e, edge, e->reversed ? hi - reach : lo + reach);
+    const double end = far_end(e, edge, e->reversed ? hi - reach : lo + reach);
     if (end == edge || !(fabs(end) <= TAUT_PARAMETER_MAX)) {
         return taut_fail(error, TAUT_BAD_INPUT, "value", "/width", width, taut_none,
                          "bad parameter: the width %.17g from the edge at %.17g leads to %.17g, "

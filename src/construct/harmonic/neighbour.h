@@ -29,8 +29,6 @@ taut_status taut_neighbour_check(const taut_surface *surface, double width, taut
 
 /* merge.c. The width of `other`, or TAUT_NO_SOLUTION where its degrees are others. */
 taut_status taut_neighbour_match(const taut_neighbour *e, double *width, taut_error *error);
-/* The parameter where `other` ends if its range begins at the edge; else `end`. */
-double taut_neighbour_end(const taut_neighbour *e, double here, double end);
 /* TAUT_NO_SOLUTION with the gap where `other` has not the points of the surface beyond: to
  * rounding, or to the last digit. */
 taut_status taut_neighbour_compare(const taut_neighbour *e, const taut_surface *beyond, int exact,
