@@ -3,7 +3,6 @@
 #include "certify/harmonic/residual.h"
 #include "core/exact.h"
 #include "core/fail.h"
-#include "core/memory.h"
 #include "taut/measure.h"
 
 #include <math.h>
@@ -16,7 +15,7 @@ static const double largest_limit = 1e-6;
 taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_error *error)
 {
     if (taut_model_surface_count(model) < least) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces",
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces",
                          taut_model_surface_count(model), least,
                          "the model has %d surfaces, expected at least %d",
                          taut_model_surface_count(model), least);
@@ -28,7 +27,7 @@ taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_e
             taut_surface_weights(surface) != NULL) {
             char where[32];
             snprintf(where, sizeof where, "/surfaces/%d", i);
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "not-bezier", where, taut_none, taut_none,
                              "expected a polynomial surface on \"bezier\" bases");
         }
     }
@@ -181,24 +180,21 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
 
 taut_status taut_harmonic_add_figures(const taut_model *model, taut_record *figures)
 {
+    static const char *const names[2] = {"dirichlet_energy", "isothermality"};
+    taut_status (*const measures[2])(const taut_surface *, double *) = {
+        taut_surface_dirichlet_energy, taut_surface_isothermality};
     const int count = taut_model_surface_count(model);
-    double *energy = taut_alloc(2 * (size_t)count, sizeof *energy);
-    double *isothermality = energy != NULL ? energy + count : NULL;
-    taut_status status = energy != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
-        status = taut_surface_dirichlet_energy(taut_model_surface(model, i), &energy[i]);
-        if (status == TAUT_OK) {
-            status = taut_surface_isothermality(taut_model_surface(model, i), &isothermality[i]);
+    for (int k = 0; k < 2; k++) {
+        taut_record *list = count > 1 ? taut_record_add_list(figures, names[k]) : figures;
+        for (int i = 0; i < count; i++) {
+            double value = 0;
+            const taut_status status = measures[k](taut_model_surface(model, i), &value);
+            if (status != TAUT_OK) {
+                return status;
+            }
+            taut_record_add_number(list, count > 1 ? NULL : names[k], value);
         }
     }
-    if (status == TAUT_OK && count == 1) {
-        taut_record_add_number(figures, "dirichlet_energy", energy[0]);
-        taut_record_add_number(figures, "isothermality", isothermality[0]);
-    } else if (status == TAUT_OK) {
-        taut_record_add_numbers(figures, "dirichlet_energy", count, energy);
-        taut_record_add_numbers(figures, "isothermality", count, isothermality);
-    }
-    taut_free(energy);
-    return status;
+    return TAUT_OK;
 }

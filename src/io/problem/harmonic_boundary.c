@@ -2,6 +2,7 @@
 
 #include "core/fail.h"
 #include "io/problem/boundary_document.h"
+#include "io/problem/member.h"
 #include "taut/operations.h"
 
 #include <string.h>
@@ -17,25 +18,14 @@ typedef struct harmonic_boundary {
     unsigned char *known;
 } harmonic_boundary;
 
-static void release_basis(void *basis)
-{
-    taut_basis_free(basis);
-}
-
 static taut_status make_basis(int degree, double width, taut_arena *arena, const taut_basis **basis,
                               taut_error *error)
 {
     const taut_basis_spec spec = {
         .type = "bezier", .degree = degree, .has_range = 1, .range = {0, width}};
     taut_basis *made = NULL;
-    taut_status status = taut_basis_new(&spec, 0, &made, error);
-    if (status == TAUT_OK && !taut_arena_keep(arena, made, release_basis)) {
-        status = taut_fail_memory(error);
-    }
-    if (status == TAUT_OK) {
-        *basis = made;
-    }
-    return status;
+    const taut_status status = taut_basis_new(&spec, 0, &made, error);
+    return status == TAUT_OK ? taut_member_keep_basis(arena, made, basis, error) : status;
 }
 
 /* The members but the file. */
@@ -43,17 +33,15 @@ static taut_status read_choices(const taut_json *document, harmonic_boundary *ro
                                 taut_error *error)
 {
     static const char *const pairs[] = {"u", "v", NULL};
-    const taut_json known_at = taut_json_member(document, "known");
     const taut_json widths_at = taut_json_member(document, "widths");
     taut_status status = TAUT_OK;
     rows->along_u = 1;
     rows->widths[0] = rows->widths[1] = 1;
-    if (known_at.value != NULL) {
-        status = taut_json_word(&known_at, pairs, &rows->along_u, error);
+    status = taut_member_word(document, "known", pairs, &rows->along_u, error);
+    if (status != TAUT_OK || widths_at.value == NULL) {
+        return status;
     }
-    if (status == TAUT_OK && widths_at.value != NULL) {
-        status = taut_json_numbers(&widths_at, 2, rows->widths, error);
-    }
+    status = taut_json_numbers(&widths_at, 2, rows->widths, error);
     if (status == TAUT_OK && !(rows->widths[0] > 0 && rows->widths[1] > 0)) {
         status = taut_json_expected(&widths_at, error, "two positive numbers");
     }
@@ -71,8 +59,8 @@ static int is_polynomial(const taut_curve *curve)
     return same;
 }
 
-static taut_status take_pair(const taut_json *document, const taut_curve *const sides[TAUT_SIDES],
-                             harmonic_boundary *rows, taut_error *error)
+static taut_status choose_pair(const taut_json *document, const taut_curve *const sides[TAUT_SIDES],
+                               harmonic_boundary *rows, taut_error *error)
 {
     const taut_json at = taut_json_member(document, "boundary");
     rows->pair[0] = sides[rows->along_u ? TAUT_SIDE_V0 : TAUT_SIDE_U0];
@@ -81,7 +69,7 @@ static taut_status take_pair(const taut_json *document, const taut_curve *const 
         const int n = taut_basis_degree(taut_curve_t(rows->pair[k]));
         rows->degree = n > rows->degree ? n : rows->degree;
         if (!is_polynomial(rows->pair[k])) {
-            taut_json_fail(&at, error, "value", taut_none, taut_none,
+            taut_json_fail(&at, error, "rational", taut_none, taut_none,
                            "the curve \"%.40s\" is rational, but harmonic surfaces are polynomial",
                            taut_curve_name(rows->pair[k]));
             if (error != NULL) {
@@ -122,7 +110,7 @@ static taut_status fill_net(harmonic_boundary *rows, taut_arena *arena, taut_err
     taut_status status = TAUT_OK;
     rows->points = taut_arena_take(arena, 3 * count, sizeof(double));
     rows->known = taut_arena_take(arena, count, 1);
-    if (rows->points == NULL || rows->known == NULL) {
+    if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     for (int k = 0; k < 2 && status == TAUT_OK; k++) {
@@ -134,29 +122,37 @@ static taut_status fill_net(harmonic_boundary *rows, taut_arena *arena, taut_err
     return status;
 }
 
-taut_status taut_harmonic_boundary_read(const taut_json *document, taut_problem *problem,
-                                        taut_harmonic_problem *data, taut_error *error)
+static taut_status read_rows(const taut_json *document, taut_problem *problem,
+                             harmonic_boundary *rows, taut_error *error)
 {
     static const char *const others[] = {"u", "v", "points", "from", "edge", "cross_derivative",
                                          NULL};
     const taut_curve *sides[TAUT_SIDES];
-    harmonic_boundary rows = {.degree = 0};
-    taut_status status = read_choices(document, &rows, error);
+    taut_status status = read_choices(document, rows, error);
 
-    if (status == TAUT_OK) {
-        status = taut_boundary_document_bezier(document, problem, others, 0, sides, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = take_pair(document, sides, &rows, error);
+    status = taut_boundary_document_bezier(document, problem, others, 0, sides, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = fill_net(&rows, problem->arena, error);
+    status = choose_pair(document, sides, rows, error);
+    return status == TAUT_OK ? fill_net(rows, problem->arena, error) : status;
+}
+
+taut_status taut_harmonic_boundary_read(const taut_json *document, taut_problem *problem,
+                                        taut_harmonic_problem *data, taut_error *error)
+{
+    harmonic_boundary rows = {.degree = 0};
+    const taut_status status = read_rows(document, problem, &rows, error);
+
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        data->u = rows.bases[0];
-        data->v = rows.bases[1];
-        data->points = rows.points;
-        data->known = rows.known;
-    }
-    return status;
+    data->u = rows.bases[0];
+    data->v = rows.bases[1];
+    data->rows.points = rows.points;
+    data->rows.known = rows.known;
+    return TAUT_OK;
 }
