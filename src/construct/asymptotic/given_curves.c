@@ -73,7 +73,7 @@ static taut_status check_closed(const taut_quad *quad, taut_error *error)
         if (!(gap <= most)) {
             char text[160];
             turned_text(quad, most, text);
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/curves", gap, most,
+            return taut_fail(error, TAUT_NO_SOLUTION, "not-closed", "/curves", gap, most,
                              "curves %s and %s do not meet at corner %s: the gap is %.3g%s", first,
                              second, taut_asymptotic_corner_name(c), gap, text);
         }
@@ -98,7 +98,7 @@ static int is_straight(const taut_quad *quad, int edge)
     return off <= taut_norm(chord) * (1e-13 * fmax(reach, taut_norm(chord)) + rounding);
 }
 
-static void take_curve(const taut_curve *curve, int n, taut_quad_edge *edge)
+static void copy_curve(const taut_curve *curve, int n, taut_quad_edge *edge)
 {
     const int p = taut_basis_count(taut_curve_t(curve)) - 1;
     const double *const weights = taut_curve_weights(curve);
@@ -118,14 +118,16 @@ static taut_status common_degree(const taut_curve *const curves[4], int *degree,
         char where[32];
         (void)snprintf(where, sizeof where, "/curves/%s", taut_asymptotic_edge_name(a));
         if (curves[a] == NULL) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
-                             "curve %s is missing: all four are needed", taut_asymptotic_edge_name(a));
+            return taut_fail(error, TAUT_BAD_INPUT, "missing", where, taut_none, taut_none,
+                             "curve %s is missing: all four are needed",
+                             taut_asymptotic_edge_name(a));
         }
         t = taut_curve_t(curves[a]);
         if (strcmp(taut_basis_type(t), "bezier") != 0 || taut_basis_lo(t) != 0.0 ||
             taut_basis_hi(t) != 1.0) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
-                             "curve %s must be a bezier curve over [0, 1]", taut_asymptotic_edge_name(a));
+            return taut_fail(error, TAUT_BAD_INPUT, "not-bezier", where, taut_none, taut_none,
+                             "curve %s must be a bezier curve over [0, 1]",
+                             taut_asymptotic_edge_name(a));
         }
         if (taut_basis_degree(t) > TAUT_QUAD_DEGREE) {
             return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_basis_degree(t),
@@ -149,7 +151,7 @@ taut_status taut_quad_of_curves(const taut_curve *const curves[4], taut_quad *qu
     quad->rounding = 0.0;
     for (int a = 0; a < 4; a++) {
         degrees[a] = taut_basis_degree(taut_curve_t(curves[a]));
-        take_curve(curves[a], quad->degree, &quad->edges[a]);
+        copy_curve(curves[a], quad->degree, &quad->edges[a]);
         quad->edges[a].straight = is_straight(quad, a);
     }
     quad->rounding = taut_quad_rounding(quad);

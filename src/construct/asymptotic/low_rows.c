@@ -1,4 +1,4 @@
-#include "construct/asymptotic/low_rows.h"
+#include "construct/asymptotic/low.h"
 
 #include "construct/asymptotic/poly.h"
 #include "numeric/dense.h"
