@@ -331,8 +331,7 @@ static taut_status add_patch(const work *w, taut_arena *arena, taut_model *model
         }
         weights[k] = entry[3];
     }
-    return taut_construct_add_net(arena, model, "patch", specs, counts, points, weights, NULL,
-                                  error);
+    return taut_construct_add_net(model, "patch", specs, counts, points, weights, NULL, error);
 }
 
 static const char *const closing_names[] = {"none", "identity", "constraint"};

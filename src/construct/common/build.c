@@ -20,31 +20,37 @@ taut_status taut_construct_build(taut_construct_builder *build, void *context, t
     return TAUT_OK;
 }
 
-static void release_basis(void *basis)
+/* Two bases, or none. */
+static taut_status make_bases(const taut_basis_spec specs[2], const int counts[2],
+                              taut_basis *bases[2], taut_error *error)
 {
-    taut_basis_free(basis);
+    taut_status status = taut_basis_new(&specs[0], counts[0], &bases[0], error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_basis_new(&specs[1], counts[1], &bases[1], error);
+    if (status != TAUT_OK) {
+        taut_basis_free(bases[0]);
+    }
+    return status;
 }
 
-taut_status taut_construct_add_net(taut_arena *arena, taut_model *model, const char *name,
+taut_status taut_construct_add_net(taut_model *model, const char *name,
                                    const taut_basis_spec specs[2], const int counts[2],
                                    const double *points, const double *weights,
                                    const char *const *exact, taut_error *error)
 {
     taut_basis *bases[2] = {NULL, NULL};
     taut_surface *surface = NULL;
-    taut_status status = TAUT_OK;
+    taut_status status = make_bases(specs, counts, bases, error);
 
-    for (int d = 0; d < 2; d++) {
-        status = taut_basis_new(&specs[d], counts[d], &bases[d], error);
-        if (status != TAUT_OK) {
-            return status;
-        }
-        if (!taut_arena_keep(arena, bases[d], release_basis)) {
-            return taut_fail_memory(error);
-        }
+    if (status != TAUT_OK) {
+        return status;
     }
     status =
         taut_surface_new_exact(name, bases[0], bases[1], points, weights, exact, &surface, error);
+    taut_basis_free(bases[0]);
+    taut_basis_free(bases[1]);
     return status == TAUT_OK ? taut_construct_add_surface(model, surface, error) : status;
 }
 

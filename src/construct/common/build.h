@@ -17,7 +17,7 @@ taut_status taut_construct_build(taut_construct_builder *build, void *context, t
 
 /* A new surface, as taut_surface_new_exact makes it, on bases of its own, into the model. specs[2],
  * counts[2]: of u and v, as taut_basis_new takes them. */
-taut_status taut_construct_add_net(taut_arena *arena, taut_model *model, const char *name,
+taut_status taut_construct_add_net(taut_model *model, const char *name,
                                    const taut_basis_spec specs[2], const int counts[2],
                                    const double *points, const double *weights,
                                    const char *const *exact, taut_error *error);

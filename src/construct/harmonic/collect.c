@@ -1,9 +1,17 @@
-/* collect.c -- which points are known, and the rows they make. */
+/* collect.c -- what is asked for: which points are known, and the rows they make. */
 #include "construct/harmonic/task.h"
 #include "core/fail.h"
 
 #include <math.h>
 #include <string.h>
+
+taut_harmonic_even taut_harmonic_even_of(const taut_harmonic_problem *problem)
+{
+    if (problem->given == TAUT_HARMONIC_DERIVATIVE) {
+        return problem->derivative.raise ? TAUT_EVEN_RAISE : TAUT_EVEN_REFUSE;
+    }
+    return problem->rows.even;
+}
 
 static double width_of(const taut_basis *basis)
 {

@@ -16,14 +16,6 @@
  * square). */
 static const double amplification_limit = 1e15, amplification_warning = 5e6;
 
-taut_harmonic_even taut_harmonic_even_of(const taut_harmonic_problem *problem)
-{
-    if (problem->given == TAUT_HARMONIC_DERIVATIVE) {
-        return problem->derivative.raise ? TAUT_EVEN_RAISE : TAUT_EVEN_REFUSE;
-    }
-    return problem->rows.even;
-}
-
 /* Of the degrees that the net has in the end. */
 static taut_status measure_amplification(taut_harmonic_task *task, taut_error *error)
 {
@@ -184,9 +176,8 @@ static taut_status add_surface(taut_harmonic_task *task, taut_model *model, taut
     if (task->texts == NULL) {
         restore_given(task, points);
     }
-    return taut_construct_add_net(task->arena, model,
-                                  problem->name != NULL ? problem->name : "harmonic", specs, counts,
-                                  points, NULL, task->texts != NULL ? texts : NULL, error);
+    return taut_construct_add_net(model, problem->name != NULL ? problem->name : "harmonic", specs,
+                                  counts, points, NULL, task->texts != NULL ? texts : NULL, error);
 }
 
 static taut_record *details_of(const taut_harmonic_task *task)
