@@ -3,8 +3,9 @@
  * At a corner both tangents must lie in both osculating planes and the torsions must be opposite;
  * data given to so many digits meets that to so many. A patch of degree m along the edge then tilts
  * against the osculating plane, near the corner with weight w and parameter t, by some
- *     (w / W) (2 off |r_f'| (B_0 + B_1) + |tau_e + tau_f| |r_e'| |r_f'| sin A  B_1 / m) / (|R_c|
- * sin) with B_0, B_1 the first Bernstein functions of degree m, as R_uv.N is tau_e |r_e'| |r_f'|
+ *     (w / W) (2 off |r_f'| (B_0 + B_1) + |tau_e + tau_f| |r_e'| |r_f'| sin A  B_1 / m)
+ *     / (|R_c| sin)
+ * with B_0, B_1 the first Bernstein functions of degree m, as R_uv.N is tau_e |r_e'| |r_f'|
  * sin A from one edge and -tau_f |r_e'| |r_f'| sin A from the other (docs/papers/asymptotic.md
  * 2, 5.3). A straight edge has no osculating plane and no torsion: what rounding makes of them
  * explains nothing.

@@ -82,7 +82,7 @@ static taut_status add_exact(const taut_model *model, taut_certificate *certific
 /* How far two opposite edges of even degree miss the condition of harmonic patches of bidegree
  * (n, n), that their top differences agree ([NiWang2015] section 2.4): d = |Delta^n (row n - row
  * 0)|; direction 0: the edges are u = 0 and 1. 0 for other bidegrees. */
-static double missed(const taut_surface *surface, int direction)
+static double defect_of(const taut_surface *surface, int direction)
 {
     const int n = taut_basis_degree(taut_surface_u(surface));
     const double *points = taut_surface_points(surface);
@@ -108,7 +108,7 @@ static double missed(const taut_surface *surface, int direction)
  *     w_v mu^k (n! d / 2) |Lambda_k(u) - Lambda_k(1 - u)|,   mu = w_v / w_u,
  * where the difference is at most 1 for k = 0 and 4 zeta(3) / (2 pi)^(2k+1) else (its sine series);
  * its Bernstein coefficients are taken for four times that. */
-static double forced(const taut_surface *surface, const taut_harmonic_residual *found)
+static double forced_residual(const taut_surface *surface, const taut_harmonic_residual *found)
 {
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     const int n = taut_basis_degree(bases[0]), k = n / 2 - 1;
@@ -120,7 +120,7 @@ static double forced(const taut_surface *surface, const taut_harmonic_residual *
     for (int d = 0; d < 2 && size > 0 && k >= 0; d++) {
         const double across = width[d], along = width[1 - d];
         const double lambda = k == 0 ? 1 : 16 * 1.2020569 * exp(-(2 * k + 1) * log(2 * 3.14159265));
-        const double miss = missed(surface, d);
+        const double miss = defect_of(surface, d);
         if (miss > 0 && miss <= 1e-10 * found->size) {
             most = fmax(most, pow(across / along, 2.0 * k) / (along * along) * 0.5 * miss *
                                   tgamma(n + 1.0) * lambda / size);
@@ -138,7 +138,7 @@ static taut_status add_missed(double residual, double limit, const taut_surface 
         where, sizeof where,
         "two edges of even degree miss the condition of a harmonic patch by %.3g, which leaves "
         "so much; \"even\" can repair them",
-        fmax(missed(surface, 0), missed(surface, 1)));
+        fmax(defect_of(surface, 0), defect_of(surface, 1)));
     const taut_claim claim = {"harmonic", residual, limit, TAUT_UNDECIDED, where};
     return taut_certificate_add(certificate, &claim);
 }
@@ -166,7 +166,7 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
             worst = found.scaled / allowed;
             residual = found.scaled;
             limit = allowed;
-            spared = forced(surface, &found);
+            spared = forced_residual(surface, &found);
             worst_surface = surface;
             snprintf(where, sizeof where, "surface %.40s, its own rectangle, point %d %d",
                      taut_surface_name(surface), found.i, found.j);

@@ -139,7 +139,7 @@ static taut_status take_step(search *s, double *x, double *energy, taut_error *e
     return status;
 }
 
-static taut_status improve(search *s, double *x, taut_error *error)
+static taut_status lower_energy(search *s, double *x, taut_error *error)
 {
     double energy = 0.0, before = INFINITY;
     taut_status status = energy_at(s, x, &energy, error);
@@ -170,7 +170,7 @@ static taut_status find_patch(search *s, int report_singular, double *energy, ta
                          "and its boundary regular: take surface \"5n-7\"");
     }
     fill_freedoms(s);
-    status = improve(s, x, error);
+    status = lower_energy(s, x, error);
     if (status != TAUT_OK) {
         return status;
     }

@@ -299,7 +299,7 @@ static taut_status fail_singular(taut_error *error)
                      "the least-squares problem for the inner points is singular");
 }
 
-static taut_status solve(plate *p, double *factors, double *energy, taut_error *error)
+static taut_status solve_points(plate *p, double *factors, double *energy, taut_error *error)
 {
     double sum = 0.0;
     int solved = p->count == 0 || find_factors(p, factors, NULL);
@@ -376,7 +376,7 @@ taut_status taut_plate_solve(taut_patch *patch, int count, const taut_plate_free
     if (status != TAUT_OK) {
         return status;
     }
-    status = solve(p, factors, energy, error);
+    status = solve_points(p, factors, energy, error);
     plate_free(p);
     return status;
 }

@@ -39,8 +39,9 @@ static taut_status check_problem(const taut_biharmonic_problem *problem, taut_er
         return check_rows(&problem->rows, error);
     }
     if (problem->neighbour.contact != 1 && problem->neighbour.contact != 2) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/contact", problem->neighbour.contact, 2,
-                         "contact of order %d, expected 1 or 2", problem->neighbour.contact);
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "value", "/contact",
+                                  problem->neighbour.contact, "1 or 2", "contact of order %d",
+                                  problem->neighbour.contact);
     }
     return TAUT_OK;
 }

@@ -47,7 +47,7 @@ static size_t numbers_of(const neighbour *b)
 }
 
 /* to = sum_f factors[f] net_f */
-static void combine(const neighbour *b, const taut_wide *factors, taut_wide *to)
+static void combine_nets(const neighbour *b, const taut_wide *factors, taut_wide *to)
 {
     const size_t numbers = numbers_of(b);
     memset(to, 0, numbers * sizeof *to);
@@ -116,10 +116,10 @@ static taut_status meet_rows(neighbour *b, const double *beyond, taut_error *err
     fill_sides(b, beyond, d);
     taut_wide_constrain(rows, unknowns, rank, b->sides, c, d, basis, x);
     for (int side = 0; side < b->sides; side++) {
-        combine(b, x + side * unknowns, b->fixed + (size_t)side * numbers);
+        combine_nets(b, x + side * unknowns, b->fixed + (size_t)side * numbers);
     }
     for (int k = 0; k < b->free; k++) {
-        combine(b, basis + (rank + k) * unknowns, b->moving + (size_t)k * numbers);
+        combine_nets(b, basis + (rank + k) * unknowns, b->moving + (size_t)k * numbers);
     }
     return TAUT_OK;
 }
@@ -156,7 +156,8 @@ static void basis_at(int n, taut_wide t, taut_wide *b)
 
 /* polygons[3][n+1]: the net along the line where the functions across have the values bu, of its
  * second derivative across, its first and itself. */
-static void lay(const neighbour *b, const taut_wide *net, const taut_wide *bu, taut_wide *polygons)
+static void fill_polygons(const neighbour *b, const taut_wide *net, const taut_wide *bu,
+                          taut_wide *polygons)
 {
     const int size = b->n + 1;
     memset(polygons, 0, 3 * (size_t)size * sizeof *polygons);
@@ -171,8 +172,8 @@ static void lay(const neighbour *b, const taut_wide *net, const taut_wide *bu, t
 
 /* weight times (P_uu, sqrt 2 P_uv, P_vv) by parameter length, at a point of that line; out[row] is
  * `stride` apart. */
-static void bend(const neighbour *b, const taut_wide *polygons, const taut_wide *bv,
-                 taut_wide weight, long stride, taut_wide *out)
+static void evaluate_bend(const neighbour *b, const taut_wide *polygons, const taut_wide *bv,
+                          taut_wide weight, long stride, taut_wide *out)
 {
     const int size = b->n + 1;
     taut_wide sum[3] = {0, 0, 0};
@@ -187,7 +188,7 @@ static void bend(const neighbour *b, const taut_wide *polygons, const taut_wide 
 }
 
 /* Step 3: y[side][free]. */
-static taut_status relax(const neighbour *b, taut_wide *y, taut_error *error)
+static taut_status minimise_bending(const neighbour *b, taut_wide *y, taut_error *error)
 {
     taut_arena *arena = b->given.arena;
     const int nodes = b->n + 1, width = b->free + b->sides, size = b->n + 1;
@@ -207,13 +208,13 @@ static taut_status relax(const neighbour *b, taut_wide *y, taut_error *error)
     }
     for (int s = 0; s < nodes; s++) {
         for (int k = 0; k < width; k++) {
-            lay(b,
-                k < b->free ? b->moving + (size_t)k * numbers
-                            : b->fixed + (size_t)(k - b->free) * numbers,
-                table + 3 * s * size, polygons);
+            fill_polygons(b,
+                          k < b->free ? b->moving + (size_t)k * numbers
+                                      : b->fixed + (size_t)(k - b->free) * numbers,
+                          table + 3 * s * size, polygons);
             for (int q = 0; q < nodes; q++) {
-                bend(b, polygons, table + 3 * q * size, sqrtl((taut_wide)w[s] * w[q]), width,
-                     block + 3 * q * width + k);
+                evaluate_bend(b, polygons, table + 3 * q * size, sqrtl((taut_wide)w[s] * w[q]),
+                              width, block + 3 * q * width + k);
             }
         }
         taut_wide_append(b->free, width, r, 3 * nodes, block);
@@ -305,8 +306,8 @@ static taut_status check_digits(const neighbour *b, double amplification, double
 }
 
 /* Steps 1 to 3: the net, in unit size. */
-static taut_status solve(neighbour *b, double *net, double *amplification, int allow,
-                         taut_error *error)
+static taut_status solve_net(neighbour *b, double *net, double *amplification, int allow,
+                             taut_error *error)
 {
     taut_arena *arena = b->given.arena;
     taut_wide *y = taut_arena_take(arena, (size_t)b->sides * (size_t)b->free, sizeof *y);
@@ -319,7 +320,7 @@ static taut_status solve(neighbour *b, double *net, double *amplification, int a
     }
     status = meet_rows(b, net, error);
     if (status == TAUT_OK && b->free > 0) {
-        status = relax(b, y, error);
+        status = minimise_bending(b, y, error);
     }
     if (status != TAUT_OK) {
         return status;
@@ -390,7 +391,8 @@ static taut_status add_surfaces(const neighbour *b, double *net, taut_model *mod
 }
 
 /* The given surface turned and checked, and all numbers of things. */
-static taut_status start(const taut_biharmonic_neighbour *asked, neighbour *b, taut_error *error)
+static taut_status turn_surface(const taut_biharmonic_neighbour *asked, neighbour *b,
+                                taut_error *error)
 {
     taut_status status = taut_neighbour_check(asked->surface, asked->width, error);
 
@@ -419,7 +421,7 @@ taut_status taut_biharmonic_add_neighbour(const taut_biharmonic_neighbour *asked
         .contact = asked->contact,
     };
     double *net = NULL;
-    taut_status status = start(asked, &b, error);
+    taut_status status = turn_surface(asked, &b, error);
 
     if (status != TAUT_OK) {
         return status;
@@ -428,7 +430,7 @@ taut_status taut_biharmonic_add_neighbour(const taut_biharmonic_neighbour *asked
     if (net == NULL) {
         return taut_fail_memory(error);
     }
-    status = solve(&b, net, amplification, asked->allow_ill_conditioned, error);
+    status = solve_net(&b, net, amplification, asked->allow_ill_conditioned, error);
     if (status != TAUT_OK) {
         return status;
     }

@@ -48,8 +48,8 @@ static taut_status check_amplification(int degree, double amplification, taut_er
 }
 
 /* The net in the user's coordinates, its rows as they were given. */
-static taut_status solve(const taut_biharmonic_rows *rows, taut_arena *arena, double *net,
-                         double *amplification, taut_error *error)
+static taut_status solve_net(const taut_biharmonic_rows *rows, taut_arena *arena, double *net,
+                             double *amplification, taut_error *error)
 {
     const int n = taut_basis_degree(rows->u);
     const size_t points = (size_t)(n + 1) * (size_t)(n + 1);
@@ -104,7 +104,7 @@ taut_status taut_biharmonic_add_rows(const taut_biharmonic_rows *rows, taut_aren
     if (status != TAUT_OK) {
         return status;
     }
-    status = solve(rows, arena, net, amplification, error);
+    status = solve_net(rows, arena, net, amplification, error);
     if (status != TAUT_OK) {
         return status;
     }

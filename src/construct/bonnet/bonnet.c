@@ -60,12 +60,12 @@ static double widest_scale(const taut_bonnet_problem *problem)
 static taut_status check_lengths(const taut_bonnet_problem *problem, taut_error *error)
 {
     if (!(problem->alpha > 0) || !isfinite(problem->alpha)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/alpha", problem->alpha, 0,
-                         "alpha is %.17g, expected a positive length", problem->alpha);
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "value", "/alpha", problem->alpha,
+                                  "a positive length", "alpha is %.17g", problem->alpha);
     }
     if (!(problem->beta > 0) || !isfinite(problem->beta)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/beta", problem->beta, 0,
-                         "beta is %.17g, expected a positive length", problem->beta);
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "value", "/beta", problem->beta,
+                                  "a positive length", "beta is %.17g", problem->beta);
     }
     if (!isfinite(problem->start[0]) || !isfinite(problem->start[1]) || !isfinite(problem->theta)) {
         return taut_fail(error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,

@@ -26,8 +26,8 @@ static double square_rest(int hyperbolic, double x)
     return 2 * half * half;
 }
 
-/* Any function of the space has the coefficients phi(x0), phi(x0) + k phi'(x0), phi(x1) - k
- * phi'(x1), phi(x1). */
+/* Any function of the space has the coefficients
+ *     phi(x0), phi(x0) + k phi'(x0), phi(x1) - k phi'(x1), phi(x1). */
 static void fill_window(double k, double at0, double slope0, double at1, double slope1, double *c)
 {
     c[0] = at0;

@@ -56,8 +56,8 @@ static void repair_project(taut_harmonic_task *task, const double delta[3])
     task->repair_change = most * largest(delta) * task->map.size;
 }
 
-static taut_status refuse(const taut_harmonic_task *task, double defect, double limit,
-                          taut_error *error)
+static taut_status fail_inconsistent(const taut_harmonic_task *task, double defect, double limit,
+                                     taut_error *error)
 {
     if (task->problem->given == TAUT_HARMONIC_DERIVATIVE) {
         return taut_fail(error, TAUT_NO_SOLUTION, "inconsistent", "/cross_derivative", defect,
@@ -113,5 +113,5 @@ taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error)
     case TAUT_EVEN_REFUSE:
         break;
     }
-    return refuse(task, largest(delta) * task->map.size, limit * task->map.size, error);
+    return fail_inconsistent(task, largest(delta) * task->map.size, limit * task->map.size, error);
 }

@@ -36,7 +36,8 @@ static taut_status line_of(const taut_harmonic_task *task, int side, taut_exact_
     return TAUT_OK;
 }
 
-static taut_status refuse(const taut_harmonic_task *task, double defect, taut_error *error)
+static taut_status fail_inconsistent(const taut_harmonic_task *task, double defect,
+                                     taut_error *error)
 {
     const int from_derivative = task->problem->given == TAUT_HARMONIC_DERIVATIVE;
     return taut_fail(error, TAUT_NO_SOLUTION, "inconsistent",
@@ -71,7 +72,7 @@ taut_status taut_harmonic_exact(taut_harmonic_task *task, taut_error *error)
         return taut_fail_memory(error);
     }
     if (net.values == NULL) {
-        return refuse(task, net.defect, error);
+        return fail_inconsistent(task, net.defect, error);
     }
     task->n = net.n;
     task->net = net.values;

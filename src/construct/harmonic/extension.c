@@ -113,8 +113,8 @@ static taut_status check_problem(const taut_harmonic_extension_problem *problem,
     }
     const taut_extension_g1 *g1 = &problem->g1;
     if (!(g1->c > 0 && isfinite(g1->c) && isfinite(g1->alpha) && isfinite(g1->beta))) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/c", g1->c, 0,
-                         "bad parameter: c is %.17g, expected a positive number", g1->c);
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "value", "/c", g1->c, "a positive number",
+                                  "bad parameter: c is %.17g", g1->c);
     }
     if (exact) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/contact", taut_none, taut_none,
@@ -260,7 +260,7 @@ static taut_status check_harmonic(const taut_neighbour *e, int exact, taut_error
 }
 
 /* The surface turned, and found to be harmonic. */
-static taut_status start(taut_neighbour *e, double width, int exact, taut_error *error)
+static taut_status turn_surface(taut_neighbour *e, double width, int exact, taut_error *error)
 {
     taut_status status = e->other != NULL ? taut_neighbour_match(e, &width, error) : TAUT_OK;
     if (status != TAUT_OK) {
@@ -287,7 +287,7 @@ static taut_status fill_model(void *context, taut_arena *arena, taut_model *mode
                         .arena = arena};
     taut_record *details = NULL;
     double amplification = 0;
-    taut_status status = start(&e, width_of(problem), asked->exact, error);
+    taut_status status = turn_surface(&e, width_of(problem), asked->exact, error);
 
     if (status != TAUT_OK) {
         return status;

@@ -79,7 +79,7 @@ static int is_finite(const taut_harmonic_task *task)
     return 1;
 }
 
-static taut_status complete(taut_harmonic_task *task, taut_error *error)
+static taut_status complete_net(taut_harmonic_task *task, taut_error *error)
 {
     const size_t numbers = count_numbers(task);
     taut_wide *wide = taut_arena_take(task->arena, numbers, sizeof *wide);
@@ -260,11 +260,11 @@ static taut_status solve_in_doubles(taut_harmonic_task *task, taut_error *error)
         return status;
     }
     status = check_amplification(task, error);
-    return status == TAUT_OK ? complete(task, error) : status;
+    return status == TAUT_OK ? complete_net(task, error) : status;
 }
 
 /* From the data to task->net. */
-static taut_status solve(taut_harmonic_task *task, int exact, taut_error *error)
+static taut_status solve_net(taut_harmonic_task *task, int exact, taut_error *error)
 {
     taut_status status = TAUT_OK;
     if (task->problem->given == TAUT_HARMONIC_BOUNDARY) {
@@ -293,7 +293,7 @@ static taut_status fill_model(void *context, taut_arena *arena, taut_model *mode
 {
     const request *asked = context;
     taut_harmonic_task task = {.problem = asked->problem, .arena = arena};
-    taut_status status = solve(&task, asked->exact, error);
+    taut_status status = solve_net(&task, asked->exact, error);
 
     if (status != TAUT_OK) {
         return status;

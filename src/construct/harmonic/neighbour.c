@@ -79,8 +79,8 @@ taut_status taut_neighbour_check(const taut_surface *surface, double width, taut
                          "expected a polynomial surface on \"bezier\" bases");
     }
     if (!(width >= 0) || !isfinite(width)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/width", width, 0,
-                         "bad parameter: width is %.17g, expected a positive number", width);
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "value", "/width", width,
+                                  "a positive number", "bad parameter: width is %.17g", width);
     }
     return TAUT_OK;
 }

@@ -98,9 +98,10 @@ taut_status taut_member_check_bezier(const taut_json *document, const char *key,
 {
     const taut_json at = taut_json_member(document, key);
     if (strcmp(taut_basis_type(basis), "bezier") != 0) {
-        return taut_json_fail(&at, error, "not-bezier", taut_none, taut_none,
-                              "found a basis of type \"%s\", expected \"bezier\"",
-                              taut_basis_type(basis));
+        const taut_status status =
+            taut_fail_expected(error, TAUT_BAD_INPUT, "not-bezier", "", taut_none, "\"bezier\"",
+                               "found a basis of type \"%s\"", taut_basis_type(basis));
+        return taut_json_within(&at, status, error);
     }
     return TAUT_OK;
 }
