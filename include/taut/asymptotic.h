@@ -42,19 +42,82 @@ typedef enum taut_asymptotic_surface {
     TAUT_BIDEGREE_N_PLUS_3 = 1    /* the low-degree patch, n + 3 */
 } taut_asymptotic_surface;
 
-typedef struct taut_asymptotic_problem {
-    int degree; /* of the boundary, 3..TAUT_ASYMPTOTIC_DEGREE_MAX; not read with curves */
-    double corners[4][3];
+/* What the boundary is made from. */
+typedef enum taut_asymptotic_given {
+    TAUT_ASYMPTOTIC_CORNERS = 0, /* corner points and what is given of each edge: `corners` */
+    TAUT_ASYMPTOTIC_CURVES       /* the curves themselves: `curves` */
+} taut_asymptotic_given;
+
+typedef struct taut_asymptotic_corners {
+    int degree; /* of the boundary, 3..TAUT_ASYMPTOTIC_DEGREE_MAX */
+    double points[4][3];
     taut_asymptotic_edge edges[4];
-    /* All four, in the order of the edges, on "bezier" bases over [0, 1], or all NULL; given, they
-     * are the boundary and corners and edges above are not read. Raised to a common degree. */
-    const taut_curve *curves[4];
     int has_branch; /* nonzero: take the branch below; 0: the one of lowest energy */
     int branch[4];  /* sign of mu on each edge, in the order of the edges: 1, -1; 0 if straight */
+} taut_asymptotic_corners;
+
+typedef struct taut_asymptotic_problem {
+    taut_asymptotic_given given;
+    union { /* the part that `given` names */
+        taut_asymptotic_corners corners;
+        /* All four, in the order of the edges, on "bezier" bases over [0, 1]; raised to a common
+         * degree. */
+        const taut_curve *curves[4];
+    };
     taut_asymptotic_surface surface;
     int report_singular; /* nonzero: build a patch with singular boundary points all the same */
     int free_all; /* nonzero: the free alpha are found together with the inner points, not 0 */
 } taut_asymptotic_problem;
+
+/* Reasons: word, meaning, remedy. */
+#define TAUT_ASYMPTOTIC_REASON_LIST(X)                                                             \
+    X("not-bezier", "a curve is not a bezier curve over [0, 1]", "give bezier curves over [0, 1]") \
+    X("far-away", "the corners are so far from the origin that few of their digits are left",      \
+      "move the origin nearer")                                                                    \
+    X("too-large", "a length is too large or too small for products of eight lengths",             \
+      "take another unit of length")                                                               \
+    X("same-corner", "an edge begins and ends at the same corner point", "move a corner")          \
+    X("not-closed", "two curves do not meet at their corner",                                      \
+      "reverse the curves that the message names, or mend their end points")                       \
+    X("end-weights", "the weights of two edges differ at the corner where they meet",              \
+      "take the weights that the message names")                                                   \
+    X("no-leg", "a control point lies on the corner beside it", "move it off the corner")          \
+    X("parallel-legs", "the legs of two edges are parallel at their corner",                       \
+      "turn a leg: the two span the tangent plane")                                                \
+    X("parallel-planes", "the tangent planes at the two ends of an edge are parallel",             \
+      "turn one of its legs or of the legs it meets")                                              \
+    X("straight-edge", "an edge is straight at its ends but its legs leave the chord",             \
+      "put the legs on the chord and within it, or give curvatures")                               \
+    X("cannot-bend", "a leg lies along the line common to the tangent planes at its edge's ends",  \
+      "turn the leg or those it meets")                                                            \
+    X("turns-over", "an edge would bend to different sides at its two ends",                       \
+      "turn one of its legs or of the legs it meets")                                              \
+    X("no-curvature", "a curved edge has curvature 0 at an end, and no osculating plane there",    \
+      "move its second control point off the leg")                                                 \
+    X("osculating-plane",                                                                          \
+      "an osculating plane at a corner does not hold the other edge's tangent",                    \
+      "move control points into the tangent plane of the corner")                                  \
+    X("torsion", "the torsions of two edges at their corner are not opposite",                     \
+      "multiply inner weights by the factors that the message names")                              \
+    X("torsion-signs", "no sides to bend to give opposite torsions at all four corners",           \
+      "turn the leg that the message names")                                                       \
+    X("closing", "the torsions cannot close around the four corners",                              \
+      "take the curvatures or legs that the message names")                                        \
+    X("no-minimum", "the curve energy has no minimum", "change legs, curvatures or the degree")    \
+    X("no-branch", "there is no branch of the signs that were asked for",                          \
+      "ask for one that the message names, or for \"lowest\"")                                     \
+    X("singular", "the normal would have to turn over along an edge",                              \
+      "change the legs, or build it with \"singular\": \"report\"")                                \
+    X("inflection", "the patch of degree n+3 would be singular at an edge's inflection",           \
+      "take surface \"5n-7\"")                                                                     \
+    X("twist", "two edges have no common twist at their corner",                                   \
+      "make their torsions opposite there")                                                        \
+    X("negative-weight", "a weight beside the boundary does not come out positive",                \
+      "take end weights and curvatures that differ less, or the other surface")                    \
+    X("ill-conditioned", "the least-squares problem for the inner points is singular",             \
+      "take weights that differ less")                                                             \
+    X("model", "the model to certify is not a patch with its four curves",                         \
+      "certify a model that taut made")
 
 /* Makes the model: surface `patch`, curves `v0`, `v1`, `u0`, `u1`; details curve_energy, degree,
  * branch, branches, edges, corners. TAUT_BAD_INPUT: data out of range; TAUT_NO_SOLUTION: no such

@@ -20,27 +20,58 @@
 extern "C" {
 #endif
 
-typedef struct taut_biharmonic_problem {
-    /* from four rows: `surface` is NULL */
+/* What a surface is made from. */
+typedef enum taut_biharmonic_given {
+    TAUT_BIHARMONIC_ROWS = 0, /* four boundary rows: `rows` */
+    TAUT_BIHARMONIC_NEIGHBOUR /* a surface that it meets: `neighbour` */
+} taut_biharmonic_given;
+
+typedef struct taut_biharmonic_rows {
     const char *name;           /* of the surface; NULL: "biharmonic" */
     const taut_basis *u, *v;    /* bezier, of one degree, any range */
     const double *points;       /* double[nu][nv][3]; inner points are not read */
     const unsigned char *known; /* [nu][nv]: the boundary, and nothing inside */
-    /* a neighbour */
+} taut_biharmonic_rows;
+
+typedef struct taut_biharmonic_neighbour {
     const taut_surface *surface; /* bezier bases of one degree, no weights, biharmonic to 1e-10 */
     taut_edge edge;
-    double width; /* in parameter length; 0: that of the given surface */
-    int contact;  /* 1 or 2: derivatives across the edge that are equal */
-    int insist;   /* nonzero: build also where rounding leaves nothing of least bending */
+    double width;              /* in parameter length; 0: that of the given surface */
+    int contact;               /* 1 or 2: derivatives across the edge that are equal */
+    int allow_ill_conditioned; /* nonzero: build also where rounding leaves nothing of least
+                                * bending */
+} taut_biharmonic_neighbour;
+
+typedef struct taut_biharmonic_problem {
+    taut_biharmonic_given given;
+    union { /* the part that `given` names */
+        taut_biharmonic_rows rows;
+        taut_biharmonic_neighbour neighbour;
+    };
 } taut_biharmonic_problem;
+
+/* Reasons: word, meaning, remedy. */
+#define TAUT_BIHARMONIC_REASON_LIST(X)                                                             \
+    X("mask", "the known points are not the four boundary rows",                                   \
+      "give the whole boundary, and null inside")                                                  \
+    X("not-bezier", "a basis is not of type bezier, or the given surface has weights",             \
+      "give polynomial surfaces on bezier bases")                                                  \
+    X("degree", "the two degrees differ, or are too high for a neighbour",                         \
+      "raise the lower degree, or lower both")                                                     \
+    X("ill-conditioned", "rounding in the data would leave too few digits of the result",          \
+      "lower the degree, change the width, or allow it with \"allow_ill_conditioned\"")            \
+    X("not-biharmonic", "the surface to meet is not biharmonic over its own rectangle",            \
+      "give a biharmonic surface with all its digits")                                             \
+    X("model", "the model to certify is not one of the construction, or not of the problem",       \
+      "certify it with the problem that it was made from")
 
 /* From rows: one surface; details: amplification. A neighbour: the given surface and `extension`,
  * each with its rectangle; details: contact ("c1", "c2"), free (numbers chosen, a coordinate),
  * amplification (of rounding in the rows that meet).
  * TAUT_BAD_INPUT: not the boundary, other bases. TAUT_NO_SOLUTION: unequal degrees, a surface that
  * is not biharmonic, degrees (from 18 on a square) whose rows let rounding grow past 1e11;
- * without `insist` neighbours in which it grows past 2e9, that miss the rows they meet by 4 2^-52
- * of the size (long thin rectangles), or of a degree above 32. */
+ * where it is not allowed, neighbours in which it grows past 2e9, that miss the rows they meet by
+ * 4 2^-52 of the size (long thin rectangles), or of a degree above 32. */
 TAUT_API taut_status taut_biharmonic_make(const taut_biharmonic_problem *problem,
                                           const taut_make_options *options, taut_model **model,
                                           taut_error *error);

@@ -32,6 +32,17 @@ typedef struct taut_bonnet_problem {
     double start[2]; /* where the window begins */
 } taut_bonnet_problem;
 
+/* Reasons: word, meaning, remedy. */
+#define TAUT_BONNET_REASON_LIST(X)                                                                 \
+    X("lambda", "lambda is outside the range in which the surface exists",                         \
+      "take 0 <= lambda < 1, or 1 with \"normalize\": true")                                       \
+    X("segment-length", "a segment in u is too long for its basis",                                \
+      "use \"mesh\": \"bspline\" with more segments, or make it of two windows")                   \
+    X("far-window", "the window lies so far out that curvatures overflow or digits are lost",      \
+      "begin nearer to 0, or end earlier")                                                         \
+    X("model", "the model to certify is not of the construction, or not of the problem",           \
+      "certify it with the problem that it was made from")
+
 /* Makes the model: surface "bonnet", or frame-0, frame-1, ... details: lambda (a list for frames),
  * amplitude (of the quasi-B-spline net: alpha / sin alpha; 1 for bezier). TAUT_NO_SOLUTION: lambda
  * outside [0, 1) (1 is fine when normalised), a c-bspline of alpha >= pi, a window so far out that

@@ -33,6 +33,16 @@ typedef struct taut_panels_options {
     taut_monitor monitor;
 } taut_panels_options;
 
+/* Reasons: word, meaning, remedy. */
+#define TAUT_PANELS_REASON_LIST(X)                                                                 \
+    X("theta", "theta is not 0: the parameter lines are no lines of curvature",                    \
+      "take the surface of theta 0")                                                               \
+    X("large-panels", "the tangent planes of so large panels do not meet near the surface",        \
+      "use more panels")                                                                           \
+    X("enneper", "a net that is Enneper's surface says nothing of its panels",                     \
+      "make them from its problem, with \"normalize\": true and \"lambda\": 1")                    \
+    X("no-surface", "the model has no surface", "give a model with surfaces of the family")
+
 /* The panels as a model: per surface one bspline surface of degree (1, 1) whose points are the
  * vertices, (NU+1) x (NV+1), over the window's parameters; written as a mesh with divide 1, its
  * quads are the panels. details: kind, divide, and (a number, or a list for several surfaces)

@@ -3,6 +3,16 @@
 #include "core/fail.h"
 #include "platform/module.h"
 
+static void *take_from_arena(void *context, size_t count, size_t size)
+{
+    return taut_arena_take(context, count, size);
+}
+
+taut_exact_memory taut_exact_memory_of(taut_arena *arena)
+{
+    return (taut_exact_memory){arena, take_from_arena};
+}
+
 taut_status taut_exact_load(const taut_exact_ops **ops, taut_error *error)
 {
     const void *table = NULL;

@@ -7,7 +7,7 @@
 #ifndef TAUT_CORE_EXACT_H
 #define TAUT_CORE_EXACT_H
 
-#include "taut/status.h"
+#include "core/arena.h"
 
 #include <stddef.h>
 
@@ -56,6 +56,9 @@ typedef struct taut_exact_ops {
     int (*residual)(int n, int m, const taut_exact_numbers *net, const double rectangle[4],
                     double *largest);
 } taut_exact_ops;
+
+/* Results go to the arena. */
+taut_exact_memory taut_exact_memory_of(taut_arena *arena);
 
 /* The module, or TAUT_IO with the advice what to install. */
 taut_status taut_exact_load(const taut_exact_ops **ops, taut_error *error);

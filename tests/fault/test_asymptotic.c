@@ -36,6 +36,7 @@ static taut_asymptotic_problem lines(void)
     static const int ends[4][2] = {{0, 1}, {0, 2}, {2, 3}, {1, 3}};
     taut_asymptotic_problem problem;
     memset(&problem, 0, sizeof problem);
+    problem.given = TAUT_ASYMPTOTIC_CURVES;
     problem.surface = TAUT_BIDEGREE_N_PLUS_3;
     for (int e = 0; e < 4; e++) {
         double line[2][3];

@@ -154,33 +154,29 @@ int main(void)
     memset(&two, 0, sizeof two);
     two.u = u;
     two.v = v;
-    two.points = points;
-    two.known = rows;
-    fit = two;
-    fit.known = four;
-    fit.fit = 1;
-    derivative = two;
-    derivative.from_derivative = 1;
-    derivative.edge = points;
-    derivative.cross_derivative = points + 12;
-    derivative.exact_edge = texts;
+    fit = derivative = two;
+    two.rows = (taut_harmonic_rows){.points = points, .known = rows};
+    fit.given = TAUT_HARMONIC_BOUNDARY;
+    fit.boundary = (taut_harmonic_boundary){points, four};
+    derivative.given = TAUT_HARMONIC_DERIVATIVE;
+    derivative.derivative =
+        (taut_harmonic_derivative){.edge = points, .cross = points + 12, .exact_edge = texts};
     memset(&c1, 0, sizeof c1);
     c1.surface = enneper;
     c1.edge = TAUT_EDGE_V0;
     g1 = rational = c1;
     rational.surface = saddle;
     pieces = rational;
-    pieces.neighbour = under;
-    g1.contact = TAUT_CONTACT_G1;
-    g1.c = 2;
+    pieces.given = TAUT_EXTENSION_MERGE;
+    pieces.merge.neighbour = under;
+    g1.given = TAUT_EXTENSION_G1;
+    g1.g1 = (taut_extension_g1){.c = 2};
     memset(&boundary, 0, sizeof boundary);
-    boundary.u = u;
-    boundary.v = v;
-    boundary.points = points;
-    boundary.known = four;
+    boundary.rows = (taut_biharmonic_rows){NULL, u, v, points, four};
     memset(&neighbour, 0, sizeof neighbour);
-    neighbour.surface = enneper;
-    neighbour.contact = 2;
+    neighbour.given = TAUT_BIHARMONIC_NEIGHBOUR;
+    neighbour.neighbour.surface = enneper;
+    neighbour.neighbour.contact = 2;
 
     request requests[] = {
         {"two rows", TAUT_CONSTRUCT_INDEX_harmonic, &two, {.exact = 0}, NULL},

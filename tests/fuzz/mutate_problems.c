@@ -158,6 +158,7 @@ static void change_number(document *d, place p)
 
 static void change_word(document *d, place p)
 {
+    static const char allow[] = "\"allow_ill_conditioned\"";
     static const char *const words[] = {
         "\"bezier\"",    "\"bspline\"",   "\"c-bezier\"", "\"c-bspline\"", "\"h-bezier\"",
         "\"h-bspline\"", "\"ce-bezier\"", "\"auto\"",     "\"corner\"",    "\"project\"",
@@ -166,7 +167,7 @@ static void change_word(document *d, place p)
         "\"lowest\"",    "\"n+3\"",       "\"5n-7\"",     "\"report\"",    "\"all\"",
         "\"+-+-\"",      "\"+\"",         "\"-\"",        "\"strict\"",    "\"extended\"",
         "\"frenet\"",    "\"degree\"",    "\"count\"",    "\"range\"",     "\"weights\"",
-        "\"insist\"",    "\"aspect\"",    "\"alpha\"",    "\"beta\""};
+        "\"insist\"",    "\"aspect\"",    "\"alpha\"",    "\"beta\"",      allow};
     const char *word = words[below(sizeof words / sizeof words[0])];
     replace(d, p, word, strlen(word));
 }

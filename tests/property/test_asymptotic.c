@@ -248,6 +248,7 @@ static void test_ruled(void)
         taut_model *model = NULL;
         const double x0 = 0.2, x1 = 1.1;
         memset(&problem, 0, sizeof problem);
+        problem.given = TAUT_ASYMPTOTIC_CURVES;
         problem.surface = low ? TAUT_BIDEGREE_N_PLUS_3 : TAUT_BIDEGREE_5N_MINUS_7;
         for (int side = 0; side < 2; side++) {
             const double c = side, x = side == 0 ? x0 : x1, h = (x1 - x0) / 3;
@@ -297,6 +298,7 @@ static void test_four_lines(void)
     taut_asymptotic_problem problem;
     taut_model *model = NULL;
     memset(&problem, 0, sizeof problem);
+    problem.given = TAUT_ASYMPTOTIC_CURVES;
     for (int e = 0; e < 4; e++) {
         double line[2][3];
         memcpy(line[0], corners[ends[e][0]], sizeof line[0]);

@@ -51,12 +51,12 @@ static void test_uneven_curvature(void)
         taut_asymptotic_problem problem = asymptotic_example(1, NULL);
         taut_model *model = NULL;
         char what[48];
-        problem.corners[3][2] += 0.1;
-        problem.corners[1][0] += 0.05;
-        problem.edges[TAUT_ASYMPTOTIC_U0].legs[1][1] += 0.03;
-        problem.edges[TAUT_ASYMPTOTIC_V0].legs[0][0] += 0.02;
-        problem.edges[TAUT_ASYMPTOTIC_V1].legs[0][0] -= 0.01;
-        problem.edges[TAUT_ASYMPTOTIC_U0].curvature[0] = pow(10, k);
+        problem.corners.points[3][2] += 0.1;
+        problem.corners.points[1][0] += 0.05;
+        problem.corners.edges[TAUT_ASYMPTOTIC_U0].legs[1][1] += 0.03;
+        problem.corners.edges[TAUT_ASYMPTOTIC_V0].legs[0][0] += 0.02;
+        problem.corners.edges[TAUT_ASYMPTOTIC_V1].legs[0][0] -= 0.01;
+        problem.corners.edges[TAUT_ASYMPTOTIC_U0].curvature[0] = pow(10, k);
         (void)snprintf(what, sizeof what, "curvature 1e%d", k);
         model = asymptotic_make(&problem, what);
         if (model != NULL) {
@@ -82,17 +82,17 @@ static void test_similarity(void)
     taut_model *first = NULL, *second = NULL;
     for (int j = 0; j < 4; j++) {
         for (int k = 0; k < 3; k++) { /* a turn about z */
-            const double *const p = problem.corners[j];
+            const double *const p = problem.corners.points[j];
             const double turned[3] = {c * p[0] - d * p[1], d * p[0] + c * p[1], p[2]};
-            image.corners[j][k] = s * turned[k] + shift[k];
+            image.corners.points[j][k] = s * turned[k] + shift[k];
         }
         for (int end = 0; end < 2; end++) {
-            const double *const p = problem.edges[j].legs[end];
+            const double *const p = problem.corners.edges[j].legs[end];
             const double turned[3] = {c * p[0] - d * p[1], d * p[0] + c * p[1], p[2]};
             for (int k = 0; k < 3; k++) {
-                image.edges[j].legs[end][k] = s * turned[k];
+                image.corners.edges[j].legs[end][k] = s * turned[k];
             }
-            image.edges[j].curvature[end] /= s;
+            image.corners.edges[j].curvature[end] /= s;
         }
     }
     first = asymptotic_make(&problem, "similar");
@@ -128,12 +128,13 @@ static void test_units(void)
         taut_model *model = NULL;
         char what[48];
         for (int j = 0; j < 12; j++) {
-            problem.corners[j / 3][j % 3] = s * problem.corners[j / 3][j % 3] + units[k][1];
-            problem.edges[j / 3].legs[0][j % 3] *= s;
-            problem.edges[j / 3].legs[1][j % 3] *= s;
+            problem.corners.points[j / 3][j % 3] =
+                s * problem.corners.points[j / 3][j % 3] + units[k][1];
+            problem.corners.edges[j / 3].legs[0][j % 3] *= s;
+            problem.corners.edges[j / 3].legs[1][j % 3] *= s;
         }
         for (int j = 0; j < 8; j++) {
-            problem.edges[j / 2].curvature[j % 2] /= s;
+            problem.corners.edges[j / 2].curvature[j % 2] /= s;
         }
         (void)snprintf(what, sizeof what, "unit %g, origin %g", s, units[k][1]);
         model = asymptotic_make(&problem, what);
@@ -159,7 +160,8 @@ static void test_units(void)
         taut_error error = {.message = ""};
         taut_model *model = NULL;
         for (int j = 0; j < 12; j++) {
-            problem.corners[j / 3][j % 3] = scales[k] * problem.corners[j / 3][j % 3] + origin[k];
+            problem.corners.points[j / 3][j % 3] =
+                scales[k] * problem.corners.points[j / 3][j % 3] + origin[k];
         }
         CHECK(taut_asymptotic_make(&problem, NULL, &model, &error) ==
                       (k < 5 ? TAUT_BAD_INPUT : TAUT_NO_SOLUTION) &&
@@ -179,16 +181,16 @@ static void test_degrees(void)
     for (int n = 6; n <= TAUT_ASYMPTOTIC_DEGREE_MAX; n++) {
         taut_asymptotic_problem problem = asymptotic_example(1, branches[n - 6]);
         taut_model *model = NULL;
-        problem.degree = n;
+        problem.corners.degree = n;
         problem.surface = n == 6 ? TAUT_BIDEGREE_5N_MINUS_7 : TAUT_BIDEGREE_N_PLUS_3;
         for (int e = 0; e < 4; e++) {
             for (int k = 0; k < 6; k++) {
-                problem.edges[e].legs[k / 3][k % 3] *= 4.0 / n;
+                problem.corners.edges[e].legs[k / 3][k % 3] *= 4.0 / n;
             }
         }
-        problem.edges[TAUT_ASYMPTOTIC_U0].curvature[0] = 0.8;
+        problem.corners.edges[TAUT_ASYMPTOTIC_U0].curvature[0] = 0.8;
         for (int k = 0; k < straight_count[n - 6]; k++) {
-            taut_asymptotic_edge *const edge = &problem.edges[straight[k]];
+            taut_asymptotic_edge *const edge = &problem.corners.edges[straight[k]];
             edge->legs[0][2] = edge->legs[1][2] = 0.0;
             edge->curvature[0] = edge->curvature[1] = 0.0;
         }
@@ -219,6 +221,7 @@ static void test_given_curves(void)
     taut_asymptotic_problem corner = asymptotic_example(1, "-+-+"), given;
     taut_model *first = asymptotic_make(&corner, "corner data"), *second = NULL;
     memset(&given, 0, sizeof given);
+    given.given = TAUT_ASYMPTOTIC_CURVES;
     for (int k = 0; k < 4; k++) {
         const taut_curve *curve = taut_model_curve(first, k);
         for (int e = 0; e < 4; e++) {

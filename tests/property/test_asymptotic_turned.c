@@ -32,16 +32,17 @@ static taut_asymptotic_problem similar(const taut_asymptotic_problem *problem, d
     taut_asymptotic_problem image = *problem;
     for (int e = 0; e < 4; e++) {
         for (int i = 0; i < 3; i++) {
-            const double *const p = problem->corners[e], *const q_i = q[i];
-            image.corners[e][i] = s * (q_i[0] * p[0] + q_i[1] * p[1] + q_i[2] * p[2]) + shift;
+            const double *const p = problem->corners.points[e], *const q_i = q[i];
+            image.corners.points[e][i] =
+                s * (q_i[0] * p[0] + q_i[1] * p[1] + q_i[2] * p[2]) + shift;
             for (int k = 0; k < 2; k++) {
-                const double *const leg = problem->edges[e].legs[k];
-                image.edges[e].legs[k][i] =
+                const double *const leg = problem->corners.edges[e].legs[k];
+                image.corners.edges[e].legs[k][i] =
                     s * (q_i[0] * leg[0] + q_i[1] * leg[1] + q_i[2] * leg[2]);
             }
         }
         for (int k = 0; k < 2; k++) {
-            image.edges[e].curvature[k] /= s;
+            image.corners.edges[e].curvature[k] /= s;
         }
     }
     return image;

@@ -59,9 +59,9 @@ static taut_harmonic_problem problem_of(const net *g)
     memset(&problem, 0, sizeof problem);
     problem.u = g->u;
     problem.v = g->v;
-    problem.points = g->points;
-    problem.known = g->known;
-    problem.exact_points = g->texts;
+    problem.rows.points = g->points;
+    problem.rows.known = g->known;
+    problem.rows.exact = g->texts;
     return problem;
 }
 
@@ -141,7 +141,7 @@ static void check_extension(const taut_surface *surface, int n)
     memset(&problem, 0, sizeof problem);
     problem.surface = surface;
     problem.edge = (taut_edge)random_int(0, 3);
-    problem.width = ldexp(random_int(1, 5), -2);
+    problem.c1.width = ldexp(random_int(1, 5), -2);
     CHECK(taut_harmonic_extension_make(&problem, &exactly, &model, NULL) == TAUT_OK, "n=%d", n);
     CHECK(residual(model) == 0, "n=%d: the extension's residual", n);
     check_texts(taut_model_surface(model, 1), "extension");
@@ -199,7 +199,7 @@ static void test_even(void)
             start(&g, m, m, 0);
             taut_harmonic_problem problem = problem_of(&g);
             g.known[(m + 1) * (m + 1) - 1] = even < 4;
-            problem.even = (taut_harmonic_even)(even % 4);
+            problem.rows.even = (taut_harmonic_even)(even % 4);
             const taut_status status = taut_harmonic_make(&problem, &exactly, &model, &error);
             CHECK(status == (even == TAUT_EVEN_REFUSE ? TAUT_NO_SOLUTION : TAUT_OK), "m=%d even=%d",
                   m, even);
@@ -226,11 +226,11 @@ static void test_derivative(void)
         double largest = 0;
         start(&g, n, m, 0);
         taut_harmonic_problem problem = problem_of(&g);
-        problem.from_derivative = 1;
-        problem.edge = g.points;
-        problem.exact_edge = g.texts;
-        problem.cross_derivative = g.points + 3 * n * (m + 1);
-        problem.exact_cross_derivative = g.texts + 3 * n * (m + 1);
+        problem.given = TAUT_HARMONIC_DERIVATIVE;
+        problem.derivative = (taut_harmonic_derivative){.edge = g.points,
+                                                        .exact_edge = g.texts,
+                                                        .cross = g.points + 3 * n * (m + 1),
+                                                        .exact_cross = g.texts + 3 * n * (m + 1)};
         CHECK(taut_harmonic_make(&problem, &exactly, &model, NULL) == TAUT_OK, "m=%d", m);
         CHECK(taut_harmonic_make(&problem, NULL, &rounded, NULL) == TAUT_OK, "m=%d", m);
         const double grows = detail_of(rounded, "amplification");

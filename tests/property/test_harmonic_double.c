@@ -50,7 +50,8 @@ static double apart(const taut_harmonic_problem *problem, const char *what, int 
 static void test_rows(int m, int turned, double size, double offset)
 {
     const int n = m % 2 != 0 ? m : m + 1;
-    taut_harmonic_problem problem = {.points = points, .known = known, .insist = 1};
+    taut_harmonic_problem problem = {
+        .rows = {.points = points, .known = known, .allow_ill_conditioned = 1}};
     taut_basis *across = shape_bezier(n, 0, random_in(0.5, 2)),
                *along = shape_bezier(m, -1, random_in(0, 1));
 
@@ -67,15 +68,16 @@ static void test_rows(int m, int turned, double size, double offset)
 static void test_derivative(int m, double size)
 {
     const int n = m % 2 != 0 ? m : m + 1;
-    taut_harmonic_problem problem = {.insist = 1, .from_derivative = 1};
+    taut_harmonic_problem problem = {.given = TAUT_HARMONIC_DERIVATIVE,
+                                     .derivative = {.allow_ill_conditioned = 1}};
     taut_basis *u = shape_bezier(n, 0, random_in(0.5, 2)),
                *v = shape_bezier(m, -1, random_in(0, 1));
 
     fill(n, m, 0, size, 0);
     problem.u = u;
     problem.v = v;
-    problem.edge = points;
-    problem.cross_derivative = points + 3 * (m + 1);
+    problem.derivative.edge = points;
+    problem.derivative.cross = points + 3 * (m + 1);
     const double found = apart(&problem, "derivative", m);
     CHECK(!(found > 1e-15), "derivative m=%d size=%g: %.3g", m, size, found);
     taut_basis_free(u);

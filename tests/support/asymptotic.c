@@ -25,12 +25,12 @@ static taut_asymptotic_problem example_1(int degree)
 {
     taut_asymptotic_problem problem;
     memset(&problem, 0, sizeof problem);
-    problem.degree = degree;
-    memcpy(problem.corners, square, sizeof square);
+    problem.corners.degree = degree;
+    memcpy(problem.corners.points, square, sizeof square);
     for (int e = 0; e < 4; e++) {
-        memcpy(problem.edges[e].legs, legs_1[e], sizeof legs_1[e]);
+        memcpy(problem.corners.edges[e].legs, legs_1[e], sizeof legs_1[e]);
         for (int k = 0; k < 2; k++) {
-            problem.edges[e].curvature[k] = problem.edges[e].weights[k] = 1.0;
+            problem.corners.edges[e].curvature[k] = problem.corners.edges[e].weights[k] = 1.0;
         }
     }
     return problem;
@@ -41,11 +41,11 @@ static taut_asymptotic_problem example_3(void)
     const double weights[4] = {1, 2, 2, 1};
     taut_asymptotic_problem problem;
     memset(&problem, 0, sizeof problem);
-    problem.degree = 3;
-    memcpy(problem.corners, corners_3, sizeof corners_3);
+    problem.corners.degree = 3;
+    memcpy(problem.corners.points, corners_3, sizeof corners_3);
     for (int e = 0; e < 4; e++) {
-        memcpy(problem.edges[e].legs[0], legs_3[e], sizeof legs_3[e]);
-        memcpy(problem.edges[e].weights, weights, sizeof weights);
+        memcpy(problem.corners.edges[e].legs[0], legs_3[e], sizeof legs_3[e]);
+        memcpy(problem.corners.edges[e].weights, weights, sizeof weights);
     }
     return problem;
 }
@@ -55,23 +55,23 @@ taut_asymptotic_problem asymptotic_example(int number, const char *branch)
     taut_asymptotic_problem problem = number == 3 ? example_3() : example_1(number == 4 ? 5 : 4);
     for (int e = 1; e < 4 && number == 2; e += 2) { /* edges 2 and 4 the other way */
         for (int k = 0; k < 2; k++) {
-            problem.edges[e].legs[k][2] = -problem.edges[e].legs[k][2];
+            problem.corners.edges[e].legs[k][2] = -problem.corners.edges[e].legs[k][2];
         }
     }
     for (int k = 0; k < 2 && number == 5; k++) {
-        problem.edges[0].legs[k][2] = 0.0;
-        problem.edges[0].curvature[k] = 0.0;
+        problem.corners.edges[0].legs[k][2] = 0.0;
+        problem.corners.edges[0].curvature[k] = 0.0;
     }
     if (number == 6) {
-        memcpy(problem.corners, corners_6, sizeof corners_6);
+        memcpy(problem.corners.points, corners_6, sizeof corners_6);
         for (int e = 0; e < 4; e++) {
-            memcpy(problem.edges[e].legs[0], legs_6[e], sizeof legs_6[e]);
-            memcpy(problem.edges[e].legs[1], legs_6[e], sizeof legs_6[e]);
+            memcpy(problem.corners.edges[e].legs[0], legs_6[e], sizeof legs_6[e]);
+            memcpy(problem.corners.edges[e].legs[1], legs_6[e], sizeof legs_6[e]);
         }
     }
     for (int k = 0; k < 4 && branch != NULL; k++) {
-        problem.has_branch = 1;
-        problem.branch[text_order[k]] = branch[k] == '+' ? 1 : branch[k] == '-' ? -1 : 0;
+        problem.corners.has_branch = 1;
+        problem.corners.branch[text_order[k]] = branch[k] == '+' ? 1 : branch[k] == '-' ? -1 : 0;
     }
     return problem;
 }
@@ -84,15 +84,15 @@ taut_asymptotic_problem asymptotic_random(int degree, double amount)
     for (int c = 0; c < 4; c++) {
         weights[c] = 1.0 + random_in(-amount, amount);
         for (int k = 0; k < 3; k++) {
-            problem.corners[c][k] += random_in(-amount, amount);
+            problem.corners.points[c][k] += random_in(-amount, amount);
         }
     }
     for (int e = 0; e < 4; e++) {
         for (int end = 0; end < 2; end++) {
-            problem.edges[e].curvature[end] *= 1.0 + random_in(-amount, amount);
-            problem.edges[e].weights[end] = weights[corner_of_edge[e][end]];
+            problem.corners.edges[e].curvature[end] *= 1.0 + random_in(-amount, amount);
+            problem.corners.edges[e].weights[end] = weights[corner_of_edge[e][end]];
             for (int k = 0; k < 3; k++) {
-                problem.edges[e].legs[end][k] += 0.2 * random_in(-amount, amount);
+                problem.corners.edges[e].legs[end][k] += 0.2 * random_in(-amount, amount);
             }
         }
     }
@@ -352,6 +352,7 @@ taut_asymptotic_problem lelieuvre_problem(const lelieuvre *net)
             }
         }
     }
+    problem.given = TAUT_ASYMPTOTIC_CURVES;
     for (int e = 0; e < 4; e++) {
         problem.curves[e] =
             asymptotic_curve(taut_asymptotic_edge_name(e), n, &points[e][0][0], NULL);

@@ -66,27 +66,27 @@ static void fill_sizes(taut_asymptotic_model *parts)
 }
 
 /* The parts of the model, or TAUT_BAD_INPUT that says which is missing. */
-static taut_status take_model(const taut_model *model, taut_asymptotic_model *parts,
+static taut_status find_parts(const taut_model *model, taut_asymptotic_model *parts,
                               taut_error *error)
 {
     int nu = 0, nv = 0;
     parts->patch = taut_model_surface_count(model) > 0 ? taut_model_surface(model, 0) : NULL;
     if (parts->patch == NULL || !is_unit_bezier(taut_surface_u(parts->patch)) ||
         !is_unit_bezier(taut_surface_v(parts->patch))) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces", taut_none, taut_none,
                          "the model's first surface must be the patch, on bezier bases over "
                          "[0, 1]");
     }
     nu = taut_basis_count(taut_surface_u(parts->patch));
     nv = taut_basis_count(taut_surface_v(parts->patch));
     if (nu < 3 || nv < 3) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", fmin(nu, nv) - 1, 2,
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces/0", fmin(nu, nv) - 1, 2,
                          "the patch must have degree 2 at least in each direction");
     }
     for (int e = 0; e < 4; e++) {
         parts->curves[e] = find_curve(model, taut_asymptotic_edge_name(e));
         if (parts->curves[e] == NULL || !is_unit_bezier(taut_curve_t(parts->curves[e]))) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "model", "/curves", taut_none, taut_none,
                              "the model must have a bezier curve %s over [0, 1]",
                              taut_asymptotic_edge_name(e));
         }
@@ -95,8 +95,8 @@ static taut_status take_model(const taut_model *model, taut_asymptotic_model *pa
     return TAUT_OK;
 }
 
-static taut_status add(taut_certificate *certificate, const char *name, double residual,
-                       double limit, int holds, const char *where)
+static taut_status add_claim(taut_certificate *certificate, const char *name, double residual,
+                             double limit, int holds, const char *where)
 {
     const taut_claim claim = {name, residual, limit, holds ? TAUT_TRUE : TAUT_FALSE, where};
     return taut_certificate_add(certificate, &claim);
@@ -176,11 +176,11 @@ static taut_status add_edges(const taut_edge_proof proofs[4], double size,
                    proofs[worst_sine].sine_at);
     status = add_within(certificate, "asymptotic", proofs[worst].sampled, bound, factor * noise,
                         factor * given, limit_most / size, where[0]);
-    if (status == TAUT_OK) {
-        status = add_within(certificate, "osculating", sine, sine, factor * noise_sine,
-                            factor * given_sine, limit_most, where[1]);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    return add_within(certificate, "osculating", sine, sine, factor * noise_sine,
+                      factor * given_sine, limit_most, where[1]);
 }
 
 static taut_status add_regular(const taut_asymptotic_model *parts, int threads,
@@ -188,12 +188,12 @@ static taut_status add_regular(const taut_asymptotic_model *parts, int threads,
 {
     char where[TAUT_PLACE_TEXT];
     double sine = 0.0, at[2] = {0, 0};
-    taut_status status = taut_regular_least(parts->patch, threads, &sine, at);
-    if (status == TAUT_OK) {
-        (void)snprintf(where, sizeof where, "u = %.6f, v = %.6f", at[0], at[1]);
-        status = add(certificate, "regular", sine, regular_least, sine > regular_least, where);
+    const taut_status status = taut_regular_least(parts->patch, threads, &sine, at);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    (void)snprintf(where, sizeof where, "u = %.6f, v = %.6f", at[0], at[1]);
+    return add_claim(certificate, "regular", sine, regular_least, sine > regular_least, where);
 }
 
 static double smallest_weight(const taut_surface *patch, char where[TAUT_PLACE_TEXT])
@@ -239,15 +239,39 @@ static taut_status add_figures(const taut_asymptotic_model *parts, const taut_ed
             taut_record_add_null(edge, "max_sine_normal_binormal");
         }
     }
-    if (status == TAUT_OK) {
-        status = taut_record_status(figures);
+    taut_certificate_set_figures(certificate, figures);
+    return status == TAUT_OK ? taut_record_status(figures) : status;
+}
+
+static taut_status add_all(const taut_asymptotic_model *parts,
+                           const taut_asymptotic_problem *problem, int threads,
+                           taut_certificate *certificate)
+{
+    taut_edge_proof proofs[4];
+    char where[TAUT_PLACE_TEXT];
+    const double weight = smallest_weight(parts->patch, where);
+    taut_status status = TAUT_OK;
+    for (int e = 0; e < 4 && status == TAUT_OK; e++) {
+        status = taut_edge_prove(parts, e, &proofs[e]);
     }
-    if (status == TAUT_OK) {
-        taut_certificate_set_figures(certificate, figures);
-    } else {
-        taut_record_free(figures);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    status = add_boundary(parts, problem, certificate);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = add_edges(proofs, size_of(parts), certificate);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = add_regular(parts, threads, certificate);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = add_claim(certificate, "positive-weights", weight, weight_least, weight > weight_least,
+                       where);
+    return status == TAUT_OK ? add_figures(parts, proofs, weight, certificate) : status;
 }
 
 static taut_status certify(const taut_model *model, const void *data,
@@ -255,33 +279,11 @@ static taut_status certify(const taut_model *model, const void *data,
                            taut_error *error)
 {
     taut_asymptotic_model parts;
-    taut_edge_proof proofs[4];
-    char where[TAUT_PLACE_TEXT];
-    double weight = 0.0;
-    taut_status status = take_model(model, &parts, error);
+    taut_status status = find_parts(model, &parts, error);
     if (status != TAUT_OK) {
         return status;
     }
-    for (int e = 0; e < 4 && status == TAUT_OK; e++) {
-        status = taut_edge_prove(&parts, e, &proofs[e]);
-    }
-    weight = smallest_weight(parts.patch, where);
-    if (status == TAUT_OK) {
-        status = add_boundary(&parts, data, certificate);
-    }
-    if (status == TAUT_OK) {
-        status = add_edges(proofs, size_of(&parts), certificate);
-    }
-    if (status == TAUT_OK) {
-        status = add_regular(&parts, options->threads, certificate);
-    }
-    if (status == TAUT_OK) {
-        status = add(certificate, "positive-weights", weight, weight_least, weight > weight_least,
-                     where);
-    }
-    if (status == TAUT_OK) {
-        status = add_figures(&parts, proofs, weight, certificate);
-    }
+    status = add_all(&parts, data, options->threads, certificate);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
 

@@ -13,7 +13,8 @@ typedef struct tally {
 } tally;
 
 /* Takes a difference, and the rounding that explains some of it. */
-static void take(tally *t, double difference, double noise, const char *what, const char *which)
+static void add_difference(tally *t, double difference, double noise, const char *what,
+                           const char *which)
 {
     t->noise = fmax(t->noise, noise);
     if (difference > t->distance || isnan(difference)) {
@@ -32,23 +33,25 @@ static void compare_edges(const taut_asymptotic_model *model, double size, tally
             taut_edge_parameters(e, s, &u, &v);
             (void)taut_surface_eval(model->patch, u, v, 0, x);
             (void)taut_curve_eval(model->curves[e], s, 0, c);
-            take(t, taut_distance(x, c) / size, 4 * DBL_EPSILON * model->curve_size / size, "edge",
-                 taut_asymptotic_edge_name(e));
+            add_difference(t, taut_distance(x, c) / size,
+                           4 * DBL_EPSILON * model->curve_size / size, "edge",
+                           taut_asymptotic_edge_name(e));
         }
     }
 }
 
 /* Curves that were given, at the same parameters. */
-static void compare_curves(const taut_asymptotic_model *model,
-                           const taut_asymptotic_problem *problem, double size, tally *t)
+static void compare_curves(const taut_asymptotic_model *model, const taut_curve *const given[4],
+                           double size, tally *t)
 {
     for (int e = 0; e < 4; e++) {
         for (int k = 0; k < TAUT_EDGE_SAMPLES; k++) {
             double x[3], c[3];
-            (void)taut_curve_eval(problem->curves[e], k / (TAUT_EDGE_SAMPLES - 1.0), 0, x);
+            (void)taut_curve_eval(given[e], k / (TAUT_EDGE_SAMPLES - 1.0), 0, x);
             (void)taut_curve_eval(model->curves[e], k / (TAUT_EDGE_SAMPLES - 1.0), 0, c);
-            take(t, taut_distance(x, c) / size, 4 * DBL_EPSILON * model->curve_size / size, "curve",
-                 taut_asymptotic_edge_name(e));
+            add_difference(t, taut_distance(x, c) / size,
+                           4 * DBL_EPSILON * model->curve_size / size, "curve",
+                           taut_asymptotic_edge_name(e));
         }
     }
 }
@@ -61,10 +64,10 @@ static const int corner_of_edge[4][2] = {{0, 1}, {0, 2}, {2, 3}, {1, 3}};
  * A rounding error r of the points moves each D_j by 2 r, and so k, relative to itself, by
  *     2 r (3 / |D_1| + (|D_1| + |D_2|) / |D_1 x D_2|).                                       */
 static void compare_curvature(const taut_asymptotic_model *model,
-                              const taut_asymptotic_problem *problem, int e, int end, tally *t)
+                              const taut_asymptotic_corners *corners, int e, int end, tally *t)
 {
-    const int n = problem->degree, at = end ? n : 0, step = end ? -1 : 1;
-    const double given = problem->edges[e].curvature[end];
+    const int n = corners->degree, at = end ? n : 0, step = end ? -1 : 1;
+    const double given = corners->edges[e].curvature[end];
     const double r = 0.5 * DBL_EPSILON * model->curve_size;
     const double *const p = taut_curve_points(model->curves[e]);
     const double *const w = taut_curve_weights(model->curves[e]);
@@ -76,46 +79,48 @@ static void compare_curvature(const taut_asymptotic_model *model,
     taut_cross(d[0], d[1], normal);
     first = taut_norm(d[0]);
     area = taut_norm(normal);
-    take(t, fabs(factor * area / (first * first * first) - given) / given,
-         2 * r * (3 / first + (first + taut_norm(d[1])) / area), "curvature",
-         taut_asymptotic_edge_name(e));
+    add_difference(t, fabs(factor * area / (first * first * first) - given) / given,
+                   2 * r * (3 / first + (first + taut_norm(d[1])) / area), "curvature",
+                   taut_asymptotic_edge_name(e));
 }
 
 /* Corners, legs, weights and curvatures of Algorithm 1. */
 static void compare_corner_data(const taut_asymptotic_model *model,
-                                const taut_asymptotic_problem *problem, double size, tally *t)
+                                const taut_asymptotic_corners *corners, double size, tally *t)
 {
     for (int e = 0; e < 4; e++) {
-        const taut_asymptotic_edge *const edge = &problem->edges[e];
+        const taut_asymptotic_edge *const edge = &corners->edges[e];
         const char *const name = taut_asymptotic_edge_name(e);
         const int n = taut_basis_count(taut_curve_t(model->curves[e])) - 1;
         const double *const p = taut_curve_points(model->curves[e]);
         const double *const w = taut_curve_weights(model->curves[e]);
-        if (n != problem->degree || w == NULL) {
-            take(t, INFINITY, 0.0, "degree", name);
+        if (n != corners->degree || w == NULL) {
+            add_difference(t, INFINITY, 0.0, "degree", name);
             continue;
         }
         for (int end = 0; end < 2; end++) {
             const int last = end == 0 ? 0 : n;
             double leg[3];
-            take(t, taut_distance(p + 3 * last, problem->corners[corner_of_edge[e][end]]) / size,
-                 DBL_EPSILON * model->curve_size / size, "corner", name);
+            add_difference(
+                t, taut_distance(p + 3 * last, corners->points[corner_of_edge[e][end]]) / size,
+                DBL_EPSILON * model->curve_size / size, "corner", name);
             if (end == 0 || n > 3) {
                 const int low = end == 0 ? 0 : n - 1;
                 taut_difference(p + 3 * (low + 1), p + 3 * low, leg);
-                take(t, taut_distance(leg, edge->legs[end]) / size,
-                     2 * DBL_EPSILON * model->curve_size / size, "leg", name);
+                add_difference(t, taut_distance(leg, edge->legs[end]) / size,
+                               2 * DBL_EPSILON * model->curve_size / size, "leg", name);
             }
             if (n > 3) {
-                take(t, fabs(w[last] - edge->weights[end]) / edge->weights[end], DBL_EPSILON,
-                     "end weight", name);
+                add_difference(t, fabs(w[last] - edge->weights[end]) / edge->weights[end],
+                               DBL_EPSILON, "end weight", name);
             }
             if (n > 3 && edge->curvature[end] > 0) {
-                compare_curvature(model, problem, e, end, t);
+                compare_curvature(model, corners, e, end, t);
             }
         }
         for (int j = 0; n == 3 && j <= 3; j++) {
-            take(t, fabs(w[j] - edge->weights[j]) / edge->weights[j], DBL_EPSILON, "weight", name);
+            add_difference(t, fabs(w[j] - edge->weights[j]) / edge->weights[j], DBL_EPSILON,
+                           "weight", name);
         }
     }
 }
@@ -142,10 +147,10 @@ void taut_boundary_distance(const taut_asymptotic_model *model,
     tally t = {0.0, DBL_EPSILON, where};
     where[0] = '\0';
     compare_edges(model, size, &t);
-    if (problem != NULL && problem->curves[0] != NULL) {
-        compare_curves(model, problem, size, &t);
+    if (problem != NULL && problem->given == TAUT_ASYMPTOTIC_CURVES) {
+        compare_curves(model, problem->curves, size, &t);
     } else if (problem != NULL) {
-        compare_corner_data(model, problem, size, &t);
+        compare_corner_data(model, &problem->corners, size, &t);
     }
     *distance = t.distance;
     *noise = t.noise;

@@ -3,8 +3,9 @@
  * At a corner both tangents must lie in both osculating planes and the torsions must be opposite;
  * data given to so many digits meets that to so many. A patch of degree m along the edge then tilts
  * against the osculating plane, near the corner with weight w and parameter t, by some
- *     (w / W) (2 off |r_f'| (B_0 + B_1) + |tau_e + tau_f| |r_e'| |r_f'| sin A  B_1 / m) / (|R_c|
- * sin) with B_0, B_1 the first Bernstein functions of degree m, as R_uv.N is tau_e |r_e'| |r_f'|
+ *     (w / W) (2 off |r_f'| (B_0 + B_1) + |tau_e + tau_f| |r_e'| |r_f'| sin A  B_1 / m)
+ *     / (|R_c| sin)
+ * with B_0, B_1 the first Bernstein functions of degree m, as R_uv.N is tau_e |r_e'| |r_f'|
  * sin A from one edge and -tau_f |r_e'| |r_f'| sin A from the other (docs/papers/asymptotic.md
  * 2, 5.3). A straight edge has no osculating plane and no torsion: what rounding makes of them
  * explains nothing.
@@ -36,18 +37,18 @@ int taut_edge_on_chord(const taut_asymptotic_model *model, int edge)
 }
 
 /* First derivative, |r'|, the normal of the osculating plane, and torsion, at an end. */
-typedef struct frame {
+typedef struct curve_end {
     double tangent[3], speed, normal[3], torsion;
     int straight; /* normal and torsion are 0 */
-} frame;
+} curve_end;
 
-static frame frame_of(const taut_asymptotic_model *model, int edge, int end)
+static curve_end end_of(const taut_asymptotic_model *model, int edge, int end)
 {
     const taut_curve *const curve = model->curves[edge];
     const int n = taut_basis_count(taut_curve_t(curve)) - 1, step = end ? -1 : 1, at = end ? n : 0;
     const double *const p = taut_curve_points(curve);
     const double *const w = taut_curve_weights(curve);
-    frame made = {{0}, 0.0, {0}, 0.0, taut_edge_on_chord(model, edge)};
+    curve_end made = {{0}, 0.0, {0}, 0.0, taut_edge_on_chord(model, edge)};
     double d[3][3] = {{0}}, g[4];
     for (int j = 0; j <= 3 && j <= n; j++) {
         g[j] = w != NULL ? w[at + j * step] : 1.0;
@@ -79,8 +80,8 @@ taut_edge_data taut_edge_data_of(const taut_asymptotic_model *model, int edge)
     taut_edge_data data;
     for (int end = 0; end < 2; end++) {
         const int *const f = partner[edge][end];
-        const frame own = frame_of(model, edge, end);
-        const frame other = frame_of(model, f[0], f[1]);
+        const curve_end own = end_of(model, edge, end);
+        const curve_end other = end_of(model, f[0], f[1]);
         const double most = given * fmax(fabs(own.torsion), fabs(other.torsion));
         const double off =
             off_plane(own.normal, other.tangent) + off_plane(other.normal, own.tangent);

@@ -5,7 +5,6 @@
  */
 #include "certify/asymptotic/identity.h"
 #include "certify/asymptotic/parts.h"
-#include "core/memory.h"
 #include "core/vec3.h"
 
 #include <float.h>
@@ -29,7 +28,7 @@ typedef struct sample {
     double sine;
 } sample;
 
-static void take(const taut_asymptotic_model *model, int edge, double t, sample *s)
+static void evaluate_sample(const taut_asymptotic_model *model, int edge, double t, sample *s)
 {
     double u = 0.0, v = 0.0;
     taut_edge_parameters(edge, t, &u, &v);
@@ -84,8 +83,8 @@ static void responses(const taut_surface *patch, int edge, double t, double *sec
 }
 
 /* Moving every control point of the two rows by a rounding error r = 2^-53 times their size moves
- * R_tt by A r and R_c by C r at most, and the normal by C r / (|R_c| sine): dk_n <= (A + C |R_tt| /
- * (|R_c| sine)) r / |R_t|^2                                           */
+ * R_tt by A r and R_c by C r at most, and the normal by C r / (|R_c| sine):
+ *     dk_n <= (A + C |R_tt| / (|R_c| sine)) r / |R_t|^2                                           */
 static double noise_of(const taut_asymptotic_model *model, int edge, double t, const sample *s)
 {
     double second = 0.0, across = 0.0;
@@ -100,7 +99,7 @@ static double largest_curvature(const taut_asymptotic_model *model, int edge)
     for (int k = 0; k < TAUT_EDGE_SAMPLES; k++) {
         sample s;
         double b[3];
-        take(model, edge, k / (TAUT_EDGE_SAMPLES - 1.0), &s);
+        evaluate_sample(model, edge, k / (TAUT_EDGE_SAMPLES - 1.0), &s);
         most = fmax(most, curvature(&s, b));
     }
     return most;
@@ -137,7 +136,7 @@ static void add_sample(const taut_asymptotic_model *model, int edge, double t,
     const taut_edge_data data = taut_edge_data_of(model, edge);
     sample s;
     double b[3], angle[3], k_n = 0.0, k = 0.0, sine = 0.0, tilt = 0.0;
-    take(model, edge, t, &s);
+    evaluate_sample(model, edge, t, &s);
     proof->least_sine = fmin(proof->least_sine, s.sine);
     if (!(s.sine > (proof->covered < 1.0 ? singular_cut : normal_cut))) {
         proof->singular++;
@@ -166,32 +165,39 @@ static void add_sample(const taut_asymptotic_model *model, int edge, double t,
     }
 }
 
-taut_status taut_edge_prove(const taut_asymptotic_model *model, int edge, taut_edge_proof *proof)
+static taut_status prove(const taut_asymptotic_model *model, int edge, taut_arena *arena,
+                         taut_edge_proof *proof)
 {
-    taut_arena *const arena = taut_arena_new();
     taut_bounding bounding = {LEVELS, MORE, INFINITY, normal_share};
     taut_identity identity;
     double *scratch = NULL;
     const double most = largest_curvature(model, edge);
-    taut_status status =
-        arena != NULL ? taut_identity_fill(model->patch, edge, arena, &identity) : TAUT_NO_MEMORY;
+    const taut_status status = taut_identity_fill(model->patch, edge, arena, &identity);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    scratch = taut_arena_take(arena, (size_t)taut_identity_size(&identity) * (LEVELS + MORE + 1),
+                              sizeof *scratch);
+    if (scratch == NULL) {
+        return TAUT_NO_MEMORY;
+    }
     memset(proof, 0, sizeof *proof);
     proof->least_sine = 1.0;
     proof->osculating = is_straight(model, edge, most) ? -1.0 : 0.0;
-    if (status == TAUT_OK) {
-        scratch = taut_arena_take(
-            arena, (size_t)taut_identity_size(&identity) * (LEVELS + MORE + 1), sizeof *scratch);
-        status = scratch != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    /* a first bound tells whether the edge is singular, which the samples must know */
+    (void)taut_identity_bound(&identity, &bounding, scratch, &proof->covered);
+    for (int k = 0; k < TAUT_EDGE_SAMPLES; k++) {
+        add_sample(model, edge, k / (TAUT_EDGE_SAMPLES - 1.0), &identity, most, proof);
     }
-    if (status == TAUT_OK) {
-        /* a first bound tells whether the edge is singular, which the samples must know */
-        (void)taut_identity_bound(&identity, &bounding, scratch, &proof->covered);
-        for (int k = 0; k < TAUT_EDGE_SAMPLES; k++) {
-            add_sample(model, edge, k / (TAUT_EDGE_SAMPLES - 1.0), &identity, most, proof);
-        }
-        bounding.target = close_enough * proof->sampled;
-        proof->bound = taut_identity_bound(&identity, &bounding, scratch, &proof->covered);
-    }
+    bounding.target = close_enough * proof->sampled;
+    proof->bound = taut_identity_bound(&identity, &bounding, scratch, &proof->covered);
+    return TAUT_OK;
+}
+
+taut_status taut_edge_prove(const taut_asymptotic_model *model, int edge, taut_edge_proof *proof)
+{
+    taut_arena *const arena = taut_arena_new();
+    const taut_status status = prove(model, edge, arena, proof);
     taut_arena_free(arena);
     return status;
 }

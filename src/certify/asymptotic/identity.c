@@ -1,29 +1,78 @@
 #include "certify/asymptotic/identity.h"
 
-#include "certify/asymptotic/double.h"
 #include "core/vec3.h"
 
 #include <assert.h>
+#include <math.h>
 #include <string.h>
+
+/* Sums and products of twice the precision of double, so that what is left of an identity is the
+ * model's own rounding and not that of the proof. A number is hi + lo with |lo| <= 2^-53 |hi|;
+ * relative error of an operation about 2^-104 ([Dekker1971]; the products by fma). */
+typedef struct double_double {
+    double hi, lo;
+} double_double;
+
+static double_double double_of(double x)
+{
+    return (double_double){x, 0.0};
+}
+
+static double_double double_sum(double a, double b)
+{
+    const double s = a + b, part = s - a;
+    return (double_double){s, (a - (s - part)) + (b - part)};
+}
+
+static double_double double_add(double_double a, double_double b)
+{
+    double_double high = double_sum(a.hi, b.hi);
+    const double_double low = double_sum(a.lo, b.lo);
+    high.lo += low.hi;
+    high = double_sum(high.hi, high.lo);
+    high.lo += low.lo;
+    return double_sum(high.hi, high.lo);
+}
+
+static double_double double_negative(double_double a)
+{
+    return (double_double){-a.hi, -a.lo};
+}
+
+static double_double double_multiply(double_double a, double_double b)
+{
+    const double p = a.hi * b.hi;
+    const double rest = fma(a.hi, b.hi, -p) + (a.hi * b.lo + a.lo * b.hi);
+    return double_sum(p, rest);
+}
+
+/* a / d for a plain number d. */
+static double_double double_divide(double_double a, double d)
+{
+    const double q = a.hi / d;
+    const double_double product = double_multiply(double_of(q), double_of(d));
+    const double_double rest = double_add(a, double_negative(product));
+    return double_sum(q, (rest.hi + rest.lo) / d);
+}
 
 /* A polynomial in twice the precision, scaled Bernstein form: coefficient j times C(degree, j), in
  * which products are plain convolutions ([Farouki2012] section 4). */
 typedef struct wide {
     int degree;
-    taut_double *c;
+    double_double *c;
 } wide;
 
 /* The rows of the net along an edge, homogeneous, about the net's first point: k_n is the same from
  * any origin, and the products of coordinates then lose nothing to a far one. */
 typedef struct rows {
-    int along, across;        /* degrees */
-    taut_double *edge, *next; /* [along + 1][4] */
-    double sign;              /* of next - edge as a derivative across */
+    int along, across;          /* degrees */
+    double_double *edge, *next; /* [along + 1][4] */
+    double sign;                /* of next - edge as a derivative across */
 } rows;
 
 /* One block for all of them, handed out from the front. */
 typedef struct pool {
-    taut_double *next, *end;
+    double_double *next, *end;
 } pool;
 
 /* Coefficients per coefficient of the edge: two rows and S_c (12), the parts of the edge (12 + 8),
@@ -42,9 +91,9 @@ static wide wide_new(pool *from, int degree)
 static void add_product(double s, const wide *a, const wide *b, const wide *sum)
 {
     for (int i = 0; i <= a->degree; i++) {
-        const taut_double left = {s * a->c[i].hi, s * a->c[i].lo};
+        const double_double left = {s * a->c[i].hi, s * a->c[i].lo};
         for (int j = 0; j <= b->degree; j++) {
-            sum->c[i + j] = taut_double_add(sum->c[i + j], taut_double_multiply(left, b->c[j]));
+            sum->c[i + j] = double_add(sum->c[i + j], double_multiply(left, b->c[j]));
         }
     }
 }
@@ -52,26 +101,25 @@ static void add_product(double s, const wide *a, const wide *b, const wide *sum)
 /* Multiplies (or divides) coefficient j by C(degree, j). */
 static void scale(const wide *a, int divide)
 {
-    taut_double binomial = taut_double_of(1.0);
+    double_double binomial = double_of(1.0);
     for (int j = 0; j <= a->degree; j++) {
         if (divide) {
             /* 1 / binomial to working precision, then one correction */
             const double q = 1.0 / binomial.hi;
-            const taut_double rest = taut_double_add(
-                taut_double_of(1.0),
-                taut_double_negative(taut_double_multiply(taut_double_of(q), binomial)));
-            const taut_double inverse = taut_double_sum(q, q * (rest.hi + rest.lo));
-            a->c[j] = taut_double_multiply(a->c[j], inverse);
+            const double_double rest = double_add(
+                double_of(1.0), double_negative(double_multiply(double_of(q), binomial)));
+            const double_double inverse = double_sum(q, q * (rest.hi + rest.lo));
+            a->c[j] = double_multiply(a->c[j], inverse);
         } else {
-            a->c[j] = taut_double_multiply(a->c[j], binomial);
+            a->c[j] = double_multiply(a->c[j], binomial);
         }
-        binomial = taut_double_divide(
-            taut_double_multiply(binomial, taut_double_of((double)(a->degree - j))), j + 1.0);
+        binomial =
+            double_divide(double_multiply(binomial, double_of((double)(a->degree - j))), j + 1.0);
     }
 }
 
 /* Component k of the coefficients from `from` on, as a polynomial of `degree`. */
-static wide part(pool *from, const taut_double *row, int first, int degree, int k)
+static wide part(pool *from, const double_double *row, int first, int degree, int k)
 {
     const wide made = wide_new(from, degree);
     for (int j = 0; j <= degree; j++) {
@@ -95,16 +143,16 @@ static void take_rows(const taut_surface *surface, int edge, pool *from, rows *r
     r->edge = wide_new(from, 4 * count - 1).c;
     r->next = wide_new(from, 4 * count - 1).c;
     for (int depth = 0; depth < 2; depth++) {
-        taut_double *const row = depth == 0 ? r->edge : r->next;
+        double_double *const row = depth == 0 ? r->edge : r->next;
         for (int k = 0; k < count; k++) {
             const int held = high ? last - depth : depth;
             const long at = with_u ? (long)k * nv + held : (long)held * nv + k;
             const double w = weights != NULL ? weights[at] : 1.0;
             for (int d = 0; d < 3; d++) {
-                row[4 * k + d] = taut_double_multiply(
-                    taut_double_of(w), taut_double_sum(points[3 * at + d], -points[d]));
+                row[4 * k + d] =
+                    double_multiply(double_of(w), double_sum(points[3 * at + d], -points[d]));
             }
-            row[4 * k + 3] = taut_double_of(w);
+            row[4 * k + 3] = double_of(w);
         }
     }
 }
@@ -115,9 +163,9 @@ static void take_cross(pool *from, const rows *r, wide cross[4])
     for (int k = 0; k < 4; k++) {
         cross[k] = wide_new(from, r->along);
         for (int j = 0; j <= r->along; j++) {
-            const taut_double step =
-                taut_double_add(r->next[4 * j + k], taut_double_negative(r->edge[4 * j + k]));
-            cross[k].c[j] = taut_double_multiply(step, taut_double_of(r->sign * r->across));
+            const double_double step =
+                double_add(r->next[4 * j + k], double_negative(r->edge[4 * j + k]));
+            cross[k].c[j] = double_multiply(step, double_of(r->sign * r->across));
         }
         scale(&cross[k], 0);
     }
@@ -132,7 +180,7 @@ static wide minor(pool *from, const wide *x, const wide *y, int k, int l)
     return made;
 }
 
-static void take_parts(pool *from, const taut_double *row, int first, int degree, wide out[4])
+static void take_parts(pool *from, const double_double *row, int first, int degree, wide out[4])
 {
     for (int k = 0; k < 4; k++) {
         out[k] = part(from, row, first, degree, k);
@@ -200,7 +248,7 @@ taut_status taut_identity_fill(const taut_surface *surface, int edge, taut_arena
         edge % 2 == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
     const int m = taut_basis_count(along) - 1;
     const size_t room = (size_t)POOL_PER_COEFFICIENT * (size_t)(m + 1);
-    taut_double *const block = taut_arena_take(arena, room, sizeof *block);
+    double_double *const block = taut_arena_take(arena, room, sizeof *block);
     double *numbers = NULL;
     rows r;
     wide cross[4];

@@ -2,7 +2,7 @@
  * compass search from its lowest points.
  */
 #include "certify/asymptotic/parts.h"
-#include "core/memory.h"
+#include "core/arena.h"
 #include "core/vec3.h"
 
 enum { GRID = 65, REFINED = 12, STEPS_MAX = 400 };
@@ -93,36 +93,45 @@ static int lowest_points(const double *sines, int places[REFINED])
     return count;
 }
 
-taut_status taut_regular_least(const taut_surface *patch, int threads, double *sine, double at[2])
+static taut_status find_least(const taut_surface *patch, int threads, taut_arena *arena,
+                              double *sine, double at[2])
 {
     double line[GRID];
     int places[REFINED], count = 0;
-    double *const values = taut_alloc((size_t)GRID * GRID * 9, sizeof *values);
-    double *const sines = taut_alloc((size_t)GRID * GRID, sizeof *sines);
-    taut_status status = values != NULL && sines != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    double *const values = taut_arena_take(arena, (size_t)GRID * GRID * 9, sizeof *values);
+    double *const sines = taut_arena_take(arena, (size_t)GRID * GRID, sizeof *sines);
+    taut_status status = taut_arena_status(arena);
+    if (status != TAUT_OK) {
+        return status;
+    }
     for (int k = 0; k < GRID; k++) {
         line[k] = k / (GRID - 1.0);
     }
-    if (status == TAUT_OK) {
-        status = taut_surface_eval_grid(patch, GRID, line, GRID, line, 1, threads, values);
+    status = taut_surface_eval_grid(patch, GRID, line, GRID, line, 1, threads, values);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        for (int k = 0; k < GRID * GRID; k++) {
-            sines[k] = sine_of(values + 9 * k + 3, values + 9 * k + 6);
-        }
-        count = lowest_points(sines, places);
-        *sine = INFINITY;
-        for (int k = 0; k < count; k++) {
-            double here[2] = {line[places[k] / GRID], line[places[k] % GRID]};
-            const double value = refine(patch, here, sines[places[k]]);
-            if (value < *sine) {
-                *sine = value;
-                at[0] = here[0];
-                at[1] = here[1];
-            }
+    for (int k = 0; k < GRID * GRID; k++) {
+        sines[k] = sine_of(values + 9 * k + 3, values + 9 * k + 6);
+    }
+    count = lowest_points(sines, places);
+    *sine = INFINITY;
+    for (int k = 0; k < count; k++) {
+        double here[2] = {line[places[k] / GRID], line[places[k] % GRID]};
+        const double value = refine(patch, here, sines[places[k]]);
+        if (value < *sine) {
+            *sine = value;
+            at[0] = here[0];
+            at[1] = here[1];
         }
     }
-    taut_free(sines);
-    taut_free(values);
+    return TAUT_OK;
+}
+
+taut_status taut_regular_least(const taut_surface *patch, int threads, double *sine, double at[2])
+{
+    taut_arena *const arena = taut_arena_new();
+    const taut_status status = find_least(patch, threads, arena, sine, at);
+    taut_arena_free(arena);
     return status;
 }

@@ -10,7 +10,7 @@ static const double unit_roundoff = 0x1p-53;
 
 enum { DEGREE = 64, SIZE = DEGREE + 6 };
 
-/* A direction, and the surface's frame on its edge. */
+/* A direction, and the surface's axes on its edge. */
 typedef struct series {
     int n;
     double c[SIZE][SIZE]; /* [k][l]: of x^k y^l */
@@ -18,7 +18,7 @@ typedef struct series {
 } series;
 
 /* The whole series from one term x^order y^power. */
-static void grow(series *w, int order, int power)
+static void fill_series(series *w, int order, int power)
 {
     memset(w->c, 0, sizeof w->c);
     w->c[order][power] = 1;
@@ -143,7 +143,7 @@ taut_bending_slope taut_bending_slope_of(const taut_surface *surface, taut_edge 
     for (int order = contact + 1; order <= 3 && order <= n; order++) {
         for (int power = 0; power <= n; power++) {
             if (is_direction(n, order, power)) {
-                grow(&w, order, power);
+                fill_series(&w, order, power);
                 const double slope = slope_along(surface, edge, &w, &energy);
                 const double size = energy > 0 ? slope / sqrt(energy) : 0;
                 found.order = size > found.residual ? order : found.order;

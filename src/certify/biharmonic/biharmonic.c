@@ -2,12 +2,14 @@
  * bending?
  *
  *   biharmonic     the largest control point of the Laplacian of the Laplacian, each by relation
- * (2), over max(n^2/a^2, n^2/b^2)^2 and the size about the mean point; of several surfaces the
- * worst. Limit 8 (n + m) 2^-53 times the largest coordinate over the size. boundary       largest
- * distance of a given point from the model's, over the size of those; 0. continuity     of a
- * neighbour: differences across the edge ([NiWang2015] section 2.6 (3)), |Delta^k q_0 - h^k Delta^k
- * p_(n-k)| over 2^k max(1, h)^k times the size of the nets, k up to the contact; limit 8 (n + m)
- * 2^-53 times coordinate over size. least-bending  certify/biharmonic/bending.h
+ *                  (2), over max(n^2/a^2, n^2/b^2)^2 and the size about the mean point; of several
+ *                  surfaces the worst. Limit 8 (n + m) 2^-53 times the largest coordinate over the
+ *                  size.
+ *   boundary       largest distance of a given point from the model's, over the size of those; 0.
+ *   continuity     of a neighbour: differences across the edge ([NiWang2015] section 2.6 (3)),
+ *                      |Delta^k q_0 - h^k Delta^k p_(n-k)| / (2^k max(1, h)^k size of the nets),
+ *                  k up to the contact; limit 8 (n + m) 2^-53 times coordinate over size.
+ *   least-bending  certify/biharmonic/bending.h
  */
 #include "taut/biharmonic.h"
 
@@ -231,7 +233,7 @@ static taut_edge edge_of(const taut_surface *p, const taut_surface *q,
                          const taut_biharmonic_problem *problem)
 {
     if (problem != NULL) {
-        return problem->edge;
+        return problem->neighbour.edge;
     }
     if (taut_basis_hi(taut_surface_u(p)) == taut_basis_lo(taut_surface_u(q))) {
         return TAUT_EDGE_U1;
@@ -248,7 +250,9 @@ static taut_status add_neighbour(const taut_model *model, const taut_biharmonic_
 {
     const taut_surface *p = taut_model_surface(model, 0), *q = taut_model_surface(model, 1);
     const char *named = taut_record_text(taut_record_get(taut_model_details(model), "contact"));
-    const int contact = problem != NULL ? problem->contact : strcmp(named, "c2") == 0 ? 2 : 1;
+    const int contact = problem != NULL            ? problem->neighbour.contact
+                        : strcmp(named, "c2") == 0 ? 2
+                                                   : 1;
     const taut_edge edge = edge_of(p, q, problem);
     taut_status status = add_continuity(p, q, edge, contact, certificate);
     return status == TAUT_OK ? add_bending(q, edge, contact, certificate) : status;
@@ -278,7 +282,9 @@ static taut_status check_model(const taut_model *model, const taut_biharmonic_pr
                                taut_error *error)
 {
     const int count = taut_model_surface_count(model);
-    const int wanted = problem == NULL ? count : problem->surface != NULL ? 2 : 1;
+    const int wanted = problem == NULL                               ? count
+                       : problem->given == TAUT_BIHARMONIC_NEIGHBOUR ? 2
+                                                                     : 1;
     taut_status status = taut_harmonic_check_model(model, 1, error);
 
     for (int i = 0; i < count && status == TAUT_OK; i++) {
@@ -287,7 +293,7 @@ static taut_status check_model(const taut_model *model, const taut_biharmonic_pr
                   m = taut_basis_degree(taut_surface_v(s));
         if (count != wanted || count > 2 ||
             (count == 2 && (n != m || n > 64 || n != taut_basis_degree(taut_surface_u(first))))) {
-            status = taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", count, wanted,
+            status = taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces", count, wanted,
                                "the model is no biharmonic surface, nor one and its neighbour, of "
                                "this problem");
         }
@@ -295,33 +301,45 @@ static taut_status check_model(const taut_model *model, const taut_biharmonic_pr
     return status;
 }
 
+/* What was given against the model's first surface. */
+static taut_status add_given(const taut_model *model, const taut_biharmonic_problem *problem,
+                             taut_certificate *certificate)
+{
+    const taut_surface *found = taut_model_surface(model, 0);
+    if (problem->given == TAUT_BIHARMONIC_NEIGHBOUR) {
+        const taut_surface *given = problem->neighbour.surface;
+        return add_boundary(found, taut_surface_u(given), taut_surface_v(given),
+                            taut_surface_points(given), NULL, certificate);
+    }
+    return add_boundary(found, problem->rows.u, problem->rows.v, problem->rows.points,
+                        problem->rows.known, certificate);
+}
+
+static taut_status add_all(const taut_model *model, const taut_biharmonic_problem *problem,
+                           taut_certificate *certificate)
+{
+    taut_status status = add_biharmonic(model, certificate);
+
+    if (status == TAUT_OK && problem != NULL) {
+        status = add_given(model, problem, certificate);
+    }
+    if (status == TAUT_OK && taut_model_surface_count(model) == 2) {
+        status = add_neighbour(model, problem, certificate);
+    }
+    return status == TAUT_OK ? add_figures(model, certificate) : status;
+}
+
 static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
 {
-    const taut_biharmonic_problem *p = data;
-    const taut_surface *given = p != NULL ? p->surface : NULL;
-    taut_status status = check_model(model, p, error);
+    const taut_status status = check_model(model, data, error);
 
     (void)options;
     if (status != TAUT_OK) {
         return status;
     }
-    status = add_biharmonic(model, certificate);
-    if (status == TAUT_OK && given != NULL) {
-        status = add_boundary(taut_model_surface(model, 0), taut_surface_u(given),
-                              taut_surface_v(given), taut_surface_points(given), NULL, certificate);
-    } else if (status == TAUT_OK && p != NULL) {
-        status = add_boundary(taut_model_surface(model, 0), p->u, p->v, p->points, p->known,
-                              certificate);
-    }
-    if (status == TAUT_OK && taut_model_surface_count(model) == 2) {
-        status = add_neighbour(model, p, certificate);
-    }
-    if (status == TAUT_OK) {
-        status = add_figures(model, certificate);
-    }
-    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    return add_all(model, data, certificate) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 const taut_certify_ops taut_certify_biharmonic = {.certify = certify};

@@ -54,7 +54,7 @@ typedef struct table {
 typedef double derivatives[4][4];
 
 /* Mode k is factor (derivative d + sign derivative e). */
-static void put(derivatives n, int k, double factor, int d, double sign, int e, table *c)
+static void add_entry(derivatives n, int k, double factor, int d, double sign, int e, table *c)
 {
     for (int a = 0; a < 4; a++) {
         c->of[k][a] = factor * (n[d][a] + sign * n[e][a]);
@@ -66,10 +66,10 @@ static void circular_table(const taut_basis *basis, int span, double lo, double 
 {
     derivatives n;
     taut_basis_eval(basis, span, lo + 0.5 * (hi - lo), 3, &n[0][0]);
-    put(n, 0, 1, 0, 1, 2, c);
-    put(n, 1, 1, 1, 1, 3, c);
-    put(n, 2, -1, 3, 0, 3, c);
-    put(n, 3, -1, 2, 0, 2, c);
+    add_entry(n, 0, 1, 0, 1, 2, c);
+    add_entry(n, 1, 1, 1, 1, 3, c);
+    add_entry(n, 2, -1, 3, 0, 3, c);
+    add_entry(n, 3, -1, 2, 0, 2, c);
 }
 
 /* 1 and v are told best where the exponentials weigh least, at `t`. */
@@ -78,12 +78,12 @@ static void hyperbolic_table(const taut_basis *basis, int span, double lo, doubl
 {
     derivatives n;
     taut_basis_eval(basis, span, t, 3, &n[0][0]);
-    put(n, 0, 1, 0, -1, 2, c);
-    put(n, 1, 1, 1, -1, 3, c);
+    add_entry(n, 0, 1, 0, -1, 2, c);
+    add_entry(n, 1, 1, 1, -1, 3, c);
     taut_basis_eval(basis, span, lo, 3, &n[0][0]);
-    put(n, 2, 0.5, 2, -1, 3, c);
+    add_entry(n, 2, 0.5, 2, -1, 3, c);
     taut_basis_eval(basis, span, hi, 3, &n[0][0]);
-    put(n, 3, 0.5, 2, 1, 3, c);
+    add_entry(n, 3, 0.5, 2, 1, 3, c);
 }
 
 static void power_table(const taut_basis *basis, int span, double lo, double hi, table *c)
@@ -92,7 +92,7 @@ static void power_table(const taut_basis *basis, int span, double lo, double hi,
     derivatives n;
     taut_basis_eval(basis, span, lo + 0.5 * (hi - lo), 3, &n[0][0]);
     for (int k = 0; k < 4; k++) {
-        put(n, k, inverse_factorial[k], k, 0, k, c);
+        add_entry(n, k, inverse_factorial[k], k, 0, k, c);
     }
 }
 

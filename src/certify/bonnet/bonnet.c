@@ -91,8 +91,18 @@ static void compare_closed(const taut_bonnet_frame *frame, const taut_bonnet_int
     }
 }
 
-static taut_status judge(const taut_surface *surface, const taut_bonnet_frame *frame, int is_exact,
-                         report *r)
+static taut_status measure(const taut_surface *surface, const taut_bonnet_scale *scale,
+                           taut_arena *arena, taut_bonnet_finding sampled[TAUT_BONNET_SAMPLED],
+                           taut_bonnet_integrals *integrals)
+{
+    const taut_status status =
+        arena != NULL ? taut_bonnet_sample(surface, scale, arena, sampled) : TAUT_NO_MEMORY;
+    return status == TAUT_OK ? taut_bonnet_integrate(surface, scale, arena, integrals) : status;
+}
+
+/* One surface for all claims; frame NULL: without the problem. */
+static taut_status gather_surface(const taut_surface *surface, const taut_bonnet_frame *frame,
+                                  int is_exact, report *r)
 {
     const char *name = taut_surface_name(surface);
     taut_bonnet_finding sampled[TAUT_BONNET_SAMPLED] = {{0, 0, {0, 0}}};
@@ -100,15 +110,10 @@ static taut_status judge(const taut_surface *surface, const taut_bonnet_frame *f
     taut_bonnet_finding other = {0, 0, {0, 0}};
     taut_bonnet_scale scale;
     taut_arena *arena = taut_arena_new();
-    taut_status status = TAUT_NO_MEMORY;
+    taut_status status = TAUT_OK;
 
     taut_bonnet_scale_of(surface, is_exact, &scale);
-    if (arena != NULL) {
-        status = taut_bonnet_sample(surface, &scale, arena, sampled);
-    }
-    if (status == TAUT_OK) {
-        status = taut_bonnet_integrate(surface, &scale, arena, &integrals);
-    }
+    status = measure(surface, &scale, arena, sampled, &integrals);
     taut_arena_free(arena);
     if (status != TAUT_OK) {
         return status;
@@ -181,7 +186,7 @@ static taut_status check_surfaces(const taut_model *model, const taut_bonnet_pro
     const int wanted = problem == NULL ? count : problem->frames > 1 ? problem->frames : 1;
 
     if (count == 0 || count != wanted) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", count,
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces", count,
                          wanted > 0 ? wanted : 1,
                          "the model has %d surfaces, expected %d: they do not belong together",
                          count, wanted > 0 ? wanted : 1);
@@ -190,62 +195,76 @@ static taut_status check_surfaces(const taut_model *model, const taut_bonnet_pro
         if (taut_surface_weights(taut_model_surface(model, i)) != NULL) {
             char where[64];
             snprintf(where, sizeof where, "/surfaces/%d/weights", i);
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "model", where, taut_none, taut_none,
                              "a surface of this kind has no weights");
         }
     }
     return TAUT_OK;
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status gather_all(const taut_model *model, const taut_bonnet_problem *problem,
+                              report *r)
 {
-    static const char *const names[CLAIMS] = {"isothermal", "harmonic", "minimal",
-                                              "algebraic",  "formula",  "closed-form"};
-    const taut_bonnet_problem *problem = data;
     const int count = taut_model_surface_count(model);
     const int is_exact =
         problem != NULL ? problem->normalize
                         : taut_record_bool(taut_record_get(taut_model_details(model), "normalize"));
-    taut_record *lists = NULL;
+    taut_status status = TAUT_OK;
+
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        const taut_bonnet_frame frame = {problem,
+                                         problem != NULL ? lambda_of(problem, i, count) : 0, 0};
+        status = gather_surface(taut_model_surface(model, i), problem != NULL ? &frame : NULL,
+                                is_exact, r);
+    }
+    return status;
+}
+
+static taut_status add_all(const taut_model *model, const taut_bonnet_problem *problem,
+                           taut_record *lists, taut_certificate *certificate)
+{
+    static const char *const names[CLAIMS] = {"isothermal", "harmonic", "minimal",
+                                              "algebraic",  "formula",  "closed-form"};
     report r;
-    taut_status status = check_surfaces(model, problem, error);
+    taut_status status = TAUT_OK;
+
+    memset(&r, 0, sizeof r);
+    for (int i = 0; i < CLAIMS; i++) {
+        r.claims[i].claim = names[i];
+    }
+    r.area = taut_record_add_list(lists, "area");
+    r.curvature = taut_record_add_list(lists, "total_gaussian_curvature");
+    status = gather_all(model, problem, &r);
+    for (int i = 0; i < CLAIMS && status == TAUT_OK; i++) {
+        status =
+            r.claims[i].seen > 0 ? add_claim(&r.claims[i], roundings[i], certificate) : TAUT_OK;
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_record_status(lists);
+    return status == TAUT_OK ? add_figures(&r, certificate) : status;
+}
+
+static taut_status certify(const taut_model *model, const void *data,
+                           const taut_certify_options *options, taut_certificate *certificate,
+                           taut_error *error)
+{
+    taut_record *lists = NULL;
+    taut_status status = check_surfaces(model, data, error);
 
     (void)options;
     if (status != TAUT_OK) {
         return status;
     }
-    memset(&r, 0, sizeof r);
-    for (int i = 0; i < CLAIMS; i++) {
-        r.claims[i].claim = names[i];
-    }
     lists = taut_record_new();
-    r.area = taut_record_add_list(lists, "area");
-    r.curvature = taut_record_add_list(lists, "total_gaussian_curvature");
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
-        const taut_bonnet_frame frame = {problem,
-                                         problem != NULL ? lambda_of(problem, i, count) : 0, 0};
-        status = judge(taut_model_surface(model, i), problem != NULL ? &frame : NULL, is_exact, &r);
-    }
-    for (int i = 0; i < CLAIMS && status == TAUT_OK; i++) {
-        status =
-            r.claims[i].seen > 0 ? add_claim(&r.claims[i], roundings[i], certificate) : TAUT_OK;
-    }
-    if (status == TAUT_OK) {
-        status = taut_record_status(lists);
-    }
-    if (status == TAUT_OK) {
-        status = add_figures(&r, certificate);
-    }
+    status = add_all(model, data, lists, certificate);
     taut_record_free(lists);
-    if (status == TAUT_NO_MEMORY) {
-        return taut_fail_memory(error);
+    if (status == TAUT_OK || status == TAUT_NO_MEMORY) {
+        return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
     }
-    return status == TAUT_OK
-               ? TAUT_OK
-               : taut_fail(error, status, "value", "/surfaces", taut_none, taut_none,
-                           "a surface cannot be measured: %s", taut_status_text(status));
+    return taut_fail(error, status, "fault", "/surfaces", taut_none, taut_none,
+                     "a surface cannot be measured: %s", taut_status_text(status));
 }
 
 const taut_certify_ops taut_certify_bonnet = {.certify = certify};

@@ -157,7 +157,7 @@ typedef struct total {
     double value, gross;
 } total;
 
-static void add(total *t, double term, double gross)
+static void add_term(total *t, double term, double gross)
 {
     t->value += term;
     t->gross += gross;
@@ -171,8 +171,8 @@ static total between(double at_lo, double at_hi)
 
 static void add_product(total *t, double factor, total a, total b)
 {
-    add(t, factor * a.value * b.value,
-        fabs(factor) * (fabs(a.value) * b.gross + a.gross * fabs(b.value)));
+    add_term(t, factor * a.value * b.value,
+             fabs(factor) * (fabs(a.value) * b.gross + a.gross * fabs(b.value)));
 }
 
 void taut_bonnet_closed_area(const taut_bonnet_frame *frame, double *area, double *noise)
@@ -250,8 +250,8 @@ void taut_bonnet_closed_curvature(const taut_bonnet_frame *frame, double *sum, d
         const double sign = k / 2 == k % 2 ? -1 : 1;
         const double one = lambda == 1 ? along_enneper(u, v) : along_v(lambda, a, u, v);
         const double two = lambda == 1 ? along_enneper(v, u) : along_u(lambda, a, u, v);
-        add(&t, sign * one, fabs(one));
-        add(&t, sign * two, fabs(two));
+        add_term(&t, sign * one, fabs(one));
+        add_term(&t, sign * two, fabs(two));
     }
     *sum = t.value;
     *noise = 4 * unit_roundoff * t.gross / fabs(t.value);

@@ -130,8 +130,8 @@ static int agree(const double *a, const double *b, const double allowed[2])
 
 /* Adds the integral over a cell: of its quarters, once they agree with it; else goes on with its
  * parts. */
-static void add(rule *r, const cell *whole, const double allowed[2], long *cut,
-                taut_sum total[FIELDS])
+static void add_cell(rule *r, const cell *whole, const double allowed[2], long *cut,
+                     taut_sum total[FIELDS])
 {
     static const int both[2] = {1, 1};
     cell stack[3 * DEPTH + 4];
@@ -223,7 +223,7 @@ taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet
         memset(total, 0, sizeof total);
         cut = 0;
         for (int i = 0; i < count; i++) {
-            add(&r, &cells[i], allowed, &cut, total);
+            add_cell(&r, &cells[i], allowed, &cut, total);
         }
         whole[0] = fabs(taut_sum_total(&total[0]));
         whole[1] = fabs(taut_sum_total(&total[1]));

@@ -19,7 +19,8 @@ void taut_bonnet_raise(taut_bonnet_finding *largest, double residual, double noi
 /* Over a grid of parameters, from the net and the basis:
  *     [0] isothermal  max(|E - G|, |F|) / E
  *     [1] harmonic    |r_uu + r_vv| / max(|r_uu|, |r_uv|, |r_vv|)
- *     [2] minimal     |H| / sqrt |K| TAUT_NO_MEMORY. */
+ *     [2] minimal     |H| / sqrt |K|
+ * TAUT_NO_MEMORY. */
 enum { TAUT_BONNET_SAMPLED = 3 };
 taut_status taut_bonnet_sample(const taut_surface *surface, const taut_bonnet_scale *scale,
                                taut_arena *arena, taut_bonnet_finding found[TAUT_BONNET_SAMPLED]);

@@ -30,10 +30,10 @@ void taut_bonnet_raise(taut_bonnet_finding *largest, double residual, double noi
     }
 }
 
-typedef struct lines {
+typedef struct sample_lines {
     int count;
     taut_bonnet_line *at;
-} lines;
+} sample_lines;
 
 /* LINES equal steps on one span, fewer on each of several; above 16 spans the middle of each and
  * the ends. */
@@ -42,7 +42,7 @@ static int per_span(int spans)
     return spans > 16 ? 1 : (LINES - 1) / spans + 1;
 }
 
-static double place(int k, int steps, double lo, double hi)
+static double parameter_at(int k, int steps, double lo, double hi)
 {
     if (steps == 1) {
         return lo + 0.5 * (hi - lo);
@@ -50,7 +50,7 @@ static double place(int k, int steps, double lo, double hi)
     return k == steps - 1 ? hi : lo + (hi - lo) * k / (steps - 1);
 }
 
-static taut_status lines_new(const taut_basis *basis, taut_arena *arena, lines *made)
+static taut_status lines_new(const taut_basis *basis, taut_arena *arena, sample_lines *made)
 {
     const int spans = taut_basis_span_count(basis), steps = per_span(spans);
     const double *breaks = taut_basis_breaks(basis);
@@ -68,7 +68,7 @@ static taut_status lines_new(const taut_basis *basis, taut_arena *arena, lines *
         const int is_end = i >= spans * steps;
         const int span = !is_end ? i / steps : (i - spans * steps) * (spans - 1);
         const double t = is_end ? breaks[i == spans * steps ? 0 : spans]
-                                : place(i % steps, steps, breaks[span], breaks[span + 1]);
+                                : parameter_at(i % steps, steps, breaks[span], breaks[span + 1]);
         made->at[i].values = values + (size_t)i * size;
         taut_bonnet_line_fill(basis, span, t, &made->at[i]);
     }
@@ -85,7 +85,7 @@ static double over(double a, double b)
     return a == 0 ? 0 : a / b;
 }
 
-static void judge(const taut_bonnet_spot *spot, double u, double v, taut_bonnet_finding *found)
+static void raise_at(const taut_bonnet_spot *spot, double u, double v, taut_bonnet_finding *found)
 {
     const taut_forms *f = &spot->forms;
     const double(*x)[3] = spot->x;
@@ -107,22 +107,27 @@ taut_status taut_bonnet_sample(const taut_surface *surface, const taut_bonnet_sc
                                taut_arena *arena, taut_bonnet_finding found[TAUT_BONNET_SAMPLED])
 {
     taut_bonnet_sums sums;
-    lines u, v;
+    sample_lines u, v;
     taut_status status = taut_bonnet_sums_init(surface, scale, arena, &sums);
 
-    if (status == TAUT_OK) {
-        status = lines_new(taut_surface_u(surface), arena, &u);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = lines_new(taut_surface_v(surface), arena, &v);
+    status = lines_new(taut_surface_u(surface), arena, &u);
+    if (status != TAUT_OK) {
+        return status;
     }
-    for (int i = 0; status == TAUT_OK && i < u.count; i++) {
+    status = lines_new(taut_surface_v(surface), arena, &v);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int i = 0; i < u.count; i++) {
         taut_bonnet_sums_contract(&sums, &u.at[i], 0, sums.columns);
         for (int j = 0; j < v.count; j++) {
             taut_bonnet_spot spot;
             taut_bonnet_sums_at(&sums, &v.at[j], &spot);
-            judge(&spot, u.at[i].t, v.at[j].t, found);
+            raise_at(&spot, u.at[i].t, v.at[j].t, found);
         }
     }
-    return status;
+    return TAUT_OK;
 }

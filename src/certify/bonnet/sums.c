@@ -26,7 +26,7 @@ static double far_rounding(const taut_basis *basis)
     return unit_roundoff * fmax(0, fmax(fabs(lo), fabs(hi)) - segment);
 }
 
-static double place(int k, double lo, double hi)
+static double parameter_at(int k, double lo, double hi)
 {
     return k == TRIES - 1 ? hi : lo + (hi - lo) * k / (TRIES - 1);
 }
@@ -45,7 +45,7 @@ void taut_bonnet_scale_of(const taut_surface *surface, int is_exact, taut_bonnet
     }
     for (int k = 0; k < TRIES; k++) {
         const double u = 0.5 * taut_basis_lo(bases[0]) + 0.5 * taut_basis_hi(bases[0]);
-        const double v = place(k, taut_basis_lo(bases[1]), taut_basis_hi(bases[1]));
+        const double v = parameter_at(k, taut_basis_lo(bases[1]), taut_basis_hi(bases[1]));
         const int span[2] = {taut_basis_span(bases[0], u), taut_basis_span(bases[1], v)};
         const int first[2] = {taut_basis_first(bases[0], span[0]),
                               taut_basis_first(bases[1], span[1])};

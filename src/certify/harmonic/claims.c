@@ -3,7 +3,6 @@
 #include "certify/harmonic/residual.h"
 #include "core/exact.h"
 #include "core/fail.h"
-#include "core/memory.h"
 #include "taut/measure.h"
 
 #include <math.h>
@@ -16,7 +15,7 @@ static const double largest_limit = 1e-6;
 taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_error *error)
 {
     if (taut_model_surface_count(model) < least) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces",
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces",
                          taut_model_surface_count(model), least,
                          "the model has %d surfaces, expected at least %d",
                          taut_model_surface_count(model), least);
@@ -28,7 +27,7 @@ taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_e
             taut_surface_weights(surface) != NULL) {
             char where[32];
             snprintf(where, sizeof where, "/surfaces/%d", i);
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "not-bezier", where, taut_none, taut_none,
                              "expected a polynomial surface on \"bezier\" bases");
         }
     }
@@ -83,7 +82,7 @@ static taut_status add_exact(const taut_model *model, taut_certificate *certific
 /* How far two opposite edges of even degree miss the condition of harmonic patches of bidegree
  * (n, n), that their top differences agree ([NiWang2015] section 2.4): d = |Delta^n (row n - row
  * 0)|; direction 0: the edges are u = 0 and 1. 0 for other bidegrees. */
-static double missed(const taut_surface *surface, int direction)
+static double defect_of(const taut_surface *surface, int direction)
 {
     const int n = taut_basis_degree(taut_surface_u(surface));
     const double *points = taut_surface_points(surface);
@@ -109,7 +108,7 @@ static double missed(const taut_surface *surface, int direction)
  *     w_v mu^k (n! d / 2) |Lambda_k(u) - Lambda_k(1 - u)|,   mu = w_v / w_u,
  * where the difference is at most 1 for k = 0 and 4 zeta(3) / (2 pi)^(2k+1) else (its sine series);
  * its Bernstein coefficients are taken for four times that. */
-static double forced(const taut_surface *surface, const taut_harmonic_residual *found)
+static double forced_residual(const taut_surface *surface, const taut_harmonic_residual *found)
 {
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     const int n = taut_basis_degree(bases[0]), k = n / 2 - 1;
@@ -121,7 +120,7 @@ static double forced(const taut_surface *surface, const taut_harmonic_residual *
     for (int d = 0; d < 2 && size > 0 && k >= 0; d++) {
         const double across = width[d], along = width[1 - d];
         const double lambda = k == 0 ? 1 : 16 * 1.2020569 * exp(-(2 * k + 1) * log(2 * 3.14159265));
-        const double miss = missed(surface, d);
+        const double miss = defect_of(surface, d);
         if (miss > 0 && miss <= 1e-10 * found->size) {
             most = fmax(most, pow(across / along, 2.0 * k) / (along * along) * 0.5 * miss *
                                   tgamma(n + 1.0) * lambda / size);
@@ -139,7 +138,7 @@ static taut_status add_missed(double residual, double limit, const taut_surface 
         where, sizeof where,
         "two edges of even degree miss the condition of a harmonic patch by %.3g, which leaves "
         "so much; \"even\" can repair them",
-        fmax(missed(surface, 0), missed(surface, 1)));
+        fmax(defect_of(surface, 0), defect_of(surface, 1)));
     const taut_claim claim = {"harmonic", residual, limit, TAUT_UNDECIDED, where};
     return taut_certificate_add(certificate, &claim);
 }
@@ -167,7 +166,7 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
             worst = found.scaled / allowed;
             residual = found.scaled;
             limit = allowed;
-            spared = forced(surface, &found);
+            spared = forced_residual(surface, &found);
             worst_surface = surface;
             snprintf(where, sizeof where, "surface %.40s, its own rectangle, point %d %d",
                      taut_surface_name(surface), found.i, found.j);
@@ -181,24 +180,21 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
 
 taut_status taut_harmonic_add_figures(const taut_model *model, taut_record *figures)
 {
+    static const char *const names[2] = {"dirichlet_energy", "isothermality"};
+    taut_status (*const measures[2])(const taut_surface *, double *) = {
+        taut_surface_dirichlet_energy, taut_surface_isothermality};
     const int count = taut_model_surface_count(model);
-    double *energy = taut_alloc(2 * (size_t)count, sizeof *energy);
-    double *isothermality = energy != NULL ? energy + count : NULL;
-    taut_status status = energy != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
-        status = taut_surface_dirichlet_energy(taut_model_surface(model, i), &energy[i]);
-        if (status == TAUT_OK) {
-            status = taut_surface_isothermality(taut_model_surface(model, i), &isothermality[i]);
+    for (int k = 0; k < 2; k++) {
+        taut_record *list = count > 1 ? taut_record_add_list(figures, names[k]) : figures;
+        for (int i = 0; i < count; i++) {
+            double value = 0;
+            const taut_status status = measures[k](taut_model_surface(model, i), &value);
+            if (status != TAUT_OK) {
+                return status;
+            }
+            taut_record_add_number(list, count > 1 ? NULL : names[k], value);
         }
     }
-    if (status == TAUT_OK && count == 1) {
-        taut_record_add_number(figures, "dirichlet_energy", energy[0]);
-        taut_record_add_number(figures, "isothermality", isothermality[0]);
-    } else if (status == TAUT_OK) {
-        taut_record_add_numbers(figures, "dirichlet_energy", count, energy);
-        taut_record_add_numbers(figures, "isothermality", count, isothermality);
-    }
-    taut_free(energy);
-    return status;
+    return TAUT_OK;
 }

@@ -27,7 +27,7 @@ taut_status taut_harmonic_add_figures(const taut_model *model, taut_record *figu
 taut_status taut_harmonic_add_claim(const char *name, double residual, double limit,
                                     const char *where, taut_certificate *certificate);
 
-/* Claim `nearest` (with `fit`): the largest product, over the boundary, of the distance to the
+/* Claim `nearest` (of four boundary rows): the largest product, over the boundary, of the distance to the
  * given rows with a harmonic polynomial of norm 1, over the size of the rows. Limit 8 (n + m) 2^-53
  * times the largest coordinate over the size: what rounding the points leaves. */
 taut_status taut_harmonic_add_nearest(const taut_surface *surface,

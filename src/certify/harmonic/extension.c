@@ -1,13 +1,14 @@
 /* extension.c -- is this the harmonic neighbour? Claims:
  *
- *   harmonic    each surface over its own rectangle (claims.h). The merged surface is
- * harmonic over the union of the two, and not over the unit square as the source's corollary has
- * it: figure merged_square_residual is the largest control point of its Laplacian there
- * ([NiWang2015] section 2.7). boundary    the given surface is there as it was: largest distance of
- * its points over its size. continuity  on the shared edge: gap over size, and the difference of
- * the derivatives across over the largest (contact c1), or the largest sine between the normals
- * (g1). Limit: 8 2^-53 (n + m) times the size of the nets over that of the derivatives, what
- * rounding the points leaves in a derivative.
+ *   harmonic    each surface over its own rectangle (claims.h). The merged surface is harmonic over
+ *               the union of the two, and not over the unit square as the source's corollary has it:
+ *               figure merged_square_residual is the largest control point of its Laplacian there
+ *               ([NiWang2015] section 2.7).
+ *   boundary    the given surface is there as it was: largest distance of its points over its size.
+ *   continuity  on the shared edge: gap over size, and the difference of the derivatives across
+ *               over the largest (contact c1), or the largest sine between the normals (g1). Limit:
+ *               8 2^-53 (n + m) times the size of the nets over that of the derivatives, what
+ *               rounding the points leaves in a derivative.
  */
 #include "taut/harmonic.h"
 
@@ -161,46 +162,51 @@ static double growth_of(const taut_model *model)
     return pow(1 + 2 * h, taut_basis_degree(old));
 }
 
+static taut_status add_figures(const taut_model *model, taut_certificate *certificate)
+{
+    taut_record *figures = taut_record_new();
+    const taut_status status = taut_harmonic_add_figures(model, figures);
+
+    if (taut_model_surface_count(model) > 2) {
+        taut_record_add_number(figures, "merged_square_residual",
+                               taut_harmonic_residual_of(taut_model_surface(model, 2), 1).largest);
+        taut_record_add_text(figures, "merged_remark",
+                             "h is harmonic over its own rectangle, not over the unit square");
+    }
+    taut_certificate_set_figures(certificate, figures);
+    return status == TAUT_OK ? taut_record_status(figures) : status;
+}
+
+static taut_status add_all(const taut_model *model, const taut_harmonic_extension_problem *problem,
+                           const taut_certify_options *options, taut_certificate *certificate,
+                           taut_error *error)
+{
+    const int g1 =
+        problem != NULL ? problem->given == TAUT_EXTENSION_G1 : taut_model_surface_count(model) < 3;
+    taut_status status = taut_harmonic_add_harmonic(model, options->exact,
+                                                    g1 ? 0 : growth_of(model), certificate, error);
+
+    if (status == TAUT_OK && problem != NULL) {
+        status = add_boundary(model, problem->surface, certificate);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = add_continuity(model, edge_of(model, problem), g1, certificate);
+    return status == TAUT_OK ? add_figures(model, certificate) : status;
+}
+
 static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
 {
-    const taut_harmonic_extension_problem *problem = data;
-    taut_record *figures = NULL;
     taut_status status = taut_harmonic_check_model(model, 2, error);
 
     if (status != TAUT_OK) {
         return status;
     }
-    const int g1 =
-        problem != NULL ? problem->contact == TAUT_CONTACT_G1 : taut_model_surface_count(model) < 3;
-    status = taut_harmonic_add_harmonic(model, options->exact, g1 ? 0 : growth_of(model),
-                                        certificate, error);
-    if (status == TAUT_IO) {
-        return status;
-    }
-    if (status == TAUT_OK && problem != NULL) {
-        status = add_boundary(model, problem->surface, certificate);
-    }
-    if (status == TAUT_OK) {
-        status = add_continuity(model, edge_of(model, problem), g1, certificate);
-    }
-    if (status == TAUT_OK) {
-        figures = taut_record_new();
-        status = taut_harmonic_add_figures(model, figures);
-        if (taut_model_surface_count(model) > 2) {
-            taut_record_add_number(
-                figures, "merged_square_residual",
-                taut_harmonic_residual_of(taut_model_surface(model, 2), 1).largest);
-            taut_record_add_text(figures, "merged_remark",
-                                 "h is harmonic over its own rectangle, not over the unit square");
-        }
-        taut_certificate_set_figures(certificate, figures);
-    }
-    if (status == TAUT_OK) {
-        status = taut_record_status(figures);
-    }
-    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    status = add_all(model, data, options, certificate, error);
+    return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
 
 const taut_certify_ops taut_certify_harmonic_extension = {.certify = certify, .exact = 1};

@@ -1,8 +1,7 @@
 /* fit.c -- is this the harmonic surface nearest to four boundary rows? Among a linear
  * space of surfaces the nearest is the one whose distance to the rows is orthogonal to the space,
  * on the boundary: here to the powers of z themselves, Re and Im of ((z - z0) / rho)^k, one after
- * the other
- * ([NiWang2015] sections 2.3, 8.3). */
+ * the other ([NiWang2015] sections 2.3, 8.3). */
 #include "certify/harmonic/claims.h"
 #include "numeric/quadrature.h"
 #include "taut/limits.h"
@@ -49,7 +48,7 @@ static void apart_at(const fit *f, int side, double t, double d[3])
 {
     double x[3];
 
-    side_at(f, f->problem->points, side, t, d);
+    side_at(f, f->problem->boundary.points, side, t, d);
     side_at(f, taut_surface_points(f->surface), side, t, x);
     for (int c = 0; c < 3; c++) {
         d[c] = x[c] - d[c];
@@ -107,9 +106,9 @@ static double size_of_rows(const fit *f, double *reach)
     for (int c = 0; c < 3; c++) {
         double low = INFINITY, high = -INFINITY;
         for (int k = 0; k < (f->n + 1) * (f->m + 1); k++) {
-            if (f->problem->known[k]) {
-                low = fmin(low, f->problem->points[3 * k + c]);
-                high = fmax(high, f->problem->points[3 * k + c]);
+            if (f->problem->boundary.known[k]) {
+                low = fmin(low, f->problem->boundary.points[3 * k + c]);
+                high = fmax(high, f->problem->boundary.points[3 * k + c]);
             }
         }
         size = fmax(size, 0.5 * high - 0.5 * low);

@@ -2,11 +2,12 @@
  *
  *   harmonic   claims.h
  *   boundary   largest distance of a given point from the model's over the size of the data; 0
- * where nothing was moved. After "corner" the last point of the second row is left out, after
- * "project" the rows are compared with the projected ones, worked out here. With a derivative: its
- * Bernstein coefficients n (P_1 - P_0) / a too; limit 8 n 2^-53, the rounding of that difference.
- *   nearest    with `fit`, in place of boundary: claims.h. Figures boundary_gap, the
- * largest distance of the edges from the given rows, and boundary_gap_at.
+ *              where nothing was moved. After "corner" the last point of the second row is left out,
+ *              after "project" the rows are compared with the projected ones, worked out here. With
+ *              a derivative: its Bernstein coefficients n (P_1 - P_0) / a too; limit 8 n 2^-53, the
+ *              rounding of that difference.
+ *   nearest    of four boundary rows, in place of boundary: claims.h. Figures boundary_gap, the
+ *              largest distance of the edges from the given rows, and boundary_gap_at.
  */
 #include "taut/harmonic.h"
 
@@ -61,8 +62,8 @@ static const char *repair_of(const taut_model *model)
         taut_record_get(taut_record_get(taut_model_details(model), "repair"), "kind"));
 }
 
-/* How much a "project" moved point j of the rows of even degree m: (-1)^(m-j) C(m,j) / (2 C(2m,m))
- * times the defect
+/* How much a "project" moved point j of the rows of even degree m:
+ *     (-1)^(m-j) C(m,j) / (2 C(2m,m)) times the defect
  * ([NiWang2015] section 3, B.1). Row 0 moves by +, row 1 by -. */
 static double project_weight(int m, int j)
 {
@@ -76,7 +77,7 @@ static const double *given_point(const taut_harmonic_problem *p, int turned, int
 {
     const int nu = taut_basis_count(p->u), nv = taut_basis_count(p->v);
     const int row = turned ? j : side * (nu - 1), column = turned ? side * (nv - 1) : j;
-    return p->points + 3 * (row * nv + column);
+    return p->rows.points + 3 * (row * nv + column);
 }
 
 static void project_defect(const taut_harmonic_problem *p, int turned, int m, double defect[3])
@@ -100,8 +101,8 @@ static void compare_lines(const taut_model *model, const taut_harmonic_problem *
     const int nu = taut_basis_count(p->u), nv = taut_basis_count(p->v);
     const int rows = taut_basis_count(taut_surface_u(surface));
     const int columns = taut_basis_count(taut_surface_v(surface));
-    const int turned = nu > 2 && !p->known[nv]; /* point (1, 0) is not known where rows are */
-    const int columns_known = nu > 2 && p->known[nv];
+    const int turned = nu > 2 && !p->rows.known[nv]; /* point (1, 0) is not known where rows are */
+    const int columns_known = nu > 2 && p->rows.known[nv];
     const int is_turned = turned ? 0 : columns_known;
     const int m = is_turned ? nu - 1 : nv - 1;
     const char *repair = repair_of(model);
@@ -118,7 +119,7 @@ static void compare_lines(const taut_model *model, const taut_harmonic_problem *
             const int given_j = is_turned ? side * (nv - 1) : j;
             const double w = (side == 0 ? 1 : -1) * project_weight(m, j);
             double wanted[3];
-            if (!p->known[given_i * nv + given_j] ||
+            if (!p->rows.known[given_i * nv + given_j] ||
                 (side == 1 && j == m && strcmp(repair, "corner") == 0)) {
                 continue;
             }
@@ -141,10 +142,10 @@ static void compare_derivative(const taut_surface *surface, const taut_harmonic_
 
     for (int j = 0; j < columns; j++) {
         double first[3], wanted[3];
-        compare(b, points + 3 * j, p->edge + 3 * j, 0, j);
+        compare(b, points + 3 * j, p->derivative.edge + 3 * j, 0, j);
         for (int c = 0; c < 3; c++) { /* as positions: P_1 against P_0 + a d / n */
             first[c] = points[3 * (columns + j) + c];
-            wanted[c] = p->edge[3 * j + c] + p->cross_derivative[3 * j + c] * width / n;
+            wanted[c] = p->derivative.edge[3 * j + c] + p->derivative.cross[3 * j + c] * width / n;
         }
         compare(b, first, wanted, 1, j);
     }
@@ -162,23 +163,24 @@ static taut_status add_boundary(const taut_model *model, const taut_harmonic_pro
 
     if (taut_basis_count(taut_surface_v(surface)) < nv ||
         taut_basis_count(taut_surface_u(surface)) < nu ||
-        (p->fit && (!taut_basis_equal(taut_surface_u(surface), p->u) ||
-                    !taut_basis_equal(taut_surface_v(surface), p->v)))) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", taut_none, taut_none,
+        (p->given == TAUT_HARMONIC_BOUNDARY &&
+         (!taut_basis_equal(taut_surface_u(surface), p->u) ||
+          !taut_basis_equal(taut_surface_v(surface), p->v)))) {
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces/0", taut_none, taut_none,
                          "the model and the problem do not belong together");
     }
-    if (p->fit) {
+    if (p->given == TAUT_HARMONIC_BOUNDARY) {
         return taut_harmonic_add_nearest(surface, p, certificate);
     }
-    if (p->from_derivative) {
-        b.size = size_of(p->edge, NULL, nv);
+    if (p->given == TAUT_HARMONIC_DERIVATIVE) {
+        b.size = size_of(p->derivative.edge, NULL, nv);
         compare_derivative(surface, p, &b);
         limit = 8 * n * unit_roundoff;
         for (int k = 0; k < 3 * nv; k++) { /* coordinates far from the origin round more */
-            limit = fmax(limit, 4 * unit_roundoff * fabs(p->edge[k]) / b.size);
+            limit = fmax(limit, 4 * unit_roundoff * fabs(p->derivative.edge[k]) / b.size);
         }
     } else {
-        b.size = size_of(p->points, p->known, nu * nv);
+        b.size = size_of(p->rows.points, p->rows.known, nu * nv);
         compare_lines(model, p, &b);
         limit = repair_of(model)[0] != '\0' && strcmp(repair_of(model), "project") == 0
                     ? 8 * n * unit_roundoff
@@ -190,10 +192,10 @@ static taut_status add_boundary(const taut_model *model, const taut_harmonic_pro
     return taut_harmonic_add_claim("boundary", b.largest / b.size, limit, where, certificate);
 }
 
-/* With `fit`: how far the edges are from what was given. */
+/* Of four boundary rows: how far the edges are from what was given. */
 static void add_gap(const taut_model *model, const taut_harmonic_problem *p, taut_record *figures)
 {
-    if (p != NULL && p->fit) {
+    if (p != NULL && p->given == TAUT_HARMONIC_BOUNDARY) {
         double gap = 0, at[2] = {0, 0};
         taut_harmonic_fit_gap(taut_model_surface(model, 0), p, &gap, at);
         taut_record_add_number(figures, "boundary_gap", gap);
@@ -201,36 +203,38 @@ static void add_gap(const taut_model *model, const taut_harmonic_problem *p, tau
     }
 }
 
-static taut_status certify(const taut_model *model, const void *data,
+/* The claims, and figures: every other failure than these tell of is one of memory. */
+static taut_status add_all(const taut_model *model, const taut_harmonic_problem *problem,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
 {
     taut_record *figures = NULL;
+    taut_status status = taut_harmonic_add_harmonic(model, options->exact, 0, certificate, error);
+
+    if (status == TAUT_OK && problem != NULL) {
+        status = add_boundary(model, problem, certificate, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    figures = taut_record_new();
+    status = taut_harmonic_add_figures(model, figures);
+    add_gap(model, problem, figures);
+    taut_certificate_set_figures(certificate, figures);
+    return status == TAUT_OK ? taut_record_status(figures) : status;
+}
+
+static taut_status certify(const taut_model *model, const void *data,
+                           const taut_certify_options *options, taut_certificate *certificate,
+                           taut_error *error)
+{
     taut_status status = taut_harmonic_check_model(model, 1, error);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_harmonic_add_harmonic(model, options->exact, 0, certificate, error);
-    if (status == TAUT_IO) {
-        return status;
-    }
-    if (status == TAUT_OK && data != NULL) {
-        status = add_boundary(model, data, certificate, error);
-        if (status == TAUT_BAD_INPUT) {
-            return status;
-        }
-    }
-    if (status == TAUT_OK) {
-        figures = taut_record_new();
-        status = taut_harmonic_add_figures(model, figures);
-        add_gap(model, data, figures);
-        taut_certificate_set_figures(certificate, figures);
-    }
-    if (status == TAUT_OK) {
-        status = taut_record_status(figures);
-    }
-    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    status = add_all(model, data, options, certificate, error);
+    return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
 
 const taut_certify_ops taut_certify_harmonic = {.certify = certify, .exact = 1};

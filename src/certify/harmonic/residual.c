@@ -5,7 +5,7 @@
 
 /* The five factors of relation (2) at index i of degree n: of points i+2, i+1, i, i-1, i-2. They
  * vanish by themselves where those are outside the net. */
-static void factors(int n, int i, double f[5])
+static void fill_factors(int n, int i, double f[5])
 {
     const double a0 = (double)(n - i) * (n - i - 1), a1 = 2.0 * i * (n - i),
                  a2 = (double)i * (i - 1);
@@ -18,8 +18,8 @@ static void factors(int n, int i, double f[5])
 
 /* sum_k f[k] (p[i + 2 - k] s - mean), s = 2^-unit, points outside the net left out; p strides
  * `stride` points. */
-static double apply(const double f[5], int n, int i, const double *points, long first, long stride,
-                    int c, int unit, double mean)
+static double apply_factors(const double f[5], int n, int i, const double *points, long first,
+                            long stride, int c, int unit, double mean)
 {
     double sum = 0;
     for (int k = 0; k < 5; k++) {
@@ -62,14 +62,14 @@ void taut_certify_laplacian(int n, int m, double wu, double wv, const double *ne
 {
     for (int i = 0; i <= n; i++) {
         double fu[5];
-        factors(n, i, fu);
+        fill_factors(n, i, fu);
         for (int j = 0; j <= m; j++) {
             double fv[5];
-            factors(m, j, fv);
+            fill_factors(m, j, fv);
             for (int c = 0; c < 3; c++) {
                 laplacian[3 * (i * (m + 1) + j) + c] =
-                    wu * apply(fu, n, i, net, j, m + 1, c, 0, 0) +
-                    wv * apply(fv, m, j, net, (long)i * (m + 1), 1, c, 0, 0);
+                    wu * apply_factors(fu, n, i, net, j, m + 1, c, 0, 0) +
+                    wv * apply_factors(fv, m, j, net, (long)i * (m + 1), 1, c, 0, 0);
             }
         }
     }
@@ -90,14 +90,14 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
 
     for (int i = 0; i <= n; i++) {
         double fu[5];
-        factors(n, i, fu);
+        fill_factors(n, i, fu);
         for (int j = 0; j <= m; j++) {
             double fv[5];
-            factors(m, j, fv);
+            fill_factors(m, j, fv);
             for (int c = 0; c < 3; c++) {
-                const double along_u = apply(fu, n, i, points, j, m + 1, c, unit, mean[c]);
+                const double along_u = apply_factors(fu, n, i, points, j, m + 1, c, unit, mean[c]);
                 const double along_v =
-                    apply(fv, m, j, points, (long)i * (m + 1), 1, c, unit, mean[c]);
+                    apply_factors(fv, m, j, points, (long)i * (m + 1), 1, c, unit, mean[c]);
                 const double r = fabs(wu * along_u + wv * along_v);
                 if (!(r <= found.largest)) {
                     found.largest = r;

@@ -3,11 +3,11 @@
  */
 #include "construct/asymptotic/branch.h"
 #include "construct/asymptotic/conditions.h"
-#include "construct/asymptotic/details.h"
 #include "construct/asymptotic/low.h"
 #include "construct/asymptotic/plate.h"
 #include "construct/asymptotic/poly.h"
-#include "construct/asymptotic/rows.h"
+#include "construct/asymptotic/ribbon.h"
+#include "construct/common/build.h"
 #include "construct/construct_ops.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -19,6 +19,8 @@
 
 /* All that one call holds; lives in its arena. */
 typedef struct work {
+    const taut_asymptotic_problem *problem;
+    const taut_monitor *monitor; /* or NULL */
     taut_quad quad;
     taut_branches branches;
     taut_ribbon ribbons[4];
@@ -59,7 +61,7 @@ static taut_status check_size(const double *corners, const double center[3], con
         far = fmax(far, fabs(corners[k]));
     }
     if (isfinite(far) && *size > 0 && 0.5 * DBL_EPSILON * far > most_rounding * *size) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", where, 0.5 * DBL_EPSILON * far / *size,
+        return taut_fail(error, TAUT_BAD_INPUT, "far-away", where, 0.5 * DBL_EPSILON * far / *size,
                          most_rounding,
                          "coordinates of %.3g hold the corners, %.3g from their mean, to %.1e of "
                          "that only, expected %.0e at the most: move the origin nearer",
@@ -68,7 +70,7 @@ static taut_status check_size(const double *corners, const double center[3], con
     if (isfinite(center[0]) && isfinite(center[1]) && isfinite(center[2]) && *size > 0 &&
         !(*size >= least_size && *size <= most_size)) {
         return taut_fail(
-            error, TAUT_BAD_INPUT, "value", where, *size, taut_none,
+            error, TAUT_BAD_INPUT, "too-large", where, *size, taut_none,
             "the corners lie %.3g from their mean, expected %.0e to %.0e: take another "
             "unit of length",
             *size, least_size, most_size);
@@ -109,7 +111,7 @@ static taut_status check_points(const taut_quad *quad, taut_error *error)
             const double *const p = quad->edges[e].points[j];
             const double far = fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]));
             if (!(far <= most_size)) {
-                return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", far, most_size,
+                return taut_fail(error, TAUT_BAD_INPUT, "too-large", "/curves", far, most_size,
                                  "a control point of %s has a coordinate of %.3g, expected %.0e at "
                                  "the most",
                                  taut_asymptotic_edge_name(e), far, most_size);
@@ -119,14 +121,19 @@ static taut_status check_points(const taut_quad *quad, taut_error *error)
     return TAUT_OK;
 }
 
+static void copy_corners(const taut_quad *quad, double corners[4][3])
+{
+    for (int c = 0; c < 4; c++) {
+        const taut_quad_meeting *const m = taut_quad_corner[c];
+        memcpy(corners[c], taut_quad_point(quad, m->edge, m->end, 0), sizeof corners[c]);
+    }
+}
+
 /* Moves the quadrilateral there. */
 static void center_quad(work *w)
 {
     double corners[4][3], moved[3];
-    for (int c = 0; c < 4; c++) {
-        const taut_quad_meeting *const m = taut_quad_corner[c];
-        memcpy(corners[c], taut_quad_point(&w->quad, m->edge, m->end, 0), sizeof corners[c]);
-    }
+    copy_corners(&w->quad, corners);
     center_of(&corners[0][0], moved);
     for (int e = 0; e < 4; e++) {
         for (int j = 0; j <= w->quad.degree; j++) {
@@ -136,71 +143,60 @@ static void center_quad(work *w)
     taut_add_scaled(1.0, moved, w->center);
 }
 
-static taut_status take_curves(const taut_asymptotic_problem *problem, work *w, taut_error *error)
+static taut_status use_curves(work *w, taut_error *error)
 {
     taut_curve_rule rule;
     double corners[4][3], center[3], size = 0.0;
-    taut_status status = taut_quad_of_curves(problem->curves, &w->quad, error);
-    if (status == TAUT_OK) {
-        for (int c = 0; c < 4; c++) {
-            const taut_quad_meeting *const m = taut_quad_corner[c];
-            memcpy(corners[c], taut_quad_point(&w->quad, m->edge, m->end, 0), sizeof corners[c]);
-        }
-        center_of(&corners[0][0], center);
-        status = check_size(&corners[0][0], center, "/curves", &size, error);
-        scale_weights(&w->quad);
+    taut_status status = taut_quad_of_curves(w->problem->curves, &w->quad, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = check_points(&w->quad, error);
+    copy_corners(&w->quad, corners);
+    center_of(&corners[0][0], center);
+    status = check_size(&corners[0][0], center, "/curves", &size, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        taut_curve_rule_fill(w->quad.degree, TAUT_CURVE_FINE, &rule);
-        w->curve_energy = taut_quad_energy(&rule, &w->quad);
+    scale_weights(&w->quad);
+    status = check_points(&w->quad, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    taut_curve_rule_fill(w->quad.degree, TAUT_CURVE_FINE, &rule);
+    w->curve_energy = taut_quad_energy(&rule, &w->quad);
+    return TAUT_OK;
 }
 
 /* Algorithm 1, about the mean of the corners where that is far away. */
-static taut_status find_curves(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
-                               work *w, taut_error *error)
+static taut_status find_curves(work *w, taut_error *error)
 {
-    taut_asymptotic_problem moved = *problem;
+    taut_asymptotic_corners moved = w->problem->corners;
     double center[3], size = 0.0, far = 0.0;
     int chosen = 0;
     taut_status status = TAUT_OK;
     for (int k = 0; k < 12; k++) {
-        far = fmax(far, fabs(problem->corners[k / 3][k % 3]));
+        far = fmax(far, fabs(moved.points[k / 3][k % 3]));
     }
-    center_of(&problem->corners[0][0], center);
-    status = check_size(&problem->corners[0][0], center, "/corners", &size, error);
-    if (status == TAUT_OK &&
-        fmax(fmax(fabs(center[0]), fabs(center[1])), fabs(center[2])) > 8.0 * size) {
+    center_of(&moved.points[0][0], center);
+    status = check_size(&moved.points[0][0], center, "/corners", &size, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (fmax(fmax(fabs(center[0]), fabs(center[1])), fabs(center[2])) > 8.0 * size) {
         memcpy(w->center, center, sizeof center);
         for (int c = 0; c < 4; c++) {
-            taut_add_scaled(-1.0, center, moved.corners[c]);
+            taut_add_scaled(-1.0, center, moved.points[c]);
         }
     }
-    if (status == TAUT_OK) {
-        status = taut_branches_find(&moved, 0.5 * DBL_EPSILON * far, monitor, &w->branches, error);
+    status = taut_branches_find(&moved, 0.5 * DBL_EPSILON * far, w->monitor, &w->branches, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_branch_choose(problem, &w->branches, &chosen, error);
-    }
-    if (status == TAUT_OK) {
-        w->quad = w->branches.list[chosen].quad;
-        w->quad.rounding = 0.5 * DBL_EPSILON * far;
-        w->curve_energy = w->branches.list[chosen].energy;
-    }
+    status = taut_branch_choose(&moved, &w->branches, &chosen, error);
+    w->quad = w->branches.list[chosen].quad;
+    w->quad.rounding = 0.5 * DBL_EPSILON * far;
+    w->curve_energy = w->branches.list[chosen].energy;
     return status;
-}
-
-static taut_status find_quad(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
-                             work *w, taut_error *error)
-{
-    const int given = problem->curves[0] != NULL || problem->curves[1] != NULL ||
-                      problem->curves[2] != NULL || problem->curves[3] != NULL;
-    memset(w->center, 0, sizeof w->center);
-    return given ? take_curves(problem, w, error) : find_curves(problem, monitor, w, error);
 }
 
 /* (C4): an edge whose beta changes sign is singular where it vanishes. */
@@ -209,7 +205,7 @@ static taut_status check_regular(const work *w, taut_error *error)
     for (int e = 0; e < 4; e++) {
         const double at = taut_ribbon_singular(&w->ribbons[e]);
         if (isfinite(at)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", at, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "singular", "", at, taut_none,
                              "edge %s is singular at parameter %.6f: its normal would have to "
                              "turn over (sigma %+d and %+d at its ends, no inflection between); "
                              "other legs, or \"singular\": \"report\", build it",
@@ -242,7 +238,7 @@ static int list_freedoms(work *w)
     return count;
 }
 
-static void note_freedoms(work *w, int count)
+static void set_alphas(work *w, int count)
 {
     const int per = 3 * w->quad.degree - 8;
     int k = 0;
@@ -254,46 +250,45 @@ static void note_freedoms(work *w, int count)
 }
 
 /* Algorithm 2 at degree 5n - 7. */
-static taut_status fill_paper(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
-                              work *w, taut_error *error)
+static taut_status fill_paper(work *w, taut_error *error)
 {
-    const taut_plate_options options = {0, monitor};
+    const taut_plate_options options = {0, w->monitor};
     taut_status status = TAUT_OK;
-    int freedoms = 0;
+    int count = 0;
     for (int e = 0; e < 4; e++) {
         taut_ribbon_fill(&w->quad, e, &w->ribbons[e]);
     }
     for (int e = 0; e < 4; e++) {
         taut_ribbon_ends(&w->quad, e, w->ribbons);
     }
-    status = problem->report_singular ? TAUT_OK : check_regular(w, error);
-    if (status == TAUT_OK) {
-        status = taut_ribbon_twists(&w->quad, w->ribbons, w->patch.twist, error);
+    status = w->problem->report_singular ? TAUT_OK : check_regular(w, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_rows_fill(&w->quad, w->ribbons, &w->patch, error);
+    status = taut_ribbon_twists(&w->quad, w->ribbons, w->patch.twist, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        freedoms = problem->free_all ? list_freedoms(w) : 0;
-        status = taut_plate_solve(&w->patch, freedoms, w->freedoms, w->factors, &options,
-                                  &w->patch_energy, error);
+    status = taut_ribbon_rows(&w->quad, w->ribbons, &w->patch, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        note_freedoms(w, freedoms);
-    }
+    count = w->problem->free_all ? list_freedoms(w) : 0;
+    status = taut_plate_solve(&w->patch, count, w->freedoms, w->factors, &options, &w->patch_energy,
+                              error);
+    set_alphas(w, count);
     return status;
 }
 
-static taut_status fill_low(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
-                            work *w, taut_error *error)
+static taut_status fill_low(work *w, taut_error *error)
 {
-    if (problem->free_all) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/free", taut_none, taut_none,
+    if (w->problem->free_all) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/free", taut_none, taut_none,
                          "the free alpha belong to surface \"5n-7\": leave out \"free\" or "
                          "\"surface\"");
     }
-    return taut_low_fill(&w->quad, problem->report_singular, monitor, &w->patch, &w->patch_energy,
-                         error);
+    return taut_low_fill(&w->quad, w->problem->report_singular, w->monitor, &w->patch,
+                         &w->patch_energy, error);
 }
 
 /* ---- the model ---- */
@@ -306,92 +301,146 @@ static taut_status add_curve(const work *w, int e, taut_model *model, taut_error
     taut_basis *basis = NULL;
     taut_curve *curve = NULL;
     taut_status status = taut_basis_new(&spec, 0, &basis, error);
-    if (status == TAUT_OK) {
-        memcpy(points, edge->points, sizeof points);
-        for (int j = 0; j <= w->quad.degree; j++) {
-            taut_add_scaled(1.0, w->center, points[j]);
-        }
-        status = taut_curve_new(taut_asymptotic_edge_name(e), basis, &points[0][0], edge->weights,
-                                &curve, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && taut_model_add_curve(model, curve) != TAUT_OK) {
-        taut_curve_free(curve);
-        status = taut_fail_memory(error);
+    memcpy(points, edge->points, sizeof points);
+    for (int j = 0; j <= w->quad.degree; j++) {
+        taut_add_scaled(1.0, w->center, points[j]);
     }
+    status = taut_curve_new(taut_asymptotic_edge_name(e), basis, &points[0][0], edge->weights,
+                            &curve, error);
     taut_basis_free(basis);
-    return status;
+    return status == TAUT_OK ? taut_construct_add_curve(model, curve, error) : status;
 }
 
 static taut_status add_patch(const work *w, taut_arena *arena, taut_model *model, taut_error *error)
 {
-    const int m = w->patch.m;
+    const int m = w->patch.m, counts[2] = {0, 0};
     const size_t count = (size_t)(m + 1) * (size_t)(m + 1);
-    const taut_basis_spec spec = {.type = "bezier", .degree = m};
+    const taut_basis_spec spec = {.type = "bezier", .degree = m}, specs[2] = {spec, spec};
     double *const points = taut_arena_take(arena, 3 * count, sizeof *points);
     double *const weights = taut_arena_take(arena, count, sizeof *weights);
-    taut_basis *basis = NULL;
-    taut_surface *surface = NULL;
-    taut_status status = points != NULL && weights != NULL ? TAUT_OK : taut_fail_memory(error);
-    if (status == TAUT_OK) {
-        for (size_t k = 0; k < count; k++) {
-            const double *const entry = w->patch.net[k];
-            for (int d = 0; d < 3; d++) {
-                points[3 * k + (size_t)d] = entry[d] / entry[3] + w->center[d];
-            }
-            weights[k] = entry[3];
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (size_t k = 0; k < count; k++) {
+        const double *const entry = w->patch.net[k];
+        for (int d = 0; d < 3; d++) {
+            points[3 * k + (size_t)d] = entry[d] / entry[3] + w->center[d];
         }
-        status = taut_basis_new(&spec, 0, &basis, error);
+        weights[k] = entry[3];
     }
-    if (status == TAUT_OK) {
-        status = taut_surface_new("patch", basis, basis, points, weights, &surface, error);
-    }
-    if (status == TAUT_OK && taut_model_add_surface(model, surface) != TAUT_OK) {
-        taut_surface_free(surface);
-        status = taut_fail_memory(error);
-    }
-    taut_basis_free(basis);
-    return status;
+    return taut_construct_add_net(model, "patch", specs, counts, points, weights, NULL, error);
 }
 
-static taut_status fill_model(const taut_asymptotic_problem *problem, const work *w,
-                              taut_arena *arena, taut_model *model, taut_error *error)
+static const char *const closing_names[] = {"none", "identity", "constraint"};
+
+static void add_edge(const work *w, int e, taut_record *edges)
+{
+    const taut_quad *const quad = &w->quad;
+    const double sigma[2] = {taut_quad_sigma(quad, e, 0), taut_quad_sigma(quad, e, 1)};
+    taut_record *const edge = taut_record_add_object(edges, taut_asymptotic_edge_name(e));
+    taut_record_add_bool(edge, "straight", quad->edges[e].straight);
+    if (quad->edges[e].straight) {
+        return;
+    }
+    taut_record_add_numbers(edge, "sigma", 2, sigma);
+    if (w->problem->surface == TAUT_BIDEGREE_5N_MINUS_7) {
+        const taut_ribbon *const ribbon = &w->ribbons[e];
+        const double torsion[2] = {taut_quad_torsion(quad, e, 0), taut_quad_torsion(quad, e, 1)};
+        const double singular = taut_ribbon_singular(ribbon);
+        taut_record_add_numbers(edge, "alpha", 3 * quad->degree - 4, ribbon->alpha);
+        taut_record_add_numbers(edge, "beta", 2, ribbon->beta);
+        taut_record_add_numbers(edge, "torsion", 2, torsion);
+        taut_record_add_numbers(edge, "inflections", ribbon->inflections, ribbon->inflection);
+        if (isfinite(singular)) {
+            taut_record_add_number(edge, "singular_at", singular);
+        }
+    }
+}
+
+static void add_branches(const work *w, taut_record *details)
+{
+    taut_record *const list = taut_record_add_list(details, "branches");
+    char text[5];
+    for (int k = 0; k < w->branches.count; k++) {
+        taut_record *const item = taut_record_add_object(list, NULL);
+        taut_branch_text(w->branches.list[k].signs, text);
+        taut_record_add_text(item, "branch", text);
+        taut_record_add_number(item, "energy", w->branches.list[k].energy);
+    }
+}
+
+/* What was decided. */
+static taut_record *details_of(const work *w)
+{
+    taut_record *const details = taut_record_new();
+    taut_record *edges = NULL, *corners = NULL;
+    char text[5];
+    int signs[4];
+    for (int e = 0; e < 4; e++) {
+        signs[e] = taut_quad_side(&w->quad, e, 0);
+    }
+    taut_branch_text(signs, text);
+    taut_record_add_number(details, "curve_energy", w->curve_energy);
+    taut_record_add_number(details, "plate_energy", w->patch_energy);
+    taut_record_add_number(details, "degree", w->patch.m);
+    taut_record_add_text(details, "branch", text);
+    if (w->branches.count > 0) {
+        taut_record_add_number(details, "unknowns", w->branches.unknowns);
+        taut_record_add_text(details, "closing", closing_names[w->branches.closing]);
+    }
+    add_branches(w, details);
+    edges = taut_record_add_object(details, "edges");
+    for (int e = 0; e < 4; e++) {
+        add_edge(w, e, edges);
+    }
+    corners = taut_record_add_object(details, "corners");
+    for (int c = 0; c < 4; c++) {
+        taut_record *const corner = taut_record_add_object(corners, taut_asymptotic_corner_name(c));
+        taut_record_add_numbers(corner, "twist", 3, w->patch.twist[c]);
+        taut_record_add_number(corner, "weight", w->patch.weight[c]);
+    }
+    return details;
+}
+
+static taut_status add_all(const work *w, taut_arena *arena, taut_model *model, taut_error *error)
 {
     static const int order[4] = {TAUT_ASYMPTOTIC_V0, TAUT_ASYMPTOTIC_V1, TAUT_ASYMPTOTIC_U0,
                                  TAUT_ASYMPTOTIC_U1};
-    const taut_asymptotic_story story = {
-        .quad = &w->quad,
-        .patch = &w->patch,
-        .ribbons = problem->surface == TAUT_BIDEGREE_5N_MINUS_7 ? w->ribbons : NULL,
-        .branches = w->branches.count > 0 ? &w->branches : NULL,
-        .curve_energy = w->curve_energy,
-        .patch_energy = w->patch_energy,
-    };
-    taut_record *details = NULL;
     taut_status status = add_patch(w, arena, model, error);
     for (int k = 0; k < 4 && status == TAUT_OK; k++) {
         status = add_curve(w, order[k], model, error);
     }
-    if (status == TAUT_OK) {
-        details = taut_asymptotic_details(&story);
-        status = taut_record_status(details);
-        if (status == TAUT_OK) {
-            taut_model_set_details(model, details);
-        } else {
-            taut_record_free(details);
-            status = taut_fail_memory(error);
-        }
-    }
-    return status;
+    return status == TAUT_OK ? taut_construct_set_details(model, details_of(w), error) : status;
 }
 
-static taut_status build(const taut_asymptotic_problem *problem, const taut_monitor *monitor,
-                         taut_arena *arena, work *w, taut_model *model, taut_error *error)
+static taut_status fill_quad(work *w, taut_error *error)
 {
-    const int low = problem->surface == TAUT_BIDEGREE_N_PLUS_3;
-    taut_status status = find_quad(problem, monitor, w, error);
-    if (status == TAUT_OK) {
-        status = taut_quad_check(&w->quad, error);
+    const taut_status status =
+        w->problem->given == TAUT_ASYMPTOTIC_CURVES ? use_curves(w, error) : find_curves(w, error);
+    return status == TAUT_OK ? taut_quad_check(&w->quad, error) : status;
+}
+
+typedef struct request {
+    const taut_asymptotic_problem *problem;
+    const taut_monitor *monitor;
+} request;
+
+static taut_status fill_model(void *context, taut_arena *arena, taut_model *model,
+                              taut_error *error)
+{
+    const request *const asked = context;
+    const int low = asked->problem->surface == TAUT_BIDEGREE_N_PLUS_3;
+    work *const w = taut_arena_take(arena, 1, sizeof *w);
+    taut_status status = TAUT_OK;
+    if (w == NULL) {
+        return taut_fail_memory(error);
     }
+    w->problem = asked->problem;
+    w->monitor = asked->monitor;
+    status = fill_quad(w, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -400,37 +449,21 @@ static taut_status build(const taut_asymptotic_problem *problem, const taut_moni
     if (status != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    status = low ? fill_low(problem, monitor, w, error) : fill_paper(problem, monitor, w, error);
-    return status == TAUT_OK ? fill_model(problem, w, arena, model, error) : status;
+    status = low ? fill_low(w, error) : fill_paper(w, error);
+    return status == TAUT_OK ? add_all(w, arena, model, error) : status;
 }
 
 taut_status taut_asymptotic_make(const taut_asymptotic_problem *problem,
                                  const taut_make_options *options, taut_model **model,
                                  taut_error *error)
 {
-    taut_arena *arena = NULL;
-    taut_model *made = NULL;
-    work *w = NULL;
-    taut_status status = TAUT_OK;
+    request asked = {problem, options != NULL ? &options->monitor : NULL};
 
     if (problem == NULL || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_asymptotic_make needs a problem and a place for the model");
     }
-    arena = taut_arena_new();
-    w = arena != NULL ? taut_arena_take(arena, 1, sizeof *w) : NULL;
-    if (w == NULL || taut_model_new(&made) != TAUT_OK) {
-        status = taut_fail_memory(error);
-    } else {
-        status = build(problem, options != NULL ? &options->monitor : NULL, arena, w, made, error);
-    }
-    taut_arena_free(arena);
-    if (status != TAUT_OK) {
-        taut_model_free(made);
-        return status;
-    }
-    *model = made;
-    return TAUT_OK;
+    return taut_construct_build(fill_model, &asked, model, error);
 }
 
 static taut_status make(const void *data, const taut_make_options *options, taut_model **model,

@@ -38,12 +38,12 @@ typedef struct taut_branches {
 /* All branches with a minimum, lowest energy first. The corners may have been moved: `rounding` is
  * that of their coordinates as they were given. TAUT_NO_SOLUTION if there is none: *error says
  * which condition fails and what is nearest. */
-taut_status taut_branches_find(const taut_asymptotic_problem *problem, double rounding,
+taut_status taut_branches_find(const taut_asymptotic_corners *corners, double rounding,
                                const taut_monitor *monitor, taut_branches *branches,
                                taut_error *error);
 
 /* Index of the branch the problem asks for; TAUT_NO_SOLUTION names those there are. */
-taut_status taut_branch_choose(const taut_asymptotic_problem *problem,
+taut_status taut_branch_choose(const taut_asymptotic_corners *corners,
                                const taut_branches *branches, int *index, taut_error *error);
 
 /* signs in the order v0, v1, u0, u1 as text, such as "+-+-". */

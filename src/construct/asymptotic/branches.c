@@ -1,9 +1,10 @@
 #include "construct/asymptotic/branch.h"
 
+#include "construct/asymptotic/corner_data.h"
 #include "construct/asymptotic/family.h"
 #include "construct/asymptotic/quartic.h"
+#include "core/arena.h"
 #include "core/fail.h"
-#include "core/memory.h"
 
 #include <assert.h>
 #include <math.h>
@@ -49,14 +50,14 @@ static int signs_of(const taut_corner_data *data, int code, int signs[4])
     return 1;
 }
 
-static int stopped(const taut_monitor *monitor, int code)
+static int is_stopped(const taut_monitor *monitor, int code)
 {
     return monitor != NULL && monitor->progress != NULL &&
            monitor->progress(monitor->context, code / 32.0, "branches") != 0;
 }
 
 /* Keeps the list in order of energy. */
-static void insert(taut_branches *branches, const taut_branch *branch)
+static void insert_branch(taut_branches *branches, const taut_branch *branch)
 {
     int at = branches->count++;
     for (; at > 0 && branches->list[at - 1].energy > branch->energy; at--) {
@@ -73,39 +74,41 @@ static taut_status fail_none(const taut_corner_data *data, int allowed, double g
     if (gap != 0.0) {
         return taut_closing_fail(data, gap, 1, error);
     }
-    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/edges", taut_none, taut_none,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "no-minimum", "/edges", taut_none, taut_none,
                      "the curve energy has no minimum in any of the %d sign branches that the "
                      "corner data allows, from several starts each",
                      allowed);
 }
 
-static taut_status find_with(const taut_family *family, const taut_corner_data *data, void *room,
-                             const taut_monitor *monitor, taut_branches *branches,
-                             taut_error *error)
+static taut_status find_in_family(const taut_family *family, const taut_corner_data *data,
+                                  void *room, const taut_monitor *monitor, taut_branches *branches,
+                                  taut_error *error)
 {
     taut_branch *const branch = &branches->list[TAUT_BRANCHES_MAX];
     int allowed = 0;
     double gap = INFINITY;
-    taut_status status = family->prepare(data, room, &branches->closing, error);
-    for (int code = 0; code < TAUT_BRANCHES_MAX && status == TAUT_OK; code++) {
+    const taut_status status = family->prepare(data, room, &branches->closing, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int code = 0; code < TAUT_BRANCHES_MAX; code++) {
         int signs[4];
-        if (stopped(monitor, code)) {
-            status = taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
-                               "stopped");
-        } else if (signs_of(data, code, signs) && family->allows(room, signs)) {
+        if (is_stopped(monitor, code)) {
+            return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                             "stopped");
+        }
+        if (signs_of(data, code, signs) && family->allows(room, signs)) {
             allowed++;
             family->minimise(room, signs, branch);
             gap = fabs(branch->gap) < fabs(gap) ? branch->gap : gap;
             branches->unknowns = branch->unknowns;
             if (branch->found) {
-                insert(branches, branch);
+                insert_branch(branches, branch);
             }
         }
     }
-    if (status == TAUT_OK && branches->count == 0) {
-        status = fail_none(data, allowed, isfinite(gap) ? gap : 0.0, error);
-    }
-    return status;
+    return branches->count > 0 ? TAUT_OK
+                               : fail_none(data, allowed, isfinite(gap) ? gap : 0.0, error);
 }
 
 /* From degree 6 on the energy has no minimum: the ends can bend in ever shorter intervals, P_2 near
@@ -123,52 +126,54 @@ static void raise_branches(const taut_corner_data *data, taut_branches *branches
     }
 }
 
-taut_status taut_branches_find(const taut_asymptotic_problem *problem, double rounding,
-                               const taut_monitor *monitor, taut_branches *branches,
-                               taut_error *error)
+static taut_status find_free(const taut_asymptotic_corners *corners, double rounding,
+                             const taut_monitor *monitor, taut_arena *arena,
+                             taut_branches *branches, taut_error *error)
 {
-    const taut_family *family = NULL;
-    taut_corner_data *data = NULL;
-    void *room = NULL;
+    const taut_family *const family = families[corners->degree > 4];
+    taut_corner_data *const data = taut_arena_take(arena, 1, sizeof *data);
+    void *const room = taut_arena_take(arena, 1, family->size);
     taut_status status = TAUT_OK;
 
-    branches->count = 0;
-    branches->closing = TAUT_CLOSING_NONE;
-    if (problem->degree == 3) {
-        return taut_cubic_find(problem, rounding, branches, error);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
-    status = taut_corner_check(problem, error);
+    status = taut_corner_data_fill(corners, rounding, data, error);
     if (status != TAUT_OK) {
         return status;
     }
-    family = families[problem->degree > 4];
-    data = taut_alloc_zero(1, sizeof *data);
-    room = taut_alloc_zero(1, family->size);
-    if (data == NULL || room == NULL) {
-        status = taut_fail_memory(error);
-    } else {
-        status = taut_corner_data_fill(problem, rounding, data, error);
-    }
-    if (status == TAUT_OK) {
-        status = find_with(family, data, room, monitor, branches, error);
-    }
-    if (status == TAUT_OK) {
-        raise_branches(data, branches);
-    }
-    taut_free(room);
-    taut_free(data);
+    status = find_in_family(family, data, room, monitor, branches, error);
+    raise_branches(data, branches);
     return status;
 }
 
-taut_status taut_branch_choose(const taut_asymptotic_problem *problem,
+taut_status taut_branches_find(const taut_asymptotic_corners *corners, double rounding,
+                               const taut_monitor *monitor, taut_branches *branches,
+                               taut_error *error)
+{
+    taut_arena *arena = NULL;
+    taut_status status = taut_corner_check(corners, error);
+
+    branches->count = 0;
+    branches->closing = TAUT_CLOSING_NONE;
+    if (status != TAUT_OK || corners->degree == 3) {
+        return status == TAUT_OK ? taut_cubic_find(corners, rounding, branches, error) : status;
+    }
+    arena = taut_arena_new();
+    status = find_free(corners, rounding, monitor, arena, branches, error);
+    taut_arena_free(arena);
+    return status;
+}
+
+taut_status taut_branch_choose(const taut_asymptotic_corners *corners,
                                const taut_branches *branches, int *index, taut_error *error)
 {
     char asked[5], found[5], list[6 * TAUT_BRANCHES_MAX + 1] = "";
-    if (!problem->has_branch) {
+    if (!corners->has_branch) {
         *index = 0;
         return TAUT_OK;
     }
-    taut_branch_text(problem->branch, asked);
+    taut_branch_text(corners->branch, asked);
     for (int k = 0; k < branches->count; k++) {
         taut_branch_text(branches->list[k].signs, found);
         if (strcmp(asked, found) == 0) {
@@ -177,6 +182,6 @@ taut_status taut_branch_choose(const taut_asymptotic_problem *problem,
         }
         (void)snprintf(list + strlen(list), sizeof list - strlen(list), " %s", found);
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/branch", taut_none, taut_none,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-branch", "/branch", taut_none, taut_none,
                      "there is no branch %s; those that exist:%s", asked, list);
 }

@@ -61,7 +61,7 @@ static taut_status check_legs(const taut_quad *quad, int c, taut_error *error)
     taut_quad_leg(quad, m[1].edge, m[1].end, b);
     for (int k = 0; k < 2; k++) {
         if (!(taut_norm(k == 0 ? a : b) > 0)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/curves", 0.0, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-leg", "/curves", 0.0, taut_none,
                              "the control point of %s beside corner %s lies on it: the curve has "
                              "no leg there",
                              taut_asymptotic_edge_name(m[k].edge), taut_asymptotic_corner_name(c));
@@ -70,7 +70,7 @@ static taut_status check_legs(const taut_quad *quad, int c, taut_error *error)
     taut_cross(a, b, normal);
     sine = taut_norm(normal) / (taut_norm(a) * taut_norm(b));
     if (!(sine >= least_sine)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", sine, least_sine,
+        return taut_fail(error, TAUT_NO_SOLUTION, "parallel-legs", "", sine, least_sine,
                          "the legs of %s and %s are parallel at corner %s (sine %.3g): they must "
                          "span the tangent plane",
                          taut_asymptotic_edge_name(m[0].edge), taut_asymptotic_edge_name(m[1].edge),
@@ -99,14 +99,15 @@ static taut_status check_plane(const taut_quad *quad, int c, taut_error *error)
                         taut_quad_point(quad, m->edge, m->end, 0), arm);
         taut_cross(leg[k], arm, bend);
         if (!(taut_norm(bend) > least_bend * taut_norm(leg[k]) * taut_norm(arm))) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", taut_norm(bend), taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-curvature", "", taut_norm(bend),
+                             taut_none,
                              "edge %s has curvature 0 at corner %s and is not straight: it has no "
                              "osculating plane there",
                              taut_asymptotic_edge_name(m->edge), taut_asymptotic_corner_name(c));
         }
         off = fabs(taut_dot(bend, leg[1 - k])) / (taut_norm(bend) * taut_norm(leg[1 - k]));
         if (!(off <= off_plane + rounding(quad, m->edge, m->end))) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", off, off_plane,
+            return taut_fail(error, TAUT_NO_SOLUTION, "osculating-plane", "", off, off_plane,
                              "the osculating plane of %s at corner %s does not hold the tangent "
                              "of %s: the sine of the angle between them is %.3g",
                              taut_asymptotic_edge_name(m->edge), taut_asymptotic_corner_name(c),
@@ -226,7 +227,7 @@ static taut_status check_torsion(const taut_quad *quad, int c, taut_error *error
     if (nearest_weights(quad, factors)) {
         factors_text(quad, factors, text, sizeof text);
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", t0 + t1, match,
+    return taut_fail(error, TAUT_NO_SOLUTION, "torsion", "", t0 + t1, match,
                      "the torsions of %s and %s at corner %s are %.9g and %.9g: they must be "
                      "opposite; nearest factors on inner weights:%s",
                      taut_asymptotic_edge_name(m[0].edge), taut_asymptotic_edge_name(m[1].edge),

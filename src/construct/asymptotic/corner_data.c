@@ -32,68 +32,70 @@ static int finite_all(int count, const double *x)
     return 1;
 }
 
-static taut_status bad(taut_error *error, const char *where, double found, const char *what)
+static taut_status fail_value(taut_error *error, const char *where, double found, const char *what)
 {
     return taut_fail(error, TAUT_BAD_INPUT, "value", where, found, taut_none, "%s", what);
 }
 
-static taut_status check_edge(const taut_asymptotic_problem *problem, int e, taut_error *error)
+static taut_status check_edge(const taut_asymptotic_corners *corners, int e, taut_error *error)
 {
-    const taut_asymptotic_edge *const edge = &problem->edges[e];
-    const int weights = problem->degree == 3 ? 4 : 2;
-    const int legs = problem->degree == 3 ? 1 : 2;
+    const taut_asymptotic_edge *const edge = &corners->edges[e];
+    const int weights = corners->degree == 3 ? 4 : 2;
+    const int legs = corners->degree == 3 ? 1 : 2;
     char where[48];
     (void)snprintf(where, sizeof where, "/edges/%s/weights", taut_asymptotic_edge_name(e));
     for (int k = 0; k < weights; k++) {
         if (!(edge->weights[k] > 0) || !isfinite(edge->weights[k])) {
-            return bad(error, where, edge->weights[k], "weights must be positive numbers");
+            return fail_value(error, where, edge->weights[k], "weights must be positive numbers");
         }
         if (is_beyond(edge->weights[k])) {
-            return bad(error, where, edge->weights[k], "weights must lie between 1e-30 and 1e30");
+            return fail_value(error, where, edge->weights[k],
+                              "weights must lie between 1e-30 and 1e30");
         }
     }
     (void)snprintf(where, sizeof where, "/edges/%s/legs", taut_asymptotic_edge_name(e));
     if (!finite_all(3 * legs, &edge->legs[0][0])) {
-        return bad(error, where, taut_none, "legs must be finite");
+        return fail_value(error, where, taut_none, "legs must be finite");
     }
     for (int k = 0; k < legs; k++) {
         if (!(taut_norm(edge->legs[k]) > 0)) {
-            return bad(error, where, 0.0, "a leg must not have length zero");
+            return fail_value(error, where, 0.0, "a leg must not have length zero");
         }
         if (is_beyond(taut_norm(edge->legs[k]))) {
-            return bad(error, where, taut_norm(edge->legs[k]),
-                       "the length of a leg must lie between 1e-30 and 1e30");
+            return fail_value(error, where, taut_norm(edge->legs[k]),
+                              "the length of a leg must lie between 1e-30 and 1e30");
         }
     }
     (void)snprintf(where, sizeof where, "/edges/%s/curvature", taut_asymptotic_edge_name(e));
-    for (int k = 0; k < 2 && problem->degree > 3; k++) {
+    for (int k = 0; k < 2 && corners->degree > 3; k++) {
         const double curvature = edge->curvature[k];
         if (!(curvature >= 0) || !isfinite(curvature)) {
-            return bad(error, where, curvature, "end curvatures must not be negative");
+            return fail_value(error, where, curvature, "end curvatures must not be negative");
         }
         if (is_beyond(curvature)) {
-            return bad(error, where, curvature,
-                       "end curvatures must be 0 or lie between 1e-30 and 1e30");
+            return fail_value(error, where, curvature,
+                              "end curvatures must be 0 or lie between 1e-30 and 1e30");
         }
         if ((curvature > 0) != (edge->curvature[1 - k] > 0)) {
-            return bad(error, where, 0.0,
-                       "one end curvature is 0 and the other is not: both are 0 on a straight "
-                       "edge and none is on a curved one");
+            return fail_value(
+                error, where, 0.0,
+                "one end curvature is 0 and the other is not: both are 0 on a straight "
+                "edge and none is on a curved one");
         }
     }
     return TAUT_OK;
 }
 
-static taut_status check_corners(const taut_asymptotic_problem *problem, taut_error *error)
+static taut_status check_corners(const taut_asymptotic_corners *corners, taut_error *error)
 {
-    if (!finite_all(12, &problem->corners[0][0])) {
-        return bad(error, "/corners", taut_none, "corner points must be finite");
+    if (!finite_all(12, &corners->points[0][0])) {
+        return fail_value(error, "/corners", taut_none, "corner points must be finite");
     }
     for (int e = 0; e < 4; e++) {
         const int *const c = taut_corner_of_edge[e];
-        const double length = taut_distance(problem->corners[c[0]], problem->corners[c[1]]);
+        const double length = taut_distance(corners->points[c[0]], corners->points[c[1]]);
         if (!(length > 0) || !isfinite(length)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/corners", length, 0.0,
+            return taut_fail(error, TAUT_NO_SOLUTION, "same-corner", "/corners", length, 0.0,
                              "edge %s begins and ends at the same corner point",
                              taut_asymptotic_edge_name(e));
         }
@@ -101,21 +103,22 @@ static taut_status check_corners(const taut_asymptotic_problem *problem, taut_er
     return TAUT_OK;
 }
 
-taut_status taut_corner_check(const taut_asymptotic_problem *problem, taut_error *error)
+taut_status taut_corner_check(const taut_asymptotic_corners *corners, taut_error *error)
 {
     taut_status status = TAUT_OK;
-    if (problem->degree < 3 || problem->degree > TAUT_QUAD_DEGREE) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/degree", problem->degree,
+    if (corners->degree < 3 || corners->degree > TAUT_QUAD_DEGREE) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/degree", corners->degree,
                          TAUT_QUAD_DEGREE, "the degree of the boundary must be 3 to %d",
                          TAUT_QUAD_DEGREE);
     }
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
-        status = check_edge(problem, e, error);
+        status = check_edge(corners, e, error);
     }
-    if (status == TAUT_OK) {
-        status = check_corners(problem, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status == TAUT_OK ? taut_end_weights_of_data(problem, error) : status;
+    status = check_corners(corners, error);
+    return status == TAUT_OK ? taut_end_weights_of_data(corners, error) : status;
 }
 
 /* A straight edge's legs must point along its chord and be shorter than it. */
@@ -130,7 +133,7 @@ static taut_status check_straight(const taut_corner_edge *edge, int e, double ro
         taut_cross(edge->leg[k], chord, normal);
         if (taut_norm(normal) > (off_chord * length + 4 * rounding) * taut_norm(edge->leg[k]) ||
             !(along > 0) || !(along < length)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges",
+            return taut_fail(error, TAUT_NO_SOLUTION, "straight-edge", "/edges",
                              taut_norm(normal) / (length * taut_norm(edge->leg[k])), off_chord,
                              "edge %s has curvature 0 at its ends, but leg %d does not lie along "
                              "the chord and within it: a straight edge's legs must",
@@ -140,24 +143,24 @@ static taut_status check_straight(const taut_corner_edge *edge, int e, double ro
     return TAUT_OK;
 }
 
-static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, double rounding,
+static taut_status fill_edge(const taut_asymptotic_corners *corners, int e, double rounding,
                              taut_corner_edge *edge, taut_error *error)
 {
-    const int n = problem->degree < 5 ? problem->degree : 5;
+    const int n = corners->degree < 5 ? corners->degree : 5;
     for (int k = 0; k < 2; k++) {
         const taut_quad_meeting *const f = &taut_quad_partner[e][k];
-        const double *const leg = problem->edges[e].legs[k];
-        const double *const other = problem->edges[f->edge].legs[f->end];
+        const double *const leg = corners->edges[e].legs[k];
+        const double *const other = corners->edges[f->edge].legs[f->end];
         double sine = 0.0;
-        memcpy(edge->point[k], problem->corners[taut_corner_of_edge[e][k]], sizeof edge->point[k]);
+        memcpy(edge->point[k], corners->points[taut_corner_of_edge[e][k]], sizeof edge->point[k]);
         memcpy(edge->leg[k], leg, sizeof edge->leg[k]);
         memcpy(edge->partner[k], other, sizeof edge->partner[k]);
         taut_cross(leg, other, edge->normal[k]);
-        edge->weight[k] = taut_corner_end_weight(problem, e, k);
-        edge->curvature[k] = problem->edges[e].curvature[k];
+        edge->weight[k] = taut_corner_end_weight(corners, e, k);
+        edge->curvature[k] = corners->edges[e].curvature[k];
         sine = taut_norm(edge->normal[k]) / (taut_norm(leg) * taut_norm(other));
         if (!(sine >= least_sine)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", sine, least_sine,
+            return taut_fail(error, TAUT_NO_SOLUTION, "parallel-legs", "/edges", sine, least_sine,
                              "the legs of %s and %s are parallel at corner %s: they must span the "
                              "tangent plane",
                              taut_asymptotic_edge_name(e), taut_asymptotic_edge_name(f->edge),
@@ -172,22 +175,20 @@ static taut_status fill_edge(const taut_asymptotic_problem *problem, int e, doub
     return edge->straight ? check_straight(edge, e, rounding, error) : TAUT_OK;
 }
 
-taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, double rounding,
+taut_status taut_corner_data_fill(const taut_asymptotic_corners *corners, double rounding,
                                   taut_corner_data *data, taut_error *error)
 {
-    taut_status status = taut_corner_check(problem, error);
-    data->degree = problem->degree < 5 ? problem->degree : 5;
-    data->raised = problem->degree;
+    taut_status status = TAUT_OK;
+    data->degree = corners->degree < 5 ? corners->degree : 5;
+    data->raised = corners->degree;
     data->size = 0.0;
     data->rounding = rounding;
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
-        status = fill_edge(problem, e, rounding, &data->edges[e], error);
-        data->size = fmax(data->size, taut_distance(problem->corners[0], problem->corners[e]));
+        status = fill_edge(corners, e, rounding, &data->edges[e], error);
+        data->size = fmax(data->size, taut_distance(corners->points[0], corners->points[e]));
     }
-    if (status == TAUT_OK) {
-        taut_curve_rule_fill(data->degree, TAUT_CURVE_COARSE, &data->coarse);
-        taut_curve_rule_fill(data->degree, TAUT_CURVE_FINE, &data->fine);
-    }
+    taut_curve_rule_fill(data->degree, TAUT_CURVE_COARSE, &data->coarse);
+    taut_curve_rule_fill(data->degree, TAUT_CURVE_FINE, &data->fine);
     return status;
 }
 

@@ -28,15 +28,15 @@ typedef struct taut_corner_data {
     taut_curve_rule coarse, fine; /* for the curve energies */
 } taut_corner_data;
 
-/* For degree 4 and more; above 5 the degree solved for is 5. TAUT_BAD_INPUT: a number out of its
+/* Of corners that passed taut_corner_check, for degree 4 and more; above 5 the degree solved for is 5. TAUT_BAD_INPUT: a number out of its
  * range; TAUT_NO_SOLUTION: legs parallel at a corner, unequal end weights, a straight edge whose
  * legs leave its chord. */
-taut_status taut_corner_data_fill(const taut_asymptotic_problem *problem, double rounding,
+taut_status taut_corner_data_fill(const taut_asymptotic_corners *corners, double rounding,
                                   taut_corner_data *data, taut_error *error);
 
 /* The checks that hold for every degree: finite corners, legs and weights, distinct corners, equal
  * weights where edges meet. */
-taut_status taut_corner_check(const taut_asymptotic_problem *problem, taut_error *error);
+taut_status taut_corner_check(const taut_asymptotic_corners *corners, taut_error *error);
 
 /* The straight edge of zero energy at degree n: r linear in t ([WangZhuLi2017], docs page 4.2). */
 void taut_corner_straight(const taut_corner_data *data, int edge, int n, taut_quad_edge *made);

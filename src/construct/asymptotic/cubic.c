@@ -8,6 +8,7 @@
  * is a quadratic in the common scale: its minimum is the one stationary point.
  */
 #include "construct/asymptotic/conditions.h"
+#include "construct/asymptotic/corner_data.h"
 #include "construct/asymptotic/family.h"
 #include "core/fail.h"
 #include "core/memory.h"
@@ -30,9 +31,9 @@ typedef struct cubic_edge {
 } cubic_edge;
 
 typedef struct cubic {
-    const double (*corners)[3];
+    const double (*corners)[3]; /* those that are given */
     double legs[4][3];
-    const taut_asymptotic_problem *problem;
+    const taut_asymptotic_corners *given;
     cubic_edge edges[4];
     int linked[4], chains;
     double closing;  /* logarithm by which the ring misses closing */
@@ -62,7 +63,7 @@ static taut_status fail_planar(const cubic *c, int e, const double rest[3], taut
     sine[0] = taut_norm(cross[0]) / taut_norm(c->legs[e]);
     sine[1] = taut_norm(cross[1]) / taut_norm(rest);
     return taut_fail(
-        error, TAUT_NO_SOLUTION, "no-solution", "/edges", fmin(sine[0], sine[1]), planar_cut,
+        error, TAUT_NO_SOLUTION, "cannot-bend", "/edges", fmin(sine[0], sine[1]), planar_cut,
         "edge %s cannot bend at corner %s: its first control point and that corner lie "
         "along the line common to the tangent planes at its ends; turn its leg or "
         "those it meets",
@@ -73,7 +74,7 @@ static taut_status fail_planar(const cubic *c, int e, const double rest[3], taut
 static taut_status fill_edge(cubic *c, int e, double normals[4][3], taut_error *error)
 {
     cubic_edge *const edge = &c->edges[e];
-    const double *const w = c->problem->edges[e].weights;
+    const double *const w = c->given->edges[e].weights;
     const double *const n0 = normals[taut_corner_of_edge[e][0]];
     const double *const n1 = normals[taut_corner_of_edge[e][1]];
     double rest[3], chord[3], cross[3], det = 0.0, sine = 0.0, reach = 0.0;
@@ -88,7 +89,7 @@ static taut_status fill_edge(cubic *c, int e, double normals[4][3], taut_error *
     if (edge->straight) { /* whatever the planes at its ends are */
         memcpy(edge->direction, chord, sizeof chord);
     } else if (!(sine > plane_cut)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", sine, plane_cut,
+        return taut_fail(error, TAUT_NO_SOLUTION, "parallel-planes", "/edges", sine, plane_cut,
                          "the tangent planes at the two ends of edge %s are one plane (or "
                          "undefined): turn its leg or those it meets",
                          taut_asymptotic_edge_name(e));
@@ -166,7 +167,7 @@ static void propagate(cubic *c)
 }
 
 /* Everything that follows from the legs. */
-static taut_status fill(cubic *c, taut_error *error)
+static taut_status fill_from_legs(cubic *c, taut_error *error)
 {
     double normals[4][3];
     taut_status status = TAUT_OK;
@@ -180,11 +181,12 @@ static taut_status fill(cubic *c, taut_error *error)
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
         status = fill_edge(c, e, normals, error);
     }
-    if (status == TAUT_OK) {
-        fill_links(c);
-        propagate(c);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    fill_links(c);
+    propagate(c);
+    return TAUT_OK;
 }
 
 /* Legs of least relative change that close the ring: Newton steps of least norm. 0 if they fail. */
@@ -200,7 +202,8 @@ static int nearest_legs(cubic *c)
             for (int k = 0; k < 3; k++) {
                 const double keep = c->legs[e][k], step = 1e-6 * taut_norm(c->legs[e]);
                 c->legs[e][k] = keep + step;
-                gradient[e][k] = fill(c, NULL) == TAUT_OK ? (c->closing - miss) / step : 0.0;
+                gradient[e][k] =
+                    fill_from_legs(c, NULL) == TAUT_OK ? (c->closing - miss) / step : 0.0;
                 c->legs[e][k] = keep;
                 squares += gradient[e][k] * gradient[e][k] * taut_dot(c->legs[e], c->legs[e]);
             }
@@ -209,7 +212,7 @@ static int nearest_legs(cubic *c)
             const double part = -miss / squares * taut_dot(c->legs[e], c->legs[e]);
             taut_add_scaled(part, gradient[e], c->legs[e]);
         }
-        if (!(squares > 0) || fill(c, NULL) != TAUT_OK) {
+        if (!(squares > 0) || fill_from_legs(c, NULL) != TAUT_OK) {
             return 0;
         }
     }
@@ -220,14 +223,14 @@ static taut_status fail_closing(cubic *c, taut_error *error)
 {
     const double gap = c->closing;
     if (!nearest_legs(c)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", gap, closing_cut,
+        return taut_fail(error, TAUT_NO_SOLUTION, "closing", "/edges", gap, closing_cut,
                          "the torsions cannot close around the four corners: they miss it by a "
                          "factor of %.9g, which no weights and no free length mend; change the "
                          "legs",
                          exp(gap));
     }
     return taut_fail(
-        error, TAUT_NO_SOLUTION, "no-solution", "/edges", gap, closing_cut,
+        error, TAUT_NO_SOLUTION, "closing", "/edges", gap, closing_cut,
         "the torsions miss closing around the corners by a factor of %.12g; nearest "
         "legs: v0 [%.15g,%.15g,%.15g] v1 [%.15g,%.15g,%.15g] u0 [%.15g,%.15g,%.15g] u1 "
         "[%.15g,%.15g,%.15g]",
@@ -236,7 +239,7 @@ static taut_status fail_closing(cubic *c, taut_error *error)
         c->legs[3][2]);
 }
 
-static void place(const cubic *c, int e, double s, taut_quad_edge *made)
+static void place_edge(const cubic *c, int e, double s, taut_quad_edge *made)
 {
     const cubic_edge *const edge = &c->edges[e];
     memcpy(made->points[0], c->corners[taut_corner_of_edge[e][0]], sizeof made->points[0]);
@@ -244,7 +247,7 @@ static void place(const cubic *c, int e, double s, taut_quad_edge *made)
     memcpy(made->points[2], edge->first, sizeof made->points[2]);
     taut_add_scaled(s, edge->direction, made->points[2]);
     memcpy(made->points[3], edge->chord_end, sizeof made->points[3]);
-    memcpy(made->weights, c->problem->edges[e].weights, 4 * sizeof *made->weights);
+    memcpy(made->weights, c->given->edges[e].weights, 4 * sizeof *made->weights);
     made->straight = edge->straight;
 }
 
@@ -260,7 +263,7 @@ static double best_scale(const cubic *c, const taut_curve_rule *rule, int chain)
             continue;
         }
         for (int s = 0; s < 2; s++) {
-            place(c, e, s * step, &made);
+            place_edge(c, e, s * step, &made);
             (void)taut_curve_energy(rule, &made, by_point, by_log);
             slope[s] = taut_dot(by_point[2], c->edges[e].direction);
         }
@@ -270,7 +273,7 @@ static double best_scale(const cubic *c, const taut_curve_rule *rule, int chain)
     return -linear / square;
 }
 
-static taut_status solve(const cubic *c, taut_branches *branches, taut_error *error)
+static taut_status find_lengths(const cubic *c, taut_branches *branches, taut_error *error)
 {
     taut_curve_rule rule;
     taut_branch *const branch = &branches->list[0];
@@ -282,12 +285,12 @@ static taut_status solve(const cubic *c, taut_branches *branches, taut_error *er
         const double scale = best_scale(c, &rule, c->edges[e].chain);
         const double s = c->edges[e].scale * scale;
         if (!isfinite(s) || !(fabs(s) > 0)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", s, taut_none,
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-minimum", "/edges", s, taut_none,
                              "the curve energy of edge %s has no minimum with a free length "
                              "that is not zero",
                              taut_asymptotic_edge_name(e));
         }
-        place(c, e, s, &branch->quad.edges[e]);
+        place_edge(c, e, s, &branch->quad.edges[e]);
         energy[e] = taut_curve_energy(&rule, &branch->quad.edges[e], NULL, NULL);
     }
     branch->energy = energy[0] + energy[1] + energy[2] + energy[3];
@@ -300,31 +303,31 @@ static taut_status solve(const cubic *c, taut_branches *branches, taut_error *er
     return TAUT_OK;
 }
 
-taut_status taut_cubic_find(const taut_asymptotic_problem *problem, double rounding,
+taut_status taut_cubic_find(const taut_asymptotic_corners *corners, double rounding,
                             taut_branches *branches, taut_error *error)
 {
     cubic c;
     double noise = 0.0;
-    taut_status status = taut_corner_check(problem, error);
+    taut_status status = TAUT_OK;
+    memset(&c, 0, sizeof c);
+    c.given = corners;
+    c.rounding = rounding;
+    c.corners = corners->points;
+    for (int e = 0; e < 4; e++) {
+        memcpy(c.legs[e], corners->edges[e].legs[0], sizeof c.legs[e]);
+    }
+    status = fill_from_legs(&c, error);
     if (status != TAUT_OK) {
         return status;
     }
-    memset(&c, 0, sizeof c);
-    c.problem = problem;
-    c.rounding = rounding;
-    c.corners = problem->corners;
-    for (int e = 0; e < 4; e++) {
-        memcpy(c.legs[e], problem->edges[e].legs[0], sizeof c.legs[e]);
-    }
-    status = fill(&c, error);
     for (int e = 0; e < 4; e++) {
         noise += c.edges[e].noise;
     }
-    if (status == TAUT_OK && !(fabs(c.closing) <= closing_cut + noise)) {
-        status = fail_closing(&c, error);
+    if (!(fabs(c.closing) <= closing_cut + noise)) {
+        return fail_closing(&c, error);
     }
     branches->closing = c.linked[0] && c.linked[1] && c.linked[2] && c.linked[3]
                             ? TAUT_CLOSING_IDENTITY
                             : TAUT_CLOSING_NONE;
-    return status == TAUT_OK ? solve(&c, branches, error) : status;
+    return find_lengths(&c, branches, error);
 }

@@ -10,9 +10,9 @@ static const double match = 1e-12; /* relative */
 static const int order[4] = {TAUT_ASYMPTOTIC_V0, TAUT_ASYMPTOTIC_V1, TAUT_ASYMPTOTIC_U0,
                              TAUT_ASYMPTOTIC_U1};
 
-double taut_corner_end_weight(const taut_asymptotic_problem *problem, int edge, int end)
+double taut_corner_end_weight(const taut_asymptotic_corners *corners, int edge, int end)
 {
-    return problem->edges[edge].weights[end == 0 ? 0 : problem->degree == 3 ? 3 : 1];
+    return corners->edges[edge].weights[end == 0 ? 0 : corners->degree == 3 ? 3 : 1];
 }
 
 /* The first corner where the ends differ, or -1; nearest[edge][end] is what they should be. */
@@ -37,13 +37,13 @@ static taut_status fail_at(int c, const char *where, double ends[4][2], const ch
 {
     const taut_quad_meeting *const m = taut_quad_corner[c];
     const double w0 = ends[m[0].edge][m[0].end], w1 = ends[m[1].edge][m[1].end];
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, w0 / w1, 1.0,
+    return taut_fail(error, TAUT_NO_SOLUTION, "end-weights", where, w0 / w1, 1.0,
                      "the end weights of %s and %s differ at corner %s (%.6g and %.6g): %s",
                      taut_asymptotic_edge_name(m[0].edge), taut_asymptotic_edge_name(m[1].edge),
                      taut_asymptotic_corner_name(c), w0, w1, text);
 }
 
-taut_status taut_end_weights_of_data(const taut_asymptotic_problem *problem, taut_error *error)
+taut_status taut_end_weights_of_data(const taut_asymptotic_corners *corners, taut_error *error)
 {
     double ends[4][2], nearest[4][2];
     char text[560] = "nearest weights:";
@@ -51,15 +51,15 @@ taut_status taut_end_weights_of_data(const taut_asymptotic_problem *problem, tau
     int c = 0;
     for (int e = 0; e < 4; e++) {
         for (int k = 0; k < 2; k++) {
-            ends[e][k] = taut_corner_end_weight(problem, e, k);
+            ends[e][k] = taut_corner_end_weight(corners, e, k);
         }
     }
     c = differ_at(ends, nearest);
     for (int k = 0; k < 4 && c >= 0 && used < sizeof text; k++) {
         const int e = order[k];
-        const double *const inner = problem->edges[e].weights + 1;
+        const double *const inner = corners->edges[e].weights + 1;
         char between[64] = ",";
-        if (problem->degree == 3) {
+        if (corners->degree == 3) {
             (void)snprintf(between, sizeof between, ",%.17g,%.17g,", inner[0], inner[1]);
         }
         used +=

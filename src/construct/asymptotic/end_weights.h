@@ -9,10 +9,10 @@
 #include "construct/asymptotic/quad.h"
 
 /* The weight that edge `edge` of corner data has at an end: the first or the last it gives. */
-double taut_corner_end_weight(const taut_asymptotic_problem *problem, int edge, int end);
+double taut_corner_end_weight(const taut_asymptotic_corners *corners, int edge, int end);
 
 /* Corner data: TAUT_NO_SOLUTION with all weights, the inner ones of degree 3 as they are. */
-taut_status taut_end_weights_of_data(const taut_asymptotic_problem *problem, taut_error *error);
+taut_status taut_end_weights_of_data(const taut_asymptotic_corners *corners, taut_error *error);
 
 /* Given curves, of these degrees before they were raised: TAUT_NO_SOLUTION with c and q for each
  * curve. To multiply weight j by c q^j leaves a curve unchanged. */

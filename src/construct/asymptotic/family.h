@@ -19,8 +19,8 @@ typedef struct taut_family {
 extern const taut_family taut_family_quartic; /* quartic_minimise.c */
 extern const taut_family taut_family_quintic; /* quintic.c */
 
-/* Degree 3 differs: nothing but one length is free, and the signs come with it. */
-taut_status taut_cubic_find(const taut_asymptotic_problem *problem, double rounding,
+/* Degree 3, of corners that passed taut_corner_check, differs: nothing but one length is free, and the signs come with it. */
+taut_status taut_cubic_find(const taut_asymptotic_corners *corners, double rounding,
                             taut_branches *branches, taut_error *error);
 
 #endif /* TAUT_ASYMPTOTIC_FAMILY_H */

@@ -5,7 +5,6 @@
 #include "construct/asymptotic/low.h"
 
 #include "construct/asymptotic/conditions.h"
-#include "construct/asymptotic/low_rows.h"
 #include "construct/asymptotic/plate.h"
 #include "construct/asymptotic/poly.h"
 #include "construct/asymptotic/ribbon.h"
@@ -49,7 +48,7 @@ static taut_status check_regular(const taut_low *l, taut_error *error)
                 to = middle;
             }
         }
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", from, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "singular", "", from, taut_none,
                          "edge %s is singular at parameter %.6f: its normal would have to turn "
                          "over (sigma %+d and %+d at its ends, no inflection between); other legs, "
                          "or \"singular\": \"report\", build it",
@@ -65,7 +64,7 @@ static taut_status check_inflections(const taut_quad *quad, taut_error *error)
         taut_ribbon ribbon;
         taut_ribbon_fill(quad, e, &ribbon);
         if (ribbon.inflections > 0) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", ribbon.inflection[0],
+            return taut_fail(error, TAUT_NO_SOLUTION, "inflection", "", ribbon.inflection[0],
                              taut_none,
                              "edge %s has an inflection at parameter %.6f, where the patch of "
                              "degree n+3 would be singular: take surface \"5n-7\"",
@@ -113,7 +112,7 @@ static void fill_freedoms(search *s)
 
 /* One step from x towards the least of the quadratic model within the limits; *x and *energy
  * change only if A_2 falls. */
-static taut_status step(search *s, double *x, double *energy, taut_error *error)
+static taut_status take_step(search *s, double *x, double *energy, taut_error *error)
 {
     double factors[TAUT_LOW_FREE], target[TAUT_LOW_FREE], next[TAUT_LOW_FREE], value = 0.0;
     double r[TAUT_LOW_FREE * TAUT_LOW_FREE], length = 1.0;
@@ -140,13 +139,13 @@ static taut_status step(search *s, double *x, double *energy, taut_error *error)
     return status;
 }
 
-static taut_status improve(search *s, double *x, taut_error *error)
+static taut_status lower_energy(search *s, double *x, taut_error *error)
 {
     double energy = 0.0, before = INFINITY;
     taut_status status = energy_at(s, x, &energy, error);
     for (int k = 0; k < STEPS_MAX && status == TAUT_OK; k++) {
         before = energy;
-        status = step(s, x, &energy, error);
+        status = take_step(s, x, &energy, error);
         if (!(energy < (1.0 - enough) * before)) {
             break;
         }
@@ -154,7 +153,7 @@ static taut_status improve(search *s, double *x, taut_error *error)
     return status;
 }
 
-static taut_status find(search *s, int report_singular, double *energy, taut_error *error)
+static taut_status find_patch(search *s, int report_singular, double *energy, taut_error *error)
 {
     const double zero[TAUT_LOW_FREE] = {0};
     const taut_plate_options last = {0, s->options.monitor};
@@ -166,33 +165,41 @@ static taut_status find(search *s, int report_singular, double *energy, taut_err
     taut_patch_boundary(s->low.quad, s->patch);
     taut_low_limit(&s->low, s->patch, &s->limits);
     if (!taut_low_nearest(&s->limits, NULL, zero, x)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "negative-weight", "", taut_none, taut_none,
                          "no corner twists keep the weights of the patch of degree n+3 positive "
                          "and its boundary regular: take surface \"5n-7\"");
     }
     fill_freedoms(s);
-    status = improve(s, x, error);
-    if (status == TAUT_OK) {
-        taut_low_write(&s->low, x, s->patch);
-        status = taut_plate_solve(s->patch, 0, NULL, NULL, &last, energy, error);
+    status = lower_energy(s, x, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    taut_low_write(&s->low, x, s->patch);
+    return taut_plate_solve(s->patch, 0, NULL, NULL, &last, energy, error);
 }
 
 taut_status taut_low_fill(const taut_quad *quad, int report_singular, const taut_monitor *monitor,
                           taut_patch *patch, double *energy, taut_error *error)
 {
-    search *const s = taut_alloc_zero(1, sizeof *s);
-    taut_status status = s != NULL ? check_inflections(quad, error) : taut_fail_memory(error);
-    if (status == TAUT_OK) {
-        status = taut_low_corners(quad, &s->low, error);
+    search *s = NULL;
+    taut_low low;
+    taut_status status = check_inflections(quad, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        s->patch = patch;
-        s->options.nodes = patch->m + EXTRA_NODES;
-        s->options.monitor = monitor;
-        status = find(s, report_singular, energy, error);
+    status = taut_low_corners(quad, &low, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    s = taut_alloc_zero(1, sizeof *s);
+    if (s == NULL) {
+        return taut_fail_memory(error);
+    }
+    s->low = low;
+    s->patch = patch;
+    s->options.nodes = patch->m + EXTRA_NODES;
+    s->options.monitor = monitor;
+    status = find_patch(s, report_singular, energy, error);
     taut_free(s);
     return status;
 }

@@ -1,4 +1,4 @@
-#include "construct/asymptotic/low_corner.h"
+#include "construct/asymptotic/low.h"
 
 #include "construct/asymptotic/conditions.h"
 #include "core/fail.h"
@@ -132,7 +132,7 @@ static taut_status normal_part(const taut_low *l, int c, double part[3], taut_er
     }
     if (count == 2 &&
         !(fabs(found[0] - found[1]) <= plane_match * size + noise * taut_dot(normal, normal))) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", (found[0] - found[1]) / size,
+        return taut_fail(error, TAUT_NO_SOLUTION, "twist", "", (found[0] - found[1]) / size,
                          plane_match,
                          "the edges have no common twist at corner %s, because their torsions are "
                          "not opposite",
@@ -270,7 +270,6 @@ void taut_low_cubics(const taut_low *l, int e, const double *x, double abc[3][4]
 
 taut_status taut_low_corners(const taut_quad *quad, taut_low *l, taut_error *error)
 {
-    taut_status status = TAUT_OK;
     memset(l, 0, sizeof *l);
     l->quad = quad;
     for (int e = 0; e < 4; e++) {
@@ -286,11 +285,12 @@ taut_status taut_low_corners(const taut_quad *quad, taut_low *l, taut_error *err
             }
         }
     }
-    for (int c = 0; c < 4 && status == TAUT_OK; c++) {
-        status = fill_corner(l, c, error);
-        if (status == TAUT_OK) {
-            normalise_corner(l, c);
+    for (int c = 0; c < 4; c++) {
+        const taut_status status = fill_corner(l, c, error);
+        if (status != TAUT_OK) {
+            return status;
         }
+        normalise_corner(l, c);
     }
-    return status;
+    return TAUT_OK;
 }

@@ -1,4 +1,4 @@
-#include "construct/asymptotic/low_rows.h"
+#include "construct/asymptotic/low.h"
 
 #include "construct/asymptotic/poly.h"
 #include "numeric/dense.h"
@@ -91,7 +91,7 @@ void taut_low_write(const taut_low *l, const double *x, taut_patch *patch)
 
 /* The quantities that must not be negative, at x: weights beside the boundary less their margin,
  * over the boundary weight; inner coefficients of c less theirs, over the smaller end value. */
-static int slacks(const taut_low *l, const taut_patch *patch, const double *x, double *out)
+static int fill_slacks(const taut_low *l, const taut_patch *patch, const double *x, double *out)
 {
     const int m = patch->m;
     int count = 0;
@@ -117,10 +117,10 @@ static int slacks(const taut_low *l, const taut_patch *patch, const double *x, d
 void taut_low_limit(const taut_low *low, const taut_patch *patch, taut_low_limits *limits)
 {
     double unit[TAUT_LOW_FREE] = {0};
-    limits->count = slacks(low, patch, unit, limits->slack);
+    limits->count = fill_slacks(low, patch, unit, limits->slack);
     for (int j = 0; j < TAUT_LOW_FREE; j++) {
         unit[j] = 1.0;
-        (void)slacks(low, patch, unit, limits->gradient[j]);
+        (void)fill_slacks(low, patch, unit, limits->gradient[j]);
         unit[j] = 0.0;
         for (int i = 0; i < limits->count; i++) {
             limits->gradient[j][i] -= limits->slack[i];
@@ -141,7 +141,8 @@ static void to_metric(const double *r, double *y)
 
 /* The projections, in coordinates y = r (x - target) in which distance is Euclidean: each
  * constraint in turn pulls y to its half-space and lets go of what it pulled too far. */
-static int project(int count, double (*normal)[TAUT_LOW_FREE], const double *slack, double *y)
+static int project_cyclically(int count, double (*normal)[TAUT_LOW_FREE], const double *slack,
+                              double *y)
 {
     double pull[TAUT_LOW_CONSTRAINTS] = {0}, square[TAUT_LOW_CONSTRAINTS] = {0};
     for (int i = 0; i < count; i++) {
@@ -185,7 +186,7 @@ int taut_low_nearest(const taut_low_limits *limits, const double *r, const doubl
             to_metric(r, normal[i]);
         }
     }
-    if (!project(limits->count, normal, slack, y)) {
+    if (!project_cyclically(limits->count, normal, slack, y)) {
         return 0;
     }
     if (r != NULL && !taut_triangle_solve(TAUT_LOW_FREE, TAUT_LOW_FREE, r, y)) {

@@ -112,7 +112,7 @@ static void product(const double *f, const double *g, double *out)
 
 /* Entries of one column for the node in place `at` of the block: sqrt of the weight times second
  * derivatives, the mixed one counted twice. */
-static void put(const plate *p, int column, int at, double root, const double *value)
+static void write_entries(const plate *p, int column, int at, double root, const double *value)
 {
     double *const to = p->block + ((long)column * p->nodes + at) * 3;
     to[0] = root * value[3];
@@ -133,7 +133,7 @@ static void fill_freedoms(const plate *p, int a, int b, double root, const doubl
             for (int s = 0; s < 6; s++) {
                 moved[s] -= pulled[s];
             }
-            put(p, p->inner + 3 * j + k, b, root, moved);
+            write_entries(p, p->inner + 3 * j + k, b, root, moved);
         }
     }
 }
@@ -152,12 +152,12 @@ static void fill_node(const plate *p, int a, int b)
                 f[s] = p->bubble[a][order_u[s]][k] * p->bubble[b][order_v[s]][l];
             }
             quotient(net[3], f, value);
-            put(p, k * per + l, b, root, value);
+            write_entries(p, k * per + l, b, root, value);
         }
     }
     for (int k = 0; k < 3; k++) {
         quotient(net[3], net[k], r[k]);
-        put(p, p->inner + 3 * p->count + k, b, root, r[k]);
+        write_entries(p, p->inner + 3 * p->count + k, b, root, r[k]);
     }
     fill_freedoms(p, a, b, root, net[3], r);
 }
@@ -295,11 +295,11 @@ static void add_bubbles(const plate *p, const double *c, int component)
 
 static taut_status fail_singular(taut_error *error)
 {
-    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "ill-conditioned", NULL, taut_none, taut_none,
                      "the least-squares problem for the inner points is singular");
 }
 
-static taut_status solve(plate *p, double *factors, double *energy, taut_error *error)
+static taut_status solve_points(plate *p, double *factors, double *energy, taut_error *error)
 {
     double sum = 0.0;
     int solved = p->count == 0 || find_factors(p, factors, NULL);
@@ -354,17 +354,17 @@ static taut_status plate_new(taut_patch *patch, int count, const taut_plate_free
     p->block = taut_alloc_aligned((size_t)p->columns * 3 * (size_t)p->nodes, sizeof(double));
     p->bubble_coefficients = taut_alloc((size_t)per * (size_t)(m + 1), sizeof(double));
     if (p->triangle == NULL || p->block == NULL || p->bubble_coefficients == NULL) {
-        status = taut_fail_memory(error);
-    } else {
-        fill_tables(p);
-        status = triangularise(p, options->monitor, error);
+        plate_free(p);
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        *made = p;
-        return TAUT_OK;
+    fill_tables(p);
+    status = triangularise(p, options->monitor, error);
+    if (status != TAUT_OK) {
+        plate_free(p);
+        return status;
     }
-    plate_free(p);
-    return status;
+    *made = p;
+    return TAUT_OK;
 }
 
 taut_status taut_plate_solve(taut_patch *patch, int count, const taut_plate_freedom *freedoms,
@@ -373,9 +373,10 @@ taut_status taut_plate_solve(taut_patch *patch, int count, const taut_plate_free
 {
     plate *p = NULL;
     taut_status status = plate_new(patch, count, freedoms, options, &p, error);
-    if (status == TAUT_OK) {
-        status = solve(p, factors, energy, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = solve_points(p, factors, energy, error);
     plate_free(p);
     return status;
 }

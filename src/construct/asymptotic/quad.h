@@ -50,12 +50,9 @@ double taut_quad_size(const taut_quad *quad);
  * or what it was where the points were given. */
 double taut_quad_rounding(const taut_quad *quad);
 
-/* Raises all four curves to degree n. */
+/* Raises a curve of degree p to n, and all four to degree n. */
+void taut_quad_raise_edge(int p, int n, taut_quad_edge *edge);
 void taut_quad_raise(taut_quad *quad, int n);
-
-/* Do the two edges at each corner share its point? TAUT_NO_SOLUTION names the corner, and the
- * curves that would have to be reversed where that is all there is to it. */
-taut_status taut_quad_check_closed(const taut_quad *quad, taut_error *error);
 
 /* The quadrilateral of given curves: closed, end weights equal, raised to a common degree of at
  * least 3. TAUT_NO_SOLUTION or TAUT_BAD_INPUT say why not. */

@@ -32,7 +32,7 @@ static taut_status fill_line(const taut_corner_edge *edge, int e, double roundin
     }
     taut_difference(edge->point[1], edge->point[0], b);
     if (taut_least_norm(3, 4, a, b, rank_cut, x, null) < 3) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "parallel-planes", "/edges", taut_none, taut_none,
                          "the tangent planes at the two ends of edge %s are parallel: turn one "
                          "of its legs or of the legs it meets",
                          taut_asymptotic_edge_name(e));
@@ -74,8 +74,7 @@ static taut_status fill_links(taut_quartic *quartic, taut_error *error)
         const int curved =
             !quartic->data->edges[m[0].edge].straight && !quartic->data->edges[m[1].edge].straight;
         if (curved && (t0 == 0.0) != (t1 == 0.0)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", t0 != 0.0 ? t0 : t1,
-                             0.0,
+            return taut_fail(error, TAUT_NO_SOLUTION, "torsion", "/edges", t0 != 0.0 ? t0 : t1, 0.0,
                              "at corner %s the torsion of %s is zero whatever its weights are and "
                              "that of %s is not: they must be opposite",
                              taut_asymptotic_corner_name(c),
@@ -112,7 +111,7 @@ taut_status taut_closing_fail(const taut_corner_data *data, double gap, int is_o
                                  taut_asymptotic_edge_name(e), data->edges[e].curvature[0] / factor,
                                  data->edges[e].curvature[1] * factor);
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", gap, closing_cut,
+    return taut_fail(error, TAUT_NO_SOLUTION, "closing", "/edges", gap, closing_cut,
                      "the torsions cannot close around the four corners: the curvatures miss it "
                      "by %sa factor of %.12g; %s curvatures, each %.6g times more or less:%s",
                      is_open ? "more than " : "", exp(gap),
@@ -173,12 +172,14 @@ taut_status taut_quartic_fill(const taut_corner_data *data, taut_quartic *quarti
             fill_torsions(&data->edges[e], &quartic->lines[e]);
         }
     }
-    if (status == TAUT_OK) {
-        status = fill_links(quartic, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_quartic_check_signs(quartic, error);
+    status = fill_links(quartic, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_quartic_check_signs(quartic, error);
     return status == TAUT_OK ? fill_closing(quartic, error) : status;
 }
 

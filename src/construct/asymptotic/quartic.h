@@ -5,6 +5,7 @@
 #define TAUT_ASYMPTOTIC_QUARTIC_H
 
 #include "construct/asymptotic/branch.h"
+#include "construct/asymptotic/corner_data.h"
 
 /* P_2 = A_0 + lambda a_0 + mu c_0 = A_1 + nu c_1 + rho a_1 with
  * (lambda, mu, nu, rho) = at + p along. */

@@ -102,7 +102,7 @@ static taut_status fail_odd(const taut_quartic *quartic, taut_error *error)
             end = k % 2;
         }
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges",
+    return taut_fail(error, TAUT_NO_SOLUTION, "torsion-signs", "/edges",
                      off_plane(quartic, edge, end), 0.0,
                      "the signs of the torsions cannot be opposite at all four corners, whatever "
                      "curvatures and weights are: a control point beside a corner lies on the "
@@ -121,7 +121,7 @@ taut_status taut_quartic_check_signs(const taut_quartic *quartic, taut_error *er
     }
     if (edge >= 0) {
         const double *const at = quartic->lines[edge].at;
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", at[2] / at[1], 0.0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "turns-over", "/edges", at[2] / at[1], 0.0,
                          "edge %s bends to different sides at its two ends, wherever its middle "
                          "point lies on the line common to the tangent planes there (mu and nu are "
                          "%.6g and %.6g): turn one of its legs or of the legs it meets",
@@ -129,7 +129,7 @@ taut_status taut_quartic_check_signs(const taut_quartic *quartic, taut_error *er
     }
     return is_odd_ring(quartic)
                ? fail_odd(quartic, error)
-               : taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/edges", 0.0, taut_none,
+               : taut_fail(error, TAUT_NO_SOLUTION, "torsion-signs", "/edges", 0.0, taut_none,
                            "no choice of sides to bend to gives opposite torsions at all corners "
                            "and one side per edge: change the direction of a leg");
 }

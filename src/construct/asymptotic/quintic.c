@@ -4,10 +4,11 @@
  *     P_2 = A_0 + lambda a_0 + mu c_0     in the corner planes, mu = +-e^m, nu = +-e^q
  *     P_3 = A_1 + rho a_1 + nu c_1
  *     theta_0, theta_1 = log |tau| at the ends, one number for the two edges of a corner
- * so that the corner torsions match by construction. Curvatures give w_1 and w_4; with l_j = log
- * w_j theta_0 = l_3 - 3/2 l_2 + g_0,   theta_1 = l_2 - 3/2 l_3 + g_1 give w_2 and w_3. No closing
- * condition is left.
+ * so that the corner torsions match by construction. Curvatures give w_1 and w_4; with l_j = log w_j
+ *     theta_0 = l_3 - 3/2 l_2 + g_0,   theta_1 = l_2 - 3/2 l_3 + g_1
+ * give w_2 and w_3. No closing condition is left.
  */
+#include "construct/asymptotic/corner_data.h"
 #include "construct/asymptotic/family.h"
 #include "construct/asymptotic/starts.h"
 #include "core/vec3.h"
@@ -32,7 +33,7 @@ typedef struct search {
     taut_quad quad;
 } search;
 
-static void plan(const taut_corner_data *data, const int signs[4], search *s)
+static void plan_unknowns(const taut_corner_data *data, const int signs[4], search *s)
 {
     memset(s, 0, sizeof *s);
     s->data = data;
@@ -195,7 +196,7 @@ static int objective(void *context, const double *x, double *value, double *grad
 
 /* Signs of the torsions' numerators as they are; 0 unless torsions are opposite at every corner
  * where two curved edges meet. */
-static int take_signs(search *s, const double *x)
+static int set_signs(search *s, const double *x)
 {
     for (int e = 0; e < 4; e++) {
         for (int k = 0; k < 2 && s->first[e] >= 0; k++) {
@@ -231,7 +232,7 @@ static void guess_edge(const search *s, int e, double size, uint64_t *noise, dou
 
 /* A start whose torsions can match; 0 if none is drawn. Torsions begin as the mean of what
  * weights of 1 give the two edges of a corner. */
-static int start(void *context, int number, uint64_t *noise, double *x)
+static int draw_start(void *context, int number, uint64_t *noise, double *x)
 {
     search *const s = context;
     int ends[4] = {0};
@@ -243,7 +244,7 @@ static int start(void *context, int number, uint64_t *noise, double *x)
                 guess_edge(s, e, size, noise, x + s->first[e]);
             }
         }
-        fits = take_signs(s, x);
+        fits = set_signs(s, x);
     }
     for (int c = 0; c < 4 && fits; c++) {
         double sum = 0.0;
@@ -264,9 +265,9 @@ static int start(void *context, int number, uint64_t *noise, double *x)
     return fits;
 }
 
-static void begin(void *context, const double *x)
+static void fix_signs(void *context, const double *x)
 {
-    (void)take_signs(context, x);
+    (void)set_signs(context, x);
 }
 
 static taut_status prepare(const taut_corner_data *data, void *room, taut_closing *closing,
@@ -291,9 +292,10 @@ static void minimise(const void *room, const int signs[4], taut_branch *branch)
 {
     const taut_corner_data *const data = *(const taut_corner_data *const *)room;
     search s;
-    taut_start_plan work = {.starts = 6, .objective = objective, .start = start, .begin = begin};
+    taut_start_plan work = {
+        .starts = 6, .objective = objective, .start = draw_start, .begin = fix_signs};
     double x[TAUT_MINIMISE_MAX];
-    plan(data, signs, &s);
+    plan_unknowns(data, signs, &s);
     work.count = s.count;
     work.context = &s;
     work.rule = &s.rule;

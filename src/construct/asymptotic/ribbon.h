@@ -48,6 +48,11 @@ void taut_ribbon_slope(const taut_quad *quad, int edge, int end, const taut_ribb
 taut_status taut_ribbon_twists(const taut_quad *quad, taut_ribbon ribbons[4], double twist[4][3],
                                taut_error *error);
 
+/* Steps 3 and 4 (rows.c): fills the boundary rows, the second rows, and the inner weights with 1;
+ * patch->m is 5n - 7. TAUT_NO_SOLUTION if a weight beside the boundary is not positive. */
+taut_status taut_ribbon_rows(const taut_quad *quad, const taut_ribbon ribbons[4], taut_patch *patch,
+                             taut_error *error);
+
 /* The parameter at which a curved edge is singular, beta(t) = 0; NaN if there is none. */
 double taut_ribbon_singular(const taut_ribbon *ribbon);
 

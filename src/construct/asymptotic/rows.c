@@ -1,9 +1,8 @@
 /* rows.c -- docs page section 5, steps 3 and 4. The weights' cross difference along an edge is
  * H W with H of degree h = 4n - 7; its end values come from the partners' weights, their
  * neighbours from the corner weight W_11, for which the two edges' proposals are averaged. */
-#include "construct/asymptotic/rows.h"
-
 #include "construct/asymptotic/poly.h"
+#include "construct/asymptotic/ribbon.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -88,7 +87,7 @@ static taut_status check_weights(const taut_patch *patch, taut_error *error)
         for (int k = 1; k < patch->m; k++) {
             const double w = taut_patch_at(patch, e, 1, k)[3];
             if (!(w > 0) || !isfinite(w)) {
-                return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", w, 0.0,
+                return taut_fail(error, TAUT_NO_SOLUTION, "negative-weight", "", w, 0.0,
                                  "weight %d beside edge %s comes out as %.3g: take end weights and "
                                  "curvatures that differ less, or surface \"n+3\"",
                                  k, taut_asymptotic_edge_name(e), w);
@@ -98,8 +97,8 @@ static taut_status check_weights(const taut_patch *patch, taut_error *error)
     return TAUT_OK;
 }
 
-taut_status taut_rows_fill(const taut_quad *quad, const taut_ribbon ribbons[4], taut_patch *patch,
-                           taut_error *error)
+taut_status taut_ribbon_rows(const taut_quad *quad, const taut_ribbon ribbons[4], taut_patch *patch,
+                             taut_error *error)
 {
     double h[4][LENGTH_H];
     taut_patch_boundary(quad, patch);

@@ -24,10 +24,11 @@ static void set_neighbour(const taut_quad *quad, const taut_quad_meeting *m, dou
     ribbons[m->edge].alpha[m->end == 0 ? 1 : last - 1] = alpha;
 }
 
-/* Both edges curved; what is missed is |tau_e + tau_f| |r_e'| |r_f'| sin A: slope_e + f_e alpha_e
- * r_e' = slope_f + f_f alpha_f r_f'. */
-static taut_status match(const taut_quad *quad, int c, taut_ribbon ribbons[4], double twist[3],
-                         taut_error *error)
+/* Both edges curved:
+ *     slope_e + f_e alpha_e r_e' = slope_f + f_f alpha_f r_f';
+ * what is missed is |tau_e + tau_f| |r_e'| |r_f'| sin A. */
+static taut_status match_twists(const taut_quad *quad, int c, taut_ribbon ribbons[4],
+                                double twist[3], taut_error *error)
 {
     const taut_quad_meeting *const m = taut_quad_corner[c];
     double slope[2][3], a[6], b[3], alpha[2], miss[3], noise = 0.0;
@@ -52,7 +53,7 @@ static taut_status match(const taut_quad *quad, int c, taut_ribbon ribbons[4], d
     noise *= taut_norm(ribbons[m[0].edge].tangent[m[0].end]) *
              taut_norm(ribbons[m[1].edge].tangent[m[1].end]);
     if (!(taut_norm(miss) <= twist_match * fmax(taut_norm(twist), taut_norm(slope[0])) + noise)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", taut_norm(miss), taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "twist", "", taut_norm(miss), taut_none,
                          "the ribbons of %s and %s have no common twist at corner %s: they differ "
                          "by %.3g of it, because their torsions are not opposite",
                          taut_asymptotic_edge_name(m[0].edge), taut_asymptotic_edge_name(m[1].edge),
@@ -101,7 +102,7 @@ taut_status taut_ribbon_twists(const taut_quad *quad, taut_ribbon ribbons[4], do
             const taut_quad_meeting *const curved = &m[s0 ? 1 : 0];
             taut_ribbon_slope(quad, curved->edge, curved->end, &ribbons[curved->edge], twist[c]);
         } else {
-            status = match(quad, c, ribbons, twist[c], error);
+            status = match_twists(quad, c, ribbons, twist[c], error);
         }
     }
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {

@@ -1,18 +1,17 @@
-/* biharmonic.h -- the two halves of the construction `biharmonic`. */
+/* biharmonic.h -- the two ways of the construction `biharmonic`. */
 #ifndef TAUT_CONSTRUCT_BIHARMONIC_BIHARMONIC_H
 #define TAUT_CONSTRUCT_BIHARMONIC_BIHARMONIC_H
 
 #include "core/arena.h"
 #include "taut/biharmonic.h"
 
-/* Adds the surface with the problem's four rows. */
-taut_status taut_biharmonic_rows(const taut_biharmonic_problem *problem, taut_arena *arena,
-                                 taut_model *model, taut_error *error);
-/* Adds the given surface and its neighbour. */
-taut_status taut_biharmonic_neighbour(const taut_biharmonic_problem *problem, taut_arena *arena,
-                                      taut_model *model, taut_error *error);
-
-/* The amplification, and a warning where it is large. */
-void taut_biharmonic_tell(double amplification, taut_record *details);
+/* Adds the surface with four given rows. */
+taut_status taut_biharmonic_add_rows(const taut_biharmonic_rows *rows, taut_arena *arena,
+                                     taut_model *model, double *amplification, taut_error *error);
+/* Adds the given surface and its neighbour, and to the details what was chosen. */
+taut_status taut_biharmonic_add_neighbour(const taut_biharmonic_neighbour *neighbour,
+                                          taut_arena *arena, taut_model *model,
+                                          taut_record *details, double *amplification,
+                                          taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_BIHARMONIC_BIHARMONIC_H */

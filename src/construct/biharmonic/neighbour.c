@@ -3,12 +3,13 @@
  *  1. Rows 0..r of the neighbour, from the given surface: its polynomial carried on has them
  *     ([NiWang2015] section 2.6 (3)).
  *  2. Among the biharmonic polynomials of the bidegree over the neighbour's rectangle these rows
- * are linear conditions of known rank (section 8.4): one solution, and a basis of what is free.
+ *     are linear conditions of known rank (section 8.4): one solution, and a basis of what is free.
  *  3. The free part that makes the bending energy least: a linear least-squares problem over Gauss
  *     points, exact for the polynomials.
  */
 #include "construct/harmonic/neighbour.h"
 #include "construct/biharmonic/biharmonic.h"
+#include "construct/common/build.h"
 #include "construct/harmonic/space.h"
 #include "construct/harmonic/wide_solve.h"
 #include "core/fail.h"
@@ -46,7 +47,7 @@ static size_t numbers_of(const neighbour *b)
 }
 
 /* to = sum_f factors[f] net_f */
-static void combine(const neighbour *b, const taut_wide *factors, taut_wide *to)
+static void combine_nets(const neighbour *b, const taut_wide *factors, taut_wide *to)
 {
     const size_t numbers = numbers_of(b);
     memset(to, 0, numbers * sizeof *to);
@@ -115,10 +116,10 @@ static taut_status meet_rows(neighbour *b, const double *beyond, taut_error *err
     fill_sides(b, beyond, d);
     taut_wide_constrain(rows, unknowns, rank, b->sides, c, d, basis, x);
     for (int side = 0; side < b->sides; side++) {
-        combine(b, x + side * unknowns, b->fixed + (size_t)side * numbers);
+        combine_nets(b, x + side * unknowns, b->fixed + (size_t)side * numbers);
     }
     for (int k = 0; k < b->free; k++) {
-        combine(b, basis + (rank + k) * unknowns, b->moving + (size_t)k * numbers);
+        combine_nets(b, basis + (rank + k) * unknowns, b->moving + (size_t)k * numbers);
     }
     return TAUT_OK;
 }
@@ -155,7 +156,8 @@ static void basis_at(int n, taut_wide t, taut_wide *b)
 
 /* polygons[3][n+1]: the net along the line where the functions across have the values bu, of its
  * second derivative across, its first and itself. */
-static void lay(const neighbour *b, const taut_wide *net, const taut_wide *bu, taut_wide *polygons)
+static void fill_polygons(const neighbour *b, const taut_wide *net, const taut_wide *bu,
+                          taut_wide *polygons)
 {
     const int size = b->n + 1;
     memset(polygons, 0, 3 * (size_t)size * sizeof *polygons);
@@ -170,8 +172,8 @@ static void lay(const neighbour *b, const taut_wide *net, const taut_wide *bu, t
 
 /* weight times (P_uu, sqrt 2 P_uv, P_vv) by parameter length, at a point of that line; out[row] is
  * `stride` apart. */
-static void bend(const neighbour *b, const taut_wide *polygons, const taut_wide *bv,
-                 taut_wide weight, long stride, taut_wide *out)
+static void evaluate_bend(const neighbour *b, const taut_wide *polygons, const taut_wide *bv,
+                          taut_wide weight, long stride, taut_wide *out)
 {
     const int size = b->n + 1;
     taut_wide sum[3] = {0, 0, 0};
@@ -186,7 +188,7 @@ static void bend(const neighbour *b, const taut_wide *polygons, const taut_wide 
 }
 
 /* Step 3: y[side][free]. */
-static taut_status relax(const neighbour *b, taut_wide *y, taut_error *error)
+static taut_status minimise_bending(const neighbour *b, taut_wide *y, taut_error *error)
 {
     taut_arena *arena = b->given.arena;
     const int nodes = b->n + 1, width = b->free + b->sides, size = b->n + 1;
@@ -206,13 +208,13 @@ static taut_status relax(const neighbour *b, taut_wide *y, taut_error *error)
     }
     for (int s = 0; s < nodes; s++) {
         for (int k = 0; k < width; k++) {
-            lay(b,
-                k < b->free ? b->moving + (size_t)k * numbers
-                            : b->fixed + (size_t)(k - b->free) * numbers,
-                table + 3 * s * size, polygons);
+            fill_polygons(b,
+                          k < b->free ? b->moving + (size_t)k * numbers
+                                      : b->fixed + (size_t)(k - b->free) * numbers,
+                          table + 3 * s * size, polygons);
             for (int q = 0; q < nodes; q++) {
-                bend(b, polygons, table + 3 * q * size, sqrtl((taut_wide)w[s] * w[q]), width,
-                     block + 3 * q * width + k);
+                evaluate_bend(b, polygons, table + 3 * q * size, sqrtl((taut_wide)w[s] * w[q]),
+                              width, block + 3 * q * width + k);
             }
         }
         taut_wide_append(b->free, width, r, 3 * nodes, block);
@@ -280,64 +282,67 @@ static taut_status check_digits(const neighbour *b, double amplification, double
                                 taut_error *error)
 {
     /* rows of a neighbour h times as wide are up to h^k as large */
-    const double limit = meeting_limit * fmax(1, taut_frame_reach(&b->given.frame)) *
+    const double limit = meeting_limit * fmax(1, taut_unit_map_reach(&b->given.map)) *
                          pow(fmax(1, b->given.ratio), b->contact);
 
     if (!(amplification <= amplification_limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", amplification,
+        return taut_fail(error, TAUT_NO_SOLUTION, "ill-conditioned", "/surface", amplification,
                          amplification_limit,
                          "rounding in the surface of degree %d would grow %.3g times in its "
                          "neighbour, past %.0e: least bending would not be found (a narrower "
-                         "neighbour or a lower degree is better; \"insist\": true builds it all "
-                         "the same)",
+                         "neighbour or a lower degree is better; \"allow_ill_conditioned\": true "
+                         "builds it all the same)",
                          b->n, amplification, amplification_limit);
     }
     if (!(miss <= limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/width", miss, limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "ill-conditioned", "/width", miss, limit,
                          "the rows that meet would be missed by %.3g of the size, past %.1e: on a "
                          "rectangle of %.3g by %.3g too few digits are left at degree %d (a width "
                          "nearer to the length of the edge or a lower degree is better; "
-                         "\"insist\": true builds it all the same)",
+                         "\"allow_ill_conditioned\": true builds it all the same)",
                          miss, limit, b->across, b->along, b->n);
     }
     return TAUT_OK;
 }
 
-/* Steps 1 to 3: the net, in the frame. */
-static taut_status solve(neighbour *b, double *net, double *amplification, int insist,
-                         taut_error *error)
+/* Steps 1 to 3: the net, in unit size. */
+static taut_status solve_net(neighbour *b, double *net, double *amplification, int allow,
+                             taut_error *error)
 {
     taut_arena *arena = b->given.arena;
     taut_wide *y = taut_arena_take(arena, (size_t)b->sides * (size_t)b->free, sizeof *y);
-    taut_status status = y != NULL ? TAUT_OK : taut_fail_memory(error);
+    taut_status status = TAUT_OK;
 
     taut_neighbour_extrapolate(&b->given, 0, net);
     memcpy(net, b->given.net + 3 * b->n * (b->n + 1), 3 * (size_t)(b->n + 1) * sizeof(double));
-    if (status == TAUT_OK && !taut_space_biharmonic(b->n, b->across, b->along, arena, &b->space)) {
-        status = taut_fail_memory(error);
+    if (y == NULL || !taut_space_biharmonic(b->n, b->across, b->along, arena, &b->space)) {
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        status = meet_rows(b, net, error);
-    }
+    status = meet_rows(b, net, error);
     if (status == TAUT_OK && b->free > 0) {
-        status = relax(b, y, error);
+        status = minimise_bending(b, y, error);
     }
-    if (status == TAUT_OK) {
-        *amplification = amplification_of(b, y);
-        status = insist ? TAUT_OK : check_digits(b, *amplification, miss_of(b, net, y), error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    for (size_t k = (size_t)(b->n + 1); status == TAUT_OK && k < numbers_of(b); k++) {
+    *amplification = amplification_of(b, y);
+    status = allow ? TAUT_OK : check_digits(b, *amplification, miss_of(b, net, y), error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (size_t k = (size_t)(b->n + 1); k < numbers_of(b); k++) {
         for (int side = 0; side < 3; side++) {
             net[3 * k + (size_t)side] = (double)point_of(b, y, side, k);
         }
     }
-    return status;
+    return TAUT_OK;
 }
 
-static taut_status check(const taut_neighbour *given, int insist, taut_error *error)
+static taut_status check_given(const taut_neighbour *given, int allow, taut_error *error)
 {
     const size_t numbers = (size_t)(given->n + 1) * (size_t)(given->m + 1);
-    const double limit = fmax(biharmonic_limit, 16 * DBL_EPSILON * taut_frame_reach(&given->frame));
+    const double limit =
+        fmax(biharmonic_limit, 16 * DBL_EPSILON * taut_unit_map_reach(&given->map));
     double *scratch = taut_arena_take(given->arena, 6 * numbers, sizeof(double));
     double residual = 0;
 
@@ -345,21 +350,22 @@ static taut_status check(const taut_neighbour *given, int insist, taut_error *er
         return taut_fail_memory(error);
     }
     if (given->n != given->m || given->n > TAUT_SPACE_DEGREE_MAX) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", given->n, given->m,
+        return taut_fail(error, TAUT_NO_SOLUTION, "degree", "/surface", given->n, given->m,
                          "a biharmonic neighbour needs one degree both ways, at most %d, found %d "
                          "and %d",
                          TAUT_SPACE_DEGREE_MAX, given->n, given->m);
     }
-    if (given->n > DEGREE_MAX && !insist) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", given->n, DEGREE_MAX,
+    if (given->n > DEGREE_MAX && !allow) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "degree", "/surface", given->n, DEGREE_MAX,
                          "a neighbour of degree %d, expected at most %d: rounding leaves little of "
                          "least bending beyond, and finding it takes up to minutes (a lower degree "
-                         "is better; \"insist\": true builds it all the same, up to degree %d)",
+                         "is better; \"allow_ill_conditioned\": true builds it all the same, up to "
+                         "degree %d)",
                          given->n, DEGREE_MAX, TAUT_SPACE_DEGREE_MAX);
     }
     residual = taut_neighbour_residual(given, 2, scratch);
     if (!(residual <= limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", residual, limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "not-biharmonic", "/surface", residual, limit,
                          "not biharmonic: the surface's scaled residual is %.3g, expected at most "
                          "%.0e over its own rectangle",
                          residual, limit);
@@ -367,63 +373,68 @@ static taut_status check(const taut_neighbour *given, int insist, taut_error *er
     return TAUT_OK;
 }
 
-static taut_status add_both(const neighbour *b, double *net, double amplification,
-                            taut_model *model, taut_error *error)
+static taut_status add_surfaces(const neighbour *b, double *net, taut_model *model,
+                                taut_error *error)
 {
-    taut_surface *surfaces[2] = {NULL, NULL};
-    taut_record *details = NULL;
-    taut_status status = taut_surface_copy(b->given.surface, &surfaces[0]) == TAUT_OK
-                             ? TAUT_OK
-                             : taut_fail_memory(error);
+    taut_surface *given = NULL, *extension = NULL;
+    taut_status status = taut_surface_copy(b->given.surface, &given);
 
-    if (status == TAUT_OK) {
-        status = taut_neighbour_surface(&b->given, "extension", net, 0, &surfaces[1], error);
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
     }
-    for (int i = 0; i < 2; i++) {
-        if (status == TAUT_OK && taut_model_add_surface(model, surfaces[i]) == TAUT_OK) {
-            continue;
-        }
-        taut_surface_free(surfaces[i]);
-        status = status == TAUT_OK ? taut_fail_memory(error) : status;
-    }
-    if (status == TAUT_OK) {
-        details = taut_record_new();
-        taut_record_add_text(details, "contact", b->contact == 1 ? "c1" : "c2");
-        taut_record_add_number(details, "free", b->free);
-        taut_biharmonic_tell(amplification, details);
-        taut_model_set_details(model, details);
-        status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
-    }
-    return status;
-}
-
-taut_status taut_biharmonic_neighbour(const taut_biharmonic_problem *problem, taut_arena *arena,
-                                      taut_model *model, taut_error *error)
-{
-    neighbour b = {.contact = problem->contact};
-    double *net = NULL, amplification = 0;
-    taut_status status = taut_neighbour_check(problem->surface, problem->width, error);
-
-    b.given.surface = problem->surface;
-    b.given.edge = problem->edge;
-    b.given.arena = arena;
-    if (status == TAUT_OK) {
-        status = taut_neighbour_turn(&b.given, problem->width, error);
-    }
-    if (status == TAUT_OK) {
-        status = check(&b.given, problem->insist, error);
-    }
+    status = taut_construct_add_surface(model, given, error);
     if (status != TAUT_OK) {
         return status;
     }
-    b.n = b.given.n;
-    b.free = b.contact == 1 ? 2 * (b.n - 1) : 2 * ((b.n - 1) / 2);
-    b.lines = b.contact < b.n ? b.contact + 1 : b.n + 1;
-    b.sides = 3 + b.lines * (b.n + 1);
-    b.across = b.given.ratio * b.given.across;
-    b.along = b.given.along;
+    status = taut_neighbour_surface(&b->given, "extension", net, 0, &extension, error);
+    return status == TAUT_OK ? taut_construct_add_surface(model, extension, error) : status;
+}
+
+/* The given surface turned and checked, and all numbers of things. */
+static taut_status turn_surface(const taut_biharmonic_neighbour *asked, neighbour *b,
+                                taut_error *error)
+{
+    taut_status status = taut_neighbour_check(asked->surface, asked->width, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_neighbour_turn(&b->given, asked->width, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    b->n = b->given.n;
+    b->free = b->contact == 1 ? 2 * (b->n - 1) : 2 * ((b->n - 1) / 2);
+    b->lines = b->contact < b->n ? b->contact + 1 : b->n + 1;
+    b->sides = 3 + b->lines * (b->n + 1);
+    b->across = b->given.ratio * b->given.across;
+    b->along = b->given.along;
+    return check_given(&b->given, asked->allow_ill_conditioned, error);
+}
+
+taut_status taut_biharmonic_add_neighbour(const taut_biharmonic_neighbour *asked, taut_arena *arena,
+                                          taut_model *model, taut_record *details,
+                                          double *amplification, taut_error *error)
+{
+    neighbour b = {
+        .given = {.surface = asked->surface, .edge = asked->edge, .arena = arena},
+        .contact = asked->contact,
+    };
+    double *net = NULL;
+    taut_status status = turn_surface(asked, &b, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
     net = taut_arena_take(arena, 3 * numbers_of(&b), sizeof(double));
-    status = net != NULL ? solve(&b, net, &amplification, problem->insist, error)
-                         : taut_fail_memory(error);
-    return status == TAUT_OK ? add_both(&b, net, amplification, model, error) : status;
+    if (net == NULL) {
+        return taut_fail_memory(error);
+    }
+    status = solve_net(&b, net, amplification, asked->allow_ill_conditioned, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_record_add_text(details, "contact", b.contact == 1 ? "c1" : "c2");
+    taut_record_add_number(details, "free", b.free);
+    return add_surfaces(&b, net, model, error);
 }

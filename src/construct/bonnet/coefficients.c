@@ -1,4 +1,4 @@
-#include "construct/bonnet/coefficients.h"
+#include "construct/bonnet/net.h"
 
 #include "basis/quasi_kernel.h"
 
@@ -26,9 +26,9 @@ static double square_rest(int hyperbolic, double x)
     return 2 * half * half;
 }
 
-/* Any function of the space has the coefficients phi(x0), phi(x0) + k phi'(x0), phi(x1) - k
- * phi'(x1), phi(x1). */
-static void window(double k, double at0, double slope0, double at1, double slope1, double *c)
+/* Any function of the space has the coefficients
+ *     phi(x0), phi(x0) + k phi'(x0), phi(x1) - k phi'(x1), phi(x1). */
+static void fill_window(double k, double at0, double slope0, double at1, double slope1, double *c)
 {
     c[0] = at0;
     c[1] = at0 + k * slope0;
@@ -71,12 +71,12 @@ void taut_bonnet_bezier_rows(int hyperbolic, double start, double length, taut_b
     kernel->prepare(length, &segment);
     const double k = segment.k;
     rows->count = 4;
-    window(k, x0, 1, x1, 1, rows->t);
-    window(k, s0, c0, s1, c1, rows->s);
-    window(k, c0, hyperbolic ? s0 : -s0, c1, hyperbolic ? s1 : -s1, rows->c);
-    window(k, cubic_rest(hyperbolic, x0), square_rest(hyperbolic, x0), cubic_rest(hyperbolic, x1),
-           square_rest(hyperbolic, x1), rows->f);
-    window(k, square_rest(hyperbolic, x0), s0, square_rest(hyperbolic, x1), s1, rows->g);
+    fill_window(k, x0, 1, x1, 1, rows->t);
+    fill_window(k, s0, c0, s1, c1, rows->s);
+    fill_window(k, c0, hyperbolic ? s0 : -s0, c1, hyperbolic ? s1 : -s1, rows->c);
+    fill_window(k, cubic_rest(hyperbolic, x0), square_rest(hyperbolic, x0),
+                cubic_rest(hyperbolic, x1), square_rest(hyperbolic, x1), rows->f);
+    fill_window(k, square_rest(hyperbolic, x0), s0, square_rest(hyperbolic, x1), s1, rows->g);
     if (hyperbolic && length > 1) {
         hyperbolic_inner(&segment, x0, x1, rows);
     }

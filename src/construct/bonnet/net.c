@@ -10,7 +10,7 @@ double taut_bonnet_frame_lambda(const taut_bonnet_problem *problem, int i)
 }
 
 /* points = cos(theta) r + sin(theta) r*; theta = 0 leaves r as it is. */
-static void turn(double theta, const double r[3], const double adjoint[3], double *point)
+static void turn_point(double theta, const double r[3], const double adjoint[3], double *point)
 {
     const double c = theta == 0 ? 1 : cos(theta), s = theta == 0 ? 0 : sin(theta);
     for (int i = 0; i < 3; i++) {
@@ -32,14 +32,15 @@ void taut_bonnet_net(double lambda, int sign, double theta, const taut_bonnet_ro
             const double adjoint[3] = {(lambda * v->t[j] + s * u->c[i] * v->s[j]) / w,
                                        -(u->t[i] + s * lambda * u->s[i] * v->c[j]) / w,
                                        -s * u->s[i] * v->s[j]};
-            turn(theta, r, adjoint, points + 3 * (i * v->count + j));
+            turn_point(theta, r, adjoint, points + 3 * (i * v->count + j));
         }
     }
 }
 
-/* 2 (r_-(u, v) - r_-(0, 0)) / w^2 with f = u - sin u or sinh v - v, g = 1 - cos u or cosh v - 1, e
- * = 1 - lambda: x = 2/w^3 (-e u + f - sin u g),  y = 2/w^3 (e v - lambda (f - g sinh v)), z = 2/w^2
- * (g cosh v - g),  and so its adjoint. */
+/* 2 (r_-(u, v) - r_-(0, 0)) / w^2 with f = u - sin u or sinh v - v, g = 1 - cos u or cosh v - 1,
+ * e = 1 - lambda:
+ *     x = 2/w^3 (-e u + f - sin u g),  y = 2/w^3 (e v - lambda (f - g sinh v)),
+ *     z = 2/w^2 (g cosh v - g),  and so its adjoint. */
 void taut_bonnet_normalised_net(double lambda, double theta, const taut_bonnet_rows *u,
                                 const taut_bonnet_rows *v, double *points)
 {
@@ -53,7 +54,7 @@ void taut_bonnet_normalised_net(double lambda, double theta, const taut_bonnet_r
                                        -2 / w3 *
                                            (e * u->t[i] + lambda * (u->f[i] - u->s[i] * v->g[j])),
                                        2 / w2 * u->s[i] * v->s[j]};
-            turn(theta, r, adjoint, points + 3 * (i * v->count + j));
+            turn_point(theta, r, adjoint, points + 3 * (i * v->count + j));
         }
     }
 }
@@ -70,8 +71,8 @@ static void powers(const double window[2], double c[3][4])
     }
 }
 
-/* r = (-(p - p^3/3 + p q^2), q - q^3/3 + p^2 q, p^2 - q^2),  r* = (-q - q^3/3 + p^2 q, -p - p^3/3 +
- * p q^2, 2 p q) */
+/* r  = (-(p - p^3/3 + p q^2), q - q^3/3 + p^2 q, p^2 - q^2)
+ * r* = (-q - q^3/3 + p^2 q, -p - p^3/3 + p q^2, 2 p q) */
 void taut_bonnet_enneper_net(double theta, const double p[2], const double q[2], double *points)
 {
     double a[3][4], b[3][4];
@@ -84,7 +85,7 @@ void taut_bonnet_enneper_net(double theta, const double p[2], const double q[2],
             const double adjoint[3] = {-b[0][j] - b[2][j] / 3 + a[1][i] * b[0][j],
                                        -a[0][i] - a[2][i] / 3 + a[0][i] * b[1][j],
                                        2 * a[0][i] * b[0][j]};
-            turn(theta, r, adjoint, points + 3 * (4 * i + j));
+            turn_point(theta, r, adjoint, points + 3 * (4 * i + j));
         }
     }
 }

@@ -1,9 +1,30 @@
-/* net.h -- the control nets of the family out of the coefficients of each direction. */
+/* net.h -- the control nets of the family out of the coefficients of each direction: those of 1, t
+ * and the trigonometric or hyperbolic pair on a window, in the quasi-Bezier or quasi-B-spline basis
+ * ([XuWang2006] sections 3, 4, 9). */
 #ifndef TAUT_BONNET_NET_H
 #define TAUT_BONNET_NET_H
 
-#include "construct/bonnet/coefficients.h"
 #include "taut/bonnet.h"
+
+/* ---- coefficients.c ---- */
+
+/* One direction. Each pointer is double[count], the caller's. */
+typedef struct taut_bonnet_rows {
+    int count;
+    double *t; /* of the parameter itself */
+    double *s; /* of sin, or sinh */
+    double *c; /* of cos, or cosh */
+    double *f; /* of t - sin t, or sinh t - t (bezier only; else NULL) */
+    double *g; /* of 1 - cos t, or cosh t - 1 (bezier only; else NULL) */
+} taut_bonnet_rows;
+
+/* Four coefficients on [start, start + length]; circular or hyperbolic. */
+void taut_bonnet_bezier_rows(int hyperbolic, double start, double length, taut_bonnet_rows *rows);
+/* segments + 3 coefficients on [start, start + segments length]. */
+void taut_bonnet_bspline_rows(int hyperbolic, double start, double length, int segments,
+                              taut_bonnet_rows *rows);
+
+/* ---- net.c ---- */
 
 /* lambda of frame i: equal steps, ends included. */
 double taut_bonnet_frame_lambda(const taut_bonnet_problem *problem, int i);

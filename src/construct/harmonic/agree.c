@@ -1,6 +1,6 @@
 /* agree.c -- rows of even degree over-determine a surface of bidegree (n, n): their v^n
- * coefficients must agree
- * ([NiWang2015] section 2.4). Refuse, or one of three repairs (section 3, B.1). */
+ * coefficients must agree ([NiWang2015] section 2.4). Refuse, or one of three repairs (section 3,
+ * B.1). */
 #include "construct/harmonic/lidstone.h"
 #include "construct/harmonic/task.h"
 #include "core/fail.h"
@@ -18,12 +18,11 @@ static double largest(const double vector[3])
 static void defect_of(const taut_harmonic_task *task, double delta[3])
 {
     double first[3] = {0, 0, 0};
+    const int from_derivative = task->problem->given == TAUT_HARMONIC_DERIVATIVE;
     taut_top_difference(task->m, task->row[1], delta);
-    if (!task->problem->from_derivative) {
-        taut_top_difference(task->m, task->row[0], first);
-    }
+    taut_top_difference(task->m, task->row[0], first);
     for (int c = 0; c < 3; c++) {
-        delta[c] = task->problem->from_derivative ? task->width * delta[c] : delta[c] - first[c];
+        delta[c] = from_derivative ? task->width * delta[c] : delta[c] - first[c];
     }
 }
 
@@ -33,7 +32,7 @@ static void repair_corner(taut_harmonic_task *task, const double delta[3])
     for (int c = 0; c < 3; c++) {
         task->row[1][3 * task->m + c] -= delta[c];
     }
-    task->repair_change = largest(delta) * task->frame.size;
+    task->repair_change = largest(delta) * task->map.size;
 }
 
 /* The least change of both rows: +- w_j delta with w_j = (-1)^(m-j) C(m,j) / (2 C(2m,m)). */
@@ -54,21 +53,22 @@ static void repair_project(taut_harmonic_task *task, const double delta[3])
         most = fmax(most, weight);
         weight *= (double)(m - j) / (j + 1);
     }
-    task->repair_change = most * largest(delta) * task->frame.size;
+    task->repair_change = most * largest(delta) * task->map.size;
 }
 
-static taut_status refuse(const taut_harmonic_task *task, double defect, double limit,
-                          taut_error *error)
+static taut_status fail_inconsistent(const taut_harmonic_task *task, double defect, double limit,
+                                     taut_error *error)
 {
-    if (task->problem->from_derivative) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/cross_derivative", defect, limit,
+    if (task->problem->given == TAUT_HARMONIC_DERIVATIVE) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "inconsistent", "/cross_derivative", defect,
+                         limit,
                          "inconsistent derivative: the degree %d is even and the top difference of "
                          "the cross derivative is %.6g, not 0; \"even\": \"raise\" gives bidegree "
                          "(%d, %d)",
                          task->m, defect, task->n + 1, task->m);
     }
     return taut_fail(
-        error, TAUT_NO_SOLUTION, "no-solution", "/points", defect, limit,
+        error, TAUT_NO_SOLUTION, "inconsistent", "/points", defect, limit,
         "inconsistent boundary: the degree %d is even and the top differences of the two "
         "rows differ by %.6g, not 0; \"even\" can be \"corner\", \"project\" or \"raise\"",
         task->m, defect);
@@ -76,15 +76,15 @@ static taut_status refuse(const taut_harmonic_task *task, double defect, double 
 
 taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error)
 {
-    const taut_harmonic_even even = task->problem->even;
+    const taut_harmonic_even even = taut_harmonic_even_of(task->problem);
     /* a repair that was asked for is made of all that rounding does not explain */
-    const double rounding = 4 * ldexp(DBL_EPSILON, task->m) * taut_frame_reach(&task->frame);
+    const double rounding = 4 * ldexp(DBL_EPSILON, task->m) * taut_unit_map_reach(&task->map);
     const double limit = even == TAUT_EVEN_REFUSE ? fmax(1e-10, rounding) : rounding;
     double delta[3] = {0, 0, 0};
 
     if (task->m % 2 != 0 || task->n != task->m) {
         if (task->corner_missing) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/points", taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "mask", "/points", taut_none, taut_none,
                              "the last point of the second row is null, but this bidegree does not "
                              "decide it");
         }
@@ -99,20 +99,19 @@ taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error)
     if (largest(delta) <= limit) {
         return TAUT_OK;
     }
-    if (even == TAUT_EVEN_RAISE) {
-        task->repair = "raise";
+    task->repair = even;
+    switch (even) {
+    case TAUT_EVEN_RAISE:
         task->n++;
         return TAUT_OK;
-    }
-    if (even == TAUT_EVEN_CORNER && !task->problem->from_derivative) {
-        task->repair = "corner";
+    case TAUT_EVEN_CORNER:
         repair_corner(task, delta);
         return TAUT_OK;
-    }
-    if (even == TAUT_EVEN_PROJECT && !task->problem->from_derivative) {
-        task->repair = "project";
+    case TAUT_EVEN_PROJECT:
         repair_project(task, delta);
         return TAUT_OK;
+    case TAUT_EVEN_REFUSE:
+        break;
     }
-    return refuse(task, largest(delta) * task->frame.size, limit * task->frame.size, error);
+    return fail_inconsistent(task, largest(delta) * task->map.size, limit * task->map.size, error);
 }

@@ -60,7 +60,7 @@ static void round_net(int n, int m, const taut_wide *wide, double *net)
     }
 }
 
-static void reverse(int n, const taut_wide *from, taut_wide *to)
+static void reverse_factor(int n, const taut_wide *from, taut_wide *to)
 {
     for (int i = 0; i <= n; i++) {
         to[i] = from[n - i];
@@ -122,7 +122,7 @@ void taut_harmonic_from_rows(int n, int m, taut_wide mu, const double *row0, con
         if (k > 0) {
             next_factor(2 * k + 1, n, low, factor);
         }
-        reverse(n, factor, mirrored);
+        reverse_factor(n, factor, mirrored);
         add_product(n, m, scale, mirrored, a.raised, wide);
         add_product(n, m, scale, factor, b.raised, wide);
         scale *= -mu;

@@ -7,11 +7,6 @@
 
 #include <string.h>
 
-static void *take(void *context, size_t count, size_t size)
-{
-    return taut_arena_take(context, count, size);
-}
-
 /* Line `side` of the problem as it was given. */
 static taut_status line_of(const taut_harmonic_task *task, int side, taut_exact_numbers *line)
 {
@@ -23,15 +18,16 @@ static taut_status line_of(const taut_harmonic_task *task, int side, taut_exact_
     if (values == NULL || texts == NULL) {
         return TAUT_NO_MEMORY;
     }
+    const int rows = p->given == TAUT_HARMONIC_ROWS;
+    const double *from = rows        ? p->rows.points
+                         : side == 0 ? p->derivative.edge
+                                     : p->derivative.cross;
+    const char *const *exact = rows        ? p->rows.exact
+                               : side == 0 ? p->derivative.exact_edge
+                                           : p->derivative.exact_cross;
     for (size_t k = 0; k < count; k++) {
-        const double *from = side == 0 ? p->edge : p->cross_derivative;
-        const char *const *exact = side == 0 ? p->exact_edge : p->exact_cross_derivative;
-        size_t at = k;
-        if (!p->from_derivative) {
-            from = p->points;
-            exact = p->exact_points;
-            at = 3 * taut_harmonic_index(task, side * task->n, (int)(k / 3)) + k % 3;
-        }
+        const size_t at =
+            rows ? 3 * taut_harmonic_index(task, side * task->n, (int)(k / 3)) + k % 3 : k;
         values[k] = from[at];
         texts[k] = exact != NULL ? exact[at] : NULL;
     }
@@ -40,31 +36,31 @@ static taut_status line_of(const taut_harmonic_task *task, int side, taut_exact_
     return TAUT_OK;
 }
 
-static taut_status refuse(const taut_harmonic_task *task, double defect, taut_error *error)
+static taut_status fail_inconsistent(const taut_harmonic_task *task, double defect,
+                                     taut_error *error)
 {
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution",
-                     task->problem->from_derivative ? "/cross_derivative" : "/points", defect, 0,
+    const int from_derivative = task->problem->given == TAUT_HARMONIC_DERIVATIVE;
+    return taut_fail(error, TAUT_NO_SOLUTION, "inconsistent",
+                     from_derivative ? "/cross_derivative" : "/points", defect, 0,
                      "inconsistent %s: the degree %d is even and the top difference is %.6g, not "
                      "exactly 0; \"even\" can mend it",
-                     task->problem->from_derivative ? "derivative" : "boundary", task->m, defect);
+                     from_derivative ? "derivative" : "boundary", task->m, defect);
 }
 
 taut_status taut_harmonic_exact(taut_harmonic_task *task, taut_error *error)
 {
-    static const char *const names[] = {NULL, "corner", "project",
-                                        "raise"}; /* by taut_harmonic_even */
     const taut_harmonic_problem *p = task->problem;
     const taut_basis *across = task->turned ? p->v : p->u, *along = task->turned ? p->u : p->v;
-    const taut_exact_memory memory = {task->arena, take};
+    const taut_exact_memory memory = taut_exact_memory_of(task->arena);
     const taut_exact_ops *ops = NULL;
     taut_exact_net net;
     taut_exact_lines lines = {.n = task->n,
                               .m = task->m,
                               .across = {taut_basis_lo(across), taut_basis_hi(across)},
                               .along = {taut_basis_lo(along), taut_basis_hi(along)},
-                              .from_derivative = p->from_derivative,
+                              .from_derivative = p->given == TAUT_HARMONIC_DERIVATIVE,
                               .corner_missing = task->corner_missing,
-                              .even = (int)p->even};
+                              .even = (int)taut_harmonic_even_of(p)};
     taut_status status = taut_exact_load(&ops, error);
 
     if (status != TAUT_OK) {
@@ -76,12 +72,12 @@ taut_status taut_harmonic_exact(taut_harmonic_task *task, taut_error *error)
         return taut_fail_memory(error);
     }
     if (net.values == NULL) {
-        return refuse(task, net.defect, error);
+        return fail_inconsistent(task, net.defect, error);
     }
     task->n = net.n;
     task->net = net.values;
     task->texts = net.texts;
-    task->repair = net.moved ? names[lines.even] : NULL;
+    task->repair = net.moved ? taut_harmonic_even_of(p) : TAUT_EVEN_REFUSE;
     task->repair_change = net.change;
     return TAUT_OK;
 }

@@ -1,14 +1,13 @@
 /* extension.c -- construct `harmonic-extension`: the harmonic neighbour across an edge.
  *
  * Contact c1: equal derivatives leave one harmonic surface, and it is the polynomial itself carried
- * on
- * ([NiWang2015] section 2.6), so its net is a de Casteljau extrapolation, as is that of the merged
- * surface. Contact g1: equal tangent planes leave three numbers free; the edge and the derivative
+ * on ([NiWang2015] section 2.6), so its net is a de Casteljau extrapolation, as is that of the
+ * merged surface. Contact g1: equal tangent planes leave three numbers free; the edge and the derivative
  * across it are completed (section 8.6).
  */
+#include "construct/common/build.h"
 #include "construct/construct_ops.h"
 #include "construct/harmonic/complete.h"
-#include "construct/harmonic/frame.h"
 #include "construct/harmonic/lidstone.h"
 #include "construct/harmonic/neighbour.h"
 #include "core/arena.h"
@@ -25,8 +24,7 @@ static const double harmonic_limit = 1e-10;
 
 /* The derivative across the neighbour's first edge, in its own normalised parameter:
  *     h (c P_u + (alpha + beta v) P_v),  P_u and P_v by parameter length on the shared edge. */
-static void g1_derivative(const taut_neighbour *e, const taut_harmonic_extension_problem *p,
-                          double *cross)
+static void derive_g1(const taut_neighbour *e, const taut_extension_g1 *p, double *cross)
 {
     const int n = e->n, m = e->m;
     const double *edge = e->net + 3 * n * (m + 1), *before = edge - 3 * (m + 1);
@@ -46,37 +44,36 @@ static void g1_derivative(const taut_neighbour *e, const taut_harmonic_extension
     }
 }
 
-static taut_status complete_g1(const taut_neighbour *e,
-                               const taut_harmonic_extension_problem *problem, double *out,
+static taut_status complete_g1(const taut_neighbour *e, const taut_extension_g1 *g1, double *out,
                                double *amplification, taut_error *error)
 {
     const int n = e->n, m = e->m;
     const taut_wide ratio = (taut_wide)e->ratio * e->across / e->along;
-    const double limit = fmax(1e-10, 4 * ldexp(DBL_EPSILON, m) * taut_frame_reach(&e->frame));
+    const double limit = fmax(1e-10, 4 * ldexp(DBL_EPSILON, m) * taut_unit_map_reach(&e->map));
     double *cross = taut_arena_take(e->arena, 3 * (size_t)(m + 1), sizeof(double));
     taut_wide *scratch =
         taut_arena_take(e->arena, 4 * (size_t)(n + 1) * (size_t)(m + 1), sizeof *scratch);
     double top[3];
 
-    if (cross == NULL || scratch == NULL) {
+    if (taut_arena_status(e->arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     if (n < m) {
         return taut_fail(
-            error, TAUT_NO_SOLUTION, "no-solution", "/surface", n, m,
+            error, TAUT_NO_SOLUTION, "degree", "/surface", n, m,
             "a neighbour with the same tangent planes needs degree %d across the edge, "
             "found %d",
             m, n);
     }
-    g1_derivative(e, problem, cross);
+    derive_g1(e, g1, cross);
     taut_top_difference(m, cross, top);
     const double defect = fmax(fabs(top[0]), fmax(fabs(top[1]), fabs(top[2])));
     if (m % 2 == 0 && n == m && defect > limit) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/beta", defect * e->frame.size,
-                         limit * e->frame.size,
+        return taut_fail(error, TAUT_NO_SOLUTION, "inconsistent", "/beta", defect * e->map.size,
+                         limit * e->map.size,
                          "inconsistent derivative: the degree %d is even, so \"beta\" must be 0 "
                          "here (the top difference is %.6g)",
-                         m, defect * e->frame.size);
+                         m, defect * e->map.size);
     }
     taut_harmonic_from_derivative(n, m, ratio * ratio, e->net + 3 * n * (m + 1), 1, cross, scratch,
                                   out);
@@ -84,29 +81,44 @@ static taut_status complete_g1(const taut_neighbour *e,
     return TAUT_OK;
 }
 
-static taut_status check_problem(const taut_harmonic_extension_problem *problem, taut_error *error)
+static double width_of(const taut_harmonic_extension_problem *problem)
 {
-    const taut_surface *surface = problem != NULL ? problem->surface : NULL;
+    switch (problem->given) {
+    case TAUT_EXTENSION_C1:
+        return problem->c1.width;
+    case TAUT_EXTENSION_G1:
+        return problem->g1.width;
+    case TAUT_EXTENSION_MERGE:
+        break;
+    }
+    return 0;
+}
+
+static taut_status check_problem(const taut_harmonic_extension_problem *problem, int exact,
+                                 taut_error *error)
+{
     taut_status status = TAUT_OK;
 
-    if (surface == NULL) {
+    if (problem == NULL || problem->surface == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an extension needs a surface");
     }
-    status = taut_neighbour_check(surface, problem->width, error);
-    if (status != TAUT_OK) {
+    if (problem->given == TAUT_EXTENSION_MERGE && problem->merge.neighbour == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "a merge needs a neighbour");
+    }
+    status = taut_neighbour_check(problem->surface, width_of(problem), error);
+    if (status != TAUT_OK || problem->given != TAUT_EXTENSION_G1) {
         return status;
     }
-    if (problem->neighbour != NULL && (problem->width > 0 || problem->contact != TAUT_CONTACT_C1)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/neighbour", taut_none, taut_none,
-                         "found \"neighbour\" beside \"width\" or contact \"g1\": it has a width, "
-                         "and must be the surface carried on");
+    const taut_extension_g1 *g1 = &problem->g1;
+    if (!(g1->c > 0 && isfinite(g1->c) && isfinite(g1->alpha) && isfinite(g1->beta))) {
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "value", "/c", g1->c, "a positive number",
+                                  "bad parameter: c is %.17g", g1->c);
     }
-    if (problem->contact == TAUT_CONTACT_G1 &&
-        !(problem->c > 0 && isfinite(problem->c) && isfinite(problem->alpha) &&
-          isfinite(problem->beta))) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/c", problem->c, 0,
-                         "bad parameter: c is %.17g, expected a positive number", problem->c);
+    if (exact) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/contact", taut_none, taut_none,
+                         "contact \"g1\" is not done in rational arithmetic");
     }
     return TAUT_OK;
 }
@@ -123,135 +135,191 @@ static taut_status check_exact(const taut_surface *surface, taut_error *error)
     double residual = 0;
     taut_status status = taut_exact_load(&ops, error);
 
-    if (status == TAUT_OK &&
-        !ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, rectangle, &residual)) {
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (!ops->residual(taut_basis_degree(u), taut_basis_degree(v), &net, rectangle, &residual)) {
         /* not reached: the module that there is returns 1, FLINT sees to its own memory */
         return taut_fail_memory(error);
     }
-    if (status == TAUT_OK && residual > 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", residual, 0,
+    if (residual > 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "not-harmonic", "/surface", residual, 0,
                          "not harmonic in rational arithmetic: the surface's residual is %.3g, "
                          "not 0; coordinates written as texts such as \"3/4\" are not rounded",
                          residual);
     }
-    return status;
+    return TAUT_OK;
 }
 
-static taut_status fill_model(const taut_neighbour *e,
-                              const taut_harmonic_extension_problem *problem, int exact,
-                              taut_model *model, taut_error *error)
+/* The given surface, with its exact points only where they are worked with. */
+static taut_status add_given(const taut_surface *given, int exact, taut_model *model,
+                             taut_error *error)
 {
-    const size_t numbers = 3 * (size_t)(e->n + 1) * (size_t)(e->m + 1);
-    const int g1 = problem->contact == TAUT_CONTACT_G1;
-    double *next = taut_arena_take(e->arena, numbers, sizeof(double));
-    double *merged = taut_arena_take(e->arena, numbers, sizeof(double));
-    double amplification = pow(1 + 2 * e->ratio, e->n);
-    taut_surface *surfaces[3] = {NULL, NULL, NULL};
-    taut_record *details = NULL;
-    taut_status status = next != NULL && merged != NULL ? TAUT_OK : taut_fail_memory(error);
+    taut_surface *copy = NULL;
+    const taut_status status = taut_surface_new_exact(
+        taut_surface_name(given), taut_surface_u(given), taut_surface_v(given),
+        taut_surface_points(given), NULL, exact ? taut_surface_exact(given) : NULL, &copy, error);
+    return status == TAUT_OK ? taut_construct_add_surface(model, copy, error) : status;
+}
 
-    if (status == TAUT_OK && g1) {
-        status = complete_g1(e, problem, next, &amplification, error);
-    } else if (status == TAUT_OK) {
-        taut_neighbour_extrapolate(e, 0, next);
-        taut_neighbour_extrapolate(e, 1, merged);
+/* A surface of a turned net, and its exact points where they are wanted. */
+static taut_status make_surface(const taut_neighbour *e, const char *name, double *net, int merged,
+                                int exact, taut_surface **surface, taut_error *error)
+{
+    taut_surface *made = NULL;
+    taut_status status = taut_neighbour_surface(e, name, net, merged, &made, error);
+    if (status == TAUT_OK && exact) {
+        status = taut_neighbour_exact(e->surface, e->arena, &made, error);
     }
-    if (status == TAUT_OK) { /* with its exact points only where they are worked with */
-        status = taut_surface_new_exact(taut_surface_name(e->surface), taut_surface_u(e->surface),
-                                        taut_surface_v(e->surface), taut_surface_points(e->surface),
-                                        NULL, exact ? taut_surface_exact(e->surface) : NULL,
-                                        &surfaces[0], error);
+    if (status != TAUT_OK) {
+        taut_surface_free(made);
+        return status;
     }
-    if (status == TAUT_OK) {
-        memcpy(next, e->net + 3 * e->n * (e->m + 1), (size_t)(3 * (e->m + 1)) * sizeof(double));
-        status = taut_neighbour_surface(e, "extension", next, 0, &surfaces[1], error);
+    *surface = made;
+    return TAUT_OK;
+}
+
+/* What lies beyond, which has to be what was given there. */
+static taut_status add_beyond(const taut_neighbour *e, double *net, int exact, taut_model *model,
+                              taut_error *error)
+{
+    taut_surface *beyond = NULL;
+    taut_status status = make_surface(e, "extension", net, 0, exact, &beyond, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && !g1) {
-        status = taut_neighbour_surface(e, "h", merged, 1, &surfaces[2], error);
+    status = e->other != NULL ? taut_neighbour_compare(e, beyond, exact, error) : TAUT_OK;
+    if (status != TAUT_OK) {
+        taut_surface_free(beyond);
+        return status;
     }
-    for (int i = 1; i < 3 && exact && status == TAUT_OK; i++) {
-        status = taut_neighbour_exact(e->surface, e->arena, &surfaces[i], error);
+    return taut_construct_add_surface(model, beyond, error);
+}
+
+/* Contact g1. */
+static taut_status add_tangent(const taut_neighbour *e, const taut_extension_g1 *g1,
+                               double *amplification, taut_model *model, taut_error *error)
+{
+    const size_t line = 3 * (size_t)(e->m + 1);
+    double *net = taut_arena_take(e->arena, (size_t)(e->n + 1) * line, sizeof(double));
+    taut_status status = TAUT_OK;
+
+    if (net == NULL) {
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK && e->other != NULL) {
-        status = taut_neighbour_compare(e, surfaces[1], exact, error);
+    status = complete_g1(e, g1, net, amplification, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    for (int i = 0; i < 3; i++) {
-        if (status == TAUT_OK && surfaces[i] != NULL) {
-            status = taut_model_add_surface(model, surfaces[i]);
-            surfaces[i] = status == TAUT_OK ? NULL : surfaces[i];
-        }
-        taut_surface_free(surfaces[i]);
+    memcpy(net, e->net + (size_t)e->n * line, line * sizeof(double));
+    return add_beyond(e, net, 0, model, error);
+}
+
+/* The polynomial itself carried on, and it all as one surface. */
+static taut_status add_carried(const taut_neighbour *e, int exact, taut_model *model,
+                               taut_error *error)
+{
+    const size_t line = 3 * (size_t)(e->m + 1), numbers = (size_t)(e->n + 1) * line;
+    double *net = taut_arena_take(e->arena, numbers, sizeof(double));
+    double *merged = taut_arena_take(e->arena, numbers, sizeof(double));
+    taut_surface *whole = NULL;
+    taut_status status = TAUT_OK;
+
+    if (taut_arena_status(e->arena) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        details = taut_record_new();
-        taut_record_add_number(details, "amplification", amplification);
-        taut_record_add_null(details, "repair");
-        if (exact) {
-            taut_record_add_text(details, "arithmetic", "rational");
-        }
-        taut_model_set_details(model, details);
-        status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    taut_neighbour_extrapolate(e, 0, net);
+    taut_neighbour_extrapolate(e, 1, merged);
+    memcpy(net, e->net + (size_t)e->n * line, line * sizeof(double));
+    status = add_beyond(e, net, exact, model, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    status = make_surface(e, "h", merged, 1, exact, &whole, error);
+    return status == TAUT_OK ? taut_construct_add_surface(model, whole, error) : status;
+}
+
+static taut_status check_harmonic(const taut_neighbour *e, int exact, taut_error *error)
+{
+    const double limit = fmax(harmonic_limit, 4 * DBL_EPSILON * taut_unit_map_reach(&e->map));
+    double *scratch =
+        taut_arena_take(e->arena, 6 * (size_t)(e->n + 1) * (size_t)(e->m + 1), sizeof(double));
+    double residual = 0;
+
+    if (scratch == NULL) {
+        return taut_fail_memory(error);
+    }
+    residual = taut_neighbour_residual(e, 1, scratch);
+    if (!(residual <= limit)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "not-harmonic", "/surface", residual, limit,
+                         "not harmonic: the surface's scaled residual is %.3g, expected at "
+                         "most %.0e over its own rectangle",
+                         residual, limit);
+    }
+    return exact ? check_exact(e->surface, error) : TAUT_OK;
+}
+
+/* The surface turned, and found to be harmonic. */
+static taut_status turn_surface(taut_neighbour *e, double width, int exact, taut_error *error)
+{
+    taut_status status = e->other != NULL ? taut_neighbour_match(e, &width, error) : TAUT_OK;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_neighbour_turn(e, width, error);
+    return status == TAUT_OK ? check_harmonic(e, exact, error) : status;
+}
+
+typedef struct request {
+    const taut_harmonic_extension_problem *problem;
+    int exact;
+} request;
+
+static taut_status fill_model(void *context, taut_arena *arena, taut_model *model,
+                              taut_error *error)
+{
+    const request *asked = context;
+    const taut_harmonic_extension_problem *problem = asked->problem;
+    const int merge = problem->given == TAUT_EXTENSION_MERGE;
+    taut_neighbour e = {.surface = problem->surface,
+                        .edge = problem->edge,
+                        .other = merge ? problem->merge.neighbour : NULL,
+                        .arena = arena};
+    taut_record *details = NULL;
+    double amplification = 0;
+    taut_status status = turn_surface(&e, width_of(problem), asked->exact, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    amplification = pow(1 + 2 * e.ratio, e.n);
+    status = add_given(e.surface, asked->exact, model, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = problem->given == TAUT_EXTENSION_G1
+                 ? add_tangent(&e, &problem->g1, &amplification, model, error)
+                 : add_carried(&e, asked->exact, model, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    details = taut_record_new();
+    taut_record_add_number(details, "amplification", amplification);
+    taut_record_add_null(details, "repair");
+    if (asked->exact) {
+        taut_record_add_text(details, "arithmetic", "rational");
+    }
+    return taut_construct_set_details(model, details, error);
 }
 
 taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *problem,
                                          const taut_make_options *options, taut_model **model,
                                          taut_error *error)
 {
-    taut_neighbour e = {.surface = NULL};
-    double *scratch = NULL, width = problem != NULL ? problem->width : 0;
-    taut_model *made = NULL;
-    const int exact = options != NULL && options->exact;
-    taut_status status = check_problem(problem, error);
+    request asked = {problem, options != NULL && options->exact};
+    const taut_status status = check_problem(problem, asked.exact, error);
 
-    if (status == TAUT_OK && exact && problem->contact == TAUT_CONTACT_G1) {
-        status = taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/contact", taut_none, taut_none,
-                           "contact \"g1\" is not done in rational arithmetic");
-    }
-    if (status != TAUT_OK) {
-        return status;
-    }
-    e.surface = problem->surface;
-    e.edge = problem->edge;
-    e.other = problem->neighbour;
-    e.arena = taut_arena_new();
-    status =
-        e.arena != NULL && taut_model_new(&made) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
-    if (status == TAUT_OK && e.other != NULL) {
-        status = taut_neighbour_match(&e, &width, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_neighbour_turn(&e, width, error);
-    }
-    if (status == TAUT_OK) {
-        scratch =
-            taut_arena_take(e.arena, 6 * (size_t)(e.n + 1) * (size_t)(e.m + 1), sizeof(double));
-        status = scratch != NULL ? TAUT_OK : taut_fail_memory(error);
-    }
-    if (status == TAUT_OK) {
-        const double residual = taut_neighbour_residual(&e, 1, scratch);
-        const double limit = fmax(harmonic_limit, 4 * DBL_EPSILON * taut_frame_reach(&e.frame));
-        if (!(residual <= limit)) {
-            status = taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/surface", residual, limit,
-                               "not harmonic: the surface's scaled residual is %.3g, expected at "
-                               "most %.0e over its own rectangle",
-                               residual, limit);
-        }
-    }
-    if (status == TAUT_OK && exact) {
-        status = check_exact(e.surface, error);
-    }
-    if (status == TAUT_OK) {
-        status = fill_model(&e, problem, exact, made, error);
-    }
-    taut_arena_free(e.arena);
-    if (status != TAUT_OK) {
-        taut_model_free(made);
-        return status;
-    }
-    *model = made;
-    return TAUT_OK;
+    return status == TAUT_OK ? taut_construct_build(fill_model, &asked, model, error) : status;
 }
 
 static taut_status make(const void *data, const taut_make_options *options, taut_model **model,

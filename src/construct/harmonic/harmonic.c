@@ -2,6 +2,7 @@
  */
 #include "taut/harmonic.h"
 
+#include "construct/common/build.h"
 #include "construct/construct_ops.h"
 #include "construct/harmonic/complete.h"
 #include "construct/harmonic/task.h"
@@ -21,7 +22,7 @@ static taut_status measure_amplification(taut_harmonic_task *task, taut_error *e
     const int n = task->n, m = task->m;
     taut_wide *scratch = NULL;
 
-    if (!task->problem->from_derivative) {
+    if (task->problem->given == TAUT_HARMONIC_ROWS) {
         task->amplification = taut_harmonic_rows_amplification(n, m, task->mu);
         return TAUT_OK;
     }
@@ -35,12 +36,17 @@ static taut_status measure_amplification(taut_harmonic_task *task, taut_error *e
 
 static taut_status check_amplification(const taut_harmonic_task *task, taut_error *error)
 {
-    if (!(task->amplification <= amplification_limit) && !task->problem->insist) {
+    const taut_harmonic_problem *problem = task->problem;
+    const int allowed = problem->given == TAUT_HARMONIC_ROWS
+                            ? problem->rows.allow_ill_conditioned
+                            : problem->derivative.allow_ill_conditioned;
+    if (!(task->amplification <= amplification_limit) && !allowed) {
         return taut_fail(
-            error, TAUT_NO_SOLUTION, "no-solution", "", task->amplification, amplification_limit,
+            error, TAUT_NO_SOLUTION, "ill-conditioned", "", task->amplification,
+            amplification_limit,
             "rounding in the data would grow %.3g times, past %.0e: the result would mean "
-            "nothing (\"insist\": true builds it all the same; a lower degree or data "
-            "from one edge is better)",
+            "nothing (\"allow_ill_conditioned\": true builds it all the same; a lower degree or "
+            "data from one edge is better)",
             task->amplification, amplification_limit);
     }
     return TAUT_OK;
@@ -50,55 +56,61 @@ static taut_status check_degrees(const taut_harmonic_task *task, taut_error *err
 {
     if (task->n < task->m) {
         return taut_fail(
-            error, TAUT_NO_SOLUTION, "no-solution", task->turned ? "/v/degree" : "/u/degree",
-            task->n, task->m,
+            error, TAUT_NO_SOLUTION, "degree", task->turned ? "/v/degree" : "/u/degree", task->n,
+            task->m,
             "rows of degree %d need degree %d across them for a harmonic surface, found %d",
             task->m, task->m % 2 != 0 ? task->m : task->m + 1, task->n);
     }
     return TAUT_OK;
 }
 
-static taut_status complete(taut_harmonic_task *task, taut_error *error)
+static size_t count_numbers(const taut_harmonic_task *task)
 {
-    const size_t points = (size_t)(task->n + 1) * (size_t)(task->m + 1);
-    taut_wide *wide = taut_arena_take(task->arena, 3 * points, sizeof *wide);
+    return 3 * (size_t)(task->n + 1) * (size_t)(task->m + 1);
+}
 
-    task->net = taut_arena_take(task->arena, 3 * points, sizeof(double));
-    if (task->net == NULL || wide == NULL) {
+static int is_finite(const taut_harmonic_task *task)
+{
+    for (size_t i = 0; i < count_numbers(task); i++) {
+        if (!isfinite(task->net[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static taut_status complete_net(taut_harmonic_task *task, taut_error *error)
+{
+    const size_t numbers = count_numbers(task);
+    taut_wide *wide = taut_arena_take(task->arena, numbers, sizeof *wide);
+
+    task->net = taut_arena_take(task->arena, numbers, sizeof(double));
+    if (taut_arena_status(task->arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    if (task->problem->from_derivative) {
+    if (task->problem->given == TAUT_HARMONIC_DERIVATIVE) {
         taut_harmonic_from_derivative(task->n, task->m, task->mu, task->row[0], task->width,
                                       task->row[1], wide, task->net);
     } else {
         taut_harmonic_from_rows(task->n, task->m, task->mu, task->row[0], task->row[1], wide,
                                 task->net);
     }
-    taut_frame_leave(&task->frame, points, task->net);
-    for (size_t i = 0; i < 3 * points; i++) {
-        if (!isfinite(task->net[i])) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "", task->amplification,
-                             amplification_limit,
-                             "the control points overflow: degree %d amplifies the data %.3g times",
-                             task->m, task->amplification);
-        }
+    taut_unit_map_undo(&task->map, numbers / 3, task->net);
+    if (!is_finite(task)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "overflow", "", task->amplification,
+                         amplification_limit,
+                         "the control points overflow: degree %d amplifies the data %.3g times",
+                         task->m, task->amplification);
     }
     return TAUT_OK;
 }
 
-/* What was given comes back bit for bit, unless a repair moved it. */
-static void restore_given(taut_harmonic_task *task, double *points)
+/* The two rows come back bit for bit, but for what a repair moved. */
+static void restore_rows(const taut_harmonic_task *task, double *points)
 {
     const taut_harmonic_problem *problem = task->problem;
     const int nu = taut_basis_count(problem->u), nv = taut_basis_count(problem->v);
-    if (problem->fit) {
-        return; /* nothing given is kept */
-    }
-    if (problem->from_derivative) {
-        memcpy(points, problem->edge, (size_t)nv * 3 * sizeof(double));
-        return;
-    }
-    if (task->repair != NULL && strcmp(task->repair, "project") == 0) {
+    if (task->repair == TAUT_EVEN_PROJECT) {
         return;
     }
     for (int i = 0; i < nu; i++) {
@@ -109,94 +121,73 @@ static void restore_given(taut_harmonic_task *task, double *points)
                       columns = task->turned ? task->n : task->m;
             const int to_i = last_u ? rows : i, to_j = last_v ? columns : j;
             const int corner = to_i == rows && to_j == columns;
-            if (problem->known[i * nv + j] &&
-                !(corner && task->repair != NULL && strcmp(task->repair, "corner") == 0)) {
+            if (problem->rows.known[i * nv + j] && !(corner && task->repair == TAUT_EVEN_CORNER)) {
                 memcpy(points + 3 * (to_i * (columns + 1) + to_j),
-                       problem->points + 3 * (i * nv + j), 3 * sizeof(double));
+                       problem->rows.points + 3 * (i * nv + j), 3 * sizeof(double));
             }
         }
     }
 }
 
+/* What was given comes back bit for bit; of a boundary nothing is kept. */
+static void restore_given(const taut_harmonic_task *task, double *points)
+{
+    const taut_harmonic_problem *problem = task->problem;
+    if (problem->given == TAUT_HARMONIC_DERIVATIVE) {
+        memcpy(points, problem->derivative.edge,
+               (size_t)taut_basis_count(problem->v) * 3 * sizeof(double));
+    } else if (problem->given == TAUT_HARMONIC_ROWS) {
+        restore_rows(task, points);
+    }
+}
+
 /* A bezier basis of this degree over the range of another. */
-static taut_status basis_like(const taut_basis *basis, int degree, taut_basis **like,
-                              taut_error *error)
+static taut_basis_spec spec_like(const taut_basis *basis, int degree)
 {
     taut_basis_spec spec;
     taut_basis_spec_of(basis, &spec);
     spec.degree = degree;
-    return taut_basis_new(&spec, degree + 1, like, error);
-}
-
-/* The texts turned back as the points are. */
-static void turn_texts(const taut_harmonic_task *task, int rows, int columns, const char **texts)
-{
-    for (int i = 0; i <= rows; i++) {
-        for (int j = 0; j <= columns; j++) {
-            const int from = task->turned ? j * (rows + 1) + i : i * (columns + 1) + j;
-            memcpy(texts + 3 * (i * (columns + 1) + j), task->texts + 3 * from, 3 * sizeof *texts);
-        }
-    }
+    return spec;
 }
 
 /* The net turned back, as a surface in a model. */
-static taut_status to_model(taut_harmonic_task *task, taut_model **model, taut_error *error)
+static taut_status add_surface(taut_harmonic_task *task, taut_model *model, taut_error *error)
 {
     const taut_harmonic_problem *problem = task->problem;
     const int rows = task->turned ? task->m : task->n, columns = task->turned ? task->n : task->m;
-    double *points = taut_arena_take(task->arena, 3 * (size_t)(rows + 1) * (size_t)(columns + 1),
-                                     sizeof(double));
-    const char **texts =
-        taut_arena_take(task->arena, 3 * (size_t)(rows + 1) * (size_t)(columns + 1), sizeof *texts);
-    taut_basis *u = NULL, *v = NULL;
-    taut_surface *surface = NULL;
-    taut_model *made = NULL;
-    taut_status status = TAUT_OK;
+    const taut_basis_spec specs[2] = {spec_like(problem->u, rows), spec_like(problem->v, columns)};
+    const int counts[2] = {rows + 1, columns + 1};
+    double *points = taut_arena_take(task->arena, count_numbers(task), sizeof(double));
+    const char **texts = taut_arena_take(task->arena, count_numbers(task), sizeof *texts);
 
-    if (points == NULL || texts == NULL) {
+    if (taut_arena_status(task->arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     for (int i = 0; i <= rows; i++) {
         for (int j = 0; j <= columns; j++) {
             const int from = task->turned ? j * (rows + 1) + i : i * (columns + 1) + j;
-            memcpy(points + 3 * (i * (columns + 1) + j), task->net + 3 * from, 3 * sizeof(double));
+            const int to = i * (columns + 1) + j;
+            memcpy(points + 3 * to, task->net + 3 * from, 3 * sizeof(double));
+            if (task->texts != NULL) {
+                memcpy(texts + 3 * to, task->texts + 3 * from, 3 * sizeof *texts);
+            }
         }
     }
-    if (task->texts != NULL) {
-        turn_texts(task, rows, columns, texts);
-    } else {
+    if (task->texts == NULL) {
         restore_given(task, points);
     }
-    status = basis_like(problem->u, rows, &u, error);
-    if (status == TAUT_OK) {
-        status = basis_like(problem->v, columns, &v, error);
-    }
-    if (status == TAUT_OK) {
-        status =
-            taut_surface_new_exact(problem->name != NULL ? problem->name : "harmonic", u, v, points,
-                                   NULL, task->texts != NULL ? texts : NULL, &surface, error);
-    }
-    if (status == TAUT_OK &&
-        (taut_model_new(&made) != TAUT_OK || taut_model_add_surface(made, surface) != TAUT_OK)) {
-        taut_surface_free(surface);
-        taut_model_free(made);
-        status = taut_fail_memory(error);
-    }
-    taut_basis_free(u);
-    taut_basis_free(v);
-    if (status == TAUT_OK) {
-        *model = made;
-    }
-    return status;
+    return taut_construct_add_net(model, problem->name != NULL ? problem->name : "harmonic", specs,
+                                  counts, points, NULL, task->texts != NULL ? texts : NULL, error);
 }
 
 static taut_record *details_of(const taut_harmonic_task *task)
 {
+    static const char *const repairs[] = {NULL, "corner", "project", "raise"};
     taut_record *details = taut_record_new();
     taut_record_add_number(details, "amplification", task->amplification);
-    if (task->repair != NULL) {
+    if (task->repair != TAUT_EVEN_REFUSE) {
         taut_record *repair = taut_record_add_object(details, "repair");
-        taut_record_add_text(repair, "kind", task->repair);
+        taut_record_add_text(repair, "kind", repairs[task->repair]);
         taut_record_add_number(repair, "change", task->repair_change);
     } else {
         taut_record_add_null(details, "repair");
@@ -212,17 +203,28 @@ static taut_record *details_of(const taut_harmonic_task *task)
     return details;
 }
 
+static int has_data(const taut_harmonic_problem *problem)
+{
+    switch (problem->given) {
+    case TAUT_HARMONIC_ROWS:
+        return problem->rows.points != NULL && problem->rows.known != NULL;
+    case TAUT_HARMONIC_DERIVATIVE:
+        return problem->derivative.edge != NULL && problem->derivative.cross != NULL;
+    case TAUT_HARMONIC_BOUNDARY:
+        return problem->boundary.points != NULL && problem->boundary.known != NULL;
+    }
+    return 0;
+}
+
 static taut_status check_problem(const taut_harmonic_problem *problem, taut_error *error)
 {
-    if (problem == NULL || problem->u == NULL || problem->v == NULL ||
-        (problem->from_derivative ? problem->edge == NULL || problem->cross_derivative == NULL
-                                  : problem->points == NULL || problem->known == NULL)) {
+    if (problem == NULL || problem->u == NULL || problem->v == NULL || !has_data(problem)) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a harmonic problem needs two bases and its data");
     }
     if (strcmp(taut_basis_type(problem->u), "bezier") != 0 ||
         strcmp(taut_basis_type(problem->v), "bezier") != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value",
+        return taut_fail(error, TAUT_BAD_INPUT, "not-bezier",
                          strcmp(taut_basis_type(problem->u), "bezier") != 0 ? "/u" : "/v",
                          taut_none, taut_none, "expected a basis of type \"bezier\"");
     }
@@ -230,85 +232,84 @@ static taut_status check_problem(const taut_harmonic_problem *problem, taut_erro
 }
 
 /* Rational arithmetic amplifies nothing, so that any degree will do. */
-static taut_status check_exact(taut_harmonic_task *task, taut_error *error)
+static taut_status solve_exactly(taut_harmonic_task *task, taut_error *error)
 {
     taut_status status = taut_harmonic_exact(task, error);
-    if (status == TAUT_OK) {
-        status = measure_amplification(task, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    for (int i = 0; status == TAUT_OK && i < 3 * (task->n + 1) * (task->m + 1); i++) {
-        if (!isfinite(task->net[i])) {
-            return taut_fail(
-                error, TAUT_NO_SOLUTION, "no-solution", "", task->amplification,
-                amplification_limit,
-                "the control points are too large for doubles: degree %d amplifies the "
-                "data %.3g times",
-                task->m, task->amplification);
-        }
+    status = measure_amplification(task, error);
+    if (status == TAUT_OK && !is_finite(task)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "overflow", "", task->amplification,
+                         amplification_limit,
+                         "the control points are too large for doubles: degree %d amplifies the "
+                         "data %.3g times",
+                         task->m, task->amplification);
     }
     return status;
 }
 
+static taut_status solve_in_doubles(taut_harmonic_task *task, taut_error *error)
+{
+    taut_status status = taut_harmonic_agree(task, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = measure_amplification(task, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = check_amplification(task, error);
+    return status == TAUT_OK ? complete_net(task, error) : status;
+}
+
 /* From the data to task->net. */
-static taut_status solve(taut_harmonic_task *task, int exact, taut_error *error)
+static taut_status solve_net(taut_harmonic_task *task, int exact, taut_error *error)
 {
     taut_status status = TAUT_OK;
-    if (exact && task->problem->fit) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/fit", taut_none, taut_none,
-                         "\"fit\" is not done in rational arithmetic");
-    }
-    if (task->problem->fit) {
-        return taut_harmonic_fit(task, error);
+    if (task->problem->given == TAUT_HARMONIC_BOUNDARY) {
+        return exact ? taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/fit", taut_none, taut_none,
+                                 "\"fit\" is not done in rational arithmetic")
+                     : taut_harmonic_fit(task, error);
     }
     status = taut_harmonic_collect(task, error);
-    if (status == TAUT_OK) {
-        status = check_degrees(task, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && exact) {
-        return check_exact(task, error);
+    status = check_degrees(task, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_harmonic_agree(task, error);
+    return exact ? solve_exactly(task, error) : solve_in_doubles(task, error);
+}
+
+typedef struct request {
+    const taut_harmonic_problem *problem;
+    int exact;
+} request;
+
+static taut_status fill_model(void *context, taut_arena *arena, taut_model *model,
+                              taut_error *error)
+{
+    const request *asked = context;
+    taut_harmonic_task task = {.problem = asked->problem, .arena = arena};
+    taut_status status = solve_net(&task, asked->exact, error);
+
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = measure_amplification(task, error);
-    }
-    if (status == TAUT_OK) {
-        status = check_amplification(task, error);
-    }
-    return status == TAUT_OK ? complete(task, error) : status;
+    status = add_surface(&task, model, error);
+    return status == TAUT_OK ? taut_construct_set_details(model, details_of(&task), error) : status;
 }
 
 taut_status taut_harmonic_make(const taut_harmonic_problem *problem,
                                const taut_make_options *options, taut_model **model,
                                taut_error *error)
 {
-    taut_harmonic_task task = {.problem = problem};
-    taut_model *made = NULL;
-    taut_record *details = NULL;
-    taut_status status = check_problem(problem, error);
+    request asked = {problem, options != NULL && options->exact};
+    const taut_status status = check_problem(problem, error);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
-    task.arena = taut_arena_new();
-    status = task.arena != NULL ? solve(&task, options != NULL && options->exact, error)
-                                : taut_fail_memory(error);
-    if (status == TAUT_OK) {
-        status = to_model(&task, &made, error);
-    }
-    if (status == TAUT_OK) {
-        details = details_of(&task);
-        taut_model_set_details(made, details);
-        status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
-    }
-    taut_arena_free(task.arena);
-    if (status != TAUT_OK) {
-        taut_model_free(made);
-        return status;
-    }
-    *model = made;
-    return TAUT_OK;
+    return status == TAUT_OK ? taut_construct_build(fill_model, &asked, model, error) : status;
 }
 
 static taut_status make(const void *data, const taut_make_options *options, taut_model **model,

@@ -12,8 +12,7 @@ typedef long double taut_wide;
 /* c[0..d] with c'' = b (degree d-2), c_0 = c_d = 0, d >= 2:
  *     c_i = -1/(d(d-1)) sum_{j=1}^{d-1} min(i,j) (d - max(i,j)) / d  b_{j-1}
  * All terms of one sign where b is, so the coefficients of Lidstone's polynomials come out to full
- * relative accuracy
- * ([NiWang2015] section 3, B.2). */
+ * relative accuracy ([NiWang2015] section 3, B.2). */
 void taut_lidstone_next(int d, const taut_wide *b, taut_wide *c);
 
 /* Raises a polynomial from degree d to degree n in place; `stride` numbers a coefficient (1, or 3

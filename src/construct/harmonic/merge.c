@@ -16,7 +16,7 @@ taut_status taut_neighbour_match(const taut_neighbour *e, double *width, taut_er
     const taut_status status = taut_neighbour_check(other, 0, error);
 
     if (status != TAUT_OK) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/neighbour", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "not-bezier", "/neighbour", taut_none, taut_none,
                          "expected a polynomial surface on \"bezier\" bases");
     }
     const int n = taut_basis_degree(taut_surface_u(given));
@@ -24,30 +24,14 @@ taut_status taut_neighbour_match(const taut_neighbour *e, double *width, taut_er
     const int other_n = taut_basis_degree(taut_surface_u(other));
     const int other_m = taut_basis_degree(taut_surface_v(other));
     if (n != other_n || m != other_m) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/neighbour", taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "other-surface", "/neighbour", taut_none,
+                         taut_none,
                          "not the same surface: the neighbour's degrees are %d and %d, the "
                          "surface's %d and %d",
                          other_n, other_m, n, m);
     }
     *width = taut_basis_hi(across) - taut_basis_lo(across);
     return TAUT_OK;
-}
-
-double taut_neighbour_end(const taut_neighbour *e, double here, double end)
-{
-    const int is_v = e->edge == TAUT_EDGE_V0 || e->edge == TAUT_EDGE_V1;
-    if (e->other == NULL) {
-        return end;
-    }
-    const taut_basis *across = is_v ? taut_surface_v(e->other) : taut_surface_u(e->other);
-    const double near = e->reversed ? taut_basis_hi(across) : taut_basis_lo(across);
-    const double far = e->reversed ? taut_basis_lo(across) : taut_basis_hi(across);
-    return near == here ? far : end;
-}
-
-static void *take(void *context, size_t count, size_t size)
-{
-    return taut_arena_take(context, count, size);
 }
 
 /* Do the exact points differ? By their texts in lowest terms: the other surface over its own range
@@ -60,7 +44,7 @@ static taut_status differ(const taut_neighbour *e, const taut_surface *beyond, i
     const int m = taut_basis_degree(taut_surface_v(other));
     const double same[4] = {0, 1, 0, 1};
     const taut_exact_numbers numbers = {taut_surface_points(other), taut_surface_exact(other)};
-    const taut_exact_memory memory = {e->arena, take};
+    const taut_exact_memory memory = taut_exact_memory_of(e->arena);
     const taut_exact_ops *ops = NULL;
     taut_exact_net net;
     const taut_status status = taut_exact_load(&ops, error);
@@ -83,24 +67,24 @@ taut_status taut_neighbour_compare(const taut_neighbour *e, const taut_surface *
 {
     const double *a = taut_surface_points(beyond), *b = taut_surface_points(e->other);
     const double growth =
-        4 * DBL_EPSILON * taut_frame_reach(&e->frame) * pow(1 + 2 * e->ratio, e->n);
-    double gap = 0, size = e->frame.size, limit = 0;
+        4 * DBL_EPSILON * taut_unit_map_reach(&e->map) * pow(1 + 2 * e->ratio, e->n);
+    double gap = 0, size = e->map.size, limit = 0;
     int apart = 0;
-    taut_status status = TAUT_OK;
+    const taut_status status = exact ? differ(e, beyond, &apart, error) : TAUT_OK;
 
+    if (status != TAUT_OK) {
+        return status;
+    }
     for (int k = 0; k < 3 * (e->n + 1) * (e->m + 1); k++) {
         gap = fmax(gap, fabs(a[k] - b[k]));
-        size = fmax(size, fabs(a[k] - e->frame.centre[k % 3]));
+        size = fmax(size, fabs(a[k] - e->map.centre[k % 3]));
     }
-    limit = exact ? 0 : fmax(1e-10 * size, growth * e->frame.size);
-    if (exact) {
-        status = differ(e, beyond, &apart, error);
+    limit = exact ? 0 : fmax(1e-10 * size, growth * e->map.size);
+    if (apart || !(gap <= limit)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "other-surface", "/neighbour", gap, limit,
+                         "not the same surface: carried on across %s the surface misses the "
+                         "neighbour's points by %.3g (u and v must run alike in both)",
+                         taut_edge_name(e->edge), gap);
     }
-    if (status == TAUT_OK && (apart || !(gap <= limit))) {
-        status = taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/neighbour", gap, limit,
-                           "not the same surface: carried on across %s the surface misses the "
-                           "neighbour's points by %.3g (u and v must run alike in both)",
-                           taut_edge_name(e->edge), gap);
-    }
-    return status;
+    return TAUT_OK;
 }

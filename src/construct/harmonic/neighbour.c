@@ -14,6 +14,19 @@ static size_t index_of(const taut_neighbour *e, int columns, int i, int j)
                      : (size_t)line * (size_t)columns + (size_t)j;
 }
 
+/* The parameter where `other` ends if its range begins at the edge; else `end`. */
+static double far_end(const taut_neighbour *e, double here, double end)
+{
+    const int is_v = e->edge == TAUT_EDGE_V0 || e->edge == TAUT_EDGE_V1;
+    if (e->other == NULL) {
+        return end;
+    }
+    const taut_basis *across = is_v ? taut_surface_v(e->other) : taut_surface_u(e->other);
+    const double near = e->reversed ? taut_basis_hi(across) : taut_basis_lo(across);
+    const double far = e->reversed ? taut_basis_lo(across) : taut_basis_hi(across);
+    return near == here ? far : end;
+}
+
 taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *error)
 {
     const taut_surface *surface = e->surface;
@@ -31,7 +44,7 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
     const double lo = taut_basis_lo(across), hi = taut_basis_hi(across);
     const double reach = (1 + e->ratio) * e->across;
     const double edge = e->reversed ? lo : hi;
-    const double end = taut_neighbour_end(e, edge, e->reversed ? hi - reach : lo + reach);
+    const double end = far_end(e, edge, e->reversed ? hi - reach : lo + reach);
     if (end == edge || !(fabs(end) <= TAUT_PARAMETER_MAX)) {
         return taut_fail(error, TAUT_BAD_INPUT, "value", "/width", width, taut_none,
                          "bad parameter: the width %.17g from the edge at %.17g leads to %.17g, "
@@ -42,7 +55,7 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
     e->here = edge;
     e->end = end;
     e->ratio = fabs(end - edge) / e->across; /* of the parameters that there are */
-    e->frame = taut_frame_of(count, points, NULL);
+    e->map = taut_unit_map_of(count, points, NULL);
     e->net = taut_arena_take(e->arena, 3 * count, sizeof(double));
     if (e->net == NULL) {
         return taut_fail_memory(error);
@@ -53,7 +66,7 @@ taut_status taut_neighbour_turn(taut_neighbour *e, double width, taut_error *err
                    points + 3 * index_of(e, taut_basis_count(v), i, j), 3 * sizeof(double));
         }
     }
-    taut_frame_enter(&e->frame, count, e->net);
+    taut_unit_map_apply(&e->map, count, e->net);
     return TAUT_OK;
 }
 
@@ -62,12 +75,12 @@ taut_status taut_neighbour_check(const taut_surface *surface, double width, taut
     if (strcmp(taut_basis_type(taut_surface_u(surface)), "bezier") != 0 ||
         strcmp(taut_basis_type(taut_surface_v(surface)), "bezier") != 0 ||
         taut_surface_weights(surface) != NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surface", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "not-bezier", "/surface", taut_none, taut_none,
                          "expected a polynomial surface on \"bezier\" bases");
     }
     if (!(width >= 0) || !isfinite(width)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/width", width, 0,
-                         "bad parameter: width is %.17g, expected a positive number", width);
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "value", "/width", width,
+                                  "a positive number", "bad parameter: width is %.17g", width);
     }
     return TAUT_OK;
 }
@@ -160,7 +173,7 @@ taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, do
     if (points == NULL) {
         return taut_fail_memory(error);
     }
-    taut_frame_leave(&e->frame, count, net);
+    taut_unit_map_undo(&e->map, count, net);
     for (int i = 0; i <= e->n; i++) {
         for (int j = 0; j <= e->m; j++) {
             memcpy(points + 3 * index_of(e, columns, i, j), net + 3 * (i * (e->m + 1) + j),
@@ -178,18 +191,14 @@ taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, do
     spec.range[0] = e->reversed ? e->end : near;
     spec.range[1] = e->reversed ? near : e->end;
     status = taut_basis_new(&spec, e->n + 1, &basis, error);
-    if (status == TAUT_OK) {
-        status = taut_surface_new(name, e->turned ? taut_surface_u(given) : basis,
-                                  e->turned ? basis : taut_surface_v(given), points, NULL, surface,
-                                  error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status =
+        taut_surface_new(name, e->turned ? taut_surface_u(given) : basis,
+                         e->turned ? basis : taut_surface_v(given), points, NULL, surface, error);
     taut_basis_free(basis);
     return status;
-}
-
-static void *take(void *context, size_t count, size_t size)
-{
-    return taut_arena_take(context, count, size);
 }
 
 taut_status taut_neighbour_exact(const taut_surface *surface, taut_arena *arena,
@@ -202,7 +211,7 @@ taut_status taut_neighbour_exact(const taut_surface *surface, taut_arena *arena,
     const double range[4] = {taut_basis_lo(old), taut_basis_hi(old), taut_basis_lo(other),
                              taut_basis_hi(other)};
     const taut_exact_numbers numbers = {taut_surface_points(surface), taut_surface_exact(surface)};
-    const taut_exact_memory memory = {arena, take};
+    const taut_exact_memory memory = taut_exact_memory_of(arena);
     const taut_exact_ops *ops = NULL;
     taut_exact_net net;
     taut_surface *made = NULL;
@@ -218,9 +227,10 @@ taut_status taut_neighbour_exact(const taut_surface *surface, taut_arena *arena,
     status =
         taut_surface_new_exact(taut_surface_name(*beyond), taut_surface_u(*beyond),
                                taut_surface_v(*beyond), net.values, NULL, net.texts, &made, error);
-    if (status == TAUT_OK) {
-        taut_surface_free(*beyond);
-        *beyond = made;
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    taut_surface_free(*beyond);
+    *beyond = made;
+    return TAUT_OK;
 }

@@ -2,7 +2,7 @@
 #ifndef TAUT_HARMONIC_NEIGHBOUR_H
 #define TAUT_HARMONIC_NEIGHBOUR_H
 
-#include "construct/harmonic/frame.h"
+#include "construct/harmonic/unit_map.h"
 #include "core/arena.h"
 #include "taut/join.h"
 
@@ -17,8 +17,8 @@ typedef struct taut_neighbour {
     double across, along; /* parameter widths */
     double ratio;         /* width of what lies beyond over that of the surface */
     double here, end;     /* the parameters of the shared edge and of the far one beyond */
-    taut_frame frame;
-    double *net; /* double[n+1][m+1][3], in the frame */
+    taut_unit_map map;
+    double *net; /* double[n+1][m+1][3], in unit size */
 } taut_neighbour;
 
 /* Fills `e` from surface, edge, arena, and width (0: that of the surface). */
@@ -29,8 +29,6 @@ taut_status taut_neighbour_check(const taut_surface *surface, double width, taut
 
 /* merge.c. The width of `other`, or TAUT_NO_SOLUTION where its degrees are others. */
 taut_status taut_neighbour_match(const taut_neighbour *e, double *width, taut_error *error);
-/* The parameter where `other` ends if its range begins at the edge; else `end`. */
-double taut_neighbour_end(const taut_neighbour *e, double here, double end);
 /* TAUT_NO_SOLUTION with the gap where `other` has not the points of the surface beyond: to
  * rounding, or to the last digit. */
 taut_status taut_neighbour_compare(const taut_neighbour *e, const taut_surface *beyond, int exact,
@@ -52,7 +50,7 @@ void taut_neighbour_extrapolate(const taut_neighbour *e, int merged, double *out
 taut_status taut_neighbour_exact(const taut_surface *surface, taut_arena *arena,
                                  taut_surface **beyond, taut_error *error);
 
-/* A surface from a turned net that taut_neighbour_extrapolate gives; `net` leaves the frame. */
+/* A surface from a turned net that taut_neighbour_extrapolate gives; `net` leaves unit size. */
 taut_status taut_neighbour_surface(const taut_neighbour *e, const char *name, double *net,
                                    int merged, taut_surface **surface, taut_error *error);
 

@@ -97,8 +97,8 @@ int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundar
 }
 
 /* net += sum_k coefficient_k net_k with the coefficients of the rest: given minus net so far. */
-static void improve(const taut_rim *boundary, const double *given, taut_wide *rest,
-                    taut_wide *coefficients, taut_wide *net)
+static void improve_net(const taut_rim *boundary, const double *given, taut_wide *rest,
+                        taut_wide *coefficients, taut_wide *net)
 {
     const taut_space *space = boundary->space;
     const int columns = space->m + 1, numbers = (space->n + 1) * columns;
@@ -139,7 +139,7 @@ void taut_rim_net(const taut_rim *boundary, const double *given, taut_wide *scra
 
     memset(sum, 0, numbers * sizeof *sum);
     for (int pass = 0; pass < 3; pass++) { /* the second and third take out what rounding left */
-        improve(boundary, given, rest, coefficients, sum);
+        improve_net(boundary, given, rest, coefficients, sum);
     }
     for (size_t k = 0; k < numbers; k++) {
         net[k] = (double)sum[k];

@@ -31,8 +31,8 @@ static complex_wide times(complex_wide x, complex_wide y)
 /* to[i][j], bidegree (k+1, k+1), of the net from[i][j], bidegree (k, k), times c + z (sign 1) or
  * c + conj(z) (sign -1), both with z scaled by `scale`: the mean over the four neighbours of the
  * coefficient times the factor's at that corner. Safe in place. */
-static void multiply(const recurrence *r, int k, taut_wide constant, taut_wide scale, int sign,
-                     const complex_wide *from, complex_wide *to)
+static void multiply_net(const recurrence *r, int k, taut_wide constant, taut_wide scale, int sign,
+                         const complex_wide *from, complex_wide *to)
 {
     for (int i = k + 1; i >= 0; i--) {
         for (int j = k + 1; j >= 0; j--) {
@@ -86,7 +86,7 @@ static complex_wide inner(const recurrence *r, const complex_wide *x, const comp
 }
 
 /* q -= h q_j on samples and net. */
-static void subtract(const recurrence *r, complex_wide h, int j, int k)
+static void subtract_polynomial(const recurrence *r, complex_wide h, int j, int k)
 {
     complex_wide *net = net_of(r, k);
     const complex_wide *other = net_of(r, j);
@@ -126,17 +126,17 @@ static void advance(recurrence *r, int k)
     const complex_wide *before = r->value + (k - 1) * r->samples;
     complex_wide *value = r->value + k * r->samples;
 
-    multiply(r, k - 1, 0, 1, 1, net_of(r, k - 1), net_of(r, k));
+    multiply_net(r, k - 1, 0, 1, 1, net_of(r, k - 1), net_of(r, k));
     for (int s = 0; s < r->samples; s++) {
         value[s] = times(r->z[s], before[s]);
     }
     r->degree = k;
     for (int j = 0; j < k; j++) { /* raised by one: times 1 */
-        multiply(r, k - 1, 1, 0, 1, net_of(r, j), net_of(r, j));
+        multiply_net(r, k - 1, 1, 0, 1, net_of(r, j), net_of(r, j));
     }
     for (int pass = 0; pass < 2; pass++) {
         for (int j = 0; j < k; j++) {
-            subtract(r, inner(r, r->value + j * r->samples, value), j, k);
+            subtract_polynomial(r, inner(r, r->value + j * r->samples, value), j, k);
         }
     }
     r->last = 1 / normalise(r, k);
@@ -271,8 +271,8 @@ int taut_space_harmonic(int n, int m, double across, double along, taut_arena *a
 }
 
 /* to = x + factor y, complex nets of the recurrence's size. */
-static void combine(const recurrence *r, const complex_wide *x, taut_wide factor,
-                    const complex_wide *y, complex_wide *to)
+static void combine_nets(const recurrence *r, const complex_wide *x, taut_wide factor,
+                         const complex_wide *y, complex_wide *to)
 {
     for (int i = 0; i < r->size * r->size; i++) {
         to[i].re = x[i].re + factor * y[i].re;
@@ -292,9 +292,9 @@ static void add_extras(taut_space *space, const recurrence *r, const complex_wid
         add_part(space, r, n + 1, net_of(r, n + 1), 1, r->size, work);
         add_part(space, r, n + 1, product, 1, r->size, work);
     } else {
-        combine(r, net_of(r, n + 1), -r->last, product, sum);
+        combine_nets(r, net_of(r, n + 1), -r->last, product, sum);
         add_part(space, r, n + 1, sum, 0, r->size, work);
-        combine(r, net_of(r, n + 1), r->last, product, sum);
+        combine_nets(r, net_of(r, n + 1), r->last, product, sum);
         add_part(space, r, n + 1, sum, 1, r->size, work);
     }
 }
@@ -342,7 +342,7 @@ int taut_space_biharmonic(int n, double across, double along, taut_arena *arena,
                 }
             }
         }
-        multiply(&r, n, 0, 1, -1, low, product);
+        multiply_net(&r, n, 0, 1, -1, low, product);
         if (k < n) {
             add_part(space, &r, n + 1, product, 0, size, work);
             if (k > 1) { /* Im conj(z) q_1 is linear */

@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* The reflection of column k that takes block[.][k] to zero against r[k][k]. */
-static void reflect(int k, int n, taut_wide *r, int rows, taut_wide *block)
+static void reflect_column(int k, int n, taut_wide *r, int rows, taut_wide *block)
 {
     taut_wide sum = 0;
     for (int i = 0; i < rows; i++) {
@@ -33,7 +33,7 @@ static void reflect(int k, int n, taut_wide *r, int rows, taut_wide *block)
 void taut_wide_append(int columns, int n, taut_wide *r, int rows, taut_wide *block)
 {
     for (int k = 0; k < columns; k++) {
-        reflect(k, n, r, rows, block);
+        reflect_column(k, n, r, rows, block);
     }
 }
 
@@ -48,7 +48,7 @@ void taut_wide_back(int columns, int n, const taut_wide *r, long stride, taut_wi
     }
 }
 
-static taut_wide dot(int n, const taut_wide *a, const taut_wide *b)
+static taut_wide dot_rows(int n, const taut_wide *a, const taut_wide *b)
 {
     taut_wide sum = 0;
     for (int i = 0; i < n; i++) {
@@ -58,10 +58,10 @@ static taut_wide dot(int n, const taut_wide *a, const taut_wide *b)
 }
 
 /* row -= (row . unit) unit, and the same of its right-hand sides (NULL: none). */
-static void project(int n, const taut_wide *unit, taut_wide *row, int sides,
-                    const taut_wide *unit_side, taut_wide *side)
+static void project_row(int n, const taut_wide *unit, taut_wide *row, int sides,
+                        const taut_wide *unit_side, taut_wide *side)
 {
-    const taut_wide share = dot(n, unit, row);
+    const taut_wide share = dot_rows(n, unit, row);
     for (int i = 0; i < n; i++) {
         row[i] -= share * unit[i];
     }
@@ -70,12 +70,12 @@ static void project(int n, const taut_wide *unit, taut_wide *row, int sides,
     }
 }
 
-static int longest(int rows, int n, const taut_wide *c)
+static int find_longest(int rows, int n, const taut_wide *c)
 {
     taut_wide most = -1;
     int at = 0;
     for (int i = 0; i < rows; i++) {
-        const taut_wide size = dot(n, c + i * n, c + i * n);
+        const taut_wide size = dot_rows(n, c + i * n, c + i * n);
         if (size > most) {
             most = size;
             at = i;
@@ -103,10 +103,10 @@ static void complete_basis(int n, int rank, taut_wide *basis)
         row[at] = 1;
         for (int pass = 0; pass < 2; pass++) {
             for (int j = 0; j < k; j++) {
-                project(n, basis + j * n, row, 0, NULL, NULL);
+                project_row(n, basis + j * n, row, 0, NULL, NULL);
             }
         }
-        const taut_wide size = sqrtl(dot(n, row, row));
+        const taut_wide size = sqrtl(dot_rows(n, row, row));
         for (int i = 0; i < n; i++) {
             row[i] /= size;
         }
@@ -118,7 +118,7 @@ void taut_wide_constrain(int rows, int n, int rank, int sides, taut_wide *c, tau
 {
     memset(x, 0, (size_t)sides * (size_t)n * sizeof *x);
     for (int k = 0; k < rank; k++) {
-        const int at = k + longest(rows - k, n, c + k * n);
+        const int at = k + find_longest(rows - k, n, c + k * n);
         taut_wide *row = c + k * n, *side = d + k * sides;
         for (int i = 0; i < n && at != k; i++) { /* change places */
             const taut_wide other = row[i];
@@ -131,9 +131,9 @@ void taut_wide_constrain(int rows, int n, int rank, int sides, taut_wide *c, tau
             d[at * sides + s] = other;
         }
         for (int j = 0; j < k; j++) { /* once more: the first time was as the others went */
-            project(n, c + j * n, row, sides, d + j * sides, side);
+            project_row(n, c + j * n, row, sides, d + j * sides, side);
         }
-        const taut_wide size = sqrtl(dot(n, row, row));
+        const taut_wide size = sqrtl(dot_rows(n, row, row));
         for (int i = 0; i < n; i++) {
             row[i] /= size;
         }
@@ -144,7 +144,7 @@ void taut_wide_constrain(int rows, int n, int rank, int sides, taut_wide *c, tau
             }
         }
         for (int i = k + 1; i < rows; i++) {
-            project(n, row, c + i * n, sides, side, d + i * sides);
+            project_row(n, row, c + i * n, sides, side, d + i * sides);
         }
     }
     memcpy(basis, c, (size_t)rank * (size_t)n * sizeof *basis);

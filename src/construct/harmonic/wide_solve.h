@@ -14,9 +14,11 @@ void taut_wide_append(int columns, int n, taut_wide *r, int rows, taut_wide *blo
 void taut_wide_back(int columns, int n, const taut_wide *r, long stride, taut_wide *x);
 
 /* The affine solution set of c x = d for a consistent system of known rank, by Gram-Schmidt with
- * the longest row next, each orthogonalised twice. c      [rows][n], d [rows][sides]; destroyed
+ * the longest row next, each orthogonalised twice.
+ *     c      [rows][n], d [rows][sides]; destroyed
  *     basis  [n][n]: the first `rank` rows span the rows of c, the others its null space;
- * orthonormal x      [sides][n]: the shortest solutions */
+ *            orthonormal
+ *     x      [sides][n]: the shortest solutions */
 void taut_wide_constrain(int rows, int n, int rank, int sides, taut_wide *c, taut_wide *d,
                          taut_wide *basis, taut_wide *x);
 

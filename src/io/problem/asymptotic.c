@@ -5,8 +5,8 @@
 #include "io/model/surface.h"
 #include "io/problem/boundary_document.h"
 #include "io/problem/document_ops.h"
+#include "io/problem/member.h"
 
-#include <stdio.h>
 #include <string.h>
 
 static const char *const members[] = {"degree",  "corners",  "edges", "curves",   "branch",
@@ -18,22 +18,14 @@ static const char *const surface_words[] = {"5n-7", "n+3", NULL};
 static const char *const singular_words[] = {"refuse", "report", NULL};
 static const char *const free_words[] = {"points", "all", NULL};
 
-/* A member that is one of a few words; `value` stays as it is where it is missing. */
-static taut_status read_word(const taut_json *document, const char *key, const char *const *words,
-                             int *value, taut_error *error)
-{
-    const taut_json at = taut_json_member(document, key);
-    return at.value == NULL ? TAUT_OK : taut_json_word(&at, words, value, error);
-}
-
-static taut_status read_corners(const taut_json *document, taut_asymptotic_problem *data,
-                                taut_error *error)
+static taut_status read_points(const taut_json *document, taut_asymptotic_corners *corners,
+                               taut_error *error)
 {
     const taut_json at = taut_json_member(document, "corners");
     taut_status status = taut_json_object(&at, corner_members, error);
     for (int c = 0; c < 4 && status == TAUT_OK; c++) {
         const taut_json corner = taut_json_member(&at, corner_members[c]);
-        status = taut_json_numbers(&corner, 3, data->corners[c], error);
+        status = taut_json_numbers(&corner, 3, corners->points[c], error);
     }
     return status;
 }
@@ -53,45 +45,56 @@ static taut_status read_legs(const taut_json *edge, int degree, taut_asymptotic_
     return status;
 }
 
+static taut_status read_curvature(const taut_json *edge, int degree, taut_asymptotic_edge *data,
+                                  taut_error *error)
+{
+    const taut_json at = taut_json_member(edge, "curvature");
+    if (degree > 3) {
+        return taut_json_numbers(&at, 2, data->curvature, error);
+    }
+    return at.value == NULL
+               ? TAUT_OK
+               : taut_json_fail(&at, error, "conflict", taut_none, taut_none,
+                                "degree 3 takes no curvature: legs and weights determine it");
+}
+
 static taut_status read_edge(const taut_json *edge, int degree, taut_asymptotic_edge *data,
                              taut_error *error)
 {
-    const taut_json curvature = taut_json_member(edge, "curvature");
     const taut_json weights = taut_json_member(edge, "weights");
     taut_status status = taut_json_object(edge, edge_data, error);
-    if (status == TAUT_OK) {
-        status = read_legs(edge, degree, data, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && degree == 3 && curvature.value != NULL) {
-        status = taut_json_fail(&curvature, error, "value", taut_none, taut_none,
-                                "degree 3 takes no curvature: legs and weights determine it");
+    status = read_legs(edge, degree, data, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && degree > 3) {
-        status = taut_json_numbers(&curvature, 2, data->curvature, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_json_numbers(&weights, degree == 3 ? 4 : 2, data->weights, error);
-    }
-    return status;
+    status = read_curvature(edge, degree, data, error);
+    return status == TAUT_OK
+               ? taut_json_numbers(&weights, degree == 3 ? 4 : 2, data->weights, error)
+               : status;
 }
 
 /* degree, corners, edges */
-static taut_status read_corner_data(const taut_json *document, taut_asymptotic_problem *data,
-                                    taut_error *error)
+static taut_status read_corners(const taut_json *document, taut_asymptotic_corners *corners,
+                                taut_error *error)
 {
     const taut_json degree = taut_json_member(document, "degree");
     const taut_json edges = taut_json_member(document, "edges");
     taut_status status =
-        taut_json_integer(&degree, 3, TAUT_ASYMPTOTIC_DEGREE_MAX, &data->degree, error);
-    if (status == TAUT_OK) {
-        status = read_corners(document, data, error);
+        taut_json_integer(&degree, 3, TAUT_ASYMPTOTIC_DEGREE_MAX, &corners->degree, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_json_object(&edges, edge_members, error);
+    status = read_points(document, corners, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_json_object(&edges, edge_members, error);
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
         const taut_json edge = taut_json_member(&edges, edge_members[e]);
-        status = read_edge(&edge, data->degree, &data->edges[e], error);
+        status = read_edge(&edge, corners->degree, &corners->edges[e], error);
     }
     return status;
 }
@@ -102,53 +105,49 @@ static void release_curve(void *curve)
 }
 
 static taut_status read_curves(const taut_json *document, taut_arena *arena,
-                               taut_asymptotic_problem *data, taut_error *error)
+                               const taut_curve *curves[4], taut_error *error)
 {
+    static const char *const strangers[] = {"degree", "corners", "edges", "branch", NULL};
     const taut_json at = taut_json_member(document, "curves");
     taut_status status = taut_json_object(&at, edge_members, error);
-    for (size_t k = 0; members[k] != NULL && status == TAUT_OK; k++) {
-        const taut_json other = taut_json_member(document, members[k]);
-        const int clashes = strcmp(members[k], "degree") == 0 ||
-                            strcmp(members[k], "corners") == 0 ||
-                            strcmp(members[k], "edges") == 0 || strcmp(members[k], "branch") == 0;
-        if (clashes && other.value != NULL) {
-            status = taut_json_fail(&other, error, "value", taut_none, taut_none,
-                                    "found \"%s\" beside \"curves\": curves that are given say "
-                                    "all there is to say of the boundary",
-                                    members[k]);
-        }
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_member_refuse(
+        document, strangers,
+        "beside \"curves\": curves that are given say all there is to say of the boundary", error);
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
         const taut_json curve = taut_json_member(&at, edge_members[e]);
         taut_curve *made = NULL;
         status = taut_curve_document_read(&curve, &made, error);
         if (status == TAUT_OK && !taut_arena_keep(arena, made, release_curve)) {
-            status = taut_fail_memory(error);
-        } else {
-            data->curves[e] = made;
+            return taut_fail_memory(error);
         }
+        curves[e] = made;
     }
     return status;
 }
 
 /* The four curves out of a file, each under its name. */
 static taut_status read_boundary(const taut_json *document, taut_problem *problem,
-                                 taut_asymptotic_problem *data, taut_error *error)
+                                 const taut_curve *curves[4], taut_error *error)
 {
     static const char *const others[] = {"degree", "corners", "edges", "curves", "branch", NULL};
     const taut_curve *sides[TAUT_SIDES];
-    taut_status status = taut_boundary_document_bezier(document, problem, others, 1, sides, error);
-    if (status == TAUT_OK) {
-        data->curves[TAUT_ASYMPTOTIC_U0] = sides[TAUT_SIDE_U0];
-        data->curves[TAUT_ASYMPTOTIC_U1] = sides[TAUT_SIDE_U1];
-        data->curves[TAUT_ASYMPTOTIC_V0] = sides[TAUT_SIDE_V0];
-        data->curves[TAUT_ASYMPTOTIC_V1] = sides[TAUT_SIDE_V1];
+    const taut_status status =
+        taut_boundary_document_bezier(document, problem, others, 1, sides, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    curves[TAUT_ASYMPTOTIC_U0] = sides[TAUT_SIDE_U0];
+    curves[TAUT_ASYMPTOTIC_U1] = sides[TAUT_SIDE_U1];
+    curves[TAUT_ASYMPTOTIC_V0] = sides[TAUT_SIDE_V0];
+    curves[TAUT_ASYMPTOTIC_V1] = sides[TAUT_SIDE_V1];
+    return TAUT_OK;
 }
 
 /* "lowest", or the signs of v0, v1, u0, u1 such as "+-+-", 0 for a straight edge. */
-static taut_status read_branch(const taut_json *document, taut_asymptotic_problem *data,
+static taut_status read_branch(const taut_json *document, taut_asymptotic_corners *corners,
                                taut_error *error)
 {
     static const int order[4] = {TAUT_ASYMPTOTIC_V0, TAUT_ASYMPTOTIC_V1, TAUT_ASYMPTOTIC_U0,
@@ -163,42 +162,61 @@ static taut_status read_branch(const taut_json *document, taut_asymptotic_proble
         return taut_json_expected(
             &at, error, "\"lowest\", or four of +, - and 0 (the sides of v0, v1, u0, u1)");
     }
-    data->has_branch = 1;
+    corners->has_branch = 1;
     for (int k = 0; k < 4; k++) {
-        data->branch[order[k]] = text[k] == '+' ? 1 : text[k] == '-' ? -1 : 0;
+        corners->branch[order[k]] = text[k] == '+' ? 1 : text[k] == '-' ? -1 : 0;
     }
     return TAUT_OK;
+}
+
+static taut_status read_choices(const taut_json *document, taut_asymptotic_problem *data,
+                                taut_error *error)
+{
+    int surface = TAUT_BIDEGREE_5N_MINUS_7;
+    taut_status status = taut_member_word(document, "surface", surface_words, &surface, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    data->surface = surface == 1 ? TAUT_BIDEGREE_N_PLUS_3 : TAUT_BIDEGREE_5N_MINUS_7;
+    status = taut_member_word(document, "singular", singular_words, &data->report_singular, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return taut_member_word(document, "free", free_words, &data->free_all, error);
+}
+
+static taut_status read_given(const taut_json *document, taut_problem *problem,
+                              taut_asymptotic_problem *data, taut_error *error)
+{
+    taut_asymptotic_corners corners = {.has_branch = 0};
+    taut_status status = read_branch(document, &corners, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    data->given = TAUT_ASYMPTOTIC_CURVES;
+    if (taut_boundary_document_is(document)) {
+        return read_boundary(document, problem, data->curves, error);
+    }
+    if (taut_json_member(document, "curves").value != NULL) {
+        return read_curves(document, problem->arena, data->curves, error);
+    }
+    status = read_corners(document, &corners, error);
+    data->given = TAUT_ASYMPTOTIC_CORNERS;
+    data->corners = corners;
+    return status;
 }
 
 static taut_status asymptotic_read(const taut_json *document, taut_problem *problem,
                                    taut_error *error)
 {
     taut_asymptotic_problem *const data = taut_arena_take(problem->arena, 1, sizeof *data);
-    const taut_json curves = taut_json_member(document, "curves");
-    int surface = TAUT_BIDEGREE_5N_MINUS_7;
-    taut_status status = data != NULL ? TAUT_OK : taut_fail_memory(error);
-    if (status == TAUT_OK) {
-        status = read_word(document, "surface", surface_words, &surface, error);
+    taut_status status = TAUT_OK;
+    if (data == NULL) {
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        status = read_word(document, "singular", singular_words, &data->report_singular, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_word(document, "free", free_words, &data->free_all, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_branch(document, data, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_boundary_document_is(document) ? read_boundary(document, problem, data, error)
-                 : curves.value != NULL ? read_curves(document, problem->arena, data, error)
-                                        : read_corner_data(document, data, error);
-    }
-    if (status == TAUT_OK) {
-        data->surface = surface == 1 ? TAUT_BIDEGREE_N_PLUS_3 : TAUT_BIDEGREE_5N_MINUS_7;
-        problem->data = data;
-    }
-    return status;
+    problem->data = data;
+    status = read_choices(document, data, error);
+    return status == TAUT_OK ? read_given(document, problem, data, error) : status;
 }
 
 const taut_document_ops taut_document_asymptotic = {

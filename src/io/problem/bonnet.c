@@ -3,31 +3,10 @@
 #include "taut/bonnet.h"
 #include "core/fail.h"
 #include "io/problem/document_ops.h"
+#include "io/problem/member.h"
 
 static const char *const members[] = {"lambda", "sign",      "alpha", "beta",   "mesh", "segments",
                                       "theta",  "normalize", "start", "frames", NULL};
-
-/* A number; left as it is where the member is missing and may be. */
-static taut_status read_number(const taut_json *document, const char *key, int needed,
-                               double *value, taut_error *error)
-{
-    const taut_json at = taut_json_member(document, key);
-    if (at.value == NULL && !needed) {
-        return TAUT_OK;
-    }
-    return taut_json_number(&at, value, error);
-}
-
-/* One of two words: *value is 0 or 1. */
-static taut_status read_word(const taut_json *document, const char *key, int needed,
-                             const char *const *words, int *value, taut_error *error)
-{
-    const taut_json at = taut_json_member(document, key);
-    if (at.value == NULL && !needed) {
-        return TAUT_OK;
-    }
-    return taut_json_word(&at, words, value, error);
-}
 
 /* A number, or with "frames" the first and the last. */
 static taut_status read_lambda(const taut_json *document, taut_bonnet_problem *data,
@@ -42,7 +21,7 @@ static taut_status read_lambda(const taut_json *document, taut_bonnet_problem *d
         return status == TAUT_OK ? taut_json_numbers(&at, 2, data->lambda, error) : status;
     }
     if (taut_json_kind_at(&at) == TAUT_JSON_ARRAY) {
-        return taut_json_fail(&at, error, "value", taut_none, taut_none,
+        return taut_json_fail(&at, error, "size", taut_none, taut_none,
                               "found two numbers, expected one, or \"frames\": how many surfaces");
     }
     status = taut_json_number(&at, &data->lambda[0], error);
@@ -68,45 +47,65 @@ static taut_status read_segments(const taut_json *document, taut_bonnet_problem 
     return status;
 }
 
+/* The family, its sign and its segments. */
+static taut_status read_family(const taut_json *document, taut_bonnet_problem *data,
+                               taut_error *error)
+{
+    static const char *const signs[] = {"+", "-", NULL};
+    const taut_json sign = taut_json_member(document, "sign");
+    const taut_json alpha = taut_json_member(document, "alpha");
+    const taut_json beta = taut_json_member(document, "beta");
+    int minus = 0;
+    taut_status status = read_lambda(document, data, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_json_word(&sign, signs, &minus, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    data->sign = minus ? -1 : 1;
+    status = taut_json_number(&alpha, &data->alpha, error);
+    return status == TAUT_OK ? taut_json_number(&beta, &data->beta, error) : status;
+}
+
+/* Members that may be missing. */
+static taut_status read_choices(const taut_json *document, taut_bonnet_problem *data,
+                                taut_error *error)
+{
+    static const char *const meshes[] = {"bezier", "bspline", NULL};
+    const taut_json start = taut_json_member(document, "start");
+    taut_status status = taut_member_word(document, "mesh", meshes, &data->bspline, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = read_segments(document, data, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_member_number(document, "theta", &data->theta, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_json_flag(document, "normalize", &data->normalize, error);
+    return status == TAUT_OK && start.value != NULL
+               ? taut_json_numbers(&start, 2, data->start, error)
+               : status;
+}
+
 static taut_status bonnet_read(const taut_json *document, taut_problem *problem, taut_error *error)
 {
-    static const char *const signs[] = {"+", "-", NULL}, *const meshes[] = {"bezier", "bspline",
-                                                                            NULL};
     taut_bonnet_problem *data = taut_arena_take(problem->arena, 1, sizeof *data);
-    const taut_json start = taut_json_member(document, "start");
-    int minus = 0;
-    taut_status status =
-        data != NULL ? read_lambda(document, data, error) : taut_fail_memory(error);
+    taut_status status = TAUT_OK;
 
-    if (status == TAUT_OK) {
-        status = read_word(document, "sign", 1, signs, &minus, error);
+    if (data == NULL) {
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        status = read_number(document, "alpha", 1, &data->alpha, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_number(document, "beta", 1, &data->beta, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_word(document, "mesh", 0, meshes, &data->bspline, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_segments(document, data, error);
-    }
-    if (status == TAUT_OK) {
-        status = read_number(document, "theta", 0, &data->theta, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_json_flag(document, "normalize", &data->normalize, error);
-    }
-    if (status == TAUT_OK && start.value != NULL) {
-        status = taut_json_numbers(&start, 2, data->start, error);
-    }
-    if (status == TAUT_OK) {
-        data->sign = minus ? -1 : 1;
-        problem->data = data;
-    }
-    return status;
+    problem->data = data;
+    status = read_family(document, data, error);
+    return status == TAUT_OK ? read_choices(document, data, error) : status;
 }
 
 const taut_document_ops taut_document_bonnet = {

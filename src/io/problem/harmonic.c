@@ -1,37 +1,31 @@
-/* harmonic.c -- the problem `harmonic`: two opposite rows, or a row and the derivative
- * across it (docs/format.md). */
+/* harmonic.c -- the problem `harmonic`: two opposite rows, out of the document or out of a file of
+ * curves, or a row and the derivative across it, or four rows (docs/format.md). */
 #include "taut/harmonic.h"
-#include "basis/basis_ops.h"
 #include "core/fail.h"
 #include "io/model/basis.h"
-#include "io/model/surface.h"
 #include "io/problem/boundary_document.h"
 #include "io/problem/document_ops.h"
-#include "io/problem/harmonic_boundary.h"
+#include "io/problem/member.h"
 #include "io/problem/net_document.h"
+#include "taut/operations.h"
 
 #include <string.h>
 
-static const char *const members[] = {
-    "name", "u",      "v",        "points", "from",   "edge", "cross_derivative",
-    "even", "insist", "boundary", "known",  "widths", "fit",  NULL};
-
-static void release_basis(void *basis)
-{
-    taut_basis_free(basis);
-}
-
-static taut_status check_basis(const taut_json *document, const char *key, const taut_basis *basis,
-                               taut_error *error)
-{
-    const taut_json at = taut_json_member(document, key);
-    if (strcmp(taut_basis_type(basis), "bezier") != 0) {
-        return taut_json_fail(&at, error, "value", taut_none, taut_none,
-                              "found a basis of type \"%s\", expected \"bezier\"",
-                              taut_basis_type(basis));
-    }
-    return TAUT_OK;
-}
+static const char *const members[] = {"name",
+                                      "u",
+                                      "v",
+                                      "points",
+                                      "from",
+                                      "edge",
+                                      "cross_derivative",
+                                      "even",
+                                      "allow_ill_conditioned",
+                                      "insist",
+                                      "boundary",
+                                      "known",
+                                      "widths",
+                                      "fit",
+                                      NULL};
 
 /* A bezier basis says itself how many functions it has. */
 static taut_status read_basis(const taut_json *document, const char *key, taut_arena *arena,
@@ -44,19 +38,15 @@ static taut_status read_basis(const taut_json *document, const char *key, taut_a
     int n = 0;
     taut_status status = taut_json_object(&at, any, error);
 
-    if (status == TAUT_OK) {
-        status = taut_json_integer(&degree, 1, TAUT_DEGREE_MAX, &n, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_basis_document_read(&at, n + 1, &made, error);
+    status = taut_json_integer(&degree, 1, TAUT_DEGREE_MAX, &n, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && !taut_arena_keep(arena, made, release_basis)) {
-        status = taut_fail_memory(error);
-    }
-    if (status == TAUT_OK) {
-        *basis = made;
-    }
-    return status;
+    status = taut_basis_document_read(&at, n + 1, &made, error);
+    return status == TAUT_OK ? taut_member_keep_basis(arena, made, basis, error) : status;
 }
 
 /* The texts of rational coordinates; NULL where all are numbers. */
@@ -91,144 +81,326 @@ static taut_status read_row(const taut_json *document, const char *key, int coun
     const taut_json at = taut_json_member(document, key);
     double *points = taut_arena_take(arena, 3 * (size_t)count, sizeof(double));
     size_t found = 0;
-    taut_status status = points != NULL ? TAUT_OK : taut_fail_memory(error);
+    taut_status status = TAUT_OK;
 
-    if (status == TAUT_OK) {
-        status = taut_json_array(&at, (size_t)count, (size_t)count, "points", &found, error);
+    if (points == NULL) {
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        status = taut_net_document_points(&at, 0, count, points, NULL, error);
+    status = taut_json_array(&at, (size_t)count, (size_t)count, "points", &found, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = read_texts(&at, 0, count, arena, texts, error);
+    status = taut_net_document_points(&at, 0, count, points, NULL, error);
+    if (status != TAUT_OK) {
+        return status;
     }
     *row = points;
-    return status;
+    return read_texts(&at, 0, count, arena, texts, error);
 }
 
 static taut_status read_derivative(const taut_json *document, taut_arena *arena,
                                    taut_harmonic_problem *data, taut_error *error)
 {
-    const taut_json points = taut_json_member(document, "points");
-    taut_status status = TAUT_OK;
+    static const char *const strangers[] = {"points", NULL};
+    taut_harmonic_derivative *given = &data->derivative;
+    taut_status status =
+        taut_member_refuse(document, strangers,
+                           "beside \"from\": the edge and the derivative across it say all", error);
 
-    if (points.value != NULL) {
-        return taut_json_fail(
-            &points, error, "value", taut_none, taut_none,
-            "found \"points\" beside \"from\": the edge and the derivative across "
-            "it say all");
+    if (status != TAUT_OK) {
+        return status;
     }
-    data->from_derivative = 1;
+    data->given = TAUT_HARMONIC_DERIVATIVE;
     status = read_basis(document, "u", arena, &data->u, error);
-    if (status == TAUT_OK) {
-        status = read_basis(document, "v", arena, &data->v, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = read_row(document, "edge", taut_basis_count(data->v), arena, &data->edge,
-                          &data->exact_edge, error);
+    status = read_basis(document, "v", arena, &data->v, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = read_row(document, "cross_derivative", taut_basis_count(data->v), arena,
-                          &data->cross_derivative, &data->exact_cross_derivative, error);
+    status = read_row(document, "edge", taut_basis_count(data->v), arena, &given->edge,
+                      &given->exact_edge, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    return read_row(document, "cross_derivative", taut_basis_count(data->v), arena, &given->cross,
+                    &given->exact_cross, error);
 }
 
 static taut_status read_net(const taut_json *document, taut_arena *arena,
                             taut_harmonic_problem *data, taut_error *error)
 {
-    static const char *const strangers[] = {"edge", "cross_derivative"};
+    static const char *const strangers[] = {"edge", "cross_derivative", NULL};
+    const taut_json points = taut_json_member(document, "points");
     taut_net_document net = {NULL, NULL, NULL, NULL, NULL};
     taut_status status = taut_net_document_read(document, arena, &net, error);
 
-    for (int i = 0; i < 2 && status == TAUT_OK; i++) {
-        const taut_json at = taut_json_member(document, strangers[i]);
-        if (at.value != NULL) {
-            status = taut_json_fail(&at, error, "value", taut_none, taut_none,
-                                    "found \"%s\" without \"from\": \"derivative\"", strangers[i]);
-        }
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = check_basis(document, "u", net.u, error);
+    status = taut_member_refuse(document, strangers, "without \"from\": \"derivative\"", error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = check_basis(document, "v", net.v, error);
+    status = taut_member_check_bezier(document, "u", net.u, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        const taut_json points = taut_json_member(document, "points");
-        status = read_texts(&points, taut_basis_count(net.u), taut_basis_count(net.v), arena,
-                            &data->exact_points, error);
+    status = taut_member_check_bezier(document, "v", net.v, error);
+    if (status != TAUT_OK) {
+        return status;
     }
     data->u = net.u;
     data->v = net.v;
-    data->points = net.points;
-    data->known = net.known;
-    return status;
+    data->rows.points = net.points;
+    data->rows.known = net.known;
+    return read_texts(&points, taut_basis_count(net.u), taut_basis_count(net.v), arena,
+                      &data->rows.exact, error);
 }
 
-/* A member that is true or false. */
-static taut_status read_choices(const taut_json *document, taut_arena *arena,
-                                taut_harmonic_problem *data, taut_error *error)
+/* "fit" takes four boundary rows as they are, in place of two. */
+static taut_status read_fit(const taut_json *document, taut_harmonic_problem *data,
+                            taut_error *error)
+{
+    const taut_json at = taut_json_member(document, "fit");
+    const int derivative = data->given == TAUT_HARMONIC_DERIVATIVE;
+    int fit = 0;
+    const taut_status status = taut_json_flag(document, "fit", &fit, error);
+
+    if (status != TAUT_OK || !fit) {
+        return status;
+    }
+    if (derivative || taut_json_member(document, "even").value != NULL) {
+        return taut_json_fail(&at, error, "conflict", taut_none, taut_none,
+                              "found \"fit\" beside \"%s\": it takes four boundary rows as they "
+                              "are",
+                              derivative ? "from" : "even");
+    }
+    const taut_harmonic_boundary boundary = {data->rows.points, data->rows.known};
+    data->given = TAUT_HARMONIC_BOUNDARY;
+    data->boundary = boundary;
+    return TAUT_OK;
+}
+
+/* What to do where data of even degree does not agree, and whatever the rounding. */
+static taut_status read_choices(const taut_json *document, taut_harmonic_problem *data,
+                                taut_error *error)
 {
     static const char *const repairs[] = {"refuse", "corner", "project", "raise", NULL};
     const taut_json at = taut_json_member(document, "even");
-    const taut_json fit = taut_json_member(document, "fit");
-    const char *name = "";
-    int word = TAUT_EVEN_REFUSE;
-    taut_status status = taut_name_document_read(document, &name, error);
+    int even = TAUT_EVEN_REFUSE, allow = 0;
+    taut_status status = taut_member_word(document, "even", repairs, &even, error);
 
-    if (status == TAUT_OK) {
-        status = taut_json_flag(document, "fit", &data->fit, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && data->fit && (data->from_derivative || at.value != NULL)) {
-        status = taut_json_fail(&fit, error, "value", taut_none, taut_none,
-                                "found \"fit\" beside \"%s\": it takes four boundary rows as they "
-                                "are",
-                                data->from_derivative ? "from" : "even");
+    if (data->given == TAUT_HARMONIC_DERIVATIVE &&
+        (even == TAUT_EVEN_CORNER || even == TAUT_EVEN_PROJECT)) {
+        return taut_json_expected(&at, error, "\"refuse\" or \"raise\", with a derivative");
     }
-    if (status == TAUT_OK && at.value != NULL) {
-        status = taut_json_word(&at, repairs, &word, error);
+    status = taut_member_allow_ill_conditioned(document, &allow, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && data->from_derivative &&
-        (word == TAUT_EVEN_CORNER || word == TAUT_EVEN_PROJECT)) {
-        status = taut_json_expected(&at, error, "\"refuse\" or \"raise\", with a derivative");
+    if (data->given == TAUT_HARMONIC_DERIVATIVE) {
+        data->derivative.raise = even == TAUT_EVEN_RAISE;
+        data->derivative.allow_ill_conditioned = allow;
+    } else if (data->given == TAUT_HARMONIC_ROWS) {
+        data->rows.even = (taut_harmonic_even)even;
+        data->rows.allow_ill_conditioned = allow;
     }
-    if (status == TAUT_OK) {
-        data->even = (taut_harmonic_even)word;
-        status = taut_json_flag(document, "insist", &data->insist, error);
+    return TAUT_OK;
+}
+
+/* What the document says, and what comes of it. */
+typedef struct harmonic_boundary {
+    const taut_curve *pair[2];
+    int along_u; /* the pair are the edges v0 and v1 */
+    int degree;
+    double widths[2];
+    const taut_basis *bases[2];
+    double *points;
+    unsigned char *known;
+} harmonic_boundary;
+
+static taut_status make_basis(int degree, double width, taut_arena *arena, const taut_basis **basis,
+                              taut_error *error)
+{
+    const taut_basis_spec spec = {
+        .type = "bezier", .degree = degree, .has_range = 1, .range = {0, width}};
+    taut_basis *made = NULL;
+    const taut_status status = taut_basis_new(&spec, 0, &made, error);
+    return status == TAUT_OK ? taut_member_keep_basis(arena, made, basis, error) : status;
+}
+
+/* "known" and "widths". */
+static taut_status read_sides(const taut_json *document, harmonic_boundary *rows, taut_error *error)
+{
+    static const char *const pairs[] = {"u", "v", NULL};
+    const taut_json widths_at = taut_json_member(document, "widths");
+    taut_status status = TAUT_OK;
+    rows->along_u = 1;
+    rows->widths[0] = rows->widths[1] = 1;
+    status = taut_member_word(document, "known", pairs, &rows->along_u, error);
+    if (status != TAUT_OK || widths_at.value == NULL) {
+        return status;
     }
-    if (status == TAUT_OK && name[0] != '\0') {
-        data->name = taut_arena_text(arena, name);
-        status = data->name != NULL ? TAUT_OK : taut_fail_memory(error);
+    status = taut_json_numbers(&widths_at, 2, rows->widths, error);
+    if (status == TAUT_OK && !(rows->widths[0] > 0 && rows->widths[1] > 0)) {
+        status = taut_json_expected(&widths_at, error, "two positive numbers");
     }
     return status;
+}
+
+static int is_polynomial(const taut_curve *curve)
+{
+    const double *weights = taut_curve_weights(curve);
+    const int count = taut_basis_count(taut_curve_t(curve));
+    int same = 1;
+    for (int i = 1; weights != NULL && i < count; i++) {
+        same &= weights[i] == weights[0];
+    }
+    return same;
+}
+
+static taut_status choose_pair(const taut_json *document, const taut_curve *const sides[TAUT_SIDES],
+                               harmonic_boundary *rows, taut_error *error)
+{
+    const taut_json at = taut_json_member(document, "boundary");
+    rows->pair[0] = sides[rows->along_u ? TAUT_SIDE_V0 : TAUT_SIDE_U0];
+    rows->pair[1] = sides[rows->along_u ? TAUT_SIDE_V1 : TAUT_SIDE_U1];
+    for (int k = 0; k < 2; k++) {
+        const int n = taut_basis_degree(taut_curve_t(rows->pair[k]));
+        rows->degree = n > rows->degree ? n : rows->degree;
+        if (!is_polynomial(rows->pair[k])) {
+            taut_json_fail(&at, error, "rational", taut_none, taut_none,
+                           "the curve \"%.40s\" is rational, but harmonic surfaces are polynomial",
+                           taut_curve_name(rows->pair[k]));
+            if (error != NULL) {
+                error->status = TAUT_NO_SOLUTION;
+            }
+            return TAUT_NO_SOLUTION;
+        }
+    }
+    return TAUT_OK;
+}
+
+/* Puts the points of one curve, raised to the common degree, into its row or column. */
+static taut_status lay_curve(harmonic_boundary *rows, int last, taut_error *error)
+{
+    const int n = rows->degree, times = n - taut_basis_degree(taut_curve_t(rows->pair[last]));
+    const taut_curve *curve = rows->pair[last];
+    taut_curve *raised = NULL;
+    if (times > 0) {
+        const taut_status status = taut_curve_elevate(curve, times, &raised, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        curve = raised;
+    }
+    for (int k = 0; k <= n; k++) {
+        const int other = last ? n : 0;
+        const int at = rows->along_u ? k * (n + 1) + other : other * (n + 1) + k;
+        memcpy(rows->points + 3 * at, taut_curve_points(curve) + 3 * k, 3 * sizeof(double));
+        rows->known[at] = 1;
+    }
+    taut_curve_free(raised);
+    return TAUT_OK;
+}
+
+static taut_status fill_net(harmonic_boundary *rows, taut_arena *arena, taut_error *error)
+{
+    const size_t count = ((size_t)rows->degree + 1) * ((size_t)rows->degree + 1);
+    taut_status status = TAUT_OK;
+    rows->points = taut_arena_take(arena, 3 * count, sizeof(double));
+    rows->known = taut_arena_take(arena, count, 1);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k < 2 && status == TAUT_OK; k++) {
+        status = lay_curve(rows, k, error);
+    }
+    for (int d = 0; d < 2 && status == TAUT_OK; d++) {
+        status = make_basis(rows->degree, rows->widths[d], arena, &rows->bases[d], error);
+    }
+    return status;
+}
+
+static taut_status read_boundary_rows(const taut_json *document, taut_problem *problem,
+                                      harmonic_boundary *rows, taut_error *error)
+{
+    static const char *const others[] = {"u", "v", "points", "from", "edge", "cross_derivative",
+                                         NULL};
+    const taut_curve *sides[TAUT_SIDES];
+    taut_status status = read_sides(document, rows, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_boundary_document_bezier(document, problem, others, 0, sides, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = choose_pair(document, sides, rows, error);
+    return status == TAUT_OK ? fill_net(rows, problem->arena, error) : status;
+}
+
+/* Two opposite curves of the file "boundary", those that "known" names, become the known rows of
+ * bidegree (n, n) over [0, a] x [0, b], "widths": [a, b]; the other two only say which ends face
+ * each other. */
+static taut_status read_boundary(const taut_json *document, taut_problem *problem,
+                                 taut_harmonic_problem *data, taut_error *error)
+{
+    harmonic_boundary rows = {.degree = 0};
+    const taut_status status = read_boundary_rows(document, problem, &rows, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    data->u = rows.bases[0];
+    data->v = rows.bases[1];
+    data->rows.points = rows.points;
+    data->rows.known = rows.known;
+    return TAUT_OK;
+}
+
+static taut_status read_given(const taut_json *document, taut_problem *problem,
+                              taut_harmonic_problem *data, taut_error *error)
+{
+    static const char *const sources[] = {"derivative", NULL};
+    const taut_json from = taut_json_member(document, "from");
+    int word = 0;
+    const taut_status status = taut_member_word(document, "from", sources, &word, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return taut_boundary_document_is(document) ? read_boundary(document, problem, data, error)
+           : from.value != NULL ? read_derivative(document, problem->arena, data, error)
+                                : read_net(document, problem->arena, data, error);
 }
 
 static taut_status harmonic_read(const taut_json *document, taut_problem *problem,
                                  taut_error *error)
 {
-    static const char *const sources[] = {"derivative", NULL};
     taut_harmonic_problem *data = taut_arena_take(problem->arena, 1, sizeof *data);
-    const taut_json from = taut_json_member(document, "from");
-    int word = 0;
-    taut_status status = data != NULL ? TAUT_OK : taut_fail_memory(error);
+    taut_status status = TAUT_OK;
 
-    if (status == TAUT_OK && from.value != NULL) {
-        status = taut_json_word(&from, sources, &word, error);
+    if (data == NULL) {
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        status = taut_boundary_document_is(document)
-                     ? taut_harmonic_boundary_read(document, problem, data, error)
-                 : from.value != NULL ? read_derivative(document, problem->arena, data, error)
-                                      : read_net(document, problem->arena, data, error);
+    problem->data = data;
+    status = read_given(document, problem, data, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = read_choices(document, problem->arena, data, error);
+    status = taut_member_name(document, problem->arena, &data->name, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        problem->data = data;
-    }
-    return status;
+    status = read_fit(document, data, error);
+    return status == TAUT_OK ? read_choices(document, data, error) : status;
 }
 
 const taut_document_ops taut_document_harmonic = {

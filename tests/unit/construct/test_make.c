@@ -13,8 +13,9 @@ static taut_problem *rows(taut_harmonic_problem *data)
     static const double points[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1};
     static const unsigned char known[4] = {1, 1, 1, 1};
     taut_problem *problem = NULL;
-    *data = (taut_harmonic_problem){
-        .u = shape_bezier(1, 0, 1), .v = shape_bezier(1, 0, 1), .points = points, .known = known};
+    *data = (taut_harmonic_problem){.u = shape_bezier(1, 0, 1),
+                                    .v = shape_bezier(1, 0, 1),
+                                    .rows = {.points = points, .known = known}};
     CHECK(taut_problem_new(TAUT_CONSTRUCT_INDEX_harmonic, &problem) == TAUT_OK, "problem");
     problem->data = data;
     return problem;

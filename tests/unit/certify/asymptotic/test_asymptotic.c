@@ -165,6 +165,7 @@ static void test_straight_explains_nothing(void)
     taut_model *model = NULL;
     memset(&problem, 0, sizeof problem);
     problem.surface = TAUT_BIDEGREE_N_PLUS_3;
+    problem.given = TAUT_ASYMPTOTIC_CURVES;
     problem.curves[TAUT_ASYMPTOTIC_V0] = asymptotic_curve("v0", 3, v0[0], NULL);
     problem.curves[TAUT_ASYMPTOTIC_V1] = asymptotic_curve("v1", 3, v1[0], NULL);
     problem.curves[TAUT_ASYMPTOTIC_U0] = asymptotic_curve("u0", 1, u0[0], NULL);
@@ -199,7 +200,7 @@ static void test_far_claims_fail(void)
     taut_asymptotic_problem problem = asymptotic_example(1, "-+-+");
     taut_model *model = NULL;
     for (int k = 0; k < 12; k++) {
-        problem.corners[k / 3][k % 3] += 1e6;
+        problem.corners.points[k / 3][k % 3] += 1e6;
     }
     model = asymptotic_make(&problem, "example 1, far");
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
@@ -226,6 +227,7 @@ static void test_inexact_data(void)
         taut_asymptotic_problem problem;
         taut_model *model = NULL, *wrong = NULL;
         memset(&problem, 0, sizeof problem);
+        problem.given = TAUT_ASYMPTOTIC_CURVES;
         for (int c = 0; c < 4; c++) {
             const taut_curve *const from = taut_model_curve(source, c);
             double points[5][3], weights[5];
@@ -271,11 +273,11 @@ static void test_boundary_reads_the_problem(void)
     taut_model *model = asymptotic_make(&problem, "example 1");
     for (int k = 0; k < 5; k++) {
         taut_asymptotic_problem other = problem;
-        other.corners[2][1] += k == 0 ? 1e-12 : 0;
-        other.edges[1].legs[1][2] += k == 1 ? 1e-12 : 0;
-        other.edges[3].curvature[0] *= k == 2 ? 1 + 1e-12 : 1;
-        other.edges[2].weights[1] *= k == 3 ? 1 + 1e-12 : 1;
-        other.edges[0].legs[0][0] += k == 4 ? 1e-12 : 0;
+        other.corners.points[2][1] += k == 0 ? 1e-12 : 0;
+        other.corners.edges[1].legs[1][2] += k == 1 ? 1e-12 : 0;
+        other.corners.edges[3].curvature[0] *= k == 2 ? 1 + 1e-12 : 1;
+        other.corners.edges[2].weights[1] *= k == 3 ? 1 + 1e-12 : 1;
+        other.corners.edges[0].legs[0][0] += k == 4 ? 1e-12 : 0;
         CHECK(!holds(model, &other, "boundary"), "datum %d", k);
     }
     CHECK(holds(model, NULL, "boundary"), "from the model alone");

@@ -22,9 +22,12 @@ static taut_harmonic_problem problem_of(const bezier_net *g, int fit)
     memset(&problem, 0, sizeof problem);
     problem.u = g->u;
     problem.v = g->v;
-    problem.points = g->points;
-    problem.known = g->known;
-    problem.fit = fit;
+    if (fit) {
+        problem.given = TAUT_HARMONIC_BOUNDARY;
+        problem.boundary = (taut_harmonic_boundary){g->points, g->known};
+    } else {
+        problem.rows = (taut_harmonic_rows){.points = g->points, .known = g->known};
+    }
     return problem;
 }
 
@@ -165,7 +168,7 @@ static void test_degree(void)
         taut_error error;
         memset(known, 1, sizeof known);
         const taut_harmonic_problem problem = {
-            .u = u, .v = v, .points = points, .known = known, .fit = 1};
+            .u = u, .v = v, .given = TAUT_HARMONIC_BOUNDARY, .boundary = {points, known}};
         CHECK(taut_harmonic_make(&problem, NULL, &model, &error) == TAUT_NO_SOLUTION &&
                   model == NULL && error.found == 65 && error.limit == 64,
               "%g of %g", error.found, error.limit);

@@ -47,11 +47,13 @@ static void test_rows(void)
     CHECK(taut_basis_count(data->u) == 3 && taut_basis_count(data->v) == 3, "degree 2 both ways");
     CHECK(taut_basis_hi(data->u) == 1 && taut_basis_hi(data->v) == 2, "widths");
     for (int i = 0; i < 3; i++) {
-        const double *row = data->points + 9 * (size_t)i;
+        const double *row = data->rows.points + 9 * (size_t)i;
         CHECK(memcmp(row, v0[i], sizeof v0[i]) == 0, "v0, point %d", i);
         CHECK(memcmp(row + 6, v1[i], sizeof v1[i]) == 0, "v1, point %d: %g %g %g", i, row[6],
               row[7], row[8]);
-        CHECK(data->known[3 * i] && !data->known[3 * i + 1] && data->known[3 * i + 2], "row %d", i);
+        CHECK(data->rows.known[3 * i] && !data->rows.known[3 * i + 1] &&
+                  data->rows.known[3 * i + 2],
+              "row %d", i);
     }
     taut_problem_free(problem);
 }

@@ -6,6 +6,7 @@
 #include "problem/problem.h"
 #include "taut/biharmonic.h"
 #include "taut/dirichlet.h"
+#include "taut/harmonic.h"
 #include "taut/read.h"
 
 #include <string.h>
@@ -81,10 +82,50 @@ static void test_rows(void)
         return;
     }
     const taut_biharmonic_problem *data = problem->data;
-    CHECK(data->name != NULL && strcmp(data->name, "bridge") == 0, "name");
-    CHECK(memcmp(data->known, known, 6) == 0 && data->points[4] == 2 && data->points[17] == 6,
+    CHECK(data->rows.name != NULL && strcmp(data->rows.name, "bridge") == 0, "name");
+    CHECK(memcmp(data->rows.known, known, 6) == 0 && data->rows.points[4] == 2 &&
+              data->rows.points[17] == 6,
           "points");
     taut_problem_free(problem);
+}
+
+/* "allow_ill_conditioned" by its name, by the old one, and by both at once. */
+static void test_allowed(void)
+{
+    static const struct {
+        const char *members;
+        int allowed; /* -1: refused */
+    } cases[] = {{"", 0},
+                 {", \"allow_ill_conditioned\": true", 1},
+                 {", \"insist\": true", 1},
+                 {", \"insist\": false", 0},
+                 {", \"insist\": true, \"allow_ill_conditioned\": true", -1}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char document[512];
+        taut_problem *problem = NULL;
+        taut_error error = {.status = TAUT_OK};
+        const int length =
+            snprintf(document, sizeof document,
+                     "{\"taut\": 1, \"construct\": \"harmonic\", \"u\": {\"type\": \"bezier\", "
+                     "\"degree\": 1}, "
+                     "\"v\": {\"type\": \"bezier\", \"degree\": 1}, "
+                     "\"points\": [[[0, 0, 0], [1, 2, 3]], [[4, 5, 6], [7, 8, 9]]]%s}",
+                     cases[i].members);
+        const taut_status status =
+            taut_problem_read_text(document, (size_t)length, "rows", &problem, &error);
+        if (cases[i].allowed < 0) {
+            CHECK(status == TAUT_BAD_INPUT && strcmp(error.reason, "conflict") == 0 &&
+                      strcmp(error.where, "/insist") == 0,
+                  "%s: %s", error.where, error.message);
+            continue;
+        }
+        CHECK(status == TAUT_OK, "%s: %s", error.where, error.message);
+        if (problem != NULL) {
+            const taut_harmonic_problem *data = problem->data;
+            CHECK(data->rows.allow_ill_conditioned == cases[i].allowed, "%s", cases[i].members);
+        }
+        taut_problem_free(problem);
+    }
 }
 
 static void check_io(const char *path, const char *reason)
@@ -187,6 +228,7 @@ int main(void)
     test_members();
     test_defaults();
     test_rows();
+    test_allowed();
     test_files();
     test_no_file();
     test_unreadable();

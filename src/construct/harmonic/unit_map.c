@@ -1,9 +1,9 @@
-#include "construct/harmonic/frame.h"
+#include "construct/harmonic/unit_map.h"
 
 #include <float.h>
 #include <math.h>
 
-double taut_frame_size(double size)
+double taut_unit_map_size(double size)
 {
     int exponent = 0;
     if (!(size > 0)) {
@@ -15,9 +15,9 @@ double taut_frame_size(double size)
 
 /* A middle at least three times as far as the ends are from it: all points lie between half of it
  * and twice of it, where subtraction is exact. A nearer one is left at 0. */
-taut_frame taut_frame_of(size_t count, const double *points, const unsigned char *known)
+taut_unit_map taut_unit_map_of(size_t count, const double *points, const unsigned char *known)
 {
-    taut_frame frame = {{0, 0, 0}, 0};
+    taut_unit_map map = {{0, 0, 0}, 0};
     for (int c = 0; c < 3; c++) {
         double low = INFINITY, high = -INFINITY;
         for (size_t i = 0; i < count; i++) {
@@ -28,30 +28,30 @@ taut_frame taut_frame_of(size_t count, const double *points, const unsigned char
         }
         if (low <= high) {
             const double middle = 0.5 * low + 0.5 * high;
-            frame.centre[c] = fabs(middle) > 3 * (0.5 * high - 0.5 * low) ? middle : 0;
-            frame.size = fmax(frame.size, fmax(high - frame.centre[c], frame.centre[c] - low));
+            map.centre[c] = fabs(middle) > 3 * (0.5 * high - 0.5 * low) ? middle : 0;
+            map.size = fmax(map.size, fmax(high - map.centre[c], map.centre[c] - low));
         }
     }
-    frame.size = taut_frame_size(frame.size);
-    return frame;
+    map.size = taut_unit_map_size(map.size);
+    return map;
 }
 
-double taut_frame_reach(const taut_frame *frame)
+double taut_unit_map_reach(const taut_unit_map *map)
 {
-    const double *c = frame->centre;
-    return 1 + fmax(fabs(c[0]), fmax(fabs(c[1]), fabs(c[2]))) / frame->size;
+    const double *c = map->centre;
+    return 1 + fmax(fabs(c[0]), fmax(fabs(c[1]), fabs(c[2]))) / map->size;
 }
 
-void taut_frame_enter(const taut_frame *frame, size_t count, double *points)
+void taut_unit_map_apply(const taut_unit_map *map, size_t count, double *points)
 {
     for (size_t i = 0; i < 3 * count; i++) {
-        points[i] = (points[i] - frame->centre[i % 3]) / frame->size;
+        points[i] = (points[i] - map->centre[i % 3]) / map->size;
     }
 }
 
-void taut_frame_leave(const taut_frame *frame, size_t count, double *points)
+void taut_unit_map_undo(const taut_unit_map *map, size_t count, double *points)
 {
     for (size_t i = 0; i < 3 * count; i++) {
-        points[i] = frame->centre[i % 3] + frame->size * points[i];
+        points[i] = map->centre[i % 3] + map->size * points[i];
     }
 }
