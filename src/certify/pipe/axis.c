@@ -73,7 +73,7 @@ static double power_below(double size)
 }
 
 /* Origin, scale and noise, of all curves together. */
-static void place(const taut_curve *const *curves, int count, taut_pipe_line *line)
+static void set_coordinates(const taut_curve *const *curves, int count, taut_pipe_line *line)
 {
     double size = 0, largest = 0;
     memcpy(line->origin, taut_curve_points(curves[0]), sizeof line->origin);
@@ -158,7 +158,7 @@ taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, ta
 {
     taut_status status = TAUT_OK;
     *line = (taut_pipe_line){.arena = arena, .count = count, .run = 1};
-    place(curves, count, line);
+    set_coordinates(curves, count, line);
     line->pieces = taut_arena_take(arena, (size_t)count, sizeof *line->pieces);
     status = line->pieces != NULL ? TAUT_OK : taut_fail_memory(error);
     for (int i = 0; i < count && status == TAUT_OK; i++) {
@@ -184,7 +184,7 @@ taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_p
 {
     taut_status status = TAUT_OK;
     *line = (taut_pipe_line){.arena = arena, .lengths = {INFINITY, INFINITY}};
-    place(&curve, 1, line);
+    set_coordinates(&curve, 1, line);
     status = pieces_of(curve, line, error);
     return status == TAUT_OK ? find_tangents(line, error) : status;
 }
@@ -233,8 +233,8 @@ static double flat_torsion(const double (*c)[3], double t, const double tangent[
 }
 
 /* Length, turning, torsion and bending per unit of parameter. */
-static void integrands(const taut_pipe_piece *piece, int planar, const double (*binormal)[3],
-                       double t, double out[INTEGRALS])
+static void evaluate_integrands(const taut_pipe_piece *piece, int planar,
+                                const double (*binormal)[3], double t, double out[INTEGRALS])
 {
     double d[4][3], cross[3], speed = 0, square = 0;
     taut_pipe_piece_eval(piece, t, 3, d);
@@ -270,13 +270,13 @@ typedef struct quadrature {
     int left; /* panels that may still be halved */
 } quadrature;
 
-static void gauss(const quadrature *q, double lo, double hi, double out[INTEGRALS])
+static void integrate_panel(const quadrature *q, double lo, double hi, double out[INTEGRALS])
 {
     memset(out, 0, INTEGRALS * sizeof *out);
     for (int i = 0; i < GAUSS; i++) {
         double value[INTEGRALS];
-        integrands(q->piece, q->planar, q->flat ? (const double(*)[3])q->binormal : NULL,
-                   0.5 * (lo + hi) + 0.5 * (hi - lo) * q->nodes[i], value);
+        evaluate_integrands(q->piece, q->planar, q->flat ? (const double(*)[3])q->binormal : NULL,
+                            0.5 * (lo + hi) + 0.5 * (hi - lo) * q->nodes[i], value);
         for (int k = 0; k < INTEGRALS; k++) {
             out[k] += 0.5 * (hi - lo) * q->weights[i] * value[k];
         }
@@ -284,13 +284,14 @@ static void gauss(const quadrature *q, double lo, double hi, double out[INTEGRAL
 }
 
 /* Halved until both halves agree with the whole: kinks at inflections are met by depth. */
-static void adapt(quadrature *q, double lo, double hi, const double whole[INTEGRALS], int depth)
+static void integrate_adaptively(quadrature *q, double lo, double hi, const double whole[INTEGRALS],
+                                 int depth)
 {
     const double middle = 0.5 * (lo + hi);
     double left[INTEGRALS], right[INTEGRALS];
     int agree = 1;
-    gauss(q, lo, middle, left);
-    gauss(q, middle, hi, right);
+    integrate_panel(q, lo, middle, left);
+    integrate_panel(q, middle, hi, right);
     for (int k = 0; k < INTEGRALS; k++) {
         agree = agree && fabs(left[k] + right[k] - whole[k]) <= q->tolerance * q->size[k];
     }
@@ -302,8 +303,8 @@ static void adapt(quadrature *q, double lo, double hi, const double whole[INTEGR
         return;
     }
     q->left--;
-    adapt(q, lo, middle, left, depth + 1);
-    adapt(q, middle, hi, right, depth + 1);
+    integrate_adaptively(q, lo, middle, left, depth + 1);
+    integrate_adaptively(q, middle, hi, right, depth + 1);
 }
 
 /* Do all edges lie in one plane, as far as rounding lets that be told? Then there is no torsion. */
@@ -336,14 +337,14 @@ static void integrate_piece(quadrature *q, taut_pipe_figures *figures)
         q->sums[k] = (taut_sum){0, 0};
     }
     for (int i = 0; i < PANELS; i++) {
-        gauss(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i]);
+        integrate_panel(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i]);
         for (int k = 0; k < INTEGRALS; k++) {
             q->size[k] += fabs(panels[i][k]);
         }
     }
     q->left = HALVINGS;
     for (int i = 0; i < PANELS; i++) {
-        adapt(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i], 0);
+        integrate_adaptively(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i], 0);
     }
     figures->length += taut_sum_total(&q->sums[0]);
     figures->turning += taut_sum_total(&q->sums[1]);

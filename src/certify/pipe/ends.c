@@ -2,9 +2,10 @@
  *
  *   ends     the larger of: distances of the axis from the given points or lines, and of handles
  *            from given ones, over the radius; sines between its ends and the given directions;
- * differences of given shape numbers optimal  where the shape was chosen: the largest part of the
- * goal that a neighbour in the legal box would save, of the 26 neighbours at each of two distances
- * that leave room for the pipe
+ *            differences of given shape numbers
+ *   optimal  where the shape was chosen: the largest part of the goal that a neighbour in the legal
+ *            box would save, of the 26 neighbours at each of two distances that leave room for the
+ *            pipe
  */
 #include "certify/pipe/parts.h"
 #include "core/fail.h"
@@ -15,22 +16,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static void unit(const double v[3], double out[3])
-{
-    const double length = taut_norm(v);
-    for (int k = 0; k < 3; k++) {
-        out[k] = length > 0 ? v[k] / length : 0;
-    }
-}
-
-/* |a - b| for unit vectors: the sine to leading order, and 2 where they are opposite. */
-static double turn(const double a[3], const double b[3])
-{
-    return taut_distance(a, b);
-}
-
 /* The distance of x from the line through p along d. */
-static double from_line(const double x[3], const double p[3], const double d[3])
+static double distance_from_line(const double x[3], const double p[3], const double d[3])
 {
     double w[3];
     taut_difference(x, p, w);
@@ -50,15 +37,16 @@ static double ends_residual(const taut_pipe_parts *parts)
     for (int side = 0; side < 2 && p->axis != TAUT_PIPE_POLYGON; side++) {
         const double *x = points + 9 * side;
         double d[3];
-        unit(p->ends[side].direction, d);
-        worst = fmax(worst, turn(parts->line.tangent[side], d));
+        taut_pipe_unit(p->ends[side].direction, d);
+        worst = fmax(worst, taut_distance(parts->line.tangent[side], d));
         if (p->ends[side].handle > 0) {
             const double handle = taut_distance(points + 6 * side, points + 6 * side + 3);
             worst = fmax(worst, fabs(handle - p->ends[side].handle) / parts->radius);
         }
-        worst = fmax(worst, (p->axis == TAUT_PIPE_ENDS ? taut_distance(x, p->ends[side].point)
-                                                       : from_line(x, p->ends[side].point, d)) /
-                                parts->radius);
+        worst = fmax(worst,
+                     (p->axis == TAUT_PIPE_ENDS ? taut_distance(x, p->ends[side].point)
+                                                : distance_from_line(x, p->ends[side].point, d)) /
+                         parts->radius);
     }
     if (p->shape == TAUT_PIPE_SHAPE_GIVEN) {
         worst = fmax(worst, fmax(fabs(shape[0] - p->alpha),
@@ -94,8 +82,8 @@ static double ends_noise(const taut_pipe_parts *parts)
     }
     if (p->axis == TAUT_PIPE_FEET) { /* nearly parallel lines place their feet badly */
         double a[3], b[3], n[3];
-        unit(p->ends[0].direction, a);
-        unit(p->ends[1].direction, b);
+        taut_pipe_unit(p->ends[0].direction, a);
+        taut_pipe_unit(p->ends[1].direction, b);
         taut_cross(a, b, n);
         sine = fmax(taut_norm(n), 1e-9);
         noise += 4 * DBL_EPSILON * far / (parts->radius * sine);
@@ -110,8 +98,8 @@ taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate 
 
 /* The goal about a curve, and whether the pipe has room there: asked only where the goal is below
  * `bound`. INFINITY where it has none. */
-static taut_status judge(const taut_pipe_parts *parts, taut_pipe_line *line, double bound,
-                         double *goal)
+static taut_status find_goal(const taut_pipe_parts *parts, taut_pipe_line *line, double bound,
+                             double *goal)
 {
     const double room = 0.999; /* what a choice leaves: docs/pipe.md */
     const int sharpest = parts->problem->shape == TAUT_PIPE_LEAST_CURVATURE;
@@ -152,7 +140,7 @@ static taut_status goal_of(const taut_pipe_parts *parts, const double shape[3], 
         status = taut_pipe_line_of(curve, arena, &line, error);
     }
     if (status == TAUT_OK) {
-        status = judge(parts, &line, bound, goal);
+        status = find_goal(parts, &line, bound, goal);
     }
     taut_curve_free(curve);
     taut_arena_free(arena);

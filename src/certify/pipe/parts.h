@@ -57,7 +57,7 @@ double taut_pipe_canal_miss(const taut_pipe_parts *parts, const double x[3], dou
 void taut_pipe_canal_measures(const taut_pipe_parts *parts, double *area, double *volume);
 
 /* What taut_surface_eval gives at v of the edge u0, or u1 where `last`, order 1 or 2, with
- * derivatives along u of the accuracy of differences of neighbouring points (edge.c). */
+ * derivatives along u of the accuracy of differences of neighbouring points. */
 void taut_pipe_edge_eval(const taut_surface *s, int last, double v, int order, double (*d)[3]);
 
 /* Two surfaces at the end `side` of the blend and its straight pipe, as a claim that is made: the
@@ -77,6 +77,13 @@ void taut_pipe_foot(const taut_pipe_line *line, const double x[3], double t, int
                     double *at_s, double offset[3]);
 void taut_pipe_to_local(const taut_pipe_line *line, const double x[3], double local[3]);
 
+/* Parameter k of n + 1 evenly over a basis; the ends exactly. */
+double taut_pipe_parameter(const taut_basis *basis, int k, int n);
+/* v made unit; 0 where it is. */
+void taut_pipe_unit(const double v[3], double out[3]);
+/* The unit normal of two tangents, whatever their lengths; 0 where there is none. */
+void taut_pipe_unit_normal(const double xu[3], const double xv[3], double normal[3]);
+
 /* Surface and curve of a name, or NULL. */
 const taut_surface *taut_pipe_surface(const taut_model *model, const char *name);
 const taut_curve *taut_pipe_curve(const taut_model *model, const char *name);
@@ -90,8 +97,7 @@ taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_probl
                                   const taut_certify_options *options,
                                   taut_certificate *certificate, taut_error *error);
 
-/* The claims: tube.c, curvature.c, ends.c. Each adds one, or returns TAUT_NO_MEMORY.
- */
+/* The claims: joint.c, tube.c, caps.c, ends.c. Each adds one, or returns TAUT_NO_MEMORY. */
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
                                   taut_certificate *certificate);
 taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,

@@ -1,7 +1,7 @@
 /* pipe.c -- the certificate of `pipe`: from the finished surfaces and their axis alone.
  *
- *     joint1, joint2  the blend meets the straight pipes, with equal normals    tube.c
- *     curvature1, -2  equal principal curvatures; about a quintic      curvature.c
+ *     joint1, joint2  the blend meets the straight pipes, with equal normals    joint.c
+ *     curvature1, -2  equal principal curvatures; about a quintic               joint.c
  *     embedded        radius over the largest radius of the composite axis      reach.c
  *     tube            the surfaces are at the radius from the axis              tube.c
  *     ends            the axis starts and ends as asked; with a problem         ends.c
@@ -24,43 +24,7 @@
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;
-static const double limit_most = 1e-6, tolerance_default = 1e-6;
-
-taut_status taut_pipe_add_claim(const char *name, double residual, double limit, double noise,
-                                const char *where, taut_certificate *certificate)
-{
-    const double held = limit > 0 ? limit : fmin(noise, limit_most);
-    const taut_claim claim = {
-        .claim = name,
-        .residual = residual,
-        .limit = held,
-        .holds = residual <= held    ? TAUT_TRUE
-                 : residual <= noise ? TAUT_UNDECIDED
-                                     : TAUT_FALSE,
-        .where = residual <= held || residual > noise ? where : "rounding of the coordinates",
-    };
-    return taut_certificate_add(certificate, &claim);
-}
-
-const taut_surface *taut_pipe_surface(const taut_model *model, const char *name)
-{
-    for (int i = 0; i < taut_model_surface_count(model); i++) {
-        if (strcmp(taut_surface_name(taut_model_surface(model, i)), name) == 0) {
-            return taut_model_surface(model, i);
-        }
-    }
-    return NULL;
-}
-
-const taut_curve *taut_pipe_curve(const taut_model *model, const char *name)
-{
-    for (int i = 0; i < taut_model_curve_count(model); i++) {
-        if (strcmp(taut_curve_name(taut_model_curve(model, i)), name) == 0) {
-            return taut_model_curve(model, i);
-        }
-    }
-    return NULL;
-}
+static const double tolerance_default = 1e-6;
 
 static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, taut_error *error)
 {
@@ -75,22 +39,6 @@ static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, t
             "a pipe has surfaces \"blend\", \"pipe1\", \"pipe2\" and a curve \"axis\"");
     }
     return taut_pipe_read_axis(parts, error);
-}
-
-void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts)
-{
-    const int count =
-        3 * taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
-    for (int i = 0; i < count; i++) {
-        parts->sizes[i % 3] = fmax(parts->sizes[i % 3], fabs(taut_surface_points(surface)[i]));
-    }
-    parts->size = fmax(parts->sizes[0], fmax(parts->sizes[1], parts->sizes[2]));
-}
-
-double taut_pipe_radius_of(const taut_model *model, const taut_pipe_problem *problem, double seen)
-{
-    const double told = taut_record_number(taut_record_get(taut_model_details(model), "radius"));
-    return problem != NULL ? problem->radius : told > 0 ? told : seen;
 }
 
 /* The radius and the lengths of the straight pipes: the problem's, or what the model shows. */

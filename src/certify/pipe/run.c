@@ -6,10 +6,13 @@
  *     bend_radius  the least radius of curvature asked for, times the largest curvature
  *     tube         the surfaces are at the radius from their axes
  *     caps         discs over the free ends, where there are any                   caps.c
- *     ends         the run goes where it was asked to; with a problem              run_ends.c
+ *     ends         the run goes where it was asked to; with a problem: the largest distance, over
+ *                  the radius, and difference of unit tangents. Each blend begins and ends at the
+ *                  ends of its straight pipes, along them; or on the legs of its corner, along
+ *                  them, and the corners that turn are as many as the blends. An open run begins
+ *                  and ends where the first and last are.
  */
-#include "certify/pipe/run.h"
-
+#include "certify/pipe/parts.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -22,18 +25,28 @@ enum { RING = 32, PER_SPAN = 8 };
 
 static const double pi = 3.14159265358979323846;
 static const double tolerance_default = 1e-6, bend_of_corners = 3;
+static const double turns_not = 1e-9; /* sine */
+
+typedef struct taut_pipe_run_parts {
+    taut_pipe_parts parts; /* line: all pieces; radius, sizes, figures, problem */
+    const taut_model *model;
+    int count;                     /* of pieces, straight or not, in the order of flow */
+    const taut_surface **surfaces; /* "pipe1", "blend1", ... */
+    const taut_curve **curves;     /* their axes */
+    double bend_radius;            /* asked for; 0: none */
+} taut_pipe_run_parts;
 
 int taut_pipe_is_run(const taut_model *model)
 {
     return taut_pipe_curve(model, "axis-blend1") != NULL;
 }
 
-int taut_pipe_is_blend(const taut_pipe_run_parts *run, int piece)
+static int is_blend(const taut_pipe_run_parts *run, int piece)
 {
     return strncmp(taut_surface_name(run->surfaces[piece]), "blend", 5) == 0;
 }
 
-void taut_pipe_run_tangent(const taut_pipe_run_parts *run, int piece, double t, double tangent[3])
+static void find_tangent(const taut_pipe_run_parts *run, int piece, double t, double tangent[3])
 {
     double d[2][3], speed = 0;
     taut_pipe_piece_eval(&run->parts.line.pieces[piece], t, 1, d);
@@ -101,7 +114,7 @@ static void find_data(taut_pipe_run_parts *run)
     run->parts.flatness = 1;
     for (int i = 0; i < run->count; i++) {
         taut_pipe_see_sizes(run->surfaces[i], &run->parts);
-        if (taut_pipe_is_blend(run, i)) {
+        if (is_blend(run, i)) {
             run->parts.quintic = taut_basis_degree(taut_curve_t(run->curves[i])) == 5;
         }
     }
@@ -132,10 +145,10 @@ static taut_pipe_parts joint_of(const taut_pipe_run_parts *run, int i, int *side
 {
     const int next = (i + 1) % run->count;
     taut_pipe_parts joint = run->parts;
-    *side = taut_pipe_is_blend(run, i);
+    *side = is_blend(run, i);
     joint.blend = run->surfaces[*side ? i : next];
     joint.pipes[*side] = run->surfaces[*side ? next : i];
-    taut_pipe_run_tangent(run, i, 1, joint.line.tangent[*side]);
+    find_tangent(run, i, 1, joint.line.tangent[*side]);
     return joint;
 }
 
@@ -146,7 +159,7 @@ static double noise_of_other(const taut_pipe_run_parts *run, int i, int next)
     taut_pipe_meeting m;
     joint.blend = run->surfaces[next];
     joint.pipes[0] = run->surfaces[i];
-    taut_pipe_run_tangent(run, next, 0, joint.line.tangent[0]);
+    find_tangent(run, next, 0, joint.line.tangent[0]);
     taut_pipe_meet_curved(&joint, 0, &m);
     return m.noise;
 }
@@ -167,7 +180,7 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
         int side = 0;
         const taut_pipe_parts joint = joint_of(run, i, &side);
         (curved ? taut_pipe_meet_curved : taut_pipe_meet)(&joint, side, &m);
-        if (curved && side == 1 && taut_pipe_is_blend(run, next)) { /* both are rounded */
+        if (curved && side == 1 && is_blend(run, next)) { /* both are rounded */
             m.noise += noise_of_other(run, i, next);
         }
         if (!curved) {
@@ -249,12 +262,6 @@ static taut_status claim_bend(const taut_pipe_run_parts *run, taut_certificate *
                                1 + open, where, certificate);
 }
 
-static double share(const taut_basis *basis, int k, int n)
-{
-    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-    return k == n ? hi : lo + (hi - lo) * k / n;
-}
-
 /* The largest distance of a piece from its tube, over the radius. */
 static double miss_of(const taut_pipe_run_parts *run, int i, double at[2])
 {
@@ -269,14 +276,14 @@ static double miss_of(const taut_pipe_run_parts *run, int i, double at[2])
                              : breaks[span] + (breaks[span + 1] - breaks[span]) * k / PER_SPAN;
         double x[3], local[3], offset[3], foot = 0, miss = 0;
         int piece = 0;
-        taut_surface_eval(run->surfaces[i], s, share(v, n % RING, RING), 0, x);
+        taut_surface_eval(run->surfaces[i], s, taut_pipe_parameter(v, n % RING, RING), 0, x);
         taut_pipe_to_local(line, x, local);
         taut_pipe_foot(line, local, i + s, &piece, &foot, offset);
         miss = fabs(taut_norm(offset) * line->scale - run->parts.radius) / run->parts.radius;
         if (!(miss <= worst)) {
             worst = miss;
             at[0] = s;
-            at[1] = share(v, n % RING, RING);
+            at[1] = taut_pipe_parameter(v, n % RING, RING);
         }
     }
     return worst;
@@ -292,7 +299,7 @@ static taut_status claim_tube(const taut_pipe_run_parts *run, double tolerance, 
     for (int i = 0; i < run->count; i++) {
         double at[2] = {0, 0};
         const double miss = miss_of(run, i, at);
-        *fit_error = taut_pipe_is_blend(run, i) ? fmax(*fit_error, miss) : *fit_error;
+        *fit_error = is_blend(run, i) ? fmax(*fit_error, miss) : *fit_error;
         if (!(miss <= worst)) {
             worst = miss;
             snprintf(where, sizeof where, "%.32s, u = %.6g, v = %.6g",
@@ -300,6 +307,112 @@ static taut_status claim_tube(const taut_pipe_run_parts *run, double tolerance, 
         }
     }
     return taut_pipe_add_claim("tube", worst, tolerance, tolerance + noise, where, certificate);
+}
+
+/* One straight pipe asked for: a line, and where on it, if that is said. */
+typedef struct leg {
+    const double *from, *to;
+    double direction[3];
+} leg;
+
+/* The next leg of the problem at or after *i; corners without a turn are passed over. */
+static leg next_leg(const taut_pipe_problem *p, int *i)
+{
+    leg out = {.from = p->legs[*i % p->leg_count].from};
+    double d[3];
+    if (p->axis == TAUT_PIPE_LEGS) {
+        out.to = p->legs[*i % p->leg_count].to;
+        taut_difference(out.to, out.from, d);
+        taut_pipe_unit(taut_norm(d) > 0 ? d : p->legs[*i % p->leg_count].direction, out.direction);
+        *i += 1;
+        return out;
+    }
+    out.to = p->legs[(*i + 1) % p->leg_count].from;
+    taut_difference(out.to, out.from, d);
+    taut_pipe_unit(d, out.direction);
+    for (*i += 1; p->closed ? *i < 2 * p->leg_count : *i + 1 < p->leg_count; *i += 1) {
+        double on[3], across[3];
+        taut_difference(p->legs[(*i + 1) % p->leg_count].from, out.to, d);
+        taut_pipe_unit(d, on);
+        taut_cross(out.direction, on, across);
+        if (taut_norm(across) > turns_not || taut_dot(out.direction, on) < 0) {
+            break;
+        }
+        out.to = p->legs[(*i + 1) % p->leg_count].from;
+    }
+    return out;
+}
+
+static void to_absolute(const taut_pipe_line *line, const double local[3], double x[3])
+{
+    for (int k = 0; k < 3; k++) {
+        x[k] = line->origin[k] + line->scale * local[k];
+    }
+}
+
+/* How far end `t` of a piece is from what was asked of it. */
+static double miss_of_leg(const taut_pipe_run_parts *run, int piece, int t, const leg *asked)
+{
+    const taut_pipe_problem *p = run->parts.problem;
+    const taut_pipe_piece *b = &run->parts.line.pieces[piece];
+    double x[3], d[3], tangent[3];
+    to_absolute(&run->parts.line, b->points[t == 0 ? 0 : b->degree], x);
+    taut_difference(x, t == 0 ? asked->to : asked->from, d);
+    if (p->axis == TAUT_PIPE_CORNERS) {
+        taut_add_scaled(-taut_dot(d, asked->direction), asked->direction, d);
+    }
+    find_tangent(run, piece, t, tangent);
+    return fmax(taut_norm(d) / run->parts.radius, taut_distance(tangent, asked->direction));
+}
+
+/* Where the run as a whole begins or ends. */
+static double miss_of_free_end(const taut_pipe_run_parts *run, int side)
+{
+    const taut_pipe_problem *p = run->parts.problem;
+    const taut_pipe_leg *last = &p->legs[p->leg_count - 1];
+    const int i = side == 0 ? 0 : run->count - 1;
+    const taut_pipe_piece *b = &run->parts.line.pieces[i];
+    double x[3];
+    to_absolute(&run->parts.line, b->points[side == 0 ? 0 : b->degree], x);
+    return taut_distance(x, side == 0                   ? p->legs[0].from
+                            : p->axis == TAUT_PIPE_LEGS ? last->to
+                                                        : last->from) /
+           run->parts.radius;
+}
+
+static taut_status claim_ends(const taut_pipe_run_parts *run, taut_certificate *certificate)
+{
+    const taut_pipe_problem *p = run->parts.problem;
+    const int single = p->axis != TAUT_PIPE_LEGS && p->axis != TAUT_PIPE_CORNERS;
+    double worst = single ? 1 : 0, shortest = INFINITY;
+    int i = 0, blends = 0;
+    char where[48] = "";
+
+    leg before = {.from = NULL}, after = {.from = NULL};
+    for (int k = 0; k < run->count && !single; k++) {
+        if (!is_blend(run, k)) {
+            continue;
+        }
+        before = blends == 0 ? next_leg(p, &i) : after;
+        after = next_leg(p, &i);
+        blends++;
+        const double found = fmax(miss_of_leg(run, k, 0, &before), miss_of_leg(run, k, 1, &after));
+        const taut_pipe_piece *piece = &run->parts.line.pieces[k];
+        shortest = fmin(shortest, fmin(taut_distance(piece->points[0], piece->points[1]),
+                                       taut_distance(piece->points[piece->degree],
+                                                     piece->points[piece->degree - 1])));
+        if (!(found <= worst)) {
+            worst = found;
+            snprintf(where, sizeof where, "%.32s", taut_surface_name(run->surfaces[k]));
+        }
+    }
+    for (int side = 0; side < 2 && !p->closed && !single; side++) {
+        worst = fmax(worst, miss_of_free_end(run, side));
+    }
+    /* rounding of each coordinate, over the radius and over the legs that make the tangents */
+    const double noise = 4 * DBL_EPSILON + 4 * DBL_EPSILON * run->parts.size / run->parts.radius +
+                         8 * DBL_EPSILON * run->parts.size / (shortest * run->parts.line.scale);
+    return taut_pipe_add_claim("ends", worst, 0, noise, where, certificate);
 }
 
 static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
@@ -352,7 +465,7 @@ static taut_status claims(taut_pipe_run_parts *run, const taut_certify_options *
         status = taut_pipe_claim_caps(run->model, &run->parts, ends, certificate);
     }
     if (status == TAUT_OK && run->parts.problem != NULL) {
-        status = taut_pipe_claim_run_ends(run, certificate);
+        status = claim_ends(run, certificate);
     }
     if (status == TAUT_OK) {
         taut_record *const figures = figures_of(run, fit_error);

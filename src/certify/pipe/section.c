@@ -30,8 +30,8 @@ static void tangent_of(const taut_pipe_piece *piece, double s, double tangent[3]
     }
 }
 
-static void rate(const taut_pipe_piece *piece, double s, const double u[3], const double k[3],
-                 double h, double out[3])
+static void transport_rate(const taut_pipe_piece *piece, double s, const double u[3],
+                           const double k[3], double h, double out[3])
 {
     double tangent[3], turn[3], at[3];
     memcpy(at, u, sizeof at);
@@ -46,16 +46,16 @@ static void rate(const taut_pipe_piece *piece, double s, const double u[3], cons
 static void transport(const taut_pipe_piece *piece, double s, double h, double u[3])
 {
     double k1[3], k2[3], k3[3], k4[3];
-    rate(piece, s, u, u, 0, k1);
-    rate(piece, s + 0.5 * h, u, k1, 0.5 * h, k2);
-    rate(piece, s + 0.5 * h, u, k2, 0.5 * h, k3);
-    rate(piece, s + h, u, k3, h, k4);
+    transport_rate(piece, s, u, u, 0, k1);
+    transport_rate(piece, s + 0.5 * h, u, k1, 0.5 * h, k2);
+    transport_rate(piece, s + 0.5 * h, u, k2, 0.5 * h, k3);
+    transport_rate(piece, s + h, u, k3, h, k4);
     for (int i = 0; i < 3; i++) {
         u[i] += h * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]) / 6;
     }
 }
 
-static void across(const double direction[3], const double tangent[3], double out[3])
+static void make_across(const double direction[3], const double tangent[3], double out[3])
 {
     double size = 0;
     memcpy(out, direction, 3 * sizeof *out);
@@ -129,7 +129,7 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
     if (parts->frames == NULL) {
         return TAUT_NO_MEMORY;
     }
-    across(s[0].direction, line->tangent[0], u);
+    make_across(s[0].direction, line->tangent[0], u);
     for (int i = 0; i < line->count; i++) {
         for (int k = 0; k <= STEPS; k++) {
             memcpy(parts->frames[i * (STEPS + 1) + k], u, sizeof u);
@@ -138,7 +138,7 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
             }
         }
     }
-    across(s[1].direction, line->tangent[1], wanted);
+    make_across(s[1].direction, line->tangent[1], wanted);
     taut_cross(line->tangent[1], u, w);
     angle = atan2(taut_dot(wanted, w), taut_dot(wanted, u));
     parts->turn = parts->unlike      ? 0 /* of circles */
