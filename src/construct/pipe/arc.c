@@ -35,7 +35,7 @@ void taut_pipe_bernstein(int degree, const double (*c)[3], double t, double valu
     memcpy(value, b[0], 3 * sizeof *value);
 }
 
-static double binomial(int n, int k)
+double taut_pipe_binomial(int n, int k)
 {
     double value = 1;
     for (int i = 1; i <= k; i++) {
@@ -61,7 +61,8 @@ void taut_pipe_arc_finish(taut_pipe_arc *arc)
         for (int j = 0; j <= m; j++) {
             double product[3];
             taut_cross(arc->velocity[i], arc->velocity[j + 1], product);
-            taut_add_scaled((n - 1) * binomial(m, i) * binomial(m, j) / binomial(2 * m, i + j),
+            taut_add_scaled((n - 1) * taut_pipe_binomial(m, i) * taut_pipe_binomial(m, j) /
+                                taut_pipe_binomial(2 * m, i + j),
                             product, arc->cross[i + j]);
         }
     }
@@ -129,7 +130,8 @@ void taut_pipe_arc_quintic(const double edges[3][3], const double shape[3], taut
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {
             const double *a = legs[i], *b = legs[j + 1];
-            const double weight = 4 * binomial(3, i) * binomial(3, j) / binomial(6, i + j);
+            const double weight = 4 * taut_pipe_binomial(3, i) * taut_pipe_binomial(3, j) /
+                                  taut_pipe_binomial(6, i + j);
             double product[3];
             combine(products[0], a[0] * b[1] - a[1] * b[0], a[0] * b[2] - a[2] * b[0],
                     a[1] * b[2] - a[2] * b[1], 1, product);

@@ -7,9 +7,13 @@
 #include <math.h>
 #include <string.h>
 
-enum { SEGMENTS_MAX = 100000, ANGLES = 16, LEVEL_MAX = 30, FRAMES_PER_UNIT = 1024 };
+enum { SEGMENTS_MAX = 100000, ANGLES = 16, LEVEL_MAX = 30, FRAMES_PER_UNIT = 1024, PLACES = 2048 };
 
 static const double pi = 3.14159265358979323846;
+
+/* Of the sine between a ruling and the axis (g2: of the curvature across it, times the radius). */
+static const double near_enough = 5e-14;
+static const double part_of_way = 1e-3; /* from the end ring, that a point may move */
 
 /* The control points of the unit circle; weights 1 and sqrt(1/2) in turns. */
 static const double circle[TAUT_PIPE_RING][2] = {{1, 0},   {1, 1},  {0, 1},  {-1, 1}, {-1, 0},
@@ -51,7 +55,8 @@ static int add_node(maker *m, double t, const taut_pipe_normals *normals)
 }
 
 /* The frame at t1, or the axes of the ellipse there; u is carried from t0. */
-static void frame_at(const maker *m, double t0, double t1, double u[3], taut_pipe_normals *normals)
+static void carry_frame(const maker *m, double t0, double t1, double u[3],
+                        taut_pipe_normals *normals)
 {
     taut_pipe_normals frame;
     if (m->binormal != NULL) {
@@ -109,8 +114,8 @@ static int interpolants(const maker *m, const taut_pipe_normals *n0, const taut_
 }
 
 /* How far back the circles of a canal surface are; 0 for others. Returns the degree. */
-static int offsets(const maker *m, const taut_pipe_normals *n0, const taut_pipe_normals *n1,
-                   double h, double (*c)[3])
+static int set_offsets(const maker *m, const taut_pipe_normals *n0, const taut_pipe_normals *n1,
+                       double h, double (*c)[3])
 {
     double x[2][3] = {{0, 0, 0}, {0, 0, 0}}, d1[2][3] = {{0, 0, 0}, {0, 0, 0}};
     const double none[2][3] = {{0, 0, 0}, {0, 0, 0}};
@@ -166,13 +171,13 @@ static double elliptic_deviation(const maker *m, double t0, const double carried
     taut_pipe_normals exact;
 
     memcpy(at, carried, sizeof at);
-    frame_at(m, t0, t0 + s * h, at, &exact);
+    carry_frame(m, t0, t0 + s * h, at, &exact);
     taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, u, NULL);
     taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
     taut_difference(u, exact.u, u);
     taut_difference(w, exact.w, w);
     if (m->ellipse->canal > 0) {
-        offsets(m, n0, n1, h, polygon_u);
+        set_offsets(m, n0, n1, h, polygon_u);
         taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, back, NULL);
         taut_difference(back, exact.c, back);
     }
@@ -201,9 +206,17 @@ static int is_close(const maker *m, double t0, const double carried[3], const ta
            deviation(m, t0, n0, t1, n1, (m->sharpest - t0) / (t1 - t0)) <= 0.8 * m->tolerance;
 }
 
+static taut_status fail_too_fine(const maker *m, const char *name, taut_error *error)
+{
+    return taut_fail(error, TAUT_NO_SOLUTION, "too-fine", "", m->tolerance, taut_none,
+                     "%s needs more than 100000 segments for a tolerance of %g: ask for less, or "
+                     "for a smaller radius",
+                     name, m->tolerance);
+}
+
 /* From the first end to the last in dyadic steps: halved until close, doubled again where the place
  * allows it. */
-static taut_status cut(maker *m)
+static taut_status cut_segments(maker *m, const char *name, taut_error *error)
 {
     taut_pipe_normals here, next;
     taut_pipe_jet jet;
@@ -215,17 +228,17 @@ static taut_status cut(maker *m)
     if (m->ellipse != NULL) {
         memcpy(u, m->ellipse->first, sizeof u);
     }
-    frame_at(m, 0, 0, u, &here);
+    carry_frame(m, 0, 0, u, &here);
     if (!add_node(m, 0, &here)) {
-        return TAUT_NO_MEMORY;
+        return taut_fail_memory(error);
     }
     while (t < 1) {
         const double h = ldexp(1, -level);
         memcpy(carried, u, sizeof carried);
-        frame_at(m, t, t + h, carried, &next);
+        carry_frame(m, t, t + h, carried, &next);
         if (!is_close(m, t, u, &here, t + h, &next)) {
             if (++level > LEVEL_MAX) {
-                return TAUT_NO_SOLUTION;
+                return fail_too_fine(m, name, error);
             }
             continue;
         }
@@ -233,10 +246,10 @@ static taut_status cut(maker *m)
         here = next;
         memcpy(u, carried, sizeof u);
         if (m->count > SEGMENTS_MAX) {
-            return TAUT_NO_SOLUTION;
+            return fail_too_fine(m, name, error);
         }
         if (!add_node(m, t, &here)) {
-            return TAUT_NO_MEMORY;
+            return taut_fail_memory(error);
         }
         /* a step of twice the length must begin at a multiple of itself */
         if (level > 2 && fmod(t, 2 * h) == 0) {
@@ -247,7 +260,7 @@ static taut_status cut(maker *m)
 }
 
 /* A Bezier polygon of degree `from` as one of degree n. */
-static void elevate(int from, int n, double (*out)[3])
+static void elevate_degree(int from, int n, double (*out)[3])
 {
     for (int degree = from + 1; degree <= n; degree++) {
         for (int k = 0; k < 3; k++) {
@@ -261,7 +274,7 @@ static void elevate(int from, int n, double (*out)[3])
 }
 
 /* The rings of one segment: all n + 1 of them. */
-static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
+static void set_rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
 {
     const int n = m->arc->degree;
     const taut_pipe_normals *n0 = &m->normals[i], *n1 = &m->normals[i + 1];
@@ -272,10 +285,10 @@ static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
 
     taut_pipe_arc_piece(m->arc, m->t[i], m->t[i + 1], p);
     degree = interpolants(m, n0, n1, h, u, w);
-    elevate(degree, n, u);
-    elevate(degree, n, w);
-    offsets(m, n0, n1, h, c);
-    elevate(degree, n, c);
+    elevate_degree(degree, n, u);
+    elevate_degree(degree, n, w);
+    set_offsets(m, n0, n1, h, c);
+    elevate_degree(degree, n, c);
     for (int row = 0; row <= n; row++) {
         for (int j = 0; j < TAUT_PIPE_RING; j++) {
             for (int k = 0; k < 3; k++) {
@@ -289,7 +302,7 @@ static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
 taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double tolerance,
                                  const taut_pipe_binormal *binormal,
                                  const taut_pipe_ellipse *ellipse, taut_arena *arena,
-                                 taut_pipe_blend *blend)
+                                 const char *name, taut_pipe_blend *blend, taut_error *error)
 {
     maker m = {.arc = arc,
                .binormal = binormal,
@@ -305,7 +318,7 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
 
     taut_pipe_bend_extremes(arc, 200, &bend);
     m.sharpest = bend.curvature_at;
-    status = cut(&m);
+    status = cut_segments(&m, name, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -314,10 +327,10 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
     blend->breaks = m.t;
     points = taut_arena_take(arena, (size_t)blend->rows, sizeof *points);
     if (points == NULL) {
-        return TAUT_NO_MEMORY;
+        return taut_fail_memory(error);
     }
     for (int i = 0; i < blend->segments; i++) {
-        rings(&m, i, ring);
+        set_rings(&m, i, ring);
         /* the pieces meet C^1: of the points at an inner break none is left in a B-spline whose
          * knots there are n - 1 fold */
         memcpy(points[(n - 1) * i + (i > 0)], ring[i > 0], (size_t)(n - (i > 0)) * sizeof ring[0]);
@@ -328,6 +341,58 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
     /* Frenet's frames turn about the axis: their points are not on lines along it */
     blend->slack = binormal != NULL ? 0 : fmin(1e-9, 0.1 * tolerance);
     return TAUT_OK;
+}
+
+/* The distance of p from the line through q along d. */
+static double off_line(const double p[3], const double q[3], const double d[3])
+{
+    double way[3], across[3];
+    taut_difference(p, q, way);
+    taut_cross(way, d, across);
+    return taut_norm(across);
+}
+
+/* p moved along the line to where it is nearest to it, or to the first place that is near enough.
+ */
+static void place_on_line(const double q[3], const double d[3], double most, double enough,
+                          double p[3])
+{
+    double way[3], best = off_line(p, q, d), along = 0;
+    taut_difference(p, q, way);
+    along = taut_dot(way, d);
+    for (int n = 1; n <= 2 * PLACES && best > enough; n++) {
+        const double s = along + (n % 2 == 0 ? most : -most) * ((n + 1) / 2) / PLACES;
+        const double next[3] = {q[0] + s * d[0], q[1] + s * d[1], q[2] + s * d[2]};
+        const double off = off_line(next, q, d);
+        if (off < best) {
+            best = off;
+            memcpy(p, next, sizeof next);
+        }
+    }
+}
+
+/*  * At a joint x_u is the way from the end ring to the next, which exactly is along the axis; the
+ * rounding of its points turns it by their last digit over that way, which in short first segments
+ * far from the origin is thousands of digits. Where on its line a point lies matters little, so
+ * it is moved along by less than the tube can tell, to where rounding happens to leave it on the
+ * line.
+ */
+void taut_pipe_straighten(const taut_pipe_arc *arc, const taut_pipe_blend *blend, double radius,
+                          double *points)
+{
+    const int depth = arc->degree == 5 ? 2 : 1, rows = blend->rows;
+    for (int n = 0; n < 2 * depth * TAUT_PIPE_RING && blend->slack > 0; n++) {
+        const int side = n % 2, j = n / 2 % TAUT_PIPE_RING, row = 1 + n / (2 * TAUT_PIPE_RING);
+        const int step = 3 * TAUT_PIPE_RING;
+        const double *const q = points + 3 * j + (side == 0 ? 0 : (rows - 1) * step);
+        const double *const first = q + (side == 0 ? step : -step);
+        double *const p = points + 3 * j + (side == 0 ? row : rows - 1 - row) * step;
+        const double leg = taut_distance(first, q);
+        taut_pipe_jet jet;
+        taut_pipe_arc_jet(arc, side, &jet);
+        place_on_line(q, jet.tangent, fmin(blend->slack * radius, part_of_way * leg),
+                      near_enough * leg * (depth == 2 ? fmin(1, leg / radius) : 1), p);
+    }
 }
 
 taut_status taut_pipe_basis_u(const taut_pipe_arc *arc, const taut_pipe_blend *blend,

@@ -2,7 +2,7 @@
 #ifndef TAUT_PIPE_BLEND_H
 #define TAUT_PIPE_BLEND_H
 
-#include "construct/pipe/section.h"
+#include "construct/pipe/frame.h"
 #include "core/arena.h"
 #include "taut/basis.h"
 
@@ -25,12 +25,12 @@ typedef struct taut_pipe_blend {
  * are those of the cylinders too. As many segments as bring the distance from the
  * exact tube below `tolerance` times the radius.
  * binormal: Frenet frames; NULL: rotation-minimising ones. ellipse: NULL for round sections.
- * TAUT_NO_MEMORY, or TAUT_NO_SOLUTION when it would take more than 100,000 segments; the arena owns
- * what is made. */
+ * name: of the tube in messages. TAUT_NO_MEMORY, or TAUT_NO_SOLUTION when it would take more than
+ * 100,000 segments; the arena owns what is made. */
 taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double tolerance,
                                  const taut_pipe_binormal *binormal,
                                  const taut_pipe_ellipse *ellipse, taut_arena *arena,
-                                 taut_pipe_blend *blend);
+                                 const char *name, taut_pipe_blend *blend, taut_error *error);
 
 /* Rings beside the end rings, in the user's coordinates, moved along the axis to where rounding
  * leaves them on the lines of the straight pipes: degree 5 two of them, else one. */

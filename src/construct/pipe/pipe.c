@@ -1,6 +1,6 @@
 /* pipe.c -- construct `pipe`: check, choose, judge, sweep ([WangBai2018] section 5).
  *
- *   1  the numbers, in local coordinates                                     begin.c
+ *   1  the numbers, in local coordinates                                     task.c
  *   2  handles and shape numbers that are not given                          choose.c
  *   3  the axis: its quartic, its bends, its largest radius                  arc.c bend.c reach.c
  *   4  refusals, in this order: NOT_REGULAR, SELF_INTERSECT_LOCAL, SELF_INTERSECT_GLOBAL
@@ -12,9 +12,10 @@
 #include "taut/pipe.h"
 
 #include "construct/construct_ops.h"
-#include "construct/pipe/blend.h"
+#include "construct/pipe/frame.h"
 #include "construct/pipe/model.h"
-#include "construct/pipe/task.h"
+#include "construct/pipe/reach.h"
+#include "construct/pipe/run.h"
 #include "core/fail.h"
 
 #include <math.h>
@@ -22,25 +23,8 @@
 
 static const double tolerance_default = 1e-6, tolerance_min = 1e-12;
 
-void taut_pipe_analyse(taut_pipe_task *task)
-{
-    taut_pipe_arc_of(task, (const double(*)[3])task->edges, task->shape, &task->arc);
-    taut_pipe_bend_extremes(&task->arc, 2 * TAUT_PIPE_REACH_SAMPLES, &task->bend);
-}
-
-void taut_pipe_say_radius(double rho, char *text, size_t size)
-{
-    if (rho > 0) {
-        snprintf(text, size, "the largest radius that would work is below %.12g", rho);
-    } else {
-        snprintf(text, size,
-                 "the axis meets itself, so that no radius would work: other points, "
-                 "shape numbers or shorter straight pipes may");
-    }
-}
-
 /* Where on the composite axis, in words. */
-static void place_of(const taut_pipe_task *task, double at, char *text, size_t size)
+static void describe_place(const taut_pipe_task *task, double at, char *text, size_t size)
 {
     const double scale = task->scale;
     if (at < 0) {
@@ -50,38 +34,14 @@ static void place_of(const taut_pipe_task *task, double at, char *text, size_t s
     }
 }
 
-taut_status taut_pipe_judge_bends(const taut_pipe_task *task, const char *name, taut_error *error)
-{
-    const double least = task->scale / task->bend.curvature, asked = task->problem->bend_radius;
-    if (taut_pipe_bend_is_cusp(&task->bend)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/shape", task->bend.least_speed,
-                         0,
-                         "NOT_REGULAR: %s has a cusp at t = %.6g; other shape numbers or shorter "
-                         "handles avoid it",
-                         name, task->bend.least_speed_at);
-    }
-    if (asked * task->bend.curvature > task->scale) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/bend_radius", asked,
-                         TAUT_PIPE_ROOM * least,
-                         "BEND_RADIUS: %s bends with a radius of %.12g at t = %.6g; a bend radius "
-                         "below %.12g would work, or more room between its ends",
-                         name, least, task->bend.curvature_at, TAUT_PIPE_ROOM * least);
-    }
-    return TAUT_OK;
-}
-
-static taut_status judge(taut_pipe_task *task, taut_error *error)
+static taut_status judge_reach(taut_pipe_task *task, taut_error *error)
 {
     const taut_pipe_composite composite = {
         .count = 1, .arcs = &task->arc, .tails = {task->tails[0], task->tails[1]}};
     const double a = task->problem->radius;
     double rho = 0;
     char from[64], to[64];
-    const taut_status status = taut_pipe_judge_bends(task, "the axis", error);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
     taut_pipe_reach_of(&composite, task->reach_scratch, &task->reach);
     rho = task->reach.radius * task->scale;
     if (!(task->radius * task->reach.curvature < 1)) {
@@ -93,8 +53,8 @@ static taut_status judge(taut_pipe_task *task, taut_error *error)
                          a, task->scale / task->reach.curvature, task->reach.curvature_at, rest);
     }
     if (!(task->radius < task->reach.radius)) {
-        place_of(task, task->reach.binding[0], from, sizeof from);
-        place_of(task, task->reach.binding[1], to, sizeof to);
+        describe_place(task, task->reach.binding[0], from, sizeof from);
+        describe_place(task, task->reach.binding[1], to, sizeof to);
         char rest[128];
         taut_pipe_say_radius(rho, rest, sizeof rest);
         return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
@@ -203,8 +163,8 @@ static taut_status find_canal(const taut_pipe_task *task, taut_pipe_ellipse *ell
     return TAUT_OK;
 }
 
-static taut_status sweep(taut_pipe_task *task, double tolerance, taut_pipe_blend *blend,
-                         taut_error *error)
+static taut_status sweep_tube(taut_pipe_task *task, double tolerance, taut_pipe_blend *blend,
+                              taut_error *error)
 {
     taut_pipe_binormal binormal;
     taut_pipe_ellipse ellipse;
@@ -216,53 +176,38 @@ static taut_status sweep(taut_pipe_task *task, double tolerance, taut_pipe_blend
                          : frenet   ? check_frenet(task, &binormal, error)
                                     : TAUT_OK;
 
-    if (status == TAUT_OK) {
-        status =
-            taut_pipe_blend_make(&task->arc, task->radius, tolerance, frenet ? &binormal : NULL,
-                                 elliptic ? &ellipse : NULL, task->arena, blend);
-        if (status == TAUT_NO_SOLUTION) {
-            status = taut_fail(error, status, "value", "", tolerance, taut_none,
-                               "the tube needs more than 100000 segments for a tolerance of %g: "
-                               "ask for less, or for a smaller radius",
-                               tolerance);
-        } else if (status != TAUT_OK) {
-            status = taut_fail_memory(error);
-        }
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    return taut_pipe_blend_make(&task->arc, task->radius, tolerance, frenet ? &binormal : NULL,
+                                elliptic ? &ellipse : NULL, task->arena, "the tube", blend, error);
 }
 
 static taut_status make_one(taut_pipe_task *task, double tolerance, taut_model **model,
                             taut_error *error)
 {
     taut_pipe_blend blend;
-    taut_status status = taut_pipe_begin(task, error);
+    taut_record *details = NULL;
+    taut_status status = taut_pipe_decide(task, "the axis", error);
 
-    if (status == TAUT_OK) {
-        status = taut_pipe_choose_handles(task, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_pipe_settle(task, error);
+    status = judge_reach(task, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_pipe_choose_shape(task, error);
+    status = sweep_tube(task, tolerance, &blend, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        taut_pipe_analyse(task);
-        status = judge(task, error);
+    status = taut_pipe_to_model(task, &blend, model, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = sweep(task, tolerance, &blend, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_to_model(task, &blend, model, error);
-    }
-    if (status == TAUT_OK) {
-        taut_record *const details = taut_pipe_details(task, &blend);
-        taut_model_set_details(*model, details);
-        status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
-    }
-    return status;
+    details = taut_pipe_details(task, &blend);
+    taut_model_set_details(*model, details);
+    return taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 /* Is each choice one of those there are? */
@@ -310,7 +255,7 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
         return status;
     }
     if (problem->axis == TAUT_PIPE_CORNERS || problem->axis == TAUT_PIPE_LEGS) {
-        return taut_pipe_run_make(problem, fmin(tolerance, 0.1), model, error);
+        return taut_pipe_run_build(problem, fmin(tolerance, 0.1), model, error);
     }
     round = *problem;
     if (problem->sections[0].a != 0 || problem->sections[1].a != 0) {
@@ -320,12 +265,11 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
     if (problem->radii[0] != 0 || problem->radii[1] != 0) {
         round.radius = fmax(problem->radii[0], problem->radii[1]);
     }
-    task.arena = taut_arena_new();
-    if (task.arena != NULL) {
-        task.reach_scratch = taut_arena_take(task.arena, TAUT_PIPE_REACH_ROOM(1), sizeof(double));
+    for (int side = 0; side < 2; side++) {
+        task.lengths[side] = problem->lengths[side] > 0 ? problem->lengths[side] : INFINITY;
     }
-    status = task.reach_scratch != NULL ? make_one(&task, fmin(tolerance, 0.1), &made, error)
-                                        : taut_fail_memory(error);
+    task.arena = taut_arena_new();
+    status = make_one(&task, fmin(tolerance, 0.1), &made, error);
     taut_arena_free(task.arena);
     if (status != TAUT_OK) {
         taut_model_free(made);

@@ -113,32 +113,16 @@ static void begin_elbow(taut_pipe_run *run, int i)
     snprintf(e->name, sizeof e->name, "blend%d", i + 1);
 }
 
-/* Handles and shape that are not given, then what the elbow is like. */
-static taut_status settle(taut_pipe_run *run, taut_pipe_elbow *e, const double *tails,
-                          taut_error *error)
+/* Handles and shape that are not given, then what the elbow is like; between half lines, or straight
+ * pipes of these lengths. */
+static taut_status decide_elbow(taut_pipe_run *run, taut_pipe_elbow *e, const double *lengths,
+                                taut_error *error)
 {
-    taut_status status = TAUT_OK;
-    e->task = (taut_pipe_task){.problem = &e->problem, .arena = run->arena};
-    e->task.reach_scratch = taut_arena_take(run->arena, TAUT_PIPE_REACH_ROOM(1), sizeof(double));
-    status =
-        e->task.reach_scratch != NULL ? taut_pipe_begin(&e->task, error) : taut_fail_memory(error);
-    for (int side = 0; side < 2 && tails != NULL; side++) {
-        e->task.tails[side] = tails[side] / e->task.scale;
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_choose_handles(&e->task, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_settle(&e->task, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_choose_shape(&e->task, error);
-    }
-    if (status == TAUT_OK) {
-        taut_pipe_analyse(&e->task);
-        status = taut_pipe_judge_bends(&e->task, e->name, error);
-    }
-    return status;
+    e->task = (taut_pipe_task){.problem = &e->problem,
+                               .arena = run->arena,
+                               .lengths = {lengths != NULL ? lengths[0] : INFINITY,
+                                           lengths != NULL ? lengths[1] : INFINITY}};
+    return taut_pipe_decide(&e->task, e->name, error);
 }
 
 /* Straight pipes that meet leave no room for a blend. */
@@ -174,7 +158,7 @@ static taut_status lay_legs(taut_pipe_run *run, taut_error *error)
     for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
         const taut_pipe_straight *const s[2] = {&run->straights[i],
                                                 &run->straights[(i + 1) % run->straight_count]};
-        const double tails[2] = {s[0]->length, s[1]->length};
+        const double lengths[2] = {s[0]->length, s[1]->length};
         taut_pipe_elbow *const e = &run->elbows[i];
         begin_elbow(run, i);
         e->problem.axis = TAUT_PIPE_ENDS;
@@ -184,7 +168,7 @@ static taut_status lay_legs(taut_pipe_run *run, taut_error *error)
         memcpy(e->problem.ends[1].direction, s[1]->direction, sizeof s[1]->direction);
         status = check_gap(run, i, s[0], s[1], error);
         if (status == TAUT_OK) {
-            status = settle(run, e, tails, error);
+            status = decide_elbow(run, e, lengths, error);
         }
     }
     return status;
@@ -315,7 +299,7 @@ static taut_status try_elbow(taut_pipe_run *run, int i, double *curvature, taut_
             take_shape(e, run->elbows[j].task.shape);
         }
     }
-    status = settle(run, e, NULL, error);
+    status = decide_elbow(run, e, NULL, error);
     e->cosine = cosine;
     *curvature = e->task.bend.curvature / e->task.scale;
     return status;
@@ -364,7 +348,7 @@ static taut_status place_elbow(taut_pipe_run *run, int i, double handle, const d
     memcpy(e->problem.polygon[3], b->from, sizeof b->from);
     a->length = taut_distance(a->from, a->to);
     b->length = taut_distance(b->from, b->to);
-    status = settle(run, e, NULL, error);
+    status = decide_elbow(run, e, NULL, error);
     e->problem.shape = run->problem->shape;
     return status;
 }

@@ -4,6 +4,7 @@
  * round turned by some angle; each blend takes a part of what is left, by its length, with no rate
  * at its ends, so that straight pipes keep straight lines of points.
  */
+#include "construct/pipe/frame.h"
 #include "construct/pipe/run.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -65,15 +66,12 @@ static taut_status sweep(taut_pipe_run *run, taut_pipe_elbow *e, double toleranc
 
     memcpy(circle.first, e->first, sizeof circle.first);
     status = taut_pipe_blend_make(&task->arc, task->radius, tolerance, NULL, &circle, run->arena,
-                                  &e->blend);
-    if (status == TAUT_NO_SOLUTION) {
-        return taut_fail(error, status, "value", "", tolerance, taut_none,
-                         "%s needs more than 100000 segments for a tolerance of %g: ask for less, "
-                         "or for a smaller radius",
-                         e->name, tolerance);
+                                  e->name, &e->blend, error);
+    if (status != TAUT_OK) {
+        return status;
     }
     count = 3 * (size_t)e->blend.rows * TAUT_PIPE_RING;
-    e->points = status == TAUT_OK ? taut_arena_take(run->arena, count, sizeof *e->points) : NULL;
+    e->points = taut_arena_take(run->arena, count, sizeof *e->points);
     if (e->points == NULL) {
         return taut_fail_memory(error);
     }

@@ -1,4 +1,4 @@
-/* begin.c -- the numbers of a problem checked and brought to local coordinates ([WangBai2018] 2.4,
+/* task.c -- the numbers of a problem checked and brought to local coordinates ([WangBai2018] 2.4,
  * 3.1). */
 #include "construct/pipe/task.h"
 #include "core/fail.h"
@@ -107,7 +107,7 @@ double taut_pipe_power_below(double size)
     return ldexp(1, exponent - 1);
 }
 
-static double largest(const double v[3])
+static double largest_part(const double v[3])
 {
     return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
 }
@@ -170,17 +170,17 @@ static taut_status begin_ends(taut_pipe_task *task, taut_error *error)
 }
 
 /* The scale, and everything in it. */
-static void localise(taut_pipe_task *task)
+static void set_local(taut_pipe_task *task)
 {
     const taut_pipe_problem *p = task->problem;
     double size = p->radius;
     for (int i = 0; i < 4 && p->axis == TAUT_PIPE_POLYGON; i++) {
         double d[3];
         taut_difference(task->polygon[i], task->polygon[0], d);
-        size = fmax(size, largest(d));
+        size = fmax(size, largest_part(d));
     }
     if (p->axis != TAUT_PIPE_POLYGON) {
-        size = fmax(size, largest(task->across));
+        size = fmax(size, largest_part(task->across));
         size = fmax(size, fmax(p->ends[0].handle, p->ends[1].handle));
     }
     task->scale = taut_pipe_power_below(size);
@@ -188,7 +188,7 @@ static void localise(taut_pipe_task *task)
     task->bend_radius = p->bend_radius / task->scale;
     for (int side = 0; side < 2; side++) {
         task->handles[side] = p->ends[side].handle / task->scale;
-        task->tails[side] = p->lengths[side] > 0 ? p->lengths[side] / task->scale : INFINITY;
+        task->tails[side] = task->lengths[side] / task->scale;
     }
     for (int k = 0; k < 3; k++) {
         task->across[k] /= task->scale;
@@ -258,7 +258,7 @@ taut_status taut_pipe_begin(taut_pipe_task *task, taut_error *error)
             p->axis == TAUT_PIPE_POLYGON ? begin_polygon(task, error) : begin_ends(task, error);
     }
     if (status == TAUT_OK) {
-        localise(task);
+        set_local(task);
     }
     return status;
 }
@@ -313,7 +313,7 @@ static taut_status check_sizes(const taut_pipe_task *task, taut_error *error)
                                         "/sections/1/b", "/radii/0",        "/radii/1"};
     double least = 0;
     for (int i = 0; i < 4; i++) {
-        least = fmax(least, 0x1p-44 * largest(task->polygon[i]));
+        least = fmax(least, 0x1p-44 * largest_part(task->polygon[i]));
     }
     for (int i = 0; i < 9; i++) {
         if (sizes[i] > 0 && sizes[i] < least) {
@@ -339,7 +339,7 @@ taut_status taut_pipe_settle(taut_pipe_task *task, taut_error *error)
     }
     for (int side = 0; side < 2; side++) {
         const double *a = task->polygon[2 * side], *b = task->polygon[2 * side + 1];
-        const double rounding = 0x1p-50 * fmax(largest(a), largest(b)) / task->scale;
+        const double rounding = 0x1p-50 * fmax(largest_part(a), largest_part(b)) / task->scale;
         task->handles[side] = taut_norm(task->edges[2 * side]);
         if (!(task->handles[side] > rounding)) {
             return taut_fail(error, TAUT_NO_SOLUTION, "no-solution",
