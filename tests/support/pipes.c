@@ -26,13 +26,13 @@ taut_certificate *pipe_proved(const taut_model *model, const taut_pipe_problem *
     return certificate;
 }
 
-taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, const char *words)
+taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, const char *reason)
 {
     taut_error error = {.message = ""};
     taut_model *model = NULL;
     CHECK(taut_pipe_make(problem, NULL, &model, &error) == status &&
-              strstr(error.message, words) != NULL && model == NULL,
-          "%s: %s %s", words, error.where, error.message);
+              strcmp(error.reason, reason) == 0 && model == NULL,
+          "%s: %s %s %s", reason, error.reason, error.where, error.message);
     taut_model_free(model);
     return error;
 }
@@ -69,15 +69,14 @@ taut_verdict pipe_verdict(const taut_model *model, const taut_pipe_problem *prob
 taut_pipe_problem pipe_random_ends(void)
 {
     const taut_pipe_problem problem = {
-        .axis = TAUT_PIPE_ENDS,
-        .ends = {{{random_in(-1, 1), random_in(-1, 1), random_in(-1, 1)},
-                  {random_in(-1, 1), random_in(-1, 1), 2},
-                  random_in(2, 3)},
-                 {{random_in(4, 5), random_in(-1, 1), random_in(5, 6)},
-                  {random_in(1, 2), random_in(-1, 1), random_in(-1, 1)},
-                  random_in(2, 3)}},
-        .alpha = random_in(-1, 1),
-        .gamma = random_in(-1, 1),
+        .axis = {.kind = TAUT_PIPE_ENDS,
+                 .ends = {{{random_in(-1, 1), random_in(-1, 1), random_in(-1, 1)},
+                           {random_in(-1, 1), random_in(-1, 1), 2},
+                           random_in(2, 3)},
+                          {{random_in(4, 5), random_in(-1, 1), random_in(5, 6)},
+                           {random_in(1, 2), random_in(-1, 1), random_in(-1, 1)},
+                           random_in(2, 3)}}},
+        .shape = {.alpha = random_in(-1, 1), .gamma = random_in(-1, 1)},
     };
     return problem;
 }

@@ -89,16 +89,17 @@ static void set_coordinates(const taut_curve *const *curves, int count, taut_pip
 }
 
 /* The Bezier pieces of one curve, in local coordinates. */
-static taut_status local_pieces(const taut_curve *curve, const taut_pipe_line *line,
-                                taut_model **pieces, taut_error *error)
+static taut_status make_pieces(const taut_curve *curve, const taut_pipe_line *line,
+                               taut_model **pieces, taut_error *error)
 {
     const double s = 1 / line->scale, *o = line->origin;
     const double matrix[12] = {s, 0, 0, -s * o[0], 0, s, 0, -s * o[1], 0, 0, s, -s * o[2]};
     taut_curve *local = NULL;
     taut_status status = taut_curve_transform(curve, matrix, &local, error);
-    if (status == TAUT_OK) {
-        status = taut_curve_pieces(local, pieces, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_curve_pieces(local, pieces, error);
     taut_curve_free(local);
     return status;
 }
@@ -117,20 +118,34 @@ static taut_status take_piece(const taut_curve *curve, taut_pipe_piece *piece, t
     return TAUT_OK;
 }
 
-static taut_status pieces_of(const taut_curve *curve, taut_pipe_line *line, taut_error *error)
+/* All pieces of a model of curves. */
+static taut_status take_pieces(const taut_model *pieces, taut_pipe_line *line, taut_error *error)
 {
-    taut_model *pieces = NULL;
-    taut_status status = local_pieces(curve, line, &pieces, error);
-
-    if (status == TAUT_OK) {
-        line->count = taut_model_curve_count(pieces);
-        line->pieces = taut_arena_take(line->arena, (size_t)line->count, sizeof *line->pieces);
-        status = line->pieces != NULL ? TAUT_OK : taut_fail_memory(error);
+    taut_status status = TAUT_OK;
+    line->count = taut_model_curve_count(pieces);
+    line->pieces = taut_arena_take(line->arena, (size_t)line->count, sizeof *line->pieces);
+    if (line->pieces == NULL) {
+        return taut_fail_memory(error);
     }
     for (int i = 0; i < line->count && status == TAUT_OK; i++) {
         status = take_piece(taut_model_curve(pieces, i), &line->pieces[i], error);
     }
-    taut_model_free(pieces);
+    return status;
+}
+
+/* The one piece of curve i of a run. */
+static taut_status take_only_piece(const taut_model *pieces, int i, taut_pipe_line *line,
+                                   taut_error *error)
+{
+    const int count = taut_model_curve_count(pieces);
+    taut_status status = TAUT_OK;
+    if (count != 1) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", count, 1,
+                         "an axis of the run has several pieces");
+    }
+    status = take_piece(taut_model_curve(pieces, 0), &line->pieces[i], error);
+    line->pieces[i].lo = i;
+    line->pieces[i].hi = i + 1;
     return status;
 }
 
@@ -160,32 +175,37 @@ taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, ta
     *line = (taut_pipe_line){.arena = arena, .count = count, .run = 1};
     set_coordinates(curves, count, line);
     line->pieces = taut_arena_take(arena, (size_t)count, sizeof *line->pieces);
-    status = line->pieces != NULL ? TAUT_OK : taut_fail_memory(error);
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
-        taut_model *pieces = NULL;
-        status = local_pieces(curves[i], line, &pieces, error);
-        if (status == TAUT_OK && taut_model_curve_count(pieces) != 1) {
-            status =
-                taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", taut_model_curve_count(pieces),
-                          1, "an axis of the run has several pieces");
-        }
-        if (status == TAUT_OK) {
-            status = take_piece(taut_model_curve(pieces, 0), &line->pieces[i], error);
-        }
-        line->pieces[i].lo = i;
-        line->pieces[i].hi = i + 1;
-        taut_model_free(pieces);
+    if (line->pieces == NULL) {
+        return taut_fail_memory(error);
     }
-    return status == TAUT_OK ? find_tangents(line, error) : status;
+    for (int i = 0; i < count; i++) {
+        taut_model *pieces = NULL;
+        status = make_pieces(curves[i], line, &pieces, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        status = take_only_piece(pieces, i, line, error);
+        taut_model_free(pieces);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    return find_tangents(line, error);
 }
 
 taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_pipe_line *line,
                               taut_error *error)
 {
+    taut_model *pieces = NULL;
     taut_status status = TAUT_OK;
     *line = (taut_pipe_line){.arena = arena, .lengths = {INFINITY, INFINITY}};
     set_coordinates(&curve, 1, line);
-    status = pieces_of(curve, line, error);
+    status = make_pieces(curve, line, &pieces, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = take_pieces(pieces, line, error);
+    taut_model_free(pieces);
     return status == TAUT_OK ? find_tangents(line, error) : status;
 }
 

@@ -145,7 +145,7 @@ static void polish(bound *b, double width)
     }
 }
 
-taut_status taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figures *figures)
+void taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figures *figures)
 {
     bound b = {.best = 0};
     for (int i = 0; i < line->count; i++) {
@@ -164,5 +164,4 @@ taut_status taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figu
     locate_by_slope(&b);
     figures->curvature = b.best > TAUT_PIPE_STRAIGHT ? b.best : 0;
     figures->curvature_at = b.piece->lo + b.best_t * (b.piece->hi - b.piece->lo);
-    return TAUT_OK;
 }

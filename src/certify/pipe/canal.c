@@ -18,8 +18,8 @@ static const double pi = 3.14159265358979323846;
 static void radius_at(const taut_pipe_parts *parts, double t, double r[3])
 {
     const double scale = parts->line.scale;
-    const double first = parts->sections[0].a / scale;
-    const double change = parts->sections[1].a / scale - first;
+    const double first = parts->ellipses[0].a / scale;
+    const double change = parts->ellipses[1].a / scale - first;
     r[0] = first + change * t * t * (3 - 2 * t);
     r[1] = change * 6 * t * (1 - t);
     r[2] = change * 6 * (1 - 2 * t);

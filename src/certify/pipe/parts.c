@@ -24,7 +24,7 @@ taut_status taut_pipe_read_axis(taut_pipe_parts *parts, taut_error *error)
     taut_basis_spec_of(t, &spec);
     parts->quintic = strcmp(taut_basis_type(t), "bezier") == 0 && taut_basis_degree(t) == 5;
     if (!parts->quintic && strcmp(taut_basis_type(t), "ce-bezier") != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves/0/t/type", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "name", "/curves/0/t/type", taut_none, taut_none,
                          "the axis of a pipe is on a basis of type \"ce-bezier\", or \"bezier\" of "
                          "degree 5");
     }
@@ -58,6 +58,9 @@ taut_status taut_pipe_axis_with(const taut_pipe_parts *parts, const double shape
     taut_status status =
         taut_basis_new(parts->quintic ? &bezier : &quasi, parts->quintic ? 6 : 4, &basis, error);
 
+    if (status != TAUT_OK) {
+        return status;
+    }
     for (int i = 0; i < 4; i++) {
         memcpy(points[parts->quintic ? places[i] : i], v[i], sizeof points[0]);
     }
@@ -65,9 +68,7 @@ taut_status taut_pipe_axis_with(const taut_pipe_parts *parts, const double shape
         points[1][k] = v[0][k] + first * (v[1][k] - v[0][k]);
         points[4][k] = v[3][k] - last * (v[3][k] - v[2][k]);
     }
-    if (status == TAUT_OK) {
-        status = taut_curve_new("", basis, &points[0][0], NULL, curve, error);
-    }
+    status = taut_curve_new("", basis, &points[0][0], NULL, curve, error);
     taut_basis_free(basis);
     return status;
 }
@@ -118,10 +119,34 @@ void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts)
     parts->size = fmax(parts->sizes[0], fmax(parts->sizes[1], parts->sizes[2]));
 }
 
-double taut_pipe_radius_of(const taut_model *model, const taut_pipe_problem *problem, double seen)
+double taut_pipe_radius_told(const taut_model *model, double seen)
 {
     const double told = taut_record_number(taut_record_get(taut_model_details(model), "radius"));
-    return problem != NULL ? problem->radius : told > 0 ? told : seen;
+    return told > 0 ? told : seen;
+}
+
+taut_status taut_pipe_find_figures(taut_pipe_parts *parts)
+{
+    taut_pipe_integrate(&parts->line, &parts->figures);
+    taut_pipe_bound_curvature(&parts->line, &parts->figures);
+    return taut_pipe_bound_reach(&parts->line, &parts->figures);
+}
+
+taut_status taut_pipe_claim_embedded(const taut_pipe_parts *parts, const char *where,
+                                     taut_certificate *certificate)
+{
+    const double rho = parts->figures.rho, scale = parts->line.scale;
+    const double residual = isfinite(rho) ? parts->radius / (rho * scale) : 0;
+    /* about the wider of both: an axis that meets itself is not in doubt */
+    const double open = 1e-11 + 8 * parts->line.noise * (1 + 1 / fmax(rho, parts->radius / scale));
+    const taut_claim claim = {.claim = "embedded",
+                              .residual = residual,
+                              .limit = 1,
+                              .holds = fabs(residual - 1) <= open ? TAUT_UNDECIDED
+                                       : residual < 1             ? TAUT_TRUE
+                                                                  : TAUT_FALSE,
+                              .where = where};
+    return taut_certificate_add(certificate, &claim);
 }
 
 double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double changes[3])

@@ -14,11 +14,11 @@ typedef struct taut_pipe_parts {
     double shape[3];                  /* and its shape numbers */
     taut_pipe_line line;
     taut_pipe_figures figures;
-    double radius; /* the user's unit; with sections, of the circle around the larger */
-    taut_pipe_section sections[2]; /* a of the first 0: round */
+    double radius; /* the user's unit; of ellipses, that of the circle around the larger */
+    taut_pipe_ellipse ellipses[2]; /* a of the first 0: round */
     double flatness;               /* the largest semi-axis over the smallest; 1 for round ones */
-    int unlike;                    /* nonzero: sections are circles of unlike radii */
-    int canal;                     /* nonzero: sections are of a canal surface, a = b = r */
+    int unlike;                    /* nonzero: they are circles of unlike radii */
+    int canal;                     /* nonzero: they are of a canal surface, a = b = r */
     double turn;                   /* psi at the end */
     double (*frames)[3];           /* U along the pieces (section.c) */
     double size;                   /* the largest coordinate of any control point, */
@@ -87,15 +87,21 @@ void taut_pipe_unit_normal(const double xu[3], const double xv[3], double normal
 /* Surface and curve of a name, or NULL. */
 const taut_surface *taut_pipe_surface(const taut_model *model, const char *name);
 const taut_curve *taut_pipe_curve(const taut_model *model, const char *name);
-/* The radius that the problem, or the details tell; `seen` where neither does. */
-double taut_pipe_radius_of(const taut_model *model, const taut_pipe_problem *problem, double seen);
+/* The radius that the details tell; `seen` where they do not. */
+double taut_pipe_radius_told(const taut_model *model, double seen);
 /* sizes, of one more surface. */
 void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts);
 /* Is this the model of a run? Its certificate. */
 int taut_pipe_is_run(const taut_model *model);
-taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_problem *problem,
-                                  const taut_certify_options *options,
-                                  taut_certificate *certificate, taut_error *error);
+taut_status taut_pipe_claim_run(const taut_model *model, const taut_pipe_run_problem *problem,
+                                const taut_certify_options *options, taut_certificate *certificate,
+                                taut_error *error);
+/* All figures of the axis. TAUT_NO_MEMORY. */
+taut_status taut_pipe_find_figures(taut_pipe_parts *parts);
+/* The claim `embedded`, which holds where the radius is below the largest: rounding of the axis
+ * moves that by a part of itself, within which the verdict is open. */
+taut_status taut_pipe_claim_embedded(const taut_pipe_parts *parts, const char *where,
+                                     taut_certificate *certificate);
 
 /* The claims: joint.c, tube.c, caps.c, ends.c. Each adds one, or returns TAUT_NO_MEMORY. */
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,

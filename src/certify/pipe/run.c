@@ -28,7 +28,8 @@ static const double tolerance_default = 1e-6, bend_of_corners = 3;
 static const double turns_not = 1e-9; /* sine */
 
 typedef struct taut_pipe_run_parts {
-    taut_pipe_parts parts; /* line: all pieces; radius, sizes, figures, problem */
+    taut_pipe_parts parts;                /* line: all pieces; radius, sizes, figures */
+    const taut_pipe_run_problem *problem; /* or NULL */
     const taut_model *model;
     int count;                     /* of pieces, straight or not, in the order of flow */
     const taut_surface **surfaces; /* "pipe1", "blend1", ... */
@@ -79,18 +80,18 @@ static taut_status find_pieces(taut_pipe_run_parts *run, taut_arena *arena, taut
         run->surfaces[run->count] = surface;
         run->curves[run->count] = taut_pipe_curve(run->model, axis);
         if (run->curves[run->count++] == NULL) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "missing", "/curves", taut_none, taut_none,
                              "surface \"%s\" of a run has no curve \"%s\"", name, axis);
         }
     }
     if (taut_record_kind_of(told) == TAUT_RECORD_LIST && taut_record_count(told) != blends) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", (double)blends,
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/surfaces", (double)blends,
                          (double)taut_record_count(told),
                          "the details tell of %zu blends, of which %zu are here",
                          taut_record_count(told), blends);
     }
     if (run->count == 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", 0, 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "missing", "/surfaces", 0, 1,
                          "a run has surfaces \"pipe1\", \"blend1\", ...");
     }
     return TAUT_OK;
@@ -100,17 +101,20 @@ static taut_status find_pieces(taut_pipe_run_parts *run, taut_arena *arena, taut
 static void find_data(taut_pipe_run_parts *run)
 {
     const taut_record *details = taut_model_details(run->model);
-    const taut_pipe_problem *problem = run->parts.problem;
+    const taut_pipe_run_problem *problem = run->problem;
     const taut_surface *first = run->surfaces[0];
     double x[3];
     taut_surface_eval(first, taut_basis_lo(taut_surface_u(first)),
                       taut_basis_lo(taut_surface_v(first)), 0, x);
     run->parts.radius =
-        taut_pipe_radius_of(run->model, problem, taut_distance(x, run->parts.line.origin));
+        problem != NULL
+            ? problem->radius
+            : taut_pipe_radius_told(run->model, taut_distance(x, run->parts.line.origin));
     run->bend_radius = problem == NULL ? taut_record_number(taut_record_get(details, "bend_radius"))
-                       : problem->bend_radius > 0           ? problem->bend_radius
-                       : problem->axis == TAUT_PIPE_CORNERS ? bend_of_corners * problem->radius
-                                                            : 0;
+                       : problem->bend_radius > 0 ? problem->bend_radius
+                       : problem->route.kind == TAUT_PIPE_CORNERS
+                           ? bend_of_corners * problem->radius
+                           : 0;
     run->parts.flatness = 1;
     for (int i = 0; i < run->count; i++) {
         taut_pipe_see_sizes(run->surfaces[i], &run->parts);
@@ -135,7 +139,7 @@ static int comes_round(const taut_pipe_run_parts *run)
 static int is_closed(const taut_pipe_run_parts *run)
 {
     const taut_record *told = taut_record_get(taut_model_details(run->model), "closed");
-    return run->parts.problem != NULL                      ? run->parts.problem->closed != 0
+    return run->problem != NULL                            ? run->problem->route.closed != 0
            : taut_record_kind_of(told) == TAUT_RECORD_BOOL ? taut_record_bool(told)
                                                            : comes_round(run);
 }
@@ -230,12 +234,7 @@ static void place_of_curvature(const taut_pipe_run_parts *run, char *text, size_
 static taut_status claim_embedded(const taut_pipe_run_parts *run, taut_certificate *certificate)
 {
     const taut_pipe_figures *f = &run->parts.figures;
-    const taut_pipe_line *line = &run->parts.line;
-    const double residual = isfinite(f->rho) ? run->parts.radius / (f->rho * line->scale) : 0;
-    const double wide = fmax(f->rho, run->parts.radius / line->scale);
-    const double open = 1e-11 + 8 * line->noise * (1 + 1 / wide);
     char where[200] = "", from[80], to[80];
-    taut_claim claim = {.claim = "embedded", .residual = residual, .limit = 1, .where = where};
 
     if (isfinite(f->rho) && f->by_distance) {
         place_of(run, f->binding[0], from, sizeof from);
@@ -245,10 +244,7 @@ static taut_status claim_embedded(const taut_pipe_run_parts *run, taut_certifica
         snprintf(where, sizeof where, "the curvature of ");
         place_of_curvature(run, where + strlen(where), sizeof where - strlen(where));
     }
-    claim.holds = fabs(residual - 1) <= open ? TAUT_UNDECIDED
-                  : residual < 1             ? TAUT_TRUE
-                                             : TAUT_FALSE;
-    return taut_certificate_add(certificate, &claim);
+    return taut_pipe_claim_embedded(&run->parts, where, certificate);
 }
 
 static taut_status claim_bend(const taut_pipe_run_parts *run, taut_certificate *certificate)
@@ -310,37 +306,53 @@ static taut_status claim_tube(const taut_pipe_run_parts *run, double tolerance, 
 }
 
 /* One straight pipe asked for: a line, and where on it, if that is said. */
-typedef struct leg {
+typedef struct asked_leg {
     const double *from, *to;
     double direction[3];
-} leg;
+} asked_leg;
 
-/* The next leg of the problem at or after *i; corners without a turn are passed over. */
-static leg next_leg(const taut_pipe_problem *p, int *i)
+/* Corner i, over and over. */
+static const double *corner_of(const taut_pipe_route *route, int i)
 {
-    leg out = {.from = p->legs[*i % p->leg_count].from};
+    return route->corners + 3 * (size_t)(i % route->count);
+}
+
+static asked_leg next_straight(const taut_pipe_route *route, int *i)
+{
+    const taut_pipe_leg *const leg = &route->legs[*i % route->count];
+    const int is_span = leg->kind == TAUT_PIPE_LEG_SPAN;
+    asked_leg out = {.from = leg->from, .to = is_span ? leg->to : leg->from};
     double d[3];
-    if (p->axis == TAUT_PIPE_LEGS) {
-        out.to = p->legs[*i % p->leg_count].to;
-        taut_difference(out.to, out.from, d);
-        taut_pipe_unit(taut_norm(d) > 0 ? d : p->legs[*i % p->leg_count].direction, out.direction);
-        *i += 1;
-        return out;
-    }
-    out.to = p->legs[(*i + 1) % p->leg_count].from;
+    taut_difference(out.to, out.from, d);
+    taut_pipe_unit(is_span ? d : leg->direction, out.direction);
+    *i += 1;
+    return out;
+}
+
+/* Corners without a turn are passed over. */
+static asked_leg next_between_corners(const taut_pipe_route *route, int *i)
+{
+    asked_leg out = {.from = corner_of(route, *i), .to = corner_of(route, *i + 1)};
+    double d[3];
     taut_difference(out.to, out.from, d);
     taut_pipe_unit(d, out.direction);
-    for (*i += 1; p->closed ? *i < 2 * p->leg_count : *i + 1 < p->leg_count; *i += 1) {
+    for (*i += 1; route->closed ? *i < 2 * route->count : *i + 1 < route->count; *i += 1) {
         double on[3], across[3];
-        taut_difference(p->legs[(*i + 1) % p->leg_count].from, out.to, d);
+        taut_difference(corner_of(route, *i + 1), out.to, d);
         taut_pipe_unit(d, on);
         taut_cross(out.direction, on, across);
         if (taut_norm(across) > turns_not || taut_dot(out.direction, on) < 0) {
             break;
         }
-        out.to = p->legs[(*i + 1) % p->leg_count].from;
+        out.to = corner_of(route, *i + 1);
     }
     return out;
+}
+
+/* The next leg of the route at or after *i. */
+static asked_leg next_leg(const taut_pipe_route *route, int *i)
+{
+    return route->kind == TAUT_PIPE_LEGS ? next_straight(route, i) : next_between_corners(route, i);
 }
 
 static void to_absolute(const taut_pipe_line *line, const double local[3], double x[3])
@@ -351,14 +363,13 @@ static void to_absolute(const taut_pipe_line *line, const double local[3], doubl
 }
 
 /* How far end `t` of a piece is from what was asked of it. */
-static double miss_of_leg(const taut_pipe_run_parts *run, int piece, int t, const leg *asked)
+static double miss_of_leg(const taut_pipe_run_parts *run, int piece, int t, const asked_leg *asked)
 {
-    const taut_pipe_problem *p = run->parts.problem;
     const taut_pipe_piece *b = &run->parts.line.pieces[piece];
     double x[3], d[3], tangent[3];
     to_absolute(&run->parts.line, b->points[t == 0 ? 0 : b->degree], x);
     taut_difference(x, t == 0 ? asked->to : asked->from, d);
-    if (p->axis == TAUT_PIPE_CORNERS) {
+    if (run->problem->route.kind == TAUT_PIPE_CORNERS) {
         taut_add_scaled(-taut_dot(d, asked->direction), asked->direction, d);
     }
     find_tangent(run, piece, t, tangent);
@@ -368,33 +379,36 @@ static double miss_of_leg(const taut_pipe_run_parts *run, int piece, int t, cons
 /* Where the run as a whole begins or ends. */
 static double miss_of_free_end(const taut_pipe_run_parts *run, int side)
 {
-    const taut_pipe_problem *p = run->parts.problem;
-    const taut_pipe_leg *last = &p->legs[p->leg_count - 1];
-    const int i = side == 0 ? 0 : run->count - 1;
-    const taut_pipe_piece *b = &run->parts.line.pieces[i];
+    const taut_pipe_route *route = &run->problem->route;
+    const int last = route->count - 1;
+    const taut_pipe_piece *b = &run->parts.line.pieces[side == 0 ? 0 : run->count - 1];
+    const double *asked = NULL;
     double x[3];
+    if (route->kind == TAUT_PIPE_CORNERS) {
+        asked = corner_of(route, side == 0 ? 0 : last);
+    } else {
+        const taut_pipe_leg *const leg = &route->legs[side == 0 ? 0 : last];
+        asked = side == 0 || leg->kind == TAUT_PIPE_LEG_POINT ? leg->from : leg->to;
+    }
     to_absolute(&run->parts.line, b->points[side == 0 ? 0 : b->degree], x);
-    return taut_distance(x, side == 0                   ? p->legs[0].from
-                            : p->axis == TAUT_PIPE_LEGS ? last->to
-                                                        : last->from) /
-           run->parts.radius;
+    return taut_distance(x, asked) / run->parts.radius;
 }
 
 static taut_status claim_ends(const taut_pipe_run_parts *run, taut_certificate *certificate)
 {
-    const taut_pipe_problem *p = run->parts.problem;
-    const int single = p->axis != TAUT_PIPE_LEGS && p->axis != TAUT_PIPE_CORNERS;
-    double worst = single ? 1 : 0, shortest = INFINITY;
+    const taut_pipe_route *route = &run->problem->route;
+    const int is_blend_only = route->count == 0;
+    double worst = is_blend_only ? 1 : 0, shortest = INFINITY;
     int i = 0, blends = 0;
     char where[48] = "";
 
-    leg before = {.from = NULL}, after = {.from = NULL};
-    for (int k = 0; k < run->count && !single; k++) {
+    asked_leg before = {.from = NULL}, after = {.from = NULL};
+    for (int k = 0; k < run->count && !is_blend_only; k++) {
         if (!is_blend(run, k)) {
             continue;
         }
-        before = blends == 0 ? next_leg(p, &i) : after;
-        after = next_leg(p, &i);
+        before = blends == 0 ? next_leg(route, &i) : after;
+        after = next_leg(route, &i);
         blends++;
         const double found = fmax(miss_of_leg(run, k, 0, &before), miss_of_leg(run, k, 1, &after));
         const taut_pipe_piece *piece = &run->parts.line.pieces[k];
@@ -406,7 +420,7 @@ static taut_status claim_ends(const taut_pipe_run_parts *run, taut_certificate *
             snprintf(where, sizeof where, "%.32s", taut_surface_name(run->surfaces[k]));
         }
     }
-    for (int side = 0; side < 2 && !p->closed && !single; side++) {
+    for (int side = 0; side < 2 && !route->closed && !is_blend_only; side++) {
         worst = fmax(worst, miss_of_free_end(run, side));
     }
     /* rounding of each coordinate, over the radius and over the legs that make the tangents */
@@ -441,69 +455,74 @@ static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
     return figures;
 }
 
-static taut_status claims(taut_pipe_run_parts *run, const taut_certify_options *options,
-                          taut_certificate *certificate)
+static taut_status add_claims(const taut_pipe_run_parts *run, double tolerance,
+                              taut_certificate *certificate)
 {
-    const double tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default;
     const taut_surface *ends[2] = {run->surfaces[0], run->surfaces[run->count - 1]};
+    taut_record *figures = NULL;
     double fit_error = 0;
     taut_status status = claim_joints(run, 0, certificate);
-
     if (status == TAUT_OK && run->parts.quintic) {
         status = claim_joints(run, 1, certificate);
     }
-    if (status == TAUT_OK) {
-        status = claim_embedded(run, certificate);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = claim_embedded(run, certificate);
     if (status == TAUT_OK && run->bend_radius > 0) {
         status = claim_bend(run, certificate);
     }
-    if (status == TAUT_OK) {
-        status = claim_tube(run, tolerance, &fit_error, certificate);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_pipe_claim_caps(run->model, &run->parts, ends, certificate);
+    status = claim_tube(run, tolerance, &fit_error, certificate);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && run->parts.problem != NULL) {
+    status = taut_pipe_claim_caps(run->model, &run->parts, ends, certificate);
+    if (status == TAUT_OK && run->problem != NULL) {
         status = claim_ends(run, certificate);
     }
-    if (status == TAUT_OK) {
-        taut_record *const figures = figures_of(run, fit_error);
-        taut_certificate_set_figures(certificate, figures);
-        status = taut_record_status(figures);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    figures = figures_of(run, fit_error);
+    taut_certificate_set_figures(certificate, figures);
+    return taut_record_status(figures);
 }
 
-taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_problem *problem,
-                                  const taut_certify_options *options,
-                                  taut_certificate *certificate, taut_error *error)
+static taut_status claim_run(taut_pipe_run_parts *run, taut_arena *arena, double tolerance,
+                             taut_certificate *certificate, taut_error *error)
 {
-    taut_pipe_run_parts run = {.model = model, .parts = {.problem = problem}};
-    taut_arena *const arena = taut_arena_new();
-    taut_status status = arena != NULL ? find_pieces(&run, arena, error) : taut_fail_memory(error);
+    taut_status status = find_pieces(run, arena, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_pipe_line_of_run(run->curves, run->count, arena, &run->parts.line, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    find_data(run);
+    run->parts.line.closed = is_closed(run);
+    if (!(run->parts.radius > 0)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", run->parts.radius, 0,
+                         "the run begins on its own axis: it has no radius");
+    }
+    status = taut_pipe_find_figures(&run->parts);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return add_claims(run, tolerance, certificate);
+}
 
-    if (status == TAUT_OK) {
-        status = taut_pipe_line_of_run(run.curves, run.count, arena, &run.parts.line, error);
-    }
-    if (status == TAUT_OK) {
-        find_data(&run);
-        run.parts.line.closed = is_closed(&run);
-        if (!(run.parts.radius > 0)) {
-            status = taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", run.parts.radius, 0,
-                               "the run begins on its own axis: it has no radius");
-        }
-    }
-    if (status == TAUT_OK) {
-        taut_pipe_integrate(&run.parts.line, &run.parts.figures);
-        status = taut_pipe_bound_curvature(&run.parts.line, &run.parts.figures);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_bound_reach(&run.parts.line, &run.parts.figures);
-    }
-    if (status == TAUT_OK) {
-        status = claims(&run, options, certificate);
-    }
+taut_status taut_pipe_claim_run(const taut_model *model, const taut_pipe_run_problem *problem,
+                                const taut_certify_options *options, taut_certificate *certificate,
+                                taut_error *error)
+{
+    const double tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default;
+    taut_pipe_run_parts run = {.model = model, .problem = problem};
+    taut_arena *const arena = taut_arena_new();
+    const taut_status status = claim_run(&run, arena, tolerance, certificate, error);
     taut_arena_free(arena);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }

@@ -36,7 +36,7 @@ static double record_canal(deviation *d, const taut_pipe_parts *parts, const dou
 /* How far a place is from the tube, over the radius: its way from the axis, at s of a piece. */
 static double miss_of(const taut_pipe_parts *parts, int piece, double s, const double offset[3])
 {
-    return parts->sections[0].a > 0
+    return parts->ellipses[0].a > 0
                ? taut_pipe_section_miss(parts, piece, s, offset)
                : (taut_norm(offset) * parts->line.scale - parts->radius) / parts->radius;
 }

@@ -23,7 +23,7 @@ static const double circle[TAUT_PIPE_RING][2] = {{1, 0},   {1, 1},  {0, 1},  {-1
 typedef struct maker {
     const taut_pipe_arc *arc;
     const taut_pipe_binormal *binormal;
-    const taut_pipe_ellipse *ellipse; /* or NULL: round */
+    const taut_pipe_profile *profile; /* or NULL: round */
     double radius, tolerance;
     double sharpest; /* parameter of the largest curvature: never stepped over unseen */
     taut_arena *arena;
@@ -66,9 +66,9 @@ static void carry_frame(const maker *m, double t0, double t1, double u[3],
     if (t1 > t0) {
         taut_pipe_carry(m->arc, t0, t1, (int)ceil(FRAMES_PER_UNIT * (t1 - t0)) + 1, u);
     }
-    taut_pipe_bishop(m->arc, t1, u, m->ellipse != NULL ? &frame : normals);
-    if (m->ellipse != NULL) {
-        taut_pipe_ellipse_at(m->ellipse, m->arc, t1, &frame, normals);
+    taut_pipe_bishop(m->arc, t1, u, m->profile != NULL ? &frame : normals);
+    if (m->profile != NULL) {
+        taut_pipe_profile_at(m->profile, m->arc, t1, &frame, normals);
     }
 }
 
@@ -119,7 +119,7 @@ static int set_offsets(const maker *m, const taut_pipe_normals *n0, const taut_p
 {
     double x[2][3] = {{0, 0, 0}, {0, 0, 0}}, d1[2][3] = {{0, 0, 0}, {0, 0, 0}};
     const double none[2][3] = {{0, 0, 0}, {0, 0, 0}};
-    if (m->ellipse != NULL && m->ellipse->canal > 0) {
+    if (m->profile != NULL && m->profile->canal > 0) {
         memcpy(x[0], n0->c, sizeof x[0]);
         memcpy(x[1], n1->c, sizeof x[1]);
         memcpy(d1[0], n0->dc, sizeof d1[0]);
@@ -160,9 +160,9 @@ static double deviation(const maker *m, double t0, const taut_pipe_normals *n0, 
 
 /* The same of elliptic sections: no point of X is farther from the ellipse than from the one that
  * has its angle there. u is carried to t0. */
-static double elliptic_deviation(const maker *m, double t0, const double carried[3],
-                                 const taut_pipe_normals *n0, double t1,
-                                 const taut_pipe_normals *n1, double s)
+static double profile_deviation(const maker *m, double t0, const double carried[3],
+                                const taut_pipe_normals *n0, double t1, const taut_pipe_normals *n1,
+                                double s)
 {
     const double h = t1 - t0;
     double u[3], w[3], at[3], back[3] = {0, 0, 0}, most = 0;
@@ -176,7 +176,7 @@ static double elliptic_deviation(const maker *m, double t0, const double carried
     taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
     taut_difference(u, exact.u, u);
     taut_difference(w, exact.w, w);
-    if (m->ellipse->canal > 0) {
+    if (m->profile->canal > 0) {
         set_offsets(m, n0, n1, h, polygon_u);
         taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, back, NULL);
         taut_difference(back, exact.c, back);
@@ -195,14 +195,14 @@ static int is_close(const maker *m, double t0, const double carried[3], const ta
                     double t1, const taut_pipe_normals *n1)
 {
     for (int i = 1; i < 8; i++) {
-        const double found = m->ellipse != NULL
-                                 ? elliptic_deviation(m, t0, carried, n0, t1, n1, i / 8.0)
+        const double found = m->profile != NULL
+                                 ? profile_deviation(m, t0, carried, n0, t1, n1, i / 8.0)
                                  : deviation(m, t0, n0, t1, n1, i / 8.0);
         if (!(found <= 0.8 * m->tolerance)) {
             return 0;
         }
     }
-    return m->ellipse != NULL || !(m->sharpest > t0 && m->sharpest < t1) ||
+    return m->profile != NULL || !(m->sharpest > t0 && m->sharpest < t1) ||
            deviation(m, t0, n0, t1, n1, (m->sharpest - t0) / (t1 - t0)) <= 0.8 * m->tolerance;
 }
 
@@ -225,8 +225,8 @@ static taut_status cut_segments(maker *m, const char *name, taut_error *error)
 
     taut_pipe_arc_jet(m->arc, 0, &jet);
     taut_pipe_first_normal(jet.tangent, u);
-    if (m->ellipse != NULL) {
-        memcpy(u, m->ellipse->first, sizeof u);
+    if (m->profile != NULL) {
+        memcpy(u, m->profile->first, sizeof u);
     }
     carry_frame(m, 0, 0, u, &here);
     if (!add_node(m, 0, &here)) {
@@ -301,12 +301,12 @@ static void set_rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
 
 taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double tolerance,
                                  const taut_pipe_binormal *binormal,
-                                 const taut_pipe_ellipse *ellipse, taut_arena *arena,
+                                 const taut_pipe_profile *profile, taut_arena *arena,
                                  const char *name, taut_pipe_blend *blend, taut_error *error)
 {
     maker m = {.arc = arc,
                .binormal = binormal,
-               .ellipse = ellipse,
+               .profile = profile,
                .radius = radius,
                .tolerance = tolerance,
                .arena = arena};
@@ -395,8 +395,25 @@ void taut_pipe_straighten(const taut_pipe_arc *arc, const taut_pipe_blend *blend
     }
 }
 
+static void release_basis(void *basis)
+{
+    taut_basis_free(basis);
+}
+
+taut_status taut_pipe_basis(const taut_basis_spec *spec, int count, taut_arena *arena,
+                            const taut_basis **basis, taut_error *error)
+{
+    taut_basis *made = NULL;
+    const taut_status status = taut_basis_new(spec, count, &made, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    *basis = made;
+    return taut_arena_keep(arena, made, release_basis) ? TAUT_OK : taut_fail_memory(error);
+}
+
 taut_status taut_pipe_basis_u(const taut_pipe_arc *arc, const taut_pipe_blend *blend,
-                              taut_arena *arena, taut_basis **u, taut_error *error)
+                              taut_arena *arena, const taut_basis **u, taut_error *error)
 {
     const int n = arc->degree;
     const int count = blend->rows + n + 1;
@@ -414,15 +431,21 @@ taut_status taut_pipe_basis_u(const taut_pipe_arc *arc, const taut_pipe_blend *b
             knots[k++] = blend->breaks[i];
         }
     }
-    return taut_basis_new(&spec, blend->rows, u, error);
+    return taut_pipe_basis(&spec, blend->rows, arena, u, error);
 }
 
-taut_status taut_pipe_basis_v(taut_basis **v, taut_error *error)
+taut_status taut_pipe_basis_v(taut_arena *arena, const taut_basis **v, taut_error *error)
 {
     static const double knots[] = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1};
     const taut_basis_spec spec = {
         .type = "bspline", .degree = 2, .knot_count = TAUT_PIPE_RING + 3, .knots = knots};
-    return taut_basis_new(&spec, TAUT_PIPE_RING, v, error);
+    return taut_pipe_basis(&spec, TAUT_PIPE_RING, arena, v, error);
+}
+
+taut_status taut_pipe_basis_line(taut_arena *arena, const taut_basis **line, taut_error *error)
+{
+    const taut_basis_spec spec = {.type = "bezier", .degree = 1};
+    return taut_pipe_basis(&spec, 2, arena, line, error);
 }
 
 void taut_pipe_weights(int rows, double *weights)

@@ -220,12 +220,12 @@ taut_status taut_pipe_choose_shape(taut_pipe_task *task, taut_error *error)
     const double plain[3] = {0, 0, 0};
     search s = {.task = task};
 
-    if (task->problem->shape == TAUT_PIPE_SHAPE_GIVEN) {
+    if (task->problem->shape.kind == TAUT_PIPE_SHAPE_GIVEN) {
         return TAUT_OK;
     }
-    s.goal = task->problem->shape == TAUT_PIPE_LEAST_CURVATURE ? GOAL_CURVATURE : GOAL_BENDING;
+    s.goal = task->problem->shape.kind == TAUT_PIPE_LEAST_CURVATURE ? GOAL_CURVATURE : GOAL_BENDING;
     if (search_from_grid(3, lo, hi, plain, shape_merit, &s, task->shape) >= cusped) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/shape", taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "not-regular", "/shape", taut_none, taut_none,
                          "NOT_REGULAR: the axis has a cusp with all shape numbers tried; move an "
                          "end aside, turn a direction, or give other handles");
     }
@@ -254,7 +254,7 @@ static double room_of(taut_pipe_task *task, const double handles[2])
 static void set_missing(const taut_pipe_task *task, double h, double handles[2])
 {
     for (int side = 0; side < 2; side++) {
-        handles[side] = task->problem->ends[side].handle > 0 ? task->handles[side] : h;
+        handles[side] = task->problem->axis.ends[side].handle > 0 ? task->handles[side] : h;
     }
 }
 
@@ -309,16 +309,16 @@ static void choose_ends(taut_pipe_task *task, int side)
 
 void taut_pipe_choose_handles(taut_pipe_task *task)
 {
-    const taut_pipe_problem *p = task->problem;
-    const int first = !(p->ends[0].handle > 0), second = !(p->ends[1].handle > 0);
+    const taut_pipe_axis *axis = &task->problem->axis;
+    const int first = !(task->handles[0] > 0), second = !(task->handles[1] > 0);
 
-    if (p->axis == TAUT_PIPE_POLYGON || (!first && !second)) {
+    if (axis->kind == TAUT_PIPE_POLYGON || (!first && !second)) {
         return;
     }
-    if (p->shape != TAUT_PIPE_SHAPE_GIVEN) {
+    if (task->problem->shape.kind != TAUT_PIPE_SHAPE_GIVEN) {
         memset(task->shape, 0, sizeof task->shape);
     }
-    if (p->axis == TAUT_PIPE_FEET) {
+    if (axis->kind == TAUT_PIPE_FEET) {
         choose_feet(task);
     } else {
         choose_ends(task, first && second ? 2 : first ? 0 : 1);

@@ -28,14 +28,14 @@ static taut_status judge_bends(const taut_pipe_task *task, const char *name, tau
 {
     const double least = task->scale / task->bend.curvature, asked = task->problem->bend_radius;
     if (taut_pipe_bend_is_cusp(&task->bend)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/shape", task->bend.least_speed,
+        return taut_fail(error, TAUT_NO_SOLUTION, "not-regular", "/shape", task->bend.least_speed,
                          0,
                          "NOT_REGULAR: %s has a cusp at t = %.6g; other shape numbers or shorter "
                          "handles avoid it",
                          name, task->bend.least_speed_at);
     }
     if (asked * task->bend.curvature > task->scale) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/bend_radius", asked,
+        return taut_fail(error, TAUT_NO_SOLUTION, "bend-radius", "/bend_radius", asked,
                          TAUT_PIPE_ROOM * least,
                          "BEND_RADIUS: %s bends with a radius of %.12g at t = %.6g; a bend radius "
                          "below %.12g would work, or more room between its ends",

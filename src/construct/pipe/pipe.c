@@ -15,13 +15,12 @@
 #include "construct/pipe/frame.h"
 #include "construct/pipe/model.h"
 #include "construct/pipe/reach.h"
-#include "construct/pipe/run.h"
+#include "construct/pipe/task.h"
 #include "core/fail.h"
+#include "problem/pipe.h"
 
 #include <math.h>
 #include <stdio.h>
-
-static const double tolerance_default = 1e-6, tolerance_min = 1e-12;
 
 /* Where on the composite axis, in words. */
 static void describe_place(const taut_pipe_task *task, double at, char *text, size_t size)
@@ -38,7 +37,7 @@ static taut_status judge_reach(taut_pipe_task *task, taut_error *error)
 {
     const taut_pipe_composite composite = {
         .count = 1, .arcs = &task->arc, .tails = {task->tails[0], task->tails[1]}};
-    const double a = task->problem->radius;
+    const double a = task->outer;
     double rho = 0;
     char from[64], to[64];
 
@@ -47,7 +46,7 @@ static taut_status judge_reach(taut_pipe_task *task, taut_error *error)
     if (!(task->radius * task->reach.curvature < 1)) {
         char rest[128];
         taut_pipe_say_radius(rho, rest, sizeof rest);
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
+        return taut_fail(error, TAUT_NO_SOLUTION, "self-intersect-local", "/radius", a, rho,
                          "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
                          "curvature %.12g, at t = %.6g; %s",
                          a, task->scale / task->reach.curvature, task->reach.curvature_at, rest);
@@ -57,7 +56,7 @@ static taut_status judge_reach(taut_pipe_task *task, taut_error *error)
         describe_place(task, task->reach.binding[1], to, sizeof to);
         char rest[128];
         taut_pipe_say_radius(rho, rest, sizeof rest);
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
+        return taut_fail(error, TAUT_NO_SOLUTION, "self-intersect-global", "/radius", a, rho,
                          "SELF_INTERSECT_GLOBAL: the pipe touches itself (%s; %s); %s", from, to,
                          rest);
     }
@@ -69,19 +68,20 @@ static taut_status check_frenet(const taut_pipe_task *task, taut_pipe_binormal *
                                 taut_error *error)
 {
     const double limit = 1e-9; /* the binormal would turn through pi within 1e-9 of the axis */
-    if (task->problem->joint == TAUT_PIPE_CURVATURE_JOINT) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
+    if (task->problem->joint == TAUT_PIPE_G2) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "frenet-undefined", "/frame", 0, 0,
                          "FRENET_UNDEFINED: a \"g2\" joint has no curvature, and so no normal; use "
                          "\"rotation-minimizing\"");
     }
     taut_pipe_binormal_of(&task->arc, binormal);
     if (!(binormal->least > 0) && task->bend.curvature == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "frenet-undefined", "/frame", 0, 0,
                          "FRENET_UNDEFINED: the axis is straight and has no normal; use "
                          "\"rotation-minimizing\"");
     }
     if (!(binormal->least > limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", binormal->least, limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "frenet-undefined", "/frame", binormal->least,
+                         limit,
                          "FRENET_UNDEFINED: the curvature vanishes at t = %.6g, where the normal "
                          "turns over; use \"rotation-minimizing\"",
                          binormal->least_at);
@@ -89,27 +89,27 @@ static taut_status check_frenet(const taut_pipe_task *task, taut_pipe_binormal *
     return TAUT_OK;
 }
 
-/* The ellipse to carry along. */
-static taut_status find_ellipse(const taut_pipe_task *task, taut_pipe_ellipse *ellipse,
-                                taut_error *error)
+/* The ellipses to carry along. */
+static taut_status find_ellipses(const taut_pipe_task *task, taut_pipe_profile *profile,
+                                 taut_error *error)
 {
-    const taut_pipe_problem *p = task->problem;
-    const double *const directions[2] = {p->sections[0].direction, p->sections[1].direction};
+    const taut_pipe_ellipse *const ellipses = task->problem->section.ellipses;
+    const double *const directions[2] = {ellipses[0].direction, ellipses[1].direction};
     int side = 0;
-    if (p->frame == TAUT_PIPE_FRENET) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
+    if (task->problem->frame == TAUT_PIPE_FRENET) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "frenet-undefined", "/frame", 0, 0,
                          "FRENET_UNDEFINED: sections have frames of their own; use "
                          "\"rotation-minimizing\"");
     }
     for (int i = 0; i < 2; i++) {
-        ellipse->a[i] = p->sections[i].a / p->radius;
-        ellipse->b[i] = p->sections[i].b / p->radius;
+        profile->a[i] = ellipses[i].a / task->outer;
+        profile->b[i] = ellipses[i].b / task->outer;
     }
-    ellipse->smooth = p->joint == TAUT_PIPE_CURVATURE_JOINT;
-    ellipse->canal = 0;
-    if (!taut_pipe_ellipse_turn(&task->arc, directions, ellipse, &side)) {
+    profile->smooth = task->problem->joint == TAUT_PIPE_G2;
+    profile->canal = 0;
+    if (!taut_pipe_profile_turn(&task->arc, directions, profile, &side)) {
         return taut_fail(
-            error, TAUT_NO_SOLUTION, "no-solution",
+            error, TAUT_NO_SOLUTION, "section-along",
             side == 0 ? "/sections/0/direction" : "/sections/1/direction", 0, 0,
             "SECTION_ALONG: the direction is along the axis there; give one across it");
     }
@@ -118,44 +118,46 @@ static taut_status find_ellipse(const taut_pipe_task *task, taut_pipe_ellipse *e
 
 /* Round sections of unlike radii: circles swept naively, or a canal surface that is real and
  * regular. */
-static taut_status find_canal(const taut_pipe_task *task, taut_pipe_ellipse *ellipse,
+static taut_status find_canal(const taut_pipe_task *task, taut_pipe_profile *profile,
                               taut_error *error)
 {
     const double least = 1e-3; /* of 1: what is left is a crease but for rounding */
     const taut_pipe_problem *p = task->problem;
+    const int is_naive = p->section.kind == TAUT_PIPE_NAIVE_SWEEP;
     taut_pipe_canal_room room;
     taut_pipe_jet jet;
 
-    if (p->joint == TAUT_PIPE_CURVATURE_JOINT && !p->naive) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/joint", taut_none, taut_none,
+    if (p->joint == TAUT_PIPE_G2 && !is_naive) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "canal-joint", "/joint", taut_none, taut_none,
                          "CANAL_JOINT: a canal surface is joined with \"g1\"; use that, or "
                          "\"surface\": \"naive-sweep\"");
     }
     if (p->frame == TAUT_PIPE_FRENET) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "frenet-undefined", "/frame", 0, 0,
                          "FRENET_UNDEFINED: radii have frames of their own; use "
                          "\"rotation-minimizing\"");
     }
-    *ellipse = (taut_pipe_ellipse){.smooth = p->joint == TAUT_PIPE_CURVATURE_JOINT};
+    *profile = (taut_pipe_profile){.smooth = p->joint == TAUT_PIPE_G2};
     for (int i = 0; i < 2; i++) {
-        ellipse->a[i] = ellipse->b[i] = p->radii[i] / p->radius;
+        profile->a[i] = profile->b[i] = p->section.radii[i] / task->outer;
     }
     taut_pipe_arc_jet(&task->arc, 0, &jet);
-    taut_pipe_first_normal(jet.tangent, ellipse->first);
-    if (p->naive) {
+    taut_pipe_first_normal(jet.tangent, profile->first);
+    if (is_naive) {
         return TAUT_OK;
     }
-    ellipse->canal = task->radius;
-    taut_pipe_canal_room_of(ellipse, &task->arc, &room);
+    profile->canal = task->radius;
+    taut_pipe_canal_room_of(profile, &task->arc, &room);
     if (!(room.real > least)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radii", room.real, least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "canal-not-real", "/radii", room.real, least,
                          "CANAL_NOT_REAL: the radius changes as fast as the axis runs at t = %.6g, "
                          "so that no envelope is there; radii nearer to each other, ends farther "
                          "apart or longer handles give one",
                          room.real_at);
     }
     if (!(room.regular > least)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radii", room.regular, least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "canal-not-regular", "/radii", room.regular,
+                         least,
                          "CANAL_NOT_REGULAR: the envelope has a crease at t = %.6g; smaller radii, "
                          "nearer to each other, or ends farther apart avoid it",
                          room.regular_at);
@@ -167,29 +169,27 @@ static taut_status sweep_tube(taut_pipe_task *task, double tolerance, taut_pipe_
                               taut_error *error)
 {
     taut_pipe_binormal binormal;
-    taut_pipe_ellipse ellipse;
-    const int frenet = task->problem->frame == TAUT_PIPE_FRENET;
-    const int canal = task->problem->radii[0] != 0;
-    const int elliptic = canal || task->problem->sections[0].a != 0;
-    taut_status status = canal      ? find_canal(task, &ellipse, error)
-                         : elliptic ? find_ellipse(task, &ellipse, error)
-                         : frenet   ? check_frenet(task, &binormal, error)
-                                    : TAUT_OK;
+    taut_pipe_profile profile;
+    const taut_pipe_section_kind kind = task->problem->section.kind;
+    const int is_round = kind == TAUT_PIPE_ROUND;
+    const int is_frenet = task->problem->frame == TAUT_PIPE_FRENET;
+    const taut_status status = kind == TAUT_PIPE_ELLIPTIC ? find_ellipses(task, &profile, error)
+                               : !is_round                ? find_canal(task, &profile, error)
+                               : is_frenet                ? check_frenet(task, &binormal, error)
+                                                          : TAUT_OK;
 
     if (status != TAUT_OK) {
         return status;
     }
-    return taut_pipe_blend_make(&task->arc, task->radius, tolerance, frenet ? &binormal : NULL,
-                                elliptic ? &ellipse : NULL, task->arena, "the tube", blend, error);
+    return taut_pipe_blend_make(&task->arc, task->radius, tolerance, is_frenet ? &binormal : NULL,
+                                is_round ? NULL : &profile, task->arena, "the tube", blend, error);
 }
 
-static taut_status make_one(taut_pipe_task *task, double tolerance, taut_model **model,
-                            taut_error *error)
+static taut_status make_blend(taut_pipe_task *task, double tolerance, taut_model **model,
+                              taut_error *error)
 {
     taut_pipe_blend blend;
-    taut_record *details = NULL;
     taut_status status = taut_pipe_decide(task, "the axis", error);
-
     if (status != TAUT_OK) {
         return status;
     }
@@ -201,88 +201,62 @@ static taut_status make_one(taut_pipe_task *task, double tolerance, taut_model *
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_pipe_to_model(task, &blend, model, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    details = taut_pipe_details(task, &blend);
-    taut_model_set_details(*model, details);
-    return taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    return taut_pipe_to_model(task, &blend, model, error);
 }
 
-/* Is each choice one of those there are? */
-static taut_status check_words(const taut_pipe_problem *problem, taut_error *error)
+static taut_status check_choices(const taut_pipe_problem *problem, taut_error *error)
 {
     const struct {
         const char *where;
         int chosen, last;
-    } words[] = {{"/axis", (int)problem->axis, TAUT_PIPE_LEGS},
-                 {"/shape", (int)problem->shape, TAUT_PIPE_LEAST_CURVATURE},
-                 {"/frame", (int)problem->frame, TAUT_PIPE_FRENET},
-                 {"/joint", (int)problem->joint, TAUT_PIPE_CURVATURE_JOINT}};
+    } choices[] = {{"/axis", (int)problem->axis.kind, TAUT_PIPE_FEET},
+                   {"/section", (int)problem->section.kind, TAUT_PIPE_NAIVE_SWEEP},
+                   {"/shape", (int)problem->shape.kind, TAUT_PIPE_LEAST_CURVATURE},
+                   {"/frame", (int)problem->frame, TAUT_PIPE_FRENET},
+                   {"/joint", (int)problem->joint, TAUT_PIPE_G2}};
+    taut_status status = TAUT_OK;
 
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        if (words[i].chosen < 0 || words[i].chosen > words[i].last) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", words[i].where, words[i].chosen,
-                             words[i].last, "found choice %d, expected one from 0 to %d",
-                             words[i].chosen, words[i].last);
-        }
+    for (size_t i = 0; i < sizeof choices / sizeof *choices && status == TAUT_OK; i++) {
+        status =
+            taut_pipe_check_choice(choices[i].chosen, choices[i].last, choices[i].where, error);
     }
-    return TAUT_OK;
+    return status;
 }
 
 taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_options *options,
                            taut_model **model, taut_error *error)
 {
-    const double asked = options != NULL ? options->tolerance : 0;
-    const double tolerance = asked > 0 ? asked : tolerance_default;
-    taut_pipe_problem round; /* with the circle around its sections */
-    taut_pipe_task task = {.problem = &round};
-    taut_model *made = NULL;
+    taut_pipe_task task = {.problem = problem};
+    double tolerance = 0;
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_pipe_make needs a problem and a place for the model");
     }
-    if (!(tolerance >= tolerance_min && isfinite(tolerance))) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, tolerance, tolerance_min,
-                         "a tolerance of %g is below what rounding leaves: 1e-12 of the radius",
-                         tolerance);
-    }
-    status = check_words(problem, error);
+    status = taut_pipe_tolerance(options, &tolerance, error);
     if (status != TAUT_OK) {
         return status;
     }
-    if (problem->axis == TAUT_PIPE_CORNERS || problem->axis == TAUT_PIPE_LEGS) {
-        return taut_pipe_run_build(problem, fmin(tolerance, 0.1), model, error);
-    }
-    round = *problem;
-    if (problem->sections[0].a != 0 || problem->sections[1].a != 0) {
-        round.radius = fmax(fmax(problem->sections[0].a, problem->sections[0].b),
-                            fmax(problem->sections[1].a, problem->sections[1].b));
-    }
-    if (problem->radii[0] != 0 || problem->radii[1] != 0) {
-        round.radius = fmax(problem->radii[0], problem->radii[1]);
+    status = check_choices(problem, error);
+    if (status != TAUT_OK) {
+        return status;
     }
     for (int side = 0; side < 2; side++) {
         task.lengths[side] = problem->lengths[side] > 0 ? problem->lengths[side] : INFINITY;
     }
     task.arena = taut_arena_new();
-    status = make_one(&task, fmin(tolerance, 0.1), &made, error);
+    status = make_blend(&task, tolerance, model, error);
     taut_arena_free(task.arena);
-    if (status != TAUT_OK) {
-        taut_model_free(made);
-        return status;
-    }
-    *model = made;
-    return TAUT_OK;
+    return status;
 }
 
 static taut_status make(const void *data, const taut_make_options *options, taut_model **model,
                         taut_error *error)
 {
-    return taut_pipe_make(data, options, model, error);
+    const taut_pipe_request *request = data;
+    return request->is_run ? taut_pipe_run_make(&request->run, options, model, error)
+                           : taut_pipe_make(&request->blend, options, model, error);
 }
 
 const taut_construct_ops taut_construct_pipe = {.make = make};

@@ -124,7 +124,7 @@ static taut_status judge_run(taut_pipe_run *run, taut_error *error)
     rho = run->reach.radius * run->scale;
     taut_pipe_say_radius(rho, rest, sizeof rest);
     if (!(a * run->reach.curvature < run->scale)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
+        return taut_fail(error, TAUT_NO_SOLUTION, "self-intersect-local", "/radius", a, rho,
                          "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
                          "curvature %.12g, of %s at t = %.6g; %s",
                          a, run->scale / run->reach.curvature, c.names[run->reach.curvature_arc],
@@ -133,7 +133,7 @@ static taut_status judge_run(taut_pipe_run *run, taut_error *error)
     if (!(a < rho)) {
         const char *one = name_at(&c, run->reach.binding[0] * run->scale, &along[0]);
         const char *two = name_at(&c, run->reach.binding[1] * run->scale, &along[1]);
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
+        return taut_fail(error, TAUT_NO_SOLUTION, "self-intersect-global", "/radius", a, rho,
                          "SELF_INTERSECT_GLOBAL: %s, %.6g along it, touches %s, %.6g along it; %s",
                          one, along[0], two, along[1], rest);
     }
@@ -152,15 +152,30 @@ static taut_status make_run(taut_pipe_run *run, double tolerance, taut_model **m
         return status;
     }
     status = taut_pipe_run_sweep(run, tolerance, error);
-    return status == TAUT_OK ? taut_pipe_run_model(run, model, error) : status;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return taut_pipe_run_model(run, model, error);
 }
 
-taut_status taut_pipe_run_build(const taut_pipe_problem *problem, double tolerance,
-                                taut_model **model, taut_error *error)
+taut_status taut_pipe_run_make(const taut_pipe_run_problem *problem,
+                               const taut_make_options *options, taut_model **model,
+                               taut_error *error)
 {
-    taut_pipe_run run = {.problem = problem, .arena = taut_arena_new()};
-    const taut_status status =
-        run.arena != NULL ? make_run(&run, tolerance, model, error) : taut_fail_memory(error);
+    taut_pipe_run run = {.problem = problem};
+    double tolerance = 0;
+    taut_status status = TAUT_OK;
+
+    if (problem == NULL || model == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "taut_pipe_run_make needs a problem and a place for the model");
+    }
+    status = taut_pipe_tolerance(options, &tolerance, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    run.arena = taut_arena_new();
+    status = make_run(&run, tolerance, model, error);
     taut_arena_free(run.arena);
     return status;
 }

@@ -31,7 +31,7 @@ typedef struct taut_pipe_elbow {
 } taut_pipe_elbow;
 
 typedef struct taut_pipe_run {
-    const taut_pipe_problem *problem;
+    const taut_pipe_run_problem *problem;
     taut_arena *arena;
     double bend_radius; /* asked for, or three radii at corners; 0: none */
     int closed;
@@ -48,9 +48,5 @@ typedef struct taut_pipe_run {
 taut_status taut_pipe_run_lay(taut_pipe_run *run, taut_error *error);
 taut_status taut_pipe_run_sweep(taut_pipe_run *run, double tolerance, taut_error *error);
 taut_status taut_pipe_run_model(taut_pipe_run *run, taut_model **model, taut_error *error);
-
-/* All of this: from the check to the model. */
-taut_status taut_pipe_run_build(const taut_pipe_problem *problem, double tolerance,
-                                taut_model **model, taut_error *error);
 
 #endif /* TAUT_PIPE_RUN_H */

@@ -15,7 +15,7 @@
 enum { STEPS = 4096, PANELS = 16 };
 
 /* u made a unit vector across the tangent at one end of an elbow. */
-static void fit(const taut_pipe_elbow *e, int end, double u[3])
+static void make_normal(const taut_pipe_elbow *e, int end, double u[3])
 {
     taut_pipe_jet jet;
     double size = 0;
@@ -38,12 +38,12 @@ static void close_frame(taut_pipe_run *run)
 
     memcpy(u, start->first, sizeof u);
     for (int i = 0; i < run->elbow_count; i++) {
-        fit(&run->elbows[i], 0, u);
+        make_normal(&run->elbows[i], 0, u);
         taut_pipe_carry(&run->elbows[i].task.arc, 0, 1, STEPS, u);
         taut_pipe_bend_integrals(&run->elbows[i].task.arc, PANELS, &run->elbows[i].task.bend);
         total += run->elbows[i].task.bend.length * run->elbows[i].task.scale;
     }
-    fit(start, 0, u);
+    make_normal(start, 0, u);
     taut_pipe_arc_jet(&start->task.arc, 0, &jet);
     taut_cross(jet.tangent, u, w);
     run->holonomy = atan2(taut_dot(start->first, w), taut_dot(start->first, u));
@@ -53,14 +53,12 @@ static void close_frame(taut_pipe_run *run)
     }
 }
 
-static taut_status sweep(taut_pipe_run *run, taut_pipe_elbow *e, double tolerance,
-                         taut_error *error)
+static taut_status sweep_elbow(taut_pipe_run *run, taut_pipe_elbow *e, double tolerance,
+                               taut_error *error)
 {
     const taut_pipe_task *task = &e->task;
-    taut_pipe_ellipse circle = {.a = {1, 1},
-                                .b = {1, 1},
-                                .turn = e->turn,
-                                .smooth = e->problem.joint == TAUT_PIPE_CURVATURE_JOINT};
+    taut_pipe_profile circle = {
+        .a = {1, 1}, .b = {1, 1}, .turn = e->turn, .smooth = e->problem.joint == TAUT_PIPE_G2};
     size_t count = 0;
     taut_status status = TAUT_OK;
 
@@ -83,7 +81,7 @@ static taut_status sweep(taut_pipe_run *run, taut_pipe_elbow *e, double toleranc
 
 /* Where no straight pipe is between two blends, the second starts with the points the first ends
  * with. */
-static void weld(taut_pipe_run *run)
+static void weld_elbows(taut_pipe_run *run)
 {
     for (int i = 0; i < run->elbow_count; i++) {
         const int next = (i + 1) % run->straight_count;
@@ -108,19 +106,20 @@ taut_status taut_pipe_run_sweep(taut_pipe_run *run, double tolerance, taut_error
     if (run->closed) {
         close_frame(run);
     }
-    for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
+    for (int i = 0; i < run->elbow_count; i++) {
         taut_pipe_elbow *const e = &run->elbows[i];
-        fit(e, 0, u);
+        make_normal(e, 0, u);
         memcpy(e->first, u, sizeof u);
-        status = sweep(run, e, tolerance, error);
+        status = sweep_elbow(run, e, tolerance, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
         memcpy(u, e->blend.last, sizeof u);
     }
-    if (status == TAUT_OK) {
-        weld(run);
-    }
-    for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
+    weld_elbows(run);
+    for (int i = 0; i < run->elbow_count; i++) {
         const taut_pipe_elbow *const e = &run->elbows[i];
         taut_pipe_straighten(&e->task.arc, &e->blend, run->problem->radius, e->points);
     }
-    return status;
+    return TAUT_OK;
 }

@@ -14,9 +14,10 @@
 
 typedef struct taut_pipe_task {
     const taut_pipe_problem *problem;
+    double outer; /* the user's unit: the radius, or that of the circle around the larger section */
     taut_arena *arena;
     double scale;       /* a power of two: local = (x - origin) / scale */
-    double radius;      /* local */
+    double radius;      /* outer, local */
     double bend_radius; /* local; 0: none asked for */
     double lengths[2];  /* of the straight pipes, the user's unit; INFINITY: half lines */
     double tails[2];    /* the same, local */
@@ -42,6 +43,12 @@ taut_status taut_pipe_check_length(double value, const char *where, taut_error *
 taut_status taut_pipe_check_point(const double point[3], const char *where, taut_error *error);
 /* The power of two at or below a size: dividing by it is exact. */
 double taut_pipe_power_below(double size);
+
+/* The options' tolerance, or the default; TAUT_BAD_ARGUMENT for one below what rounding leaves. */
+taut_status taut_pipe_tolerance(const taut_make_options *options, double *tolerance,
+                                taut_error *error);
+/* Is a choice one of 0 .. last? */
+taut_status taut_pipe_check_choice(int chosen, int last, const char *where, taut_error *error);
 
 /* Checks the numbers, and fills the task up to `across`; handles that are given, 0 for others. */
 taut_status taut_pipe_begin(taut_pipe_task *task, taut_error *error);
