@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { GAUSS = 12, DEPTH_MAX = 40, PANELS = 8, INTEGRALS = 4, HALVINGS = 4000 };
+enum { GAUSS = 12, DEPTH_MAX = 40, INTERVALS = 8, INTEGRALS = 4, HALVINGS = 4000 };
 
 void taut_pipe_halve(int degree, const double (*points)[3], int upper, double (*half)[3])
 {
@@ -287,10 +287,10 @@ typedef struct quadrature {
     double nodes[GAUSS], weights[GAUSS];
     double size[INTEGRALS]; /* what errors are measured against */
     taut_sum sums[INTEGRALS];
-    int left; /* panels that may still be halved */
+    int left; /* intervals that may still be halved */
 } quadrature;
 
-static void integrate_panel(const quadrature *q, double lo, double hi, double out[INTEGRALS])
+static void integrate_interval(const quadrature *q, double lo, double hi, double out[INTEGRALS])
 {
     memset(out, 0, INTEGRALS * sizeof *out);
     for (int i = 0; i < GAUSS; i++) {
@@ -310,8 +310,8 @@ static void integrate_adaptively(quadrature *q, double lo, double hi, const doub
     const double middle = 0.5 * (lo + hi);
     double left[INTEGRALS], right[INTEGRALS];
     int agree = 1;
-    integrate_panel(q, lo, middle, left);
-    integrate_panel(q, middle, hi, right);
+    integrate_interval(q, lo, middle, left);
+    integrate_interval(q, middle, hi, right);
     for (int k = 0; k < INTEGRALS; k++) {
         agree = agree && fabs(left[k] + right[k] - whole[k]) <= q->tolerance * q->size[k];
     }
@@ -351,20 +351,20 @@ static int is_planar(const taut_pipe_line *line, const taut_pipe_piece *piece)
 /* All integrals of one piece, added to `figures`. */
 static void integrate_piece(quadrature *q, taut_pipe_figures *figures)
 {
-    double panels[PANELS][INTEGRALS];
+    double intervals[INTERVALS][INTEGRALS];
     for (int k = 0; k < INTEGRALS; k++) {
         q->size[k] = k == 1 || k == 2 ? 1 : 0; /* angles are absolute */
         q->sums[k] = (taut_sum){0, 0};
     }
-    for (int i = 0; i < PANELS; i++) {
-        integrate_panel(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i]);
+    for (int i = 0; i < INTERVALS; i++) {
+        integrate_interval(q, (double)i / INTERVALS, (i + 1.0) / INTERVALS, intervals[i]);
         for (int k = 0; k < INTEGRALS; k++) {
-            q->size[k] += fabs(panels[i][k]);
+            q->size[k] += fabs(intervals[i][k]);
         }
     }
     q->left = HALVINGS;
-    for (int i = 0; i < PANELS; i++) {
-        integrate_adaptively(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i], 0);
+    for (int i = 0; i < INTERVALS; i++) {
+        integrate_adaptively(q, (double)i / INTERVALS, (i + 1.0) / INTERVALS, intervals[i], 0);
     }
     figures->length += taut_sum_total(&q->sums[0]);
     figures->turning += taut_sum_total(&q->sums[1]);
@@ -376,7 +376,7 @@ void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures)
 {
     quadrature q;
     taut_gauss_rule(GAUSS, q.nodes, q.weights);
-    /* of one panel; a few dozen count, and no better than the points are rounded */
+    /* of one interval; a few dozen count, and no better than the points are rounded */
     q.tolerance = fmax(1e-14, 0.1 * line->noise);
     figures->length = figures->turning = figures->torsion = figures->bending = 0;
     for (int i = 0; i < line->count; i++) {

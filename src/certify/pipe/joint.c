@@ -165,7 +165,7 @@ static double evaluate_edge(const joint_edge *e, double v, double x[3], double n
     return e->sideways > 0 || !(length > 0) ? e->sideways / length : 0;
 }
 
-void taut_pipe_meet(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting)
+void taut_pipe_measure_joint(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting)
 {
     const joint_edge blend = edge_of(parts, side, parts->blend, side == 1);
     const joint_edge pipe = edge_of(parts, side, parts->pipes[side], side == 0);
@@ -194,7 +194,7 @@ taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
                                   taut_certificate *certificate)
 {
     taut_pipe_meeting m;
-    taut_pipe_meet(parts, side, &m);
+    taut_pipe_measure_joint(parts, side, &m);
     return taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", m.residual, 0, m.noise, m.where,
                                certificate);
 }
@@ -248,7 +248,8 @@ static double noise_of(const taut_pipe_parts *parts, int side)
            parts->flatness;
 }
 
-void taut_pipe_meet_curved(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting)
+void taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
+                                  taut_pipe_meeting *meeting)
 {
     const taut_basis *v = taut_surface_v(parts->blend), *w = taut_surface_v(parts->pipes[side]);
 
@@ -272,7 +273,7 @@ taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
                                       taut_certificate *certificate)
 {
     taut_pipe_meeting m;
-    taut_pipe_meet_curved(parts, side, &m);
+    taut_pipe_measure_curvatures(parts, side, &m);
     return taut_pipe_add_claim(side == 0 ? "curvature1" : "curvature2", m.residual, 0, m.noise,
                                m.where, certificate);
 }

@@ -1,5 +1,5 @@
-/* parts.c -- a finished pipe taken apart: its surfaces and curves, the polygon and the shape numbers of
- * its axis (a "ce-bezier" of four points, or a quintic whose points 0, 2, 3, 5 are the polygon),
+/* parts.c -- a finished pipe taken apart: its surfaces and curves, the polygon and the shape numbers
+ * of its axis (a "ce-bezier" of four points, or a quintic whose points 0, 2, 3, 5 are the polygon),
  * feet on it; and how a claim is made that rounding may leave open.
  */
 #include "certify/pipe/parts.h"
@@ -89,7 +89,7 @@ taut_status taut_pipe_add_claim(const char *name, double residual, double limit,
     return taut_certificate_add(certificate, &claim);
 }
 
-const taut_surface *taut_pipe_surface(const taut_model *model, const char *name)
+const taut_surface *taut_pipe_find_surface(const taut_model *model, const char *name)
 {
     for (int i = 0; i < taut_model_surface_count(model); i++) {
         if (strcmp(taut_surface_name(taut_model_surface(model, i)), name) == 0) {
@@ -99,7 +99,7 @@ const taut_surface *taut_pipe_surface(const taut_model *model, const char *name)
     return NULL;
 }
 
-const taut_curve *taut_pipe_curve(const taut_model *model, const char *name)
+const taut_curve *taut_pipe_find_curve(const taut_model *model, const char *name)
 {
     for (int i = 0; i < taut_model_curve_count(model); i++) {
         if (strcmp(taut_curve_name(taut_model_curve(model, i)), name) == 0) {
@@ -109,7 +109,7 @@ const taut_curve *taut_pipe_curve(const taut_model *model, const char *name)
     return NULL;
 }
 
-void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts)
+void taut_pipe_add_sizes(const taut_surface *surface, taut_pipe_parts *parts)
 {
     const int count =
         3 * taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
@@ -161,8 +161,8 @@ double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double c
     return sqrt(square);
 }
 
-void taut_pipe_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
-                    double *at_s, double offset[3])
+void taut_pipe_find_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
+                         double *at_s, double offset[3])
 {
     const taut_pipe_piece *piece = &line->pieces[0];
     double s = 0, d[3][3], apart[3];

@@ -68,13 +68,14 @@ typedef struct taut_pipe_meeting {
 } taut_pipe_meeting;
 
 /* The larger of gap over radius and sine between the normals; jumps of principal curvatures. */
-void taut_pipe_meet(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
-void taut_pipe_meet_curved(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
+void taut_pipe_measure_joint(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
+void taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
+                                  taut_pipe_meeting *meeting);
 
 /* The foot of a local point on the axis, sought from parameter `t` of the curve, and the way from
  * it. */
-void taut_pipe_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
-                    double *at_s, double offset[3]);
+void taut_pipe_find_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
+                         double *at_s, double offset[3]);
 void taut_pipe_to_local(const taut_pipe_line *line, const double x[3], double local[3]);
 
 /* Parameter k of n + 1 evenly over a basis; the ends exactly. */
@@ -85,12 +86,12 @@ void taut_pipe_unit(const double v[3], double out[3]);
 void taut_pipe_unit_normal(const double xu[3], const double xv[3], double normal[3]);
 
 /* Surface and curve of a name, or NULL. */
-const taut_surface *taut_pipe_surface(const taut_model *model, const char *name);
-const taut_curve *taut_pipe_curve(const taut_model *model, const char *name);
+const taut_surface *taut_pipe_find_surface(const taut_model *model, const char *name);
+const taut_curve *taut_pipe_find_curve(const taut_model *model, const char *name);
 /* The radius that the details tell; `seen` where they do not. */
 double taut_pipe_radius_told(const taut_model *model, double seen);
 /* sizes, of one more surface. */
-void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts);
+void taut_pipe_add_sizes(const taut_surface *surface, taut_pipe_parts *parts);
 /* Is this the model of a run? Its certificate. */
 int taut_pipe_is_run(const taut_model *model);
 taut_status taut_pipe_claim_run(const taut_model *model, const taut_pipe_run_problem *problem,

@@ -29,10 +29,10 @@ static const double tolerance_default = 1e-6;
 
 static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, taut_error *error)
 {
-    parts->blend = taut_pipe_surface(model, "blend");
-    parts->pipes[0] = taut_pipe_surface(model, "pipe1");
-    parts->pipes[1] = taut_pipe_surface(model, "pipe2");
-    parts->axis = taut_pipe_curve(model, "axis");
+    parts->blend = taut_pipe_find_surface(model, "blend");
+    parts->pipes[0] = taut_pipe_find_surface(model, "pipe1");
+    parts->pipes[1] = taut_pipe_find_surface(model, "pipe2");
+    parts->axis = taut_pipe_find_curve(model, "axis");
     if (parts->blend == NULL || parts->pipes[0] == NULL || parts->pipes[1] == NULL ||
         parts->axis == NULL) {
         return taut_fail(
@@ -62,9 +62,9 @@ static taut_status find_data(const taut_model *model, taut_pipe_parts *parts, ta
                                   ? problem->lengths[side]
                                   : taut_record_number(taut_record_at(lengths, (size_t)side));
         parts->line.lengths[side] = length > 0 ? length / parts->line.scale : INFINITY;
-        taut_pipe_see_sizes(parts->pipes[side], parts);
+        taut_pipe_add_sizes(parts->pipes[side], parts);
     }
-    taut_pipe_see_sizes(parts->blend, parts);
+    taut_pipe_add_sizes(parts->blend, parts);
     status = taut_pipe_read_sections(model, parts);
     if (status == TAUT_OK && !(parts->radius > 0)) {
         return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", parts->radius, 0,

@@ -39,7 +39,7 @@ typedef struct taut_pipe_run_parts {
 
 int taut_pipe_is_run(const taut_model *model)
 {
-    return taut_pipe_curve(model, "axis-blend1") != NULL;
+    return taut_pipe_find_curve(model, "axis-blend1") != NULL;
 }
 
 static int is_blend(const taut_pipe_run_parts *run, int piece)
@@ -78,7 +78,7 @@ static taut_status find_pieces(taut_pipe_run_parts *run, taut_arena *arena, taut
         snprintf(axis, sizeof axis, "axis-%s", name);
         blends += strncmp(name, "blend", 5) == 0;
         run->surfaces[run->count] = surface;
-        run->curves[run->count] = taut_pipe_curve(run->model, axis);
+        run->curves[run->count] = taut_pipe_find_curve(run->model, axis);
         if (run->curves[run->count++] == NULL) {
             return taut_fail(error, TAUT_BAD_INPUT, "missing", "/curves", taut_none, taut_none,
                              "surface \"%s\" of a run has no curve \"%s\"", name, axis);
@@ -117,7 +117,7 @@ static void find_data(taut_pipe_run_parts *run)
                            : 0;
     run->parts.flatness = 1;
     for (int i = 0; i < run->count; i++) {
-        taut_pipe_see_sizes(run->surfaces[i], &run->parts);
+        taut_pipe_add_sizes(run->surfaces[i], &run->parts);
         if (is_blend(run, i)) {
             run->parts.quintic = taut_basis_degree(taut_curve_t(run->curves[i])) == 5;
         }
@@ -164,7 +164,7 @@ static double noise_of_other(const taut_pipe_run_parts *run, int i, int next)
     joint.blend = run->surfaces[next];
     joint.pipes[0] = run->surfaces[i];
     find_tangent(run, next, 0, joint.line.tangent[0]);
-    taut_pipe_meet_curved(&joint, 0, &m);
+    taut_pipe_measure_curvatures(&joint, 0, &m);
     return m.noise;
 }
 
@@ -183,7 +183,7 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
         taut_pipe_meeting m;
         int side = 0;
         const taut_pipe_parts joint = joint_of(run, i, &side);
-        (curved ? taut_pipe_meet_curved : taut_pipe_meet)(&joint, side, &m);
+        (curved ? taut_pipe_measure_curvatures : taut_pipe_measure_joint)(&joint, side, &m);
         if (curved && side == 1 && is_blend(run, next)) { /* both are rounded */
             m.noise += noise_of_other(run, i, next);
         }
@@ -202,7 +202,7 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
 }
 
 /* The piece at an arc length from the start of the run, and how far along it. */
-static void place_of(const taut_pipe_run_parts *run, double at, char *text, size_t size)
+static void describe_place(const taut_pipe_run_parts *run, double at, char *text, size_t size)
 {
     const taut_pipe_line *line = &run->parts.line;
     double from = 0;
@@ -224,7 +224,7 @@ static void place_of(const taut_pipe_run_parts *run, double at, char *text, size
 }
 
 /* Piece and parameter of the largest curvature. */
-static void place_of_curvature(const taut_pipe_run_parts *run, char *text, size_t size)
+static void describe_curvature_place(const taut_pipe_run_parts *run, char *text, size_t size)
 {
     const double at = run->parts.figures.curvature_at;
     const int i = (int)fmin(run->count - 1, floor(at));
@@ -237,12 +237,12 @@ static taut_status claim_embedded(const taut_pipe_run_parts *run, taut_certifica
     char where[200] = "", from[80], to[80];
 
     if (isfinite(f->rho) && f->by_distance) {
-        place_of(run, f->binding[0], from, sizeof from);
-        place_of(run, f->binding[1], to, sizeof to);
+        describe_place(run, f->binding[0], from, sizeof from);
+        describe_place(run, f->binding[1], to, sizeof to);
         snprintf(where, sizeof where, "%s, %s", from, to);
     } else if (isfinite(f->rho)) {
         snprintf(where, sizeof where, "the curvature of ");
-        place_of_curvature(run, where + strlen(where), sizeof where - strlen(where));
+        describe_curvature_place(run, where + strlen(where), sizeof where - strlen(where));
     }
     return taut_pipe_claim_embedded(&run->parts, where, certificate);
 }
@@ -252,7 +252,7 @@ static taut_status claim_bend(const taut_pipe_run_parts *run, taut_certificate *
     const taut_pipe_line *line = &run->parts.line;
     const double open = 8 * line->noise * (1 + run->parts.figures.curvature);
     char where[80];
-    place_of_curvature(run, where, sizeof where);
+    describe_curvature_place(run, where, sizeof where);
     return taut_pipe_add_claim("bend_radius",
                                run->bend_radius * run->parts.figures.curvature / line->scale, 1,
                                1 + open, where, certificate);
@@ -274,7 +274,7 @@ static double miss_of(const taut_pipe_run_parts *run, int i, double at[2])
         int piece = 0;
         taut_surface_eval(run->surfaces[i], s, taut_pipe_parameter(v, n % RING, RING), 0, x);
         taut_pipe_to_local(line, x, local);
-        taut_pipe_foot(line, local, i + s, &piece, &foot, offset);
+        taut_pipe_find_foot(line, local, i + s, &piece, &foot, offset);
         miss = fabs(taut_norm(offset) * line->scale - run->parts.radius) / run->parts.radius;
         if (!(miss <= worst)) {
             worst = miss;
@@ -436,7 +436,7 @@ static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
     taut_record *figures = taut_record_new();
     char where[80];
 
-    place_of_curvature(run, where, sizeof where);
+    describe_curvature_place(run, where, sizeof where);
     taut_record_add_number(figures, "length", f->length * scale);
     taut_record_add_number(figures, "max_curvature", f->curvature / scale);
     taut_record_add_text(figures, "max_curvature_at", where);

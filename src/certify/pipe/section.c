@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { STEPS = 2048, GAUSS = 12, PANELS = 32, AROUND = 48 };
+enum { STEPS = 2048, GAUSS = 12, INTERVALS = 32, AROUND = 48 };
 
 static const double pi = 3.14159265358979323846;
 
@@ -163,7 +163,7 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
 
 /* How far along from the first section to the second: the curve's range is [0, 1]; and its rate by
  * the piece's own parameter (NULL: not wanted). */
-static double step_at(const taut_pipe_parts *parts, int piece, double s, double *rate_of)
+static double evaluate_step(const taut_pipe_parts *parts, int piece, double s, double *rate_of)
 {
     const taut_pipe_piece *p = &parts->line.pieces[piece];
     const double t = p->lo + s * (p->hi - p->lo), v = 1 - t;
@@ -188,7 +188,7 @@ double taut_pipe_section_miss(const taut_pipe_parts *parts, int piece, double s,
                               const double offset[3])
 {
     const taut_pipe_ellipse *e = parts->ellipses;
-    const double part = step_at(parts, piece, s, NULL), angle = parts->turn * part;
+    const double part = evaluate_step(parts, piece, s, NULL), angle = parts->turn * part;
     const double a = e[0].a + (e[1].a - e[0].a) * part, b = e[0].b + (e[1].b - e[0].b) * part;
     double u[3], w[3], turn[3], q = 0;
 
@@ -209,12 +209,12 @@ double taut_pipe_section_volume(const taut_pipe_parts *parts)
     double nodes[GAUSS], weights[GAUSS], sum = 0;
     taut_gauss_rule(GAUSS, nodes, weights);
     for (int i = 0; i < parts->line.count; i++) {
-        for (int k = 0; k < PANELS * GAUSS; k++) {
-            const double s = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / PANELS;
-            const double part = step_at(parts, i, s, NULL);
+        for (int k = 0; k < INTERVALS * GAUSS; k++) {
+            const double s = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / INTERVALS;
+            const double part = evaluate_step(parts, i, s, NULL);
             double d[2][3];
             taut_pipe_piece_eval(&parts->line.pieces[i], s, 1, d);
-            sum += 0.5 / PANELS * weights[k % GAUSS] * taut_norm(d[1]) *
+            sum += 0.5 / INTERVALS * weights[k % GAUSS] * taut_norm(d[1]) *
                    (e[0].a + (e[1].a - e[0].a) * part) * (e[0].b + (e[1].b - e[0].b) * part);
         }
     }
@@ -231,7 +231,7 @@ static double ring_area(const taut_pipe_parts *parts, int piece, double s, int p
     const taut_pipe_ellipse *e = parts->ellipses;
     const double scale = parts->line.scale;
     double rate_of = 0, u[3], w[3], turn[3], d[2][3], sum = 0;
-    const double part = step_at(parts, piece, s, &rate_of), angle = parts->turn * part;
+    const double part = evaluate_step(parts, piece, s, &rate_of), angle = parts->turn * part;
     const double da = (e[1].a - e[0].a) / scale, db = (e[1].b - e[0].b) / scale;
     const double a = e[0].a / scale + da * part, b = e[0].b / scale + db * part;
     const double twist = parts->turn * rate_of;
@@ -258,9 +258,9 @@ double taut_pipe_section_area(const taut_pipe_parts *parts)
     double nodes[GAUSS], weights[GAUSS], sum = 0;
     taut_gauss_rule(GAUSS, nodes, weights);
     for (int i = 0; i < parts->line.count; i++) {
-        for (int k = 0; k < PANELS * GAUSS; k++) {
-            const double s = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / PANELS;
-            sum += 0.5 / PANELS * weights[k % GAUSS] * ring_area(parts, i, s, points);
+        for (int k = 0; k < INTERVALS * GAUSS; k++) {
+            const double s = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / INTERVALS;
+            sum += 0.5 / INTERVALS * weights[k % GAUSS] * ring_area(parts, i, s, points);
         }
     }
     return sum * scale * scale;

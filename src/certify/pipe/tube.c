@@ -56,7 +56,7 @@ static double blend_miss(deviation *d, const taut_pipe_parts *parts, double u, d
     int piece = 0;
     taut_surface_eval(parts->blend, u, v, 1, x[0]);
     taut_pipe_to_local(&parts->line, x[0], local);
-    taut_pipe_foot(&parts->line, local, u, &piece, &foot, offset);
+    taut_pipe_find_foot(&parts->line, local, u, &piece, &foot, offset);
     if (parts->canal) {
         taut_pipe_unit_normal(x[TAUT_XU], x[TAUT_XV], normal);
         return record_canal(d, parts, local, u, offset, normal);

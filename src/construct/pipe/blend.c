@@ -20,7 +20,7 @@ static const double circle[TAUT_PIPE_RING][2] = {{1, 0},   {1, 1},  {0, 1},  {-1
                                                  {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
 
 /* The tube while it is cut into segments. */
-typedef struct maker {
+typedef struct blend_maker {
     const taut_pipe_arc *arc;
     const taut_pipe_binormal *binormal;
     const taut_pipe_profile *profile; /* or NULL: round */
@@ -30,9 +30,9 @@ typedef struct maker {
     int count, room; /* of nodes */
     double *t;
     taut_pipe_normals *normals;
-} maker;
+} blend_maker;
 
-static int add_node(maker *m, double t, const taut_pipe_normals *normals)
+static int add_node(blend_maker *m, double t, const taut_pipe_normals *normals)
 {
     if (m->count == m->room) {
         const int room = m->room > 0 ? 2 * m->room : 128;
@@ -55,7 +55,7 @@ static int add_node(maker *m, double t, const taut_pipe_normals *normals)
 }
 
 /* The frame at t1, or the axes of the ellipse there; u is carried from t0. */
-static void carry_frame(const maker *m, double t0, double t1, double u[3],
+static void carry_frame(const blend_maker *m, double t0, double t1, double u[3],
                         taut_pipe_normals *normals)
 {
     taut_pipe_normals frame;
@@ -72,73 +72,62 @@ static void carry_frame(const maker *m, double t0, double t1, double u[3],
     }
 }
 
+/* A vector at one end of a segment, with its derivatives. */
+typedef struct vector_jet {
+    const double *x, *d1, *d2;
+} vector_jet;
+
 /* Hermite's interpolant on a segment of length h, as a Bezier polygon: cubic, and quintic with
  * second derivatives where the axis has that degree anyway. Returns its degree. */
-static int interpolant(const maker *m, const double x[2][3], const double d1[2][3],
-                       const double d2[2][3], double h, double (*out)[3])
+static int interpolate(const blend_maker *m, vector_jet a, vector_jet b, double h, double (*out)[3])
 {
     const int n = m->binormal == NULL && m->arc->degree >= 5 ? 5 : 3;
     for (int k = 0; k < 3; k++) {
-        out[0][k] = x[0][k];
-        out[1][k] = x[0][k] + h * d1[0][k] / n;
-        out[n - 1][k] = x[1][k] - h * d1[1][k] / n;
-        out[n][k] = x[1][k];
+        out[0][k] = a.x[k];
+        out[1][k] = a.x[k] + h * a.d1[k] / n;
+        out[n - 1][k] = b.x[k] - h * b.d1[k] / n;
+        out[n][k] = b.x[k];
         if (n == 5) {
-            out[2][k] = x[0][k] + 2 * h * d1[0][k] / 5 + h * h * d2[0][k] / 20;
-            out[3][k] = x[1][k] - 2 * h * d1[1][k] / 5 + h * h * d2[1][k] / 20;
+            out[2][k] = a.x[k] + 2 * h * a.d1[k] / 5 + h * h * a.d2[k] / 20;
+            out[3][k] = b.x[k] - 2 * h * b.d1[k] / 5 + h * h * b.d2[k] / 20;
         }
     }
     return n;
 }
 
 /* Of both vectors of the frame. */
-static int interpolants(const maker *m, const taut_pipe_normals *n0, const taut_pipe_normals *n1,
-                        double h, double (*u)[3], double (*w)[3])
+static int interpolate_frame(const blend_maker *m, const taut_pipe_normals *n0,
+                             const taut_pipe_normals *n1, double h, double (*u)[3], double (*w)[3])
 {
-    double x[2][3], d1[2][3], d2[2][3];
-    memcpy(x[0], n0->u, sizeof x[0]);
-    memcpy(x[1], n1->u, sizeof x[1]);
-    memcpy(d1[0], n0->du, sizeof d1[0]);
-    memcpy(d1[1], n1->du, sizeof d1[1]);
-    memcpy(d2[0], n0->ddu, sizeof d2[0]);
-    memcpy(d2[1], n1->ddu, sizeof d2[1]);
-    interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, (const double(*)[3])d2, h, u);
-    memcpy(x[0], n0->w, sizeof x[0]);
-    memcpy(x[1], n1->w, sizeof x[1]);
-    memcpy(d1[0], n0->dw, sizeof d1[0]);
-    memcpy(d1[1], n1->dw, sizeof d1[1]);
-    memcpy(d2[0], n0->ddw, sizeof d2[0]);
-    memcpy(d2[1], n1->ddw, sizeof d2[1]);
-    return interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, (const double(*)[3])d2, h,
-                       w);
+    interpolate(m, (vector_jet){n0->u, n0->du, n0->ddu}, (vector_jet){n1->u, n1->du, n1->ddu}, h,
+                u);
+    return interpolate(m, (vector_jet){n0->w, n0->dw, n0->ddw},
+                       (vector_jet){n1->w, n1->dw, n1->ddw}, h, w);
 }
 
 /* How far back the circles of a canal surface are; 0 for others. Returns the degree. */
-static int set_offsets(const maker *m, const taut_pipe_normals *n0, const taut_pipe_normals *n1,
-                       double h, double (*c)[3])
+static int interpolate_offset(const blend_maker *m, const taut_pipe_normals *n0,
+                              const taut_pipe_normals *n1, double h, double (*c)[3])
 {
-    double x[2][3] = {{0, 0, 0}, {0, 0, 0}}, d1[2][3] = {{0, 0, 0}, {0, 0, 0}};
-    const double none[2][3] = {{0, 0, 0}, {0, 0, 0}};
+    static const double none[3] = {0, 0, 0};
     if (m->profile != NULL && m->profile->canal > 0) {
-        memcpy(x[0], n0->c, sizeof x[0]);
-        memcpy(x[1], n1->c, sizeof x[1]);
-        memcpy(d1[0], n0->dc, sizeof d1[0]);
-        memcpy(d1[1], n1->dc, sizeof d1[1]);
+        return interpolate(m, (vector_jet){n0->c, n0->dc, none}, (vector_jet){n1->c, n1->dc, none},
+                           h, c);
     }
-    return interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, none, h, c);
+    return interpolate(m, (vector_jet){none, none, none}, (vector_jet){none, none, none}, h, c);
 }
 
 /* The largest distance of X from the tube at a fraction s of a segment, over the radius. With
  * g = c U + s W and e its part along the tangent, the point of the axis nearest to X has moved by
  * a e / (1 - a kappa_n), so that the distance from the axis is a sqrt(g.g - e^2 / (1 - a kappa_n)).
  */
-static double deviation(const maker *m, double t0, const taut_pipe_normals *n0, double t1,
-                        const taut_pipe_normals *n1, double s)
+static double round_deviation(const blend_maker *m, double t0, const taut_pipe_normals *n0,
+                              double t1, const taut_pipe_normals *n1, double s)
 {
     const double h = t1 - t0;
     double u[3], w[3], most = 0;
     double polygon_u[TAUT_PIPE_DEGREE_MAX + 1][3], polygon_w[TAUT_PIPE_DEGREE_MAX + 1][3];
-    const int degree = interpolants(m, n0, n1, h, polygon_u, polygon_w);
+    const int degree = interpolate_frame(m, n0, n1, h, polygon_u, polygon_w);
     taut_pipe_jet jet;
 
     taut_pipe_arc_jet(m->arc, t0 + s * h, &jet);
@@ -160,14 +149,14 @@ static double deviation(const maker *m, double t0, const taut_pipe_normals *n0, 
 
 /* The same of elliptic sections: no point of X is farther from the ellipse than from the one that
  * has its angle there. u is carried to t0. */
-static double profile_deviation(const maker *m, double t0, const double carried[3],
+static double profile_deviation(const blend_maker *m, double t0, const double carried[3],
                                 const taut_pipe_normals *n0, double t1, const taut_pipe_normals *n1,
                                 double s)
 {
     const double h = t1 - t0;
     double u[3], w[3], at[3], back[3] = {0, 0, 0}, most = 0;
     double polygon_u[TAUT_PIPE_DEGREE_MAX + 1][3], polygon_w[TAUT_PIPE_DEGREE_MAX + 1][3];
-    const int degree = interpolants(m, n0, n1, h, polygon_u, polygon_w);
+    const int degree = interpolate_frame(m, n0, n1, h, polygon_u, polygon_w);
     taut_pipe_normals exact;
 
     memcpy(at, carried, sizeof at);
@@ -177,7 +166,7 @@ static double profile_deviation(const maker *m, double t0, const double carried[
     taut_difference(u, exact.u, u);
     taut_difference(w, exact.w, w);
     if (m->profile->canal > 0) {
-        set_offsets(m, n0, n1, h, polygon_u);
+        interpolate_offset(m, n0, n1, h, polygon_u);
         taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, back, NULL);
         taut_difference(back, exact.c, back);
     }
@@ -191,22 +180,22 @@ static double profile_deviation(const maker *m, double t0, const double carried[
     return most;
 }
 
-static int is_close(const maker *m, double t0, const double carried[3], const taut_pipe_normals *n0,
-                    double t1, const taut_pipe_normals *n1)
+static int is_close(const blend_maker *m, double t0, const double carried[3],
+                    const taut_pipe_normals *n0, double t1, const taut_pipe_normals *n1)
 {
     for (int i = 1; i < 8; i++) {
         const double found = m->profile != NULL
                                  ? profile_deviation(m, t0, carried, n0, t1, n1, i / 8.0)
-                                 : deviation(m, t0, n0, t1, n1, i / 8.0);
+                                 : round_deviation(m, t0, n0, t1, n1, i / 8.0);
         if (!(found <= 0.8 * m->tolerance)) {
             return 0;
         }
     }
     return m->profile != NULL || !(m->sharpest > t0 && m->sharpest < t1) ||
-           deviation(m, t0, n0, t1, n1, (m->sharpest - t0) / (t1 - t0)) <= 0.8 * m->tolerance;
+           round_deviation(m, t0, n0, t1, n1, (m->sharpest - t0) / (t1 - t0)) <= 0.8 * m->tolerance;
 }
 
-static taut_status fail_too_fine(const maker *m, const char *name, taut_error *error)
+static taut_status fail_too_fine(const blend_maker *m, const char *name, taut_error *error)
 {
     return taut_fail(error, TAUT_NO_SOLUTION, "too-fine", "", m->tolerance, taut_none,
                      "%s needs more than 100000 segments for a tolerance of %g: ask for less, or "
@@ -216,7 +205,7 @@ static taut_status fail_too_fine(const maker *m, const char *name, taut_error *e
 
 /* From the first end to the last in dyadic steps: halved until close, doubled again where the place
  * allows it. */
-static taut_status cut_segments(maker *m, const char *name, taut_error *error)
+static taut_status cut_segments(blend_maker *m, const char *name, taut_error *error)
 {
     taut_pipe_normals here, next;
     taut_pipe_jet jet;
@@ -274,7 +263,7 @@ static void elevate_degree(int from, int n, double (*out)[3])
 }
 
 /* The rings of one segment: all n + 1 of them. */
-static void set_rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
+static void set_rings(const blend_maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
 {
     const int n = m->arc->degree;
     const taut_pipe_normals *n0 = &m->normals[i], *n1 = &m->normals[i + 1];
@@ -284,10 +273,10 @@ static void set_rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
     int degree = 0;
 
     taut_pipe_arc_piece(m->arc, m->t[i], m->t[i + 1], p);
-    degree = interpolants(m, n0, n1, h, u, w);
+    degree = interpolate_frame(m, n0, n1, h, u, w);
     elevate_degree(degree, n, u);
     elevate_degree(degree, n, w);
-    set_offsets(m, n0, n1, h, c);
+    interpolate_offset(m, n0, n1, h, c);
     elevate_degree(degree, n, c);
     for (int row = 0; row <= n; row++) {
         for (int j = 0; j < TAUT_PIPE_RING; j++) {
@@ -304,12 +293,12 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
                                  const taut_pipe_profile *profile, taut_arena *arena,
                                  const char *name, taut_pipe_blend *blend, taut_error *error)
 {
-    maker m = {.arc = arc,
-               .binormal = binormal,
-               .profile = profile,
-               .radius = radius,
-               .tolerance = tolerance,
-               .arena = arena};
+    blend_maker m = {.arc = arc,
+                     .binormal = binormal,
+                     .profile = profile,
+                     .radius = radius,
+                     .tolerance = tolerance,
+                     .arena = arena};
     const int n = arc->degree;
     double ring[TAUT_PIPE_DEGREE_MAX + 1][TAUT_PIPE_RING][3];
     double(*points)[TAUT_PIPE_RING][3] = NULL;

@@ -19,8 +19,8 @@ enum {
     COARSE = 5,
     STARTS = 4,
     SAMPLES = 64,
-    PANELS = 4,
-    PANELS_FINE = 16,
+    INTERVALS = 4,
+    INTERVALS_FINE = 16,
     ROUNDS = 20,
     BISECTIONS = 40
 };
@@ -58,7 +58,7 @@ static double merit_of(taut_pipe_task *task, const double edges[3][3], const dou
         return cusped;
     }
     room = fmax(task->radius, task->bend_radius) * bend.curvature;
-    taut_pipe_bend_integrals(&arc, task->panels, &bend);
+    taut_pipe_bend_integrals(&arc, task->intervals, &bend);
     value = goal == GOAL_CURVATURE ? bend.curvature
             : goal == GOAL_BENDING ? bend.bending
                                    : bend.length * bend.bending;
@@ -146,7 +146,7 @@ static double leave_creases(int count, const double *lo, const double *hi, taut_
                             search *s, double *best)
 {
     double least = 0;
-    s->task->panels = PANELS_FINE;
+    s->task->intervals = INTERVALS_FINE;
     s->bound = INFINITY;
     least = f(s, best);
     for (int round = 0; round < ROUNDS; round++) {
@@ -168,7 +168,7 @@ static double search_from_grid(int count, const double *lo, const double *hi, co
 {
     double starts[STARTS][TAUT_PIPE_SEARCH_MAX], values[STARTS], least = INFINITY;
     int cells = 1, kept = 0;
-    s->task->panels = PANELS;
+    s->task->intervals = INTERVALS;
     for (int k = 0; k < count; k++) {
         cells *= COARSE;
     }
@@ -259,8 +259,8 @@ static void set_missing(const taut_pipe_task *task, double h, double handles[2])
 }
 
 /* Doubled from a quarter of the radius, or of the distance of the feet, until the largest radius is
- * three radii, then bisected. A
- * given handle may be too short for that: the best seen is taken then. */
+ * three radii, then bisected. A given handle may be too short for that: then the best seen is taken.
+ */
 static void choose_feet(taut_pipe_task *task)
 {
     const double wanted = 3;

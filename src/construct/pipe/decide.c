@@ -1,11 +1,11 @@
-/* decide.c -- from the numbers of a problem to its axis, with what is not given decided, and refused
+/* decide.c -- from the numbers of a problem to its axis, with what is not given decided; refused
  * where it bends too sharply. */
 #include "construct/pipe/task.h"
 #include "core/fail.h"
 
 #include <stdio.h>
 
-void taut_pipe_say_radius(double rho, char *text, size_t size)
+void taut_pipe_describe_radius(double rho, char *text, size_t size)
 {
     if (rho > 0) {
         snprintf(text, size, "the largest radius that would work is below %.12g", rho);

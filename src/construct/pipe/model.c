@@ -8,14 +8,14 @@
 #include <string.h>
 
 /* What the surfaces share while they are made. */
-typedef struct maker {
+typedef struct model_maker {
     const taut_pipe_task *task;
     const taut_pipe_blend *blend;
     const taut_basis *u, *line, *v; /* of the blend, of the straight pipes, of all rings */
     double *points;                 /* double[rows][TAUT_PIPE_RING][3], absolute */
     double *weights;                /* double[rows][TAUT_PIPE_RING] */
     taut_model *model;
-} maker;
+} model_maker;
 
 taut_status taut_pipe_add_surface(taut_model *model, const char *name, const taut_basis *u,
                                   const taut_basis *v, const double *points, const double *weights,
@@ -61,7 +61,7 @@ void taut_pipe_cap_points(const double *ring, int side, double points[2][TAUT_PI
 }
 
 /* A surface ruled from one ring to another. */
-static taut_status add_rings(maker *m, const char *name, double points[2][TAUT_PIPE_RING][3],
+static taut_status add_rings(model_maker *m, const char *name, double points[2][TAUT_PIPE_RING][3],
                              taut_error *error)
 {
     return taut_pipe_add_surface(m->model, name, m->line, m->v, &points[0][0][0], m->weights,
@@ -69,7 +69,7 @@ static taut_status add_rings(maker *m, const char *name, double points[2][TAUT_P
 }
 
 /* Straight pipe `side`: the ring of the blend, and the same moved along the axis. */
-static taut_status add_straight(maker *m, int side, taut_error *error)
+static taut_status add_straight(model_maker *m, int side, taut_error *error)
 {
     const taut_pipe_task *task = m->task;
     const double *const ring =
@@ -245,7 +245,7 @@ static taut_record *details_of(const taut_pipe_task *task, const taut_pipe_blend
     return details;
 }
 
-static taut_status begin_maker(maker *m, taut_error *error)
+static taut_status begin_maker(model_maker *m, taut_error *error)
 {
     taut_arena *const arena = m->task->arena;
     const size_t count = (size_t)m->blend->rows * TAUT_PIPE_RING;
@@ -274,7 +274,7 @@ static taut_status begin_maker(maker *m, taut_error *error)
     return TAUT_OK;
 }
 
-static taut_status fill_model(maker *m, taut_error *error)
+static taut_status fill_model(model_maker *m, taut_error *error)
 {
     taut_record *details = NULL;
     taut_status status =
@@ -297,7 +297,7 @@ static taut_status fill_model(maker *m, taut_error *error)
 taut_status taut_pipe_to_model(const taut_pipe_task *task, const taut_pipe_blend *blend,
                                taut_model **model, taut_error *error)
 {
-    maker m = {.task = task, .blend = blend};
+    model_maker m = {.task = task, .blend = blend};
     taut_status status = begin_maker(&m, error);
     if (status != TAUT_OK) {
         return status;

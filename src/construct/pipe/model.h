@@ -8,10 +8,10 @@
 /* *model is the caller's on success, untouched on failure. */
 taut_status taut_pipe_to_model(const taut_pipe_task *task, const taut_pipe_blend *blend,
                                taut_model **model, taut_error *error);
-/* The parts of it: a surface, given its control points and weights; a curve; a disc (ellipse) over the
- * ring where a pipe begins (side 0) or ends (side 1), its u along the flow, from the centre to the
- * ring or from the ring to the centre, so that it looks to the side the pipe looks to; the axis of
- * a task. */
+/* The parts of it: a surface, given its control points and weights; a curve; a disc (ellipse) over
+ * the ring where a pipe begins (side 0) or ends (side 1), its u along the flow, from the centre to
+ * the ring or from the ring to the centre, so that it looks to the side the pipe looks to; the axis
+ * of a task. */
 taut_status taut_pipe_add_surface(taut_model *model, const char *name, const taut_basis *u,
                                   const taut_basis *v, const double *points, const double *weights,
                                   taut_error *error);

@@ -45,7 +45,7 @@ static taut_status judge_reach(taut_pipe_task *task, taut_error *error)
     rho = task->reach.radius * task->scale;
     if (!(task->radius * task->reach.curvature < 1)) {
         char rest[128];
-        taut_pipe_say_radius(rho, rest, sizeof rest);
+        taut_pipe_describe_radius(rho, rest, sizeof rest);
         return taut_fail(error, TAUT_NO_SOLUTION, "self-intersect-local", "/radius", a, rho,
                          "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
                          "curvature %.12g, at t = %.6g; %s",
@@ -55,7 +55,7 @@ static taut_status judge_reach(taut_pipe_task *task, taut_error *error)
         describe_place(task, task->reach.binding[0], from, sizeof from);
         describe_place(task, task->reach.binding[1], to, sizeof to);
         char rest[128];
-        taut_pipe_say_radius(rho, rest, sizeof rest);
+        taut_pipe_describe_radius(rho, rest, sizeof rest);
         return taut_fail(error, TAUT_NO_SOLUTION, "self-intersect-global", "/radius", a, rho,
                          "SELF_INTERSECT_GLOBAL: the pipe touches itself (%s; %s); %s", from, to,
                          rest);
@@ -204,25 +204,6 @@ static taut_status make_blend(taut_pipe_task *task, double tolerance, taut_model
     return taut_pipe_to_model(task, &blend, model, error);
 }
 
-static taut_status check_choices(const taut_pipe_problem *problem, taut_error *error)
-{
-    const struct {
-        const char *where;
-        int chosen, last;
-    } choices[] = {{"/axis", (int)problem->axis.kind, TAUT_PIPE_FEET},
-                   {"/section", (int)problem->section.kind, TAUT_PIPE_NAIVE_SWEEP},
-                   {"/shape", (int)problem->shape.kind, TAUT_PIPE_LEAST_CURVATURE},
-                   {"/frame", (int)problem->frame, TAUT_PIPE_FRENET},
-                   {"/joint", (int)problem->joint, TAUT_PIPE_G2}};
-    taut_status status = TAUT_OK;
-
-    for (size_t i = 0; i < sizeof choices / sizeof *choices && status == TAUT_OK; i++) {
-        status =
-            taut_pipe_check_choice(choices[i].chosen, choices[i].last, choices[i].where, error);
-    }
-    return status;
-}
-
 taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_options *options,
                            taut_model **model, taut_error *error)
 {
@@ -238,7 +219,13 @@ taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_opt
     if (status != TAUT_OK) {
         return status;
     }
-    status = check_choices(problem, error);
+    const taut_pipe_choice choices[] = {
+        {"/axis", (int)problem->axis.kind, TAUT_PIPE_FEET},
+        {"/section", (int)problem->section.kind, TAUT_PIPE_NAIVE_SWEEP},
+        {"/shape", (int)problem->shape.kind, TAUT_PIPE_LEAST_CURVATURE},
+        {"/frame", (int)problem->frame, TAUT_PIPE_FRENET},
+        {"/joint", (int)problem->joint, TAUT_PIPE_G2}};
+    status = taut_pipe_check_choices(choices, sizeof choices / sizeof *choices, error);
     if (status != TAUT_OK) {
         return status;
     }

@@ -122,7 +122,7 @@ static taut_status judge_run(taut_pipe_run *run, taut_error *error)
     const taut_pipe_composite composite = {.count = c.count, .arcs = c.arcs, .closed = run->closed};
     taut_pipe_reach_of(&composite, scratch, &run->reach);
     rho = run->reach.radius * run->scale;
-    taut_pipe_say_radius(rho, rest, sizeof rest);
+    taut_pipe_describe_radius(rho, rest, sizeof rest);
     if (!(a * run->reach.curvature < run->scale)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "self-intersect-local", "/radius", a, rho,
                          "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "

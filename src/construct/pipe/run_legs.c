@@ -30,22 +30,6 @@ static taut_status check_leg(const taut_pipe_leg *leg, const char *where, taut_e
                                  error);
 }
 
-static taut_status check_choices(const taut_pipe_run_problem *p, taut_error *error)
-{
-    const struct {
-        const char *where;
-        int chosen, last;
-    } choices[] = {{"/run", (int)p->route.kind, TAUT_PIPE_LEGS},
-                   {"/shape", (int)p->shape.kind, TAUT_PIPE_LEAST_CURVATURE},
-                   {"/joint", (int)p->joint, TAUT_PIPE_G2}};
-    taut_status status = TAUT_OK;
-    for (size_t i = 0; i < sizeof choices / sizeof *choices && status == TAUT_OK; i++) {
-        status =
-            taut_pipe_check_choice(choices[i].chosen, choices[i].last, choices[i].where, error);
-    }
-    return status;
-}
-
 static taut_status check_route(const taut_pipe_route *route, taut_error *error)
 {
     const int are_corners = route->kind == TAUT_PIPE_CORNERS;
@@ -67,7 +51,10 @@ static taut_status check_route(const taut_pipe_route *route, taut_error *error)
 
 static taut_status check_run(const taut_pipe_run_problem *p, taut_error *error)
 {
-    taut_status status = check_choices(p, error);
+    const taut_pipe_choice choices[] = {{"/run", (int)p->route.kind, TAUT_PIPE_LEGS},
+                                        {"/shape", (int)p->shape.kind, TAUT_PIPE_LEAST_CURVATURE},
+                                        {"/joint", (int)p->joint, TAUT_PIPE_G2}};
+    taut_status status = taut_pipe_check_choices(choices, sizeof choices / sizeof *choices, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -146,8 +133,8 @@ static void begin_elbow(taut_pipe_run *run, int i, taut_pipe_axis_kind axis)
     snprintf(e->name, sizeof e->name, "blend%d", i + 1);
 }
 
-/* Handles and shape that are not given, then what the elbow is like; between half lines, or straight
- * pipes of these lengths. */
+/* Handles and shape that are not given, then what the elbow is like; between half lines, or
+ * straight pipes of these lengths. */
 static taut_status decide_elbow(taut_pipe_run *run, taut_pipe_elbow *e, const double *lengths,
                                 taut_error *error)
 {

@@ -9,13 +9,13 @@
 
 enum { RING = 3 * TAUT_PIPE_RING };
 
-typedef struct maker {
+typedef struct run_maker {
     const taut_pipe_run *run;
     const taut_basis *line, *v; /* along straight pipes, of all rings */
     taut_model *model;
-} maker;
+} run_maker;
 
-static taut_status add_surface(maker *m, const char *name, const taut_basis *u, int rows,
+static taut_status add_surface(run_maker *m, const char *name, const taut_basis *u, int rows,
                                const double *points, taut_error *error)
 {
     double *const weights =
@@ -53,7 +53,7 @@ static void set_rings(const taut_pipe_run *run, int i, double (*points)[TAUT_PIP
     }
 }
 
-static taut_status add_straight(maker *m, int i, taut_error *error)
+static taut_status add_straight(run_maker *m, int i, taut_error *error)
 {
     const taut_pipe_straight *const s = &m->run->straights[i];
     double points[2][TAUT_PIPE_RING][3], ends[2][3];
@@ -74,7 +74,7 @@ static taut_status add_straight(maker *m, int i, taut_error *error)
     return taut_pipe_add_curve(m->model, axis, m->line, &ends[0][0], error);
 }
 
-static taut_status add_elbow(maker *m, const taut_pipe_elbow *e, taut_error *error)
+static taut_status add_elbow(run_maker *m, const taut_pipe_elbow *e, taut_error *error)
 {
     const taut_basis *u = NULL;
     char axis[40];
@@ -91,7 +91,7 @@ static taut_status add_elbow(maker *m, const taut_pipe_elbow *e, taut_error *err
 }
 
 /* A disc over each free end: the rings there are those of the first and the last surface. */
-static taut_status add_caps(maker *m, taut_error *error)
+static taut_status add_caps(run_maker *m, taut_error *error)
 {
     const int last = taut_model_surface_count(m->model) - 1;
     taut_status status = TAUT_OK;
@@ -136,7 +136,7 @@ static taut_record *details_of(const taut_pipe_run *run)
     return details;
 }
 
-static taut_status fill_model(maker *m, taut_error *error)
+static taut_status fill_model(run_maker *m, taut_error *error)
 {
     const taut_pipe_run *const run = m->run;
     taut_record *details = NULL;
@@ -160,7 +160,7 @@ static taut_status fill_model(maker *m, taut_error *error)
 
 taut_status taut_pipe_run_model(taut_pipe_run *run, taut_model **model, taut_error *error)
 {
-    maker m = {.run = run};
+    run_maker m = {.run = run};
     taut_status status = taut_pipe_basis_line(run->arena, &m.line, error);
     if (status != TAUT_OK) {
         return status;

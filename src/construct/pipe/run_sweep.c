@@ -12,7 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { STEPS = 4096, PANELS = 16 };
+enum { STEPS = 4096, INTERVALS = 16 };
 
 /* u made a unit vector across the tangent at one end of an elbow. */
 static void make_normal(const taut_pipe_elbow *e, int end, double u[3])
@@ -40,7 +40,7 @@ static void close_frame(taut_pipe_run *run)
     for (int i = 0; i < run->elbow_count; i++) {
         make_normal(&run->elbows[i], 0, u);
         taut_pipe_carry(&run->elbows[i].task.arc, 0, 1, STEPS, u);
-        taut_pipe_bend_integrals(&run->elbows[i].task.arc, PANELS, &run->elbows[i].task.bend);
+        taut_pipe_bend_integrals(&run->elbows[i].task.arc, INTERVALS, &run->elbows[i].task.bend);
         total += run->elbows[i].task.bend.length * run->elbows[i].task.scale;
     }
     make_normal(start, 0, u);

@@ -33,11 +33,15 @@ taut_status taut_pipe_check_point(const double point[3], const char *where, taut
     return TAUT_OK;
 }
 
-taut_status taut_pipe_check_choice(int chosen, int last, const char *where, taut_error *error)
+taut_status taut_pipe_check_choices(const taut_pipe_choice *choices, size_t count,
+                                    taut_error *error)
 {
-    if (chosen < 0 || chosen > last) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", where, chosen, last,
-                         "found choice %d, expected one from 0 to %d", chosen, last);
+    for (size_t i = 0; i < count; i++) {
+        const taut_pipe_choice *c = &choices[i];
+        if (c->chosen < 0 || c->chosen > c->last) {
+            return taut_fail(error, TAUT_BAD_INPUT, "value", c->where, c->chosen, c->last,
+                             "found choice %d, expected one from 0 to %d", c->chosen, c->last);
+        }
     }
     return TAUT_OK;
 }

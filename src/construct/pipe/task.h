@@ -34,7 +34,7 @@ typedef struct taut_pipe_task {
     taut_pipe_bend bend;
     taut_pipe_reach reach;
     double *reach_scratch;
-    int panels;      /* of the quadrature that judges a choice */
+    int intervals;   /* of the quadrature that judges a choice */
     int evaluations; /* of the choices */
     int chose_shape;
 } taut_pipe_task;
@@ -47,8 +47,13 @@ double taut_pipe_power_below(double size);
 /* The options' tolerance, or the default; TAUT_BAD_ARGUMENT for one below what rounding leaves. */
 taut_status taut_pipe_tolerance(const taut_make_options *options, double *tolerance,
                                 taut_error *error);
-/* Is a choice one of 0 .. last? */
-taut_status taut_pipe_check_choice(int chosen, int last, const char *where, taut_error *error);
+/* Is each choice one of 0 .. last? */
+typedef struct taut_pipe_choice {
+    const char *where;
+    int chosen, last;
+} taut_pipe_choice;
+taut_status taut_pipe_check_choices(const taut_pipe_choice *choices, size_t count,
+                                    taut_error *error);
 
 /* Checks the numbers, and fills the task up to `across`; handles that are given, 0 for others. */
 taut_status taut_pipe_begin(taut_pipe_task *task, taut_error *error);
@@ -68,6 +73,6 @@ taut_status taut_pipe_choose_shape(taut_pipe_task *task, taut_error *error);
  * sharply than asked for (decide.c). name: of the axis in messages. */
 taut_status taut_pipe_decide(taut_pipe_task *task, const char *name, taut_error *error);
 /* Which radius would work, in words; none where the axis meets itself. */
-void taut_pipe_say_radius(double rho, char *text, size_t size);
+void taut_pipe_describe_radius(double rho, char *text, size_t size);
 
 #endif /* TAUT_PIPE_TASK_H */
