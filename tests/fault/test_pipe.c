@@ -15,6 +15,14 @@ static taut_status make(const void *context, void **result, taut_error *error)
     return status;
 }
 
+static taut_status make_run(const void *context, void **result, taut_error *error)
+{
+    taut_model *model = *result;
+    const taut_status status = taut_pipe_run_make(context, &coarse, &model, error);
+    *result = model;
+    return status;
+}
+
 typedef struct proof {
     const taut_model *model;
     const taut_pipe_problem *problem;
@@ -31,11 +39,27 @@ static taut_status prove(const void *context, void **result, taut_error *error)
     return status;
 }
 
+typedef struct run_proof {
+    const taut_model *model;
+    const taut_pipe_run_problem *problem;
+} run_proof;
+
+static taut_status prove_run(const void *context, void **result, taut_error *error)
+{
+    const run_proof *p = context;
+    taut_certificate *certificate = *result;
+    const taut_certify_options options = {.tolerance = 1e-2};
+    const taut_status status =
+        taut_pipe_run_certify(p->model, p->problem, &options, &certificate, error);
+    *result = certificate;
+    return status;
+}
+
 /* The neighbours of a chosen shape are many and alike: the first allocations will do. */
 static void prove_choice(const taut_model *model, const taut_pipe_problem *problem)
 {
     taut_pipe_problem chosen = *problem;
-    chosen.shape = TAUT_PIPE_LEAST_CURVATURE;
+    chosen.shape.kind = TAUT_PIPE_LEAST_CURVATURE;
     const proof context = {model, &chosen};
     const fault_call call = {"chosen", prove, release_certificate, &context};
     fault_loop_first(&call, 90);
@@ -44,12 +68,9 @@ static void prove_choice(const taut_model *model, const taut_pipe_problem *probl
 int main(void)
 {
     taut_pipe_problem problem = {
-        .radius = 1,
-        .polygon = {{5, 0, 0}, {5, 2, 0}, {0, 6, 0}, {0, 6, 3}},
-        .alpha = 3,
-        .beta = 2,
-        .gamma = 1,
-        .extended = 1,
+        .axis = {.polygon = {{5, 0, 0}, {5, 2, 0}, {0, 6, 0}, {0, 6, 3}}},
+        .section = {.radius = 1},
+        .shape = {.alpha = 3, .beta = 2, .gamma = 1, .extended = 1},
     };
     taut_model *model = NULL;
     const fault_call call = {"pipe", make, release_model, &problem};
@@ -61,18 +82,18 @@ int main(void)
     prove_choice(model, &problem);
     problem.frame = TAUT_PIPE_FRENET;
     problem.lengths[0] = 5;
-    problem.polygon[3][2] = 9;
+    problem.axis.polygon[3][2] = 9;
     const fault_call frenet = {"frenet", make, release_model, &problem};
     CHECK(fault_loop(&frenet) > 40, "a pipe takes memory");
     problem.frame = TAUT_PIPE_ROTATION_MINIMIZING;
-    problem.joint = TAUT_PIPE_CURVATURE_JOINT;
-    problem.alpha = problem.beta = 0;
+    problem.joint = TAUT_PIPE_G2;
+    problem.shape.alpha = problem.shape.beta = 0;
     const fault_call quintic = {"quintic", make, release_model, &problem};
     CHECK(fault_loop(&quintic) > 40, "a pipe takes memory");
     taut_model_free(model);
     model = NULL;
-    problem.sections[0] = (taut_pipe_section){0.5, 0.3, {1, 0, 1}};
-    problem.sections[1] = (taut_pipe_section){0.4, 0.4, {1, 0, 0}};
+    problem.section = (taut_pipe_section){
+        .kind = TAUT_PIPE_ELLIPTIC, .ellipses = {{0.5, 0.3, {1, 0, 1}}, {0.4, 0.4, {1, 0, 0}}}};
     const fault_call elliptic = {"sections", make, release_model, &problem};
     CHECK(fault_loop(&elliptic) > 40, "a pipe takes memory");
     CHECK(taut_pipe_make(&problem, &coarse, &model, NULL) == TAUT_OK, "made");
@@ -81,10 +102,8 @@ int main(void)
     CHECK(model == NULL || fault_loop(&ellipses) > 20, "the proof takes memory");
     taut_model_free(model);
     model = NULL;
-    problem.sections[0].a = problem.sections[1].a = 0;
-    problem.joint = TAUT_PIPE_TANGENT;
-    problem.radii[0] = 0.5;
-    problem.radii[1] = 0.3;
+    problem.joint = TAUT_PIPE_G1;
+    problem.section = (taut_pipe_section){.kind = TAUT_PIPE_CANAL, .radii = {0.5, 0.3}};
     const fault_call canal = {"canal", make, release_model, &problem};
     CHECK(fault_loop(&canal) > 40, "a pipe takes memory");
     CHECK(taut_pipe_make(&problem, &coarse, &model, NULL) == TAUT_OK, "made");
@@ -93,14 +112,16 @@ int main(void)
     CHECK(model == NULL || fault_loop(&spheres) > 20, "the proof takes memory");
     taut_model_free(model);
     model = NULL;
-    const taut_pipe_leg corners[] = {{.from = {0, 0, 0}}, {.from = {5, 0, 0}}, {.from = {5, 5, 1}}};
-    taut_pipe_problem run = {
-        .radius = 0.3, .axis = TAUT_PIPE_CORNERS, .legs = corners, .leg_count = 3, .caps = 1};
-    const fault_call open_run = {"run", make, release_model, &run};
+    const double corners[] = {0, 0, 0, 5, 0, 0, 5, 5, 1};
+    const taut_pipe_run_problem run = {
+        .route = {.kind = TAUT_PIPE_CORNERS, .count = 3, .corners = corners},
+        .radius = 0.3,
+        .caps = 1};
+    const fault_call open_run = {"run", make_run, release_model, &run};
     CHECK(fault_loop(&open_run) > 40, "a run takes memory");
-    CHECK(taut_pipe_make(&run, &coarse, &model, NULL) == TAUT_OK, "made");
-    const proof of_run = {model, &run};
-    const fault_call certify_run = {"run's certificate", prove, release_certificate, &of_run};
+    CHECK(taut_pipe_run_make(&run, &coarse, &model, NULL) == TAUT_OK, "made");
+    const run_proof of_run = {model, &run};
+    const fault_call certify_run = {"run's certificate", prove_run, release_certificate, &of_run};
     CHECK(model == NULL || fault_loop(&certify_run) > 20, "the proof takes memory");
     taut_model_free(model);
     return check_failures != 0;

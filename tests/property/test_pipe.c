@@ -17,14 +17,14 @@ static const double pi = 3.14159265358979323846;
  * near themselves or their straight pipes. */
 static taut_pipe_problem random_blend(int loop)
 {
-    taut_pipe_problem problem = {.radius = 1e-3, .axis = TAUT_PIPE_ENDS};
-    taut_pipe_end *const from = &problem.ends[0], *const to = &problem.ends[1];
+    taut_pipe_problem problem = {.axis = {.kind = TAUT_PIPE_ENDS}, .section = {.radius = 1e-3}};
+    taut_pipe_end *const from = &problem.axis.ends[0], *const to = &problem.axis.ends[1];
     for (int side = 0; side < 2; side++) {
         for (int k = 0; k < 3; k++) {
-            problem.ends[side].point[k] = random_in(-1, 1);
-            problem.ends[side].direction[k] = random_in(-1, 1);
+            problem.axis.ends[side].point[k] = random_in(-1, 1);
+            problem.axis.ends[side].direction[k] = random_in(-1, 1);
         }
-        problem.ends[side].handle = loop ? random_in(1.5, 3) : random_in(0.3, 3);
+        problem.axis.ends[side].handle = loop ? random_in(1.5, 3) : random_in(0.3, 3);
         problem.lengths[side] = random_int(0, 1) == 0 ? random_in(0.5, 4) : 0;
     }
     if (loop) { /* at right angles, more or less: a round loop */
@@ -35,12 +35,12 @@ static taut_pipe_problem random_blend(int loop)
             to->point[k] = from->point[k] + random_in(-0.2, 0.2);
         }
     }
-    problem.alpha = loop ? random_in(-0.5, 1) : random_in(-2, 1);
-    problem.beta = loop ? random_in(-1, 1) : random_in(-3, 3);
-    problem.gamma = loop ? random_in(-0.5, 1) : random_in(-2, 1);
+    problem.shape.alpha = loop ? random_in(-0.5, 1) : random_in(-2, 1);
+    problem.shape.beta = loop ? random_in(-1, 1) : random_in(-3, 3);
+    problem.shape.gamma = loop ? random_in(-0.5, 1) : random_in(-2, 1);
     if (random_int(0, 2) == 0) {
-        problem.joint = TAUT_PIPE_CURVATURE_JOINT;
-        problem.beta = 0;
+        problem.joint = TAUT_PIPE_G2;
+        problem.shape.beta = 0;
     }
     return problem;
 }
@@ -222,7 +222,7 @@ static void test_largest_radius(void)
                 taut_record_text(taut_record_get(taut_certificate_figures(certificate), "binding")),
                 "distance") == 0;
         compared++;
-        problem.radius = 1.001 * rho;
+        problem.section.radius = 1.001 * rho;
         taut_model *none = NULL;
         CHECK(taut_pipe_make(&problem, &coarse, &none, &error) == TAUT_NO_SOLUTION, "trial %d",
               trial);
@@ -247,9 +247,9 @@ static void test_pappus(void)
         taut_certificate *certificate = NULL;
         double area = 0, volume = 0;
         problem.lengths[0] = problem.lengths[1] = 0;
-        problem.radius = 0.05;
-        problem.joint = done % 2 == 0 ? TAUT_PIPE_TANGENT : TAUT_PIPE_CURVATURE_JOINT;
-        problem.beta = 0;
+        problem.section.radius = 0.05;
+        problem.joint = done % 2 == 0 ? TAUT_PIPE_G1 : TAUT_PIPE_G2;
+        problem.shape.beta = 0;
         problem.frame = done % 2 == 0 ? TAUT_PIPE_FRENET : TAUT_PIPE_ROTATION_MINIMIZING;
         if (taut_pipe_make(&problem, &fine, &model, NULL) != TAUT_OK) {
             continue;
@@ -276,12 +276,12 @@ static void test_pappus(void)
 static taut_pipe_problem moved(const taut_pipe_problem *problem, double scale, double shift)
 {
     taut_pipe_problem other = *problem;
-    other.radius *= scale;
+    other.section.radius *= scale;
     for (int side = 0; side < 2; side++) {
         for (int k = 0; k < 3; k++) {
-            other.ends[side].point[k] = scale * other.ends[side].point[k] + shift;
+            other.axis.ends[side].point[k] = scale * other.axis.ends[side].point[k] + shift;
         }
-        other.ends[side].handle *= scale;
+        other.axis.ends[side].handle *= scale;
         other.lengths[side] *= scale;
     }
     return other;
@@ -296,7 +296,7 @@ static void test_scale_and_shift(void)
         taut_pipe_problem problem = random_blend(trial % 3 > 0);
         taut_error error = {.message = ""};
         taut_model *model = NULL;
-        problem.radius = 1e4; /* refused, with the largest */
+        problem.section.radius = 1e4; /* refused, with the largest */
         if (taut_pipe_make(&problem, NULL, &model, &error) != TAUT_NO_SOLUTION) {
             CHECK(0, "a radius of 10 km");
             continue;
@@ -310,7 +310,7 @@ static void test_scale_and_shift(void)
                 taut_certificate *certificate = NULL;
                 const taut_make_options coarse = {.tolerance = 1e-3};
                 const taut_certify_options proof = {.tolerance = 1e-3};
-                problem.radius = above ? 1.0001 * rho : 0.9999 * rho;
+                problem.section.radius = above ? 1.0001 * rho : 0.9999 * rho;
                 taut_pipe_problem other = moved(&problem, moves[i][0], moves[i][1]);
                 const taut_status status = taut_pipe_make(&other, &coarse, &model, &error);
                 CHECK(status == (above ? TAUT_NO_SOLUTION : TAUT_OK), "trial %d, move %zu: %s",
@@ -346,15 +346,15 @@ static void test_reversal(void)
         taut_certificate *certificates[2] = {NULL, NULL};
         const taut_make_options coarse = {.tolerance = 1e-2};
         for (int side = 0; side < 2; side++) {
-            back.ends[side] = problem.ends[1 - side];
+            back.axis.ends[side] = problem.axis.ends[1 - side];
             back.lengths[side] = problem.lengths[1 - side];
             for (int k = 0; k < 3; k++) {
-                back.ends[side].direction[k] *= -1;
+                back.axis.ends[side].direction[k] *= -1;
             }
         }
-        back.alpha = problem.gamma;
-        back.beta = -problem.beta;
-        back.gamma = problem.alpha;
+        back.shape.alpha = problem.shape.gamma;
+        back.shape.beta = -problem.shape.beta;
+        back.shape.gamma = problem.shape.alpha;
         const taut_status first = taut_pipe_make(&problem, &coarse, &models[0], NULL);
         CHECK(taut_pipe_make(&back, &coarse, &models[1], NULL) == first, "trial %d", trial);
         if (first == TAUT_OK) {

@@ -11,13 +11,13 @@ static const double pi = 3.14159265358979323846;
 /* Ends anywhere with any directions. */
 static taut_pipe_problem random_ends(void)
 {
-    taut_pipe_problem problem = {.radius = 1e-3, .axis = TAUT_PIPE_ENDS};
+    taut_pipe_problem problem = {.axis = {.kind = TAUT_PIPE_ENDS}, .section = {.radius = 1e-3}};
     for (int side = 0; side < 2; side++) {
         for (int k = 0; k < 3; k++) {
-            problem.ends[side].point[k] = random_in(-1, 1);
-            problem.ends[side].direction[k] = random_in(-1, 1);
+            problem.axis.ends[side].point[k] = random_in(-1, 1);
+            problem.axis.ends[side].direction[k] = random_in(-1, 1);
         }
-        problem.ends[side].handle = random_in(0.3, 3);
+        problem.axis.ends[side].handle = random_in(0.3, 3);
     }
     return problem;
 }
@@ -30,7 +30,7 @@ static void test_choice(void)
         const int sharpest = trial % 2;
         taut_model *model = NULL;
         taut_certificate *certificate = NULL;
-        problem.shape = sharpest ? TAUT_PIPE_LEAST_CURVATURE : TAUT_PIPE_LEAST_BENDING;
+        problem.shape.kind = sharpest ? TAUT_PIPE_LEAST_CURVATURE : TAUT_PIPE_LEAST_BENDING;
         if (taut_pipe_make(&problem, NULL, &model, NULL) != TAUT_OK) {
             continue;
         }
@@ -54,7 +54,7 @@ static void test_choice(void)
             taut_pipe_arc_quasi((const double(*)[3])edges, shape, &arc);
             taut_pipe_bend_extremes(&arc, 60, &bend);
             taut_pipe_bend_integrals(&arc, 8, &bend);
-            if (bend.turning < 0.99 * pi && bend.curvature * problem.radius < 0.999) {
+            if (bend.turning < 0.99 * pi && bend.curvature * problem.section.radius < 0.999) {
                 least = fmin(least, sharpest ? bend.curvature : bend.bending);
             }
         }
@@ -67,12 +67,14 @@ static void test_choice(void)
 /* Length times bending with these handles. */
 static double fairness(const taut_pipe_problem *problem, const double handles[2])
 {
-    const double shape[3] = {problem->alpha, problem->beta, problem->gamma};
+    const double shape[3] = {problem->shape.alpha, problem->shape.beta, problem->shape.gamma};
     double v[4][3], edges[3][3];
     taut_pipe_arc arc;
     taut_pipe_bend bend;
     for (int side = 0; side < 2; side++) {
-        const double *const d = problem->ends[side].direction, *const p = problem->ends[side].point;
+        const double *const d = problem->axis.ends[side].direction, *const p =
+                                                                        problem->axis.ends[side]
+                                                                            .point;
         const double step = (side == 0 ? 1 : -1) * handles[side] / taut_norm(d);
         for (int k = 0; k < 3; k++) {
             v[3 * side][k] = p[k];
@@ -94,10 +96,10 @@ static void test_one_handle(void)
     for (int trial = 0; trial < random_trials(6); trial++) {
         taut_pipe_problem problem = random_ends();
         const int given = trial % 2;
-        const double handle = problem.ends[given].handle;
+        const double handle = problem.axis.ends[given].handle;
         taut_model *model = NULL;
         double handles[2], found = 0, size = 0;
-        problem.ends[1 - given].handle = 0;
+        problem.axis.ends[1 - given].handle = 0;
         if (taut_pipe_make(&problem, NULL, &model, NULL) != TAUT_OK) {
             continue;
         }
@@ -106,7 +108,7 @@ static void test_one_handle(void)
         handles[1] = taut_distance(v + 9, v + 6);
         CHECK_NEAR(handles[given], handle, 1e-14, "trial %d", trial);
         found = fairness(&problem, handles);
-        size = taut_distance(problem.ends[0].point, problem.ends[1].point);
+        size = taut_distance(problem.axis.ends[0].point, problem.axis.ends[1].point);
         for (int i = 0; i < 200; i++) {
             handles[1 - given] = size / 64 * pow(256, (i + 0.5) / 200);
             CHECK(fairness(&problem, handles) >= found * (1 - 1e-6), "trial %d: %g, found %g",

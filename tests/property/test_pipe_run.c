@@ -17,23 +17,23 @@ static void test_joints(void)
 {
     int checked = 0;
     for (int trial = 0; trial < 3 + random_trials(3); trial++) {
-        pipe_request r;
+        pipe_random r;
         pipe_random_run(1 + trial % 3, &r); /* at unit size */
-        r.problem.alpha = r.problem.gamma = random_in(-0.5, 0.5);
+        r.problem.shape.alpha = r.problem.shape.gamma = random_in(-0.5, 0.5);
         r.problem.radius = 0.02;
-        r.problem.bend_radius = r.problem.axis == TAUT_PIPE_LEGS ? 0 : 0.4;
-        taut_model *model = pipe_run_made(&r, 1e-2);
+        r.problem.bend_radius = r.problem.route.kind == TAUT_PIPE_LEGS ? 0 : 0.4;
+        taut_model *model = pipe_random_made(&r, 1e-2);
         if (model == NULL || (r.problem.bend_radius > 0 && r.problem.bend_radius < 0.25)) {
             taut_model_free(model); /* elbows so small that rounding counts over their rings */
             continue;
         }
         checked++;
-        taut_certificate *certificate = pipe_proved(model, &r.problem, 1e-2);
+        taut_certificate *certificate = pipe_run_proved(model, &r.problem, 1e-2);
         const taut_claim *joints = claim_of(certificate, "joints");
         const taut_claim *curvatures = claim_of(certificate, "curvatures");
         CHECK(joints->residual < 1e-13 && joints->holds == TAUT_TRUE, "trial %d: %g %s", trial,
               joints->residual, joints->where);
-        CHECK(r.problem.joint == TAUT_PIPE_TANGENT ||
+        CHECK(r.problem.joint == TAUT_PIPE_G1 ||
                   (curvatures->residual < 1e-13 && curvatures->holds == TAUT_TRUE),
               "trial %d: %g %s", trial, curvatures->residual, curvatures->where);
         CHECK(claim_of(certificate, "ends")->holds == TAUT_TRUE, "trial %d: %g", trial,
@@ -67,25 +67,21 @@ static double worst_ruling(const taut_surface *s, int last, const double d[3])
 static void test_far_rings(void)
 {
     for (int trial = 0; trial < random_trials(4); trial++) {
-        taut_pipe_leg legs[4];
-        taut_pipe_problem problem = {.radius = 12,
-                                     .axis = TAUT_PIPE_CORNERS,
-                                     .leg_count = 4,
-                                     .legs = legs,
-                                     .bend_radius = 36,
-                                     .joint = trial % 2 == 0 ? TAUT_PIPE_TANGENT
-                                                             : TAUT_PIPE_CURVATURE_JOINT,
-                                     .alpha = trial % 2 == 0 ? -2.5 : -1,
-                                     .gamma = trial % 2 == 0 ? -2.5 : -1};
-        memset(legs, 0, sizeof legs);
+        double corners[4][3];
+        const taut_pipe_run_problem problem = {
+            .route = {.kind = TAUT_PIPE_CORNERS, .count = 4, .corners = &corners[0][0]},
+            .radius = 12,
+            .shape = {.alpha = trial % 2 == 0 ? -2.5 : -1, .gamma = trial % 2 == 0 ? -2.5 : -1},
+            .joint = trial % 2 == 0 ? TAUT_PIPE_G1 : TAUT_PIPE_G2,
+            .bend_radius = 36};
         for (int i = 0; i < 4; i++) {
             const double place[3] = {i == 1 || i == 2 ? 500 : 100, i >= 2 ? 500 : 100, 300};
             for (int k = 0; k < 3; k++) {
-                legs[i].from[k] = place[k] + random_in(-60, 60);
+                corners[i][k] = place[k] + random_in(-60, 60);
             }
         }
-        taut_model *model = pipe_made(&problem, 1e-6);
-        taut_certificate *certificate = pipe_proved(model, &problem, 1e-6);
+        taut_model *model = pipe_run_made(&problem, 1e-6);
+        taut_certificate *certificate = pipe_run_proved(model, &problem, 1e-6);
         for (int i = 0; model != NULL && i + 2 < taut_model_surface_count(model); i += 2) {
             const double *rings = taut_surface_points(taut_model_surface(model, i));
             double d[3];
@@ -107,20 +103,20 @@ static void test_far_rings(void)
 static void test_pappus(void)
 {
     for (int trial = 0; trial < random_trials(2); trial++) {
-        pipe_request r;
+        pipe_random r;
         pipe_random_run(1 + trial, &r);
-        r.problem.leg_count = trial == 1 ? 5 : 3;
-        r.problem.alpha = r.problem.gamma = 0;
+        r.problem.route.count = trial == 1 ? 5 : 3;
+        r.problem.shape.alpha = r.problem.shape.gamma = 0;
         r.problem.radius = 0.03;
         r.problem.bend_radius = 0.12;
-        taut_model *model = pipe_run_made(&r, 1e-11);
+        taut_model *model = pipe_random_made(&r, 1e-11);
         const double disc = pi * r.problem.radius * r.problem.radius;
-        taut_certificate *certificate = pipe_proved(model, &r.problem, 1e-11);
+        taut_certificate *certificate = pipe_run_proved(model, &r.problem, 1e-11);
         double area = 0, volume = 0;
         for (int i = 0; model != NULL && i < taut_model_surface_count(model); i++) {
             pipe_integrate(taut_model_surface(model, i), &area, &volume);
         }
-        for (int side = 0; side < 2 && !r.problem.closed && model != NULL; side++) {
+        for (int side = 0; side < 2 && !r.problem.route.closed && model != NULL; side++) {
             const int last = taut_model_curve_count(model) - 1;
             double x[2][3];
             taut_curve_eval(taut_model_curve(model, side == 0 ? 0 : last), side, 1, &x[0][0]);
@@ -150,16 +146,16 @@ static void rotate(const double a[3], const double b[3], double v[3])
 static void test_holonomy(void)
 {
     for (int trial = 0; trial < random_trials(4); trial++) {
-        pipe_request r;
+        pipe_random r;
         double d[LEGS][3], u[3] = {0, 0, 0}, w[3], start[3];
         pipe_random_run(2, &r);
-        taut_model *model = pipe_run_made(&r, 1e-2);
+        taut_model *model = pipe_random_made(&r, 1e-2);
         if (model == NULL) {
             continue;
         }
-        const int count = r.problem.leg_count;
+        const int count = r.problem.route.count;
         for (int i = 0; i < count; i++) {
-            taut_difference(r.legs[(i + 1) % count].from, r.legs[i].from, d[i]);
+            taut_difference(r.corners[(i + 1) % count], r.corners[i], d[i]);
             const double length = taut_norm(d[i]);
             for (int k = 0; k < 3; k++) {
                 d[i][k] /= length;
@@ -186,12 +182,12 @@ static void test_scale_and_shift(void)
     static const double moves[][2] = {{1e3, 0}, {1, 1e6}, {1e-70, 0}};
     static const char *const names[] = {"length", "largest_radius", "least_bend_radius"};
     for (int trial = 0; trial < random_trials(3); trial++) {
-        pipe_request r, other;
+        pipe_random r, other;
         pipe_random_run(3 - trial % 4, &r);
-        r.problem.leg_count -=
-            r.problem.axis == TAUT_PIPE_LEGS; /* one search for handles, not two */
-        taut_model *model = pipe_run_made(&r, 1e-2);
-        taut_certificate *here = pipe_proved(model, &r.problem, 1e-2);
+        r.problem.route.count -=
+            r.problem.route.kind == TAUT_PIPE_LEGS; /* one search for handles, not two */
+        taut_model *model = pipe_random_made(&r, 1e-2);
+        taut_certificate *here = pipe_run_proved(model, &r.problem, 1e-2);
         if (model == NULL || here == NULL) {
             continue;
         }
@@ -202,11 +198,13 @@ static void test_scale_and_shift(void)
             other.problem.radius *= scale;
             other.problem.bend_radius *= scale;
             for (int k = 0; k < 3 * LEGS; k++) {
-                other.legs[k / 3].from[k % 3] = scale * r.legs[k / 3].from[k % 3] + moves[i][1];
-                other.legs[k / 3].to[k % 3] = scale * r.legs[k / 3].to[k % 3] + moves[i][1];
+                const int i3 = k / 3, c = k % 3;
+                other.corners[i3][c] = scale * r.corners[i3][c] + moves[i][1];
+                other.legs[i3].from[c] = scale * r.legs[i3].from[c] + moves[i][1];
+                other.legs[i3].to[c] = scale * r.legs[i3].to[c] + moves[i][1];
             }
-            taut_model *moved = pipe_made(&other.problem, 1e-2);
-            taut_certificate *there = pipe_proved(moved, &other.problem, 1e-2);
+            taut_model *moved = pipe_run_made(&other.problem, 1e-2);
+            taut_certificate *there = pipe_run_proved(moved, &other.problem, 1e-2);
             for (size_t k = 0; k < 3; k++) {
                 const double value = figure_of(here, names[k]);
                 /* handles that are searched for end where the search does: 1e-6 of them */

@@ -167,22 +167,24 @@ static void test_largest_radius(void)
 {
     int by_distance = 0, compared = 0;
     for (int trial = 0; trial < random_trials(8); trial++) {
-        pipe_request r;
+        pipe_random r;
         pipe_random_run(trial % 4, &r);
-        taut_model *model = pipe_run_made(&r, 1e-2);
+        taut_model *model = pipe_random_made(&r, 1e-2);
         taut_certificate *certificate = NULL;
         if (model == NULL ||
-            taut_pipe_certify(model, &r.problem, NULL, &certificate, NULL) != TAUT_OK) {
+            taut_pipe_run_certify(model, &r.problem, NULL, &certificate, NULL) != TAUT_OK) {
             CHECK(0, "trial %d", trial);
             continue;
         }
         const double rho = figure_of(certificate, "largest_radius");
-        axis a = axis_of(model, r.problem.closed);
+        axis a = axis_of(model, r.problem.route.closed);
         const double reference = global_radius(&a);
         free(a.samples);
         /* free ends are held against samples: quadratic at a minimum, linear where pi radii end */
-        CHECK_NEAR(rho, reference, (r.problem.closed ? 1e-6 : 2e-3) * reference, "trial %d", trial);
-        CHECK(r.problem.closed || rho <= reference * (1 + 1e-6), "trial %d: not above", trial);
+        CHECK_NEAR(rho, reference, (r.problem.route.closed ? 1e-6 : 2e-3) * reference, "trial %d",
+                   trial);
+        CHECK(r.problem.route.closed || rho <= reference * (1 + 1e-6), "trial %d: not above",
+              trial);
         const char *binding =
             taut_record_text(taut_record_get(taut_certificate_figures(certificate), "binding"));
         by_distance += strcmp(binding, "distance") == 0;
@@ -190,12 +192,16 @@ static void test_largest_radius(void)
         taut_certificate_free(certificate);
         taut_model_free(model);
         r.problem.radius = 1.0005 * rho;
-        r.problem.bend_radius = r.problem.axis == TAUT_PIPE_LEGS ? 0 : r.problem.bend_radius;
-        if (r.problem.axis == TAUT_PIPE_CORNERS) { /* legs choose other handles for other radii */
-            const taut_error error = pipe_refused(&r.problem, TAUT_NO_SOLUTION, "SELF_INTERSECT");
+        r.problem.bend_radius = r.problem.route.kind == TAUT_PIPE_LEGS ? 0 : r.problem.bend_radius;
+        if (r.problem.route.kind ==
+            TAUT_PIPE_CORNERS) { /* legs choose other handles for other radii */
+            taut_error error = {.message = ""};
+            CHECK(taut_pipe_run_make(&r.problem, NULL, &model, &error) == TAUT_NO_SOLUTION &&
+                      strncmp(error.reason, "self-intersect-", 15) == 0,
+                  "trial %d: %s %s", trial, error.where, error.message);
             CHECK_NEAR(error.limit, rho, 1e-9 * rho, "trial %d", trial);
             r.problem.radius = 0.9995 * error.limit;
-            taut_model_free(pipe_made(&r.problem, 1e-2));
+            taut_model_free(pipe_run_made(&r.problem, 1e-2));
         }
     }
     CHECK(compared > 0 && (by_distance > 1 || compared < 8), "%d of %d bind by distance",

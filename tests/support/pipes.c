@@ -27,13 +27,13 @@ taut_certificate *pipe_proved(const taut_model *model, const taut_pipe_problem *
     return certificate;
 }
 
-taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, const char *words)
+taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, const char *reason)
 {
     taut_error error = {.message = ""};
     taut_model *model = NULL;
     CHECK(taut_pipe_make(problem, NULL, &model, &error) == status &&
-              strstr(error.message, words) != NULL && model == NULL,
-          "%s: %s %s", words, error.where, error.message);
+              strcmp(error.reason, reason) == 0 && model == NULL,
+          "%s: %s %s %s", reason, error.reason, error.where, error.message);
     taut_model_free(model);
     return error;
 }
@@ -50,15 +50,14 @@ taut_verdict pipe_verdict(const taut_model *model, const taut_pipe_problem *prob
 taut_pipe_problem pipe_random_ends(void)
 {
     const taut_pipe_problem problem = {
-        .axis = TAUT_PIPE_ENDS,
-        .ends = {{{random_in(-1, 1), random_in(-1, 1), random_in(-1, 1)},
-                  {random_in(-1, 1), random_in(-1, 1), 2},
-                  random_in(2, 3)},
-                 {{random_in(4, 5), random_in(-1, 1), random_in(5, 6)},
-                  {random_in(1, 2), random_in(-1, 1), random_in(-1, 1)},
-                  random_in(2, 3)}},
-        .alpha = random_in(-1, 1),
-        .gamma = random_in(-1, 1),
+        .axis = {.kind = TAUT_PIPE_ENDS,
+                 .ends = {{{random_in(-1, 1), random_in(-1, 1), random_in(-1, 1)},
+                           {random_in(-1, 1), random_in(-1, 1), 2},
+                           random_in(2, 3)},
+                          {{random_in(4, 5), random_in(-1, 1), random_in(5, 6)},
+                           {random_in(1, 2), random_in(-1, 1), random_in(-1, 1)},
+                           random_in(2, 3)}}},
+        .shape = {.alpha = random_in(-1, 1), .gamma = random_in(-1, 1)},
     };
     return problem;
 }
@@ -97,7 +96,7 @@ double pipe_volume(const taut_model *model, const taut_pipe_problem *problem,
     *area = 0;
     pipe_integrate(taut_model_surface(model, 0), area, &volume);
     for (int side = 0; side < 2; side++) {
-        const taut_pipe_end *end = &problem->ends[side];
+        const taut_pipe_end *end = &problem->axis.ends[side];
         volume +=
             (side == 0 ? -1 : 1) * pipe_end_volume(end->point, end->direction, end_areas[side]);
     }

@@ -9,14 +9,15 @@
 taut_model *pipe_made(const taut_pipe_problem *problem, double tolerance);
 taut_certificate *pipe_proved(const taut_model *model, const taut_pipe_problem *problem,
                               double tolerance);
-/* Is it refused with this status, and words of the message? Returns what was told. */
-taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, const char *words);
+/* Is it refused with this status and reason? Returns what was told. */
+taut_error pipe_refused(const taut_pipe_problem *problem, taut_status status, const char *reason);
 
 /* Of a model made to 1e-6; TAUT_UNDECIDED where there is no such claim. */
 taut_verdict pipe_verdict(const taut_model *model, const taut_pipe_problem *problem,
                           const char *name);
 
-/* Two directed ends some six units apart, handles and shape numbers given, no radius. */
+/* Two directed ends some six units apart, handles and shape numbers given, round but of no
+ * radius. */
 taut_pipe_problem pipe_random_ends(void);
 
 /* Added to *area and *volume: the integrals of 1 and of X . n / 3 over a surface, n the normal that

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { GAUSS = 12, DEPTH_MAX = 40, PANELS = 8, INTEGRALS = 4, HALVINGS = 4000 };
+enum { GAUSS = 12, DEPTH_MAX = 40, INTERVALS = 8, INTEGRALS = 4, HALVINGS = 4000 };
 
 void taut_pipe_halve(int degree, const double (*points)[3], int upper, double (*half)[3])
 {
@@ -73,7 +73,7 @@ static double power_below(double size)
 }
 
 /* Origin, scale and noise, of all curves together. */
-static void place(const taut_curve *const *curves, int count, taut_pipe_line *line)
+static void set_coordinates(const taut_curve *const *curves, int count, taut_pipe_line *line)
 {
     double size = 0, largest = 0;
     memcpy(line->origin, taut_curve_points(curves[0]), sizeof line->origin);
@@ -89,16 +89,17 @@ static void place(const taut_curve *const *curves, int count, taut_pipe_line *li
 }
 
 /* The Bezier pieces of one curve, in local coordinates. */
-static taut_status local_pieces(const taut_curve *curve, const taut_pipe_line *line,
-                                taut_model **pieces, taut_error *error)
+static taut_status make_pieces(const taut_curve *curve, const taut_pipe_line *line,
+                               taut_model **pieces, taut_error *error)
 {
     const double s = 1 / line->scale, *o = line->origin;
     const double matrix[12] = {s, 0, 0, -s * o[0], 0, s, 0, -s * o[1], 0, 0, s, -s * o[2]};
     taut_curve *local = NULL;
     taut_status status = taut_curve_transform(curve, matrix, &local, error);
-    if (status == TAUT_OK) {
-        status = taut_curve_pieces(local, pieces, error);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_curve_pieces(local, pieces, error);
     taut_curve_free(local);
     return status;
 }
@@ -117,20 +118,34 @@ static taut_status take_piece(const taut_curve *curve, taut_pipe_piece *piece, t
     return TAUT_OK;
 }
 
-static taut_status pieces_of(const taut_curve *curve, taut_pipe_line *line, taut_error *error)
+/* All pieces of a model of curves. */
+static taut_status take_pieces(const taut_model *pieces, taut_pipe_line *line, taut_error *error)
 {
-    taut_model *pieces = NULL;
-    taut_status status = local_pieces(curve, line, &pieces, error);
-
-    if (status == TAUT_OK) {
-        line->count = taut_model_curve_count(pieces);
-        line->pieces = taut_arena_take(line->arena, (size_t)line->count, sizeof *line->pieces);
-        status = line->pieces != NULL ? TAUT_OK : taut_fail_memory(error);
+    taut_status status = TAUT_OK;
+    line->count = taut_model_curve_count(pieces);
+    line->pieces = taut_arena_take(line->arena, (size_t)line->count, sizeof *line->pieces);
+    if (line->pieces == NULL) {
+        return taut_fail_memory(error);
     }
     for (int i = 0; i < line->count && status == TAUT_OK; i++) {
         status = take_piece(taut_model_curve(pieces, i), &line->pieces[i], error);
     }
-    taut_model_free(pieces);
+    return status;
+}
+
+/* The one piece of curve i of a run. */
+static taut_status take_only_piece(const taut_model *pieces, int i, taut_pipe_line *line,
+                                   taut_error *error)
+{
+    const int count = taut_model_curve_count(pieces);
+    taut_status status = TAUT_OK;
+    if (count != 1) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", count, 1,
+                         "an axis of the run has several pieces");
+    }
+    status = take_piece(taut_model_curve(pieces, 0), &line->pieces[i], error);
+    line->pieces[i].lo = i;
+    line->pieces[i].hi = i + 1;
     return status;
 }
 
@@ -158,34 +173,39 @@ taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, ta
 {
     taut_status status = TAUT_OK;
     *line = (taut_pipe_line){.arena = arena, .count = count, .run = 1};
-    place(curves, count, line);
+    set_coordinates(curves, count, line);
     line->pieces = taut_arena_take(arena, (size_t)count, sizeof *line->pieces);
-    status = line->pieces != NULL ? TAUT_OK : taut_fail_memory(error);
-    for (int i = 0; i < count && status == TAUT_OK; i++) {
-        taut_model *pieces = NULL;
-        status = local_pieces(curves[i], line, &pieces, error);
-        if (status == TAUT_OK && taut_model_curve_count(pieces) != 1) {
-            status =
-                taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", taut_model_curve_count(pieces),
-                          1, "an axis of the run has several pieces");
-        }
-        if (status == TAUT_OK) {
-            status = take_piece(taut_model_curve(pieces, 0), &line->pieces[i], error);
-        }
-        line->pieces[i].lo = i;
-        line->pieces[i].hi = i + 1;
-        taut_model_free(pieces);
+    if (line->pieces == NULL) {
+        return taut_fail_memory(error);
     }
-    return status == TAUT_OK ? find_tangents(line, error) : status;
+    for (int i = 0; i < count; i++) {
+        taut_model *pieces = NULL;
+        status = make_pieces(curves[i], line, &pieces, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        status = take_only_piece(pieces, i, line, error);
+        taut_model_free(pieces);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    return find_tangents(line, error);
 }
 
 taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_pipe_line *line,
                               taut_error *error)
 {
+    taut_model *pieces = NULL;
     taut_status status = TAUT_OK;
     *line = (taut_pipe_line){.arena = arena, .lengths = {INFINITY, INFINITY}};
-    place(&curve, 1, line);
-    status = pieces_of(curve, line, error);
+    set_coordinates(&curve, 1, line);
+    status = make_pieces(curve, line, &pieces, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = take_pieces(pieces, line, error);
+    taut_model_free(pieces);
     return status == TAUT_OK ? find_tangents(line, error) : status;
 }
 
@@ -233,8 +253,8 @@ static double flat_torsion(const double (*c)[3], double t, const double tangent[
 }
 
 /* Length, turning, torsion and bending per unit of parameter. */
-static void integrands(const taut_pipe_piece *piece, int planar, const double (*binormal)[3],
-                       double t, double out[INTEGRALS])
+static void evaluate_integrands(const taut_pipe_piece *piece, int planar,
+                                const double (*binormal)[3], double t, double out[INTEGRALS])
 {
     double d[4][3], cross[3], speed = 0, square = 0;
     taut_pipe_piece_eval(piece, t, 3, d);
@@ -267,16 +287,16 @@ typedef struct quadrature {
     double nodes[GAUSS], weights[GAUSS];
     double size[INTEGRALS]; /* what errors are measured against */
     taut_sum sums[INTEGRALS];
-    int left; /* panels that may still be halved */
+    int left; /* intervals that may still be halved */
 } quadrature;
 
-static void gauss(const quadrature *q, double lo, double hi, double out[INTEGRALS])
+static void integrate_interval(const quadrature *q, double lo, double hi, double out[INTEGRALS])
 {
     memset(out, 0, INTEGRALS * sizeof *out);
     for (int i = 0; i < GAUSS; i++) {
         double value[INTEGRALS];
-        integrands(q->piece, q->planar, q->flat ? (const double(*)[3])q->binormal : NULL,
-                   0.5 * (lo + hi) + 0.5 * (hi - lo) * q->nodes[i], value);
+        evaluate_integrands(q->piece, q->planar, q->flat ? (const double(*)[3])q->binormal : NULL,
+                            0.5 * (lo + hi) + 0.5 * (hi - lo) * q->nodes[i], value);
         for (int k = 0; k < INTEGRALS; k++) {
             out[k] += 0.5 * (hi - lo) * q->weights[i] * value[k];
         }
@@ -284,13 +304,14 @@ static void gauss(const quadrature *q, double lo, double hi, double out[INTEGRAL
 }
 
 /* Halved until both halves agree with the whole: kinks at inflections are met by depth. */
-static void adapt(quadrature *q, double lo, double hi, const double whole[INTEGRALS], int depth)
+static void integrate_adaptively(quadrature *q, double lo, double hi, const double whole[INTEGRALS],
+                                 int depth)
 {
     const double middle = 0.5 * (lo + hi);
     double left[INTEGRALS], right[INTEGRALS];
     int agree = 1;
-    gauss(q, lo, middle, left);
-    gauss(q, middle, hi, right);
+    integrate_interval(q, lo, middle, left);
+    integrate_interval(q, middle, hi, right);
     for (int k = 0; k < INTEGRALS; k++) {
         agree = agree && fabs(left[k] + right[k] - whole[k]) <= q->tolerance * q->size[k];
     }
@@ -302,8 +323,8 @@ static void adapt(quadrature *q, double lo, double hi, const double whole[INTEGR
         return;
     }
     q->left--;
-    adapt(q, lo, middle, left, depth + 1);
-    adapt(q, middle, hi, right, depth + 1);
+    integrate_adaptively(q, lo, middle, left, depth + 1);
+    integrate_adaptively(q, middle, hi, right, depth + 1);
 }
 
 /* Do all edges lie in one plane, as far as rounding lets that be told? Then there is no torsion. */
@@ -330,20 +351,20 @@ static int is_planar(const taut_pipe_line *line, const taut_pipe_piece *piece)
 /* All integrals of one piece, added to `figures`. */
 static void integrate_piece(quadrature *q, taut_pipe_figures *figures)
 {
-    double panels[PANELS][INTEGRALS];
+    double intervals[INTERVALS][INTEGRALS];
     for (int k = 0; k < INTEGRALS; k++) {
         q->size[k] = k == 1 || k == 2 ? 1 : 0; /* angles are absolute */
         q->sums[k] = (taut_sum){0, 0};
     }
-    for (int i = 0; i < PANELS; i++) {
-        gauss(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i]);
+    for (int i = 0; i < INTERVALS; i++) {
+        integrate_interval(q, (double)i / INTERVALS, (i + 1.0) / INTERVALS, intervals[i]);
         for (int k = 0; k < INTEGRALS; k++) {
-            q->size[k] += fabs(panels[i][k]);
+            q->size[k] += fabs(intervals[i][k]);
         }
     }
     q->left = HALVINGS;
-    for (int i = 0; i < PANELS; i++) {
-        adapt(q, (double)i / PANELS, (i + 1.0) / PANELS, panels[i], 0);
+    for (int i = 0; i < INTERVALS; i++) {
+        integrate_adaptively(q, (double)i / INTERVALS, (i + 1.0) / INTERVALS, intervals[i], 0);
     }
     figures->length += taut_sum_total(&q->sums[0]);
     figures->turning += taut_sum_total(&q->sums[1]);
@@ -355,7 +376,7 @@ void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures)
 {
     quadrature q;
     taut_gauss_rule(GAUSS, q.nodes, q.weights);
-    /* of one panel; a few dozen count, and no better than the points are rounded */
+    /* of one interval; a few dozen count, and no better than the points are rounded */
     q.tolerance = fmax(1e-14, 0.1 * line->noise);
     figures->length = figures->turning = figures->torsion = figures->bending = 0;
     for (int i = 0; i < line->count; i++) {

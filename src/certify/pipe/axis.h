@@ -56,7 +56,7 @@ double taut_pipe_piece_curvature(const taut_pipe_piece *piece, double t);
 /* Figures, local: integrals by adaptive quadrature (axis.c), the largest curvature by bounds
  * on ever smaller pieces (bend.c), rho by bounds on pairs of them (reach.c). */
 void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures);
-taut_status taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figures *figures);
+void taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figures *figures);
 taut_status taut_pipe_bound_reach(const taut_pipe_line *line, taut_pipe_figures *figures);
 
 #endif /* TAUT_CERTIFY_PIPE_AXIS_H */

@@ -24,7 +24,7 @@ typedef struct bound {
     int best_index;
 } bound;
 
-static void see(bound *b, double t)
+static void record(bound *b, double t)
 {
     const double curvature = taut_pipe_piece_curvature(b->piece, t);
     if (curvature > b->best) {
@@ -90,7 +90,7 @@ static void visit(bound *b, const double (*points)[3], double lo, double hi, int
     const double rounding = 32 * DBL_EPSILON * n * n * n * longest;
     double half[TAUT_PIPE_PIECE_DEGREE + 1][3];
 
-    see(b, 0.5 * (lo + hi));
+    record(b, 0.5 * (lo + hi));
     if ((speed > 0 && cross <= b->best * (1 + resolution) * speed * speed * speed + rounding) ||
         depth == DEPTH_MAX) {
         return;
@@ -104,7 +104,7 @@ static void visit(bound *b, const double (*points)[3], double lo, double hi, int
 
 /* A positive multiple of the derivative of kappa^2 = |K|^2 / |P'|^6, K = P' x P'', K' = P' x P'''.
  */
-static double slope(const taut_pipe_piece *piece, double t)
+static double curvature_slope(const taut_pipe_piece *piece, double t)
 {
     double d[4][3], cross[3], cross1[3];
     taut_pipe_piece_eval(piece, t, 3, d);
@@ -115,16 +115,17 @@ static double slope(const taut_pipe_piece *piece, double t)
 }
 
 /* Where values no longer tell (a maximum is flat), the slope does: bisection beside it. */
-static void place(bound *b)
+static void locate_by_slope(bound *b)
 {
     const double width = 1e-5;
     double lo = b->best_t - width, hi = b->best_t + width;
-    if (lo <= 0 || hi >= 1 || !(slope(b->piece, lo) > 0 && slope(b->piece, hi) < 0)) {
+    if (lo <= 0 || hi >= 1 ||
+        !(curvature_slope(b->piece, lo) > 0 && curvature_slope(b->piece, hi) < 0)) {
         return;
     }
     for (int i = 0; i < 60; i++) {
         const double middle = 0.5 * (lo + hi);
-        *(slope(b->piece, middle) > 0 ? &lo : &hi) = middle;
+        *(curvature_slope(b->piece, middle) > 0 ? &lo : &hi) = middle;
     }
     b->best_t = 0.5 * (lo + hi);
 }
@@ -138,30 +139,29 @@ static void polish(bound *b, double width)
         const double left = hi - ratio * (hi - lo), right = lo + ratio * (hi - lo);
         const double at_left = taut_pipe_piece_curvature(b->piece, left);
         const double at_right = taut_pipe_piece_curvature(b->piece, right);
-        see(b, left);
-        see(b, right);
+        record(b, left);
+        record(b, right);
         *(at_left >= at_right ? &hi : &lo) = at_left >= at_right ? right : left;
     }
 }
 
-taut_status taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figures *figures)
+void taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figures *figures)
 {
     bound b = {.best = 0};
     for (int i = 0; i < line->count; i++) {
         b.piece = &line->pieces[i];
         b.index = i;
-        see(&b, 0);
-        see(&b, 1);
+        record(&b, 0);
+        record(&b, 1);
         for (int k = 1; k < 64; k++) { /* a good first value drops most pieces at once */
-            see(&b, k / 64.0);
+            record(&b, k / 64.0);
         }
         visit(&b, (const double(*)[3])b.piece->points, 0, 1, 0);
     }
     b.piece = &line->pieces[b.best_index];
     b.index = b.best_index;
     polish(&b, 1.0 / 512);
-    place(&b);
+    locate_by_slope(&b);
     figures->curvature = b.best > TAUT_PIPE_STRAIGHT ? b.best : 0;
     figures->curvature_at = b.piece->lo + b.best_t * (b.piece->hi - b.piece->lo);
-    return TAUT_OK;
 }

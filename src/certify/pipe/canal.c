@@ -10,23 +10,23 @@
 
 #include <math.h>
 
-enum { GAUSS = 12, PANELS = 32, NEWTON_STEPS = 20 };
+enum { GAUSS = 12, INTERVALS = 32, NEWTON_STEPS = 20 };
 
 static const double pi = 3.14159265358979323846;
 
 /* r with its derivatives by the curve's parameter, local. */
-static void radius_at(const taut_pipe_parts *parts, double t, double r[3])
+static void evaluate_radius(const taut_pipe_parts *parts, double t, double r[3])
 {
     const double scale = parts->line.scale;
-    const double first = parts->sections[0].a / scale;
-    const double change = parts->sections[1].a / scale - first;
+    const double first = parts->ellipses[0].a / scale;
+    const double change = parts->ellipses[1].a / scale - first;
     r[0] = first + change * t * t * (3 - 2 * t);
     r[1] = change * 6 * t * (1 - t);
     r[2] = change * 6 * (1 - 2 * t);
 }
 
 /* The axis with two derivatives by the curve's parameter. */
-static void axis_at(const taut_pipe_parts *parts, double t, double d[3][3])
+static void evaluate_axis(const taut_pipe_parts *parts, double t, double d[3][3])
 {
     const taut_pipe_line *line = &parts->line;
     int i = 0;
@@ -47,8 +47,8 @@ double taut_pipe_canal_miss(const taut_pipe_parts *parts, const double x[3], dou
     double d[3][3], r[3], apart[3], distance = 0;
     for (int step = 0; step <= NEWTON_STEPS; step++) {
         double slope = 0, bend = 0, along = 0, move = 0;
-        axis_at(parts, t, d);
-        radius_at(parts, t, r);
+        evaluate_axis(parts, t, d);
+        evaluate_radius(parts, t, r);
         taut_difference(d[0], x, apart);
         distance = taut_norm(apart);
         along = taut_dot(apart, d[1]);
@@ -73,13 +73,13 @@ void taut_pipe_canal_measures(const taut_pipe_parts *parts, double *area, double
     double nodes[GAUSS], weights[GAUSS];
     *area = *volume = 0;
     taut_gauss_rule(GAUSS, nodes, weights);
-    for (int k = 0; k < PANELS * GAUSS; k++) {
-        const double t = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / PANELS;
+    for (int k = 0; k < INTERVALS * GAUSS; k++) {
+        const double t = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / INTERVALS;
         double d[3][3], r[3], speed = 0;
-        axis_at(parts, t, d);
-        radius_at(parts, t, r);
+        evaluate_axis(parts, t, d);
+        evaluate_radius(parts, t, r);
         speed = taut_norm(d[1]);
-        const double ds = 0.5 / PANELS * weights[k % GAUSS] * speed;
+        const double ds = 0.5 / INTERVALS * weights[k % GAUSS] * speed;
         const double rs = r[1] / speed;
         const double rss = (r[2] - rs * taut_dot(d[1], d[2]) / speed) / (speed * speed);
         *area += 2 * pi * ds * r[0] * (1 + rs * rs);

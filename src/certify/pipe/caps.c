@@ -50,7 +50,7 @@ taut_status taut_pipe_claim_caps(const taut_model *model, const taut_pipe_parts 
     char where[8] = "";
     int found = 0;
     for (int side = 0; side < 2; side++) {
-        const taut_surface *cap = taut_pipe_surface(model, side == 0 ? "cap1" : "cap2");
+        const taut_surface *cap = taut_pipe_find_surface(model, side == 0 ? "cap1" : "cap2");
         const double miss = cap != NULL ? miss_of(cap, ends[side], side) : 0;
         found += cap != NULL;
         if (!(miss <= worst)) {

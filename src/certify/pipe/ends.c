@@ -2,9 +2,10 @@
  *
  *   ends     the larger of: distances of the axis from the given points or lines, and of handles
  *            from given ones, over the radius; sines between its ends and the given directions;
- * differences of given shape numbers optimal  where the shape was chosen: the largest part of the
- * goal that a neighbour in the legal box would save, of the 26 neighbours at each of two distances
- * that leave room for the pipe
+ *            differences of given shape numbers
+ *   optimal  where the shape was chosen: the largest part of the goal that a neighbour in the legal
+ *            box would save, of the 26 neighbours at each of two distances that leave room for the
+ *            pipe
  */
 #include "certify/pipe/parts.h"
 #include "core/fail.h"
@@ -15,22 +16,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static void unit(const double v[3], double out[3])
-{
-    const double length = taut_norm(v);
-    for (int k = 0; k < 3; k++) {
-        out[k] = length > 0 ? v[k] / length : 0;
-    }
-}
-
-/* |a - b| for unit vectors: the sine to leading order, and 2 where they are opposite. */
-static double turn(const double a[3], const double b[3])
-{
-    return taut_distance(a, b);
-}
-
 /* The distance of x from the line through p along d. */
-static double from_line(const double x[3], const double p[3], const double d[3])
+static double distance_from_line(const double x[3], const double p[3], const double d[3])
 {
     double w[3];
     taut_difference(x, p, w);
@@ -38,31 +25,41 @@ static double from_line(const double x[3], const double p[3], const double d[3])
     return taut_norm(w);
 }
 
+/* How far end `side` of the axis is from where it was asked to be. */
+static double end_residual(const taut_pipe_parts *parts, int side)
+{
+    const taut_pipe_axis *axis = &parts->problem->axis;
+    const taut_pipe_end *end = &axis->ends[side];
+    const double *points = &parts->polygon[0][0], *x = points + 9 * side;
+    double d[3], worst = 0;
+    taut_pipe_unit(end->direction, d);
+    worst = taut_distance(parts->line.tangent[side], d);
+    if (end->handle > 0) {
+        const double handle = taut_distance(points + 6 * side, points + 6 * side + 3);
+        worst = fmax(worst, fabs(handle - end->handle) / parts->radius);
+    }
+    return fmax(worst, (axis->kind == TAUT_PIPE_ENDS ? taut_distance(x, end->point)
+                                                     : distance_from_line(x, end->point, d)) /
+                           parts->radius);
+}
+
 static double ends_residual(const taut_pipe_parts *parts)
 {
     const double *shape = parts->shape;
     const taut_pipe_problem *p = parts->problem;
-    const double *points = &parts->polygon[0][0];
-    double worst = parts->quintic == (p->joint == TAUT_PIPE_CURVATURE_JOINT) ? 0 : 1;
-    for (int i = 0; i < 4 && p->axis == TAUT_PIPE_POLYGON; i++) {
-        worst = fmax(worst, taut_distance(points + 3 * i, p->polygon[i]) / parts->radius);
-    }
-    for (int side = 0; side < 2 && p->axis != TAUT_PIPE_POLYGON; side++) {
-        const double *x = points + 9 * side;
-        double d[3];
-        unit(p->ends[side].direction, d);
-        worst = fmax(worst, turn(parts->line.tangent[side], d));
-        if (p->ends[side].handle > 0) {
-            const double handle = taut_distance(points + 6 * side, points + 6 * side + 3);
-            worst = fmax(worst, fabs(handle - p->ends[side].handle) / parts->radius);
+    double worst = parts->quintic == (p->joint == TAUT_PIPE_G2) ? 0 : 1;
+    if (p->axis.kind == TAUT_PIPE_POLYGON) {
+        for (int i = 0; i < 4; i++) {
+            worst =
+                fmax(worst, taut_distance(parts->polygon[i], p->axis.polygon[i]) / parts->radius);
         }
-        worst = fmax(worst, (p->axis == TAUT_PIPE_ENDS ? taut_distance(x, p->ends[side].point)
-                                                       : from_line(x, p->ends[side].point, d)) /
-                                parts->radius);
+    } else {
+        worst = fmax(worst, fmax(end_residual(parts, 0), end_residual(parts, 1)));
     }
-    if (p->shape == TAUT_PIPE_SHAPE_GIVEN) {
-        worst = fmax(worst, fmax(fabs(shape[0] - p->alpha),
-                                 fmax(fabs(shape[1] - p->beta), fabs(shape[2] - p->gamma))));
+    if (p->shape.kind == TAUT_PIPE_SHAPE_GIVEN) {
+        worst = fmax(worst,
+                     fmax(fabs(shape[0] - p->shape.alpha),
+                          fmax(fabs(shape[1] - p->shape.beta), fabs(shape[2] - p->shape.gamma))));
     }
     return worst;
 }
@@ -79,23 +76,23 @@ static double ends_noise(const taut_pipe_parts *parts)
         shape += 16 * DBL_EPSILON *
                  (1 + parts->size / taut_distance(points + 6 * side, points + 6 * side + 3));
     }
-    if (p->axis == TAUT_PIPE_POLYGON) {
+    if (p->axis.kind == TAUT_PIPE_POLYGON) {
         return shape;
     }
     for (int side = 0; side < 2; side++) {
         noise += taut_pipe_sideways(parts, side, none) /
                  taut_distance(points + 6 * side, points + 6 * side + 3);
-        if (p->ends[side].handle > 0) {
-            noise += 4 * DBL_EPSILON * (parts->size + p->ends[side].handle) / parts->radius;
+        if (p->axis.ends[side].handle > 0) {
+            noise += 4 * DBL_EPSILON * (parts->size + p->axis.ends[side].handle) / parts->radius;
         }
         for (int k = 0; k < 3; k++) {
-            far = fmax(far, fmax(fabs(p->ends[side].point[k]), parts->sizes[k]));
+            far = fmax(far, fmax(fabs(p->axis.ends[side].point[k]), parts->sizes[k]));
         }
     }
-    if (p->axis == TAUT_PIPE_FEET) { /* nearly parallel lines place their feet badly */
+    if (p->axis.kind == TAUT_PIPE_FEET) { /* nearly parallel lines place their feet badly */
         double a[3], b[3], n[3];
-        unit(p->ends[0].direction, a);
-        unit(p->ends[1].direction, b);
+        taut_pipe_unit(p->axis.ends[0].direction, a);
+        taut_pipe_unit(p->axis.ends[1].direction, b);
         taut_cross(a, b, n);
         sine = fmax(taut_norm(n), 1e-9);
         noise += 4 * DBL_EPSILON * far / (parts->radius * sine);
@@ -110,52 +107,58 @@ taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate 
 
 /* The goal about a curve, and whether the pipe has room there: asked only where the goal is below
  * `bound`. INFINITY where it has none. */
-static taut_status judge(const taut_pipe_parts *parts, taut_pipe_line *line, double bound,
-                         double *goal)
+static taut_status find_goal(const taut_pipe_parts *parts, taut_pipe_line *line, double bound,
+                             double *goal)
 {
     const double room = 0.999; /* what a choice leaves: docs/pipe.md */
-    const int sharpest = parts->problem->shape == TAUT_PIPE_LEAST_CURVATURE;
+    const int sharpest = parts->problem->shape.kind == TAUT_PIPE_LEAST_CURVATURE;
     taut_pipe_figures figures = {.rho = 0};
     taut_status status = TAUT_OK;
 
     memcpy(line->lengths, parts->line.lengths, sizeof line->lengths);
     if (sharpest) {
-        status = taut_pipe_bound_curvature(line, &figures);
+        taut_pipe_bound_curvature(line, &figures);
         *goal = figures.curvature;
     } else {
         taut_pipe_integrate(line, &figures);
         *goal = figures.bending;
     }
-    if (status == TAUT_OK && *goal < bound) {
-        status = sharpest ? TAUT_OK : taut_pipe_bound_curvature(line, &figures);
-        if (status == TAUT_OK) {
-            status = taut_pipe_bound_reach(line, &figures);
-        }
-        if (!(parts->radius < room * figures.rho * line->scale)) {
-            *goal = INFINITY;
-        }
+    if (!(*goal < bound)) {
+        return TAUT_OK;
+    }
+    if (!sharpest) {
+        taut_pipe_bound_curvature(line, &figures);
+    }
+    status = taut_pipe_bound_reach(line, &figures);
+    if (!(parts->radius < room * figures.rho * line->scale)) {
+        *goal = INFINITY;
     }
     return status;
+}
+
+static taut_status find_goal_of_curve(const taut_pipe_parts *parts, const taut_curve *curve,
+                                      taut_arena *arena, double bound, double *goal,
+                                      taut_error *error)
+{
+    taut_pipe_line line;
+    const taut_status status = taut_pipe_line_of(curve, arena, &line, error);
+    return status == TAUT_OK ? find_goal(parts, &line, bound, goal) : status;
 }
 
 /* The goal with other shape numbers. */
 static taut_status goal_of(const taut_pipe_parts *parts, const double shape[3], double bound,
                            double *goal, taut_error *error)
 {
-    taut_arena *const arena = taut_arena_new();
     taut_curve *curve = NULL;
-    taut_pipe_line line;
-    taut_status status =
-        arena != NULL ? taut_pipe_axis_with(parts, shape, &curve, error) : taut_fail_memory(error);
-
-    if (status == TAUT_OK) {
-        status = taut_pipe_line_of(curve, arena, &line, error);
+    taut_arena *arena = NULL;
+    taut_status status = taut_pipe_axis_with(parts, shape, &curve, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = judge(parts, &line, bound, goal);
-    }
-    taut_curve_free(curve);
+    arena = taut_arena_new();
+    status = find_goal_of_curve(parts, curve, arena, bound, goal, error);
     taut_arena_free(arena);
+    taut_curve_free(curve);
     return status;
 }
 

@@ -14,11 +14,11 @@ typedef struct taut_pipe_parts {
     double shape[3];                  /* and its shape numbers */
     taut_pipe_line line;
     taut_pipe_figures figures;
-    double radius; /* the user's unit; with sections, of the circle around the larger */
-    taut_pipe_section sections[2]; /* a of the first 0: round */
+    double radius; /* the user's unit; of ellipses, that of the circle around the larger */
+    taut_pipe_ellipse ellipses[2]; /* a of the first 0: round */
     double flatness;               /* the largest semi-axis over the smallest; 1 for round ones */
-    int unlike;                    /* nonzero: sections are circles of unlike radii */
-    int canal;                     /* nonzero: sections are of a canal surface, a = b = r */
+    int unlike;                    /* nonzero: they are circles of unlike radii */
+    int canal;                     /* nonzero: they are of a canal surface, a = b = r */
     double turn;                   /* psi at the end */
     double (*frames)[3];           /* U along the pieces (section.c) */
     double size;                   /* the largest coordinate of any control point, */
@@ -57,7 +57,7 @@ double taut_pipe_canal_miss(const taut_pipe_parts *parts, const double x[3], dou
 void taut_pipe_canal_measures(const taut_pipe_parts *parts, double *area, double *volume);
 
 /* What taut_surface_eval gives at v of the edge u0, or u1 where `last`, order 1 or 2, with
- * derivatives along u of the accuracy of differences of neighbouring points (edge.c). */
+ * derivatives along u of the accuracy of differences of neighbouring points. */
 void taut_pipe_edge_eval(const taut_surface *s, int last, double v, int order, double (*d)[3]);
 
 /* Two surfaces at the end `side` of the blend and its straight pipe, as a claim that is made: the
@@ -68,30 +68,43 @@ typedef struct taut_pipe_meeting {
 } taut_pipe_meeting;
 
 /* The larger of gap over radius and sine between the normals; jumps of principal curvatures. */
-void taut_pipe_meet(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
-void taut_pipe_meet_curved(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
+void taut_pipe_measure_joint(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
+void taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
+                                  taut_pipe_meeting *meeting);
 
 /* The foot of a local point on the axis, sought from parameter `t` of the curve, and the way from
  * it. */
-void taut_pipe_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
-                    double *at_s, double offset[3]);
+void taut_pipe_find_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,
+                         double *at_s, double offset[3]);
 void taut_pipe_to_local(const taut_pipe_line *line, const double x[3], double local[3]);
 
+/* Parameter k of n + 1 evenly over a basis; the ends exactly. */
+double taut_pipe_parameter(const taut_basis *basis, int k, int n);
+/* v made unit; 0 where it is. */
+void taut_pipe_unit(const double v[3], double out[3]);
+/* The unit normal of two tangents, whatever their lengths; 0 where there is none. */
+void taut_pipe_unit_normal(const double xu[3], const double xv[3], double normal[3]);
+
 /* Surface and curve of a name, or NULL. */
-const taut_surface *taut_pipe_surface(const taut_model *model, const char *name);
-const taut_curve *taut_pipe_curve(const taut_model *model, const char *name);
-/* The radius that the problem, or the details tell; `seen` where neither does. */
-double taut_pipe_radius_of(const taut_model *model, const taut_pipe_problem *problem, double seen);
+const taut_surface *taut_pipe_find_surface(const taut_model *model, const char *name);
+const taut_curve *taut_pipe_find_curve(const taut_model *model, const char *name);
+/* The radius that the details tell; `seen` where they do not. */
+double taut_pipe_radius_told(const taut_model *model, double seen);
 /* sizes, of one more surface. */
-void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts);
+void taut_pipe_add_sizes(const taut_surface *surface, taut_pipe_parts *parts);
 /* Is this the model of a run? Its certificate. */
 int taut_pipe_is_run(const taut_model *model);
-taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_problem *problem,
-                                  const taut_certify_options *options,
-                                  taut_certificate *certificate, taut_error *error);
+taut_status taut_pipe_claim_run(const taut_model *model, const taut_pipe_run_problem *problem,
+                                const taut_certify_options *options, taut_certificate *certificate,
+                                taut_error *error);
+/* All figures of the axis. TAUT_NO_MEMORY. */
+taut_status taut_pipe_find_figures(taut_pipe_parts *parts);
+/* The claim `embedded`, which holds where the radius is below the largest: rounding of the axis
+ * moves that by a part of itself, within which the verdict is open. */
+taut_status taut_pipe_claim_embedded(const taut_pipe_parts *parts, const char *where,
+                                     taut_certificate *certificate);
 
-/* The claims: tube.c, curvature.c, ends.c. Each adds one, or returns TAUT_NO_MEMORY.
- */
+/* The claims: joint.c, tube.c, caps.c, ends.c. Each adds one, or returns TAUT_NO_MEMORY. */
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
                                   taut_certificate *certificate);
 taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,

@@ -1,7 +1,7 @@
 /* pipe.c -- the certificate of `pipe`: from the finished surfaces and their axis alone.
  *
- *     joint1, joint2  the blend meets the straight pipes, with equal normals    tube.c
- *     curvature1, -2  equal principal curvatures; about a quintic      curvature.c
+ *     joint1, joint2  the blend meets the straight pipes, with equal normals    joint.c
+ *     curvature1, -2  equal principal curvatures; about a quintic               joint.c
  *     embedded        radius over the largest radius of the composite axis      reach.c
  *     tube            the surfaces are at the radius from the axis              tube.c
  *     ends            the axis starts and ends as asked; with a problem         ends.c
@@ -18,113 +18,66 @@
 #include "certify/pipe/parts.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "problem/pipe.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;
-static const double limit_most = 1e-6, tolerance_default = 1e-6;
-
-taut_status taut_pipe_add_claim(const char *name, double residual, double limit, double noise,
-                                const char *where, taut_certificate *certificate)
-{
-    const double held = limit > 0 ? limit : fmin(noise, limit_most);
-    const taut_claim claim = {
-        .claim = name,
-        .residual = residual,
-        .limit = held,
-        .holds = residual <= held    ? TAUT_TRUE
-                 : residual <= noise ? TAUT_UNDECIDED
-                                     : TAUT_FALSE,
-        .where = residual <= held || residual > noise ? where : "rounding of the coordinates",
-    };
-    return taut_certificate_add(certificate, &claim);
-}
-
-const taut_surface *taut_pipe_surface(const taut_model *model, const char *name)
-{
-    for (int i = 0; i < taut_model_surface_count(model); i++) {
-        if (strcmp(taut_surface_name(taut_model_surface(model, i)), name) == 0) {
-            return taut_model_surface(model, i);
-        }
-    }
-    return NULL;
-}
-
-const taut_curve *taut_pipe_curve(const taut_model *model, const char *name)
-{
-    for (int i = 0; i < taut_model_curve_count(model); i++) {
-        if (strcmp(taut_curve_name(taut_model_curve(model, i)), name) == 0) {
-            return taut_model_curve(model, i);
-        }
-    }
-    return NULL;
-}
+static const double tolerance_default = 1e-6;
 
 static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, taut_error *error)
 {
-    parts->blend = taut_pipe_surface(model, "blend");
-    parts->pipes[0] = taut_pipe_surface(model, "pipe1");
-    parts->pipes[1] = taut_pipe_surface(model, "pipe2");
-    parts->axis = taut_pipe_curve(model, "axis");
+    parts->blend = taut_pipe_find_surface(model, "blend");
+    parts->pipes[0] = taut_pipe_find_surface(model, "pipe1");
+    parts->pipes[1] = taut_pipe_find_surface(model, "pipe2");
+    parts->axis = taut_pipe_find_curve(model, "axis");
     if (parts->blend == NULL || parts->pipes[0] == NULL || parts->pipes[1] == NULL ||
         parts->axis == NULL) {
         return taut_fail(
-            error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
+            error, TAUT_BAD_INPUT, "missing", "", taut_none, taut_none,
             "a pipe has surfaces \"blend\", \"pipe1\", \"pipe2\" and a curve \"axis\"");
     }
     return taut_pipe_read_axis(parts, error);
 }
 
-void taut_pipe_see_sizes(const taut_surface *surface, taut_pipe_parts *parts)
-{
-    const int count =
-        3 * taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
-    for (int i = 0; i < count; i++) {
-        parts->sizes[i % 3] = fmax(parts->sizes[i % 3], fabs(taut_surface_points(surface)[i]));
-    }
-    parts->size = fmax(parts->sizes[0], fmax(parts->sizes[1], parts->sizes[2]));
-}
-
-double taut_pipe_radius_of(const taut_model *model, const taut_pipe_problem *problem, double seen)
-{
-    const double told = taut_record_number(taut_record_get(taut_model_details(model), "radius"));
-    return problem != NULL ? problem->radius : told > 0 ? told : seen;
-}
-
-/* The radius and the lengths of the straight pipes: the problem's, or what the model shows. */
-static void find_data(const taut_model *model, const taut_pipe_problem *problem,
-                      taut_pipe_parts *parts)
+/* The lengths of the straight pipes, the radius of a round one: the problem's, or what the model
+ * shows. */
+static taut_status find_data(const taut_model *model, taut_pipe_parts *parts, taut_error *error)
 {
     const taut_record *lengths = taut_record_get(taut_model_details(model), "pipe_lengths");
+    const taut_pipe_problem *problem = parts->problem;
     double x[3];
-    parts->problem = problem;
+    taut_status status = TAUT_OK;
     taut_surface_eval(parts->blend, taut_basis_lo(taut_surface_u(parts->blend)),
                       taut_basis_lo(taut_surface_v(parts->blend)), 0, x);
     parts->radius =
-        taut_pipe_radius_of(model, problem, taut_distance(x, taut_curve_points(parts->axis)));
+        problem == NULL
+            ? taut_pipe_radius_told(model, taut_distance(x, taut_curve_points(parts->axis)))
+        : problem->section.kind == TAUT_PIPE_ROUND ? problem->section.radius
+                                                   : 0;
     for (int side = 0; side < 2; side++) {
         const double length = problem != NULL
                                   ? problem->lengths[side]
                                   : taut_record_number(taut_record_at(lengths, (size_t)side));
         parts->line.lengths[side] = length > 0 ? length / parts->line.scale : INFINITY;
-        taut_pipe_see_sizes(parts->pipes[side], parts);
+        taut_pipe_add_sizes(parts->pipes[side], parts);
     }
-    taut_pipe_see_sizes(parts->blend, parts);
+    taut_pipe_add_sizes(parts->blend, parts);
+    status = taut_pipe_read_sections(model, parts);
+    if (status == TAUT_OK && !(parts->radius > 0)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", parts->radius, 0,
+                         "the blend begins on its own axis: it has no radius");
+    }
+    return status;
 }
 
-/* Rounding of the axis moves rho by a part of itself; within that the verdict is open. */
 static taut_status claim_embedded(const taut_pipe_parts *parts, taut_certificate *certificate)
 {
     const taut_pipe_figures *f = &parts->figures;
     const double scale = parts->line.scale;
-    const double residual = isfinite(f->rho) ? parts->radius / (f->rho * scale) : 0;
-    /* about the wider of both: an axis that meets itself is not in doubt */
-    const double open =
-        1e-11 + 8 * parts->line.noise * (1 + 1 / fmax(f->rho, parts->radius / scale));
     char where[96] = "";
-    taut_claim claim = {.claim = "embedded", .residual = residual, .limit = 1, .where = where};
 
     if (isfinite(f->rho) && f->by_distance) {
         snprintf(where, sizeof where, "arc lengths %.9g and %.9g from the start of the blend",
@@ -132,10 +85,7 @@ static taut_status claim_embedded(const taut_pipe_parts *parts, taut_certificate
     } else if (isfinite(f->rho)) {
         snprintf(where, sizeof where, "the curvature at t = %.9g", f->curvature_at);
     }
-    claim.holds = fabs(residual - 1) <= open ? TAUT_UNDECIDED
-                  : residual < 1             ? TAUT_TRUE
-                                             : TAUT_FALSE;
-    return taut_certificate_add(certificate, &claim);
+    return taut_pipe_claim_embedded(parts, where, certificate);
 }
 
 static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
@@ -158,7 +108,7 @@ static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
         taut_pipe_canal_measures(parts, &measures[0], &measures[1]);
         taut_record_add_number(figures, "area", measures[0]);
         taut_record_add_number(figures, "volume", measures[1]);
-    } else if (parts->sections[0].a > 0) {
+    } else if (parts->ellipses[0].a > 0) {
         taut_record_add_number(figures, "area", taut_pipe_section_area(parts));
         taut_record_add_number(figures, "volume", taut_pipe_section_volume(parts));
         if (!parts->unlike) {
@@ -182,12 +132,11 @@ static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
     return figures;
 }
 
-static taut_status claims(const taut_model *model, taut_pipe_parts *parts,
-                          const taut_certify_options *options, taut_certificate *certificate,
-                          taut_error *error)
+static taut_status add_claims(const taut_model *model, const taut_pipe_parts *parts,
+                              double tolerance, taut_certificate *certificate, taut_error *error)
 {
-    const double tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default;
-    const int chosen = parts->problem != NULL && parts->problem->shape != TAUT_PIPE_SHAPE_GIVEN;
+    const taut_pipe_problem *problem = parts->problem;
+    taut_record *figures = NULL;
     double fit_error = 0;
     taut_status status = TAUT_OK;
 
@@ -197,68 +146,109 @@ static taut_status claims(const taut_model *model, taut_pipe_parts *parts,
     for (int side = 0; side < 2 && status == TAUT_OK && parts->quintic; side++) {
         status = taut_pipe_claim_curvature(parts, side, certificate);
     }
-    if (status == TAUT_OK) {
-        status = claim_embedded(parts, certificate);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_pipe_claim_tube(parts, tolerance, &fit_error, certificate);
+    status = claim_embedded(parts, certificate);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_pipe_claim_caps(model, parts, parts->pipes, certificate);
+    status = taut_pipe_claim_tube(parts, tolerance, &fit_error, certificate);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && parts->problem != NULL) {
+    status = taut_pipe_claim_caps(model, parts, parts->pipes, certificate);
+    if (status == TAUT_OK && problem != NULL) {
         status = taut_pipe_claim_ends(parts, certificate);
     }
-    if (status == TAUT_OK && chosen) {
+    if (status == TAUT_OK && problem != NULL && problem->shape.kind != TAUT_PIPE_SHAPE_GIVEN) {
         status = taut_pipe_claim_optimal(parts, certificate, error);
     }
-    if (status == TAUT_OK) {
-        taut_record *const figures = figures_of(parts, fit_error);
-        taut_certificate_set_figures(certificate, figures);
-        status = taut_record_status(figures);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    figures = figures_of(parts, fit_error);
+    taut_certificate_set_figures(certificate, figures);
+    return taut_record_status(figures);
+}
+
+static taut_status claim_blend(const taut_model *model, taut_pipe_parts *parts, taut_arena *arena,
+                               const taut_certify_options *options, taut_certificate *certificate,
+                               taut_error *error)
+{
+    const double tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default;
+    taut_status status = taut_pipe_line_of(parts->axis, arena, &parts->line, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    parts->line.flat = parts->quintic;
+    status = find_data(model, parts, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_pipe_find_figures(parts);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return add_claims(model, parts, tolerance, certificate, error);
+}
+
+/* What a blend is held against where a run was asked for: the same radius, joints and shape, and
+ * ends that it does not have. */
+static taut_pipe_problem blend_of_run(const taut_pipe_run_problem *run)
+{
+    return (taut_pipe_problem){.axis = {.kind = TAUT_PIPE_ENDS},
+                               .section = {.kind = TAUT_PIPE_ROUND, .radius = run->radius},
+                               .shape = run->shape,
+                               .joint = run->joint,
+                               .bend_radius = run->bend_radius};
+}
+
+/* The other way round: a run of no pipes. */
+static taut_pipe_run_problem run_of_blend(const taut_pipe_problem *blend)
+{
+    const taut_pipe_section *s = &blend->section;
+    return (taut_pipe_run_problem){.route = {.kind = TAUT_PIPE_LEGS},
+                                   .radius = s->kind == TAUT_PIPE_ROUND ? s->radius : 0,
+                                   .bend_radius = blend->bend_radius};
+}
+
+static taut_status certify_run(const taut_model *model, const taut_pipe_request *request,
+                               const taut_certify_options *options, taut_certificate *certificate,
+                               taut_error *error)
+{
+    const taut_pipe_run_problem *asked = request != NULL && request->is_run ? &request->run : NULL;
+    taut_pipe_run_problem other;
+    if (request != NULL && !request->is_run) {
+        other = run_of_blend(&request->blend);
+        asked = &other;
+    }
+    return taut_pipe_claim_run(model, asked, options, certificate, error);
 }
 
 static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
 {
+    const taut_pipe_request *request = data;
+    taut_pipe_problem asked;
     taut_pipe_parts parts = {.size = 0};
     taut_arena *arena = NULL;
     taut_status status = TAUT_OK;
 
     if (taut_pipe_is_run(model)) {
-        return taut_pipe_certify_run(model, data, options, certificate, error);
+        return certify_run(model, request, options, certificate, error);
+    }
+    if (request != NULL) {
+        asked = request->is_run ? blend_of_run(&request->run) : request->blend;
+        parts.problem = &asked;
     }
     status = find_parts(model, &parts, error);
     if (status != TAUT_OK) {
         return status;
     }
     arena = taut_arena_new();
-    if (arena == NULL) {
-        return taut_fail_memory(error);
-    }
-    status = taut_pipe_line_of(parts.axis, arena, &parts.line, error);
-    if (status == TAUT_OK) {
-        parts.line.flat = parts.quintic;
-        find_data(model, data, &parts);
-        status = taut_pipe_read_sections(model, &parts);
-        if (status == TAUT_OK && !(parts.radius > 0)) {
-            status = taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", parts.radius, 0,
-                               "the blend begins on its own axis: it has no radius");
-        }
-    }
-    if (status == TAUT_OK) {
-        taut_pipe_integrate(&parts.line, &parts.figures);
-        status = taut_pipe_bound_curvature(&parts.line, &parts.figures);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_bound_reach(&parts.line, &parts.figures);
-    }
-    if (status == TAUT_OK) {
-        status = claims(model, &parts, options, certificate, error);
-    }
+    status = claim_blend(model, &parts, arena, options, certificate, error);
     taut_arena_free(arena);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
@@ -269,6 +259,22 @@ taut_status taut_pipe_certify(const taut_model *model, const taut_pipe_problem *
                               const taut_certify_options *options, taut_certificate **certificate,
                               taut_error *error)
 {
-    return taut_certify_with(&taut_certify_pipe, "pipe", model, problem, options, certificate,
-                             error);
+    taut_pipe_request request = {.is_run = 0};
+    if (problem != NULL) {
+        request.blend = *problem;
+    }
+    return taut_certify_with(&taut_certify_pipe, "pipe", model, problem != NULL ? &request : NULL,
+                             options, certificate, error);
+}
+
+taut_status taut_pipe_run_certify(const taut_model *model, const taut_pipe_run_problem *problem,
+                                  const taut_certify_options *options,
+                                  taut_certificate **certificate, taut_error *error)
+{
+    taut_pipe_request request = {.is_run = 1};
+    if (problem != NULL) {
+        request.run = *problem;
+    }
+    return taut_certify_with(&taut_certify_pipe, "pipe", model, problem != NULL ? &request : NULL,
+                             options, certificate, error);
 }

@@ -47,7 +47,7 @@ typedef struct finder {
     double at_end[2];  /* their arc lengths */
 } finder;
 
-static void offer(finder *f, double distance, double from, double to)
+static void offer_pair(finder *f, double distance, double from, double to)
 {
     const double way = fmin(fabs(to - from), f->round - fabs(to - from));
     if (distance < f->best && way >= f->apart * (1 - slack)) {
@@ -58,7 +58,7 @@ static void offer(finder *f, double distance, double from, double to)
 }
 
 /* Ball and cone of Bezier points: both hold the piece, by the hull property. */
-static void enclose(node *n, int degree, const double (*points)[3])
+static void enclose_points(node *n, int degree, const double (*points)[3])
 {
     double chord[3], length = 0;
     for (int k = 0; k < 3; k++) {
@@ -82,14 +82,14 @@ static void enclose(node *n, int degree, const double (*points)[3])
     n->cone = length > 0 ? n->cone : pi;
 }
 
-static void grow(tree *t, int at, const double (*points)[3])
+static void grow_tree(tree *t, int at, const double (*points)[3])
 {
     const int degree = t->piece.degree;
     double half[TAUT_PIPE_PIECE_DEGREE + 1][3];
-    enclose(&t->nodes[at], degree, points);
+    enclose_points(&t->nodes[at], degree, points);
     for (int upper = 0; upper < 2 && at < LEAVES; upper++) {
         taut_pipe_halve(degree, points, upper, half);
-        grow(t, 2 * at + upper, (const double(*)[3])half);
+        grow_tree(t, 2 * at + upper, (const double(*)[3])half);
     }
 }
 
@@ -107,7 +107,7 @@ static double length_of(const tree *t, double lo, double hi)
 }
 
 /* Arc lengths of all nodes, from that of the start; returns that of the end. */
-static double measure(tree *t, double start)
+static double measure_tree(tree *t, double start)
 {
     for (int i = 0; i < LEAVES; i++) {
         node *leaf = &t->nodes[LEAVES + i];
@@ -122,7 +122,7 @@ static double measure(tree *t, double start)
     return start;
 }
 
-static double angle(const double a[3], const double b[3])
+static double angle_between(const double a[3], const double b[3])
 {
     double across[3];
     taut_cross(a, b, across);
@@ -132,7 +132,7 @@ static double angle(const double a[3], const double b[3])
 /* Can a chord within `spread` of `chord` be at right angles to a tangent of the node? */
 static int may_be_normal(const node *n, const double chord[3], double spread)
 {
-    return fabs(angle(chord, n->mean) - 0.5 * pi) <= n->cone + spread + slack;
+    return fabs(angle_between(chord, n->mean) - 0.5 * pi) <= n->cone + spread + slack;
 }
 
 static int may_bind(const finder *f, const node *a, const node *b, int a_is_free)
@@ -161,7 +161,7 @@ static double arc_length(const tree *t, double at)
 /* Steps down |p - q|^2 / 2 from the middles of two leaves, kept near them: Newton's where that is
  * convex, else those of the tangent lines. What it ends at is a pair of points like any other, so
  * no harm is done where it goes astray. */
-static void step(const double p[3][3], const double q[3][3], double move[2])
+static void find_step(const double p[3][3], const double q[3][3], double move[2])
 {
     double d[3];
     taut_difference(p[0], q[0], d);
@@ -178,7 +178,7 @@ static void step(const double p[3][3], const double q[3][3], double move[2])
     move[1] = -(h00 * g1 - h01 * g0) / det;
 }
 
-static void solve(finder *f, const tree *a, int i, const tree *b, int j)
+static void solve_pair(finder *f, const tree *a, int i, const tree *b, int j)
 {
     const double width = 1.0 / LEAVES;
     const double start[2] = {(i + 0.5) * width, (j + 0.5) * width};
@@ -189,7 +189,7 @@ static void solve(finder *f, const tree *a, int i, const tree *b, int j)
         double move[2];
         taut_pipe_piece_eval(&a->piece, x[0], 2, p);
         taut_pipe_piece_eval(&b->piece, x[1], 2, q);
-        step((const double(*)[3])p, (const double(*)[3])q, move);
+        find_step((const double(*)[3])p, (const double(*)[3])q, move);
         moved = 0;
         for (int k = 0; k < 2 && isfinite(move[k]); k++) {
             const double low = fmax(0, start[k] - 2 * width), high = fmin(1, start[k] + 2 * width);
@@ -200,10 +200,10 @@ static void solve(finder *f, const tree *a, int i, const tree *b, int j)
     }
     taut_pipe_piece_eval(&a->piece, x[0], 0, p);
     taut_pipe_piece_eval(&b->piece, x[1], 0, q);
-    offer(f, taut_distance(p[0], q[0]), arc_length(a, x[0]), arc_length(b, x[1]));
+    offer_pair(f, taut_distance(p[0], q[0]), arc_length(a, x[0]), arc_length(b, x[1]));
 }
 
-static void visit(finder *f, const tree *a, int i, const tree *b, int j)
+static void visit_pair(finder *f, const tree *a, int i, const tree *b, int j)
 {
     const int a_leaf = i >= LEAVES, b_leaf = j >= LEAVES;
     if (!may_bind(f, &a->nodes[i], &b->nodes[j], 0)) {
@@ -211,20 +211,20 @@ static void visit(finder *f, const tree *a, int i, const tree *b, int j)
     }
     if (a == b && i == j) {
         if (!a_leaf) {
-            visit(f, a, 2 * i, b, 2 * j);
-            visit(f, a, 2 * i, b, 2 * j + 1);
-            visit(f, a, 2 * i + 1, b, 2 * j + 1);
+            visit_pair(f, a, 2 * i, b, 2 * j);
+            visit_pair(f, a, 2 * i, b, 2 * j + 1);
+            visit_pair(f, a, 2 * i + 1, b, 2 * j + 1);
         }
         return;
     }
     if (a_leaf && b_leaf) {
-        solve(f, a, i - LEAVES, b, j - LEAVES);
+        solve_pair(f, a, i - LEAVES, b, j - LEAVES);
     } else if (b_leaf || (!a_leaf && a->nodes[i].radius > b->nodes[j].radius)) {
-        visit(f, a, 2 * i, b, j);
-        visit(f, a, 2 * i + 1, b, j);
+        visit_pair(f, a, 2 * i, b, j);
+        visit_pair(f, a, 2 * i + 1, b, j);
     } else {
-        visit(f, a, i, b, 2 * j);
-        visit(f, a, i, b, 2 * j + 1);
+        visit_pair(f, a, i, b, 2 * j);
+        visit_pair(f, a, i, b, 2 * j + 1);
     }
 }
 
@@ -249,7 +249,7 @@ static void visit_end(finder *f, int side, const tree *b, int j)
         x = fmin(1, fmax(0, x - (slope != 0 ? taut_dot(d, q[1]) / slope : 0)));
     }
     taut_pipe_piece_eval(&b->piece, x, 0, q);
-    offer(f, taut_distance(q[0], f->ends[side]), f->at_end[side], arc_length(b, x));
+    offer_pair(f, taut_distance(q[0], f->ends[side]), f->at_end[side], arc_length(b, x));
 }
 
 /* The straight pipes as pieces: of their length, or as far as any point of the axis has its foot
@@ -290,7 +290,7 @@ static void offer_feet(const taut_pipe_line *line, finder *f, double length)
         const double s = -taut_det(w, line->tangent[1], n) / square; /* back along pipe 1 */
         const double r = taut_det(w, line->tangent[0], n) / square;
         if (s >= 0 && r >= 0 && s <= line->lengths[0] && r <= line->lengths[1]) {
-            offer(f, fabs(taut_dot(w, n)) / sqrt(square), -s, length + r);
+            offer_pair(f, fabs(taut_dot(w, n)) / sqrt(square), -s, length + r);
         }
     }
 }
@@ -309,7 +309,7 @@ static void find_in_run(const taut_pipe_line *line, finder *f, double length)
 {
     for (int i = 0; i < f->count; i++) {
         for (int j = i; j < f->count; j++) {
-            visit(f, &f->trees[i], 1, &f->trees[j], 1);
+            visit_pair(f, &f->trees[i], 1, &f->trees[j], 1);
         }
     }
     if (line->closed) {
@@ -321,14 +321,14 @@ static void find_in_run(const taut_pipe_line *line, finder *f, double length)
             visit_end(f, side, &f->trees[i], 1);
         }
     }
-    offer(f, taut_distance(f->ends[0], f->ends[1]), 0, length);
+    offer_pair(f, taut_distance(f->ends[0], f->ends[1]), 0, length);
 }
 
-static void find(const taut_pipe_line *line, finder *f, double length)
+static void find_about_blend(const taut_pipe_line *line, finder *f, double length)
 {
     for (int i = 0; i < f->count; i++) {
         for (int j = i; j < f->count; j++) {
-            visit(f, &f->trees[i], 1, &f->trees[j], 1);
+            visit_pair(f, &f->trees[i], 1, &f->trees[j], 1);
         }
     }
     for (int side = 0; side < 2; side++) {
@@ -342,7 +342,7 @@ static void find(const taut_pipe_line *line, finder *f, double length)
         }
     }
     if (isfinite(line->lengths[0]) && isfinite(line->lengths[1])) {
-        offer(f, taut_distance(f->ends[0], f->ends[1]), f->at_end[0], f->at_end[1]);
+        offer_pair(f, taut_distance(f->ends[0], f->ends[1]), f->at_end[0], f->at_end[1]);
     }
     offer_feet(line, f, length);
 }
@@ -377,18 +377,18 @@ taut_status taut_pipe_bound_reach(const taut_pipe_line *line, taut_pipe_figures 
     }
     for (int i = 0; i < f.count; i++) {
         taut_gauss_rule(GAUSS, f.trees[i].gauss_nodes, f.trees[i].gauss_weights);
-        grow(&f.trees[i], 1, (const double(*)[3])f.trees[i].piece.points);
+        grow_tree(&f.trees[i], 1, (const double(*)[3])f.trees[i].piece.points);
         if (i < before) { /* the curve itself begins at arc length 0 */
-            (void)measure(&f.trees[0],
-                          -taut_distance(f.trees[0].piece.points[0], f.trees[0].piece.points[1]));
+            (void)measure_tree(&f.trees[0], -taut_distance(f.trees[0].piece.points[0],
+                                                           f.trees[0].piece.points[1]));
         } else {
-            length = measure(&f.trees[i], i == before ? 0 : length);
+            length = measure_tree(&f.trees[i], i == before ? 0 : length);
         }
     }
     if (line->run) {
         find_in_run(line, &f, figures->length);
     } else {
-        find(line, &f, figures->length);
+        find_about_blend(line, &f, figures->length);
     }
     figures->rho = 0.5 * f.best;
     figures->by_distance = f.best < 2 / figures->curvature;

@@ -6,10 +6,13 @@
  *     bend_radius  the least radius of curvature asked for, times the largest curvature
  *     tube         the surfaces are at the radius from their axes
  *     caps         discs over the free ends, where there are any                   caps.c
- *     ends         the run goes where it was asked to; with a problem              run_ends.c
+ *     ends         the run goes where it was asked to; with a problem: the largest distance, over
+ *                  the radius, and difference of unit tangents. Each blend begins and ends at the
+ *                  ends of its straight pipes, along them; or on the legs of its corner, along
+ *                  them, and the corners that turn are as many as the blends. An open run begins
+ *                  and ends where the first and last are.
  */
-#include "certify/pipe/run.h"
-
+#include "certify/pipe/parts.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -22,18 +25,29 @@ enum { RING = 32, PER_SPAN = 8 };
 
 static const double pi = 3.14159265358979323846;
 static const double tolerance_default = 1e-6, bend_of_corners = 3;
+static const double turns_not = 1e-9; /* sine */
+
+typedef struct taut_pipe_run_parts {
+    taut_pipe_parts parts;                /* line: all pieces; radius, sizes, figures */
+    const taut_pipe_run_problem *problem; /* or NULL */
+    const taut_model *model;
+    int count;                     /* of pieces, straight or not, in the order of flow */
+    const taut_surface **surfaces; /* "pipe1", "blend1", ... */
+    const taut_curve **curves;     /* their axes */
+    double bend_radius;            /* asked for; 0: none */
+} taut_pipe_run_parts;
 
 int taut_pipe_is_run(const taut_model *model)
 {
-    return taut_pipe_curve(model, "axis-blend1") != NULL;
+    return taut_pipe_find_curve(model, "axis-blend1") != NULL;
 }
 
-int taut_pipe_is_blend(const taut_pipe_run_parts *run, int piece)
+static int is_blend(const taut_pipe_run_parts *run, int piece)
 {
     return strncmp(taut_surface_name(run->surfaces[piece]), "blend", 5) == 0;
 }
 
-void taut_pipe_run_tangent(const taut_pipe_run_parts *run, int piece, double t, double tangent[3])
+static void find_tangent(const taut_pipe_run_parts *run, int piece, double t, double tangent[3])
 {
     double d[2][3], speed = 0;
     taut_pipe_piece_eval(&run->parts.line.pieces[piece], t, 1, d);
@@ -64,20 +78,20 @@ static taut_status find_pieces(taut_pipe_run_parts *run, taut_arena *arena, taut
         snprintf(axis, sizeof axis, "axis-%s", name);
         blends += strncmp(name, "blend", 5) == 0;
         run->surfaces[run->count] = surface;
-        run->curves[run->count] = taut_pipe_curve(run->model, axis);
+        run->curves[run->count] = taut_pipe_find_curve(run->model, axis);
         if (run->curves[run->count++] == NULL) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", "/curves", taut_none, taut_none,
+            return taut_fail(error, TAUT_BAD_INPUT, "missing", "/curves", taut_none, taut_none,
                              "surface \"%s\" of a run has no curve \"%s\"", name, axis);
         }
     }
     if (taut_record_kind_of(told) == TAUT_RECORD_LIST && taut_record_count(told) != blends) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", (double)blends,
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/surfaces", (double)blends,
                          (double)taut_record_count(told),
                          "the details tell of %zu blends, of which %zu are here",
                          taut_record_count(told), blends);
     }
     if (run->count == 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", 0, 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "missing", "/surfaces", 0, 1,
                          "a run has surfaces \"pipe1\", \"blend1\", ...");
     }
     return TAUT_OK;
@@ -87,21 +101,24 @@ static taut_status find_pieces(taut_pipe_run_parts *run, taut_arena *arena, taut
 static void find_data(taut_pipe_run_parts *run)
 {
     const taut_record *details = taut_model_details(run->model);
-    const taut_pipe_problem *problem = run->parts.problem;
+    const taut_pipe_run_problem *problem = run->problem;
     const taut_surface *first = run->surfaces[0];
     double x[3];
     taut_surface_eval(first, taut_basis_lo(taut_surface_u(first)),
                       taut_basis_lo(taut_surface_v(first)), 0, x);
     run->parts.radius =
-        taut_pipe_radius_of(run->model, problem, taut_distance(x, run->parts.line.origin));
+        problem != NULL
+            ? problem->radius
+            : taut_pipe_radius_told(run->model, taut_distance(x, run->parts.line.origin));
     run->bend_radius = problem == NULL ? taut_record_number(taut_record_get(details, "bend_radius"))
-                       : problem->bend_radius > 0           ? problem->bend_radius
-                       : problem->axis == TAUT_PIPE_CORNERS ? bend_of_corners * problem->radius
-                                                            : 0;
+                       : problem->bend_radius > 0 ? problem->bend_radius
+                       : problem->route.kind == TAUT_PIPE_CORNERS
+                           ? bend_of_corners * problem->radius
+                           : 0;
     run->parts.flatness = 1;
     for (int i = 0; i < run->count; i++) {
-        taut_pipe_see_sizes(run->surfaces[i], &run->parts);
-        if (taut_pipe_is_blend(run, i)) {
+        taut_pipe_add_sizes(run->surfaces[i], &run->parts);
+        if (is_blend(run, i)) {
             run->parts.quintic = taut_basis_degree(taut_curve_t(run->curves[i])) == 5;
         }
     }
@@ -122,7 +139,7 @@ static int comes_round(const taut_pipe_run_parts *run)
 static int is_closed(const taut_pipe_run_parts *run)
 {
     const taut_record *told = taut_record_get(taut_model_details(run->model), "closed");
-    return run->parts.problem != NULL                      ? run->parts.problem->closed != 0
+    return run->problem != NULL                            ? run->problem->route.closed != 0
            : taut_record_kind_of(told) == TAUT_RECORD_BOOL ? taut_record_bool(told)
                                                            : comes_round(run);
 }
@@ -132,10 +149,10 @@ static taut_pipe_parts joint_of(const taut_pipe_run_parts *run, int i, int *side
 {
     const int next = (i + 1) % run->count;
     taut_pipe_parts joint = run->parts;
-    *side = taut_pipe_is_blend(run, i);
+    *side = is_blend(run, i);
     joint.blend = run->surfaces[*side ? i : next];
     joint.pipes[*side] = run->surfaces[*side ? next : i];
-    taut_pipe_run_tangent(run, i, 1, joint.line.tangent[*side]);
+    find_tangent(run, i, 1, joint.line.tangent[*side]);
     return joint;
 }
 
@@ -146,8 +163,8 @@ static double noise_of_other(const taut_pipe_run_parts *run, int i, int next)
     taut_pipe_meeting m;
     joint.blend = run->surfaces[next];
     joint.pipes[0] = run->surfaces[i];
-    taut_pipe_run_tangent(run, next, 0, joint.line.tangent[0]);
-    taut_pipe_meet_curved(&joint, 0, &m);
+    find_tangent(run, next, 0, joint.line.tangent[0]);
+    taut_pipe_measure_curvatures(&joint, 0, &m);
     return m.noise;
 }
 
@@ -166,8 +183,8 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
         taut_pipe_meeting m;
         int side = 0;
         const taut_pipe_parts joint = joint_of(run, i, &side);
-        (curved ? taut_pipe_meet_curved : taut_pipe_meet)(&joint, side, &m);
-        if (curved && side == 1 && taut_pipe_is_blend(run, next)) { /* both are rounded */
+        (curved ? taut_pipe_measure_curvatures : taut_pipe_measure_joint)(&joint, side, &m);
+        if (curved && side == 1 && is_blend(run, next)) { /* both are rounded */
             m.noise += noise_of_other(run, i, next);
         }
         if (!curved) {
@@ -185,7 +202,7 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
 }
 
 /* The piece at an arc length from the start of the run, and how far along it. */
-static void place_of(const taut_pipe_run_parts *run, double at, char *text, size_t size)
+static void describe_place(const taut_pipe_run_parts *run, double at, char *text, size_t size)
 {
     const taut_pipe_line *line = &run->parts.line;
     double from = 0;
@@ -207,7 +224,7 @@ static void place_of(const taut_pipe_run_parts *run, double at, char *text, size
 }
 
 /* Piece and parameter of the largest curvature. */
-static void place_of_curvature(const taut_pipe_run_parts *run, char *text, size_t size)
+static void describe_curvature_place(const taut_pipe_run_parts *run, char *text, size_t size)
 {
     const double at = run->parts.figures.curvature_at;
     const int i = (int)fmin(run->count - 1, floor(at));
@@ -217,25 +234,17 @@ static void place_of_curvature(const taut_pipe_run_parts *run, char *text, size_
 static taut_status claim_embedded(const taut_pipe_run_parts *run, taut_certificate *certificate)
 {
     const taut_pipe_figures *f = &run->parts.figures;
-    const taut_pipe_line *line = &run->parts.line;
-    const double residual = isfinite(f->rho) ? run->parts.radius / (f->rho * line->scale) : 0;
-    const double wide = fmax(f->rho, run->parts.radius / line->scale);
-    const double open = 1e-11 + 8 * line->noise * (1 + 1 / wide);
     char where[200] = "", from[80], to[80];
-    taut_claim claim = {.claim = "embedded", .residual = residual, .limit = 1, .where = where};
 
     if (isfinite(f->rho) && f->by_distance) {
-        place_of(run, f->binding[0], from, sizeof from);
-        place_of(run, f->binding[1], to, sizeof to);
+        describe_place(run, f->binding[0], from, sizeof from);
+        describe_place(run, f->binding[1], to, sizeof to);
         snprintf(where, sizeof where, "%s, %s", from, to);
     } else if (isfinite(f->rho)) {
         snprintf(where, sizeof where, "the curvature of ");
-        place_of_curvature(run, where + strlen(where), sizeof where - strlen(where));
+        describe_curvature_place(run, where + strlen(where), sizeof where - strlen(where));
     }
-    claim.holds = fabs(residual - 1) <= open ? TAUT_UNDECIDED
-                  : residual < 1             ? TAUT_TRUE
-                                             : TAUT_FALSE;
-    return taut_certificate_add(certificate, &claim);
+    return taut_pipe_claim_embedded(&run->parts, where, certificate);
 }
 
 static taut_status claim_bend(const taut_pipe_run_parts *run, taut_certificate *certificate)
@@ -243,16 +252,10 @@ static taut_status claim_bend(const taut_pipe_run_parts *run, taut_certificate *
     const taut_pipe_line *line = &run->parts.line;
     const double open = 8 * line->noise * (1 + run->parts.figures.curvature);
     char where[80];
-    place_of_curvature(run, where, sizeof where);
+    describe_curvature_place(run, where, sizeof where);
     return taut_pipe_add_claim("bend_radius",
                                run->bend_radius * run->parts.figures.curvature / line->scale, 1,
                                1 + open, where, certificate);
-}
-
-static double share(const taut_basis *basis, int k, int n)
-{
-    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-    return k == n ? hi : lo + (hi - lo) * k / n;
 }
 
 /* The largest distance of a piece from its tube, over the radius. */
@@ -269,14 +272,14 @@ static double miss_of(const taut_pipe_run_parts *run, int i, double at[2])
                              : breaks[span] + (breaks[span + 1] - breaks[span]) * k / PER_SPAN;
         double x[3], local[3], offset[3], foot = 0, miss = 0;
         int piece = 0;
-        taut_surface_eval(run->surfaces[i], s, share(v, n % RING, RING), 0, x);
+        taut_surface_eval(run->surfaces[i], s, taut_pipe_parameter(v, n % RING, RING), 0, x);
         taut_pipe_to_local(line, x, local);
-        taut_pipe_foot(line, local, i + s, &piece, &foot, offset);
+        taut_pipe_find_foot(line, local, i + s, &piece, &foot, offset);
         miss = fabs(taut_norm(offset) * line->scale - run->parts.radius) / run->parts.radius;
         if (!(miss <= worst)) {
             worst = miss;
             at[0] = s;
-            at[1] = share(v, n % RING, RING);
+            at[1] = taut_pipe_parameter(v, n % RING, RING);
         }
     }
     return worst;
@@ -292,7 +295,7 @@ static taut_status claim_tube(const taut_pipe_run_parts *run, double tolerance, 
     for (int i = 0; i < run->count; i++) {
         double at[2] = {0, 0};
         const double miss = miss_of(run, i, at);
-        *fit_error = taut_pipe_is_blend(run, i) ? fmax(*fit_error, miss) : *fit_error;
+        *fit_error = is_blend(run, i) ? fmax(*fit_error, miss) : *fit_error;
         if (!(miss <= worst)) {
             worst = miss;
             snprintf(where, sizeof where, "%.32s, u = %.6g, v = %.6g",
@@ -302,6 +305,130 @@ static taut_status claim_tube(const taut_pipe_run_parts *run, double tolerance, 
     return taut_pipe_add_claim("tube", worst, tolerance, tolerance + noise, where, certificate);
 }
 
+/* One straight pipe asked for: a line, and where on it, if that is said. */
+typedef struct asked_leg {
+    const double *from, *to;
+    double direction[3];
+} asked_leg;
+
+/* Corner i, over and over. */
+static const double *corner_of(const taut_pipe_route *route, int i)
+{
+    return route->corners + 3 * (size_t)(i % route->count);
+}
+
+static asked_leg next_straight(const taut_pipe_route *route, int *i)
+{
+    const taut_pipe_leg *const leg = &route->legs[*i % route->count];
+    const int is_span = leg->kind == TAUT_PIPE_LEG_SPAN;
+    asked_leg out = {.from = leg->from, .to = is_span ? leg->to : leg->from};
+    double d[3];
+    taut_difference(out.to, out.from, d);
+    taut_pipe_unit(is_span ? d : leg->direction, out.direction);
+    *i += 1;
+    return out;
+}
+
+/* Corners without a turn are passed over. */
+static asked_leg next_between_corners(const taut_pipe_route *route, int *i)
+{
+    asked_leg out = {.from = corner_of(route, *i), .to = corner_of(route, *i + 1)};
+    double d[3];
+    taut_difference(out.to, out.from, d);
+    taut_pipe_unit(d, out.direction);
+    for (*i += 1; route->closed ? *i < 2 * route->count : *i + 1 < route->count; *i += 1) {
+        double on[3], across[3];
+        taut_difference(corner_of(route, *i + 1), out.to, d);
+        taut_pipe_unit(d, on);
+        taut_cross(out.direction, on, across);
+        if (taut_norm(across) > turns_not || taut_dot(out.direction, on) < 0) {
+            break;
+        }
+        out.to = corner_of(route, *i + 1);
+    }
+    return out;
+}
+
+/* The next leg of the route at or after *i. */
+static asked_leg next_leg(const taut_pipe_route *route, int *i)
+{
+    return route->kind == TAUT_PIPE_LEGS ? next_straight(route, i) : next_between_corners(route, i);
+}
+
+static void to_absolute(const taut_pipe_line *line, const double local[3], double x[3])
+{
+    for (int k = 0; k < 3; k++) {
+        x[k] = line->origin[k] + line->scale * local[k];
+    }
+}
+
+/* How far end `t` of a piece is from what was asked of it. */
+static double miss_of_leg(const taut_pipe_run_parts *run, int piece, int t, const asked_leg *asked)
+{
+    const taut_pipe_piece *b = &run->parts.line.pieces[piece];
+    double x[3], d[3], tangent[3];
+    to_absolute(&run->parts.line, b->points[t == 0 ? 0 : b->degree], x);
+    taut_difference(x, t == 0 ? asked->to : asked->from, d);
+    if (run->problem->route.kind == TAUT_PIPE_CORNERS) {
+        taut_add_scaled(-taut_dot(d, asked->direction), asked->direction, d);
+    }
+    find_tangent(run, piece, t, tangent);
+    return fmax(taut_norm(d) / run->parts.radius, taut_distance(tangent, asked->direction));
+}
+
+/* Where the run as a whole begins or ends. */
+static double miss_of_free_end(const taut_pipe_run_parts *run, int side)
+{
+    const taut_pipe_route *route = &run->problem->route;
+    const int last = route->count - 1;
+    const taut_pipe_piece *b = &run->parts.line.pieces[side == 0 ? 0 : run->count - 1];
+    const double *asked = NULL;
+    double x[3];
+    if (route->kind == TAUT_PIPE_CORNERS) {
+        asked = corner_of(route, side == 0 ? 0 : last);
+    } else {
+        const taut_pipe_leg *const leg = &route->legs[side == 0 ? 0 : last];
+        asked = side == 0 || leg->kind == TAUT_PIPE_LEG_POINT ? leg->from : leg->to;
+    }
+    to_absolute(&run->parts.line, b->points[side == 0 ? 0 : b->degree], x);
+    return taut_distance(x, asked) / run->parts.radius;
+}
+
+static taut_status claim_ends(const taut_pipe_run_parts *run, taut_certificate *certificate)
+{
+    const taut_pipe_route *route = &run->problem->route;
+    const int is_blend_only = route->count == 0;
+    double worst = is_blend_only ? 1 : 0, shortest = INFINITY;
+    int i = 0, blends = 0;
+    char where[48] = "";
+
+    asked_leg before = {.from = NULL}, after = {.from = NULL};
+    for (int k = 0; k < run->count && !is_blend_only; k++) {
+        if (!is_blend(run, k)) {
+            continue;
+        }
+        before = blends == 0 ? next_leg(route, &i) : after;
+        after = next_leg(route, &i);
+        blends++;
+        const double found = fmax(miss_of_leg(run, k, 0, &before), miss_of_leg(run, k, 1, &after));
+        const taut_pipe_piece *piece = &run->parts.line.pieces[k];
+        shortest = fmin(shortest, fmin(taut_distance(piece->points[0], piece->points[1]),
+                                       taut_distance(piece->points[piece->degree],
+                                                     piece->points[piece->degree - 1])));
+        if (!(found <= worst)) {
+            worst = found;
+            snprintf(where, sizeof where, "%.32s", taut_surface_name(run->surfaces[k]));
+        }
+    }
+    for (int side = 0; side < 2 && !route->closed && !is_blend_only; side++) {
+        worst = fmax(worst, miss_of_free_end(run, side));
+    }
+    /* rounding of each coordinate, over the radius and over the legs that make the tangents */
+    const double noise = 4 * DBL_EPSILON + 4 * DBL_EPSILON * run->parts.size / run->parts.radius +
+                         8 * DBL_EPSILON * run->parts.size / (shortest * run->parts.line.scale);
+    return taut_pipe_add_claim("ends", worst, 0, noise, where, certificate);
+}
+
 static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
 {
     const taut_pipe_figures *f = &run->parts.figures;
@@ -309,7 +436,7 @@ static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
     taut_record *figures = taut_record_new();
     char where[80];
 
-    place_of_curvature(run, where, sizeof where);
+    describe_curvature_place(run, where, sizeof where);
     taut_record_add_number(figures, "length", f->length * scale);
     taut_record_add_number(figures, "max_curvature", f->curvature / scale);
     taut_record_add_text(figures, "max_curvature_at", where);
@@ -328,69 +455,74 @@ static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
     return figures;
 }
 
-static taut_status claims(taut_pipe_run_parts *run, const taut_certify_options *options,
-                          taut_certificate *certificate)
+static taut_status add_claims(const taut_pipe_run_parts *run, double tolerance,
+                              taut_certificate *certificate)
 {
-    const double tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default;
     const taut_surface *ends[2] = {run->surfaces[0], run->surfaces[run->count - 1]};
+    taut_record *figures = NULL;
     double fit_error = 0;
     taut_status status = claim_joints(run, 0, certificate);
-
     if (status == TAUT_OK && run->parts.quintic) {
         status = claim_joints(run, 1, certificate);
     }
-    if (status == TAUT_OK) {
-        status = claim_embedded(run, certificate);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = claim_embedded(run, certificate);
     if (status == TAUT_OK && run->bend_radius > 0) {
         status = claim_bend(run, certificate);
     }
-    if (status == TAUT_OK) {
-        status = claim_tube(run, tolerance, &fit_error, certificate);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_pipe_claim_caps(run->model, &run->parts, ends, certificate);
+    status = claim_tube(run, tolerance, &fit_error, certificate);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && run->parts.problem != NULL) {
-        status = taut_pipe_claim_run_ends(run, certificate);
+    status = taut_pipe_claim_caps(run->model, &run->parts, ends, certificate);
+    if (status == TAUT_OK && run->problem != NULL) {
+        status = claim_ends(run, certificate);
     }
-    if (status == TAUT_OK) {
-        taut_record *const figures = figures_of(run, fit_error);
-        taut_certificate_set_figures(certificate, figures);
-        status = taut_record_status(figures);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    figures = figures_of(run, fit_error);
+    taut_certificate_set_figures(certificate, figures);
+    return taut_record_status(figures);
 }
 
-taut_status taut_pipe_certify_run(const taut_model *model, const taut_pipe_problem *problem,
-                                  const taut_certify_options *options,
-                                  taut_certificate *certificate, taut_error *error)
+static taut_status claim_run(taut_pipe_run_parts *run, taut_arena *arena, double tolerance,
+                             taut_certificate *certificate, taut_error *error)
 {
-    taut_pipe_run_parts run = {.model = model, .parts = {.problem = problem}};
-    taut_arena *const arena = taut_arena_new();
-    taut_status status = arena != NULL ? find_pieces(&run, arena, error) : taut_fail_memory(error);
+    taut_status status = find_pieces(run, arena, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_pipe_line_of_run(run->curves, run->count, arena, &run->parts.line, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    find_data(run);
+    run->parts.line.closed = is_closed(run);
+    if (!(run->parts.radius > 0)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", run->parts.radius, 0,
+                         "the run begins on its own axis: it has no radius");
+    }
+    status = taut_pipe_find_figures(&run->parts);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return add_claims(run, tolerance, certificate);
+}
 
-    if (status == TAUT_OK) {
-        status = taut_pipe_line_of_run(run.curves, run.count, arena, &run.parts.line, error);
-    }
-    if (status == TAUT_OK) {
-        find_data(&run);
-        run.parts.line.closed = is_closed(&run);
-        if (!(run.parts.radius > 0)) {
-            status = taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", run.parts.radius, 0,
-                               "the run begins on its own axis: it has no radius");
-        }
-    }
-    if (status == TAUT_OK) {
-        taut_pipe_integrate(&run.parts.line, &run.parts.figures);
-        status = taut_pipe_bound_curvature(&run.parts.line, &run.parts.figures);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_bound_reach(&run.parts.line, &run.parts.figures);
-    }
-    if (status == TAUT_OK) {
-        status = claims(&run, options, certificate);
-    }
+taut_status taut_pipe_claim_run(const taut_model *model, const taut_pipe_run_problem *problem,
+                                const taut_certify_options *options, taut_certificate *certificate,
+                                taut_error *error)
+{
+    const double tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default;
+    taut_pipe_run_parts run = {.model = model, .problem = problem};
+    taut_arena *const arena = taut_arena_new();
+    const taut_status status = claim_run(&run, arena, tolerance, certificate, error);
     taut_arena_free(arena);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { STEPS = 2048, GAUSS = 12, PANELS = 32, AROUND = 48 };
+enum { STEPS = 2048, GAUSS = 12, INTERVALS = 32, AROUND = 48 };
 
 static const double pi = 3.14159265358979323846;
 
@@ -30,8 +30,8 @@ static void tangent_of(const taut_pipe_piece *piece, double s, double tangent[3]
     }
 }
 
-static void rate(const taut_pipe_piece *piece, double s, const double u[3], const double k[3],
-                 double h, double out[3])
+static void transport_rate(const taut_pipe_piece *piece, double s, const double u[3],
+                           const double k[3], double h, double out[3])
 {
     double tangent[3], turn[3], at[3];
     memcpy(at, u, sizeof at);
@@ -46,16 +46,16 @@ static void rate(const taut_pipe_piece *piece, double s, const double u[3], cons
 static void transport(const taut_pipe_piece *piece, double s, double h, double u[3])
 {
     double k1[3], k2[3], k3[3], k4[3];
-    rate(piece, s, u, u, 0, k1);
-    rate(piece, s + 0.5 * h, u, k1, 0.5 * h, k2);
-    rate(piece, s + 0.5 * h, u, k2, 0.5 * h, k3);
-    rate(piece, s + h, u, k3, h, k4);
+    transport_rate(piece, s, u, u, 0, k1);
+    transport_rate(piece, s + 0.5 * h, u, k1, 0.5 * h, k2);
+    transport_rate(piece, s + 0.5 * h, u, k2, 0.5 * h, k3);
+    transport_rate(piece, s + h, u, k3, h, k4);
     for (int i = 0; i < 3; i++) {
         u[i] += h * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]) / 6;
     }
 }
 
-static void across(const double direction[3], const double tangent[3], double out[3])
+static void make_across(const double direction[3], const double tangent[3], double out[3])
 {
     double size = 0;
     memcpy(out, direction, 3 * sizeof *out);
@@ -66,41 +66,50 @@ static void across(const double direction[3], const double tangent[3], double ou
     }
 }
 
-/* The sections: the problem's, or what the details tell. */
-static void find_sections(const taut_model *model, taut_pipe_parts *parts)
+/* Circles of two radii: any direction across the axis will do. */
+static void set_circle(taut_pipe_parts *parts, int side, double radius)
 {
-    const taut_record *list = taut_record_get(taut_model_details(model), "sections");
-    const taut_record *radii = taut_record_get(taut_model_details(model), "radii");
-    const char *surface = taut_record_text(taut_record_get(taut_model_details(model), "surface"));
-    const int told_canal = radii != NULL && surface != NULL && strcmp(surface, "canal") == 0;
+    const double *tangent = parts->line.tangent[side];
+    taut_pipe_ellipse *const e = &parts->ellipses[side];
+    int least = 0;
+    for (int k = 1; k < 3; k++) {
+        least = fabs(tangent[k]) < fabs(tangent[least]) ? k : least;
+    }
+    *e = (taut_pipe_ellipse){.a = radius, .b = radius};
+    e->direction[least] = 1;
+    parts->unlike = 1;
+}
+
+static void set_asked(const taut_pipe_section *section, taut_pipe_parts *parts)
+{
     for (int side = 0; side < 2; side++) {
-        const double r = parts->problem != NULL ? parts->problem->radii[side]
-                         : radii != NULL ? taut_record_number(taut_record_at(radii, (size_t)side))
-                                         : 0;
-        if (r > 0) { /* circles: any direction across will do */
-            const double *tangent = parts->line.tangent[side];
-            taut_pipe_section *s = &parts->sections[side];
-            int least = 0;
-            for (int k = 1; k < 3; k++) {
-                least = fabs(tangent[k]) < fabs(tangent[least]) ? k : least;
-            }
-            *s = (taut_pipe_section){.a = r, .b = r};
-            s->direction[least] = 1;
-            parts->unlike = 1;
-            parts->canal = parts->problem != NULL ? !parts->problem->naive : told_canal;
+        if (section->kind == TAUT_PIPE_ELLIPTIC) {
+            parts->ellipses[side] = section->ellipses[side];
+        } else if (section->kind != TAUT_PIPE_ROUND) {
+            set_circle(parts, side, section->radii[side]);
         }
     }
-    for (int side = 0; side < 2 && parts->sections[side].a == 0; side++) {
-        taut_pipe_section *s = &parts->sections[side];
-        const taut_record *told = taut_record_at(list, (size_t)side);
-        if (parts->problem != NULL) {
-            *s = parts->problem->sections[side];
+    parts->canal = section->kind == TAUT_PIPE_CANAL;
+}
+
+static void set_told(const taut_record *details, taut_pipe_parts *parts)
+{
+    const taut_record *list = taut_record_get(details, "sections");
+    const taut_record *radii = taut_record_get(details, "radii");
+    const char *surface = taut_record_text(taut_record_get(details, "surface"));
+    for (size_t side = 0; side < 2; side++) {
+        const taut_record *told = taut_record_at(list, side);
+        const double radius = radii != NULL ? taut_record_number(taut_record_at(radii, side)) : 0;
+        taut_pipe_ellipse *const e = &parts->ellipses[side];
+        if (radius > 0) {
+            set_circle(parts, (int)side, radius);
+            parts->canal = surface != NULL && strcmp(surface, "canal") == 0;
         } else if (told != NULL) {
             const taut_record *direction = taut_record_get(told, "direction");
-            s->a = taut_record_number(taut_record_get(told, "a"));
-            s->b = taut_record_number(taut_record_get(told, "b"));
+            e->a = taut_record_number(taut_record_get(told, "a"));
+            e->b = taut_record_number(taut_record_get(told, "b"));
             for (size_t k = 0; k < 3; k++) {
-                s->direction[k] = taut_record_number(taut_record_at(direction, k));
+                e->direction[k] = taut_record_number(taut_record_at(direction, k));
             }
         }
     }
@@ -109,17 +118,21 @@ static void find_sections(const taut_model *model, taut_pipe_parts *parts)
 taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *parts)
 {
     const taut_pipe_line *line = &parts->line;
-    const taut_pipe_section *s = parts->sections;
+    const taut_pipe_ellipse *s = parts->ellipses;
     double u[3], w[3], wanted[3], angle = 0, large = 0, small = INFINITY;
 
     parts->flatness = 1;
-    find_sections(model, parts);
+    if (parts->problem != NULL) {
+        set_asked(&parts->problem->section, parts);
+    } else {
+        set_told(taut_model_details(model), parts);
+    }
     for (int i = 0; i < 2; i++) {
         large = fmax(large, fmax(s[i].a, s[i].b));
         small = fmin(small, fmin(s[i].a, s[i].b));
     }
     if (!(small > 0)) {
-        parts->sections[0].a = 0;
+        parts->ellipses[0].a = 0;
         return TAUT_OK;
     }
     parts->radius = large;
@@ -129,7 +142,7 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
     if (parts->frames == NULL) {
         return TAUT_NO_MEMORY;
     }
-    across(s[0].direction, line->tangent[0], u);
+    make_across(s[0].direction, line->tangent[0], u);
     for (int i = 0; i < line->count; i++) {
         for (int k = 0; k <= STEPS; k++) {
             memcpy(parts->frames[i * (STEPS + 1) + k], u, sizeof u);
@@ -138,7 +151,7 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
             }
         }
     }
-    across(s[1].direction, line->tangent[1], wanted);
+    make_across(s[1].direction, line->tangent[1], wanted);
     taut_cross(line->tangent[1], u, w);
     angle = atan2(taut_dot(wanted, w), taut_dot(wanted, u));
     parts->turn = parts->unlike      ? 0 /* of circles */
@@ -150,7 +163,7 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
 
 /* How far along from the first section to the second: the curve's range is [0, 1]; and its rate by
  * the piece's own parameter (NULL: not wanted). */
-static double step_at(const taut_pipe_parts *parts, int piece, double s, double *rate_of)
+static double evaluate_step(const taut_pipe_parts *parts, int piece, double s, double *rate_of)
 {
     const taut_pipe_piece *p = &parts->line.pieces[piece];
     const double t = p->lo + s * (p->hi - p->lo), v = 1 - t;
@@ -174,8 +187,8 @@ void taut_pipe_section_frame(const taut_pipe_parts *parts, int piece, double s, 
 double taut_pipe_section_miss(const taut_pipe_parts *parts, int piece, double s,
                               const double offset[3])
 {
-    const taut_pipe_section *e = parts->sections;
-    const double part = step_at(parts, piece, s, NULL), angle = parts->turn * part;
+    const taut_pipe_ellipse *e = parts->ellipses;
+    const double part = evaluate_step(parts, piece, s, NULL), angle = parts->turn * part;
     const double a = e[0].a + (e[1].a - e[0].a) * part, b = e[0].b + (e[1].b - e[0].b) * part;
     double u[3], w[3], turn[3], q = 0;
 
@@ -191,17 +204,17 @@ double taut_pipe_section_miss(const taut_pipe_parts *parts, int piece, double s,
 
 double taut_pipe_section_volume(const taut_pipe_parts *parts)
 {
-    const taut_pipe_section *e = parts->sections;
+    const taut_pipe_ellipse *e = parts->ellipses;
     const double scale = parts->line.scale;
     double nodes[GAUSS], weights[GAUSS], sum = 0;
     taut_gauss_rule(GAUSS, nodes, weights);
     for (int i = 0; i < parts->line.count; i++) {
-        for (int k = 0; k < PANELS * GAUSS; k++) {
-            const double s = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / PANELS;
-            const double part = step_at(parts, i, s, NULL);
+        for (int k = 0; k < INTERVALS * GAUSS; k++) {
+            const double s = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / INTERVALS;
+            const double part = evaluate_step(parts, i, s, NULL);
             double d[2][3];
             taut_pipe_piece_eval(&parts->line.pieces[i], s, 1, d);
-            sum += 0.5 / PANELS * weights[k % GAUSS] * taut_norm(d[1]) *
+            sum += 0.5 / INTERVALS * weights[k % GAUSS] * taut_norm(d[1]) *
                    (e[0].a + (e[1].a - e[0].a) * part) * (e[0].b + (e[1].b - e[0].b) * part);
         }
     }
@@ -215,10 +228,10 @@ double taut_pipe_section_volume(const taut_pipe_parts *parts)
  * the trapezoidal rule is exact but for terms of the order of its points. */
 static double ring_area(const taut_pipe_parts *parts, int piece, double s, int points)
 {
-    const taut_pipe_section *e = parts->sections;
+    const taut_pipe_ellipse *e = parts->ellipses;
     const double scale = parts->line.scale;
     double rate_of = 0, u[3], w[3], turn[3], d[2][3], sum = 0;
-    const double part = step_at(parts, piece, s, &rate_of), angle = parts->turn * part;
+    const double part = evaluate_step(parts, piece, s, &rate_of), angle = parts->turn * part;
     const double da = (e[1].a - e[0].a) / scale, db = (e[1].b - e[0].b) / scale;
     const double a = e[0].a / scale + da * part, b = e[0].b / scale + db * part;
     const double twist = parts->turn * rate_of;
@@ -245,9 +258,9 @@ double taut_pipe_section_area(const taut_pipe_parts *parts)
     double nodes[GAUSS], weights[GAUSS], sum = 0;
     taut_gauss_rule(GAUSS, nodes, weights);
     for (int i = 0; i < parts->line.count; i++) {
-        for (int k = 0; k < PANELS * GAUSS; k++) {
-            const double s = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / PANELS;
-            sum += 0.5 / PANELS * weights[k % GAUSS] * ring_area(parts, i, s, points);
+        for (int k = 0; k < INTERVALS * GAUSS; k++) {
+            const double s = (k / GAUSS + 0.5 * (1 + nodes[k % GAUSS])) / INTERVALS;
+            sum += 0.5 / INTERVALS * weights[k % GAUSS] * ring_area(parts, i, s, points);
         }
     }
     return sum * scale * scale;

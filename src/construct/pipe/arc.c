@@ -35,7 +35,7 @@ void taut_pipe_bernstein(int degree, const double (*c)[3], double t, double valu
     memcpy(value, b[0], 3 * sizeof *value);
 }
 
-static double binomial(int n, int k)
+double taut_pipe_binomial(int n, int k)
 {
     double value = 1;
     for (int i = 1; i <= k; i++) {
@@ -61,14 +61,15 @@ void taut_pipe_arc_finish(taut_pipe_arc *arc)
         for (int j = 0; j <= m; j++) {
             double product[3];
             taut_cross(arc->velocity[i], arc->velocity[j + 1], product);
-            taut_add_scaled((n - 1) * binomial(m, i) * binomial(m, j) / binomial(2 * m, i + j),
+            taut_add_scaled((n - 1) * taut_pipe_binomial(m, i) * taut_pipe_binomial(m, j) /
+                                taut_pipe_binomial(2 * m, i + j),
                             product, arc->cross[i + j]);
         }
     }
 }
 
 /* out = the sum of three vectors, v double[3][3], times numbers, over d. */
-static void combine(const double *v, double a, double b, double c, double d, double out[3])
+static void combine_vectors(const double *v, double a, double b, double c, double d, double out[3])
 {
     for (int k = 0; k < 3; k++) {
         out[k] = (a * v[k] + b * v[3 + k] + c * v[6 + k]) / d;
@@ -85,21 +86,21 @@ void taut_pipe_arc_quasi(const double edges[3][3], const double shape[3], taut_p
     taut_cross(edges[0], edges[1], products[0]);
     taut_cross(edges[0], edges[2], products[1]);
     taut_cross(edges[1], edges[2], products[2]);
-    combine(edges[0], 0, 0, 0, 1, arc->points[0]);
-    combine(edges[0], A, 0, 0, 4, arc->points[1]);
-    combine(edges[0], 6, C, 0, 6, arc->points[2]);
-    combine(edges[0], 4, 4, 1 - shape[2], 4, arc->points[3]);
-    combine(edges[0], 1, 1, 1, 1, arc->points[4]);
+    combine_vectors(edges[0], 0, 0, 0, 1, arc->points[0]);
+    combine_vectors(edges[0], A, 0, 0, 4, arc->points[1]);
+    combine_vectors(edges[0], 6, C, 0, 6, arc->points[2]);
+    combine_vectors(edges[0], 4, 4, 1 - shape[2], 4, arc->points[3]);
+    combine_vectors(edges[0], 1, 1, 1, 1, arc->points[4]);
     /* f1 = u^2 (Au + Bt), f2 = 2ut (Cu + Dt), f3 = t^2 (Eu + Ft) as cubics */
-    combine(edges[0], A, 0, 0, 1, arc->velocity[0]);
-    combine(edges[0], B, 2 * C, 0, 3, arc->velocity[1]);
-    combine(edges[0], 0, 2 * D, E, 3, arc->velocity[2]);
-    combine(edges[0], 0, 0, F, 1, arc->velocity[3]);
-    combine(products[0], 2 * A * C, 0, 0, 1, arc->cross[0]);
-    combine(products[0], 4 * A * D, 2 * A * E, 0, 4, arc->cross[1]);
-    combine(products[0], 2 * B * D, 3 * A * F + B * E, 2 * C * E, 6, arc->cross[2]);
-    combine(products[0], 0, 2 * B * F, 4 * C * F, 4, arc->cross[3]);
-    combine(products[0], 0, 0, 2 * D * F, 1, arc->cross[4]);
+    combine_vectors(edges[0], A, 0, 0, 1, arc->velocity[0]);
+    combine_vectors(edges[0], B, 2 * C, 0, 3, arc->velocity[1]);
+    combine_vectors(edges[0], 0, 2 * D, E, 3, arc->velocity[2]);
+    combine_vectors(edges[0], 0, 0, F, 1, arc->velocity[3]);
+    combine_vectors(products[0], 2 * A * C, 0, 0, 1, arc->cross[0]);
+    combine_vectors(products[0], 4 * A * D, 2 * A * E, 0, 4, arc->cross[1]);
+    combine_vectors(products[0], 2 * B * D, 3 * A * F + B * E, 2 * C * E, 6, arc->cross[2]);
+    combine_vectors(products[0], 0, 2 * B * F, 4 * C * F, 4, arc->cross[3]);
+    combine_vectors(products[0], 0, 0, 2 * D * F, 1, arc->cross[4]);
 }
 
 void taut_pipe_arc_quintic(const double edges[3][3], const double shape[3], taut_pipe_arc *arc)
@@ -120,19 +121,20 @@ void taut_pipe_arc_quintic(const double edges[3][3], const double shape[3], taut
     taut_cross(edges[0], edges[2], products[1]);
     taut_cross(edges[1], edges[2], products[2]);
     for (int i = 0; i <= 5; i++) {
-        combine(edges[0], places[i][0], places[i][1], places[i][2], 1, arc->points[i]);
+        combine_vectors(edges[0], places[i][0], places[i][1], places[i][2], 1, arc->points[i]);
     }
     memset(arc->cross, 0, sizeof arc->cross);
     for (int i = 0; i < 5; i++) {
-        combine(edges[0], legs[i][0], legs[i][1], legs[i][2], 1, arc->velocity[i]);
+        combine_vectors(edges[0], legs[i][0], legs[i][1], legs[i][2], 1, arc->velocity[i]);
     }
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {
             const double *a = legs[i], *b = legs[j + 1];
-            const double weight = 4 * binomial(3, i) * binomial(3, j) / binomial(6, i + j);
+            const double weight = 4 * taut_pipe_binomial(3, i) * taut_pipe_binomial(3, j) /
+                                  taut_pipe_binomial(6, i + j);
             double product[3];
-            combine(products[0], a[0] * b[1] - a[1] * b[0], a[0] * b[2] - a[2] * b[0],
-                    a[1] * b[2] - a[2] * b[1], 1, product);
+            combine_vectors(products[0], a[0] * b[1] - a[1] * b[0], a[0] * b[2] - a[2] * b[0],
+                            a[1] * b[2] - a[2] * b[1], 1, product);
             taut_add_scaled(weight, product, arc->cross[i + j]);
         }
     }

@@ -16,7 +16,7 @@ int taut_pipe_bend_is_cusp(const taut_pipe_bend *bend)
 }
 
 /* A derivative whose roots are wanted, positive where the quantity grows. */
-typedef double (*slope)(const taut_pipe_arc *arc, double t);
+typedef double (*slope_function)(const taut_pipe_arc *arc, double t);
 
 /* Half the derivative of |P'|^2. */
 static double speed_slope(const taut_pipe_arc *arc, double t)
@@ -39,8 +39,8 @@ static double curvature_slope(const taut_pipe_arc *arc, double t)
 
 /* The root in [lo, hi] of a slope with values of unlike sign there: regula falsi, the stale end
  * halved (Illinois). */
-static double root(slope f, const taut_pipe_arc *arc, double lo, double hi, double f_lo,
-                   double f_hi)
+static double find_root(slope_function f, const taut_pipe_arc *arc, double lo, double hi,
+                        double f_lo, double f_hi)
 {
     int stale = 0;
     for (int step = 0; step < ROOT_STEPS && hi - lo > 0x1p-52; step++) {
@@ -88,7 +88,7 @@ static pace pace_at(const taut_pipe_arc *arc, double t)
     return p;
 }
 
-static void take(const pace *p, double t, taut_pipe_bend *bend)
+static void record_pace(const pace *p, double t, taut_pipe_bend *bend)
 {
     if (p->speed < bend->least_speed) {
         bend->least_speed = p->speed;
@@ -100,17 +100,17 @@ static void take(const pace *p, double t, taut_pipe_bend *bend)
     }
 }
 
-static void take_root(slope f, const taut_pipe_arc *arc, double lo, double hi, double f_lo,
-                      double f_hi, taut_pipe_bend *bend)
+static void record_root(slope_function f, const taut_pipe_arc *arc, double lo, double hi,
+                        double f_lo, double f_hi, taut_pipe_bend *bend)
 {
-    const double t = root(f, arc, lo, hi, f_lo, f_hi);
+    const double t = find_root(f, arc, lo, hi, f_lo, f_hi);
     const pace p = pace_at(arc, t);
-    take(&p, t, bend);
+    record_pace(&p, t, bend);
 }
 
 /* Parameter i of -GRADED .. samples + GRADED, increasing: equal steps, and ever smaller ones
  * towards both ends, where a short handle beside a long one makes a sharp bend. */
-static double place(int i, int samples)
+static double sample_parameter(int i, int samples)
 {
     const double step = 1.0 / samples;
     return i < 0          ? (i == -GRADED ? 0 : step * ldexp(1, i))
@@ -133,15 +133,15 @@ void taut_pipe_bend_extremes(const taut_pipe_arc *arc, int samples, taut_pipe_be
         largest = fmax(largest, sqrt(taut_dot(arc->velocity[i], arc->velocity[i])));
     }
     for (int i = -GRADED; i <= samples + GRADED; i++) {
-        const double t = place(i, samples);
+        const double t = sample_parameter(i, samples);
         const pace p = pace_at(arc, t);
-        take(&p, t, bend);
+        record_pace(&p, t, bend);
         if (i > -GRADED && last.speed_slope < 0 && p.speed_slope > 0) {
-            take_root(speed_slope, arc, before, t, last.speed_slope, p.speed_slope, bend);
+            record_root(speed_slope, arc, before, t, last.speed_slope, p.speed_slope, bend);
         }
         if (i > -GRADED && last.curvature_slope > 0 && p.curvature_slope < 0) {
-            take_root(curvature_slope, arc, before, t, last.curvature_slope, p.curvature_slope,
-                      bend);
+            record_root(curvature_slope, arc, before, t, last.curvature_slope, p.curvature_slope,
+                        bend);
         }
         before = t;
         last = p;
@@ -149,18 +149,18 @@ void taut_pipe_bend_extremes(const taut_pipe_arc *arc, int samples, taut_pipe_be
     bend->least_speed = largest > 0 ? bend->least_speed / largest : 0;
 }
 
-void taut_pipe_bend_integrals(const taut_pipe_arc *arc, int panels, taut_pipe_bend *bend)
+void taut_pipe_bend_integrals(const taut_pipe_arc *arc, int intervals, taut_pipe_bend *bend)
 {
     double nodes[GAUSS], weights[GAUSS];
 
     taut_gauss_rule(GAUSS, nodes, weights);
     bend->length = bend->turning = bend->bending = 0;
-    for (int i = 0; i < panels; i++) {
+    for (int i = 0; i < intervals; i++) {
         for (int k = 0; k < GAUSS; k++) {
             /* t = s^2 (3 - 2s) brings nodes to the ends, where curvature may peak */
-            const double s = (i + 0.5 + 0.5 * nodes[k]) / panels;
+            const double s = (i + 0.5 + 0.5 * nodes[k]) / intervals;
             const pace p = pace_at(arc, s * s * (3 - 2 * s));
-            const double ds = 0.5 * weights[k] / panels * 6 * s * (1 - s) * p.speed;
+            const double ds = 0.5 * weights[k] / intervals * 6 * s * (1 - s) * p.speed;
             bend->length += ds;
             bend->turning += p.curvature * ds;
             bend->bending += p.curvature * p.curvature * ds;

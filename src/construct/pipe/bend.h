@@ -18,8 +18,8 @@ int taut_pipe_bend_is_cusp(const taut_pipe_bend *bend);
 
 /* Least speed and largest curvature: samples, and the roots of the derivatives between them. */
 void taut_pipe_bend_extremes(const taut_pipe_arc *arc, int samples, taut_pipe_bend *bend);
-/* The integrals, by `panels` equal panels of 16 Gauss points: to 1e-10 with 16 panels on arcs
- * without sharp peaks ([WangBai2018] section 9). */
-void taut_pipe_bend_integrals(const taut_pipe_arc *arc, int panels, taut_pipe_bend *bend);
+/* The integrals, by equal `intervals` of 16 Gauss points: to 1e-10 with 16 of them on arcs without
+ * sharp peaks ([WangBai2018] section 9). */
+void taut_pipe_bend_integrals(const taut_pipe_arc *arc, int intervals, taut_pipe_bend *bend);
 
 #endif /* TAUT_PIPE_BEND_H */

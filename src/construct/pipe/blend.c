@@ -7,28 +7,32 @@
 #include <math.h>
 #include <string.h>
 
-enum { SEGMENTS_MAX = 100000, ANGLES = 16, LEVEL_MAX = 30, FRAMES_PER_UNIT = 1024 };
+enum { SEGMENTS_MAX = 100000, ANGLES = 16, LEVEL_MAX = 30, FRAMES_PER_UNIT = 1024, PLACES = 2048 };
 
 static const double pi = 3.14159265358979323846;
+
+/* Of the sine between a ruling and the axis (g2: of the curvature across it, times the radius). */
+static const double near_enough = 5e-14;
+static const double part_of_way = 1e-3; /* from the end ring, that a point may move */
 
 /* The control points of the unit circle; weights 1 and sqrt(1/2) in turns. */
 static const double circle[TAUT_PIPE_RING][2] = {{1, 0},   {1, 1},  {0, 1},  {-1, 1}, {-1, 0},
                                                  {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
 
 /* The tube while it is cut into segments. */
-typedef struct maker {
+typedef struct blend_maker {
     const taut_pipe_arc *arc;
     const taut_pipe_binormal *binormal;
-    const taut_pipe_ellipse *ellipse; /* or NULL: round */
+    const taut_pipe_profile *profile; /* or NULL: round */
     double radius, tolerance;
     double sharpest; /* parameter of the largest curvature: never stepped over unseen */
     taut_arena *arena;
     int count, room; /* of nodes */
     double *t;
     taut_pipe_normals *normals;
-} maker;
+} blend_maker;
 
-static int add_node(maker *m, double t, const taut_pipe_normals *normals)
+static int add_node(blend_maker *m, double t, const taut_pipe_normals *normals)
 {
     if (m->count == m->room) {
         const int room = m->room > 0 ? 2 * m->room : 128;
@@ -51,7 +55,8 @@ static int add_node(maker *m, double t, const taut_pipe_normals *normals)
 }
 
 /* The frame at t1, or the axes of the ellipse there; u is carried from t0. */
-static void frame_at(const maker *m, double t0, double t1, double u[3], taut_pipe_normals *normals)
+static void carry_frame(const blend_maker *m, double t0, double t1, double u[3],
+                        taut_pipe_normals *normals)
 {
     taut_pipe_normals frame;
     if (m->binormal != NULL) {
@@ -61,79 +66,68 @@ static void frame_at(const maker *m, double t0, double t1, double u[3], taut_pip
     if (t1 > t0) {
         taut_pipe_carry(m->arc, t0, t1, (int)ceil(FRAMES_PER_UNIT * (t1 - t0)) + 1, u);
     }
-    taut_pipe_bishop(m->arc, t1, u, m->ellipse != NULL ? &frame : normals);
-    if (m->ellipse != NULL) {
-        taut_pipe_ellipse_at(m->ellipse, m->arc, t1, &frame, normals);
+    taut_pipe_bishop(m->arc, t1, u, m->profile != NULL ? &frame : normals);
+    if (m->profile != NULL) {
+        taut_pipe_profile_at(m->profile, m->arc, t1, &frame, normals);
     }
 }
 
+/* A vector at one end of a segment, with its derivatives. */
+typedef struct vector_jet {
+    const double *x, *d1, *d2;
+} vector_jet;
+
 /* Hermite's interpolant on a segment of length h, as a Bezier polygon: cubic, and quintic with
  * second derivatives where the axis has that degree anyway. Returns its degree. */
-static int interpolant(const maker *m, const double x[2][3], const double d1[2][3],
-                       const double d2[2][3], double h, double (*out)[3])
+static int interpolate(const blend_maker *m, vector_jet a, vector_jet b, double h, double (*out)[3])
 {
     const int n = m->binormal == NULL && m->arc->degree >= 5 ? 5 : 3;
     for (int k = 0; k < 3; k++) {
-        out[0][k] = x[0][k];
-        out[1][k] = x[0][k] + h * d1[0][k] / n;
-        out[n - 1][k] = x[1][k] - h * d1[1][k] / n;
-        out[n][k] = x[1][k];
+        out[0][k] = a.x[k];
+        out[1][k] = a.x[k] + h * a.d1[k] / n;
+        out[n - 1][k] = b.x[k] - h * b.d1[k] / n;
+        out[n][k] = b.x[k];
         if (n == 5) {
-            out[2][k] = x[0][k] + 2 * h * d1[0][k] / 5 + h * h * d2[0][k] / 20;
-            out[3][k] = x[1][k] - 2 * h * d1[1][k] / 5 + h * h * d2[1][k] / 20;
+            out[2][k] = a.x[k] + 2 * h * a.d1[k] / 5 + h * h * a.d2[k] / 20;
+            out[3][k] = b.x[k] - 2 * h * b.d1[k] / 5 + h * h * b.d2[k] / 20;
         }
     }
     return n;
 }
 
 /* Of both vectors of the frame. */
-static int interpolants(const maker *m, const taut_pipe_normals *n0, const taut_pipe_normals *n1,
-                        double h, double (*u)[3], double (*w)[3])
+static int interpolate_frame(const blend_maker *m, const taut_pipe_normals *n0,
+                             const taut_pipe_normals *n1, double h, double (*u)[3], double (*w)[3])
 {
-    double x[2][3], d1[2][3], d2[2][3];
-    memcpy(x[0], n0->u, sizeof x[0]);
-    memcpy(x[1], n1->u, sizeof x[1]);
-    memcpy(d1[0], n0->du, sizeof d1[0]);
-    memcpy(d1[1], n1->du, sizeof d1[1]);
-    memcpy(d2[0], n0->ddu, sizeof d2[0]);
-    memcpy(d2[1], n1->ddu, sizeof d2[1]);
-    interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, (const double(*)[3])d2, h, u);
-    memcpy(x[0], n0->w, sizeof x[0]);
-    memcpy(x[1], n1->w, sizeof x[1]);
-    memcpy(d1[0], n0->dw, sizeof d1[0]);
-    memcpy(d1[1], n1->dw, sizeof d1[1]);
-    memcpy(d2[0], n0->ddw, sizeof d2[0]);
-    memcpy(d2[1], n1->ddw, sizeof d2[1]);
-    return interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, (const double(*)[3])d2, h,
-                       w);
+    interpolate(m, (vector_jet){n0->u, n0->du, n0->ddu}, (vector_jet){n1->u, n1->du, n1->ddu}, h,
+                u);
+    return interpolate(m, (vector_jet){n0->w, n0->dw, n0->ddw},
+                       (vector_jet){n1->w, n1->dw, n1->ddw}, h, w);
 }
 
 /* How far back the circles of a canal surface are; 0 for others. Returns the degree. */
-static int offsets(const maker *m, const taut_pipe_normals *n0, const taut_pipe_normals *n1,
-                   double h, double (*c)[3])
+static int interpolate_offset(const blend_maker *m, const taut_pipe_normals *n0,
+                              const taut_pipe_normals *n1, double h, double (*c)[3])
 {
-    double x[2][3] = {{0, 0, 0}, {0, 0, 0}}, d1[2][3] = {{0, 0, 0}, {0, 0, 0}};
-    const double none[2][3] = {{0, 0, 0}, {0, 0, 0}};
-    if (m->ellipse != NULL && m->ellipse->canal > 0) {
-        memcpy(x[0], n0->c, sizeof x[0]);
-        memcpy(x[1], n1->c, sizeof x[1]);
-        memcpy(d1[0], n0->dc, sizeof d1[0]);
-        memcpy(d1[1], n1->dc, sizeof d1[1]);
+    static const double none[3] = {0, 0, 0};
+    if (m->profile != NULL && m->profile->canal > 0) {
+        return interpolate(m, (vector_jet){n0->c, n0->dc, none}, (vector_jet){n1->c, n1->dc, none},
+                           h, c);
     }
-    return interpolant(m, (const double(*)[3])x, (const double(*)[3])d1, none, h, c);
+    return interpolate(m, (vector_jet){none, none, none}, (vector_jet){none, none, none}, h, c);
 }
 
 /* The largest distance of X from the tube at a fraction s of a segment, over the radius. With
  * g = c U + s W and e its part along the tangent, the point of the axis nearest to X has moved by
  * a e / (1 - a kappa_n), so that the distance from the axis is a sqrt(g.g - e^2 / (1 - a kappa_n)).
  */
-static double deviation(const maker *m, double t0, const taut_pipe_normals *n0, double t1,
-                        const taut_pipe_normals *n1, double s)
+static double round_deviation(const blend_maker *m, double t0, const taut_pipe_normals *n0,
+                              double t1, const taut_pipe_normals *n1, double s)
 {
     const double h = t1 - t0;
     double u[3], w[3], most = 0;
     double polygon_u[TAUT_PIPE_DEGREE_MAX + 1][3], polygon_w[TAUT_PIPE_DEGREE_MAX + 1][3];
-    const int degree = interpolants(m, n0, n1, h, polygon_u, polygon_w);
+    const int degree = interpolate_frame(m, n0, n1, h, polygon_u, polygon_w);
     taut_pipe_jet jet;
 
     taut_pipe_arc_jet(m->arc, t0 + s * h, &jet);
@@ -155,24 +149,24 @@ static double deviation(const maker *m, double t0, const taut_pipe_normals *n0, 
 
 /* The same of elliptic sections: no point of X is farther from the ellipse than from the one that
  * has its angle there. u is carried to t0. */
-static double elliptic_deviation(const maker *m, double t0, const double carried[3],
-                                 const taut_pipe_normals *n0, double t1,
-                                 const taut_pipe_normals *n1, double s)
+static double profile_deviation(const blend_maker *m, double t0, const double carried[3],
+                                const taut_pipe_normals *n0, double t1, const taut_pipe_normals *n1,
+                                double s)
 {
     const double h = t1 - t0;
     double u[3], w[3], at[3], back[3] = {0, 0, 0}, most = 0;
     double polygon_u[TAUT_PIPE_DEGREE_MAX + 1][3], polygon_w[TAUT_PIPE_DEGREE_MAX + 1][3];
-    const int degree = interpolants(m, n0, n1, h, polygon_u, polygon_w);
+    const int degree = interpolate_frame(m, n0, n1, h, polygon_u, polygon_w);
     taut_pipe_normals exact;
 
     memcpy(at, carried, sizeof at);
-    frame_at(m, t0, t0 + s * h, at, &exact);
+    carry_frame(m, t0, t0 + s * h, at, &exact);
     taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, u, NULL);
     taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
     taut_difference(u, exact.u, u);
     taut_difference(w, exact.w, w);
-    if (m->ellipse->canal > 0) {
-        offsets(m, n0, n1, h, polygon_u);
+    if (m->profile->canal > 0) {
+        interpolate_offset(m, n0, n1, h, polygon_u);
         taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, back, NULL);
         taut_difference(back, exact.c, back);
     }
@@ -186,24 +180,32 @@ static double elliptic_deviation(const maker *m, double t0, const double carried
     return most;
 }
 
-static int is_close(const maker *m, double t0, const double carried[3], const taut_pipe_normals *n0,
-                    double t1, const taut_pipe_normals *n1)
+static int is_close(const blend_maker *m, double t0, const double carried[3],
+                    const taut_pipe_normals *n0, double t1, const taut_pipe_normals *n1)
 {
     for (int i = 1; i < 8; i++) {
-        const double found = m->ellipse != NULL
-                                 ? elliptic_deviation(m, t0, carried, n0, t1, n1, i / 8.0)
-                                 : deviation(m, t0, n0, t1, n1, i / 8.0);
+        const double found = m->profile != NULL
+                                 ? profile_deviation(m, t0, carried, n0, t1, n1, i / 8.0)
+                                 : round_deviation(m, t0, n0, t1, n1, i / 8.0);
         if (!(found <= 0.8 * m->tolerance)) {
             return 0;
         }
     }
-    return m->ellipse != NULL || !(m->sharpest > t0 && m->sharpest < t1) ||
-           deviation(m, t0, n0, t1, n1, (m->sharpest - t0) / (t1 - t0)) <= 0.8 * m->tolerance;
+    return m->profile != NULL || !(m->sharpest > t0 && m->sharpest < t1) ||
+           round_deviation(m, t0, n0, t1, n1, (m->sharpest - t0) / (t1 - t0)) <= 0.8 * m->tolerance;
+}
+
+static taut_status fail_too_fine(const blend_maker *m, const char *name, taut_error *error)
+{
+    return taut_fail(error, TAUT_NO_SOLUTION, "too-fine", "", m->tolerance, taut_none,
+                     "%s needs more than 100000 segments for a tolerance of %g: ask for less, or "
+                     "for a smaller radius",
+                     name, m->tolerance);
 }
 
 /* From the first end to the last in dyadic steps: halved until close, doubled again where the place
  * allows it. */
-static taut_status cut(maker *m)
+static taut_status cut_segments(blend_maker *m, const char *name, taut_error *error)
 {
     taut_pipe_normals here, next;
     taut_pipe_jet jet;
@@ -212,20 +214,20 @@ static taut_status cut(maker *m)
 
     taut_pipe_arc_jet(m->arc, 0, &jet);
     taut_pipe_first_normal(jet.tangent, u);
-    if (m->ellipse != NULL) {
-        memcpy(u, m->ellipse->first, sizeof u);
+    if (m->profile != NULL) {
+        memcpy(u, m->profile->first, sizeof u);
     }
-    frame_at(m, 0, 0, u, &here);
+    carry_frame(m, 0, 0, u, &here);
     if (!add_node(m, 0, &here)) {
-        return TAUT_NO_MEMORY;
+        return taut_fail_memory(error);
     }
     while (t < 1) {
         const double h = ldexp(1, -level);
         memcpy(carried, u, sizeof carried);
-        frame_at(m, t, t + h, carried, &next);
+        carry_frame(m, t, t + h, carried, &next);
         if (!is_close(m, t, u, &here, t + h, &next)) {
             if (++level > LEVEL_MAX) {
-                return TAUT_NO_SOLUTION;
+                return fail_too_fine(m, name, error);
             }
             continue;
         }
@@ -233,10 +235,10 @@ static taut_status cut(maker *m)
         here = next;
         memcpy(u, carried, sizeof u);
         if (m->count > SEGMENTS_MAX) {
-            return TAUT_NO_SOLUTION;
+            return fail_too_fine(m, name, error);
         }
         if (!add_node(m, t, &here)) {
-            return TAUT_NO_MEMORY;
+            return taut_fail_memory(error);
         }
         /* a step of twice the length must begin at a multiple of itself */
         if (level > 2 && fmod(t, 2 * h) == 0) {
@@ -247,7 +249,7 @@ static taut_status cut(maker *m)
 }
 
 /* A Bezier polygon of degree `from` as one of degree n. */
-static void elevate(int from, int n, double (*out)[3])
+static void elevate_degree(int from, int n, double (*out)[3])
 {
     for (int degree = from + 1; degree <= n; degree++) {
         for (int k = 0; k < 3; k++) {
@@ -261,7 +263,7 @@ static void elevate(int from, int n, double (*out)[3])
 }
 
 /* The rings of one segment: all n + 1 of them. */
-static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
+static void set_rings(const blend_maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
 {
     const int n = m->arc->degree;
     const taut_pipe_normals *n0 = &m->normals[i], *n1 = &m->normals[i + 1];
@@ -271,11 +273,11 @@ static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
     int degree = 0;
 
     taut_pipe_arc_piece(m->arc, m->t[i], m->t[i + 1], p);
-    degree = interpolants(m, n0, n1, h, u, w);
-    elevate(degree, n, u);
-    elevate(degree, n, w);
-    offsets(m, n0, n1, h, c);
-    elevate(degree, n, c);
+    degree = interpolate_frame(m, n0, n1, h, u, w);
+    elevate_degree(degree, n, u);
+    elevate_degree(degree, n, w);
+    interpolate_offset(m, n0, n1, h, c);
+    elevate_degree(degree, n, c);
     for (int row = 0; row <= n; row++) {
         for (int j = 0; j < TAUT_PIPE_RING; j++) {
             for (int k = 0; k < 3; k++) {
@@ -288,15 +290,15 @@ static void rings(const maker *m, int i, double (*out)[TAUT_PIPE_RING][3])
 
 taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double tolerance,
                                  const taut_pipe_binormal *binormal,
-                                 const taut_pipe_ellipse *ellipse, taut_arena *arena,
-                                 taut_pipe_blend *blend)
+                                 const taut_pipe_profile *profile, taut_arena *arena,
+                                 const char *name, taut_pipe_blend *blend, taut_error *error)
 {
-    maker m = {.arc = arc,
-               .binormal = binormal,
-               .ellipse = ellipse,
-               .radius = radius,
-               .tolerance = tolerance,
-               .arena = arena};
+    blend_maker m = {.arc = arc,
+                     .binormal = binormal,
+                     .profile = profile,
+                     .radius = radius,
+                     .tolerance = tolerance,
+                     .arena = arena};
     const int n = arc->degree;
     double ring[TAUT_PIPE_DEGREE_MAX + 1][TAUT_PIPE_RING][3];
     double(*points)[TAUT_PIPE_RING][3] = NULL;
@@ -305,7 +307,7 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
 
     taut_pipe_bend_extremes(arc, 200, &bend);
     m.sharpest = bend.curvature_at;
-    status = cut(&m);
+    status = cut_segments(&m, name, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -314,10 +316,10 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
     blend->breaks = m.t;
     points = taut_arena_take(arena, (size_t)blend->rows, sizeof *points);
     if (points == NULL) {
-        return TAUT_NO_MEMORY;
+        return taut_fail_memory(error);
     }
     for (int i = 0; i < blend->segments; i++) {
-        rings(&m, i, ring);
+        set_rings(&m, i, ring);
         /* the pieces meet C^1: of the points at an inner break none is left in a B-spline whose
          * knots there are n - 1 fold */
         memcpy(points[(n - 1) * i + (i > 0)], ring[i > 0], (size_t)(n - (i > 0)) * sizeof ring[0]);
@@ -330,8 +332,77 @@ taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double
     return TAUT_OK;
 }
 
+/* The distance of p from the line through q along d. */
+static double off_line(const double p[3], const double q[3], const double d[3])
+{
+    double way[3], across[3];
+    taut_difference(p, q, way);
+    taut_cross(way, d, across);
+    return taut_norm(across);
+}
+
+/* p moved along the line to where it is nearest to it, or to the first place that is near enough.
+ */
+static void place_on_line(const double q[3], const double d[3], double most, double enough,
+                          double p[3])
+{
+    double way[3], best = off_line(p, q, d), along = 0;
+    taut_difference(p, q, way);
+    along = taut_dot(way, d);
+    for (int n = 1; n <= 2 * PLACES && best > enough; n++) {
+        const double s = along + (n % 2 == 0 ? most : -most) * ((n + 1) / 2) / PLACES;
+        const double next[3] = {q[0] + s * d[0], q[1] + s * d[1], q[2] + s * d[2]};
+        const double off = off_line(next, q, d);
+        if (off < best) {
+            best = off;
+            memcpy(p, next, sizeof next);
+        }
+    }
+}
+
+/*  * At a joint x_u is the way from the end ring to the next, which exactly is along the axis; the
+ * rounding of its points turns it by their last digit over that way, which in short first segments
+ * far from the origin is thousands of digits. Where on its line a point lies matters little, so
+ * it is moved along by less than the tube can tell, to where rounding happens to leave it on the
+ * line.
+ */
+void taut_pipe_straighten(const taut_pipe_arc *arc, const taut_pipe_blend *blend, double radius,
+                          double *points)
+{
+    const int depth = arc->degree == 5 ? 2 : 1, rows = blend->rows;
+    for (int n = 0; n < 2 * depth * TAUT_PIPE_RING && blend->slack > 0; n++) {
+        const int side = n % 2, j = n / 2 % TAUT_PIPE_RING, row = 1 + n / (2 * TAUT_PIPE_RING);
+        const int step = 3 * TAUT_PIPE_RING;
+        const double *const q = points + 3 * j + (side == 0 ? 0 : (rows - 1) * step);
+        const double *const first = q + (side == 0 ? step : -step);
+        double *const p = points + 3 * j + (side == 0 ? row : rows - 1 - row) * step;
+        const double leg = taut_distance(first, q);
+        taut_pipe_jet jet;
+        taut_pipe_arc_jet(arc, side, &jet);
+        place_on_line(q, jet.tangent, fmin(blend->slack * radius, part_of_way * leg),
+                      near_enough * leg * (depth == 2 ? fmin(1, leg / radius) : 1), p);
+    }
+}
+
+static void release_basis(void *basis)
+{
+    taut_basis_free(basis);
+}
+
+taut_status taut_pipe_basis(const taut_basis_spec *spec, int count, taut_arena *arena,
+                            const taut_basis **basis, taut_error *error)
+{
+    taut_basis *made = NULL;
+    const taut_status status = taut_basis_new(spec, count, &made, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    *basis = made;
+    return taut_arena_keep(arena, made, release_basis) ? TAUT_OK : taut_fail_memory(error);
+}
+
 taut_status taut_pipe_basis_u(const taut_pipe_arc *arc, const taut_pipe_blend *blend,
-                              taut_arena *arena, taut_basis **u, taut_error *error)
+                              taut_arena *arena, const taut_basis **u, taut_error *error)
 {
     const int n = arc->degree;
     const int count = blend->rows + n + 1;
@@ -349,15 +420,21 @@ taut_status taut_pipe_basis_u(const taut_pipe_arc *arc, const taut_pipe_blend *b
             knots[k++] = blend->breaks[i];
         }
     }
-    return taut_basis_new(&spec, blend->rows, u, error);
+    return taut_pipe_basis(&spec, blend->rows, arena, u, error);
 }
 
-taut_status taut_pipe_basis_v(taut_basis **v, taut_error *error)
+taut_status taut_pipe_basis_v(taut_arena *arena, const taut_basis **v, taut_error *error)
 {
     static const double knots[] = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1};
     const taut_basis_spec spec = {
         .type = "bspline", .degree = 2, .knot_count = TAUT_PIPE_RING + 3, .knots = knots};
-    return taut_basis_new(&spec, TAUT_PIPE_RING, v, error);
+    return taut_pipe_basis(&spec, TAUT_PIPE_RING, arena, v, error);
+}
+
+taut_status taut_pipe_basis_line(taut_arena *arena, const taut_basis **line, taut_error *error)
+{
+    const taut_basis_spec spec = {.type = "bezier", .degree = 1};
+    return taut_pipe_basis(&spec, 2, arena, line, error);
 }
 
 void taut_pipe_weights(int rows, double *weights)

@@ -2,7 +2,7 @@
 #ifndef TAUT_PIPE_BLEND_H
 #define TAUT_PIPE_BLEND_H
 
-#include "construct/pipe/section.h"
+#include "construct/pipe/frame.h"
 #include "core/arena.h"
 #include "taut/basis.h"
 
@@ -24,23 +24,27 @@ typedef struct taut_pipe_blend {
  * are quintic, with second derivatives: where the arc has no curvature at its ends, the curvatures
  * are those of the cylinders too. As many segments as bring the distance from the
  * exact tube below `tolerance` times the radius.
- * binormal: Frenet frames; NULL: rotation-minimising ones. ellipse: NULL for round sections.
- * TAUT_NO_MEMORY, or TAUT_NO_SOLUTION when it would take more than 100,000 segments; the arena owns
- * what is made. */
+ * binormal: Frenet frames; NULL: rotation-minimising ones. profile: NULL for round sections.
+ * name: of the tube in messages. TAUT_NO_MEMORY, or TAUT_NO_SOLUTION when it would take more than
+ * 100,000 segments; the arena owns what is made. */
 taut_status taut_pipe_blend_make(const taut_pipe_arc *arc, double radius, double tolerance,
                                  const taut_pipe_binormal *binormal,
-                                 const taut_pipe_ellipse *ellipse, taut_arena *arena,
-                                 taut_pipe_blend *blend);
+                                 const taut_pipe_profile *profile, taut_arena *arena,
+                                 const char *name, taut_pipe_blend *blend, taut_error *error);
 
 /* Rings beside the end rings, in the user's coordinates, moved along the axis to where rounding
  * leaves them on the lines of the straight pipes: degree 5 two of them, else one. */
 void taut_pipe_straighten(const taut_pipe_arc *arc, const taut_pipe_blend *blend, double radius,
                           double *points);
 
-/* The bases: of the blend along u, and of all rings along v. */
+/* Bases that the arena owns: any, those of the blend along u and of all rings along v, and that of
+ * straight pipes along u. */
+taut_status taut_pipe_basis(const taut_basis_spec *spec, int count, taut_arena *arena,
+                            const taut_basis **basis, taut_error *error);
 taut_status taut_pipe_basis_u(const taut_pipe_arc *arc, const taut_pipe_blend *blend,
-                              taut_arena *arena, taut_basis **u, taut_error *error);
-taut_status taut_pipe_basis_v(taut_basis **v, taut_error *error);
+                              taut_arena *arena, const taut_basis **u, taut_error *error);
+taut_status taut_pipe_basis_v(taut_arena *arena, const taut_basis **v, taut_error *error);
+taut_status taut_pipe_basis_line(taut_arena *arena, const taut_basis **line, taut_error *error);
 /* 1 and sqrt(1/2) in turns: double[rows][TAUT_PIPE_RING] */
 void taut_pipe_weights(int rows, double *weights);
 

@@ -6,6 +6,7 @@
  * with the ends fixed it has a minimum, and no scaling changes it. Handles of feet: equal, and the
  * shortest for which the largest radius is three times the radius, a long-radius elbow.
  */
+#include "construct/pipe/reach.h"
 #include "construct/pipe/search.h"
 #include "construct/pipe/task.h"
 #include "core/fail.h"
@@ -18,11 +19,17 @@ enum {
     COARSE = 5,
     STARTS = 4,
     SAMPLES = 64,
-    PANELS = 4,
-    PANELS_FINE = 16,
+    INTERVALS = 4,
+    INTERVALS_FINE = 16,
     ROUNDS = 20,
     BISECTIONS = 40
 };
+
+typedef enum pipe_goal {
+    GOAL_BENDING,
+    GOAL_CURVATURE,
+    GOAL_FAIRNESS /* length times bending, which no scaling changes */
+} pipe_goal;
 
 static const double infeasible = 1e200, cusped = 1e300;
 static const double pi = 3.14159265358979323846;
@@ -35,8 +42,11 @@ static int may_touch(const taut_pipe_task *task, double turning)
     return turning > 0.99 * (is_free ? 0.5 * pi : pi);
 }
 
-double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const double shape[3],
-                       taut_pipe_goal goal, double bound)
+/* What a choice is worth: `goal` where the pipe fits, with room; else 1e200 and more, growing with
+ * what is missing. A value that is not below `bound` may come back without a look at other parts of
+ * the pipe. */
+static double merit_of(taut_pipe_task *task, const double edges[3][3], const double shape[3],
+                       pipe_goal goal, double bound)
 {
     taut_pipe_arc arc;
     taut_pipe_bend bend;
@@ -48,10 +58,10 @@ double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const dou
         return cusped;
     }
     room = fmax(task->radius, task->bend_radius) * bend.curvature;
-    taut_pipe_bend_integrals(&arc, task->panels, &bend);
-    value = goal == TAUT_PIPE_CURVATURE ? bend.curvature
-            : goal == TAUT_PIPE_BENDING ? bend.bending
-                                        : bend.length * bend.bending;
+    taut_pipe_bend_integrals(&arc, task->intervals, &bend);
+    value = goal == GOAL_CURVATURE ? bend.curvature
+            : goal == GOAL_BENDING ? bend.bending
+                                   : bend.length * bend.bending;
     if (room < TAUT_PIPE_ROOM && value < bound && may_touch(task, bend.turning)) {
         const taut_pipe_composite composite = {
             .count = 1,
@@ -69,12 +79,12 @@ double taut_pipe_merit(taut_pipe_task *task, const double edges[3][3], const dou
 /* One search: the variables are shape numbers, or logarithms of handles. */
 typedef struct search {
     taut_pipe_task *task;
-    taut_pipe_goal goal;
+    pipe_goal goal;
     int side;     /* the handle that is sought; 2: both */
     double bound; /* the best value of this search: no more is asked of worse ones */
 } search;
 
-static double keep(search *s, double value)
+static double lower_bound(search *s, double value)
 {
     s->bound = fmin(s->bound, value);
     return value;
@@ -83,8 +93,8 @@ static double keep(search *s, double value)
 static double shape_merit(void *context, const double *x)
 {
     search *s = context;
-    return keep(s,
-                taut_pipe_merit(s->task, (const double(*)[3])s->task->edges, x, s->goal, s->bound));
+    return lower_bound(s,
+                       merit_of(s->task, (const double(*)[3])s->task->edges, x, s->goal, s->bound));
 }
 
 static double handle_merit(void *context, const double *x)
@@ -98,8 +108,8 @@ static double handle_merit(void *context, const double *x)
         handles[s->side] = exp(x[0]);
     }
     taut_pipe_edges(s->task, handles, edges);
-    return keep(
-        s, taut_pipe_merit(s->task, (const double(*)[3])edges, s->task->shape, s->goal, s->bound));
+    return lower_bound(
+        s, merit_of(s->task, (const double(*)[3])edges, s->task->shape, s->goal, s->bound));
 }
 
 /* A step to the best of the neighbours at a part `step` of the box; 0 if none is better. */
@@ -132,11 +142,11 @@ static int step_aside(int count, const double *lo, const double *hi, double step
 
 /* A search that ended in a crease is helped out of it: whatever neighbour near or far is better
  * begins another. */
-static double settle(int count, const double *lo, const double *hi, taut_pipe_objective f,
-                     search *s, double *best)
+static double leave_creases(int count, const double *lo, const double *hi, taut_pipe_objective f,
+                            search *s, double *best)
 {
     double least = 0;
-    s->task->panels = PANELS_FINE;
+    s->task->intervals = INTERVALS_FINE;
     s->bound = INFINITY;
     least = f(s, best);
     for (int round = 0; round < ROUNDS; round++) {
@@ -144,7 +154,7 @@ static double settle(int count, const double *lo, const double *hi, taut_pipe_ob
             !step_aside(count, lo, hi, 1.0 / 4096, f, s, best, &least)) {
             break;
         }
-        least = taut_pipe_search(count, lo, hi, s->goal == TAUT_PIPE_CURVATURE, f, s, best,
+        least = taut_pipe_search(count, lo, hi, s->goal == GOAL_CURVATURE, f, s, best,
                                  &s->task->evaluations);
     }
     return least;
@@ -158,7 +168,7 @@ static double search_from_grid(int count, const double *lo, const double *hi, co
 {
     double starts[STARTS][TAUT_PIPE_SEARCH_MAX], values[STARTS], least = INFINITY;
     int cells = 1, kept = 0;
-    s->task->panels = PANELS;
+    s->task->intervals = INTERVALS;
     for (int k = 0; k < count; k++) {
         cells *= COARSE;
     }
@@ -185,14 +195,14 @@ static double search_from_grid(int count, const double *lo, const double *hi, co
     s->task->evaluations += cells;
     for (int k = 0; k < kept; k++) {
         s->bound = INFINITY;
-        const double value = taut_pipe_search(count, lo, hi, s->goal == TAUT_PIPE_CURVATURE, f, s,
+        const double value = taut_pipe_search(count, lo, hi, s->goal == GOAL_CURVATURE, f, s,
                                               starts[k], &s->task->evaluations);
         if (value < least) {
             least = value;
             memcpy(best, starts[k], (size_t)count * sizeof *best);
         }
     }
-    least = settle(count, lo, hi, f, s, best);
+    least = leave_creases(count, lo, hi, f, s, best);
     for (int k = 0; k < count; k++) {
         const double kept_value = best[k];
         best[k] = plain[k];
@@ -210,13 +220,12 @@ taut_status taut_pipe_choose_shape(taut_pipe_task *task, taut_error *error)
     const double plain[3] = {0, 0, 0};
     search s = {.task = task};
 
-    if (task->problem->shape == TAUT_PIPE_SHAPE_GIVEN) {
+    if (task->problem->shape.kind == TAUT_PIPE_SHAPE_GIVEN) {
         return TAUT_OK;
     }
-    s.goal =
-        task->problem->shape == TAUT_PIPE_LEAST_CURVATURE ? TAUT_PIPE_CURVATURE : TAUT_PIPE_BENDING;
+    s.goal = task->problem->shape.kind == TAUT_PIPE_LEAST_CURVATURE ? GOAL_CURVATURE : GOAL_BENDING;
     if (search_from_grid(3, lo, hi, plain, shape_merit, &s, task->shape) >= cusped) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/shape", taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "not-regular", "/shape", taut_none, taut_none,
                          "NOT_REGULAR: the axis has a cusp with all shape numbers tried; move an "
                          "end aside, turn a direction, or give other handles");
     }
@@ -245,13 +254,13 @@ static double room_of(taut_pipe_task *task, const double handles[2])
 static void set_missing(const taut_pipe_task *task, double h, double handles[2])
 {
     for (int side = 0; side < 2; side++) {
-        handles[side] = task->problem->ends[side].handle > 0 ? task->handles[side] : h;
+        handles[side] = task->problem->axis.ends[side].handle > 0 ? task->handles[side] : h;
     }
 }
 
 /* Doubled from a quarter of the radius, or of the distance of the feet, until the largest radius is
- * three radii, then bisected. A
- * given handle may be too short for that: the best seen is taken then. */
+ * three radii, then bisected. A given handle may be too short for that: then the best seen is taken.
+ */
 static void choose_feet(taut_pipe_task *task)
 {
     const double wanted = 3;
@@ -287,7 +296,7 @@ static void choose_ends(taut_pipe_task *task, int side)
     const double size = fmax(taut_norm(task->across), task->radius);
     const double lo[2] = {log(size / 64), log(size / 64)}, hi[2] = {log(4 * size), log(4 * size)};
     const double plain[2] = {log(size / 3), log(size / 3)};
-    search s = {.task = task, .goal = TAUT_PIPE_FAIRNESS, .side = side};
+    search s = {.task = task, .goal = GOAL_FAIRNESS, .side = side};
     double x[2] = {0, 0};
     search_from_grid(side == 2 ? 2 : 1, lo, hi, plain, handle_merit, &s, x);
     if (side == 2) {
@@ -298,23 +307,20 @@ static void choose_ends(taut_pipe_task *task, int side)
     }
 }
 
-taut_status taut_pipe_choose_handles(taut_pipe_task *task, taut_error *error)
+void taut_pipe_choose_handles(taut_pipe_task *task)
 {
-    const taut_pipe_problem *p = task->problem;
-    const int first = !(p->ends[0].handle > 0), second = !(p->ends[1].handle > 0);
+    const taut_pipe_axis *axis = &task->problem->axis;
+    const int first = !(task->handles[0] > 0), second = !(task->handles[1] > 0);
 
-    (void)error;
-    if (p->axis == TAUT_PIPE_POLYGON || (!first && !second)) {
-        return TAUT_OK;
+    if (axis->kind == TAUT_PIPE_POLYGON || (!first && !second)) {
+        return;
     }
-    if (p->shape != TAUT_PIPE_SHAPE_GIVEN) {
+    if (task->problem->shape.kind != TAUT_PIPE_SHAPE_GIVEN) {
         memset(task->shape, 0, sizeof task->shape);
     }
-    task->chose_handles = 1;
-    if (p->axis == TAUT_PIPE_FEET) {
+    if (axis->kind == TAUT_PIPE_FEET) {
         choose_feet(task);
     } else {
         choose_ends(task, first && second ? 2 : first ? 0 : 1);
     }
-    return TAUT_OK;
 }

@@ -8,32 +8,44 @@
 #include <string.h>
 
 /* What the surfaces share while they are made. */
-typedef struct maker {
+typedef struct model_maker {
     const taut_pipe_task *task;
     const taut_pipe_blend *blend;
-    taut_basis *u, *line, *v; /* of the blend, of the straight pipes, of all rings */
-    double *points;           /* double[rows][TAUT_PIPE_RING][3], absolute */
-    double *weights;          /* double[rows][TAUT_PIPE_RING] */
+    const taut_basis *u, *line, *v; /* of the blend, of the straight pipes, of all rings */
+    double *points;                 /* double[rows][TAUT_PIPE_RING][3], absolute */
+    double *weights;                /* double[rows][TAUT_PIPE_RING] */
     taut_model *model;
-} maker;
-
-static taut_status add(maker *m, const char *name, const taut_basis *u, const double *points,
-                       taut_error *error)
-{
-    return taut_pipe_add_surface(m->model, name, u, m->v, points, m->weights, error);
-}
+} model_maker;
 
 taut_status taut_pipe_add_surface(taut_model *model, const char *name, const taut_basis *u,
                                   const taut_basis *v, const double *points, const double *weights,
                                   taut_error *error)
 {
     taut_surface *surface = NULL;
-    taut_status status = taut_surface_new(name, u, v, points, weights, &surface, error);
-    if (status == TAUT_OK && taut_model_add_surface(model, surface) != TAUT_OK) {
-        taut_surface_free(surface);
-        status = taut_fail_memory(error);
+    const taut_status status = taut_surface_new(name, u, v, points, weights, &surface, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    if (taut_model_add_surface(model, surface) != TAUT_OK) {
+        taut_surface_free(surface);
+        return taut_fail_memory(error);
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_pipe_add_curve(taut_model *model, const char *name, const taut_basis *t,
+                                const double *points, taut_error *error)
+{
+    taut_curve *curve = NULL;
+    const taut_status status = taut_curve_new(name, t, points, NULL, &curve, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (taut_model_add_curve(model, curve) != TAUT_OK) {
+        taut_curve_free(curve);
+        return taut_fail_memory(error);
+    }
+    return TAUT_OK;
 }
 
 /* Points 0 and 4 of a ring lie opposite each other on it. */
@@ -48,14 +60,22 @@ void taut_pipe_cap_points(const double *ring, int side, double points[2][TAUT_PI
     }
 }
 
+/* A surface ruled from one ring to another. */
+static taut_status add_rings(model_maker *m, const char *name, double points[2][TAUT_PIPE_RING][3],
+                             taut_error *error)
+{
+    return taut_pipe_add_surface(m->model, name, m->line, m->v, &points[0][0][0], m->weights,
+                                 error);
+}
+
 /* Straight pipe `side`: the ring of the blend, and the same moved along the axis. */
-static taut_status add_straight(maker *m, int side, taut_error *error)
+static taut_status add_straight(model_maker *m, int side, taut_error *error)
 {
     const taut_pipe_task *task = m->task;
     const double *const ring =
         m->points + (side == 0 ? 0 : (size_t)(m->blend->rows - 1) * TAUT_PIPE_RING * 3);
     const double length =
-        task->problem->lengths[side] > 0 ? task->problem->lengths[side] : 3 * task->problem->radius;
+        task->problem->lengths[side] > 0 ? task->problem->lengths[side] : 3 * task->outer;
     double points[2][TAUT_PIPE_RING][3], end[TAUT_PIPE_RING][3];
     taut_pipe_jet jet;
 
@@ -66,17 +86,17 @@ static taut_status add_straight(maker *m, int side, taut_error *error)
             points[side][j][k] = ring[3 * j + k] + (side == 0 ? -length : length) * jet.tangent[k];
         }
     }
-    taut_status status = add(m, side == 0 ? "pipe1" : "pipe2", m->line, &points[0][0][0], error);
-    if (status == TAUT_OK && task->problem->caps) {
-        memcpy(end, points[side], sizeof end);
-        taut_pipe_cap_points(&end[0][0], side, points);
-        status = add(m, side == 0 ? "cap1" : "cap2", m->line, &points[0][0][0], error);
+    const taut_status status = add_rings(m, side == 0 ? "pipe1" : "pipe2", points, error);
+    if (status != TAUT_OK || !task->problem->caps) {
+        return status;
     }
-    return status;
+    memcpy(end, points[side], sizeof end);
+    taut_pipe_cap_points(&end[0][0], side, points);
+    return add_rings(m, side == 0 ? "cap1" : "cap2", points, error);
 }
 
 /* The six points of a quintic: those of the polygon, and one inside either end edge. */
-static void quintic_points(const taut_pipe_task *task, double points[6][3])
+static void set_quintic_points(const taut_pipe_task *task, double points[6][3])
 {
     static const int places[4] = {0, 2, 3, 5};
     const double first = (3 + task->shape[0]) / 4, last = (3 + task->shape[2]) / 4;
@@ -93,84 +113,20 @@ taut_status taut_pipe_add_axis(const taut_pipe_task *task, const char *name, tau
                                taut_error *error)
 {
     const double *shape = task->shape;
-    const int quintic = task->problem->joint == TAUT_PIPE_CURVATURE_JOINT;
+    const int quintic = task->problem->joint == TAUT_PIPE_G2;
     const taut_basis_spec quasi = {
         .type = "ce-bezier", .alpha = shape[0], .beta = shape[1], .gamma = shape[2]};
     const taut_basis_spec bezier = {.type = "bezier", .degree = 5};
     double points[6][3];
-    taut_basis *t = NULL;
-    taut_curve *curve = NULL;
-    taut_status status =
-        quintic ? taut_basis_new(&bezier, 6, &t, error) : taut_basis_new(&quasi, 4, &t, error);
-    if (status == TAUT_OK) {
-        quintic_points(task, points);
-        status = taut_curve_new(name, t, quintic ? &points[0][0] : &task->polygon[0][0], NULL,
-                                &curve, error);
-    }
-    if (status == TAUT_OK && taut_model_add_curve(model, curve) != TAUT_OK) {
-        taut_curve_free(curve);
-        status = taut_fail_memory(error);
-    }
-    taut_basis_free(t);
-    return status;
-}
-
-static taut_status bases(maker *m, taut_error *error)
-{
-    const taut_basis_spec line = {.type = "bezier", .degree = 1};
-    taut_status status = taut_pipe_basis_u(&m->task->arc, m->blend, m->task->arena, &m->u, error);
-    if (status == TAUT_OK) {
-        status = taut_basis_new(&line, 2, &m->line, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_basis_v(&m->v, error);
-    }
-    return status;
-}
-
-static taut_status fill(maker *m, taut_error *error)
-{
-    const size_t count = (size_t)m->blend->rows * TAUT_PIPE_RING;
-    m->points = taut_arena_take(m->task->arena, 3 * count, sizeof *m->points);
-    m->weights = taut_arena_take(m->task->arena, count, sizeof *m->weights);
-    if (m->points == NULL || m->weights == NULL || taut_model_new(&m->model) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    for (size_t i = 0; i < 3 * count; i++) {
-        m->points[i] = m->task->polygon[0][i % 3] + m->task->scale * m->blend->points[i];
-    }
-    taut_pipe_straighten(&m->task->arc, m->blend, m->task->problem->radius, m->points);
-    taut_pipe_weights(m->blend->rows, m->weights);
-    return TAUT_OK;
-}
-
-taut_status taut_pipe_to_model(const taut_pipe_task *task, const taut_pipe_blend *blend,
-                               taut_model **model, taut_error *error)
-{
-    maker m = {.task = task, .blend = blend};
-    taut_status status = bases(&m, error);
-
-    if (status == TAUT_OK) {
-        status = fill(&m, error);
-    }
-    if (status == TAUT_OK) {
-        status = add(&m, "blend", m.u, m.points, error);
-    }
-    for (int side = 0; side < 2 && status == TAUT_OK; side++) {
-        status = add_straight(&m, side, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_add_axis(task, "axis", m.model, error);
-    }
-    taut_basis_free(m.u);
-    taut_basis_free(m.line);
-    taut_basis_free(m.v);
+    const taut_basis *t = NULL;
+    const taut_status status = quintic ? taut_pipe_basis(&bezier, 6, task->arena, &t, error)
+                                       : taut_pipe_basis(&quasi, 4, task->arena, &t, error);
     if (status != TAUT_OK) {
-        taut_model_free(m.model);
         return status;
     }
-    *model = m.model;
-    return TAUT_OK;
+    set_quintic_points(task, points);
+    return taut_pipe_add_curve(model, name, t, quintic ? &points[0][0] : &task->polygon[0][0],
+                               error);
 }
 
 /* The coefficients of t^4, t^3, ... of P - V_0, one list per coordinate ([WangBai2018] section
@@ -227,28 +183,36 @@ void taut_pipe_add_axis_details(const taut_pipe_task *task, taut_record *details
     }
 }
 
-taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend *blend)
+static void add_section(const taut_pipe_section *section, taut_record *details)
+{
+    if (section->kind == TAUT_PIPE_ELLIPTIC) {
+        taut_record *const list = taut_record_add_list(details, "sections");
+        for (int side = 0; side < 2; side++) {
+            const taut_pipe_ellipse *ellipse = &section->ellipses[side];
+            taut_record *const item = taut_record_add_object(list, NULL);
+            taut_record_add_number(item, "a", ellipse->a);
+            taut_record_add_number(item, "b", ellipse->b);
+            taut_record_add_numbers(item, "direction", 3, ellipse->direction);
+        }
+    } else if (section->kind != TAUT_PIPE_ROUND) {
+        taut_record_add_numbers(details, "radii", 2, section->radii);
+        taut_record_add_text(details, "surface",
+                             section->kind == TAUT_PIPE_CANAL ? "canal" : "naive-sweep");
+    }
+}
+
+static taut_record *details_of(const taut_pipe_task *task, const taut_pipe_blend *blend)
 {
     const taut_pipe_problem *p = task->problem;
     taut_record *details = taut_record_new(), *list = NULL;
 
-    taut_record_add_number(details, "radius", p->radius);
+    taut_record_add_number(details, "radius", task->outer);
     taut_pipe_add_axis_details(task, details);
-    taut_record_add_text(details, "domain", p->extended ? "extended" : "strict");
-    taut_record_add_text(details, "joint", p->joint == TAUT_PIPE_TANGENT ? "g1" : "g2");
+    taut_record_add_text(details, "domain", p->shape.extended ? "extended" : "strict");
+    taut_record_add_text(details, "joint", p->joint == TAUT_PIPE_G1 ? "g1" : "g2");
     taut_record_add_text(details, "frame",
                          p->frame == TAUT_PIPE_FRENET ? "frenet" : "rotation-minimizing");
-    for (int side = 0; side < 2 && p->sections[0].a > 0; side++) {
-        list = side == 0 ? taut_record_add_list(details, "sections") : list;
-        taut_record *const section = taut_record_add_object(list, NULL);
-        taut_record_add_number(section, "a", p->sections[side].a);
-        taut_record_add_number(section, "b", p->sections[side].b);
-        taut_record_add_numbers(section, "direction", 3, p->sections[side].direction);
-    }
-    if (p->radii[0] > 0) {
-        taut_record_add_numbers(details, "radii", 2, p->radii);
-        taut_record_add_text(details, "surface", p->naive ? "naive-sweep" : "canal");
-    }
+    add_section(&p->section, details);
     list = taut_record_add_list(details, "pipe_lengths");
     for (int side = 0; side < 2; side++) {
         if (p->lengths[side] > 0) {
@@ -259,7 +223,7 @@ taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend
     }
     if (task->chose_shape) {
         taut_record_add_text(details, "chosen_shape",
-                             p->shape == TAUT_PIPE_LEAST_CURVATURE ? "curvature" : "bending");
+                             p->shape.kind == TAUT_PIPE_LEAST_CURVATURE ? "curvature" : "bending");
     }
     if (task->evaluations > 0) {
         taut_record_add_number(details, "evaluations", task->evaluations);
@@ -274,9 +238,78 @@ taut_record *taut_pipe_details(const taut_pipe_task *task, const taut_pipe_blend
         }
         taut_record_add_numbers(list, NULL, 3, q);
     }
-    if (p->joint == TAUT_PIPE_TANGENT) {
+    if (p->joint == TAUT_PIPE_G1) {
         add_power(task, details);
     }
     add_warnings(task, details);
     return details;
+}
+
+static taut_status begin_maker(model_maker *m, taut_error *error)
+{
+    taut_arena *const arena = m->task->arena;
+    const size_t count = (size_t)m->blend->rows * TAUT_PIPE_RING;
+    taut_status status = taut_pipe_basis_u(&m->task->arc, m->blend, arena, &m->u, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_pipe_basis_line(arena, &m->line, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_pipe_basis_v(arena, &m->v, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    m->points = taut_arena_take(arena, 3 * count, sizeof *m->points);
+    m->weights = taut_arena_take(arena, count, sizeof *m->weights);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (size_t i = 0; i < 3 * count; i++) {
+        m->points[i] = m->task->polygon[0][i % 3] + m->task->scale * m->blend->points[i];
+    }
+    taut_pipe_straighten(&m->task->arc, m->blend, m->task->outer, m->points);
+    taut_pipe_weights(m->blend->rows, m->weights);
+    return TAUT_OK;
+}
+
+static taut_status fill_model(model_maker *m, taut_error *error)
+{
+    taut_record *details = NULL;
+    taut_status status =
+        taut_pipe_add_surface(m->model, "blend", m->u, m->v, m->points, m->weights, error);
+    for (int side = 0; side < 2 && status == TAUT_OK; side++) {
+        status = add_straight(m, side, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_pipe_add_axis(m->task, "axis", m->model, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    details = details_of(m->task, m->blend);
+    taut_model_set_details(m->model, details);
+    return taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+taut_status taut_pipe_to_model(const taut_pipe_task *task, const taut_pipe_blend *blend,
+                               taut_model **model, taut_error *error)
+{
+    model_maker m = {.task = task, .blend = blend};
+    taut_status status = begin_maker(&m, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (taut_model_new(&m.model) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = fill_model(&m, error);
+    if (status != TAUT_OK) {
+        taut_model_free(m.model);
+        return status;
+    }
+    *model = m.model;
+    return TAUT_OK;
 }

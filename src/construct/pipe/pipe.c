@@ -1,6 +1,6 @@
 /* pipe.c -- construct `pipe`: check, choose, judge, sweep ([WangBai2018] section 5).
  *
- *   1  the numbers, in local coordinates                                     begin.c
+ *   1  the numbers, in local coordinates                                     task.c
  *   2  handles and shape numbers that are not given                          choose.c
  *   3  the axis: its quartic, its bends, its largest radius                  arc.c bend.c reach.c
  *   4  refusals, in this order: NOT_REGULAR, SELF_INTERSECT_LOCAL, SELF_INTERSECT_GLOBAL
@@ -12,35 +12,18 @@
 #include "taut/pipe.h"
 
 #include "construct/construct_ops.h"
-#include "construct/pipe/blend.h"
+#include "construct/pipe/frame.h"
 #include "construct/pipe/model.h"
+#include "construct/pipe/reach.h"
 #include "construct/pipe/task.h"
 #include "core/fail.h"
+#include "problem/pipe.h"
 
 #include <math.h>
 #include <stdio.h>
 
-static const double tolerance_default = 1e-6, tolerance_min = 1e-12;
-
-void taut_pipe_analyse(taut_pipe_task *task)
-{
-    taut_pipe_arc_of(task, (const double(*)[3])task->edges, task->shape, &task->arc);
-    taut_pipe_bend_extremes(&task->arc, 2 * TAUT_PIPE_REACH_SAMPLES, &task->bend);
-}
-
-void taut_pipe_say_radius(double rho, char *text, size_t size)
-{
-    if (rho > 0) {
-        snprintf(text, size, "the largest radius that would work is below %.12g", rho);
-    } else {
-        snprintf(text, size,
-                 "the axis meets itself, so that no radius would work: other points, "
-                 "shape numbers or shorter straight pipes may");
-    }
-}
-
 /* Where on the composite axis, in words. */
-static void place_of(const taut_pipe_task *task, double at, char *text, size_t size)
+static void describe_place(const taut_pipe_task *task, double at, char *text, size_t size)
 {
     const double scale = task->scale;
     if (at < 0) {
@@ -50,54 +33,30 @@ static void place_of(const taut_pipe_task *task, double at, char *text, size_t s
     }
 }
 
-taut_status taut_pipe_judge_bends(const taut_pipe_task *task, const char *name, taut_error *error)
-{
-    const double least = task->scale / task->bend.curvature, asked = task->problem->bend_radius;
-    if (taut_pipe_bend_is_cusp(&task->bend)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/shape", task->bend.least_speed,
-                         0,
-                         "NOT_REGULAR: %s has a cusp at t = %.6g; other shape numbers or shorter "
-                         "handles avoid it",
-                         name, task->bend.least_speed_at);
-    }
-    if (asked * task->bend.curvature > task->scale) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/bend_radius", asked,
-                         TAUT_PIPE_ROOM * least,
-                         "BEND_RADIUS: %s bends with a radius of %.12g at t = %.6g; a bend radius "
-                         "below %.12g would work, or more room between its ends",
-                         name, least, task->bend.curvature_at, TAUT_PIPE_ROOM * least);
-    }
-    return TAUT_OK;
-}
-
-static taut_status judge(taut_pipe_task *task, taut_error *error)
+static taut_status judge_reach(taut_pipe_task *task, taut_error *error)
 {
     const taut_pipe_composite composite = {
         .count = 1, .arcs = &task->arc, .tails = {task->tails[0], task->tails[1]}};
-    const double a = task->problem->radius;
+    const double a = task->outer;
     double rho = 0;
     char from[64], to[64];
-    const taut_status status = taut_pipe_judge_bends(task, "the axis", error);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
     taut_pipe_reach_of(&composite, task->reach_scratch, &task->reach);
     rho = task->reach.radius * task->scale;
     if (!(task->radius * task->reach.curvature < 1)) {
         char rest[128];
-        taut_pipe_say_radius(rho, rest, sizeof rest);
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
+        taut_pipe_describe_radius(rho, rest, sizeof rest);
+        return taut_fail(error, TAUT_NO_SOLUTION, "self-intersect-local", "/radius", a, rho,
                          "SELF_INTERSECT_LOCAL: radius %.12g is not below the least radius of "
                          "curvature %.12g, at t = %.6g; %s",
                          a, task->scale / task->reach.curvature, task->reach.curvature_at, rest);
     }
     if (!(task->radius < task->reach.radius)) {
-        place_of(task, task->reach.binding[0], from, sizeof from);
-        place_of(task, task->reach.binding[1], to, sizeof to);
+        describe_place(task, task->reach.binding[0], from, sizeof from);
+        describe_place(task, task->reach.binding[1], to, sizeof to);
         char rest[128];
-        taut_pipe_say_radius(rho, rest, sizeof rest);
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", a, rho,
+        taut_pipe_describe_radius(rho, rest, sizeof rest);
+        return taut_fail(error, TAUT_NO_SOLUTION, "self-intersect-global", "/radius", a, rho,
                          "SELF_INTERSECT_GLOBAL: the pipe touches itself (%s; %s); %s", from, to,
                          rest);
     }
@@ -109,19 +68,20 @@ static taut_status check_frenet(const taut_pipe_task *task, taut_pipe_binormal *
                                 taut_error *error)
 {
     const double limit = 1e-9; /* the binormal would turn through pi within 1e-9 of the axis */
-    if (task->problem->joint == TAUT_PIPE_CURVATURE_JOINT) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
+    if (task->problem->joint == TAUT_PIPE_G2) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "frenet-undefined", "/frame", 0, 0,
                          "FRENET_UNDEFINED: a \"g2\" joint has no curvature, and so no normal; use "
                          "\"rotation-minimizing\"");
     }
     taut_pipe_binormal_of(&task->arc, binormal);
     if (!(binormal->least > 0) && task->bend.curvature == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "frenet-undefined", "/frame", 0, 0,
                          "FRENET_UNDEFINED: the axis is straight and has no normal; use "
                          "\"rotation-minimizing\"");
     }
     if (!(binormal->least > limit)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", binormal->least, limit,
+        return taut_fail(error, TAUT_NO_SOLUTION, "frenet-undefined", "/frame", binormal->least,
+                         limit,
                          "FRENET_UNDEFINED: the curvature vanishes at t = %.6g, where the normal "
                          "turns over; use \"rotation-minimizing\"",
                          binormal->least_at);
@@ -129,27 +89,27 @@ static taut_status check_frenet(const taut_pipe_task *task, taut_pipe_binormal *
     return TAUT_OK;
 }
 
-/* The ellipse to carry along. */
-static taut_status find_ellipse(const taut_pipe_task *task, taut_pipe_ellipse *ellipse,
-                                taut_error *error)
+/* The ellipses to carry along. */
+static taut_status find_ellipses(const taut_pipe_task *task, taut_pipe_profile *profile,
+                                 taut_error *error)
 {
-    const taut_pipe_problem *p = task->problem;
-    const double *const directions[2] = {p->sections[0].direction, p->sections[1].direction};
+    const taut_pipe_ellipse *const ellipses = task->problem->section.ellipses;
+    const double *const directions[2] = {ellipses[0].direction, ellipses[1].direction};
     int side = 0;
-    if (p->frame == TAUT_PIPE_FRENET) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
+    if (task->problem->frame == TAUT_PIPE_FRENET) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "frenet-undefined", "/frame", 0, 0,
                          "FRENET_UNDEFINED: sections have frames of their own; use "
                          "\"rotation-minimizing\"");
     }
     for (int i = 0; i < 2; i++) {
-        ellipse->a[i] = p->sections[i].a / p->radius;
-        ellipse->b[i] = p->sections[i].b / p->radius;
+        profile->a[i] = ellipses[i].a / task->outer;
+        profile->b[i] = ellipses[i].b / task->outer;
     }
-    ellipse->smooth = p->joint == TAUT_PIPE_CURVATURE_JOINT;
-    ellipse->canal = 0;
-    if (!taut_pipe_ellipse_turn(&task->arc, directions, ellipse, &side)) {
+    profile->smooth = task->problem->joint == TAUT_PIPE_G2;
+    profile->canal = 0;
+    if (!taut_pipe_profile_turn(&task->arc, directions, profile, &side)) {
         return taut_fail(
-            error, TAUT_NO_SOLUTION, "no-solution",
+            error, TAUT_NO_SOLUTION, "section-along",
             side == 0 ? "/sections/0/direction" : "/sections/1/direction", 0, 0,
             "SECTION_ALONG: the direction is along the axis there; give one across it");
     }
@@ -158,44 +118,46 @@ static taut_status find_ellipse(const taut_pipe_task *task, taut_pipe_ellipse *e
 
 /* Round sections of unlike radii: circles swept naively, or a canal surface that is real and
  * regular. */
-static taut_status find_canal(const taut_pipe_task *task, taut_pipe_ellipse *ellipse,
+static taut_status find_canal(const taut_pipe_task *task, taut_pipe_profile *profile,
                               taut_error *error)
 {
     const double least = 1e-3; /* of 1: what is left is a crease but for rounding */
     const taut_pipe_problem *p = task->problem;
+    const int is_naive = p->section.kind == TAUT_PIPE_NAIVE_SWEEP;
     taut_pipe_canal_room room;
     taut_pipe_jet jet;
 
-    if (p->joint == TAUT_PIPE_CURVATURE_JOINT && !p->naive) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/joint", taut_none, taut_none,
+    if (p->joint == TAUT_PIPE_G2 && !is_naive) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "canal-joint", "/joint", taut_none, taut_none,
                          "CANAL_JOINT: a canal surface is joined with \"g1\"; use that, or "
                          "\"surface\": \"naive-sweep\"");
     }
     if (p->frame == TAUT_PIPE_FRENET) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/frame", 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "frenet-undefined", "/frame", 0, 0,
                          "FRENET_UNDEFINED: radii have frames of their own; use "
                          "\"rotation-minimizing\"");
     }
-    *ellipse = (taut_pipe_ellipse){.smooth = p->joint == TAUT_PIPE_CURVATURE_JOINT};
+    *profile = (taut_pipe_profile){.smooth = p->joint == TAUT_PIPE_G2};
     for (int i = 0; i < 2; i++) {
-        ellipse->a[i] = ellipse->b[i] = p->radii[i] / p->radius;
+        profile->a[i] = profile->b[i] = p->section.radii[i] / task->outer;
     }
     taut_pipe_arc_jet(&task->arc, 0, &jet);
-    taut_pipe_first_normal(jet.tangent, ellipse->first);
-    if (p->naive) {
+    taut_pipe_first_normal(jet.tangent, profile->first);
+    if (is_naive) {
         return TAUT_OK;
     }
-    ellipse->canal = task->radius;
-    taut_pipe_canal_room_of(ellipse, &task->arc, &room);
+    profile->canal = task->radius;
+    taut_pipe_canal_room_of(profile, &task->arc, &room);
     if (!(room.real > least)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radii", room.real, least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "canal-not-real", "/radii", room.real, least,
                          "CANAL_NOT_REAL: the radius changes as fast as the axis runs at t = %.6g, "
                          "so that no envelope is there; radii nearer to each other, ends farther "
                          "apart or longer handles give one",
                          room.real_at);
     }
     if (!(room.regular > least)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radii", room.regular, least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "canal-not-regular", "/radii", room.regular,
+                         least,
                          "CANAL_NOT_REGULAR: the envelope has a crease at t = %.6g; smaller radii, "
                          "nearer to each other, or ends farther apart avoid it",
                          room.regular_at);
@@ -203,142 +165,85 @@ static taut_status find_canal(const taut_pipe_task *task, taut_pipe_ellipse *ell
     return TAUT_OK;
 }
 
-static taut_status sweep(taut_pipe_task *task, double tolerance, taut_pipe_blend *blend,
-                         taut_error *error)
+static taut_status sweep_tube(taut_pipe_task *task, double tolerance, taut_pipe_blend *blend,
+                              taut_error *error)
 {
     taut_pipe_binormal binormal;
-    taut_pipe_ellipse ellipse;
-    const int frenet = task->problem->frame == TAUT_PIPE_FRENET;
-    const int canal = task->problem->radii[0] != 0;
-    const int elliptic = canal || task->problem->sections[0].a != 0;
-    taut_status status = canal      ? find_canal(task, &ellipse, error)
-                         : elliptic ? find_ellipse(task, &ellipse, error)
-                         : frenet   ? check_frenet(task, &binormal, error)
-                                    : TAUT_OK;
+    taut_pipe_profile profile;
+    const taut_pipe_section_kind kind = task->problem->section.kind;
+    const int is_round = kind == TAUT_PIPE_ROUND;
+    const int is_frenet = task->problem->frame == TAUT_PIPE_FRENET;
+    const taut_status status = kind == TAUT_PIPE_ELLIPTIC ? find_ellipses(task, &profile, error)
+                               : !is_round                ? find_canal(task, &profile, error)
+                               : is_frenet                ? check_frenet(task, &binormal, error)
+                                                          : TAUT_OK;
 
-    if (status == TAUT_OK) {
-        status =
-            taut_pipe_blend_make(&task->arc, task->radius, tolerance, frenet ? &binormal : NULL,
-                                 elliptic ? &ellipse : NULL, task->arena, blend);
-        if (status == TAUT_NO_SOLUTION) {
-            status = taut_fail(error, status, "value", "", tolerance, taut_none,
-                               "the tube needs more than 100000 segments for a tolerance of %g: "
-                               "ask for less, or for a smaller radius",
-                               tolerance);
-        } else if (status != TAUT_OK) {
-            status = taut_fail_memory(error);
-        }
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    return taut_pipe_blend_make(&task->arc, task->radius, tolerance, is_frenet ? &binormal : NULL,
+                                is_round ? NULL : &profile, task->arena, "the tube", blend, error);
 }
 
-static taut_status make_one(taut_pipe_task *task, double tolerance, taut_model **model,
-                            taut_error *error)
+static taut_status make_blend(taut_pipe_task *task, double tolerance, taut_model **model,
+                              taut_error *error)
 {
     taut_pipe_blend blend;
-    taut_status status = taut_pipe_begin(task, error);
-
-    if (status == TAUT_OK) {
-        status = taut_pipe_choose_handles(task, error);
+    taut_status status = taut_pipe_decide(task, "the axis", error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_pipe_settle(task, error);
+    status = judge_reach(task, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_pipe_choose_shape(task, error);
+    status = sweep_tube(task, tolerance, &blend, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        taut_pipe_analyse(task);
-        status = judge(task, error);
-    }
-    if (status == TAUT_OK) {
-        status = sweep(task, tolerance, &blend, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_to_model(task, &blend, model, error);
-    }
-    if (status == TAUT_OK) {
-        taut_record *const details = taut_pipe_details(task, &blend);
-        taut_model_set_details(*model, details);
-        status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
-    }
-    return status;
-}
-
-/* Is each choice one of those there are? */
-static taut_status check_words(const taut_pipe_problem *problem, taut_error *error)
-{
-    const struct {
-        const char *where;
-        int chosen, last;
-    } words[] = {{"/axis", (int)problem->axis, TAUT_PIPE_LEGS},
-                 {"/shape", (int)problem->shape, TAUT_PIPE_LEAST_CURVATURE},
-                 {"/frame", (int)problem->frame, TAUT_PIPE_FRENET},
-                 {"/joint", (int)problem->joint, TAUT_PIPE_CURVATURE_JOINT}};
-
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        if (words[i].chosen < 0 || words[i].chosen > words[i].last) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", words[i].where, words[i].chosen,
-                             words[i].last, "found choice %d, expected one from 0 to %d",
-                             words[i].chosen, words[i].last);
-        }
-    }
-    return TAUT_OK;
+    return taut_pipe_to_model(task, &blend, model, error);
 }
 
 taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_options *options,
                            taut_model **model, taut_error *error)
 {
-    const double asked = options != NULL ? options->tolerance : 0;
-    const double tolerance = asked > 0 ? asked : tolerance_default;
-    taut_pipe_problem round; /* with the circle around its sections */
-    taut_pipe_task task = {.problem = &round};
-    taut_model *made = NULL;
+    taut_pipe_task task = {.problem = problem};
+    double tolerance = 0;
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_pipe_make needs a problem and a place for the model");
     }
-    if (!(tolerance >= tolerance_min && isfinite(tolerance))) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, tolerance, tolerance_min,
-                         "a tolerance of %g is below what rounding leaves: 1e-12 of the radius",
-                         tolerance);
-    }
-    status = check_words(problem, error);
+    status = taut_pipe_tolerance(options, &tolerance, error);
     if (status != TAUT_OK) {
         return status;
     }
-    if (problem->axis == TAUT_PIPE_CORNERS || problem->axis == TAUT_PIPE_LEGS) {
-        return taut_pipe_run_make(problem, fmin(tolerance, 0.1), model, error);
+    const taut_pipe_choice choices[] = {
+        {"/axis", (int)problem->axis.kind, TAUT_PIPE_FEET},
+        {"/section", (int)problem->section.kind, TAUT_PIPE_NAIVE_SWEEP},
+        {"/shape", (int)problem->shape.kind, TAUT_PIPE_LEAST_CURVATURE},
+        {"/frame", (int)problem->frame, TAUT_PIPE_FRENET},
+        {"/joint", (int)problem->joint, TAUT_PIPE_G2}};
+    status = taut_pipe_check_choices(choices, sizeof choices / sizeof *choices, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    round = *problem;
-    if (problem->sections[0].a != 0 || problem->sections[1].a != 0) {
-        round.radius = fmax(fmax(problem->sections[0].a, problem->sections[0].b),
-                            fmax(problem->sections[1].a, problem->sections[1].b));
-    }
-    if (problem->radii[0] != 0 || problem->radii[1] != 0) {
-        round.radius = fmax(problem->radii[0], problem->radii[1]);
+    for (int side = 0; side < 2; side++) {
+        task.lengths[side] = problem->lengths[side] > 0 ? problem->lengths[side] : INFINITY;
     }
     task.arena = taut_arena_new();
-    if (task.arena != NULL) {
-        task.reach_scratch = taut_arena_take(task.arena, TAUT_PIPE_REACH_ROOM(1), sizeof(double));
-    }
-    status = task.reach_scratch != NULL ? make_one(&task, fmin(tolerance, 0.1), &made, error)
-                                        : taut_fail_memory(error);
+    status = make_blend(&task, tolerance, model, error);
     taut_arena_free(task.arena);
-    if (status != TAUT_OK) {
-        taut_model_free(made);
-        return status;
-    }
-    *model = made;
-    return TAUT_OK;
+    return status;
 }
 
 static taut_status make(const void *data, const taut_make_options *options, taut_model **model,
                         taut_error *error)
 {
-    return taut_pipe_make(data, options, model, error);
+    const taut_pipe_request *request = data;
+    return request->is_run ? taut_pipe_run_make(&request->run, options, model, error)
+                           : taut_pipe_make(&request->blend, options, model, error);
 }
 
 const taut_construct_ops taut_construct_pipe = {.make = make};

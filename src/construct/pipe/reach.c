@@ -15,7 +15,7 @@ static const double pi = 3.14159265358979323846;
 
 /* The axis while it is looked at: samples double[count * (samples + 1)][NUMBERS], point and arc
  * length. */
-typedef struct axis {
+typedef struct composite_axis {
     const taut_pipe_composite *composite;
     double (*samples)[NUMBERS];
     int count;                /* of samples, all arcs */
@@ -27,16 +27,16 @@ typedef struct axis {
     double (*balls)[NUMBERS]; /* of the arcs: centre and radius of their points */
     double best;              /* the smallest distance so far, */
     double binding[2];        /* and where */
-} axis;
+} composite_axis;
 
 /* Along the axis, the shorter way round where it is closed. */
-static double separation(const axis *a, double from, double to)
+static double separation(const composite_axis *a, double from, double to)
 {
     const double way = fabs(to - from);
     return a->composite->closed ? fmin(way, a->length - way) : way;
 }
 
-static void offer(axis *a, double distance, double from, double to)
+static void offer_pair(composite_axis *a, double distance, double from, double to)
 {
     if (distance < a->best) {
         a->best = distance;
@@ -46,7 +46,7 @@ static void offer(axis *a, double distance, double from, double to)
 }
 
 /* Points and arc lengths (Simpson's rule between samples: they only tell near from far). */
-static void sample(axis *a)
+static void sample_axis(composite_axis *a)
 {
     double length = 0;
     for (int k = 0; k < a->composite->count; k++) {
@@ -80,7 +80,7 @@ static void sample(axis *a)
 }
 
 /* Arc length at parameter t of arc k, between samples. */
-static double length_at(const axis *a, int k, double t)
+static double length_at(const composite_axis *a, int k, double t)
 {
     const int i = (int)fmin(a->per_arc - 1, floor(t * a->per_arc));
     const double part = t * a->per_arc - i;
@@ -95,7 +95,7 @@ static double clamp(double x, double lo, double hi)
 
 /* One candidate pair made a local minimum of |p(s) - q(t)|^2 / 2: Newton steps with as much of the
  * identity added as it takes to go down, inside both arcs and apart. */
-static void refine_pair(axis *a, const int arc[2], const double start[2])
+static void refine_pair(composite_axis *a, const int arc[2], const double start[2])
 {
     const taut_pipe_arc *p = &a->composite->arcs[arc[0]], *q = &a->composite->arcs[arc[1]];
     double x[2] = {start[0], start[1]}, damping = 1e-3;
@@ -141,10 +141,10 @@ static void refine_pair(axis *a, const int arc[2], const double start[2])
         memcpy(apart, there, sizeof apart);
         value = lower;
     }
-    offer(a, sqrt(value), length_at(a, arc[0], x[0]), length_at(a, arc[1], x[1]));
+    offer_pair(a, sqrt(value), length_at(a, arc[0], x[0]), length_at(a, arc[1], x[1]));
 }
 
-static double sample_distance(const axis *a, int i, int j)
+static double sample_distance(const composite_axis *a, int i, int j)
 {
     double d[3];
     taut_difference(a->samples[i], a->samples[j], d);
@@ -152,7 +152,7 @@ static double sample_distance(const axis *a, int i, int j)
 }
 
 /* Is pair (i, j) no farther than its neighbours on the grid? */
-static int is_local(const axis *a, int i, int j, double distance)
+static int is_local(const composite_axis *a, int i, int j, double distance)
 {
     for (int di = -1; di <= 1; di++) {
         for (int dj = -1; dj <= 1; dj++) {
@@ -168,7 +168,7 @@ static int is_local(const axis *a, int i, int j, double distance)
 }
 
 /* The longest part of an arc between two samples. */
-static double longest_step(const axis *a, int k)
+static double longest_step(const composite_axis *a, int k)
 {
     const int row = a->per_arc + 1;
     double longest = 0;
@@ -189,7 +189,7 @@ static int is_line(const taut_pipe_arc *arc)
 }
 
 /* Two lines: their distance is least inside both, or at an end of one, at the foot on the other. */
-static void line_with_line(axis *a, int k, int l)
+static void line_with_line(composite_axis *a, int k, int l)
 {
     const taut_pipe_arc *p = &a->composite->arcs[k], *q = &a->composite->arcs[l];
     double d[3], e[3], w[3], places[5][2];
@@ -212,12 +212,12 @@ static void line_with_line(axis *a, int k, int l)
         taut_add_scaled(places[i][1], e, apart);
         taut_add_scaled(-places[i][0], d, apart);
         if (separation(a, from, to) >= a->apart) {
-            offer(a, taut_norm(apart), from, to);
+            offer_pair(a, taut_norm(apart), from, to);
         }
     }
 }
 
-static void arc_with_arc(axis *a, int k, int l)
+static void arc_with_arc(composite_axis *a, int k, int l)
 {
     const int row = a->per_arc + 1, arc[2] = {k, l};
     /* a grid step on either side can bring a pair nearer by no more than this */
@@ -246,7 +246,7 @@ static void arc_with_arc(axis *a, int k, int l)
     }
 }
 
-static void enclose(axis *a)
+static void enclose_arcs(composite_axis *a)
 {
     const int row = a->per_arc + 1;
     for (int k = 0; k < a->composite->count; k++) {
@@ -260,9 +260,9 @@ static void enclose(axis *a)
     }
 }
 
-static void arcs_with_arcs(axis *a)
+static void arcs_with_arcs(composite_axis *a)
 {
-    enclose(a);
+    enclose_arcs(a);
     for (int k = 0; k < a->composite->count; k++) {
         for (int l = k; l < a->composite->count; l++) {
             arc_with_arc(a, k, l);
@@ -271,7 +271,7 @@ static void arcs_with_arcs(axis *a)
 }
 
 /* The distance from a point to straight pipe `side`; *along is where its foot lies there. */
-static double to_tail(const axis *a, int side, const double point[3], double *along)
+static double to_tail(const composite_axis *a, int side, const double point[3], double *along)
 {
     double d[3];
     taut_difference(point, a->ends[side], d);
@@ -281,7 +281,8 @@ static double to_tail(const axis *a, int side, const double point[3], double *al
 }
 
 /* The distance of the point at t of arc k from a straight pipe; INFINITY where it is not apart. */
-static double tail_distance(const axis *a, int side, int k, double t, double *along, double *at)
+static double tail_distance(const composite_axis *a, int side, int k, double t, double *along,
+                            double *at)
 {
     double point[3], distance = 0;
     taut_pipe_arc_point(&a->composite->arcs[k], t, point);
@@ -290,12 +291,12 @@ static double tail_distance(const axis *a, int side, int k, double t, double *al
     return *along + (side == 0 ? *at : a->length - *at) >= a->apart ? distance : INFINITY;
 }
 
-static void offer_tail(axis *a, int side, double distance, double along, double at)
+static void offer_tail(composite_axis *a, int side, double distance, double along, double at)
 {
-    offer(a, distance, side == 0 ? -along : at, side == 0 ? at : a->length + along);
+    offer_pair(a, distance, side == 0 ? -along : at, side == 0 ? at : a->length + along);
 }
 
-static void arc_with_tail(axis *a, int side, int k)
+static void arc_with_tail(composite_axis *a, int side, int k)
 {
     const double ratio = 0.61803398874989485;
     double along = 0, at = 0;
@@ -322,7 +323,7 @@ static void arc_with_tail(axis *a, int side, int k)
     }
 }
 
-static void offer_tails(axis *a, double s, double r)
+static void offer_tails(composite_axis *a, double s, double r)
 {
     double d[3];
     if (!isfinite(s) || !isfinite(r) || s + a->length + r < a->apart) {
@@ -331,11 +332,11 @@ static void offer_tails(axis *a, double s, double r)
     taut_difference(a->ends[1], a->ends[0], d);
     taut_add_scaled(r, a->leave[1], d);
     taut_add_scaled(-s, a->leave[0], d);
-    offer(a, taut_norm(d), -s, a->length + r);
+    offer_pair(a, taut_norm(d), -s, a->length + r);
 }
 
 /* The two straight pipes: |w + r b - s a|^2 is least in the inside or on a side of its domain. */
-static void tail_with_tail(axis *a)
+static void tail_with_tail(composite_axis *a)
 {
     const double *const lengths = a->composite->tails;
     double w[3];
@@ -364,10 +365,11 @@ static void tail_with_tail(axis *a)
 void taut_pipe_reach_of(const taut_pipe_composite *composite, double *scratch,
                         taut_pipe_reach *reach)
 {
-    axis a = {.composite = composite,
-              .samples = (double(*)[NUMBERS])(void *)scratch,
-              .per_arc = composite->samples > 0 ? composite->samples : TAUT_PIPE_REACH_SAMPLES,
-              .best = INFINITY};
+    composite_axis a = {.composite = composite,
+                        .samples = (double(*)[NUMBERS])(void *)scratch,
+                        .per_arc =
+                            composite->samples > 0 ? composite->samples : TAUT_PIPE_REACH_SAMPLES,
+                        .best = INFINITY};
     double turning = 0;
 
     a.balls = a.samples + (size_t)composite->count * (TAUT_PIPE_REACH_SAMPLES + 1);
@@ -396,7 +398,7 @@ void taut_pipe_reach_of(const taut_pipe_composite *composite, double *scratch,
     }
     a.apart = pi / reach->curvature;
     a.best = 2 / reach->curvature; /* others do not bind */
-    sample(&a);
+    sample_axis(&a);
     arcs_with_arcs(&a);
     for (int side = 0; side < 2; side++) {
         for (int k = 0; k < composite->count && composite->tails[side] > 0; k++) {

@@ -1,7 +1,7 @@
 /* run.h -- a run of pipes at work: straight ones with a blend between each two.
  *
  *     1  where the straight pipes are, and the shape of each blend                    run_legs.c
- *     2  one axis of all, its largest radius, the verdict                             run_axis.c
+ *     2  one axis of all, its largest radius, the verdict                             run.c
  *     3  the frame carried through, the blends as NURBS                               run_sweep.c
  *     4  the model                                                                    run_model.c
  */
@@ -31,7 +31,7 @@ typedef struct taut_pipe_elbow {
 } taut_pipe_elbow;
 
 typedef struct taut_pipe_run {
-    const taut_pipe_problem *problem;
+    const taut_pipe_run_problem *problem;
     taut_arena *arena;
     double bend_radius; /* asked for, or three radii at corners; 0: none */
     int closed;
@@ -46,8 +46,6 @@ typedef struct taut_pipe_run {
 
 /* The numbers checked, straights and elbows settled, each elbow on its own. */
 taut_status taut_pipe_run_lay(taut_pipe_run *run, taut_error *error);
-/* The largest radius of all together, and whether that is enough. */
-taut_status taut_pipe_run_judge(taut_pipe_run *run, taut_error *error);
 taut_status taut_pipe_run_sweep(taut_pipe_run *run, double tolerance, taut_error *error);
 taut_status taut_pipe_run_model(taut_pipe_run *run, taut_model **model, taut_error *error);
 

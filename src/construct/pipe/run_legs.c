@@ -20,40 +20,64 @@ static const double same_turn = 1e-12; /* of its cosine */
 static const double bend_of_corners = 3;
 static const double unit_radius = 0x1p-20; /* of an elbow with handles of 1, to choose its shape */
 
-static taut_status check(const taut_pipe_problem *p, taut_error *error)
+static taut_status check_leg(const taut_pipe_leg *leg, const char *where, taut_error *error)
 {
-    const int least = p->axis == TAUT_PIPE_CORNERS && p->closed ? 3 : 2;
-    taut_status status = taut_pipe_check_length(p->radius, "/radius", error);
-    if (p->legs == NULL && p->leg_count > 0) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
-                         "a run of %d legs needs the legs", p->leg_count);
+    const taut_status status = taut_pipe_check_point(leg->from, where, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && p->leg_count < least) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/run", p->leg_count, least,
+    return taut_pipe_check_point(leg->kind == TAUT_PIPE_LEG_SPAN ? leg->to : leg->direction, where,
+                                 error);
+}
+
+static taut_status check_route(const taut_pipe_route *route, taut_error *error)
+{
+    const int are_corners = route->kind == TAUT_PIPE_CORNERS;
+    const int least = are_corners && route->closed ? 3 : 2;
+    taut_status status = TAUT_OK;
+    if (route->count < least) {
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/run", route->count, least,
                          "found %d, expected at least %d: a run has two pipes or more",
-                         p->leg_count, least);
+                         route->count, least);
     }
-    if (status == TAUT_OK && p->sections[0].a + p->radii[0] + p->radii[1] + p->sections[1].a != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/run", taut_none, taut_none,
-                         "a run is round and of one radius: give \"radius\"");
-    }
-    for (int i = 0; i < p->leg_count && status == TAUT_OK; i++) {
+    for (int i = 0; i < route->count && status == TAUT_OK; i++) {
         char where[32];
         snprintf(where, sizeof where, "/run/%d", i);
-        status = taut_pipe_check_point(p->legs[i].from, where, error);
-        if (status == TAUT_OK && p->axis == TAUT_PIPE_LEGS) {
-            status = taut_pipe_check_point(p->legs[i].to, where, error);
-        }
-        if (status == TAUT_OK && p->axis == TAUT_PIPE_LEGS) {
-            status = taut_pipe_check_point(p->legs[i].direction, where, error);
-        }
+        status = are_corners ? taut_pipe_check_point(route->corners + 3 * (size_t)i, where, error)
+                             : check_leg(&route->legs[i], where, error);
     }
     return status;
 }
 
-/* Direction and length of a straight pipe, which must not be lost in its coordinates. */
-static taut_status measure(taut_pipe_straight *s, const double *direction, double radius, int at,
-                           taut_error *error)
+static taut_status check_run(const taut_pipe_run_problem *p, taut_error *error)
+{
+    const taut_pipe_choice choices[] = {{"/run", (int)p->route.kind, TAUT_PIPE_LEGS},
+                                        {"/shape", (int)p->shape.kind, TAUT_PIPE_LEAST_CURVATURE},
+                                        {"/joint", (int)p->joint, TAUT_PIPE_G2}};
+    taut_status status = taut_pipe_check_choices(choices, sizeof choices / sizeof *choices, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (p->route.count > 0 &&
+        (p->route.kind == TAUT_PIPE_CORNERS ? p->route.corners == NULL : p->route.legs == NULL)) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "a run of %d legs needs the legs", p->route.count);
+    }
+    status = taut_pipe_check_length(p->radius, "/radius", error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = check_route(&p->route, error);
+    if (status != TAUT_OK || p->bend_radius == 0) {
+        return status;
+    }
+    return taut_pipe_check_length(p->bend_radius, "/bend_radius", error);
+}
+
+/* Direction and length of a straight pipe, which must not be lost in its coordinates; without a
+ * length it has the direction given, NULL where none is. */
+static taut_status measure_straight(taut_pipe_straight *s, const double *direction, double radius,
+                                    int at, taut_error *error)
 {
     double d[3], size = 0, least = 0;
     char where[32];
@@ -64,19 +88,18 @@ static taut_status measure(taut_pipe_straight *s, const double *direction, doubl
     }
     snprintf(where, sizeof where, "/run/%d", at);
     if (radius < least) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/radius", radius, least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "too-small", "/radius", radius, least,
                          "TOO_SMALL: %.6g is lost in the rounding of coordinates of this size; "
                          "move the origin near, or take more than %.6g",
                          radius, least);
     }
     if (s->length > 0 && s->length < fmax(least, no_length * radius)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, s->length,
-                         no_length * radius,
+        return taut_fail(error, TAUT_NO_SOLUTION, "too-small", where, s->length, no_length * radius,
                          "TOO_SMALL: a straight pipe of length %.6g is none; give one place with "
                          "its direction, or places farther apart than %.6g",
                          s->length, fmax(least, no_length * radius));
     }
-    if (!(s->length > 0)) {
+    if (!(s->length > 0) && direction != NULL) {
         memcpy(d, direction, sizeof d);
     }
     size = taut_norm(d);
@@ -90,55 +113,36 @@ static taut_status measure(taut_pipe_straight *s, const double *direction, doubl
     return TAUT_OK;
 }
 
-static taut_status take(taut_pipe_run *run, int straights, int elbows, taut_error *error)
+static taut_status take_pieces(taut_pipe_run *run, int straights, int elbows, taut_error *error)
 {
     run->straights = taut_arena_take(run->arena, (size_t)straights, sizeof *run->straights);
     run->elbows = taut_arena_take(run->arena, (size_t)elbows, sizeof *run->elbows);
-    return run->straights != NULL && run->elbows != NULL ? TAUT_OK : taut_fail_memory(error);
+    return taut_arena_status(run->arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 /* What every elbow takes from the run. */
-static void begin_elbow(taut_pipe_run *run, int i)
+static void begin_elbow(taut_pipe_run *run, int i, taut_pipe_axis_kind axis)
 {
     taut_pipe_elbow *const e = &run->elbows[i];
-    const taut_pipe_problem *p = run->problem;
-    *e = (taut_pipe_elbow){.problem = {.radius = p->radius,
-                                       .shape = p->shape,
-                                       .alpha = p->alpha,
-                                       .beta = p->beta,
-                                       .gamma = p->gamma,
-                                       .extended = p->extended,
-                                       .joint = p->joint,
-                                       .bend_radius = run->bend_radius}};
+    *e = (taut_pipe_elbow){
+        .problem = {.axis = {.kind = axis},
+                    .section = {.kind = TAUT_PIPE_ROUND, .radius = run->problem->radius},
+                    .shape = run->problem->shape,
+                    .joint = run->problem->joint,
+                    .bend_radius = run->bend_radius}};
     snprintf(e->name, sizeof e->name, "blend%d", i + 1);
 }
 
-/* Handles and shape that are not given, then what the elbow is like. */
-static taut_status settle(taut_pipe_run *run, taut_pipe_elbow *e, const double *tails,
-                          taut_error *error)
+/* Handles and shape that are not given, then what the elbow is like; between half lines, or
+ * straight pipes of these lengths. */
+static taut_status decide_elbow(taut_pipe_run *run, taut_pipe_elbow *e, const double *lengths,
+                                taut_error *error)
 {
-    taut_status status = TAUT_OK;
-    e->task = (taut_pipe_task){.problem = &e->problem, .arena = run->arena};
-    e->task.reach_scratch = taut_arena_take(run->arena, TAUT_PIPE_REACH_ROOM(1), sizeof(double));
-    status =
-        e->task.reach_scratch != NULL ? taut_pipe_begin(&e->task, error) : taut_fail_memory(error);
-    for (int side = 0; side < 2 && tails != NULL; side++) {
-        e->task.tails[side] = tails[side] / e->task.scale;
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_choose_handles(&e->task, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_settle(&e->task, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_pipe_choose_shape(&e->task, error);
-    }
-    if (status == TAUT_OK) {
-        taut_pipe_analyse(&e->task);
-        status = taut_pipe_judge_bends(&e->task, e->name, error);
-    }
-    return status;
+    e->task = (taut_pipe_task){.problem = &e->problem,
+                               .arena = run->arena,
+                               .lengths = {lengths != NULL ? lengths[0] : INFINITY,
+                                           lengths != NULL ? lengths[1] : INFINITY}};
+    return taut_pipe_decide(&e->task, e->name, error);
 }
 
 /* Straight pipes that meet leave no room for a blend. */
@@ -151,43 +155,61 @@ static taut_status check_gap(const taut_pipe_run *run, int i, const taut_pipe_st
         return TAUT_OK;
     }
     snprintf(where, sizeof where, "/run/%d", (i + 1) % run->straight_count);
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, gap, least,
+    return taut_fail(error, TAUT_NO_SOLUTION, "too-small", where, gap, least,
                      "TOO_SMALL: the straight pipe begins where the one before it ends, which "
                      "leaves no room for blend%d; end the one earlier or begin the other later, "
                      "make one of both where they are in line, or give corners",
                      i + 1);
 }
 
+static taut_status lay_straight(taut_pipe_run *run, int i, taut_error *error)
+{
+    const taut_pipe_leg *const leg = &run->problem->route.legs[i];
+    const int is_span = leg->kind == TAUT_PIPE_LEG_SPAN;
+    taut_pipe_straight *const s = &run->straights[i];
+    memcpy(s->from, leg->from, sizeof s->from);
+    memcpy(s->to, is_span ? leg->to : leg->from, sizeof s->to);
+    return measure_straight(s, is_span ? NULL : leg->direction, run->problem->radius, i, error);
+}
+
+static taut_status lay_blend(taut_pipe_run *run, int i, taut_error *error)
+{
+    const taut_pipe_straight *const a = &run->straights[i];
+    const taut_pipe_straight *const b = &run->straights[(i + 1) % run->straight_count];
+    const double lengths[2] = {a->length, b->length};
+    const taut_status status = check_gap(run, i, a, b, error);
+    taut_pipe_elbow *const e = &run->elbows[i];
+    taut_pipe_end *const ends = e->problem.axis.ends;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    begin_elbow(run, i, TAUT_PIPE_ENDS);
+    memcpy(ends[0].point, a->to, sizeof a->to);
+    memcpy(ends[1].point, b->from, sizeof b->from);
+    memcpy(ends[0].direction, a->direction, sizeof a->direction);
+    memcpy(ends[1].direction, b->direction, sizeof b->direction);
+    return decide_elbow(run, e, lengths, error);
+}
+
 static taut_status lay_legs(taut_pipe_run *run, taut_error *error)
 {
-    const taut_pipe_problem *p = run->problem;
     taut_status status = TAUT_OK;
-    run->straight_count = p->leg_count;
-    run->elbow_count = p->leg_count - (p->closed ? 0 : 1);
-    status = take(run, run->straight_count, run->elbow_count, error);
+    run->straight_count = run->problem->route.count;
+    run->elbow_count = run->straight_count - (run->closed ? 0 : 1);
+    status = take_pieces(run, run->straight_count, run->elbow_count, error);
     for (int i = 0; i < run->straight_count && status == TAUT_OK; i++) {
-        taut_pipe_straight *const s = &run->straights[i];
-        memcpy(s->from, p->legs[i].from, sizeof s->from);
-        memcpy(s->to, p->legs[i].to, sizeof s->to);
-        status = measure(s, p->legs[i].direction, p->radius, i, error);
+        status = lay_straight(run, i, error);
     }
     for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
-        const taut_pipe_straight *const s[2] = {&run->straights[i],
-                                                &run->straights[(i + 1) % run->straight_count]};
-        const double tails[2] = {s[0]->length, s[1]->length};
-        taut_pipe_elbow *const e = &run->elbows[i];
-        begin_elbow(run, i);
-        e->problem.axis = TAUT_PIPE_ENDS;
-        memcpy(e->problem.ends[0].point, s[0]->to, sizeof s[0]->to);
-        memcpy(e->problem.ends[1].point, s[1]->from, sizeof s[1]->from);
-        memcpy(e->problem.ends[0].direction, s[0]->direction, sizeof s[0]->direction);
-        memcpy(e->problem.ends[1].direction, s[1]->direction, sizeof s[1]->direction);
-        status = check_gap(run, i, s[0], s[1], error);
-        if (status == TAUT_OK) {
-            status = settle(run, e, tails, error);
-        }
+        status = lay_blend(run, i, error);
     }
     return status;
+}
+
+/* Corner i, those of a closed run over and over. */
+static const double *corner_of(const taut_pipe_run *run, int i)
+{
+    return run->problem->route.corners + 3 * (size_t)(i % run->problem->route.count);
 }
 
 /* A corner apart from the one before it; the first comes again by itself where the run is closed.
@@ -195,16 +217,16 @@ static taut_status lay_legs(taut_pipe_run *run, taut_error *error)
 static taut_status check_corner(const taut_pipe_run *run, int i, const taut_pipe_straight *next,
                                 taut_error *error)
 {
-    const taut_pipe_problem *p = run->problem;
-    const double length = taut_distance(next->from, next->to), least = no_length * p->radius;
-    const int again = p->closed && i + 1 == p->leg_count, place = again ? i : i + 1;
+    const double length = taut_distance(next->from, next->to);
+    const double least = no_length * run->problem->radius;
+    const int again = run->closed && i + 1 == run->problem->route.count, place = again ? i : i + 1;
     char where[32];
     snprintf(where, sizeof where, "/run/%d", place);
     if (length >= least) {
         return TAUT_OK;
     }
     if (length > 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, length, least,
+        return taut_fail(error, TAUT_NO_SOLUTION, "too-small", where, length, least,
                          "TOO_SMALL: the corner is only %.6g from the %s; leave one out, or take "
                          "more than %.6g",
                          length, again ? "first, to which the run comes back" : "one before it",
@@ -217,27 +239,29 @@ static taut_status check_corner(const taut_pipe_run *run, int i, const taut_pipe
                          : "the corner is where the one before it is: leave one out");
 }
 
-/* Straight pipes from corner to corner, those that go straight on joined to one. */
+/* Straight pipes from corner to corner. */
 static taut_status find_corners(taut_pipe_run *run, int *places, taut_error *error)
 {
-    const taut_pipe_problem *p = run->problem;
-    const int legs = p->leg_count - (p->closed ? 0 : 1);
-    taut_status status = TAUT_OK;
-    for (int i = 0; i < legs && status == TAUT_OK; i++) {
-        taut_pipe_straight next;
-        memcpy(next.from, p->legs[i].from, sizeof next.from);
-        memcpy(next.to, p->legs[(i + 1) % p->leg_count].from, sizeof next.to);
-        status = check_corner(run, i, &next, error);
-        if (status == TAUT_OK) {
-            status = measure(&next, next.from, p->radius, i, error);
+    const int legs = run->problem->route.count - (run->closed ? 0 : 1);
+    for (int i = 0; i < legs; i++) {
+        taut_pipe_straight *const next = &run->straights[i];
+        taut_status status = TAUT_OK;
+        memcpy(next->from, corner_of(run, i), sizeof next->from);
+        memcpy(next->to, corner_of(run, i + 1), sizeof next->to);
+        status = check_corner(run, i, next, error);
+        if (status != TAUT_OK) {
+            return status;
         }
-        places[run->straight_count] = i;
-        run->straights[run->straight_count++] = next;
+        status = measure_straight(next, NULL, run->problem->radius, i, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        places[i] = i;
     }
-    return status;
+    run->straight_count = legs;
+    return TAUT_OK;
 }
 
-/* Sine and cosine of the turn from straight pipe a to b. */
 static int goes_straight_on(const taut_pipe_straight *a, const taut_pipe_straight *b)
 {
     double across[3];
@@ -253,7 +277,7 @@ static taut_status check_turn(const taut_pipe_straight *a, const taut_pipe_strai
     taut_cross(a->direction, b->direction, across);
     snprintf(where, sizeof where, "/run/%d", place);
     if (taut_norm(across) <= turns_not) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, 0, 0,
+        return taut_fail(error, TAUT_NO_SOLUTION, "turns-back", where, 0, 0,
                          "TURNS_BACK: the run turns back on itself at this corner; two corners, "
                          "more than two radii apart, make a bend of it");
     }
@@ -285,12 +309,12 @@ static void join_legs(taut_pipe_run *run, int *places)
     run->elbow_count = kept - (run->closed ? 0 : 1);
 }
 
-static void take_shape(taut_pipe_elbow *e, const double shape[3])
+static void give_shape(taut_pipe_elbow *e, const double shape[3])
 {
-    e->problem.shape = TAUT_PIPE_SHAPE_GIVEN;
-    e->problem.alpha = shape[0];
-    e->problem.beta = shape[1];
-    e->problem.gamma = shape[2];
+    e->problem.shape.kind = TAUT_PIPE_SHAPE_GIVEN;
+    e->problem.shape.alpha = shape[0];
+    e->problem.shape.beta = shape[1];
+    e->problem.shape.gamma = shape[2];
 }
 
 /* The elbow with handles of 1: its shape, given, chosen, or that of an earlier one with the same
@@ -302,20 +326,19 @@ static taut_status try_elbow(taut_pipe_run *run, int i, double *curvature, taut_
     const double *b = run->straights[(i + 1) % run->straight_count].direction;
     const double cosine = taut_dot(a, b);
     taut_status status = TAUT_OK;
-    begin_elbow(run, i);
-    e->problem.axis = TAUT_PIPE_POLYGON;
-    e->problem.radius = unit_radius;
+    begin_elbow(run, i, TAUT_PIPE_POLYGON);
+    e->problem.section.radius = unit_radius;
     e->problem.bend_radius = 0;
     for (int k = 0; k < 3; k++) {
-        e->problem.polygon[0][k] = -a[k];
-        e->problem.polygon[3][k] = b[k];
+        e->problem.axis.polygon[0][k] = -a[k];
+        e->problem.axis.polygon[3][k] = b[k];
     }
-    for (int j = 0; j < i && e->problem.shape != TAUT_PIPE_SHAPE_GIVEN; j++) {
+    for (int j = 0; j < i && e->problem.shape.kind != TAUT_PIPE_SHAPE_GIVEN; j++) {
         if (fabs(run->elbows[j].cosine - cosine) <= same_turn) {
-            take_shape(e, run->elbows[j].task.shape);
+            give_shape(e, run->elbows[j].task.shape);
         }
     }
-    status = settle(run, e, NULL, error);
+    status = decide_elbow(run, e, NULL, error);
     e->cosine = cosine;
     *curvature = e->task.bend.curvature / e->task.scale;
     return status;
@@ -345,13 +368,13 @@ static taut_status place_elbow(taut_pipe_run *run, int i, double handle, const d
     taut_pipe_straight *const a = &run->straights[i];
     taut_pipe_straight *const b = &run->straights[(i + 1) % run->straight_count];
     const double shape[3] = {e->task.shape[0], e->task.shape[1], e->task.shape[2]};
+    double(*const polygon)[3] = e->problem.axis.polygon;
     taut_status status = TAUT_OK;
-    begin_elbow(run, i);
-    e->problem.axis = TAUT_PIPE_POLYGON;
-    take_shape(e, shape);
+    begin_elbow(run, i, TAUT_PIPE_POLYGON);
+    give_shape(e, shape);
     for (int k = 0; k < 3; k++) {
         a->to[k] = corner[k] - handle * a->direction[k];
-        e->problem.polygon[1][k] = e->problem.polygon[2][k] = corner[k];
+        polygon[1][k] = polygon[2][k] = corner[k];
         b->from[k] = corner[k] + handle * b->direction[k];
     }
     if (taut_distance(a->from, a->to) < nothing_left * run->problem->radius) {
@@ -360,12 +383,12 @@ static taut_status place_elbow(taut_pipe_run *run, int i, double handle, const d
     if (taut_distance(b->from, b->to) < nothing_left * run->problem->radius) {
         memcpy(b->from, b->to, sizeof b->from);
     }
-    memcpy(e->problem.polygon[0], a->to, sizeof a->to);
-    memcpy(e->problem.polygon[3], b->from, sizeof b->from);
+    memcpy(polygon[0], a->to, sizeof a->to);
+    memcpy(polygon[3], b->from, sizeof b->from);
     a->length = taut_distance(a->from, a->to);
     b->length = taut_distance(b->from, b->to);
-    status = settle(run, e, NULL, error);
-    e->problem.shape = run->problem->shape;
+    status = decide_elbow(run, e, NULL, error);
+    e->problem.shape.kind = run->problem->shape.kind;
     return status;
 }
 
@@ -387,7 +410,7 @@ static taut_status fail_short(const taut_pipe_run *run, int leg, int place, doub
                  "radius below that",
                  needed, largest * (1 - digits));
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", where, run->bend_radius, largest,
+    return taut_fail(error, TAUT_NO_SOLUTION, "leg-too-short", where, run->bend_radius, largest,
                      "LEG_TOO_SHORT: with a bend radius of %.12g%s the elbows take more than the "
                      "leg of %.6g that begins here; %s",
                      run->bend_radius,
@@ -405,7 +428,7 @@ static taut_status place_elbows(taut_pipe_run *run, const double *curvatures, co
         return fail_short(run, leg, places[leg], largest, error);
     }
     for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
-        const double *corner = run->problem->legs[places[(i + 1) % run->straight_count]].from;
+        const double *corner = corner_of(run, places[(i + 1) % run->straight_count]);
         status = place_elbow(run, i, run->bend_radius * curvatures[i] * (1 + TAUT_PIPE_SLACK),
                              corner, error);
     }
@@ -414,45 +437,48 @@ static taut_status place_elbows(taut_pipe_run *run, const double *curvatures, co
 
 static taut_status lay_corners(taut_pipe_run *run, taut_error *error)
 {
-    const int count = run->problem->leg_count;
+    const int count = run->problem->route.count;
     int *const places = taut_arena_take(run->arena, (size_t)count + 1, sizeof *places);
     double *const curvatures = taut_arena_take(run->arena, (size_t)count, sizeof *curvatures);
-    taut_status status = places != NULL && curvatures != NULL ? take(run, count, count, error)
-                                                              : taut_fail_memory(error);
-    if (status == TAUT_OK) {
-        status = find_corners(run, places, error);
+    taut_status status = take_pieces(run, count, count, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        join_legs(run, places);
+    status = find_corners(run, places, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && run->elbow_count < 1) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/run", 0, 0,
+    join_legs(run, places);
+    if (run->elbow_count < 1) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "run-straight", "/run", 0, 0,
                          "RUN_STRAIGHT: no corner turns, so that the run is one cylinder; give a "
                          "corner off the line");
     }
-    for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
+    for (int i = 0; i < run->elbow_count; i++) {
         const int next = (i + 1) % run->straight_count;
         status = check_turn(&run->straights[i], &run->straights[next], places[next], error);
-        if (status == TAUT_OK) {
-            status = try_elbow(run, i, &curvatures[i], error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        status = try_elbow(run, i, &curvatures[i], error);
+        if (status != TAUT_OK) {
+            return status;
         }
     }
-    return status == TAUT_OK ? place_elbows(run, curvatures, places, error) : status;
+    return place_elbows(run, curvatures, places, error);
 }
 
 taut_status taut_pipe_run_lay(taut_pipe_run *run, taut_error *error)
 {
-    const taut_pipe_problem *p = run->problem;
-    taut_status status = check(p, error);
-    run->closed = p->closed != 0;
-    run->bend_radius = p->bend_radius != 0            ? p->bend_radius
-                       : p->axis == TAUT_PIPE_CORNERS ? bend_of_corners * p->radius
-                                                      : 0;
-    if (status == TAUT_OK && p->bend_radius != 0) {
-        status = taut_pipe_check_length(p->bend_radius, "/bend_radius", error);
+    const taut_pipe_run_problem *p = run->problem;
+    const int are_corners = p->route.kind == TAUT_PIPE_CORNERS;
+    const taut_status status = check_run(p, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = p->axis == TAUT_PIPE_CORNERS ? lay_corners(run, error) : lay_legs(run, error);
-    }
-    return status;
+    run->closed = p->route.closed != 0;
+    run->bend_radius = p->bend_radius != 0 ? p->bend_radius
+                       : are_corners       ? bend_of_corners * p->radius
+                                           : 0;
+    return are_corners ? lay_corners(run, error) : lay_legs(run, error);
 }

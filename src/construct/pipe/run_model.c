@@ -9,14 +9,14 @@
 
 enum { RING = 3 * TAUT_PIPE_RING };
 
-typedef struct maker {
+typedef struct run_maker {
     const taut_pipe_run *run;
-    taut_basis *line, *v; /* along straight pipes, of all rings */
+    const taut_basis *line, *v; /* along straight pipes, of all rings */
     taut_model *model;
-} maker;
+} run_maker;
 
-static taut_status add(maker *m, const char *name, const taut_basis *u, int rows,
-                       const double *points, taut_error *error)
+static taut_status add_surface(run_maker *m, const char *name, const taut_basis *u, int rows,
+                               const double *points, taut_error *error)
 {
     double *const weights =
         taut_arena_take(m->run->arena, (size_t)rows * TAUT_PIPE_RING, sizeof *weights);
@@ -27,29 +27,13 @@ static taut_status add(maker *m, const char *name, const taut_basis *u, int rows
     return taut_pipe_add_surface(m->model, name, u, m->v, points, weights, error);
 }
 
-static taut_status add_line(maker *m, const char *name, const double from[3], const double to[3],
-                            taut_error *error)
-{
-    double points[2][3];
-    taut_curve *curve = NULL;
-    taut_status status = TAUT_OK;
-    memcpy(points[0], from, sizeof points[0]);
-    memcpy(points[1], to, sizeof points[1]);
-    status = taut_curve_new(name, m->line, &points[0][0], NULL, &curve, error);
-    if (status == TAUT_OK && taut_model_add_curve(m->model, curve) != TAUT_OK) {
-        taut_curve_free(curve);
-        status = taut_fail_memory(error);
-    }
-    return status;
-}
-
 static const double *last_ring(const taut_pipe_elbow *e)
 {
     return e->points + (size_t)(e->blend.rows - 1) * RING;
 }
 
 /* The rings of straight pipe i: those of the elbows at its ends, at free ends moved along it. */
-static void rings_of(const taut_pipe_run *run, int i, double (*points)[TAUT_PIPE_RING][3])
+static void set_rings(const taut_pipe_run *run, int i, double (*points)[TAUT_PIPE_RING][3])
 {
     const taut_pipe_straight *s = &run->straights[i];
     const int before = run->closed ? (i + run->elbow_count - 1) % run->elbow_count : i - 1;
@@ -69,38 +53,45 @@ static void rings_of(const taut_pipe_run *run, int i, double (*points)[TAUT_PIPE
     }
 }
 
-static taut_status add_straight(maker *m, int i, taut_error *error)
+static taut_status add_straight(run_maker *m, int i, taut_error *error)
 {
-    double points[2][TAUT_PIPE_RING][3];
+    const taut_pipe_straight *const s = &m->run->straights[i];
+    double points[2][TAUT_PIPE_RING][3], ends[2][3];
     char name[32], axis[40];
     taut_status status = TAUT_OK;
-    if (!(m->run->straights[i].length > 0)) {
+    if (!(s->length > 0)) {
         return TAUT_OK;
     }
     snprintf(name, sizeof name, "pipe%d", i + 1);
     snprintf(axis, sizeof axis, "axis-pipe%d", i + 1);
-    rings_of(m->run, i, points);
-    status = add(m, name, m->line, 2, &points[0][0][0], error);
-    return status == TAUT_OK
-               ? add_line(m, axis, m->run->straights[i].from, m->run->straights[i].to, error)
-               : status;
+    set_rings(m->run, i, points);
+    status = add_surface(m, name, m->line, 2, &points[0][0][0], error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    memcpy(ends[0], s->from, sizeof ends[0]);
+    memcpy(ends[1], s->to, sizeof ends[1]);
+    return taut_pipe_add_curve(m->model, axis, m->line, &ends[0][0], error);
 }
 
-static taut_status add_elbow(maker *m, const taut_pipe_elbow *e, taut_error *error)
+static taut_status add_elbow(run_maker *m, const taut_pipe_elbow *e, taut_error *error)
 {
-    taut_basis *u = NULL;
+    const taut_basis *u = NULL;
     char axis[40];
     taut_status status = taut_pipe_basis_u(&e->task.arc, &e->blend, m->run->arena, &u, error);
-    snprintf(axis, sizeof axis, "axis-%s", e->name);
-    if (status == TAUT_OK) {
-        status = add(m, e->name, u, e->blend.rows, e->points, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    taut_basis_free(u);
-    return status == TAUT_OK ? taut_pipe_add_axis(&e->task, axis, m->model, error) : status;
+    status = add_surface(m, e->name, u, e->blend.rows, e->points, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    snprintf(axis, sizeof axis, "axis-%s", e->name);
+    return taut_pipe_add_axis(&e->task, axis, m->model, error);
 }
 
 /* A disc over each free end: the rings there are those of the first and the last surface. */
-static taut_status add_caps(maker *m, taut_error *error)
+static taut_status add_caps(run_maker *m, taut_error *error)
 {
     const int last = taut_model_surface_count(m->model) - 1;
     taut_status status = TAUT_OK;
@@ -109,7 +100,7 @@ static taut_status add_caps(maker *m, taut_error *error)
         const int row = side == 0 ? 0 : taut_basis_count(taut_surface_u(end)) - 1;
         double points[2][TAUT_PIPE_RING][3];
         taut_pipe_cap_points(taut_surface_points(end) + (size_t)row * RING, side, points);
-        status = add(m, side == 0 ? "cap1" : "cap2", m->line, 2, &points[0][0][0], error);
+        status = add_surface(m, side == 0 ? "cap1" : "cap2", m->line, 2, &points[0][0][0], error);
     }
     return status;
 }
@@ -134,7 +125,7 @@ static taut_record *details_of(const taut_pipe_run *run)
         taut_record_add_number(details, "bend_radius", run->bend_radius);
     }
     taut_record_add_bool(details, "closed", run->closed);
-    taut_record_add_text(details, "joint", run->problem->joint == TAUT_PIPE_TANGENT ? "g1" : "g2");
+    taut_record_add_text(details, "joint", run->problem->joint == TAUT_PIPE_G1 ? "g1" : "g2");
     if (run->closed) {
         taut_record_add_number(details, "holonomy", run->holonomy);
     }
@@ -145,37 +136,43 @@ static taut_record *details_of(const taut_pipe_run *run)
     return details;
 }
 
-static taut_status fill(maker *m, taut_error *error)
+static taut_status fill_model(run_maker *m, taut_error *error)
 {
-    const taut_basis_spec line = {.type = "bezier", .degree = 1};
-    taut_status status = taut_basis_new(&line, 2, &m->line, error);
-    if (status == TAUT_OK) {
-        status = taut_pipe_basis_v(&m->v, error);
-    }
-    if (status == TAUT_OK && taut_model_new(&m->model) != TAUT_OK) {
-        status = taut_fail_memory(error);
-    }
-    for (int i = 0; i < m->run->straight_count && status == TAUT_OK; i++) {
+    const taut_pipe_run *const run = m->run;
+    taut_record *details = NULL;
+    taut_status status = TAUT_OK;
+    for (int i = 0; i < run->straight_count && status == TAUT_OK; i++) {
         status = add_straight(m, i, error);
-        if (status == TAUT_OK && i < m->run->elbow_count) {
-            status = add_elbow(m, &m->run->elbows[i], error);
+        if (status == TAUT_OK && i < run->elbow_count) {
+            status = add_elbow(m, &run->elbows[i], error);
         }
     }
-    return status == TAUT_OK && m->run->problem->caps && !m->run->closed ? add_caps(m, error)
-                                                                         : status;
+    if (status == TAUT_OK && run->problem->caps && !run->closed) {
+        status = add_caps(m, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    details = details_of(run);
+    taut_model_set_details(m->model, details);
+    return taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 taut_status taut_pipe_run_model(taut_pipe_run *run, taut_model **model, taut_error *error)
 {
-    maker m = {.run = run};
-    taut_status status = fill(&m, error);
-    if (status == TAUT_OK) {
-        taut_record *const details = details_of(run);
-        taut_model_set_details(m.model, details);
-        status = taut_record_status(details) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    run_maker m = {.run = run};
+    taut_status status = taut_pipe_basis_line(run->arena, &m.line, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    taut_basis_free(m.line);
-    taut_basis_free(m.v);
+    status = taut_pipe_basis_v(run->arena, &m.v, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (taut_model_new(&m.model) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = fill_model(&m, error);
     if (status != TAUT_OK) {
         taut_model_free(m.model);
         return status;

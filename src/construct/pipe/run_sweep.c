@@ -4,6 +4,7 @@
  * round turned by some angle; each blend takes a part of what is left, by its length, with no rate
  * at its ends, so that straight pipes keep straight lines of points.
  */
+#include "construct/pipe/frame.h"
 #include "construct/pipe/run.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -11,10 +12,10 @@
 #include <math.h>
 #include <string.h>
 
-enum { STEPS = 4096, PANELS = 16 };
+enum { STEPS = 4096, INTERVALS = 16 };
 
 /* u made a unit vector across the tangent at one end of an elbow. */
-static void fit(const taut_pipe_elbow *e, int end, double u[3])
+static void make_normal(const taut_pipe_elbow *e, int end, double u[3])
 {
     taut_pipe_jet jet;
     double size = 0;
@@ -37,12 +38,12 @@ static void close_frame(taut_pipe_run *run)
 
     memcpy(u, start->first, sizeof u);
     for (int i = 0; i < run->elbow_count; i++) {
-        fit(&run->elbows[i], 0, u);
+        make_normal(&run->elbows[i], 0, u);
         taut_pipe_carry(&run->elbows[i].task.arc, 0, 1, STEPS, u);
-        taut_pipe_bend_integrals(&run->elbows[i].task.arc, PANELS, &run->elbows[i].task.bend);
+        taut_pipe_bend_integrals(&run->elbows[i].task.arc, INTERVALS, &run->elbows[i].task.bend);
         total += run->elbows[i].task.bend.length * run->elbows[i].task.scale;
     }
-    fit(start, 0, u);
+    make_normal(start, 0, u);
     taut_pipe_arc_jet(&start->task.arc, 0, &jet);
     taut_cross(jet.tangent, u, w);
     run->holonomy = atan2(taut_dot(start->first, w), taut_dot(start->first, u));
@@ -52,28 +53,23 @@ static void close_frame(taut_pipe_run *run)
     }
 }
 
-static taut_status sweep(taut_pipe_run *run, taut_pipe_elbow *e, double tolerance,
-                         taut_error *error)
+static taut_status sweep_elbow(taut_pipe_run *run, taut_pipe_elbow *e, double tolerance,
+                               taut_error *error)
 {
     const taut_pipe_task *task = &e->task;
-    taut_pipe_ellipse circle = {.a = {1, 1},
-                                .b = {1, 1},
-                                .turn = e->turn,
-                                .smooth = e->problem.joint == TAUT_PIPE_CURVATURE_JOINT};
+    taut_pipe_profile circle = {
+        .a = {1, 1}, .b = {1, 1}, .turn = e->turn, .smooth = e->problem.joint == TAUT_PIPE_G2};
     size_t count = 0;
     taut_status status = TAUT_OK;
 
     memcpy(circle.first, e->first, sizeof circle.first);
     status = taut_pipe_blend_make(&task->arc, task->radius, tolerance, NULL, &circle, run->arena,
-                                  &e->blend);
-    if (status == TAUT_NO_SOLUTION) {
-        return taut_fail(error, status, "value", "", tolerance, taut_none,
-                         "%s needs more than 100000 segments for a tolerance of %g: ask for less, "
-                         "or for a smaller radius",
-                         e->name, tolerance);
+                                  e->name, &e->blend, error);
+    if (status != TAUT_OK) {
+        return status;
     }
     count = 3 * (size_t)e->blend.rows * TAUT_PIPE_RING;
-    e->points = status == TAUT_OK ? taut_arena_take(run->arena, count, sizeof *e->points) : NULL;
+    e->points = taut_arena_take(run->arena, count, sizeof *e->points);
     if (e->points == NULL) {
         return taut_fail_memory(error);
     }
@@ -85,7 +81,7 @@ static taut_status sweep(taut_pipe_run *run, taut_pipe_elbow *e, double toleranc
 
 /* Where no straight pipe is between two blends, the second starts with the points the first ends
  * with. */
-static void weld(taut_pipe_run *run)
+static void weld_elbows(taut_pipe_run *run)
 {
     for (int i = 0; i < run->elbow_count; i++) {
         const int next = (i + 1) % run->straight_count;
@@ -110,19 +106,20 @@ taut_status taut_pipe_run_sweep(taut_pipe_run *run, double tolerance, taut_error
     if (run->closed) {
         close_frame(run);
     }
-    for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
+    for (int i = 0; i < run->elbow_count; i++) {
         taut_pipe_elbow *const e = &run->elbows[i];
-        fit(e, 0, u);
+        make_normal(e, 0, u);
         memcpy(e->first, u, sizeof u);
-        status = sweep(run, e, tolerance, error);
+        status = sweep_elbow(run, e, tolerance, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
         memcpy(u, e->blend.last, sizeof u);
     }
-    if (status == TAUT_OK) {
-        weld(run);
-    }
-    for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
+    weld_elbows(run);
+    for (int i = 0; i < run->elbow_count; i++) {
         const taut_pipe_elbow *const e = &run->elbows[i];
         taut_pipe_straighten(&e->task.arc, &e->blend, run->problem->radius, e->points);
     }
-    return status;
+    return TAUT_OK;
 }

@@ -12,14 +12,14 @@ enum {
 };
 
 /* The same directions on every machine: a linear congruence, its high bits. */
-static double next(uint64_t *state)
+static double next_random(uint64_t *state)
 {
     *state = *state * 6364136223846793005u + 1442695040888963407u;
     return (double)(*state >> 11) * 0x1p-52 - 1;
 }
 
 /* Rows of an orthonormal matrix: the reflection at a plane normal to v. */
-static void reflect(int count, const double *v, double (*d)[TAUT_PIPE_SEARCH_MAX])
+static void set_directions(int count, const double *v, double (*d)[TAUT_PIPE_SEARCH_MAX])
 {
     double square = 0;
     for (int i = 0; i < count; i++) {
@@ -34,14 +34,14 @@ static void reflect(int count, const double *v, double (*d)[TAUT_PIPE_SEARCH_MAX
 
 /* Normal to a plane whose reflection turns the first axis along `way`; a turning one without way.
  */
-static void normal_for(int count, const double *way, uint64_t *state, double *v)
+static void find_normal(int count, const double *way, uint64_t *state, double *v)
 {
     double square = 0;
     for (int i = 0; i < count; i++) {
         square += way[i] * way[i];
     }
     for (int i = 0; i < count; i++) {
-        v[i] = square > 0 ? way[i] - (i == 0 ? sqrt(square) : 0) : next(state);
+        v[i] = square > 0 ? way[i] - (i == 0 ? sqrt(square) : 0) : next_random(state);
     }
 }
 
@@ -68,9 +68,9 @@ double taut_pipe_search(int count, const double *lo, const double *hi, int is_cr
             memcpy(mark, x, (size_t)count * sizeof *x);
         }
         if (round % 2 == 1) { /* every other round along the axes, where the box's walls are */
-            normal_for(count, way, &state, v);
+            find_normal(count, way, &state, v);
         }
-        reflect(count, v, d);
+        set_directions(count, v, d);
         for (int k = 0; k < 2 * count && !better; k++) {
             double trial[TAUT_PIPE_SEARCH_MAX];
             double value = 0;

@@ -47,25 +47,27 @@ static void test_error(void)
 {
     double least = INFINITY, largest = 0;
     for (int trial = 0; trial < random_trials(14); trial++) {
-        taut_pipe_problem problem = {.radius = random_in(0.02, 0.3), .axis = TAUT_PIPE_ENDS};
+        taut_pipe_problem problem = {.axis = {.kind = TAUT_PIPE_ENDS},
+                                     .section = {.radius = random_in(0.02, 0.3)}};
         const taut_make_options options = {.tolerance = random_log(1e-5, 1e-3)};
         const taut_certify_options proof = {.tolerance = options.tolerance};
         taut_model *model = NULL;
         taut_certificate *certificate = NULL;
         for (int side = 0; side < 2; side++) {
             for (int k = 0; k < 3; k++) {
-                problem.ends[side].point[k] = random_in(-1, 1);
-                problem.ends[side].direction[k] = random_in(-1, 1);
+                problem.axis.ends[side].point[k] = random_in(-1, 1);
+                problem.axis.ends[side].direction[k] = random_in(-1, 1);
             }
-            problem.ends[side].handle = random_in(0.5, 2);
+            problem.axis.ends[side].handle = random_in(0.5, 2);
         }
-        problem.joint = trial % 2 == 0 ? TAUT_PIPE_TANGENT : TAUT_PIPE_CURVATURE_JOINT;
+        problem.joint = trial % 2 == 0 ? TAUT_PIPE_G1 : TAUT_PIPE_G2;
         if (taut_pipe_make(&problem, &options, &model, NULL) != TAUT_OK) {
             continue; /* too sharp */
         }
         CHECK(taut_pipe_certify(model, &problem, &proof, &certificate, NULL) == TAUT_OK, "proof");
-        const double found = error_of(model, problem.radius);
-        const double told = figure_of(certificate, "fit_error");
+        const double found = error_of(model, problem.section.radius);
+        const double told =
+            taut_record_number(taut_record_get(taut_certificate_figures(certificate), "fit_error"));
         CHECK(found <= told, "trial %d: found %.6g, told %.6g", trial, found, told);
         CHECK(told <= options.tolerance, "trial %d: told %.6g", trial, told);
         least = fmin(least, found / told);

@@ -84,10 +84,10 @@ static void must_fail(const taut_model *model, const taut_pipe_problem *problem,
 static taut_pipe_problem skew(void)
 {
     const taut_pipe_problem problem = {
-        .radius = 1,
-        .axis = TAUT_PIPE_ENDS,
-        .ends = {{{0.1, 0.2, 0.3}, {1, 2, 3}, 5}, {{9, 3, 1}, {1, -1, 0.5}, 6}},
-        .shape = TAUT_PIPE_LEAST_BENDING,
+        .axis = {.kind = TAUT_PIPE_ENDS,
+                 .ends = {{{0.1, 0.2, 0.3}, {1, 2, 3}, 5}, {{9, 3, 1}, {1, -1, 0.5}, 6}}},
+        .section = {.radius = 1},
+        .shape = {.kind = TAUT_PIPE_LEAST_BENDING},
     };
     return problem;
 }
@@ -126,14 +126,14 @@ static void test_embedded(void)
     taut_pipe_problem problem = skew();
     taut_model *model = NULL;
     taut_certificate *certificate = NULL;
-    problem.shape = TAUT_PIPE_SHAPE_GIVEN;
+    problem.shape.kind = TAUT_PIPE_SHAPE_GIVEN;
     CHECK(taut_pipe_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
     CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proved");
     const double rho = figure_of(certificate, "largest_radius");
     CHECK_NEAR(claim_of(certificate, "embedded")->residual, 1 / rho, 1e-15, "ratio");
     taut_certificate_free(certificate);
     for (int above = 0; above < 2; above++) {
-        problem.radius = above ? rho * (1 + 1e-9) : rho * (1 - 1e-9);
+        problem.section.radius = above ? rho * (1 + 1e-9) : rho * (1 - 1e-9);
         certificate = NULL;
         CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proved");
         CHECK(claim_of(certificate, "embedded")->holds == (above ? TAUT_FALSE : TAUT_TRUE), "%d",

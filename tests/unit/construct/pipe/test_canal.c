@@ -13,8 +13,9 @@ static const double pi = 3.14159265358979323846;
 static taut_pipe_problem random_problem(void)
 {
     taut_pipe_problem problem = pipe_random_ends();
-    problem.radii[0] = random_in(0.1, 0.5);
-    problem.radii[1] = random_in(0.1, 0.5);
+    problem.section.kind = TAUT_PIPE_CANAL;
+    problem.section.radii[0] = random_in(0.1, 0.5);
+    problem.section.radii[1] = random_in(0.1, 0.5);
     return problem;
 }
 
@@ -24,13 +25,13 @@ static void test_spheres(void)
 {
     for (int trial = 0; trial < random_trials(10); trial++) {
         const taut_pipe_problem problem = random_problem();
+        const double *const radii = problem.section.radii;
         const int ends =
             trial % 2; /* of few segments: rounding counts over the first ring's distance */
         taut_model *model = pipe_made(&problem, ends ? 1e-3 : 1e-8);
         for (int k = 0; k <= 60 && model != NULL; k += ends ? 60 : 1) {
             const double t = k / 60.0, end = ends ? 1e-13 : 1e-6;
-            const double r =
-                problem.radii[0] + (problem.radii[1] - problem.radii[0]) * t * t * (3 - 2 * t);
+            const double r = radii[0] + (radii[1] - radii[0]) * t * t * (3 - 2 * t);
             double d[3][3], x[3], normal[3], radial[3], across[3];
             taut_surface_eval(taut_model_surface(model, 0), t, random_in(0, 1), 1, d[0]);
             taut_curve_eval(taut_model_curve(model, 0), t, 0, x);
@@ -49,11 +50,11 @@ static void test_measures(void)
 {
     for (int trial = 0; trial < random_trials(3); trial++) {
         taut_pipe_problem problem = random_problem();
-        problem.naive = trial == 2;
+        problem.section.kind = trial == 2 ? TAUT_PIPE_NAIVE_SWEEP : TAUT_PIPE_CANAL;
         taut_model *model = pipe_made(&problem, 2e-11);
         taut_certificate *certificate = pipe_proved(model, &problem, 1e-10);
-        const double discs[2] = {pi * problem.radii[0] * problem.radii[0],
-                                 pi * problem.radii[1] * problem.radii[1]};
+        const double discs[2] = {pi * problem.section.radii[0] * problem.section.radii[0],
+                                 pi * problem.section.radii[1] * problem.section.radii[1]};
         double area = 0;
         const double volume = pipe_volume(model, &problem, discs, &area);
         CHECK_NEAR(volume, figure_of(certificate, "volume"), 1e-10 * volume, "trial %d", trial);
@@ -70,11 +71,11 @@ static void test_claims(void)
                                         "ends",   "regular", "graph"};
     for (int trial = 0; trial < random_trials(6); trial++) {
         taut_pipe_problem problem = random_problem(), naive, other;
-        problem.radii[0] = 0.5;
-        problem.radii[1] = random_in(0.1, 0.3);
+        problem.section.radii[0] = 0.5;
+        problem.section.radii[1] = random_in(0.1, 0.3);
         naive = other = problem;
-        naive.naive = 1;
-        other.radii[trial % 2] *= 1 - 1e-5;
+        naive.section.kind = TAUT_PIPE_NAIVE_SWEEP;
+        other.section.radii[trial % 2] *= 1 - 1e-5;
         taut_model *canal = pipe_made(&problem, 1e-6), *sweep = pipe_made(&naive, 1e-6);
         for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
             CHECK(pipe_verdict(canal, &problem, names[k]) == TAUT_TRUE, "trial %d: %s", trial,
@@ -105,10 +106,11 @@ static void test_scale_and_shift(void)
             const double scale = moves[i][0];
             taut_pipe_problem other = problem;
             for (int side = 0; side < 2; side++) {
-                other.radii[side] *= scale;
-                other.ends[side].handle *= scale;
+                other.section.radii[side] *= scale;
+                other.axis.ends[side].handle *= scale;
                 for (int k = 0; k < 3; k++) {
-                    other.ends[side].point[k] = scale * problem.ends[side].point[k] + moves[i][1];
+                    other.axis.ends[side].point[k] =
+                        scale * problem.axis.ends[side].point[k] + moves[i][1];
                 }
             }
             taut_model *moved = pipe_made(&other, 1e-6);
@@ -135,27 +137,25 @@ static void test_scale_and_shift(void)
 
 static void test_refusals(void)
 {
-    taut_pipe_problem line = {.axis = TAUT_PIPE_ENDS,
-                              .ends = {{{0, 0, 0}, {1, 0, 0}, 1}, {{3, 0, 0}, {1, 0, 0}, 1}},
-                              .radii = {2.5, 0.1}};
+    taut_pipe_problem line = {
+        .axis = {.kind = TAUT_PIPE_ENDS,
+                 .ends = {{{0, 0, 0}, {1, 0, 0}, 1}, {{3, 0, 0}, {1, 0, 0}, 1}}},
+        .section = {.kind = TAUT_PIPE_CANAL, .radii = {2.5, 0.1}}};
     taut_pipe_problem other = random_problem();
-    pipe_refused(&line, TAUT_NO_SOLUTION, "CANAL_NOT_REAL"); /* r_s = 1.5 * 2.4 / 3 in the middle */
-    line.radii[0] = 3;
-    line.radii[1] = 1.3;
-    pipe_refused(&line, TAUT_NO_SOLUTION, "CANAL_NOT_REGULAR");
-    other.joint = TAUT_PIPE_CURVATURE_JOINT;
-    pipe_refused(&other, TAUT_NO_SOLUTION, "CANAL_JOINT");
+    pipe_refused(&line, TAUT_NO_SOLUTION, "canal-not-real"); /* r_s = 1.5 * 2.4 / 3 in the middle */
+    line.section.radii[0] = 3;
+    line.section.radii[1] = 1.3;
+    pipe_refused(&line, TAUT_NO_SOLUTION, "canal-not-regular");
+    other.joint = TAUT_PIPE_G2;
+    pipe_refused(&other, TAUT_NO_SOLUTION, "canal-joint");
     other = random_problem();
     other.frame = TAUT_PIPE_FRENET;
-    pipe_refused(&other, TAUT_NO_SOLUTION, "FRENET_UNDEFINED");
+    pipe_refused(&other, TAUT_NO_SOLUTION, "frenet-undefined");
     other = random_problem();
-    other.radii[1] = -1;
-    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
-    other.radii[1] = NAN;
-    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
-    other = random_problem();
-    other.sections[0].a = 1;
-    pipe_refused(&other, TAUT_BAD_INPUT, "one of them");
+    other.section.radii[1] = -1;
+    pipe_refused(&other, TAUT_BAD_INPUT, "value");
+    other.section.radii[1] = NAN;
+    pipe_refused(&other, TAUT_BAD_INPUT, "value");
 }
 
 int main(void)

@@ -12,10 +12,10 @@
 static taut_pipe_problem random_problem(void)
 {
     taut_pipe_problem problem = pipe_random_ends();
-    problem.radius = 0.5;
-    problem.alpha = random_in(-2, 1);
-    problem.gamma = random_in(-2, 1);
-    problem.joint = TAUT_PIPE_CURVATURE_JOINT;
+    problem.section.radius = 0.5;
+    problem.shape.alpha = random_in(-2, 1);
+    problem.shape.gamma = random_in(-2, 1);
+    problem.joint = TAUT_PIPE_G2;
     return problem;
 }
 
@@ -78,9 +78,9 @@ static void test_second_forms(void)
             const int side = k % 2;
             double d[6][3], n[3];
             taut_surface_eval(taut_model_surface(model, 0), side, k / 34.0, 2, d[0]);
-            taut_difference(d[TAUT_X], problem.ends[side].point, n);
+            taut_difference(d[TAUT_X], problem.axis.ends[side].point, n);
             const double u = taut_norm(d[TAUT_XU]), v = taut_norm(d[TAUT_XV]);
-            const double a = problem.radius; /* n is a times the normal */
+            const double a = problem.section.radius; /* n is a times the normal */
             CHECK_NEAR(taut_norm(n), a, 1e-14, "trial %d: ring", trial);
             worst = fmax(worst, fabs(taut_dot(n, d[TAUT_XUU])) / (u * u));
             worst = fmax(worst, fabs(taut_dot(n, d[TAUT_XUV])) / (u * v));
@@ -101,8 +101,8 @@ static void test_claims(void)
         taut_model *model = NULL;
         taut_certificate *certificate = NULL;
         int seen = 0;
-        problem.shape = trial == 0 ? TAUT_PIPE_LEAST_BENDING : TAUT_PIPE_SHAPE_GIVEN;
-        problem.alpha = trial == 0 ? 0 : problem.alpha;
+        problem.shape.kind = trial == 0 ? TAUT_PIPE_LEAST_BENDING : TAUT_PIPE_SHAPE_GIVEN;
+        problem.shape.alpha = trial == 0 ? 0 : problem.shape.alpha;
         CHECK(taut_pipe_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
         CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proved");
         for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
@@ -146,7 +146,7 @@ static void test_false_claims(void)
     CHECK(taut_curve_copy(taut_model_curve(model, 0), &axis) == TAUT_OK &&
               taut_model_add_curve(moved, axis) == TAUT_OK,
           "copied");
-    problem.joint = TAUT_PIPE_TANGENT;
+    problem.joint = TAUT_PIPE_G1;
     CHECK(taut_pipe_certify(moved, &problem, NULL, &certificate, NULL) == TAUT_OK, "proved");
     for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
         const taut_claim *claim = taut_certificate_claim(certificate, i);
@@ -165,19 +165,19 @@ static void test_refusals(void)
     taut_pipe_problem problem = random_problem();
     taut_model *model = NULL;
     taut_error error = {.message = ""};
-    problem.beta = 1;
+    problem.shape.beta = 1;
     CHECK(taut_pipe_make(&problem, NULL, &model, &error) == TAUT_NO_SOLUTION &&
-              strncmp(error.message, "PARAMETER_DOMAIN", 16) == 0,
+              strcmp(error.reason, "parameter-domain") == 0,
           "%s", error.message);
-    problem.beta = 0;
+    problem.shape.beta = 0;
     problem.frame = TAUT_PIPE_FRENET;
     CHECK(taut_pipe_make(&problem, NULL, &model, &error) == TAUT_NO_SOLUTION &&
-              strncmp(error.message, "FRENET_UNDEFINED", 16) == 0,
+              strcmp(error.reason, "frenet-undefined") == 0,
           "%s", error.message);
     problem.frame = TAUT_PIPE_ROTATION_MINIMIZING;
-    problem.alpha = -3;
+    problem.shape.alpha = -3;
     CHECK(taut_pipe_make(&problem, NULL, &model, &error) == TAUT_NO_SOLUTION &&
-              strncmp(error.message, "TANGENT_LOST", 12) == 0,
+              strcmp(error.reason, "tangent-lost") == 0,
           "%s", error.message);
     CHECK(model == NULL, "untouched");
 }

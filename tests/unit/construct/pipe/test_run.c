@@ -8,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const taut_pipe_leg square[] = {
-    {.from = {0, 0, 0}}, {.from = {4, 0, 0}}, {.from = {4, 4, 1}}, {.from = {0, 4, 0}}};
+static const double square[][3] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}};
 
 static void names_are(const taut_model *model, const char *const *names)
 {
@@ -27,9 +26,10 @@ static void names_are(const taut_model *model, const char *const *names)
     CHECK(model != NULL && taut_model_surface_count(model) == i, "%d surfaces", i);
 }
 
-static void all_hold(const taut_model *model, const taut_pipe_problem *problem, const char *what)
+static void all_hold(const taut_model *model, const taut_pipe_run_problem *problem,
+                     const char *what)
 {
-    taut_certificate *certificate = pipe_proved(model, problem, 1e-6);
+    taut_certificate *certificate = pipe_run_proved(model, problem, 1e-6);
     for (int i = 0; certificate != NULL && i < taut_certificate_claim_count(certificate); i++) {
         const taut_claim *claim = taut_certificate_claim(certificate, i);
         CHECK(claim->holds == TAUT_TRUE, "%s: %s, %g, limit %g, %s", what, claim->claim,
@@ -48,27 +48,19 @@ static void test_pieces(void)
     static const char *const of_placed[] = {"pipe1", "blend1", "blend2", "pipe3",
                                             "cap1",  "cap2",   NULL};
     static const char *const of_bent[] = {"pipe1", "blend1", "pipe2", NULL};
-    const taut_pipe_leg bent[] = {{.from = {0, 0, 0}},
-                                  {.from = {1, 0, 0}},
-                                  {.from = {4, 0, 0}},
-                                  {.from = {4, 3, 0}},
-                                  {.from = {4, 5, 0}}};
+    const double bent[][3] = {{0, 0, 0}, {1, 0, 0}, {4, 0, 0}, {4, 3, 0}, {4, 5, 0}};
     /* begins in the middle of a side */
-    const taut_pipe_leg ring[] = {{.from = {2, 0, 0}},
-                                  {.from = {4, 0, 0}},
-                                  {.from = {4, 4, 1}},
-                                  {.from = {0, 4, 0}},
-                                  {.from = {0, 0, 0}}};
-    taut_pipe_problem problems[] = {
-        pipe_run_of(TAUT_PIPE_CORNERS, pipe_stair, 4), pipe_run_of(TAUT_PIPE_CORNERS, square, 4),
-        pipe_run_of(TAUT_PIPE_LEGS, pipe_placed, 3), pipe_run_of(TAUT_PIPE_CORNERS, bent, 5),
-        pipe_run_of(TAUT_PIPE_CORNERS, ring, 5)};
+    const double ring[][3] = {{2, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}, {0, 0, 0}};
+    taut_pipe_run_problem problems[] = {pipe_run_of_corners(pipe_stair, 4),
+                                        pipe_run_of_corners(square, 4),
+                                        pipe_run_of_legs(pipe_placed, 3),
+                                        pipe_run_of_corners(bent, 5), pipe_run_of_corners(ring, 5)};
     const char *const *const names[] = {of_stair, of_square, of_placed, of_bent, of_square};
-    problems[1].closed = problems[4].closed = 1;
-    problems[2].joint = TAUT_PIPE_CURVATURE_JOINT;
+    problems[1].route.closed = problems[4].route.closed = 1;
+    problems[2].joint = TAUT_PIPE_G2;
     problems[2].caps = 1;
     for (int i = 0; i < 5; i++) {
-        taut_model *model = pipe_made(&problems[i], 1e-6);
+        taut_model *model = pipe_run_made(&problems[i], 1e-6);
         names_are(model, names[i]);
         all_hold(model, &problems[i], names[i][0]);
         all_hold(model, NULL, "from the details");
@@ -80,30 +72,30 @@ static void test_pieces(void)
 static void test_bend_radius(void)
 {
     for (int trial = 0; trial < 3; trial++) {
-        taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, pipe_stair, 4);
-        problem.joint = trial % 2 == 0 ? TAUT_PIPE_TANGENT : TAUT_PIPE_CURVATURE_JOINT;
-        problem.shape = trial < 2 ? TAUT_PIPE_SHAPE_GIVEN : TAUT_PIPE_LEAST_BENDING;
+        taut_pipe_run_problem problem = pipe_run_of_corners(pipe_stair, 4);
+        problem.joint = trial % 2 == 0 ? TAUT_PIPE_G1 : TAUT_PIPE_G2;
+        problem.shape.kind = trial < 2 ? TAUT_PIPE_SHAPE_GIVEN : TAUT_PIPE_LEAST_BENDING;
         problem.bend_radius = random_in(0.3, 0.49);
-        taut_model *model = pipe_made(&problem, 1e-3);
-        taut_certificate *certificate = pipe_proved(model, &problem, 1e-3);
+        taut_model *model = pipe_run_made(&problem, 1e-3);
+        taut_certificate *certificate = pipe_run_proved(model, &problem, 1e-3);
         CHECK_NEAR(figure_of(certificate, "least_bend_radius"), problem.bend_radius,
                    2e-7 * problem.bend_radius, "trial %d", trial);
         taut_certificate_free(certificate);
         taut_model_free(model);
         problem.bend_radius = 100;
-        const taut_error error = pipe_refused(&problem, TAUT_NO_SOLUTION, "LEG_TOO_SHORT");
+        const taut_error error = pipe_run_refused(&problem, TAUT_NO_SOLUTION, "leg-too-short");
         CHECK(error.limit < 100 && strcmp(error.where, "/run/1") == 0, "at %s", error.where);
         problem.bend_radius = error.limit; /* the leg is used up: no straight pipe between */
         problem.radius = 0.1 * error.limit;
-        model = pipe_made(&problem, 1e-6);
+        model = pipe_run_made(&problem, 1e-6);
         CHECK(model != NULL && taut_model_surface_count(model) == 4, "elbow on elbow");
-        if (problem.joint == TAUT_PIPE_TANGENT) { /* else rounding counts over the first rings */
+        if (problem.joint == TAUT_PIPE_G1) { /* else rounding counts over the first rings */
             all_hold(model, &problem, "elbow on elbow");
         }
         taut_model_free(model);
         problem.bend_radius = error.limit * 1.001;
         if (trial < 2) { /* another search for a shape would show no more */
-            pipe_refused(&problem, TAUT_NO_SOLUTION, "LEG_TOO_SHORT");
+            pipe_run_refused(&problem, TAUT_NO_SOLUTION, "leg-too-short");
         }
     }
 }
@@ -111,51 +103,52 @@ static void test_bend_radius(void)
 /* A model is held against another request: whichever claim is false says so. */
 static void test_false_claims(void)
 {
-    taut_pipe_leg moved[4];
-    taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, pipe_stair, 4), other = problem;
+    double moved[4][3];
+    taut_pipe_run_problem problem = pipe_run_of_corners(pipe_stair, 4), other = problem;
+    taut_pipe_problem blend = {.axis = {.polygon = {{0, 0, 0}}}};
     taut_model *model = NULL;
     problem.bend_radius = 0.6;
-    model = pipe_made(&problem, 1e-6);
+    model = pipe_run_made(&problem, 1e-6);
     other = problem;
     other.bend_radius = 0.6001;
-    CHECK(pipe_verdict(model, &problem, "bend_radius") == TAUT_TRUE, "as sharp as asked");
-    CHECK(pipe_verdict(model, &other, "bend_radius") == TAUT_FALSE, "too sharp");
+    CHECK(pipe_run_verdict(model, &problem, "bend_radius") == TAUT_TRUE, "as sharp as asked");
+    CHECK(pipe_run_verdict(model, &other, "bend_radius") == TAUT_FALSE, "too sharp");
     other = problem;
     other.radius *= 1 + 1e-5;
-    CHECK(pipe_verdict(model, &other, "tube") == TAUT_FALSE, "another radius");
+    CHECK(pipe_run_verdict(model, &other, "tube") == TAUT_FALSE, "another radius");
     other.radius = 0.601;
-    CHECK(pipe_verdict(model, &other, "embedded") == TAUT_FALSE, "wider than its bends");
+    CHECK(pipe_run_verdict(model, &other, "embedded") == TAUT_FALSE, "wider than its bends");
     other = problem;
-    memcpy(moved, pipe_stair, sizeof pipe_stair);
     for (int i = 0; i < 4; i++) {
         memcpy(moved, pipe_stair, sizeof pipe_stair);
-        moved[i].from[1 + i % 2] += 1e-9;
-        other.legs = moved;
-        CHECK(pipe_verdict(model, &other, "ends") == TAUT_FALSE, "corner %d moved", i);
+        moved[i][1 + i % 2] += 1e-9;
+        other.route.corners = &moved[0][0];
+        CHECK(pipe_run_verdict(model, &other, "ends") == TAUT_FALSE, "corner %d moved", i);
     }
-    other = problem;
-    other.axis = TAUT_PIPE_POLYGON;
-    CHECK(pipe_verdict(model, &other, "ends") == TAUT_FALSE, "not a run that was asked for");
+    blend.section.radius = problem.radius;
+    CHECK(pipe_verdict(model, &blend, "ends") == TAUT_FALSE, "not a run that was asked for");
+    taut_model_free(model);
+    blend = pipe_random_ends();
+    blend.section.radius = problem.radius;
+    model = pipe_made(&blend, 1e-3);
+    CHECK(pipe_run_verdict(model, &problem, "ends") == TAUT_FALSE,
+          "not a blend that was asked for");
     taut_model_free(model);
 }
 
 /* A free end that comes near the side of another pipe is a point of the axis like any other. */
 static void test_free_end(void)
 {
-    const taut_pipe_leg hook[] = {{.from = {0, 0, 0}},
-                                  {.from = {4, 0, 0}},
-                                  {.from = {4, 4, 0}},
-                                  {.from = {2, 4, 0}},
-                                  {.from = {2, 0.5, 0}}};
-    taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, hook, 5);
+    const double hook[][3] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 4, 0}, {2, 0.5, 0}};
+    taut_pipe_run_problem problem = pipe_run_of_corners(hook, 5);
     problem.bend_radius = 0.6;
-    taut_model *model = pipe_made(&problem, 1e-3);
-    taut_certificate *certificate = pipe_proved(model, &problem, 1e-3);
+    taut_model *model = pipe_run_made(&problem, 1e-3);
+    taut_certificate *certificate = pipe_run_proved(model, &problem, 1e-3);
     CHECK_NEAR(figure_of(certificate, "largest_radius"), 0.25, 1e-12, "half the way to the side");
     taut_certificate_free(certificate);
     taut_model_free(model);
     problem.radius = 0.26;
-    const taut_error error = pipe_refused(&problem, TAUT_NO_SOLUTION, "SELF_INTERSECT_GLOBAL");
+    const taut_error error = pipe_run_refused(&problem, TAUT_NO_SOLUTION, "self-intersect-global");
     CHECK_NEAR(error.limit, 0.25, 1e-12, "half the way to the side");
     CHECK(strstr(error.message, "pipe1") != NULL && strstr(error.message, "pipe4") != NULL, "%s",
           error.message);
@@ -207,31 +200,42 @@ static double enclosed(const taut_model *model, const char *what)
     return fabs(volume);
 }
 
-static void test_meshes(void)
+static void test_run_meshes(void)
 {
-    taut_pipe_problem problems[5];
-    problems[0] = pipe_run_of(TAUT_PIPE_CORNERS, pipe_stair, 4);
-    problems[1] = pipe_run_of(TAUT_PIPE_CORNERS, square, 4);
-    problems[1].closed = 1;
-    problems[2] = problems[3] = problems[4] = pipe_random_ends();
-    problems[2].radius = 0.3;
-    problems[3].radii[0] = 0.3;
-    problems[3].radii[1] = 0.2;
-    problems[4].sections[0] = (taut_pipe_section){0.3, 0.2, {1, 0, 0}};
-    problems[4].sections[1] = (taut_pipe_section){0.2, 0.3, {0, 1, 1}};
-    problems[4].joint = TAUT_PIPE_CURVATURE_JOINT;
-    for (int i = 0; i < 5; i++) {
+    taut_pipe_run_problem problems[2] = {pipe_run_of_corners(pipe_stair, 4),
+                                         pipe_run_of_corners(square, 4)};
+    problems[1].route.closed = 1;
+    for (int i = 0; i < 2; i++) {
+        problems[i].caps = 1;
+        taut_model *model = pipe_run_made(&problems[i], 1e-6);
+        taut_certificate *certificate = pipe_run_proved(model, &problems[i], 1e-6);
+        const double volume = enclosed(model, i == 0 ? "run" : "closed run");
+        const double whole = figure_of(certificate, "volume");
+        CHECK(i == 1 || claim_of(certificate, "caps")->holds == TAUT_TRUE, "caps");
+        /* the mesh lies inside, by as much as its chords are away */
+        CHECK(volume < whole && volume > 0.9 * whole, "run %d: %g of %g", i, volume, whole);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+}
+
+static void test_blend_meshes(void)
+{
+    taut_pipe_problem problems[3];
+    problems[0] = problems[1] = problems[2] = pipe_random_ends();
+    problems[0].section.radius = 0.3;
+    problems[1].section = (taut_pipe_section){.kind = TAUT_PIPE_CANAL, .radii = {0.3, 0.2}};
+    problems[2].section = (taut_pipe_section){
+        .kind = TAUT_PIPE_ELLIPTIC, .ellipses = {{0.3, 0.2, {1, 0, 0}}, {0.2, 0.3, {0, 1, 1}}}};
+    problems[2].joint = TAUT_PIPE_G2;
+    for (int i = 0; i < 3; i++) {
         char what[16];
         snprintf(what, sizeof what, "mesh %d", i);
         problems[i].caps = 1;
         taut_model *model = pipe_made(&problems[i], 1e-6);
         taut_certificate *certificate = pipe_proved(model, &problems[i], 1e-6);
-        const double volume = enclosed(model, what);
-        CHECK(i == 1 || claim_of(certificate, "caps")->holds == TAUT_TRUE, "%s: caps", what);
-        if (i < 2) { /* the mesh lies inside, by as much as its chords are away */
-            const double whole = figure_of(certificate, "volume");
-            CHECK(volume < whole && volume > 0.9 * whole, "%s: %g of %g", what, volume, whole);
-        }
+        (void)enclosed(model, what);
+        CHECK(claim_of(certificate, "caps")->holds == TAUT_TRUE, "%s: caps", what);
         taut_certificate_free(certificate);
         taut_model_free(model);
     }
@@ -241,14 +245,14 @@ static void test_meshes(void)
 static void test_leg_used_up(void)
 {
     static const char *const names[] = {"pipe1", "blend1", NULL};
-    taut_pipe_leg legs[] = {{.from = {0, 0, 0}}, {.from = {5, 0, 0}}, {.from = {5, 0.5, 0}}};
-    taut_pipe_problem problem = pipe_run_of(TAUT_PIPE_CORNERS, legs, 3);
+    double corners[][3] = {{0, 0, 0}, {5, 0, 0}, {5, 0.5, 0}};
+    taut_pipe_run_problem problem = pipe_run_of_corners((const double(*)[3])corners, 3);
     problem.bend_radius = 1;
-    taut_error error = pipe_refused(&problem, TAUT_NO_SOLUTION, "LEG_TOO_SHORT");
+    taut_error error = pipe_run_refused(&problem, TAUT_NO_SOLUTION, "leg-too-short");
     const char *const told = strstr(error.message, "leg of at least ");
     CHECK(told != NULL, "%s", error.message);
-    legs[2].from[1] = told != NULL ? strtod(told + 16, NULL) : 0;
-    taut_model *model = pipe_made(&problem, 1e-6);
+    corners[2][1] = told != NULL ? strtod(told + 16, NULL) : 0;
+    taut_model *model = pipe_run_made(&problem, 1e-6);
     names_are(model, names);
     all_hold(model, &problem, "a leg used up");
     taut_model_free(model);
@@ -261,7 +265,8 @@ int main(void)
     test_bend_radius();
     test_false_claims();
     test_free_end();
-    test_meshes();
+    test_run_meshes();
+    test_blend_meshes();
     test_leg_used_up();
     return check_failures != 0;
 }

@@ -13,9 +13,10 @@ static const double pi = 3.14159265358979323846;
 static taut_pipe_problem random_problem(void)
 {
     taut_pipe_problem problem = pipe_random_ends();
-    problem.joint = random_int(0, 1) == 0 ? TAUT_PIPE_TANGENT : TAUT_PIPE_CURVATURE_JOINT;
+    problem.joint = random_int(0, 1) == 0 ? TAUT_PIPE_G1 : TAUT_PIPE_G2;
+    problem.section.kind = TAUT_PIPE_ELLIPTIC;
     for (int side = 0; side < 2; side++) {
-        taut_pipe_section *const s = &problem.sections[side];
+        taut_pipe_ellipse *const s = &problem.section.ellipses[side];
         s->a = random_in(0.1, 0.4);
         s->b = random_in(0.1, 0.4);
         for (int k = 0; k < 3; k++) {
@@ -34,11 +35,12 @@ static void test_joints(void)
         taut_model *model = pipe_made(&problem, 1e-4);
         for (int k = 0; k < 50 && model != NULL; k++) {
             const int side = k % 2;
-            const taut_pipe_section *s = &problem.sections[side];
+            const taut_pipe_ellipse *s = &problem.section.ellipses[side];
             double d[3][3], t[3], e1[3], e2[3], normal[3], wanted[3] = {0, 0, 0}, apart[3];
             taut_surface_eval(taut_model_surface(model, 0), side, k / 50.0, 1, d[0]);
             for (int i = 0; i < 3; i++) {
-                t[i] = problem.ends[side].direction[i] / taut_norm(problem.ends[side].direction);
+                t[i] = problem.axis.ends[side].direction[i] /
+                       taut_norm(problem.axis.ends[side].direction);
             }
             memcpy(e1, s->direction, sizeof e1);
             taut_add_scaled(-taut_dot(e1, t), t, e1);
@@ -47,7 +49,7 @@ static void test_joints(void)
                 e1[i] /= length;
             }
             taut_cross(t, e1, e2);
-            taut_difference(d[TAUT_X], problem.ends[side].point, apart);
+            taut_difference(d[TAUT_X], problem.axis.ends[side].point, apart);
             const double x = taut_dot(apart, e1), y = taut_dot(apart, e2);
             CHECK_NEAR(x * x / (s->a * s->a) + y * y / (s->b * s->b), 1, 1e-11,
                        "trial %d, end %d: ellipse", trial, side);
@@ -71,21 +73,22 @@ static void test_volume(void)
     for (int trial = 0; trial < random_trials(3); trial++) {
         taut_pipe_problem problem = random_problem();
         if (trial == 0) { /* pi a b L exactly */
-            problem.sections[1].a = problem.sections[0].a;
-            problem.sections[1].b = problem.sections[0].b;
+            problem.section.ellipses[1].a = problem.section.ellipses[0].a;
+            problem.section.ellipses[1].b = problem.section.ellipses[0].b;
         }
         taut_model *model = pipe_made(&problem, 2e-11);
         taut_certificate *certificate = pipe_proved(model, &problem, 1e-10);
         const double volume = figure_of(certificate, "volume");
-        const double ellipses[2] = {pi * problem.sections[0].a * problem.sections[0].b,
-                                    pi * problem.sections[1].a * problem.sections[1].b};
+        const double ellipses[2] = {
+            pi * problem.section.ellipses[0].a * problem.section.ellipses[0].b,
+            pi * problem.section.ellipses[1].a * problem.section.ellipses[1].b};
         double area = 0;
         CHECK_NEAR(pipe_volume(model, &problem, ellipses, &area), volume, 1e-10 * volume,
                    "trial %d", trial);
         CHECK_NEAR(area, figure_of(certificate, "area"), 1e-10 * area, "trial %d: area", trial);
         if (trial == 0) {
             CHECK_NEAR(volume,
-                       pi * problem.sections[0].a * problem.sections[0].b *
+                       pi * problem.section.ellipses[0].a * problem.section.ellipses[0].b *
                            figure_of(certificate, "length"),
                        1e-13 * volume, "closed form");
         }
@@ -122,20 +125,20 @@ static void test_claims(void)
         taut_model *model = pipe_made(&problem, 1e-6), *far = NULL;
         CHECK(tube_of(model, &problem) == TAUT_TRUE, "trial %d", trial);
         CHECK(tube_of(model, NULL) == TAUT_TRUE, "trial %d, from the details", trial);
-        other.sections[trial % 2].b *= 1 - 1e-4;
+        other.section.ellipses[trial % 2].b *= 1 - 1e-4;
         CHECK(tube_of(model, &other) == TAUT_FALSE, "trial %d, flattened", trial);
         other = problem;
-        other.sections[trial % 2].a = 0.3;
-        other.sections[trial % 2].b = 0.2;
+        other.section.ellipses[trial % 2].a = 0.3;
+        other.section.ellipses[trial % 2].b = 0.2;
         taut_model *turned = pipe_made(&other, 1e-6);
-        other.sections[trial % 2].direction[trial % 3] += 1e-2;
+        other.section.ellipses[trial % 2].direction[trial % 3] += 1e-2;
         CHECK(tube_of(turned, &other) == TAUT_FALSE, "trial %d, turned", trial);
         for (int side = 0; side < 2; side++) {
-            moved.sections[side].a *= 1000;
-            moved.sections[side].b *= 1000;
-            moved.ends[side].handle *= 1000;
+            moved.section.ellipses[side].a *= 1000;
+            moved.section.ellipses[side].b *= 1000;
+            moved.axis.ends[side].handle *= 1000;
             for (int k = 0; k < 3; k++) {
-                moved.ends[side].point[k] = 1000 * problem.ends[side].point[k] + 1e6;
+                moved.axis.ends[side].point[k] = 1000 * problem.axis.ends[side].point[k] + 1e6;
             }
         }
         far = pipe_made(&moved, 1e-6);
@@ -156,27 +159,28 @@ static void test_claims(void)
 static void test_refusals(void)
 {
     taut_pipe_problem problem = random_problem(), other = problem;
-    memcpy(other.sections[1].direction, problem.ends[1].direction, sizeof other.ends[1].direction);
-    pipe_refused(&other, TAUT_NO_SOLUTION, "SECTION_ALONG");
+    memcpy(other.section.ellipses[1].direction, problem.axis.ends[1].direction,
+           sizeof other.axis.ends[1].direction);
+    pipe_refused(&other, TAUT_NO_SOLUTION, "section-along");
     other = problem;
-    other.sections[0].direction[0] = other.sections[0].direction[1] = 0;
-    other.sections[0].direction[2] = 0;
-    pipe_refused(&other, TAUT_BAD_INPUT, "direction is zero");
+    other.section.ellipses[0].direction[0] = other.section.ellipses[0].direction[1] = 0;
+    other.section.ellipses[0].direction[2] = 0;
+    pipe_refused(&other, TAUT_BAD_INPUT, "value");
     other = problem;
-    other.sections[1].b = 0;
-    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
+    other.section.ellipses[1].b = 0;
+    pipe_refused(&other, TAUT_BAD_INPUT, "value");
     other = problem;
-    other.sections[1].a = INFINITY;
-    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
+    other.section.ellipses[1].a = INFINITY;
+    pipe_refused(&other, TAUT_BAD_INPUT, "value");
     other = problem;
-    other.sections[0].a = NAN;
-    pipe_refused(&other, TAUT_BAD_INPUT, "positive length");
+    other.section.ellipses[0].a = NAN;
+    pipe_refused(&other, TAUT_BAD_INPUT, "value");
     other = problem;
     other.frame = TAUT_PIPE_FRENET;
-    pipe_refused(&other, TAUT_NO_SOLUTION, "FRENET_UNDEFINED");
+    pipe_refused(&other, TAUT_NO_SOLUTION, "frenet-undefined");
     other = problem;
-    other.sections[0].a = 50;
-    pipe_refused(&other, TAUT_NO_SOLUTION, "SELF_INTERSECT_LOCAL");
+    other.section.ellipses[0].a = 50;
+    pipe_refused(&other, TAUT_NO_SOLUTION, "self-intersect-local");
 }
 
 int main(void)
