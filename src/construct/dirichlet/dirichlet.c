@@ -1,12 +1,12 @@
 /* dirichlet.c -- the surface of least Dirichlet energy through the known points of a net.
  *
- *     1. check the data; find the pattern of unknown points
+ *     1. check the data; find the mask of the unknown points
  *     2. move and scale the known points to [-1, 1]^3 (construct/common/scaling.h)
  *     3. Gram matrices of both bases (geometry/nurbs/gram.h), the form made of them (form.h)
  *     4. solve A x = 0 at the unknown points (system.h), for the aspect given or the best
  *     5. put the solution back between the known points, which stay bit for bit
  *
- * [WuWang2011] section 3; aspect 7.3, weights 7.5, patterns 7.6. The system is positive definite as
+ * [WuWang2011] section 3; aspect 7.3, weights 7.5, masks 7.6. The system is positive definite as
  * soon as one point is known: D(x) = 0 makes x constant, so it vanishes with that point.
  */
 #include "taut/dirichlet.h"
@@ -180,11 +180,11 @@ static taut_status fill_net(const taut_dirichlet_problem *problem, taut_dirichle
                             const taut_monitor *monitor, double *net, outcome *out,
                             taut_error *error)
 {
-    const size_t count = (size_t)plan->pattern.nu * (size_t)plan->pattern.nv;
+    const size_t count = (size_t)plan->mask.nu * (size_t)plan->mask.nv;
     taut_scaling scaling;
     taut_status status = TAUT_OK;
 
-    if (plan->pattern.unknowns == 0) {
+    if (plan->mask.unknowns == 0) {
         memcpy(net, problem->points, 3 * count * sizeof(double));
         out->aspect = problem->aspect > 0 ? problem->aspect : 1;
         return TAUT_OK;
@@ -199,15 +199,15 @@ static taut_status fill_net(const taut_dirichlet_problem *problem, taut_dirichle
     return status;
 }
 
-static taut_record *details_of(const taut_dirichlet_problem *problem, const taut_pattern *pattern,
+static taut_record *details_of(const taut_dirichlet_problem *problem, const taut_mask *mask,
                                const outcome *out)
 {
     taut_record *details = taut_record_new();
-    taut_record_add_number(details, "unknowns", (double)pattern->unknowns);
+    taut_record_add_number(details, "unknowns", (double)mask->unknowns);
     taut_record_add_text(details, "known",
-                         pattern->unknowns == 0 ? "all"
-                         : pattern->is_interior ? "boundary"
-                                                : "pattern");
+                         mask->unknowns == 0 ? "all"
+                         : mask->is_interior ? "boundary"
+                                             : "pattern");
     taut_record_add_text(details, "method", out->method);
     taut_record_add_number(details, "iterations", out->iterations);
     if (has_aspect(problem)) {
@@ -218,7 +218,7 @@ static taut_record *details_of(const taut_dirichlet_problem *problem, const taut
 }
 
 /* The model of the finished net: takes nothing over. */
-static taut_status make_model(const taut_dirichlet_problem *problem, const taut_pattern *pattern,
+static taut_status make_model(const taut_dirichlet_problem *problem, const taut_mask *mask,
                               const double *net, const outcome *out, taut_model **model,
                               taut_error *error)
 {
@@ -239,7 +239,7 @@ static taut_status make_model(const taut_dirichlet_problem *problem, const taut_
     if (status != TAUT_OK) {
         taut_surface_free(surface);
     } else {
-        details = details_of(problem, pattern, out);
+        details = details_of(problem, mask, out);
         status = taut_record_status(details);
         taut_model_set_details(made, details);
     }
@@ -300,7 +300,7 @@ taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
         status = fill_net(problem, plan, &chosen->monitor, net, &out, error);
     }
     if (status == TAUT_OK) {
-        status = make_model(problem, &plan->pattern, net, &out, model, error);
+        status = make_model(problem, &plan->mask, net, &out, model, error);
     }
     taut_dirichlet_plan_free(own);
     taut_free(net);

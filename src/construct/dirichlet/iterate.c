@@ -34,7 +34,7 @@ static void add_multiple(size_t size, const double factor[3], const double *x, d
  * diagonals of S A S and K the same ([GolubVanLoan2013] 11.5.3). */
 static void find_scales(taut_dirichlet_system *system)
 {
-    const taut_pattern *p = system->pattern;
+    const taut_mask *p = system->mask;
     const taut_dirichlet_form *form = system->form;
 
     for (int a = 0; a < p->rows; a++) {
@@ -71,7 +71,7 @@ static taut_status precondition(taut_dirichlet_system *system)
     }
     status = taut_dirichlet_solve_hull(system, is_scaled ? system->smooth : system->residual);
     memset(system->smooth, 0, taut_dirichlet_net_size(system) * sizeof(double));
-    taut_pattern_add(system->pattern, system->hull, system->smooth);
+    taut_mask_add(system->mask, system->hull, system->smooth);
     if (is_scaled) {
         scale(system, system->smooth, system->smooth);
     }
@@ -96,7 +96,7 @@ taut_status taut_dirichlet_iterate(taut_dirichlet_system *system, double enough,
         if (status != TAUT_OK) {
             break;
         }
-        taut_pattern_clear_known(system->pattern, system->product);
+        taut_mask_clear_known(system->mask, system->product);
         system->iterations++;
         dots(size, system->step, system->product, curvature);
         for (int c = 0; c < 3; c++) {

@@ -10,7 +10,7 @@ static size_t count_of(const taut_dirichlet_problem *problem)
     return (size_t)taut_basis_count(problem->u) * (size_t)taut_basis_count(problem->v);
 }
 
-/* Copies of the bases, the known places and the weights, and the pattern of the unknowns. */
+/* Copies of the bases, the known places and the weights, and the mask of the unknowns. */
 static taut_status copy_problem(const taut_dirichlet_problem *problem, taut_dirichlet_plan *plan)
 {
     const size_t count = count_of(problem);
@@ -39,8 +39,8 @@ static taut_status copy_problem(const taut_dirichlet_problem *problem, taut_diri
         status = taut_basis_copy(problem->v, &plan->v);
     }
     if (status == TAUT_OK) {
-        status = taut_pattern_new(taut_basis_count(plan->u), taut_basis_count(plan->v), plan->known,
-                                  plan->arena, &plan->pattern);
+        status = taut_mask_new(taut_basis_count(plan->u), taut_basis_count(plan->v), plan->known,
+                               plan->arena, &plan->mask);
     }
     return status;
 }
@@ -55,11 +55,11 @@ taut_status taut_dirichlet_plan_new(const taut_dirichlet_problem *problem,
     if (made == NULL || copy_problem(problem, made) != TAUT_OK) {
         status = taut_fail_memory(error);
     }
-    if (status == TAUT_OK && made->pattern.unknowns > 0) {
+    if (status == TAUT_OK && made->mask.unknowns > 0) {
         status = taut_dirichlet_form_new(made->u, made->v, made->weights, &made->form, error);
         if (status == TAUT_OK) {
-            status = taut_dirichlet_system_new(&made->form, &made->pattern, monitor, &made->system,
-                                               error);
+            status =
+                taut_dirichlet_system_new(&made->form, &made->mask, monitor, &made->system, error);
         }
     }
     if (status != TAUT_OK) {

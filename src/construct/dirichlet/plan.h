@@ -15,7 +15,7 @@ typedef struct taut_dirichlet_plan {
     taut_basis *u, *v;
     unsigned char *known; /* [nu][nv], 0 or 1 */
     double *weights;      /* NULL: none */
-    taut_pattern pattern;
+    taut_mask mask;
     taut_dirichlet_form form;
     taut_dirichlet_system *system; /* NULL: every point is known */
     int is_lasting;                /* serves other problems too: a quadrature that is refined as a

@@ -10,7 +10,7 @@ static const double unit_roundoff = 0x1p-53;
 
 static int is_direct(const taut_dirichlet_system *system)
 {
-    return system->pattern->is_box && system->form->rational == NULL && !system->is_damped;
+    return system->mask->is_box && system->form->rational == NULL && !system->is_damped;
 }
 
 const char *taut_dirichlet_system_method(const taut_dirichlet_system *system)
@@ -56,8 +56,8 @@ static void shift(taut_gram *gram)
 
 static taut_status alloc(taut_dirichlet_system *system)
 {
-    const taut_pattern *pattern = system->pattern;
-    const size_t hull = 3 * (size_t)pattern->rows * (size_t)pattern->columns;
+    const taut_mask *mask = system->mask;
+    const size_t hull = 3 * (size_t)mask->rows * (size_t)mask->columns;
 
     system->residual = taut_alloc_aligned(taut_dirichlet_net_size(system), sizeof(double));
     system->hull = taut_alloc_aligned(hull, sizeof(double));
@@ -82,18 +82,18 @@ static taut_status alloc(taut_dirichlet_system *system)
 /* The matrices of the hull with their diagonals times 1 + damping. */
 static taut_status select_hull(taut_dirichlet_system *system, double damping)
 {
-    const taut_pattern *pattern = system->pattern;
+    const taut_mask *mask = system->mask;
     taut_gram *grams[2] = {&system->u, &system->v};
     taut_status status = TAUT_OK;
 
     taut_gram_clear(&system->u);
     taut_gram_clear(&system->v);
-    status = taut_gram_select(&system->form->u, pattern->rows, pattern->row, &system->u);
+    status = taut_gram_select(&system->form->u, mask->rows, mask->row, &system->u);
     if (status == TAUT_OK) {
-        status = taut_gram_select(&system->form->v, pattern->columns, pattern->column, &system->v);
+        status = taut_gram_select(&system->form->v, mask->columns, mask->column, &system->v);
     }
     for (int k = 0; status == TAUT_OK && k < 2; k++) {
-        if (pattern->rows == pattern->nu && pattern->columns == pattern->nv) {
+        if (mask->rows == mask->nu && mask->columns == mask->nv) {
             shift(grams[k]);
         }
         for (int i = 0; i < grams[k]->mass.n; i++) {
@@ -142,7 +142,7 @@ static taut_status solver_failed(taut_status status, taut_error *error)
                      taut_status_text(status));
 }
 
-taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_pattern *pattern,
+taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_mask *mask,
                                       const taut_monitor *monitor, taut_dirichlet_system **system,
                                       taut_error *error)
 {
@@ -153,7 +153,7 @@ taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_patt
         return taut_fail_memory(error);
     }
     made->form = form;
-    made->pattern = pattern;
+    made->mask = mask;
     made->monitor = monitor;
     set_factors(form, 1);
     status = make_solver(made);
@@ -176,13 +176,13 @@ void taut_dirichlet_system_restart(taut_dirichlet_system *system, const taut_mon
 
 double taut_dirichlet_omega(const taut_dirichlet_system *system, const double *r)
 {
-    const taut_pattern *pattern = system->pattern;
+    const taut_mask *mask = system->mask;
     double largest = 0;
-    for (int a = 0; a < pattern->rows; a++) {
-        const int i = pattern->row[a];
-        for (int b = 0; b < pattern->columns; b++) {
-            const int j = pattern->column[b];
-            const double *p = r + 3 * ((size_t)i * (size_t)pattern->nv + (size_t)j);
+    for (int a = 0; a < mask->rows; a++) {
+        const int i = mask->row[a];
+        for (int b = 0; b < mask->columns; b++) {
+            const int j = mask->column[b];
+            const double *p = r + 3 * ((size_t)i * (size_t)mask->nv + (size_t)j);
             const double sum = taut_dirichlet_form_row_sum(system->form, i, j);
             for (int c = 0; c < 3; c++) {
                 if (!(fabs(p[c]) <= largest * sum)) {
@@ -210,14 +210,14 @@ static taut_status find_residual(taut_dirichlet_system *system, precision how, c
     for (size_t i = 0; how == PLAIN && i < taut_dirichlet_net_size(system); i++) {
         system->residual[i] = -system->residual[i];
     }
-    taut_pattern_clear_known(system->pattern, system->residual);
+    taut_mask_clear_known(system->mask, system->residual);
     *omega = taut_dirichlet_omega(system, system->residual);
     return TAUT_OK;
 }
 
 taut_status taut_dirichlet_solve_hull(taut_dirichlet_system *system, const double *r)
 {
-    taut_pattern_gather(system->pattern, r, system->hull);
+    taut_mask_gather(system->mask, r, system->hull);
     return taut_tensor_solver_solve(system->solver, 3, system->hull);
 }
 
@@ -236,16 +236,16 @@ taut_status taut_dirichlet_stopped(const taut_dirichlet_system *system, taut_err
 static taut_status improve(taut_dirichlet_system *system, double enough, double *net,
                            taut_error *error)
 {
-    const taut_pattern *pattern = system->pattern;
+    const taut_mask *mask = system->mask;
     taut_status status = TAUT_OK;
 
     if (is_direct(system)) {
         status = taut_dirichlet_solve_hull(system, system->residual);
         if (status == TAUT_OK) {
-            taut_pattern_add(pattern, system->hull, net);
+            taut_mask_add(mask, system->hull, net);
         }
     } else {
-        const int longer = pattern->rows > pattern->columns ? pattern->rows : pattern->columns;
+        const int longer = mask->rows > mask->columns ? mask->rows : mask->columns;
         status = taut_dirichlet_iterate(system, enough, 1000 + 4 * longer, net, error);
     }
     if (status != TAUT_OK && status != TAUT_INTERRUPTED) {

@@ -14,15 +14,15 @@
 #ifndef TAUT_CONSTRUCT_DIRICHLET_SYSTEM_H
 #define TAUT_CONSTRUCT_DIRICHLET_SYSTEM_H
 
-#include "construct/common/pattern.h"
+#include "construct/common/mask.h"
 #include "construct/dirichlet/form.h"
 #include "taut/monitor.h"
 
 typedef struct taut_dirichlet_system taut_dirichlet_system;
 
-/* The form and the pattern (at least one point known, one unknown) are borrowed. TAUT_NO_MEMORY;
+/* The form and the mask (at least one point known, one unknown) are borrowed. TAUT_NO_MEMORY;
  * TAUT_NOT_CONVERGED when the matrices are not safely positive definite. */
-taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_pattern *pattern,
+taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_mask *mask,
                                       const taut_monitor *monitor, taut_dirichlet_system **system,
                                       taut_error *error);
 void taut_dirichlet_system_free(taut_dirichlet_system *system); /* NULL is fine */

@@ -7,7 +7,7 @@
 
 struct taut_dirichlet_system {
     taut_dirichlet_form *form;
-    const taut_pattern *pattern;
+    const taut_mask *mask;
     const taut_monitor *monitor;
     taut_gram u, v;                             /* of the hull */
     taut_tensor_solver *solver;                 /* of the hull */

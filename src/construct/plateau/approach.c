@@ -9,9 +9,9 @@
 static const double near = 1e-7; /* residual: the rest is for the whole net */
 
 taut_status taut_plateau_approach(taut_film *film, const taut_dirichlet_form *form,
-                                  const taut_pattern *pattern, const taut_surface *first,
-                                  double aspect, const taut_monitor *monitor, taut_descent *descent,
-                                  double *net, int *products, taut_error *error)
+                                  const taut_mask *mask, const taut_surface *first, double aspect,
+                                  const taut_monitor *monitor, taut_descent *descent, double *net,
+                                  int *products, taut_error *error)
 {
     const size_t size = 3 * (size_t)film->nu * (size_t)film->nv;
     double *directions = taut_alloc_aligned(size, sizeof(double));
@@ -25,7 +25,7 @@ taut_status taut_plateau_approach(taut_film *film, const taut_dirichlet_form *fo
         status = taut_plateau_directions(first, directions);
     }
     if (status == TAUT_OK) {
-        status = taut_film_solver_new(film, form, pattern, directions, aspect, monitor, &solver);
+        status = taut_film_solver_new(film, form, mask, directions, aspect, monitor, &solver);
     }
     if (status == TAUT_OK) {
         along.tolerance = near > along.tolerance ? near : along.tolerance;

@@ -13,8 +13,8 @@
  * as they would have; all stay as they are where no rest is found that way. TAUT_INTERRUPTED,
  * TAUT_NO_MEMORY. */
 taut_status taut_plateau_approach(taut_film *film, const taut_dirichlet_form *form,
-                                  const taut_pattern *pattern, const taut_surface *first,
-                                  double aspect, const taut_monitor *monitor, taut_descent *descent,
-                                  double *net, int *products, taut_error *error);
+                                  const taut_mask *mask, const taut_surface *first, double aspect,
+                                  const taut_monitor *monitor, taut_descent *descent, double *net,
+                                  int *products, taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_PLATEAU_APPROACH_H */

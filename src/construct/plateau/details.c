@@ -4,10 +4,10 @@
 static void add_directions(const taut_plateau_work *w, taut_record *details)
 {
     taut_record *rows = taut_record_add_list(details, "directions");
-    for (int i = 0; i < w->pattern.nu; i++) {
+    for (int i = 0; i < w->mask.nu; i++) {
         taut_record *row = taut_record_add_list(rows, NULL);
-        for (int j = 0; j < w->pattern.nv; j++) {
-            const size_t at = (size_t)i * (size_t)w->pattern.nv + (size_t)j;
+        for (int j = 0; j < w->mask.nv; j++) {
+            const size_t at = (size_t)i * (size_t)w->mask.nv + (size_t)j;
             taut_record_add_numbers(row, NULL, 3, w->directions + 3 * at);
         }
     }
@@ -15,7 +15,7 @@ static void add_directions(const taut_plateau_work *w, taut_record *details)
 
 taut_record *taut_plateau_details(const taut_plateau_work *w)
 {
-    const taut_pattern *p = &w->pattern;
+    const taut_mask *p = &w->mask;
     taut_record *details = taut_record_new();
     const int is_normal = w->problem->method == TAUT_PLATEAU_NORMAL;
 

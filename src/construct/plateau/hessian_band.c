@@ -8,7 +8,7 @@
 enum { BLOCK = 10 }; /* s n n^T in six numbers, t n in three, s */
 
 struct taut_film_band {
-    const taut_pattern *pattern;
+    const taut_mask *mask;
     int unknowns;
     int *index; /* [nu][nv], or -1 at known points */
     int local;  /* functions alive on one panel */
@@ -21,18 +21,18 @@ struct taut_film_band {
 };
 
 /* Numbers the unknown points; returns how many. */
-static int number(const taut_pattern *pattern, int *index)
+static int number(const taut_mask *mask, int *index)
 {
-    const int by_rows = pattern->rows >= pattern->columns;
-    const int outer = by_rows ? pattern->nu : pattern->nv;
-    const int inner = by_rows ? pattern->nv : pattern->nu;
+    const int by_rows = mask->rows >= mask->columns;
+    const int outer = by_rows ? mask->nu : mask->nv;
+    const int inner = by_rows ? mask->nv : mask->nu;
     int next = 0;
 
     for (int a = 0; a < outer; a++) {
         for (int b = 0; b < inner; b++) {
-            const size_t at = by_rows ? (size_t)a * (size_t)pattern->nv + (size_t)b
-                                      : (size_t)b * (size_t)pattern->nv + (size_t)a;
-            index[at] = pattern->known[at] ? -1 : next++;
+            const size_t at = by_rows ? (size_t)a * (size_t)mask->nv + (size_t)b
+                                      : (size_t)b * (size_t)mask->nv + (size_t)a;
+            index[at] = mask->known[at] ? -1 : next++;
         }
     }
     return next;
@@ -59,10 +59,10 @@ static int half_width(const taut_film *film, const int *index)
 }
 
 /* Of a banded matrix of three unknowns a point, numbered along the shorter side. */
-static double half_band(const taut_film *film, const taut_pattern *pattern)
+static double half_band(const taut_film *film, const taut_mask *mask)
 {
-    return pattern->rows < pattern->columns ? 3.0 * film->v.local * pattern->rows
-                                            : 3.0 * film->u.local * pattern->columns;
+    return mask->rows < mask->columns ? 3.0 * film->v.local * mask->rows
+                                      : 3.0 * film->u.local * mask->columns;
 }
 
 double taut_film_band_assembly_cost(const taut_film *film)
@@ -71,17 +71,17 @@ double taut_film_band_assembly_cost(const taut_film *film)
     return 13 * meeting * meeting * film->u.count * film->v.count; /* half of all pairs */
 }
 
-double taut_film_band_factor_cost(const taut_film *film, const taut_pattern *pattern)
+double taut_film_band_factor_cost(const taut_film *film, const taut_mask *mask)
 {
-    const double width = half_band(film, pattern);
-    return 3.0 * (double)pattern->unknowns * width * width;
+    const double width = half_band(film, mask);
+    return 3.0 * (double)mask->unknowns * width * width;
 }
 
-int taut_film_band_pays(const taut_film *film, const taut_pattern *pattern)
+int taut_film_band_pays(const taut_film *film, const taut_mask *mask)
 {
-    const double numbers = 3.0 * (double)pattern->unknowns * half_band(film, pattern);
+    const double numbers = 3.0 * (double)mask->unknowns * half_band(film, mask);
 
-    return taut_film_band_factor_cost(film, pattern) <= 3e9 && numbers <= 2e7 &&
+    return taut_film_band_factor_cost(film, mask) <= 3e9 && numbers <= 2e7 &&
            taut_film_band_assembly_cost(film) <= 1.3e10;
 }
 
@@ -126,8 +126,7 @@ static taut_status alloc_matrices(const taut_film *film, taut_film_band *band)
     return TAUT_OK;
 }
 
-taut_status taut_film_band_new(const taut_film *film, const taut_pattern *pattern,
-                               taut_film_band **band)
+taut_status taut_film_band_new(const taut_film *film, const taut_mask *mask, taut_film_band **band)
 {
     taut_film_band *made = taut_alloc_zero(1, sizeof *made);
     taut_status status = TAUT_NO_MEMORY;
@@ -135,11 +134,11 @@ taut_status taut_film_band_new(const taut_film *film, const taut_pattern *patter
     if (made == NULL) {
         return TAUT_NO_MEMORY;
     }
-    made->pattern = pattern;
+    made->mask = mask;
     made->local = film->u.local * film->v.local;
     made->index = taut_alloc((size_t)film->nu * (size_t)film->nv, sizeof(int));
     if (made->index != NULL) {
-        made->unknowns = number(pattern, made->index);
+        made->unknowns = number(mask, made->index);
         status = alloc_matrices(film, made);
     }
     if (status != TAUT_OK) {
@@ -303,7 +302,7 @@ taut_status taut_film_band_factor(taut_film_band *band, double theta)
 
 void taut_film_band_solve(taut_film_band *band, double *net)
 {
-    const size_t count = (size_t)band->pattern->nu * (size_t)band->pattern->nv;
+    const size_t count = (size_t)band->mask->nu * (size_t)band->mask->nv;
 
     for (size_t i = 0; i < count; i++) {
         if (band->index[i] >= 0) {

@@ -11,22 +11,21 @@
 #ifndef TAUT_CONSTRUCT_PLATEAU_HESSIAN_BAND_H
 #define TAUT_CONSTRUCT_PLATEAU_HESSIAN_BAND_H
 
-#include "construct/common/pattern.h"
+#include "construct/common/mask.h"
 #include "construct/plateau/area.h"
 #include "numeric/band.h"
 
 typedef struct taut_film_band taut_film_band;
 
 /* Is a factorisation worth its cost for this film? */
-int taut_film_band_pays(const taut_film *film, const taut_pattern *pattern);
+int taut_film_band_pays(const taut_film *film, const taut_mask *mask);
 
 /* About so many flops: one assembly, and one factorisation. */
 double taut_film_band_assembly_cost(const taut_film *film);
-double taut_film_band_factor_cost(const taut_film *film, const taut_pattern *pattern);
+double taut_film_band_factor_cost(const taut_film *film, const taut_mask *mask);
 
-/* The pattern is borrowed. TAUT_NO_MEMORY. */
-taut_status taut_film_band_new(const taut_film *film, const taut_pattern *pattern,
-                               taut_film_band **band);
+/* The mask is borrowed. TAUT_NO_MEMORY. */
+taut_status taut_film_band_new(const taut_film *film, const taut_mask *mask, taut_film_band **band);
 void taut_film_band_free(taut_film_band *band); /* NULL is fine */
 
 /* Fills both matrices from the film's state: once for each net. */

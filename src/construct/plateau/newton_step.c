@@ -17,7 +17,7 @@ enum {
 
 struct taut_film_solver {
     taut_film *film;
-    const taut_pattern *pattern;
+    const taut_mask *mask;
     const taut_monitor *monitor;
     const double *directions;
     int parts;
@@ -55,7 +55,7 @@ int taut_film_solver_products(const taut_film_solver *solver)
 double taut_film_solver_step_cost(const taut_film_solver *solver)
 {
     const double look = taut_film_cost(solver->film);
-    return solver->band != NULL ? taut_film_band_factor_cost(solver->film, solver->pattern) +
+    return solver->band != NULL ? taut_film_band_factor_cost(solver->film, solver->mask) +
                                       taut_film_band_assembly_cost(solver->film) + 8 * look
                                 : 2 * PRODUCTS * look;
 }
@@ -99,13 +99,13 @@ static void shift(taut_gram *gram)
 static taut_status precondition(const taut_dirichlet_form *form, double aspect,
                                 taut_film_solver *solver)
 {
-    const taut_pattern *pattern = solver->pattern;
-    taut_status status = taut_gram_select(&form->u, pattern->rows, pattern->row, &solver->u);
+    const taut_mask *mask = solver->mask;
+    taut_status status = taut_gram_select(&form->u, mask->rows, mask->row, &solver->u);
 
     if (status == TAUT_OK) {
-        status = taut_gram_select(&form->v, pattern->columns, pattern->column, &solver->v);
+        status = taut_gram_select(&form->v, mask->columns, mask->column, &solver->v);
     }
-    if (status == TAUT_OK && pattern->rows == pattern->nu && pattern->columns == pattern->nv) {
+    if (status == TAUT_OK && mask->rows == mask->nu && mask->columns == mask->nv) {
         shift(&solver->u);
         shift(&solver->v);
     }
@@ -118,9 +118,9 @@ static taut_status precondition(const taut_dirichlet_form *form, double aspect,
 
 static taut_status alloc(taut_film_solver *solver)
 {
-    const taut_pattern *pattern = solver->pattern;
-    const size_t net = 3 * (size_t)pattern->nu * (size_t)pattern->nv;
-    const size_t hull = (size_t)pattern->rows * (size_t)pattern->columns;
+    const taut_mask *mask = solver->mask;
+    const size_t net = 3 * (size_t)mask->nu * (size_t)mask->nv;
+    const size_t hull = (size_t)mask->rows * (size_t)mask->columns;
 
     solver->move = taut_alloc_aligned(net, sizeof(double));
     solver->force = taut_alloc_aligned(net, sizeof(double));
@@ -142,9 +142,8 @@ static taut_status alloc(taut_film_solver *solver)
 }
 
 taut_status taut_film_solver_new(taut_film *film, const taut_dirichlet_form *form,
-                                 const taut_pattern *pattern, const double *directions,
-                                 double aspect, const taut_monitor *monitor,
-                                 taut_film_solver **solver)
+                                 const taut_mask *mask, const double *directions, double aspect,
+                                 const taut_monitor *monitor, taut_film_solver **solver)
 {
     taut_film_solver *made = taut_alloc_zero(1, sizeof *made);
     taut_status status = TAUT_OK;
@@ -154,12 +153,12 @@ taut_status taut_film_solver_new(taut_film *film, const taut_dirichlet_form *for
     }
     made->film = film;
     made->monitor = monitor;
-    made->pattern = pattern;
+    made->mask = mask;
     made->directions = directions;
     made->parts = directions != NULL ? 1 : 3;
-    made->size = (size_t)made->parts * (size_t)pattern->nu * (size_t)pattern->nv;
-    if (directions == NULL && taut_film_band_pays(film, pattern)) {
-        status = taut_film_band_new(film, pattern, &made->band);
+    made->size = (size_t)made->parts * (size_t)mask->nu * (size_t)mask->nv;
+    if (directions == NULL && taut_film_band_pays(film, mask)) {
+        status = taut_film_band_new(film, mask, &made->band);
     } else {
         status = precondition(form, aspect, made);
     }
@@ -176,12 +175,12 @@ taut_status taut_film_solver_new(taut_film *film, const taut_dirichlet_form *for
 
 void taut_film_solver_reduce(const taut_film_solver *solver, const double *net, double *z)
 {
-    const size_t count = (size_t)solver->pattern->nu * (size_t)solver->pattern->nv;
-    const unsigned char *known = solver->pattern->known;
+    const size_t count = (size_t)solver->mask->nu * (size_t)solver->mask->nv;
+    const unsigned char *known = solver->mask->known;
 
     if (solver->directions == NULL) {
         memcpy(z, net, 3 * count * sizeof(double));
-        taut_pattern_clear_known(solver->pattern, z);
+        taut_mask_clear_known(solver->mask, z);
         return;
     }
     for (size_t i = 0; i < count; i++) {
@@ -191,7 +190,7 @@ void taut_film_solver_reduce(const taut_film_solver *solver, const double *net, 
 
 void taut_film_solver_expand(const taut_film_solver *solver, const double *z, double *net)
 {
-    const size_t count = (size_t)solver->pattern->nu * (size_t)solver->pattern->nv;
+    const size_t count = (size_t)solver->mask->nu * (size_t)solver->mask->nv;
 
     for (size_t i = 0; i < 3 * count; i++) {
         net[i] = solver->directions == NULL ? z[i] : z[i / 3] * solver->directions[i];
@@ -224,7 +223,7 @@ void taut_film_solver_product(taut_film_solver *solver, double theta, const doub
 /* smooth = M^-1 residual, by the hull and back. */
 static taut_status smoothen(taut_film_solver *solver)
 {
-    const taut_pattern *p = solver->pattern;
+    const taut_mask *p = solver->mask;
     const size_t parts = (size_t)solver->parts, nv = (size_t)p->nv;
     const unsigned char *known = p->hull_known;
     double *hull = solver->hull;
@@ -313,7 +312,7 @@ taut_status taut_film_solver_solve(taut_film_solver *solver, double theta, doubl
         solver->film->work += taut_film_band_assembly_cost(solver->film);
     }
     status = taut_film_band_factor(solver->band, theta);
-    solver->film->work += taut_film_band_factor_cost(solver->film, solver->pattern);
+    solver->film->work += taut_film_band_factor_cost(solver->film, solver->mask);
     solver->products++;
     if (status == TAUT_OK) {
         memcpy(z, b, solver->size * sizeof(double));

@@ -10,7 +10,7 @@
 #ifndef TAUT_CONSTRUCT_PLATEAU_NEWTON_STEP_H
 #define TAUT_CONSTRUCT_PLATEAU_NEWTON_STEP_H
 
-#include "construct/common/pattern.h"
+#include "construct/common/mask.h"
 #include "construct/dirichlet/form.h"
 #include "construct/plateau/area.h"
 #include "taut/monitor.h"
@@ -21,9 +21,8 @@ typedef struct taut_film_solver taut_film_solver;
  * preconditioner, > 0. All is borrowed. TAUT_NO_MEMORY; TAUT_NOT_CONVERGED when the Gram matrices
  * are not safely positive definite. */
 taut_status taut_film_solver_new(taut_film *film, const taut_dirichlet_form *form,
-                                 const taut_pattern *pattern, const double *directions,
-                                 double aspect, const taut_monitor *monitor,
-                                 taut_film_solver **solver);
+                                 const taut_mask *mask, const double *directions, double aspect,
+                                 const taut_monitor *monitor, taut_film_solver **solver);
 void taut_film_solver_free(taut_film_solver *solver); /* NULL is fine */
 
 /* Tells the monitor that work goes on; TAUT_INTERRUPTED when it asks to stop. */

@@ -69,7 +69,7 @@ static taut_status work_new(work *w, taut_error *error)
         w->descent.areas_max = TAUT_PLATEAU_AREAS_MAX;
     }
     if (w->net == NULL || w->descent.areas == NULL ||
-        taut_pattern_new(nu, nv, net->known, w->arena, &w->pattern) != TAUT_OK) {
+        taut_mask_new(nu, nv, net->known, w->arena, &w->mask) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     if (w->problem->method == TAUT_PLATEAU_NORMAL) {
@@ -207,7 +207,7 @@ static double stretch(const work *w)
     return ratio > 1e-4 && ratio < 1e4 ? ratio : 1;
 }
 
-static int has_free_edge(const taut_pattern *p)
+static int has_free_edge(const taut_mask *p)
 {
     const size_t nv = (size_t)p->nv, last = (size_t)(p->nu - 1) * nv;
     int found = 0;
@@ -224,7 +224,7 @@ static int has_free_edge(const taut_pattern *p)
 static int is_large(const work *w)
 {
     return w->directions == NULL && w->problem->start == NULL && !w->descent.has_free_edge &&
-           !w->is_rough && !taut_film_band_pays(w->film, &w->pattern);
+           !w->is_rough && !taut_film_band_pays(w->film, &w->mask);
 }
 
 /* Spans over panels. Weights that vary from point to point cut the spans into thousands, and 200
@@ -241,8 +241,8 @@ static double uncut(const work *w)
 static taut_status descend(work *w, taut_error *error)
 {
     taut_film_solver *solver = NULL;
-    taut_status status = taut_film_solver_new(w->film, &w->form, &w->pattern, w->directions,
-                                              w->aspect, &w->options->monitor, &solver);
+    taut_status status = taut_film_solver_new(w->film, &w->form, &w->mask, w->directions, w->aspect,
+                                              &w->options->monitor, &solver);
 
     if (status == TAUT_OK) {
         w->solver = taut_film_solver_name(solver);
@@ -297,7 +297,7 @@ static taut_status residual_by(const work *w, taut_film *film, double *residual)
         const double *g = gradient + 3 * i;
         const double size = fmax(fabs(g[0]), fmax(fabs(g[1]), fabs(g[2])));
         all = fmax(all, size);
-        if (!w->pattern.known[i]) {
+        if (!w->mask.known[i]) {
             unknown = fmax(unknown,
                            w->directions == NULL ? size : fabs(taut_dot(w->directions + 3 * i, g)));
         }
@@ -398,11 +398,11 @@ static taut_status solve(work *w, double *points, taut_error *error)
         scale(w, w->problem->start, w->net);
         status = find_rule(w, w->net, &area, error);
     }
-    w->descent.has_free_edge = has_free_edge(&w->pattern);
+    w->descent.has_free_edge = has_free_edge(&w->mask);
     if (status == TAUT_OK && is_large(w)) {
         w->descent.work_max = work_least;
         status =
-            taut_plateau_approach(w->film, &w->form, &w->pattern, w->surface, w->aspect,
+            taut_plateau_approach(w->film, &w->form, &w->mask, w->surface, w->aspect,
                                   &w->options->monitor, &w->descent, w->net, &w->products, error);
         w->descent.work_max = 0;
     }
@@ -447,8 +447,8 @@ static taut_status finish(const work *w, const double *points, taut_plateau_solu
     if (status != TAUT_OK) {
         return status;
     }
-    made.area = taut_scaling_undo_square(&w->scaling, w->pattern.unknowns == 0 ? w->dirichlet_area
-                                                                               : w->descent.area);
+    made.area = taut_scaling_undo_square(&w->scaling, w->mask.unknowns == 0 ? w->dirichlet_area
+                                                                            : w->descent.area);
     made.details = taut_plateau_details(w);
     if (taut_record_status(made.details) != TAUT_OK) {
         taut_plateau_solution_clear(&made);
@@ -485,9 +485,9 @@ taut_status taut_plateau_solve(const taut_plateau_problem *problem,
     }
     if (status == TAUT_OK) {
         points = taut_arena_take(w.arena, 3 * w.count, sizeof(double));
-        status = points == NULL            ? taut_fail_memory(error)
-                 : w.pattern.unknowns == 0 ? keep(&w, points, error)
-                                           : solve(&w, points, error);
+        status = points == NULL         ? taut_fail_memory(error)
+                 : w.mask.unknowns == 0 ? keep(&w, points, error)
+                                        : solve(&w, points, error);
     }
     if (status == TAUT_OK || (status == TAUT_NOT_CONVERGED && w.descent.area > 0)) {
         const taut_status finished = finish(&w, points, solution, error);

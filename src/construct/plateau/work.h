@@ -18,7 +18,7 @@ typedef struct taut_plateau_work {
     taut_model *first; /* the Dirichlet surface */
     const taut_surface *surface;
     taut_arena *arena;
-    taut_pattern pattern;
+    taut_mask mask;
     taut_scaling scaling;
     taut_dirichlet_form form;
     taut_film *film;

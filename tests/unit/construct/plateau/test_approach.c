@@ -21,20 +21,20 @@ static taut_status approach(int example, int max_iterations, const taut_monitor 
     taut_model *model = problem_make(&problem, &start);
     taut_arena *arena = taut_arena_new();
     const int nu = taut_basis_count(problem.u), nv = taut_basis_count(problem.v);
-    taut_pattern pattern;
+    taut_mask mask;
     taut_dirichlet_form form;
     taut_film *film = NULL;
     taut_status status = TAUT_NO_MEMORY;
     int made = 0;
 
     memcpy(net, start, 3 * (size_t)nu * (size_t)nv * sizeof(double));
-    CHECK(taut_pattern_new(nu, nv, problem.known, arena, &pattern) == TAUT_OK &&
+    CHECK(taut_mask_new(nu, nv, problem.known, arena, &mask) == TAUT_OK &&
               taut_dirichlet_form_new(problem.u, problem.v, NULL, &form, NULL) == TAUT_OK &&
               taut_film_new(problem.u, problem.v, NULL, 9, &film) == TAUT_OK,
           "the parts of a film");
     *descent =
         (taut_descent){.tolerance = 1e-10, .max_iterations = max_iterations, .work_max = INFINITY};
-    status = taut_plateau_approach(film, &form, &pattern, taut_model_surface(model, 0), 1, monitor,
+    status = taut_plateau_approach(film, &form, &mask, taut_model_surface(model, 0), 1, monitor,
                                    descent, net, &made, error);
     *products = made;
     taut_film_free(film);

@@ -17,7 +17,7 @@ static taut_status descend(int example, taut_descent *descent, double *step_cost
     taut_model *model = problem_make(&problem, &start);
     taut_arena *arena = taut_arena_new();
     const int nu = taut_basis_count(problem.u), nv = taut_basis_count(problem.v);
-    taut_pattern pattern;
+    taut_mask mask;
     taut_dirichlet_form form;
     taut_film *film = NULL;
     taut_film_solver *solver = NULL;
@@ -25,10 +25,10 @@ static taut_status descend(int example, taut_descent *descent, double *step_cost
     taut_status status = TAUT_NO_MEMORY;
 
     memcpy(net, start, 3 * (size_t)nu * (size_t)nv * sizeof(double));
-    CHECK(taut_pattern_new(nu, nv, problem.known, arena, &pattern) == TAUT_OK &&
+    CHECK(taut_mask_new(nu, nv, problem.known, arena, &mask) == TAUT_OK &&
               taut_dirichlet_form_new(problem.u, problem.v, NULL, &form, NULL) == TAUT_OK &&
               taut_film_new(problem.u, problem.v, NULL, 4, &film) == TAUT_OK &&
-              taut_film_solver_new(film, &form, &pattern, NULL, 1, &silent, &solver) == TAUT_OK,
+              taut_film_solver_new(film, &form, &mask, NULL, 1, &silent, &solver) == TAUT_OK,
           "the parts of a descent");
     *step_cost = taut_film_solver_step_cost(solver);
     status = taut_film_descend(film, solver, descent, net, error);
