@@ -78,13 +78,12 @@ static int deliver(const cli_options *options, cli_report *report)
     return code;
 }
 
-int cli_make_model(const taut_problem *problem, const cli_options *options,
-                   taut_workspace *workspace, const char *place, cli_made *made)
+int cli_make_model(const taut_problem *problem, const cli_options *options, const char *place,
+                   cli_made *made)
 {
     const taut_make_options chosen = {.tolerance = options->tolerance,
                                       .threads = options->threads,
                                       .monitor = cli_monitor(options->quiet),
-                                      .workspace = workspace,
                                       .exact = options->exact};
     const taut_certify_options proof = {
         .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};
@@ -119,7 +118,7 @@ int cli_make_model(const taut_problem *problem, const cli_options *options,
 static int make(const taut_problem *problem, const cli_options *options)
 {
     cli_made made = {.model = NULL};
-    int code = cli_make_model(problem, options, NULL, "", &made);
+    int code = cli_make_model(problem, options, "", &made);
     if (code == 0) {
         code = deliver(options, &made.report);
     }
@@ -171,7 +170,7 @@ const cli_command cli_command_make = {
             "give\n"
             "FILE-0.obj, FILE-1.obj, ... A % in the name takes the number, in JSON too. One that "
             "fails\n"
-            "leaves no file of any. Dirichlet problems on the same knots share their factors.\n",
+            "leaves no file of any.\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_make,

@@ -3,7 +3,7 @@
 #include <string.h>
 
 /* The indices of the nonzero flags. */
-static int list(int count, const unsigned char *flags, int *index)
+static int list_flagged(int count, const unsigned char *flags, int *index)
 {
     int found = 0;
     for (int i = 0; i < count; i++) {
@@ -14,7 +14,7 @@ static int list(int count, const unsigned char *flags, int *index)
     return found;
 }
 
-static void mark(const taut_mask *mask, unsigned char *in_row, unsigned char *in_column)
+static void mark_unknowns(const taut_mask *mask, unsigned char *in_row, unsigned char *in_column)
 {
     for (int i = 0; i < mask->nu; i++) {
         const unsigned char *known = mask->known + (size_t)i * (size_t)mask->nv;
@@ -54,12 +54,12 @@ taut_status taut_mask_new(int nu, int nv, const unsigned char *known, taut_arena
 
     made.row = taut_arena_take(arena, (size_t)nu, sizeof(int));
     made.column = taut_arena_take(arena, (size_t)nv, sizeof(int));
-    if (in_row == NULL || in_column == NULL || made.row == NULL || made.column == NULL) {
+    if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    mark(&made, in_row, in_column);
-    made.rows = list(nu, in_row, made.row);
-    made.columns = list(nv, in_column, made.column);
+    mark_unknowns(&made, in_row, in_column);
+    made.rows = list_flagged(nu, in_row, made.row);
+    made.columns = list_flagged(nv, in_column, made.column);
     made.hull_known = taut_arena_take(arena, (size_t)made.rows * (size_t)made.columns, 1);
     if (made.hull_known == NULL) {
         return TAUT_NO_MEMORY;
