@@ -52,6 +52,17 @@ typedef struct taut_certify_options {
     int exact; /* nonzero: the claim `harmonic` in rational arithmetic, its limit 0; as above */
 } taut_certify_options;
 
+/* What a certificate may miss: the word in error->reason, its meaning, a remedy. */
+#define TAUT_CERTIFY_REASON_LIST(X)                                                                \
+    X("needs-problem", "the model alone does not say what it was to be",                           \
+      "give the problem it was made from too")                                                     \
+    X("no-surface", "the model has no surface", "give the model of this problem")                  \
+    X("mismatch", "model and problem do not belong together", "give the model of this problem")    \
+    X("details", "the model's details lack what its claims are about, or are wrong",               \
+      "make the model again")                                                                      \
+    X("close-knots", "knots of two curves lie too close to be told apart",                         \
+      "make the knots that are meant to be one the same number")
+
 /* Proves a model again from its numbers alone. problem NULL: the construction is taken from the
  * certificate the model carries, and claims that need the problem's data are judged from the model
  * and its details where that is possible (each construction's page says how), else

@@ -203,7 +203,7 @@ static taut_status find_bound(const taut_curve *a, const taut_curve *b, pair *p,
         return status;
     }
     if (taut_model_curve_count(p->of_a) != taut_model_curve_count(p->of_b)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "knots", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_NO_SOLUTION, "close-knots", NULL, taut_none, taut_none,
                          "knots of two curves lie too close to be told apart");
     }
     degrees = taut_basis_degree(taut_curve_t(p->a)) + taut_basis_degree(taut_curve_t(p->b)) + 1;

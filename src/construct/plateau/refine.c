@@ -338,12 +338,14 @@ static taut_status look_ahead(const taut_plateau_problem *problem, const taut_ma
     double *limit = &r->limits[r->count - 1];
     taut_plateau_solution finest = {NULL, NULL, 0};
     const taut_status status = solve_halved(problem, solution->surface, options, &finest, error);
+    const double area = finest.area;
 
-    if (status == TAUT_OK) {
-        *limit = fmin(*limit, finest.area - fabs(solution->area - finest.area) * (1.0 / 3));
-    }
     taut_plateau_solution_clear(&finest);
-    return status;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    *limit = fmin(*limit, area - fabs(solution->area - area) * (1.0 / 3));
+    return TAUT_OK;
 }
 
 static int is_near(const rounds *r, double tolerance)
