@@ -86,8 +86,8 @@ typedef struct taut_plateau_problem {
  * an iteration), residual, tolerance, unknowns, known, method, solver; with TAUT_PLATEAU_NORMAL
  * also directions [nu][nv][3]; with curves deviation; with refine or tolerance_area refinement.
  * TAUT_BAD_INPUT: numbers out of range, error->where the member.
- * TAUT_NO_SOLUTION: the known points span no area, or a free edge lets the film shrink away.
- * TAUT_NOT_CONVERGED: max_iterations, or a film that folds. Others as taut_make. */
+ * TAUT_NO_SOLUTION: the known points span no area, or a free edge lets the surface shrink away.
+ * TAUT_NOT_CONVERGED: max_iterations, or a surface that folds. Others as taut_make. */
 TAUT_API taut_status taut_plateau_make(const taut_plateau_problem *problem,
                                        const taut_make_options *options, taut_model **model,
                                        taut_error *error);

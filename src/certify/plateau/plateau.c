@@ -273,7 +273,7 @@ static void find_free_part(const request *r, const taut_dirichlet_gradient *grad
     }
 }
 
-/* The surface a small step along g away, and the step; TAUT_BAD_INPUT: no double is large enough. */
+/* The surface a small step along g away; TAUT_BAD_INPUT: no double is large enough. */
 static taut_status move_surface(const request *r, const taut_dirichlet_gradient *gradient,
                                 double step, const double *g, taut_surface **moved)
 {

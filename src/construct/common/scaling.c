@@ -18,14 +18,14 @@ static inline double times_power(double x, int e)
 }
 
 /* The exponent e of max |x| = f 2^e, 1/2 <= f < 1; 0 for 0. */
-static int exponent(double largest)
+static int exponent_of(double largest)
 {
     int e = 0;
     (void)frexp(largest, &e);
     return e;
 }
 
-static void include(double x, double *lo, double *hi)
+static void include_number(double x, double *lo, double *hi)
 {
     *lo = fmin(*lo, x);
     *hi = fmax(*hi, x);
@@ -39,19 +39,19 @@ taut_scaling taut_scaling_of(size_t count, const double *points, const unsigned 
 
     for (size_t i = 0; i < count; i++) {
         for (int c = 0; known[i] && c < 3; c++) {
-            include(points[3 * i + (size_t)c], &lo[c], &hi[c]);
+            include_number(points[3 * i + (size_t)c], &lo[c], &hi[c]);
         }
     }
     for (int c = 0; c < 3; c++) {
         largest = fmax(largest, fmax(fabs(lo[c]), fabs(hi[c])));
     }
-    scaling.outer = exponent(largest);
+    scaling.outer = exponent_of(largest);
     for (int c = 0; c < 3; c++) {
         const double low = ldexp(lo[c], -scaling.outer), high = ldexp(hi[c], -scaling.outer);
         scaling.centre[c] = low + 0.5 * (high - low);
         size = fmax(size, fmax(high - scaling.centre[c], scaling.centre[c] - low));
     }
-    scaling.inner = exponent(size);
+    scaling.inner = exponent_of(size);
     return scaling;
 }
 

@@ -239,7 +239,7 @@ double taut_dirichlet_form_roundings(const taut_dirichlet_form *form)
 }
 
 /* sum_is A(i,s) d_i . d_s over d[i] = x[i * stride] - y[i * stride], points of three numbers. */
-static double quadratic(const taut_band *band, const double *x, const double *y, size_t stride)
+static double quadratic_form(const taut_band *band, const double *x, const double *y, size_t stride)
 {
     double sum = 0;
     for (int i = 0; i < band->n; i++) {
@@ -265,9 +265,9 @@ static double half_energy(const taut_band *k, size_t step, const taut_band *m, s
     taut_sum sum = {0, 0};
     for (int i = 0; i < k->n; i++) {
         for (int e = 1; e <= k->width && e <= i; e++) {
-            taut_sum_add(&sum,
-                         -taut_band_row(k, i)[e] * quadratic(m, x + (size_t)i * step,
-                                                             x + (size_t)(i - e) * step, stride));
+            taut_sum_add(&sum, -taut_band_row(k, i)[e] * quadratic_form(m, x + (size_t)i * step,
+                                                                        x + (size_t)(i - e) * step,
+                                                                        stride));
         }
     }
     return 0.5 * fmax(taut_sum_total(&sum), 0);

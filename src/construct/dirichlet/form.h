@@ -2,10 +2,10 @@
  *
  *     D = 1/2 sum_c x_c^T A x_c,     A = fu Ku (x) Mv + fv Mu (x) Kv         ([WuWang2011] 2.4)
  *
- * with Gram matrices over the unit square (geometry/nurbs/gram.h), fu = lambda Lv/Lu, fv = 1/fu for the
- * aspect lambda. Weights that are products w_ij = a_i b_j only change the Gram matrices; with other
- * weights A is made by quadrature (rational.h), and the Gram matrices of the nearest
- * product stand in for it as the preconditioner.
+ * with Gram matrices over the unit square (geometry/nurbs/gram.h), fu = lambda Lv/Lu, fv = 1/fu for
+ * the aspect lambda. Weights that are products w_ij = a_i b_j only change the Gram matrices; with
+ * other weights A is made by quadrature (rational.h), and the Gram matrices of the nearest product
+ * stand in for it as the preconditioner.
  */
 #ifndef TAUT_CONSTRUCT_DIRICHLET_FORM_H
 #define TAUT_CONSTRUCT_DIRICHLET_FORM_H

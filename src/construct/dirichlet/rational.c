@@ -125,7 +125,8 @@ static taut_status make_rule(const taut_basis *basis, const taut_panels *panels,
 /* ---- the matrix ---- */
 
 /* out[a] = sum_s c_s (N_a' N_s - N_a N_s'), over the `count` functions alive. */
-static void wronskians(int count, const double *c, const double *n, const double *dn, double *out)
+static void find_wronskians(int count, const double *c, const double *n, const double *dn,
+                            double *out)
 {
     for (int a = 0; a < count; a++) {
         out[a] = 0;
@@ -166,8 +167,8 @@ static double find_slopes(const taut_dirichlet_rational *form, int p, int q, dou
         }
     }
     w = dot(k, rows, n);
-    wronskians(k, rows, n, dn, along_u);
-    wronskians(h, columns, m, dm, along_v);
+    find_wronskians(k, rows, n, dn, along_u);
+    find_wronskians(h, columns, m, dm, along_v);
     for (int a = 0; a < k; a++) {
         for (int b = 0; b < h; b++) {
             const double share = weights[(size_t)a * (size_t)form->nv + (size_t)b] / w;
@@ -204,7 +205,7 @@ static void add_node(taut_dirichlet_rational *form, int p, int q, double *line)
 }
 
 /* Moves the sums of one pair of panels, whose first functions are i and j, to the blocks. */
-static void scatter(taut_dirichlet_rational *form, int i, int j, const double *sums)
+static void scatter_sums(taut_dirichlet_rational *form, int i, int j, const double *sums)
 {
     const int k = form->k, h = form->h;
     for (int ab = 0; ab < k * h; ab++) {
@@ -237,7 +238,7 @@ static void add_panels(taut_dirichlet_rational *form, int panel_u, int panel_v)
             sums[i] += line[i];
         }
     }
-    scatter(form, form->along_u.table->first[p0], form->along_v.table->first[q0], sums);
+    scatter_sums(form, form->along_u.table->first[p0], form->along_v.table->first[q0], sums);
 }
 
 static void add_row_sums(taut_dirichlet_rational *form)

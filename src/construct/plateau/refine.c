@@ -34,7 +34,7 @@ static const struct {
     double rate_first;    /* taken after one step */
     double bending_share; /* of int |H|^2 W, in the spans that are cut */
     double normal_least;  /* of |x_u| |x_v|: less is no normal */
-    int points_along_normals; /* from which an estimate goes along normals: hardly above the least */
+    int points_along_normals; /* from which an estimate goes along normals: little above */
     int spans_over_chosen;    /* all spans are cut where fewer times those chosen are there */
 } limits = {
     .tolerance_share = 1e-2,

@@ -1,6 +1,6 @@
 /* solve.c -- the surface of least area in one spline space.
  *
- *     x     = the Dirichlet surface of the same net (taut_dirichlet_make): the data are checked there
+ *     x     = the Dirichlet surface of the same net (taut_dirichlet_make), which checks the data
  *     net   = its points, moved and scaled to about unit size (construct/common/scaling.h)
  *     rule  = the first number of Gauss nodes that the next one agrees with on the area of net
  *     hardly any area: no solution

@@ -726,8 +726,8 @@ static taut_status iterate(state *s, taut_error *error)
 }
 
 /* The net to start from becomes here's, and stays the caller's. TAUT_NO_MEMORY. */
-static taut_status start(taut_area_functional *functional, taut_newton_step *newton,
-                         taut_trust_region *region, double *net, taut_arena *arena, state *s)
+static taut_status start_state(taut_area_functional *functional, taut_newton_step *newton,
+                               taut_trust_region *region, double *net, taut_arena *arena, state *s)
 {
     const size_t count = (size_t)functional->nu * (size_t)functional->nv;
     const size_t size = (size_t)taut_newton_step_parts(newton) * count;
@@ -765,7 +765,7 @@ static taut_status minimise(taut_area_functional *functional, taut_newton_step *
                             taut_error *error)
 {
     state s;
-    taut_status status = start(functional, newton, region, net, arena, &s);
+    taut_status status = start_state(functional, newton, region, net, arena, &s);
 
     if (status != TAUT_OK) {
         return taut_fail_memory(error);

@@ -1,5 +1,5 @@
-/* test_area.c -- the operators of the area against differences of what they derive from, by every set
- * of kernels that this machine runs; with and without weights, panels that fill no vector. */
+/* test_area.c -- the operators of the area against differences of what they derive from, by every
+ * set of kernels that this machine runs; with and without weights, panels that fill no vector. */
 #include "check.h"
 #include "shapes.h"
 
@@ -27,7 +27,8 @@ static void shift(const double *net, double t, const double *d, double *moved)
     }
 }
 
-/* d.H d and d.L d of construct/plateau/area.h; central differences are good to h^2 and rounding / h. */
+/* d.H d and d.L d of construct/plateau/area.h; central differences are good to h^2 and rounding over
+ * h. */
 static void check_operators(taut_area_functional *functional, const double *net, const double *d,
                             const char *what)
 {

@@ -62,8 +62,8 @@ static void test_work(void)
     CHECK(half.iterations < all.iterations && half.area >= all.area, "on the way");
 }
 
-/* Boundaries at random make surfaces that have no tangent plane somewhere. They end: with a model, or
- * with a name for what is wrong. */
+/* Boundaries at random make surfaces that have no tangent plane somewhere. They end: with a model,
+ * or with a name for what is wrong. */
 static void test_rough(void)
 {
     random_seed(20260115);
