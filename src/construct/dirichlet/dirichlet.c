@@ -113,40 +113,6 @@ static taut_status check_problem(const taut_dirichlet_problem *problem, taut_err
     return check_numbers(problem, error);
 }
 
-/* net = the scaled known points, 0 at the unknown ones. */
-static void scale_net(const taut_dirichlet_problem *problem, size_t count,
-                      const taut_scaling *scaling, double *net)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (problem->known[i]) {
-            taut_scaling_apply(scaling, problem->points + 3 * i, net + 3 * i);
-        } else {
-            memset(net + 3 * i, 0, 3 * sizeof(double));
-        }
-    }
-}
-
-/* The net in the user's units: known points as given, the others from the solution. */
-static taut_status unscale_net(const taut_dirichlet_problem *problem, size_t count,
-                               const taut_scaling *scaling, double *net, taut_error *error)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (problem->known[i]) {
-            memcpy(net + 3 * i, problem->points + 3 * i, 3 * sizeof(double));
-        } else {
-            taut_scaling_undo(scaling, net + 3 * i, net + 3 * i);
-        }
-    }
-    for (size_t i = 0; i < 3 * count; i++) {
-        if (!isfinite(net[i])) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "overflow", "/points", taut_none, taut_none,
-                             "a point of the solution is beyond the range of double precision: "
-                             "scale the points down");
-        }
-    }
-    return TAUT_OK;
-}
-
 static int has_aspect(const taut_dirichlet_problem *problem)
 {
     return problem->aspect > 0 || problem->aspect_auto;
@@ -206,13 +172,14 @@ static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_mo
         return status;
     }
     scaling = taut_scaling_of(count, problem->points, problem->known);
-    scale_net(problem, count, &scaling, w->net);
+    taut_scaling_apply(&scaling, count, problem->points, problem->known, w->net);
     status = solve_net(problem, w->system, w->net, &w->out, error);
     if (status != TAUT_OK) {
         return status;
     }
     w->out.energy = taut_scaling_undo_square(&scaling, w->out.energy);
-    return unscale_net(problem, count, &scaling, w->net, error);
+    return taut_scaling_undo(&scaling, count, problem->points, problem->known, w->net, w->net,
+                             error);
 }
 
 static taut_record *details_of(const taut_dirichlet_problem *problem, const taut_mask *mask,

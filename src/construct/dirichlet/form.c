@@ -182,6 +182,28 @@ taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, co
     return TAUT_OK;
 }
 
+static void add_mass(taut_gram *gram)
+{
+    const size_t size = (size_t)gram->mass.n * ((size_t)gram->mass.width + 1);
+    for (size_t i = 0; i < size; i++) {
+        gram->stiffness.a[i] += gram->mass.a[i];
+    }
+}
+
+taut_status taut_dirichlet_form_select(const taut_dirichlet_form *form, const taut_mask *mask,
+                                       taut_gram *u, taut_gram *v)
+{
+    if (taut_gram_select(&form->u, mask->rows, mask->row, u) != TAUT_OK ||
+        taut_gram_select(&form->v, mask->columns, mask->column, v) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    if (mask->rows == mask->nu && mask->columns == mask->nv) {
+        add_mass(u);
+        add_mass(v);
+    }
+    return TAUT_OK;
+}
+
 void taut_dirichlet_form_scale(taut_dirichlet_form *form, double fu, double fv)
 {
     form->fu = fu;

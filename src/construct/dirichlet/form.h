@@ -10,6 +10,7 @@
 #ifndef TAUT_CONSTRUCT_DIRICHLET_FORM_H
 #define TAUT_CONSTRUCT_DIRICHLET_FORM_H
 
+#include "construct/common/mask.h"
 #include "construct/dirichlet/rational.h"
 #include "geometry/nurbs/gram.h"
 
@@ -26,6 +27,12 @@ typedef struct taut_dirichlet_form {
 taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, const double *weights,
                                     taut_dirichlet_form *form, taut_error *error);
 void taut_dirichlet_form_clear(taut_dirichlet_form *form);
+
+/* u, v: the Gram matrices of the mask's hull. Where that is the whole net its operator has the
+ * constants as kernel: the mass on top of the stiffness makes it definite, for a preconditioner.
+ * TAUT_NO_MEMORY; the caller clears both. */
+taut_status taut_dirichlet_form_select(const taut_dirichlet_form *form, const taut_mask *mask,
+                                       taut_gram *u, taut_gram *v);
 
 /* The factors of A from here on. */
 void taut_dirichlet_form_scale(taut_dirichlet_form *form, double fu, double fv);

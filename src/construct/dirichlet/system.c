@@ -70,16 +70,6 @@ void taut_dirichlet_system_free(taut_dirichlet_system *system)
 
 /* ---- making it ---- */
 
-/* Where the hull is the whole net its operator has the constants as kernel. The mass on top makes
- * it definite; only a preconditioner is ever treated so. */
-static void shift_stiffness(taut_gram *gram)
-{
-    const size_t size = (size_t)gram->mass.n * ((size_t)gram->mass.width + 1);
-    for (size_t i = 0; i < size; i++) {
-        gram->stiffness.a[i] += gram->mass.a[i];
-    }
-}
-
 static taut_status take_arrays(taut_dirichlet_system *system)
 {
     taut_arena *arena = system->arena;
@@ -103,19 +93,14 @@ static taut_status take_arrays(taut_dirichlet_system *system)
 /* The matrices of the hull with their diagonals times 1 + damping. */
 static taut_status select_hull(taut_dirichlet_system *system, double damping)
 {
-    const taut_mask *mask = system->mask;
     taut_gram *grams[2] = {&system->u, &system->v};
 
     taut_gram_clear(&system->u);
     taut_gram_clear(&system->v);
-    if (taut_gram_select(&system->form->u, mask->rows, mask->row, &system->u) != TAUT_OK ||
-        taut_gram_select(&system->form->v, mask->columns, mask->column, &system->v) != TAUT_OK) {
+    if (taut_dirichlet_form_select(system->form, system->mask, &system->u, &system->v) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     for (int k = 0; k < 2; k++) {
-        if (mask->rows == mask->nu && mask->columns == mask->nv) {
-            shift_stiffness(grams[k]);
-        }
         for (int i = 0; i < grams[k]->mass.n; i++) {
             taut_band_row(&grams[k]->mass, i)[0] *= 1 + damping;
             taut_band_row(&grams[k]->stiffness, i)[0] *= 1 + damping;

@@ -85,35 +85,16 @@ void taut_newton_step_free(taut_newton_step *newton)
     }
 }
 
-/* Where the hull is the whole net its operator has the constants as kernel: the mass makes it
- * definite. */
-static void shift_stiffness(taut_gram *gram)
-{
-    const size_t size = (size_t)gram->mass.n * ((size_t)gram->mass.width + 1);
-    for (size_t i = 0; i < size; i++) {
-        gram->stiffness.a[i] += gram->mass.a[i];
-    }
-}
-
 static taut_status make_preconditioner(const taut_dirichlet_form *form, double aspect,
                                        taut_newton_step *newton)
 {
-    const taut_mask *mask = newton->mask;
-    taut_status status = taut_gram_select(&form->u, mask->rows, mask->row, &newton->u);
+    const taut_gram *u = &newton->u, *v = &newton->v;
+    const taut_status status =
+        taut_dirichlet_form_select(form, newton->mask, &newton->u, &newton->v);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_gram_select(&form->v, mask->columns, mask->column, &newton->v);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    if (mask->rows == mask->nu && mask->columns == mask->nv) {
-        shift_stiffness(&newton->u);
-        shift_stiffness(&newton->v);
-    }
-    return taut_tensor_solver_new(&newton->u.stiffness, &newton->u.mass, &newton->v.stiffness,
-                                  &newton->v.mass, aspect, 1 / aspect, &newton->tensor);
+    return status == TAUT_OK ? taut_tensor_solver_new(&u->stiffness, &u->mass, &v->stiffness,
+                                                      &v->mass, aspect, 1 / aspect, &newton->tensor)
+                             : status;
 }
 
 /* Factors where they pay, else what conjugate gradients need. */

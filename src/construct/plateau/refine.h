@@ -17,8 +17,8 @@ taut_status taut_plateau_estimate(const taut_plateau_problem *problem,
                                   taut_error *error);
 
 /* Puts knots in where the surface bends, solves again, and so on until the estimated distance from
- * the least area is within problem->tolerance_area of it. *space and *solution become the last ones.
- * TAUT_NOT_CONVERGED: too many rounds or points. */
+ * the least area is within problem->tolerance_area of it. *space and *solution become the last
+ * ones. TAUT_NOT_CONVERGED: too many rounds or points. */
 taut_status taut_plateau_adapt(const taut_plateau_problem *problem,
                                const taut_make_options *options, taut_plateau_space **space,
                                taut_plateau_solution *solution, taut_error *error);

@@ -134,29 +134,7 @@ static taut_status prepare(work *w, taut_error *error)
 /* net = points, scaled. */
 static void scale_points(work *w, const double *points)
 {
-    for (size_t i = 0; i < w->count; i++) {
-        taut_scaling_apply(&w->scaling, points + 3 * i, w->net + 3 * i);
-    }
-}
-
-/* The points back: known ones as given. */
-static taut_status unscale_points(work *w, taut_error *error)
-{
-    for (size_t i = 0; i < w->count; i++) {
-        if (w->problem->net.known[i]) {
-            memcpy(w->points + 3 * i, w->problem->net.points + 3 * i, 3 * sizeof(double));
-        } else {
-            taut_scaling_undo(&w->scaling, w->net + 3 * i, w->points + 3 * i);
-        }
-    }
-    for (size_t i = 0; i < 3 * w->count; i++) {
-        if (!isfinite(w->points[i])) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "overflow", "/points", taut_none, taut_none,
-                             "a point of the solution is beyond the range of double precision: "
-                             "scale the points down");
-        }
-    }
-    return TAUT_OK;
+    taut_scaling_apply(&w->scaling, w->count, points, NULL, w->net);
 }
 
 /* ---- rules of quadrature ---- */
@@ -504,7 +482,7 @@ static taut_status find_net(work *w, taut_error *error)
     return check_rule(w, error);
 }
 
-/* Fills points, as far as it came where it does not converge. */
+/* Fills points, as far as it came where it does not converge; known ones as given. */
 static taut_status find_points(work *w, taut_error *error)
 {
     const taut_status status = find_net(w, error);
@@ -513,7 +491,8 @@ static taut_status find_points(work *w, taut_error *error)
     if (status != TAUT_OK && status != TAUT_NOT_CONVERGED) {
         return status;
     }
-    unscaled = unscale_points(w, error);
+    unscaled = taut_scaling_undo(&w->scaling, w->count, w->problem->net.points,
+                                 w->problem->net.known, w->net, w->points, error);
     return unscaled != TAUT_OK ? unscaled : status;
 }
 
