@@ -10,6 +10,7 @@
 #include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "geometry/nurbs/gram.h"
 #include "numeric/tensor/solver.h"
 
 #include <math.h>

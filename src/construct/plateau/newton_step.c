@@ -5,6 +5,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
+#include "geometry/nurbs/gram.h"
 #include "numeric/tensor/solver.h"
 
 #include <assert.h>
