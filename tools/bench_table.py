@@ -56,12 +56,11 @@ def dirichlet():
     return rate + table(head, rows)
 
 
-def sequence():
-    """The construction, alone and after another on the same knots."""
+def making():
+    """The construction, all of it."""
     bench = load("dirichlet")
-    head = ["n x n points", "the solve, ms", "`taut_dirichlet_make`", "on shared factors", "gain"]
-    return table(head, [[str(r["n"]), digits(r["taut_ms"]), digits(r["make_ms"]), digits(r["make_shared_ms"]),
-                         f"{r['make_ms'] / r['make_shared_ms']:.2f} x"] for r in bench["rows"]])
+    head = ["n x n points", "the solve, ms", "`taut_dirichlet_make`"]
+    return table(head, [[str(r["n"]), digits(r["taut_ms"]), digits(r["make_ms"])] for r in bench["rows"]])
 
 
 def evaluate():
@@ -93,7 +92,7 @@ def summary():
     return origin(solve) + ":\n\n" + table(["", "beside", "faster by"], rows)
 
 
-TABLES = {"dirichlet": dirichlet, "sequence": sequence, "evaluate": evaluate, "summary": summary}
+TABLES = {"dirichlet": dirichlet, "making": making, "evaluate": evaluate, "summary": summary}
 
 
 def record(name):

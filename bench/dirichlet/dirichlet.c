@@ -37,7 +37,7 @@ typedef struct result {
     double seconds[METHODS], residual[METHODS]; /* negative: not run */
     double modes, dense; /* taut: new alone; solve for a right-hand side without zeros */
     double refined;      /* residual after one refinement */
-    double make, shared; /* taut_dirichlet_make; the same with the factors of the one before */
+    double make;         /* taut_dirichlet_make */
     double memory;       /* peak beyond input and output, in units of the data */
 } result;
 
@@ -170,19 +170,17 @@ static double run_dense(const peer_task *task, double *x)
     return took;
 }
 
-/* The whole of taut_dirichlet_make, checks and residuals included, on n x n unknown points: the
- * second of two makes that share a workspace, or of two that do not. */
-static double run_make(int n, int is_shared)
+/* The whole of taut_dirichlet_make, checks and residuals included, on n x n unknown points. */
+static double run_make(int n)
 {
     const int m = n + 2;
     const size_t count = (size_t)m * (size_t)m;
     const taut_basis_spec spec = {.type = "bspline", .degree = DEGREE, .count = m};
     double *points = memory(3 * count), took = 0.0;
     unsigned char *known = calloc(count, 1);
-    taut_make_options chosen = {0};
     taut_basis *basis = NULL;
-    if (known == NULL || taut_basis_new(&spec, 0, &basis, NULL) != TAUT_OK ||
-        (is_shared && taut_workspace_new(&chosen.workspace) != TAUT_OK)) {
+    taut_model *model = NULL;
+    if (known == NULL || taut_basis_new(&spec, 0, &basis, NULL) != TAUT_OK) {
         fail("no memory");
     }
     for (int k = 0; k < m * m; k++) {
@@ -194,16 +192,12 @@ static double run_make(int n, int is_shared)
     }
     const taut_dirichlet_problem problem = {
         .u = basis, .v = basis, .points = points, .known = known};
-    for (int k = 0; k < 2; k++) {
-        taut_model *model = NULL;
-        const double begun = bench_cpu_seconds();
-        if (taut_dirichlet_make(&problem, &chosen, &model, NULL) != TAUT_OK) {
-            fail("not made");
-        }
-        took = bench_cpu_seconds() - begun;
-        taut_model_free(model);
+    const double begun = bench_cpu_seconds();
+    if (taut_dirichlet_make(&problem, NULL, &model, NULL) != TAUT_OK) {
+        fail("not made");
     }
-    taut_workspace_free(chosen.workspace);
+    took = bench_cpu_seconds() - begun;
+    taut_model_free(model);
     taut_basis_free(basis);
     free(known);
     free(points);
@@ -288,7 +282,7 @@ static void keep(double *best, double seconds)
 
 static result run(int n, const options *asked)
 {
-    result r = {.n = n, .modes = -1.0, .dense = -1.0, .make = -1.0, .shared = -1.0};
+    result r = {.n = n, .modes = -1.0, .dense = -1.0, .make = -1.0};
     peer_task task = make_task(n);
     double *x = memory(entries(n));
     double modes = 0.0;
@@ -314,8 +308,7 @@ static result run(int n, const options *asked)
             keep(&r.dense, run_dense(&task, x));
             keep(&r.seconds[TAUT], run_taut(&task, x, &modes));
             keep(&r.modes, modes);
-            keep(&r.make, run_make(n, 0));
-            keep(&r.shared, run_make(n, 1));
+            keep(&r.make, run_make(n));
         }
         r.residual[TAUT] = residual(&task, x);
     }
@@ -353,12 +346,12 @@ static void print_json(const result *r, double peak, int is_last)
            "\"residual_refined\": %.3g,\n"
            "      \"residual_cholmod\": %s, \"residual_lapack\": %s, \"memory\": %s, "
            "\"dense_ms\": %.4g,\n"
-           "      \"make_ms\": %.4g, \"make_shared_ms\": %.4g, \"dense_share_of_peak\": %.3g }%s\n",
+           "      \"make_ms\": %.4g, \"dense_share_of_peak\": %.3g }%s\n",
            r->n, 1e3 * r->seconds[TAUT], 1e3 * r->modes, json(1e3 * r->seconds[CHOLMOD], room[0]),
            1e3 * r->seconds[LAPACK], json(ratio(r, CHOLMOD), room[1]), ratio(r, LAPACK),
            r->residual[TAUT], r->refined, json(r->residual[CHOLMOD], room[2]),
            json(r->residual[LAPACK], room[3]), json(r->memory, room[4]), 1e3 * r->dense,
-           1e3 * r->make, 1e3 * r->shared, dense_rate(r) / peak, is_last ? "" : ",");
+           1e3 * r->make, dense_rate(r) / peak, is_last ? "" : ",");
 }
 
 static void print_row(const result *r, double peak)
@@ -369,11 +362,11 @@ static void print_row(const result *r, double peak)
         snprintf(cholmod[1], sizeof cholmod[1], "%.0fx", ratio(r, CHOLMOD));
     }
     printf("%5d %9.3f %9.3f %10s %9.2f %8s %7.1fx  %8.1e %8.1e %8.1e %8.1e %7.2f %9.2f %5.0f%% "
-           "%9.2f %9.2f\n",
+           "%9.2f\n",
            r->n, 1e3 * r->seconds[TAUT], 1e3 * r->modes, cholmod[0], 1e3 * r->seconds[LAPACK],
            cholmod[1], ratio(r, LAPACK), r->residual[TAUT], r->refined, r->residual[CHOLMOD],
            r->residual[LAPACK], r->memory, 1e3 * r->dense, 100.0 * dense_rate(r) / peak,
-           1e3 * r->make, 1e3 * r->shared);
+           1e3 * r->make);
     fflush(stdout);
 }
 
@@ -416,11 +409,11 @@ int main(int argc, char **argv)
     } else {
         printf("%s, one thread, CPU time, best of %d rounds; taut's kernels: %s; OpenBLAS's: %s\n"
                "fused multiply-add peak %.1f Gflop/s, dgemm 1000^3 %.1f Gflop/s\n\n"
-               "%5s %9s %9s %10s %9s %8s %8s  %8s %8s %8s %8s %7s %9s %6s %9s %9s\n",
+               "%5s %9s %9s %10s %9s %8s %8s  %8s %8s %8s %8s %7s %9s %6s %9s\n",
                bench_processor(), asked.rounds, taut_kernel_name(), peer_blas_core(), 1e-9 * peak,
                1e-9 * gemm, "n", "taut ms", "(modes)", "CHOLMOD ms", "LAPACK ms", "/CHOLMOD",
                "/LAPACK", "residual", "refined", "CHOLMOD", "LAPACK", "memory", "dense ms", "peak",
-               "make ms", "shared ms");
+               "make ms");
     }
     const int count = asked.large ? 6 : 4;
     for (int i = 0; i < count; i++) {
@@ -431,13 +424,11 @@ int main(int argc, char **argv)
             print_row(&r, peak);
         }
     }
-    printf("%s", asked.json
-                     ? "  ] }\n"
-                     : "\nmemory: peak beyond the right-hand side, which the solution "
-                       "replaces, in units of its "
-                       "size.\ndense: a solve alone for a right-hand side without zeros, "
-                       "and its share of the "
-                       "multiply-add peak.\nmake: taut_dirichlet_make, all of it; shared: with the "
-                       "factors of the one before.\n");
+    printf("%s", asked.json ? "  ] }\n"
+                            : "\nmemory: peak beyond the right-hand side, which the solution "
+                              "replaces, in units of its "
+                              "size.\ndense: a solve alone for a right-hand side without zeros, "
+                              "and its share of the "
+                              "multiply-add peak.\nmake: taut_dirichlet_make, all of it.\n");
     return 0;
 }

@@ -38,7 +38,7 @@ double bench_run(const char *const *arguments, const char *output)
 
 double bench_evolver(const char *file, int degree, int levels, double *seconds)
 {
-    char folder[] = "/tmp/bench-plateau-XXXXXX", commands[64], option[80], output[64], film[64],
+    char folder[] = "/tmp/bench-plateau-XXXXXX", commands[64], option[80], output[64], alias[64],
          dump[72], line[256];
     double area = nan("");
     if (mkdtemp(folder) == NULL) {
@@ -46,9 +46,9 @@ double bench_evolver(const char *file, int degree, int levels, double *seconds)
     }
     snprintf(commands, sizeof commands, "%s/commands", folder);
     snprintf(output, sizeof output, "%s/output", folder);
-    snprintf(film, sizeof film, "%s/film.fe", folder);
-    snprintf(dump, sizeof dump, "%s.dmp", film); /* it leaves one beside its file */
-    if (symlink(file, film) != 0) {
+    snprintf(alias, sizeof alias, "%s/film.fe", folder);
+    snprintf(dump, sizeof dump, "%s.dmp", alias); /* it leaves one beside its file */
+    if (symlink(file, alias) != 0) {
         exit(5);
     }
     snprintf(option, sizeof option, "-f%s", commands);
@@ -65,7 +65,7 @@ double bench_evolver(const char *file, int degree, int levels, double *seconds)
     }
     fputs("hessian_seek; hessian; hessian\nprintf \"area %.15g\\n\", total_area\nq\nq\n", script);
     fclose(script);
-    const char *const arguments[] = {BENCH_EVOLVER, "-x", option, film, NULL};
+    const char *const arguments[] = {BENCH_EVOLVER, "-x", option, alias, NULL};
     *seconds = bench_run(arguments, output);
     FILE *said = fopen(output, "r");
     while (said != NULL && fgets(line, sizeof line, said) != NULL) {
@@ -79,7 +79,7 @@ double bench_evolver(const char *file, int degree, int levels, double *seconds)
     }
     remove(commands);
     remove(output);
-    remove(film);
+    remove(alias);
     remove(dump);
     rmdir(folder);
     return area;

@@ -1,4 +1,4 @@
-/* plateau.c -- films of least area beside Surface Evolver, to given errors of the area, in one run.
+/* plateau.c -- least areas beside Surface Evolver, to given errors of the area, in one run.
  *
  * Two patches of known area between four curves (Bezier curves of degree 18, good to rounding):
  * Scherk's and the catenoid's. Taut: method "normal", the fastest degree and number of points that
@@ -28,10 +28,10 @@ enum {
     DEGREE_MAX = 6
 };
 
-typedef struct film {
+typedef struct sample {
     double seconds, error;
     int iterations, products;
-} film;
+} sample;
 
 typedef struct peer {
     double seconds, error;
@@ -39,7 +39,7 @@ typedef struct peer {
 } peer;
 
 typedef struct best {
-    film inside;
+    sample inside;
     int degree, points;
     double process;          /* whole, seconds */
     peer quadratic, fastest; /* Evolver */
@@ -78,11 +78,11 @@ static double detail(const taut_model *model, const char *key)
 }
 
 /* From the problem in memory to the model. */
-static film solve(int which, int degree, int points, int repeats)
+static sample solve(int which, int degree, int points, int repeats)
 {
     static char text[32768];
     taut_problem *problem = NULL;
-    film f = {INFINITY, INFINITY, 0, 0};
+    sample f = {INFINITY, INFINITY, 0, 0};
     write_problem(which, degree, points, text, sizeof text);
     if (taut_problem_read_text(text, strlen(text), "bench", &problem, NULL) != TAUT_OK) {
         exit(3);
@@ -110,9 +110,9 @@ static void search(int which, double error, best *b)
     b->inside.seconds = INFINITY;
     for (int degree = 3; degree <= DEGREE_MAX; degree++) {
         for (int points = degree + 2; points <= POINTS_MAX; points++) {
-            const film f = solve(which, degree, points, 1);
+            const sample f = solve(which, degree, points, 1);
             if (f.error <= error) {
-                const film again = solve(which, degree, points, REPEATS);
+                const sample again = solve(which, degree, points, REPEATS);
                 if (again.seconds < b->inside.seconds) {
                     b->inside = again;
                     b->degree = degree;
@@ -234,7 +234,7 @@ static void growth(int json)
     static const int counts[] = {10, 20, 40, 100, 200, 400};
     printf(json ? "\n  ],\n  \"growth\": [" : "\nScherk, cubic:  n, steps, products, ms, error\n");
     for (int k = 0; k < 6; k++) {
-        const film f = solve(0, 3, counts[k], 1);
+        const sample f = solve(0, 3, counts[k], 1);
         printf(json ? "%s\n    { \"points\": %d, \"iterations\": %d, \"products\": %d, "
                       "\"solver_ms\": %.4g, \"reached\": %.3g }"
                     : "%s%4d %6d %9d %11.2f %9.1e\n",

@@ -12,8 +12,6 @@
 #include "taut/model.h"
 #include "taut/monitor.h"
 
-#include <stddef.h>
-
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -28,24 +26,12 @@ TAUT_API const char *taut_problem_construction(const taut_problem *problem);
 TAUT_API int taut_construct_count(void);
 TAUT_API const char *taut_construct_name(int i);
 
-/* What one make leaves for the next: the factors of its system. A sequence of dirichlet problems
- * (and the start of plateau problems) with the same bases, known places and product weights, or
- * none, bit for bit, is diagonalised once; what comes out is bit for bit what it is without. One
- * system is kept, the last. Memory: about 64 bytes a point of its net. Not for two threads at once.
- */
-typedef struct taut_workspace taut_workspace;
-TAUT_API taut_status taut_workspace_new(taut_workspace **workspace); /* TAUT_NO_MEMORY */
-TAUT_API void taut_workspace_free(taut_workspace *workspace);        /* NULL is fine */
-/* How many makes found their factors there. */
-TAUT_API size_t taut_workspace_reuses(const taut_workspace *workspace);
-
 /* Zero means default everywhere. taut_make refuses what is out of its range (TAUT_BAD_ARGUMENT); a
  * construction called through its own header reads only what it has a use for. */
 typedef struct taut_make_options {
     double tolerance; /* largest distance from the exact surface over its size; 0: 1e-6 */
     int threads;      /* 0: 1 */
     taut_monitor monitor;
-    taut_workspace *workspace; /* borrowed; NULL: none */
     int exact; /* nonzero: in rational arithmetic (harmonic and harmonic-extension): surfaces come
                 * with their exact points. TAUT_BAD_ARGUMENT from taut_make for other
                 * constructions, TAUT_IO without FLINT */
@@ -65,6 +51,17 @@ typedef struct taut_certify_options {
     double tolerance; /* that the model was made to, where a claim depends on it; 0: 1e-6 */
     int exact; /* nonzero: the claim `harmonic` in rational arithmetic, its limit 0; as above */
 } taut_certify_options;
+
+/* What a certificate may miss: the word in error->reason, its meaning, a remedy. */
+#define TAUT_CERTIFY_REASON_LIST(X)                                                                \
+    X("needs-problem", "the model alone does not say what it was to be",                           \
+      "give the problem it was made from too")                                                     \
+    X("no-surface", "the model has no surface", "give the model of this problem")                  \
+    X("mismatch", "model and problem do not belong together", "give the model of this problem")    \
+    X("details", "the model's details lack what its claims are about, or are wrong",               \
+      "make the model again")                                                                      \
+    X("close-knots", "knots of two curves lie too close to be told apart",                         \
+      "make the knots that are meant to be one the same number")
 
 /* Proves a model again from its numbers alone. problem NULL: the construction is taken from the
  * certificate the model carries, and claims that need the problem's data are judged from the model

@@ -28,6 +28,22 @@ typedef struct taut_dirichlet_problem {
     int aspect_auto;            /* nonzero: minimise over lambda as well (section 7.3) */
 } taut_dirichlet_problem;
 
+/* What may be wrong with a problem that is well formed: the word in error->reason, its meaning, a
+ * remedy. Numbers out of range and members at odds have the words of documents (taut/read.h). */
+#define TAUT_DIRICHLET_REASON_LIST(X)                                                              \
+    X("basis", "a basis of type \"ce-bezier\" is for curves", "take any other type")               \
+    X("nothing-known", "no point of the net is known", "give at least one point")                  \
+    X("no-best-aspect", "the energy keeps falling as the aspect goes to 0 or to infinity",         \
+      "give the aspect as a number")                                                               \
+    X("overflow", "a point of the solution is beyond the range of double precision",               \
+      "scale the points down")                                                                     \
+    X("ill-conditioned", "the knots, the degree or the weights are too extreme for doubles",       \
+      "lower the degree, or even out knots and weights")                                           \
+    X("undetermined", "the known points hardly determine the others",                              \
+      "lower the degree, or bring the weights nearer to each other")                               \
+    X("weights-vary", "the weights vary so much that the integrals take too many Gauss nodes",     \
+      "bring the weights nearer to each other")
+
 /* Makes the model with its one surface. details: unknowns; known ("boundary", "all" or "pattern");
  * method ("none", "fast-diagonalisation" or "conjugate-gradients"); iterations; and, if an aspect
  * was given or searched for, aspect and aspect_energy, the D_lambda that was minimised. Errors as

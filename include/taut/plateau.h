@@ -49,12 +49,45 @@ typedef struct taut_plateau_problem {
                             * start */
 } taut_plateau_problem;
 
+/* What may be wrong with a problem that is well formed: the word in error->reason, its meaning, a
+ * remedy. The words of TAUT_DIRICHLET_REASON_LIST come besides, from the surface it starts with,
+ * and from its own solve those repeated here. */
+#define TAUT_PLATEAU_REASON_LIST(X)                                                                \
+    X("basis", "a basis of type \"ce-bezier\" is for curves", "take any other type")               \
+    X("corners", "two curves do not meet where they should",                                       \
+      "let u0 and u1 run with v, v0 and v1 with u, from corner to corner")                         \
+    X("unclamped", "the edges of a surface on this basis do not end in its outermost points",      \
+      "take a bezier, c-bezier, h-bezier or bspline basis")                                        \
+    X("curve-fit", "a curve cannot be fitted to the basis of its edge",                            \
+      "lower the degree, or even out the knots")                                                   \
+    X("no-area", "the known points span no area", "give a boundary that is not a point or a line") \
+    X("free-edge", "a free edge lets the surface shrink away, or keeps it from coming to rest",    \
+      "make the points of that edge known")                                                        \
+    X("folds", "the surface of least area folds in this space",                                    \
+      "take fewer points, give points inside, or take the method \"normal\"")                      \
+    X("slides", "the net still slides within the surface",                                         \
+      "take the method \"normal\", or the tolerance that the message names")                       \
+    X("saddle", "the area has a direction of negative curvature, but no step along it lowers it",  \
+      "give another start")                                                                        \
+    X("iterations", "max_iterations were made", "allow more, or raise the tolerance")              \
+    X("work", "the work that is allowed was done", "take fewer points, or raise the tolerance")    \
+    X("no-step", "no step lowers the area any more, and the residual is above the tolerance",      \
+      "raise the tolerance, or take fewer points")                                                 \
+    X("gauss-points", "the area asks for too many Gauss points",                                   \
+      "even out the weights or the bases, or take more control points")                            \
+    X("area-gap", "tolerance_area is not reached with as many points as there may be",             \
+      "raise the degree, or tolerance_area")                                                       \
+    X("overflow", "a point of the solution is beyond the range of double precision",               \
+      "scale the points down")                                                                     \
+    X("ill-conditioned", "the knots, the degree or the weights are too extreme for doubles",       \
+      "lower the degree, or even out knots and weights")
+
 /* Makes the model with its one surface; details: iterations, products, dirichlet_area, areas (one
  * an iteration), residual, tolerance, unknowns, known, method, solver; with TAUT_PLATEAU_NORMAL
  * also directions [nu][nv][3]; with curves deviation; with refine or tolerance_area refinement.
  * TAUT_BAD_INPUT: numbers out of range, error->where the member.
- * TAUT_NO_SOLUTION: the known points span no area, or a free edge lets the film shrink away.
- * TAUT_NOT_CONVERGED: max_iterations, or a film that folds. Others as taut_make. */
+ * TAUT_NO_SOLUTION: the known points span no area, or a free edge lets the surface shrink away.
+ * TAUT_NOT_CONVERGED: max_iterations, or a surface that folds. Others as taut_make. */
 TAUT_API taut_status taut_plateau_make(const taut_plateau_problem *problem,
                                        const taut_make_options *options, taut_model **model,
                                        taut_error *error);

@@ -59,8 +59,8 @@ taut_status taut_certify(const taut_model *model, const taut_problem *problem,
     }
     construct = construct_of(model, problem);
     if (construct < 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/certificate/construct", taut_none,
-                         taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "needs-problem", "/certificate/construct",
+                         taut_none, taut_none,
                          "the model does not say which construction it came from: give its "
                          "problem too");
     }

@@ -82,7 +82,7 @@ static int deliver(const cli_options *options, cli_report *report)
 static int make(const taut_problem *problem, const cli_options *options)
 {
     cli_made made = {.model = NULL};
-    int code = cli_make_model(problem, options, NULL, "", &made);
+    int code = cli_make_model(problem, options, "", &made);
     if (code == 0) {
         code = deliver(options, &made.report);
     }
@@ -136,7 +136,7 @@ const cli_command cli_command_make = {
             "give\n"
             "FILE-0.obj, FILE-1.obj, ... A % in the name takes the number, in JSON too. One that "
             "fails\n"
-            "leaves no file of any. Dirichlet problems on the same knots share their factors.\n",
+            "leaves no file of any.\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_make,

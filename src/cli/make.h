@@ -12,10 +12,10 @@ typedef struct cli_made {
 
 /* Makes and proves. `file` and `place` ("" or "/2") say where the problem stands, for messages; 0,
  * or the exit code after one message. */
-int cli_make_model(const taut_problem *problem, const cli_options *options,
-                   taut_workspace *workspace, const char *place, cli_made *made);
+int cli_make_model(const taut_problem *problem, const cli_options *options, const char *place,
+                   cli_made *made);
 
-/* All the documents of a list, sharing what they have in common. 0 or the exit code. */
+/* All the documents of a list. 0 or the exit code. */
 int cli_make_list(const taut_problem_list *list, const cli_options *options);
 
 #endif /* TAUT_CLI_MAKE_H */

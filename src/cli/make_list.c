@@ -1,7 +1,7 @@
 /* make_list.c -- taut make on a list of problems: a list of models, or a file for each.
  *
  * All documents are read before any is made, all are made before any file appears: one that is
- * wrong, or asks for what does not exist, leaves nothing. Problems on the same knots share factors.
+ * wrong, or asks for what does not exist, leaves nothing.
  */
 #include "cli/make.h"
 
@@ -19,7 +19,6 @@ typedef struct batch {
     char **paths;         /* [count][outputs + 1]: what goes where, for the reports */
     double *bounds;       /* the same shape */
     double seconds_lists; /* writing what holds all of them */
-    size_t reuses;
 } batch;
 
 /* The % of a file's name that its number takes the place of, or NULL; folders keep theirs. */
@@ -172,8 +171,7 @@ static void print(const batch *b)
     double made = 0, proved = 0, written = b->seconds_lists;
     int shown = 0;
 
-    fprintf(stderr, "%d problems, %zu of them with the factors of the one before\n", b->count,
-            b->reuses);
+    fprintf(stderr, "%d problems\n", b->count);
     for (int i = 0; i < b->count; i++) {
         const cli_report *report = &b->made[i].report;
         made += report->seconds_made;
@@ -236,25 +234,19 @@ int cli_make_list(const taut_problem_list *list, const cli_options *options)
 {
     batch b = {.options = options, .count = taut_problem_list_count(list)};
     const size_t rows = (size_t)b.count, row = (size_t)options->output_count + 1;
-    taut_workspace *workspace = NULL;
     int code = 0;
 
     b.made = calloc(rows, sizeof *b.made);
     b.paths = calloc(rows * row, sizeof *b.paths);
     b.bounds = calloc(rows * row, sizeof *b.bounds);
-    if (b.made == NULL || b.paths == NULL || b.bounds == NULL ||
-        taut_workspace_new(&workspace) != TAUT_OK) {
+    if (b.made == NULL || b.paths == NULL || b.bounds == NULL) {
         code = cli_no_memory();
     }
     for (int i = 0; code == 0 && i < b.count; i++) {
         char place[16];
         snprintf(place, sizeof place, "/%d", i);
-        code = cli_make_model(taut_problem_list_at(list, i), options, workspace, place, &b.made[i]);
+        code = cli_make_model(taut_problem_list_at(list, i), options, place, &b.made[i]);
     }
-    if (code == 0) {
-        b.reuses = taut_workspace_reuses(workspace);
-    }
-    taut_workspace_free(workspace); /* before the files: they need memory too */
     if (code == 0) {
         code = deliver(&b);
     }

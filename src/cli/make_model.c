@@ -4,13 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
-int cli_make_model(const taut_problem *problem, const cli_options *options,
-                   taut_workspace *workspace, const char *place, cli_made *made)
+int cli_make_model(const taut_problem *problem, const cli_options *options, const char *place,
+                   cli_made *made)
 {
     const taut_make_options chosen = {.tolerance = options->tolerance,
                                       .threads = options->threads,
                                       .monitor = cli_monitor(options->quiet),
-                                      .workspace = workspace,
                                       .exact = options->exact};
     const taut_certify_options proof = {
         .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};

@@ -18,29 +18,6 @@ static taut_status make(const void *context, void **result, taut_error *error)
     return status;
 }
 
-/* Two makes that share a workspace: what is kept is kept whole or not at all. */
-static taut_status make_twice(const void *context, void **result, taut_error *error)
-{
-    const fixture *f = context;
-    taut_make_options options = {0};
-    taut_model *first = NULL, *model = *result;
-    taut_status status = taut_workspace_new(&options.workspace);
-    if (status != TAUT_OK) {
-        *error = (taut_error){.status = TAUT_NO_MEMORY,
-                              .reason = "memory",
-                              .message = "memory ran out"}; /* it takes none */
-        return status;
-    }
-    status = taut_dirichlet_make(&f->problem.data, &options, &first, error);
-    if (status == TAUT_OK) {
-        status = taut_dirichlet_make(&f->problem.data, &options, &model, error);
-    }
-    taut_model_free(first);
-    taut_workspace_free(options.workspace);
-    *result = model;
-    return status;
-}
-
 static taut_status certify(const void *context, void **result, taut_error *error)
 {
     const fixture *f = context;
@@ -54,10 +31,8 @@ static taut_status certify(const void *context, void **result, taut_error *error
 static void run(const char *what, fixture *f)
 {
     const fault_call making = {what, make, release_model, f};
-    const fault_call making_twice = {what, make_twice, release_model, f};
     const fault_call certifying = {what, certify, release_certificate, f};
     CHECK(fault_loop(&making) > 10, "%s: making takes memory", what);
-    CHECK(fault_loop(&making_twice) > 10, "%s: making twice takes memory", what);
     f->model = problem_make(&f->problem, NULL);
     CHECK(fault_loop(&certifying) > 10, "%s: certifying takes memory", what);
     taut_model_free(f->model);

@@ -44,7 +44,7 @@ typedef struct nets {
     taut_basis *u, *v;
     size_t size;
     double *x, *g, *a, *b, *ha, *hb, *moved, *far;
-    taut_film *film;
+    taut_area_functional *functional;
 } nets;
 
 static nets nets_new(int rational)
@@ -62,8 +62,10 @@ static nets nets_new(int rational)
         weights[i] = random_in(0.7, 1.4);
     }
     random_net(n.u, n.v, n.x);
-    n.film = NULL;
-    CHECK(taut_film_new(n.u, n.v, rational ? weights : NULL, 6, &n.film) == TAUT_OK, "film");
+    n.functional = NULL;
+    CHECK(taut_area_functional_new(n.u, n.v, rational ? weights : NULL, 6, &n.functional) ==
+              TAUT_OK,
+          "film");
     return n;
 }
 
@@ -73,7 +75,7 @@ static void nets_free(nets *n)
     for (int k = 0; k < 8; k++) {
         free(all[k]);
     }
-    taut_film_free(n->film);
+    taut_area_functional_free(n->functional);
     taut_basis_free(n->u);
     taut_basis_free(n->v);
 }
@@ -97,21 +99,21 @@ static void test_derivatives(void)
         fill(n.size, 1, n.b);
         for (int k = 0; k < 4; k++) {
             move(&n, h * (k < 2 ? k - 2 : k - 1));
-            area[k] = taut_film_area(n.film, n.moved).area;
+            area[k] = taut_area_functional_value(n.functional, n.moved).area;
         }
         const double slope = (area[0] - 8 * area[1] + 8 * area[2] - area[3]) / (12 * h);
         memset(n.hb, 0, n.size * sizeof(double));
         for (int k = 0; k < 4; k++) {
             static const double factor[4] = {1, -8, 8, -1};
             move(&n, h * (k < 2 ? k - 2 : k - 1));
-            taut_film_gradient(n.film, n.moved, n.far);
+            taut_area_functional_gradient(n.functional, n.moved, n.far);
             for (size_t i = 0; i < n.size; i++) {
                 n.hb[i] += factor[k] / (12 * h) * n.far[i];
             }
         }
-        const double found = taut_film_gradient(n.film, n.x, n.g).area;
+        const double found = taut_area_functional_gradient(n.functional, n.x, n.g).area;
         CHECK_NEAR(dot(n.size, n.g, n.a), slope, 1e-8 * found, "slope");
-        taut_film_product(n.film, 0, n.a, n.ha);
+        taut_area_functional_product(n.functional, 0, n.a, n.ha);
         const double size = sqrt(dot(n.size, n.ha, n.ha));
         for (size_t i = 0; i < n.size; i++) {
             n.hb[i] -= n.ha[i];
@@ -128,22 +130,23 @@ static void test_operators(void)
     for (int trial = 0; trial < 40; trial++) {
         nets n = nets_new(trial % 2);
         const double theta = random_in(0, 1);
-        const double area = taut_film_gradient(n.film, n.x, n.g).area;
+        const double area = taut_area_functional_gradient(n.functional, n.x, n.g).area;
         fill(n.size, 1, n.a);
         fill(n.size, 1, n.b);
-        taut_film_product(n.film, theta, n.a, n.ha);
-        taut_film_product(n.film, theta, n.b, n.hb);
+        taut_area_functional_product(n.functional, theta, n.a, n.ha);
+        taut_area_functional_product(n.functional, theta, n.b, n.hb);
         const double size = sqrt(dot(n.size, n.ha, n.ha) * dot(n.size, n.b, n.b));
         CHECK_NEAR(dot(n.size, n.ha, n.b), dot(n.size, n.hb, n.a), 1e-13 * size, "symmetry");
-        taut_film_product(n.film, 1, n.x, n.ha);
+        taut_area_functional_product(n.functional, 1, n.x, n.ha);
         for (size_t i = 0; i < n.size; i++) {
             n.ha[i] -= n.g[i];
         }
         CHECK_NEAR(sqrt(dot(n.size, n.ha, n.ha)), 0, 1e-13 * sqrt(dot(n.size, n.g, n.g)), "L x");
-        taut_film_product(n.film, 1, n.a, n.ha);
+        taut_area_functional_product(n.functional, 1, n.a, n.ha);
         move(&n, 1);
         const double bound = area + dot(n.size, n.g, n.a) + 0.5 * dot(n.size, n.a, n.ha);
-        CHECK(taut_film_area(n.film, n.moved).area <= bound * (1 + 1e-14), "bound");
+        CHECK(taut_area_functional_value(n.functional, n.moved).area <= bound * (1 + 1e-14),
+              "bound");
         nets_free(&n);
     }
 }

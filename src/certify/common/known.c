@@ -7,7 +7,7 @@
 static const double unit_roundoff = 0x1p-53;
 
 /* |a - b| over size, at least 2^-52 where they differ at all. */
-static double difference(double a, double b, double size)
+static double relative_difference(double a, double b, double size)
 {
     const double apart = fabs(0.5 * a - 0.5 * b) / (0.5 * size);
     return a == b ? 0 : fmax(apart, 2 * unit_roundoff);
@@ -28,8 +28,8 @@ static double basis_difference(const taut_basis *a, const taut_basis *b)
         return 1;
     }
     for (int k = 0; k <= spans; k++) {
-        largest =
-            fmax(largest, difference(taut_basis_breaks(a)[k], taut_basis_breaks(b)[k], range));
+        largest = fmax(
+            largest, relative_difference(taut_basis_breaks(a)[k], taut_basis_breaks(b)[k], range));
     }
     return largest > 0 ? largest : 1;
 }
@@ -41,8 +41,8 @@ static double weights_difference(const taut_surface *surface, const taut_dirichl
     if (found == NULL && given == NULL) {
         return 0;
     }
-    return difference(found != NULL ? found[at] : 1, given != NULL ? given[at] : 1,
-                      given != NULL ? given[at] : 1);
+    return relative_difference(found != NULL ? found[at] : 1, given != NULL ? given[at] : 1,
+                               given != NULL ? given[at] : 1);
 }
 
 /* The size of the known points of the problem: their largest distance from their middle. */
@@ -84,8 +84,8 @@ taut_status taut_certify_add_known(const taut_surface *surface,
             const size_t at = (size_t)i * (size_t)nv + (size_t)j;
             double apart = weights_difference(surface, problem, at);
             for (size_t c = 0; problem->known[at] && c < 3; c++) {
-                apart =
-                    fmax(apart, difference(points[3 * at + c], problem->points[3 * at + c], size));
+                apart = fmax(apart, relative_difference(points[3 * at + c],
+                                                        problem->points[3 * at + c], size));
             }
             if (apart > claim.residual) {
                 claim.residual = apart;

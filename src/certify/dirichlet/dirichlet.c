@@ -4,10 +4,12 @@
  * points vanish ([WuWang2011] section 2.4). Claims:
  *
  *   stationary  largest |dD/dP| at an unknown point over the largest at any point, by quadrature of
- *               the gradient (certify/dirichlet/gradient.h).
- *               Limit  min(ROUNDINGS 2^-53 max(1, G/g), 1e-6),  G the largest gross sum at an
- * unknown point, g the largest derivative: storing the points in doubles leaves 2^-53 G, and
- *               summing leaves a few times that.
+ *               the gradient (certify/dirichlet/gradient.h). Limit
+ *
+ *                   min(ROUNDINGS 2^-53 max(1, G/g), 1e-6),
+ *
+ *               G the largest gross sum at an unknown point, g the largest derivative: storing the
+ *               points in doubles leaves 2^-53 G, and summing leaves a few times that.
  *   known       largest distance of a known point from the problem's, over their size; 0 exactly.
  *   aspect      where the aspect was searched for: |log(lambda^2 iint |x_u|^2 / iint |x_v|^2)|
  *               (section 7.3).
@@ -48,10 +50,10 @@ static int is_known(const request *r, int i, int j)
     return !r->boundary_only || i == 0 || j == 0 || i == r->nu - 1 || j == r->nv - 1;
 }
 
-static taut_status needs_problem(const char *where, const char *reason, taut_error *error)
+static taut_status ask_for_problem(const char *where, const char *why, taut_error *error)
 {
-    return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
-                     "%s: give the problem the model was made from too", reason);
+    return taut_fail(error, TAUT_BAD_INPUT, "needs-problem", where, taut_none, taut_none,
+                     "%s: give the problem the model was made from too", why);
 }
 
 /* Which points are known, when only the model is there. */
@@ -62,8 +64,8 @@ static taut_status read_details(const taut_model *model, request *r, taut_error 
 
     r->boundary_only = strcmp(known, "boundary") == 0;
     if (!r->boundary_only && strcmp(known, "all") != 0) {
-        return needs_problem("/details/known", "the model does not say which points were known",
-                             error);
+        return ask_for_problem("/details/known", "the model does not say which points were known",
+                               error);
     }
     return TAUT_OK;
 }
@@ -81,7 +83,7 @@ static taut_status read_aspect(const taut_model *model, request *r, taut_error *
         r->aspect = 1;
     }
     if (!(r->aspect > 0) || !isfinite(r->aspect)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/details/aspect", r->aspect, 0,
+        return taut_fail(error, TAUT_BAD_INPUT, "details", "/details/aspect", r->aspect, 0,
                          "the model does not say which aspect it was made with, expected a "
                          "positive number");
     }
@@ -101,21 +103,24 @@ static taut_status read_request(const taut_model *model, const taut_dirichlet_pr
     r->surface = taut_model_surface(model, 0);
     r->problem = problem;
     if (r->surface == NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", 0, 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "no-surface", "/surfaces", 0, 1,
                          "the model has no surface, expected the one of its problem");
     }
     r->nu = taut_basis_count(taut_surface_u(r->surface));
     r->nv = taut_basis_count(taut_surface_v(r->surface));
     if (problem == NULL) {
         status = read_details(model, r, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
     } else if (taut_basis_count(problem->u) != r->nu || taut_basis_count(problem->v) != r->nv) {
-        status =
-            taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0/points", taut_none, taut_none,
-                      "the model's net is %d by %d, the problem's %d by %d: they do not "
-                      "belong together",
-                      r->nu, r->nv, taut_basis_count(problem->u), taut_basis_count(problem->v));
+        return taut_fail(error, TAUT_BAD_INPUT, "mismatch", "/surfaces/0/points", taut_none,
+                         taut_none,
+                         "the model's net is %d by %d, the problem's %d by %d: they do not "
+                         "belong together",
+                         r->nu, r->nv, taut_basis_count(problem->u), taut_basis_count(problem->v));
     }
-    return status == TAUT_OK ? read_aspect(model, r, error) : status;
+    return read_aspect(model, r, error);
 }
 
 /* What a gradient says: the largest derivatives, and the rounding to be expected. */
@@ -129,7 +134,7 @@ static double largest_of(const double *p)
     return fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
 }
 
-static finding judge(const request *r, const taut_dirichlet_gradient *gradient)
+static finding judge_gradient(const request *r, const taut_dirichlet_gradient *gradient)
 {
     finding found = {0, 0, 0, 0, 0};
     double unknown = 0, all = 0, gross = 0;
@@ -169,21 +174,25 @@ static taut_status find_gradient(const request *r, taut_dirichlet_gradient *grad
     int nodes = is_exact ? local + 1 : local + 6;
     taut_status status = taut_dirichlet_gradient_new(r->surface, r->aspect, nodes, gradient);
 
+    if (status != TAUT_OK) {
+        return status;
+    }
     *settled = is_exact;
-    *found = status == TAUT_OK ? judge(r, gradient) : (finding){0, 0, 0, 0, 0};
-    while (status == TAUT_OK && !*settled && nodes < TAUT_GAUSS_MAX) {
+    *found = judge_gradient(r, gradient);
+    while (!*settled && nodes < TAUT_GAUSS_MAX) {
         const double before = found->residual;
         nodes = nodes + nodes / 2 < TAUT_GAUSS_MAX ? nodes + nodes / 2 : TAUT_GAUSS_MAX;
         taut_dirichlet_gradient_clear(gradient);
         status = taut_dirichlet_gradient_new(r->surface, r->aspect, nodes, gradient);
-        if (status == TAUT_OK) {
-            *found = judge(r, gradient);
-            *settled = fabs(found->residual - before) <=
-                           fmax(0.25 * found->limit, 0x1p-10 * fmin(found->residual, before)) ||
-                       fmax(found->residual, before) <= found->limit;
+        if (status != TAUT_OK) {
+            return status;
         }
+        *found = judge_gradient(r, gradient);
+        *settled = fabs(found->residual - before) <=
+                       fmax(0.25 * found->limit, 0x1p-10 * fmin(found->residual, before)) ||
+                   fmax(found->residual, before) <= found->limit;
     }
-    return status;
+    return TAUT_OK;
 }
 
 static taut_status add_stationary(const finding *found, int settled, taut_certificate *certificate)
@@ -231,12 +240,14 @@ static taut_status add_figures(const request *r, const taut_dirichlet_gradient *
     taut_record *figures = NULL;
     taut_status status = taut_surface_dirichlet_energy(r->surface, &energy);
 
-    if (status == TAUT_OK) {
-        status = taut_surface_area(r->surface, &area, NULL);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_surface_isothermality(r->surface, &isothermality);
+    status = taut_surface_area(r->surface, &area, NULL);
+    if (status != TAUT_OK) {
+        return status;
     }
+    status = taut_surface_isothermality(r->surface, &isothermality);
     if (status != TAUT_OK) {
         return status;
     }
@@ -253,33 +264,48 @@ static taut_status add_figures(const request *r, const taut_dirichlet_gradient *
     return status;
 }
 
+static taut_status add_claims(const request *r, taut_dirichlet_gradient *gradient,
+                              taut_certificate *certificate)
+{
+    finding found = {0, 0, 0, 0, 0};
+    int settled = 0;
+    taut_status status = find_gradient(r, gradient, &found, &settled);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = add_stationary(&found, settled, certificate);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (r->problem != NULL) {
+        status = taut_certify_add_known(r->surface, r->problem, certificate);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    if (r->is_searched) {
+        status = add_aspect(r, gradient, &found, certificate);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    return add_figures(r, gradient, certificate);
+}
+
 static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
 {
     taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}, 0, 0};
-    finding found;
     request r;
-    int settled = 0;
     taut_status status = read_request(model, data, &r, error);
 
     (void)options;
     if (status != TAUT_OK) {
         return status;
     }
-    status = find_gradient(&r, &gradient, &found, &settled);
-    if (status == TAUT_OK) {
-        status = add_stationary(&found, settled, certificate);
-    }
-    if (status == TAUT_OK && r.problem != NULL) {
-        status = taut_certify_add_known(r.surface, r.problem, certificate);
-    }
-    if (status == TAUT_OK && r.is_searched) {
-        status = add_aspect(&r, &gradient, &found, certificate);
-    }
-    if (status == TAUT_OK) {
-        status = add_figures(&r, &gradient, certificate);
-    }
+    status = add_claims(&r, &gradient, certificate);
     taut_dirichlet_gradient_clear(&gradient);
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }

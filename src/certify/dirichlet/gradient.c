@@ -9,6 +9,7 @@
  */
 #include "certify/dirichlet/gradient.h"
 
+#include "core/arena.h"
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "geometry/grid/table.h"
@@ -37,6 +38,7 @@ typedef struct axis {
 } axis;
 
 typedef struct work {
+    taut_arena *arena; /* of all below */
     axis u, v;
     int nu, nv;
     taut_surface *centred;
@@ -50,41 +52,30 @@ typedef struct work {
     double *spread;   /* [2][nv][CHANNELS]: what goes back with N_i, and with N_i' */
 } work;
 
-static void axis_clear(axis *a)
+static void release_table(void *table)
 {
-    taut_table_free(a->table);
-    taut_free(a->t);
-    taut_free(a->weights);
-    taut_free(a->roundings);
+    taut_table_free(table);
 }
 
-static taut_status axis_alloc(const taut_basis *basis, int count, axis *a)
+static taut_status fill_axis(const taut_basis *basis, const taut_cells *panels, int nodes,
+                             taut_arena *arena, axis *a)
 {
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    const double *breaks = taut_basis_breaks(basis);
+    const size_t count = (size_t)panels->count * (size_t)nodes;
+    double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
 
-    a->count = count;
+    a->count = (int)count;
     a->length = hi - lo;
     a->reach = fmax(fabs(lo), fabs(hi)) / a->length;
-    a->t = taut_alloc((size_t)count, sizeof(double));
-    a->weights = taut_alloc((size_t)count, sizeof(double));
-    a->roundings = taut_alloc((size_t)count, sizeof(double));
-    return a->t != NULL && a->weights != NULL && a->roundings != NULL ? TAUT_OK : TAUT_NO_MEMORY;
-}
-
-/* lines, step, next as in geometry/nurbs/cells.h. */
-static taut_status axis_new(const taut_basis *basis, int lines, const double *surface_weights,
-                            size_t step, size_t next, int nodes, axis *a)
-{
-    double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
-    const double *breaks = taut_basis_breaks(basis);
-    taut_cells *panels = NULL;
-    taut_status status = taut_cells_new(basis, lines, surface_weights, step, next, &panels);
-
-    if (status == TAUT_OK) {
-        status = axis_alloc(basis, panels->count * nodes, a);
+    a->t = taut_arena_take(arena, count, sizeof(double));
+    a->weights = taut_arena_take(arena, count, sizeof(double));
+    a->roundings = taut_arena_take(arena, count, sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
     }
     taut_gauss_rule(nodes, node, weight);
-    for (int k = 0; status == TAUT_OK && k < a->count; k++) {
+    for (int k = 0; k < a->count; k++) {
         const int panel = k / nodes, span = panels->span[panel];
         const double t = taut_cells_at(panels, panel, node[k % nodes]);
         const double width = panels->hi[panel] - panels->lo[panel];
@@ -92,110 +83,126 @@ static taut_status axis_new(const taut_basis *basis, int lines, const double *su
         a->weights[k] = 0.5 * weight[k % nodes] * (width / a->length);
         a->roundings[k] = taut_basis_local(basis) * fabs(t) / taut_cells_finest(basis, span);
     }
-    taut_cells_free(panels);
-    if (status == TAUT_OK) {
-        status = taut_table_new(basis, a->count, a->t, NULL, 1, &a->table);
+    return TAUT_OK;
+}
+
+/* lines, step, next as in geometry/nurbs/cells.h. */
+static taut_status make_axis(const taut_basis *basis, int lines, const double *surface_weights,
+                             size_t step, size_t next, int nodes, taut_arena *arena, axis *a)
+{
+    taut_cells *panels = NULL;
+    taut_status status = taut_cells_new(basis, lines, surface_weights, step, next, &panels);
+
+    if (status != TAUT_OK) {
+        return status;
     }
-    for (int k = 0; status == TAUT_OK && k < a->count; k++) {
+    status = fill_axis(basis, panels, nodes, arena, a);
+    taut_cells_free(panels);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_table_new(basis, a->count, a->t, NULL, 1, &a->table);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int k = 0; k < a->count; k++) {
         double *slopes = a->table->values + (2 * (size_t)k + 1) * (size_t)a->table->local;
         for (int i = 0; i < a->table->local; i++) {
             slopes[i] *= a->length;
         }
     }
-    return status;
+    return taut_arena_keep(arena, a->table, release_table) ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
 /* The exponent e with largest < 2^e, 0 for 0. */
-static int exponent(double largest)
+static int exponent_of(double largest)
 {
     int e = 0;
     (void)frexp(largest, &e);
     return e;
 }
 
+static void release_surface(void *surface)
+{
+    taut_surface_free(surface);
+}
+
 /* The surface with its points around 0 and of about unit size, and the sizes of the points as they
  * are. The unit is a power of two, so that scaling rounds nothing. */
-static taut_status centre(const taut_surface *surface, work *w)
+static taut_status centre_surface(const taut_surface *surface, work *w)
 {
     const size_t count = (size_t)w->nu * (size_t)w->nv;
     const double *p = taut_surface_points(surface);
-    double *moved = taut_alloc(3 * count, sizeof(double));
+    double *moved = taut_arena_take(w->arena, 3 * count, sizeof(double));
     double largest = 0, size = 0;
-    taut_status status = TAUT_NO_MEMORY;
+    taut_status status = TAUT_OK;
     int coarse = 0, fine = 0;
 
-    w->sizes = taut_alloc(count, sizeof(double));
+    w->sizes = taut_arena_take(w->arena, count, sizeof(double));
+    if (taut_arena_status(w->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
     for (size_t i = 0; i < 3 * count; i++) {
         largest = fmax(largest, fabs(p[i]));
     }
-    coarse = exponent(largest);
-    for (size_t i = 0; moved != NULL && i < 3 * count; i++) {
+    coarse = exponent_of(largest);
+    for (size_t i = 0; i < 3 * count; i++) {
         moved[i] = ldexp(p[i], -coarse) - ldexp(p[i % 3], -coarse); /* from the first point */
         size = fmax(size, fabs(moved[i]));
     }
-    fine = exponent(size);
+    fine = exponent_of(size);
     w->unit = coarse + fine;
-    if (moved != NULL && w->sizes != NULL) {
-        for (size_t i = 0; i < 3 * count; i++) {
-            moved[i] = ldexp(moved[i], -fine);
-        }
-        for (size_t i = 0; i < count; i++) {
-            /* numbers below DBL_MIN are stored with its rounding */
-            const double x =
-                fmax(fmax(fabs(p[3 * i]), DBL_MIN), fmax(fabs(p[3 * i + 1]), fabs(p[3 * i + 2])));
-            w->sizes[i] = ldexp(ldexp(x, -coarse), -fine);
-        }
-        status = taut_surface_new("", taut_surface_u(surface), taut_surface_v(surface), moved,
-                                  w->weights, &w->centred, NULL);
+    for (size_t i = 0; i < 3 * count; i++) {
+        moved[i] = ldexp(moved[i], -fine);
     }
-    taut_free(moved);
-    return status;
+    for (size_t i = 0; i < count; i++) {
+        /* numbers below DBL_MIN are stored with its rounding */
+        const double x =
+            fmax(fmax(fabs(p[3 * i]), DBL_MIN), fmax(fabs(p[3 * i + 1]), fabs(p[3 * i + 2])));
+        w->sizes[i] = ldexp(ldexp(x, -coarse), -fine);
+    }
+    status = taut_surface_new("", taut_surface_u(surface), taut_surface_v(surface), moved,
+                              w->weights, &w->centred, NULL);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return taut_arena_keep(w->arena, w->centred, release_surface) ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
-static void work_clear(work *w)
+/* w->arena is there, or NULL. */
+static taut_status prepare(const taut_surface *surface, double aspect, int nodes, work *w)
 {
-    axis_clear(&w->u);
-    axis_clear(&w->v);
-    taut_surface_free(w->centred);
-    taut_free(w->sizes);
-    taut_free(w->lines);
-    taut_free(w->polygons);
-    taut_free(w->spread);
-}
-
-static taut_status work_new(const taut_surface *surface, double aspect, int nodes, work *w)
-{
+    const size_t nu = (size_t)taut_basis_count(taut_surface_u(surface));
+    const size_t nv = (size_t)taut_basis_count(taut_surface_v(surface));
     taut_status status = TAUT_OK;
     double f = 0;
 
-    memset(w, 0, sizeof *w);
-    w->nu = taut_basis_count(taut_surface_u(surface));
-    w->nv = taut_basis_count(taut_surface_v(surface));
+    w->nu = (int)nu;
+    w->nv = (int)nv;
     w->weights = taut_surface_weights(surface);
-    status = axis_new(taut_surface_u(surface), w->nv, w->weights, (size_t)w->nv, 1, nodes, &w->u);
-    if (status == TAUT_OK) {
-        status =
-            axis_new(taut_surface_v(surface), w->nu, w->weights, 1, (size_t)w->nv, nodes, &w->v);
+    status = make_axis(taut_surface_u(surface), w->nv, w->weights, nv, 1, nodes, w->arena, &w->u);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = centre(surface, w);
+    status = make_axis(taut_surface_v(surface), w->nu, w->weights, 1, nv, nodes, w->arena, &w->v);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        w->lines = taut_alloc_aligned(LINES * VALUES * (size_t)w->v.count, sizeof(double));
-        w->polygons = taut_alloc_aligned(4 * (size_t)w->nv, sizeof(double));
-        w->spread = taut_alloc_aligned(2 * CHANNELS * (size_t)w->nv, sizeof(double));
-        f = aspect * (w->v.length / w->u.length);
-        w->fu = f >= 1 ? 1 : f * f;
-        w->fv = f >= 1 ? 1 / f / f : 1;
-        if (w->lines == NULL || w->polygons == NULL || w->spread == NULL) {
-            status = TAUT_NO_MEMORY;
-        }
+    status = centre_surface(surface, w);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    w->lines = taut_arena_take(w->arena, LINES * VALUES * (size_t)w->v.count, sizeof(double));
+    w->polygons = taut_arena_take(w->arena, 4 * nv, sizeof(double));
+    w->spread = taut_arena_take(w->arena, 2 * CHANNELS * nv, sizeof(double));
+    f = aspect * (w->v.length / w->u.length);
+    w->fu = f >= 1 ? 1 : f * f;
+    w->fv = f >= 1 ? 1 / f / f : 1;
+    return taut_arena_status(w->arena);
 }
 
 /* polygons[0..1][t] = sum_s N_s w_st, N_s' w_st;   [2..3][t] = sum_s N_s w_st |P_st|, |N_s'| .. */
-static void contract(const work *w, int line)
+static void contract_line(const work *w, int line)
 {
     const taut_table *table = w->u.table;
     const size_t nv = (size_t)w->nv;
@@ -217,7 +224,7 @@ static void contract(const work *w, int line)
 }
 
 /* w, w_u, w_v and the gross of x, x_u, x_v (before the division by w) at point k of the line. */
-static void point_sums(const work *w, int k, double sums[6])
+static void find_sums(const work *w, int k, double sums[6])
 {
     const taut_table *table = w->v.table;
     const size_t nv = (size_t)w->nv;
@@ -246,7 +253,7 @@ static double larger(double a, double b)
 /* The quadratic form in x_u, x_v that the gradient is of, over the unit square: the constant one of
  * the Dirichlet energy, or for the area (G, -F, E) / W of the surface itself, 0 where W is. Returns
  * W in the latter case. */
-static double coefficients(const work *w, const double *x, double form[3])
+static double find_form(const work *w, const double *x, double form[3])
 {
     const double *xu = x + 3 * TAUT_XU, *xv = x + 3 * TAUT_XV;
     const double u = w->u.length, v = w->v.length;
@@ -269,8 +276,8 @@ static double coefficients(const work *w, const double *x, double form[3])
 /* What multiplies N_i' N_j (out[0]), N_i N_j' (out[1]) and -N_i N_j (out[2]) at one point, in each
  * channel. In the gross one every sign is positive, and the slopes of the surface times what a
  * rounding of (u, v) is to basis and w are added. */
-static void integrands(const work *w, double weight, double roundings, const double *x,
-                       const double sums[6], const double form[3], double out[3][CHANNELS])
+static void find_integrands(const work *w, double weight, double roundings, const double *x,
+                            const double sums[6], const double form[3], double out[3][CHANNELS])
 {
     const double inverse = 1 / sums[0];
     const double wu = w->weights != NULL ? sums[1] * inverse : 0;
@@ -346,15 +353,15 @@ static void integrate_line(work *w, int line, const double *values, taut_dirichl
 {
     const double area = w->u.length * w->v.length;
 
-    contract(w, line);
+    contract_line(w, line);
     memset(w->spread, 0, 2 * CHANNELS * (size_t)w->nv * sizeof(double));
     for (int k = 0; k < w->v.count; k++) {
         const double *x = values + VALUES * (size_t)k;
         const double weight = w->u.weights[line] * w->v.weights[k];
         double sums[6], form[3], out[3][CHANNELS];
-        point_sums(w, k, sums);
-        g->area += weight * coefficients(w, x, form);
-        integrands(w, weight, w->u.roundings[line] + w->v.roundings[k], x, sums, form, out);
+        find_sums(w, k, sums);
+        g->area += weight * find_form(w, x, form);
+        find_integrands(w, weight, w->u.roundings[line] + w->v.roundings[k], x, sums, form, out);
         gather_point(w, k, out);
         g->halves[0] += weight * square(x + 3 * TAUT_XU) * area;
         g->halves[1] += weight * square(x + 3 * TAUT_XV) * area;
@@ -362,39 +369,48 @@ static void integrate_line(work *w, int line, const double *values, taut_dirichl
     add_line(w, line, g);
 }
 
-static taut_status integrate(work *w, taut_dirichlet_gradient *g)
+static taut_status integrate_surface(work *w, taut_dirichlet_gradient *g)
 {
-    taut_status status = TAUT_OK;
-    for (int from = 0; status == TAUT_OK && from < w->u.count; from += LINES) {
+    for (int from = 0; from < w->u.count; from += LINES) {
         const int count = w->u.count - from < LINES ? w->u.count - from : LINES;
-        status = taut_surface_eval_grid(w->centred, count, w->u.t + from, w->v.count, w->v.t, 1, 1,
-                                        w->lines);
-        for (int i = 0; status == TAUT_OK && i < count; i++) {
+        const taut_status status = taut_surface_eval_grid(w->centred, count, w->u.t + from,
+                                                          w->v.count, w->v.t, 1, 1, w->lines);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        for (int i = 0; i < count; i++) {
             integrate_line(w, from + i, w->lines + VALUES * (size_t)w->v.count * (size_t)i, g);
         }
     }
-    return status;
+    return TAUT_OK;
+}
+
+static taut_status find_gradient(const taut_surface *surface, double aspect, int nodes, work *w,
+                                 taut_dirichlet_gradient *made)
+{
+    const taut_status status = prepare(surface, aspect, nodes, w);
+    const size_t count = (size_t)w->nu * (size_t)w->nv;
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    made->unit = w->unit;
+    made->values = taut_alloc_zero(3 * count, sizeof(double));
+    made->gross = taut_alloc_zero(count, sizeof(double));
+    if (made->values == NULL || made->gross == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    return integrate_surface(w, made);
 }
 
 static taut_status gradient_new(const taut_surface *surface, int is_area, double aspect, int nodes,
                                 taut_dirichlet_gradient *gradient)
 {
     taut_dirichlet_gradient made = {NULL, NULL, {0, 0}, 0, 0};
-    work w;
-    taut_status status = work_new(surface, aspect, nodes, &w);
-    const size_t count = (size_t)w.nu * (size_t)w.nv;
+    work w = {.arena = taut_arena_new(), .is_area = is_area};
+    const taut_status status = find_gradient(surface, aspect, nodes, &w, &made);
 
-    w.is_area = is_area;
-    made.unit = w.unit;
-    if (status == TAUT_OK) {
-        made.values = taut_alloc_zero(3 * count, sizeof(double));
-        made.gross = taut_alloc_zero(count, sizeof(double));
-        status = made.values != NULL && made.gross != NULL ? TAUT_OK : TAUT_NO_MEMORY;
-    }
-    if (status == TAUT_OK) {
-        status = integrate(&w, &made);
-    }
-    work_clear(&w);
+    taut_arena_free(w.arena);
     if (status != TAUT_OK) {
         taut_dirichlet_gradient_clear(&made);
         return status;

@@ -1,7 +1,6 @@
 #include "construct/common/curve_fit.h"
 
-#include "core/fail.h"
-#include "core/memory.h"
+#include "core/arena.h"
 #include "core/vec3.h"
 #include "numeric/dense.h"
 #include "numeric/quadrature.h"
@@ -21,18 +20,19 @@ typedef struct fit {
     int panels;
     double *breaks;         /* [panels + 1] in the basis's range */
     double *samples;        /* [panels * NODES][3]: of the curve */
+    taut_arena *arena;      /* of the arrays */
     double *triangle, *row; /* (unknowns + 3) columns */
     double *rows;           /* [unknowns][unknowns + 3] */
 } fit;
 
-static int compare(const void *a, const void *b)
+static int compare_numbers(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
 /* The parameter of the curve that belongs to t. */
-static double there(const fit *f, double t)
+static double curve_parameter(const fit *f, double t)
 {
     const taut_basis *c = taut_curve_t(f->curve);
     const double lo = taut_basis_lo(f->basis), hi = taut_basis_hi(f->basis);
@@ -40,9 +40,9 @@ static double there(const fit *f, double t)
     return fmin(b, fmax(a, at < 0.5 ? a + at * (b - a) : b - (1 - at) * (b - a)));
 }
 
-static void evaluate(const fit *f, double t, double x[3])
+static void evaluate_curve(const fit *f, double t, double x[3])
 {
-    const taut_status status = taut_curve_eval(f->curve, there(f, t), 0, x);
+    const taut_status status = taut_curve_eval(f->curve, curve_parameter(f, t), 0, x);
     assert(status == TAUT_OK); /* which it is in the curve's range */
     (void)status;
 }
@@ -56,7 +56,7 @@ static taut_status merge_breaks(fit *f)
     const double a = taut_basis_lo(c), b = taut_basis_hi(c);
     int count = 1;
 
-    f->breaks = taut_alloc((size_t)own + (size_t)other + 2, sizeof(double));
+    f->breaks = taut_arena_take(f->arena, (size_t)own + (size_t)other + 2, sizeof(double));
     if (f->breaks == NULL) {
         return TAUT_NO_MEMORY;
     }
@@ -64,32 +64,40 @@ static taut_status merge_breaks(fit *f)
     for (int k = 0; k <= other; k++) {
         f->breaks[own + 1 + k] = lo + (hi - lo) * ((taut_basis_breaks(c)[k] - a) / (b - a));
     }
-    qsort(f->breaks, (size_t)own + (size_t)other + 2, sizeof(double), compare);
+    qsort(f->breaks, (size_t)own + (size_t)other + 2, sizeof(double), compare_numbers);
     for (int k = 1; k < own + other + 2; k++) {
         if (f->breaks[k] - f->breaks[count - 1] > 1e-12 * (hi - lo)) {
             f->breaks[count++] = f->breaks[k];
         }
     }
     f->panels = count - 1;
-    f->samples = taut_alloc((size_t)f->panels * NODES, 3 * sizeof(double));
+    f->samples = taut_arena_take(f->arena, (size_t)f->panels * NODES, 3 * sizeof(double));
     return f->samples != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
-/* The basis without its first and its last inner knot; NULL, and TAUT_OK, where it has not two. */
-static taut_status test_basis(const taut_basis *basis, taut_basis **test)
+static void release_basis(void *basis)
+{
+    taut_basis_free(basis);
+}
+
+/* The test functions: the basis without its first and its last inner knot; the inner functions of
+ * the basis itself where it has not two. */
+static taut_status choose_tests(fit *f)
 {
     taut_basis_spec spec;
+    taut_basis *test = NULL;
     double *knots = NULL;
     int inner = 0;
     taut_status status = TAUT_OK;
 
-    *test = NULL;
-    taut_basis_spec_of(basis, &spec);
+    f->test = f->basis;
+    f->offset = 1;
+    taut_basis_spec_of(f->basis, &spec);
     inner = spec.knot_count - 2 * (spec.degree + 1);
-    if (strcmp(taut_basis_type(basis), "bspline") != 0 || inner < 2) {
+    if (strcmp(taut_basis_type(f->basis), "bspline") != 0 || inner < 2) {
         return TAUT_OK;
     }
-    knots = taut_alloc((size_t)spec.knot_count, sizeof(double));
+    knots = taut_arena_take(f->arena, (size_t)spec.knot_count, sizeof(double));
     if (knots == NULL) {
         return TAUT_NO_MEMORY;
     }
@@ -100,9 +108,13 @@ static taut_status test_basis(const taut_basis *basis, taut_basis **test)
     }
     spec.knots = knots;
     spec.knot_count -= 2;
-    status = taut_basis_new(&spec, 0, test, NULL);
-    taut_free(knots);
-    return status;
+    status = taut_basis_new(&spec, 0, &test, NULL);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    f->test = test;
+    f->offset = 0;
+    return taut_arena_keep(f->arena, test, release_basis) ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
 /* Adds what node t gives to the moments; x, the curve's point there, is spoilt. */
@@ -140,7 +152,7 @@ static void add_node(fit *f, double t, double weight, const double ends[2][3], d
     }
 }
 
-static void for_nodes(fit *f, const double ends[2][3], const double *points, double *deviation)
+static void visit_nodes(fit *f, const double ends[2][3], const double *points, double *deviation)
 {
     double node[NODES], weight[NODES];
 
@@ -150,7 +162,7 @@ static void for_nodes(fit *f, const double ends[2][3], const double *points, dou
         const double t = lo + (hi - lo) * (0.5 + 0.5 * node[k % NODES]);
         double n[LOCAL], x[3];
         if (points == NULL) {
-            evaluate(f, t, f->samples + 3 * (size_t)k);
+            evaluate_curve(f, t, f->samples + 3 * (size_t)k);
         }
         memcpy(x, f->samples + 3 * (size_t)k, sizeof x);
         if (points == NULL) {
@@ -170,7 +182,7 @@ static void for_nodes(fit *f, const double ends[2][3], const double *points, dou
 }
 
 /* points[1..n-2] from the moments, by QR: row by row, each only as long as it has to be. */
-static taut_status solve(fit *f, double *points)
+static taut_status solve_moments(fit *f, double *points)
 {
     const int width = f->unknowns + 3;
     const size_t size = (size_t)width;
@@ -193,52 +205,42 @@ static taut_status solve(fit *f, double *points)
     return TAUT_OK;
 }
 
-static taut_status alloc(fit *f)
+static taut_status fit_points(fit *f, const double ends[2][3], double *points, double *deviation)
 {
     const size_t size = (size_t)f->unknowns + 3;
+    taut_status status = choose_tests(f);
 
-    f->triangle = taut_alloc_zero(size, size * sizeof(double));
-    f->row = taut_alloc_zero(size, sizeof(double));
-    f->rows = taut_alloc_zero((size_t)f->unknowns + 1, size * sizeof(double));
-    return f->triangle != NULL && f->row != NULL && f->rows != NULL ? merge_breaks(f)
-                                                                    : TAUT_NO_MEMORY;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    f->triangle = taut_arena_take(f->arena, size, size * sizeof(double));
+    f->row = taut_arena_take(f->arena, size, sizeof(double));
+    f->rows = taut_arena_take(f->arena, (size_t)f->unknowns + 1, size * sizeof(double));
+    status = f->rows != NULL ? merge_breaks(f) : TAUT_NO_MEMORY;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    visit_nodes(f, ends, NULL, NULL);
+    status = f->unknowns > 0 ? solve_moments(f, points) : TAUT_OK;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    *deviation = 0;
+    visit_nodes(f, ends, points, deviation);
+    return isfinite(*deviation) ? TAUT_OK : TAUT_NOT_CONVERGED;
 }
 
 taut_status taut_curve_fit(const taut_curve *curve, const taut_basis *basis,
                            const double ends[2][3], double *points, double *deviation)
 {
     const int count = taut_basis_count(basis);
-    fit f = {.curve = curve, .basis = basis, .test = basis, .count = count, .offset = 1};
-    taut_basis *test = NULL;
+    fit f = {.curve = curve, .basis = basis, .count = count, .arena = taut_arena_new()};
     taut_status status = TAUT_OK;
 
     f.unknowns = count > 2 ? count - 2 : 0;
     memcpy(points, ends[0], 3 * sizeof(double));
     memcpy(points + 3 * (count - 1), ends[1], 3 * sizeof(double));
-    status = test_basis(basis, &test);
-    if (status == TAUT_OK && test != NULL) {
-        f.test = test;
-        f.offset = 0;
-    }
-    if (status == TAUT_OK) {
-        status = alloc(&f);
-    }
-    if (status == TAUT_OK) {
-        for_nodes(&f, ends, NULL, NULL);
-    }
-    if (status == TAUT_OK && f.unknowns > 0) {
-        status = solve(&f, points);
-    }
-    if (status == TAUT_OK) {
-        *deviation = 0;
-        for_nodes(&f, ends, points, deviation);
-        status = isfinite(*deviation) ? TAUT_OK : TAUT_NOT_CONVERGED;
-    }
-    taut_basis_free(test);
-    taut_free(f.breaks);
-    taut_free(f.samples);
-    taut_free(f.triangle);
-    taut_free(f.row);
-    taut_free(f.rows);
+    status = fit_points(&f, ends, points, deviation);
+    taut_arena_free(f.arena);
     return status;
 }

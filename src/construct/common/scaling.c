@@ -1,5 +1,7 @@
 #include "construct/common/scaling.h"
 
+#include "core/fail.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -18,14 +20,14 @@ static inline double times_power(double x, int e)
 }
 
 /* The exponent e of max |x| = f 2^e, 1/2 <= f < 1; 0 for 0. */
-static int exponent(double largest)
+static int exponent_of(double largest)
 {
     int e = 0;
     (void)frexp(largest, &e);
     return e;
 }
 
-static void include(double x, double *lo, double *hi)
+static void include_number(double x, double *lo, double *hi)
 {
     *lo = fmin(*lo, x);
     *hi = fmax(*hi, x);
@@ -39,36 +41,54 @@ taut_scaling taut_scaling_of(size_t count, const double *points, const unsigned 
 
     for (size_t i = 0; i < count; i++) {
         for (int c = 0; known[i] && c < 3; c++) {
-            include(points[3 * i + (size_t)c], &lo[c], &hi[c]);
+            include_number(points[3 * i + (size_t)c], &lo[c], &hi[c]);
         }
     }
     for (int c = 0; c < 3; c++) {
         largest = fmax(largest, fmax(fabs(lo[c]), fabs(hi[c])));
     }
-    scaling.outer = exponent(largest);
+    scaling.outer = exponent_of(largest);
     for (int c = 0; c < 3; c++) {
         const double low = ldexp(lo[c], -scaling.outer), high = ldexp(hi[c], -scaling.outer);
         scaling.centre[c] = low + 0.5 * (high - low);
         size = fmax(size, fmax(high - scaling.centre[c], scaling.centre[c] - low));
     }
-    scaling.inner = exponent(size);
+    scaling.inner = exponent_of(size);
     return scaling;
 }
 
-void taut_scaling_apply(const taut_scaling *scaling, const double *point, double *scaled)
+void taut_scaling_apply(const taut_scaling *scaling, size_t count, const double *points,
+                        const unsigned char *known, double *net)
 {
-    for (int c = 0; c < 3; c++) {
-        const double near = times_power(point[c], -scaling->outer) - scaling->centre[c];
-        scaled[c] = times_power(near, -scaling->inner);
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < 3; c++) {
+            double *scaled = net + 3 * i + c;
+            *scaled = 0;
+            if (known == NULL || known[i]) {
+                const double near =
+                    times_power(points[3 * i + c], -scaling->outer) - scaling->centre[c];
+                *scaled = times_power(near, -scaling->inner);
+            }
+        }
     }
 }
 
-void taut_scaling_undo(const taut_scaling *scaling, const double *scaled, double *point)
+taut_status taut_scaling_undo(const taut_scaling *scaling, size_t count, const double *given,
+                              const unsigned char *known, const double *net, double *points,
+                              taut_error *error)
 {
-    for (int c = 0; c < 3; c++) {
-        const double far = times_power(scaled[c], scaling->inner) + scaling->centre[c];
-        point[c] = times_power(far, scaling->outer);
+    for (size_t i = 0; i < 3 * count; i++) {
+        const double far = times_power(net[i], scaling->inner) + scaling->centre[i % 3];
+        points[i] = known[i / 3] ? given[i] : times_power(far, scaling->outer);
     }
+    for (size_t i = 0; i < 3 * count; i++) {
+        if (!isfinite(points[i])) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "overflow", "/points", taut_none, taut_none,
+                             "a point of the solution is beyond the range of double precision: "
+                             "scale the points down");
+        }
+    }
+    return TAUT_OK;
 }
 
 double taut_scaling_undo_square(const taut_scaling *scaling, double value)

@@ -22,31 +22,32 @@ typedef struct sample {
 
 /* Steps of 4 from the aspect that makes fu = fv: scanned first, and at most. Beyond 4^20 the lesser
  * part of the energy is rounding of the other. */
-enum { SCAN = 5, REACH = 20 };
+enum { SCAN = 5, REACH = 20, CLOSINGS = 100 };
 
 /* Where the slope is rounding: sums of energies are good to about as much. */
-static const double enough = 0x1p-50;
+static const double slope_flat = 0x1p-50;
 
-static taut_status take(taut_dirichlet_system *system, double log_aspect, double *net, sample *s,
-                        taut_error *error)
+static taut_status find_sample(taut_dirichlet_system *system, double log_aspect, double *net,
+                               sample *s, taut_error *error)
 {
     const double aspect = exp(log_aspect);
     double halves[2] = {0, 0};
     const taut_status status = taut_dirichlet_system_solve(system, aspect, net, error);
 
-    if (status == TAUT_OK) {
-        taut_dirichlet_system_energies(system, net, halves);
-        s->log_aspect = log_aspect;
-        s->energy = aspect * halves[0] + halves[1] / aspect;
-        s->slope = halves[0] > 0 && halves[1] > 0 ? 2 * log_aspect + log(halves[0]) - log(halves[1])
-                                                  : (halves[0] > halves[1] ? INFINITY : -INFINITY);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    taut_dirichlet_system_energies(system, net, halves);
+    s->log_aspect = log_aspect;
+    s->energy = aspect * halves[0] + halves[1] / aspect;
+    s->slope = halves[0] > 0 && halves[1] > 0 ? 2 * log_aspect + log(halves[0]) - log(halves[1])
+                                              : (halves[0] > halves[1] ? INFINITY : -INFINITY);
+    return TAUT_OK;
 }
 
-static taut_status no_aspect(int towards_infinity, taut_error *error)
+static taut_status refuse_aspect(int towards_infinity, taut_error *error)
 {
-    return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/aspect", taut_none, taut_none,
+    return taut_fail(error, TAUT_NO_SOLUTION, "no-best-aspect", "/aspect", taut_none, taut_none,
                      "the energy keeps falling as the aspect goes to %s: the surface shrinks to a "
                      "curve, so no aspect is best; give a number",
                      towards_infinity ? "infinity" : "0");
@@ -54,35 +55,42 @@ static taut_status no_aspect(int towards_infinity, taut_error *error)
 
 /* The lowest of the scan in best[1], its neighbours around it; goes further where it lies at an
  * end. */
-static taut_status scan(taut_dirichlet_system *system, double middle, double *net, sample best[3],
-                        taut_error *error)
+static taut_status scan_aspects(taut_dirichlet_system *system, double middle, double *net,
+                                sample best[3], taut_error *error)
 {
     const double step = log(4.0);
     sample s[2 * REACH + 1];
     int from = REACH - SCAN, to = REACH + SCAN, lowest = from;
-    taut_status status = TAUT_OK;
 
-    for (int k = from; status == TAUT_OK && k <= to; k++) {
-        status = take(system, middle + (k - REACH) * step, net, &s[k], error);
-        lowest = status == TAUT_OK && s[k].energy < s[lowest].energy ? k : lowest;
-    }
-    while (status == TAUT_OK && (lowest == from || lowest == to)) {
-        const int next = lowest == from ? from - 1 : to + 1;
-        if (next < 0 || next > 2 * REACH) {
-            return no_aspect(lowest == to, error);
+    for (int k = from; k <= to; k++) {
+        const taut_status status =
+            find_sample(system, middle + (k - REACH) * step, net, &s[k], error);
+        if (status != TAUT_OK) {
+            return status;
         }
-        status = take(system, middle + (next - REACH) * step, net, &s[next], error);
+        lowest = s[k].energy < s[lowest].energy ? k : lowest;
+    }
+    while (lowest == from || lowest == to) {
+        const int next = lowest == from ? from - 1 : to + 1;
+        taut_status status = TAUT_OK;
+        if (next < 0 || next > 2 * REACH) {
+            return refuse_aspect(lowest == to, error);
+        }
+        status = find_sample(system, middle + (next - REACH) * step, net, &s[next], error);
+        if (status != TAUT_OK) {
+            return status;
+        }
         from = next < from ? next : from;
         to = next > to ? next : to;
-        lowest = status == TAUT_OK && s[next].energy < s[lowest].energy ? next : lowest;
-        if (status == TAUT_OK && lowest != next) {
+        if (!(s[next].energy < s[lowest].energy)) {
             break;
         }
+        lowest = next;
     }
-    for (int k = 0; status == TAUT_OK && k < 3; k++) {
+    for (int k = 0; k < 3; k++) {
         best[k] = s[lowest - 1 + k];
     }
-    return status;
+    return TAUT_OK;
 }
 
 /* Closes in on the root of the slope between low (falling) and high (rising). A `high` where f
@@ -92,11 +100,11 @@ static taut_status close_in(taut_dirichlet_system *system, sample low, sample hi
 {
     double low_slope = low.slope, high_slope = high.slope;
     int side = 0; /* which end moved last: -1 low, 1 high */
-    taut_status status = TAUT_OK;
 
     *log_aspect = low.log_aspect;
-    for (int k = 0; status == TAUT_OK && k < 100; k++) {
+    for (int k = 0; k < CLOSINGS; k++) {
         const double width = high.log_aspect - low.log_aspect;
+        taut_status status = TAUT_OK;
         sample s;
         double at = low.log_aspect + 0.5 * width;
         if (high.slope > 0 && isfinite(high_slope) && isfinite(low_slope)) {
@@ -106,8 +114,11 @@ static taut_status close_in(taut_dirichlet_system *system, sample low, sample hi
             break;
         }
         *log_aspect = at;
-        status = take(system, at, net, &s, error);
-        if (status != TAUT_OK || fabs(s.slope) <= enough || width <= enough) {
+        status = find_sample(system, at, net, &s, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        if (fabs(s.slope) <= slope_flat || width <= slope_flat) {
             break;
         }
         if (s.slope < 0 && (high.slope > 0 || s.energy <= low.energy)) {
@@ -122,33 +133,48 @@ static taut_status close_in(taut_dirichlet_system *system, sample low, sample hi
             side = 1;
         }
     }
-    return status;
+    return TAUT_OK;
+}
+
+/* *log_aspect: where f is least; net is that of some aspect near it. */
+static taut_status find_least(taut_dirichlet_system *system, double *net, double *log_aspect,
+                              int *is_point, taut_error *error)
+{
+    const double natural = log(taut_dirichlet_system_natural_aspect(system));
+    sample first, best[3];
+    taut_status status = find_sample(system, natural, net, &first, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    *is_point = first.energy == 0;
+    if (*is_point) {
+        return TAUT_OK;
+    }
+    status = scan_aspects(system, natural, net, best, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    *log_aspect = best[1].log_aspect;
+    if (best[1].slope < -slope_flat) {
+        return close_in(system, best[1], best[2], net, log_aspect, error);
+    }
+    if (best[1].slope > slope_flat) {
+        return close_in(system, best[0], best[1], net, log_aspect, error);
+    }
+    return TAUT_OK;
 }
 
 taut_status taut_dirichlet_system_aspect(taut_dirichlet_system *system, double *net, double *aspect,
                                          taut_error *error)
 {
-    const double natural = taut_dirichlet_system_natural_aspect(system);
-    sample first, best[3];
     double log_aspect = 0;
-    taut_status status = take(system, log(natural), net, &first, error);
+    int is_point = 0;
+    const taut_status status = find_least(system, net, &log_aspect, &is_point, error);
 
-    if (status == TAUT_OK && first.energy == 0) {
-        *aspect = 1; /* a point: every aspect is as good */
-        return TAUT_OK;
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = scan(system, log(natural), net, best, error);
-    }
-    log_aspect = status == TAUT_OK ? best[1].log_aspect : 0;
-    if (status == TAUT_OK && best[1].slope < -enough) {
-        status = close_in(system, best[1], best[2], net, &log_aspect, error);
-    } else if (status == TAUT_OK && best[1].slope > enough) {
-        status = close_in(system, best[0], best[1], net, &log_aspect, error);
-    }
-    if (status == TAUT_OK) {
-        *aspect = exp(log_aspect);
-        status = taut_dirichlet_system_solve(system, *aspect, net, error);
-    }
-    return status;
+    *aspect = is_point ? 1 : exp(log_aspect); /* of a point every aspect is as good */
+    return is_point ? TAUT_OK : taut_dirichlet_system_solve(system, *aspect, net, error);
 }

@@ -1,22 +1,22 @@
 /* dirichlet.c -- the surface of least Dirichlet energy through the known points of a net.
  *
- *     1. check the data; find the pattern of unknown points
+ *     1. check the data; find the mask of the unknown points
  *     2. move and scale the known points to [-1, 1]^3 (construct/common/scaling.h)
  *     3. Gram matrices of both bases (geometry/nurbs/gram.h), the form made of them (form.h)
  *     4. solve A x = 0 at the unknown points (system.h), for the aspect given or the best
  *     5. put the solution back between the known points, which stay bit for bit
  *
- * [WuWang2011] section 3; aspect 7.3, weights 7.5, patterns 7.6. The system is positive definite as
+ * [WuWang2011] section 3; aspect 7.3, weights 7.5, masks 7.6. The system is positive definite as
  * soon as one point is known: D(x) = 0 makes x constant, so it vanishes with that point.
  */
 #include "taut/dirichlet.h"
 
+#include "construct/common/mask.h"
 #include "construct/common/scaling.h"
-#include "construct/common/workspace.h"
 #include "construct/construct_ops.h"
-#include "construct/dirichlet/plan.h"
+#include "construct/dirichlet/system.h"
+#include "core/arena.h"
 #include "core/fail.h"
-#include "core/memory.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -34,19 +34,19 @@ typedef struct outcome {
 static taut_status check_basis(const taut_basis *basis, const char *where, taut_error *error)
 {
     if (strcmp(taut_basis_type(basis), "ce-bezier") == 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
-                         "a basis of type \"ce-bezier\" is for curves, expected any other type");
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "basis", where, taut_none,
+                                  "any other type", "a basis of type \"ce-bezier\" is for curves");
     }
     return TAUT_OK;
 }
 
-static taut_status check_place(const char *member, size_t index, int nv, double found,
-                               const char *expected, taut_error *error)
+static taut_status refuse_number(const char *member, size_t index, int nv, double found,
+                                 const char *expected, taut_error *error)
 {
     char where[64];
     snprintf(where, sizeof where, "/%s/%zu/%zu", member, index / (size_t)nv, index % (size_t)nv);
-    return taut_fail(error, TAUT_BAD_INPUT, "value", where, found, taut_none,
-                     "found %.17g, expected %s", found, expected);
+    return taut_fail_expected(error, TAUT_BAD_INPUT, "value", where, found, expected, "found %.17g",
+                              found);
 }
 
 static taut_status check_numbers(const taut_dirichlet_problem *problem, taut_error *error)
@@ -59,24 +59,24 @@ static taut_status check_numbers(const taut_dirichlet_problem *problem, taut_err
         const double *p = problem->points + 3 * i;
         for (int c = 0; problem->known[i] && c < 3; c++) {
             if (!isfinite(p[c])) {
-                return check_place("points", i, nv, p[c], "a finite number", error);
+                return refuse_number("points", i, nv, p[c], "a finite number", error);
             }
         }
         known += problem->known[i] != 0;
         if (problem->weights != NULL &&
             !(problem->weights[i] > 0 && isfinite(problem->weights[i]))) {
-            return check_place("weights", i, nv, problem->weights[i], "a positive number", error);
+            return refuse_number("weights", i, nv, problem->weights[i], "a positive number", error);
         }
     }
     if (known == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", 0, 1,
+        return taut_fail(error, TAUT_NO_SOLUTION, "nothing-known", "/points", 0, 1,
                          "no point of the net is known, so every surface that is a single point "
                          "has the least energy: give at least one point");
     }
     return TAUT_OK;
 }
 
-static taut_status check(const taut_dirichlet_problem *problem, taut_error *error)
+static taut_status check_problem(const taut_dirichlet_problem *problem, taut_error *error)
 {
     taut_status status = TAUT_OK;
     if (problem == NULL || problem->u == NULL || problem->v == NULL || problem->points == NULL ||
@@ -92,56 +92,25 @@ static taut_status check(const taut_dirichlet_problem *problem, taut_error *erro
     const double count =
         (double)taut_basis_count(problem->u) * (double)taut_basis_count(problem->v);
     if (count > TAUT_POINTS_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/points", count, TAUT_POINTS_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/points", count, TAUT_POINTS_MAX,
                          "%.0f control points, expected at most %d", count, TAUT_POINTS_MAX);
     }
     status = check_basis(problem->u, "/u", error);
-    if (status == TAUT_OK) {
-        status = check_basis(problem->v, "/v", error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && problem->weights != NULL &&
+    status = check_basis(problem->v, "/v", error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (problem->weights != NULL &&
         !(taut_basis_allows_weights(problem->u) && taut_basis_allows_weights(problem->v))) {
         return taut_fail(
-            error, TAUT_BAD_INPUT, "value", "/weights", taut_none, taut_none,
+            error, TAUT_BAD_INPUT, "conflict", "/weights", taut_none, taut_none,
             "a basis of type \"%s\" carries no weights",
             taut_basis_type(taut_basis_allows_weights(problem->u) ? problem->v : problem->u));
     }
-    return status == TAUT_OK ? check_numbers(problem, error) : status;
-}
-
-/* net = the scaled known points, 0 at the unknown ones. */
-static void scale_net(const taut_dirichlet_problem *problem, size_t count,
-                      const taut_scaling *scaling, double *net)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (problem->known[i]) {
-            taut_scaling_apply(scaling, problem->points + 3 * i, net + 3 * i);
-        } else {
-            memset(net + 3 * i, 0, 3 * sizeof(double));
-        }
-    }
-}
-
-/* The net in the user's units: known points as given, the others from the solution. */
-static taut_status unscale_net(const taut_dirichlet_problem *problem, size_t count,
-                               const taut_scaling *scaling, double *net, taut_error *error)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (problem->known[i]) {
-            memcpy(net + 3 * i, problem->points + 3 * i, 3 * sizeof(double));
-        } else {
-            taut_scaling_undo(scaling, net + 3 * i, net + 3 * i);
-        }
-    }
-    for (size_t i = 0; i < 3 * count; i++) {
-        if (!isfinite(net[i])) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", taut_none,
-                             taut_none,
-                             "a point of the solution is beyond the range of double precision: "
-                             "scale the points down");
-        }
-    }
-    return TAUT_OK;
+    return check_numbers(problem, error);
 }
 
 static int has_aspect(const taut_dirichlet_problem *problem)
@@ -150,64 +119,78 @@ static int has_aspect(const taut_dirichlet_problem *problem)
 }
 
 /* Solves the scaled net in place. */
-static taut_status solve(const taut_dirichlet_problem *problem, taut_dirichlet_system *system,
-                         const taut_monitor *monitor, double *net, outcome *out, taut_error *error)
+static taut_status solve_net(const taut_dirichlet_problem *problem, taut_dirichlet_system *system,
+                             double *net, outcome *out, taut_error *error)
 {
     double halves[2] = {0, 0};
     taut_status status = TAUT_OK;
 
-    taut_dirichlet_system_restart(system, monitor);
     out->aspect = problem->aspect > 0 ? problem->aspect : 1;
-    if (problem->aspect_auto) {
-        status = taut_dirichlet_system_aspect(system, net, &out->aspect, error);
-    } else {
-        status = taut_dirichlet_system_solve(system, out->aspect, net, error);
+    status = problem->aspect_auto ? taut_dirichlet_system_aspect(system, net, &out->aspect, error)
+                                  : taut_dirichlet_system_solve(system, out->aspect, net, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && has_aspect(problem)) {
+    if (has_aspect(problem)) {
         taut_dirichlet_system_energies(system, net, halves);
         out->energy = out->aspect * halves[0] + halves[1] / out->aspect;
     }
-    if (status == TAUT_OK) {
-        out->method = taut_dirichlet_system_method(system);
-        out->iterations = taut_dirichlet_system_iterations(system);
-    }
-    taut_dirichlet_system_restart(system, NULL); /* a plan that is kept outlives the monitor */
-    return status;
+    out->method = taut_dirichlet_system_method(system);
+    out->iterations = taut_dirichlet_system_iterations(system);
+    return TAUT_OK;
 }
 
-/* Fills net double[count][3] with the finished control points. */
-static taut_status fill_net(const taut_dirichlet_problem *problem, taut_dirichlet_plan *plan,
-                            const taut_monitor *monitor, double *net, outcome *out,
-                            taut_error *error)
+/* What a make holds on the way. */
+typedef struct work {
+    taut_arena *arena;
+    taut_mask mask;
+    taut_dirichlet_form form;
+    taut_dirichlet_system *system;
+    double *net; /* [nu][nv][3]: the finished control points in the end */
+    outcome out;
+} work;
+
+/* Fills the net with the finished control points. */
+static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_monitor *monitor,
+                            work *w, taut_error *error)
 {
-    const size_t count = (size_t)plan->pattern.nu * (size_t)plan->pattern.nv;
+    const size_t count = (size_t)w->mask.nu * (size_t)w->mask.nv;
     taut_scaling scaling;
     taut_status status = TAUT_OK;
 
-    if (plan->pattern.unknowns == 0) {
-        memcpy(net, problem->points, 3 * count * sizeof(double));
-        out->aspect = problem->aspect > 0 ? problem->aspect : 1;
+    if (w->mask.unknowns == 0) {
+        memcpy(w->net, problem->points, 3 * count * sizeof(double));
+        w->out.aspect = problem->aspect > 0 ? problem->aspect : 1;
         return TAUT_OK;
     }
-    scaling = taut_scaling_of(count, problem->points, problem->known);
-    scale_net(problem, count, &scaling, net);
-    status = solve(problem, plan->system, monitor, net, out, error);
-    if (status == TAUT_OK) {
-        out->energy = taut_scaling_undo_square(&scaling, out->energy);
-        status = unscale_net(problem, count, &scaling, net, error);
+    status = taut_dirichlet_form_new(problem->u, problem->v, problem->weights, &w->form, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    status = taut_dirichlet_system_new(&w->form, &w->mask, monitor, &w->system, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    scaling = taut_scaling_of(count, problem->points, problem->known);
+    taut_scaling_apply(&scaling, count, problem->points, problem->known, w->net);
+    status = solve_net(problem, w->system, w->net, &w->out, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    w->out.energy = taut_scaling_undo_square(&scaling, w->out.energy);
+    return taut_scaling_undo(&scaling, count, problem->points, problem->known, w->net, w->net,
+                             error);
 }
 
-static taut_record *details_of(const taut_dirichlet_problem *problem, const taut_pattern *pattern,
+static taut_record *details_of(const taut_dirichlet_problem *problem, const taut_mask *mask,
                                const outcome *out)
 {
     taut_record *details = taut_record_new();
-    taut_record_add_number(details, "unknowns", (double)pattern->unknowns);
+    taut_record_add_number(details, "unknowns", (double)mask->unknowns);
     taut_record_add_text(details, "known",
-                         pattern->unknowns == 0 ? "all"
-                         : pattern->is_interior ? "boundary"
-                                                : "pattern");
+                         mask->unknowns == 0 ? "all"
+                         : mask->is_interior ? "boundary"
+                                             : "pattern");
     taut_record_add_text(details, "method", out->method);
     taut_record_add_number(details, "iterations", out->iterations);
     if (has_aspect(problem)) {
@@ -217,32 +200,28 @@ static taut_record *details_of(const taut_dirichlet_problem *problem, const taut
     return details;
 }
 
-/* The model of the finished net: takes nothing over. */
-static taut_status make_model(const taut_dirichlet_problem *problem, const taut_pattern *pattern,
-                              const double *net, const outcome *out, taut_model **model,
-                              taut_error *error)
+/* The model of the finished net. */
+static taut_status make_model(const taut_dirichlet_problem *problem, const work *w,
+                              taut_model **model, taut_error *error)
 {
     const char *name = problem->name != NULL ? problem->name : "dirichlet";
     taut_surface *surface = NULL;
     taut_model *made = NULL;
     taut_record *details = NULL;
     taut_status status =
-        taut_surface_new(name, problem->u, problem->v, net, problem->weights, &surface, error);
+        taut_surface_new(name, problem->u, problem->v, w->net, problem->weights, &surface, error);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_model_new(&made);
-    if (status == TAUT_OK) {
-        status = taut_model_add_surface(made, surface);
-    }
-    if (status != TAUT_OK) {
+    if (taut_model_new(&made) != TAUT_OK || taut_model_add_surface(made, surface) != TAUT_OK) {
         taut_surface_free(surface);
-    } else {
-        details = details_of(problem, pattern, out);
-        status = taut_record_status(details);
-        taut_model_set_details(made, details);
+        taut_model_free(made);
+        return taut_fail_memory(error);
     }
+    details = details_of(problem, &w->mask, &w->out);
+    status = taut_record_status(details);
+    taut_model_set_details(made, details);
     if (status != TAUT_OK) {
         taut_model_free(made);
         return taut_fail_memory(error);
@@ -251,27 +230,18 @@ static taut_status make_model(const taut_dirichlet_problem *problem, const taut_
     return TAUT_OK;
 }
 
-/* The plan of a problem: the one that the workspace keeps if it serves, else a new one, which the
- * workspace takes if it may serve others. *own is what the caller is to free. */
-static taut_status find_plan(const taut_dirichlet_problem *problem,
-                             const taut_make_options *options, taut_dirichlet_plan **plan,
-                             taut_dirichlet_plan **own, taut_error *error)
+static taut_status find_model(const taut_dirichlet_problem *problem, const taut_monitor *monitor,
+                              work *w, taut_model **model, taut_error *error)
 {
-    taut_dirichlet_plan *kept = taut_workspace_find(options->workspace, taut_dirichlet_plan_free);
+    const int nu = taut_basis_count(problem->u), nv = taut_basis_count(problem->v);
     taut_status status = TAUT_OK;
 
-    if (kept != NULL && taut_dirichlet_plan_serves(kept, problem)) {
-        taut_workspace_count(options->workspace);
-        *plan = kept;
-        return TAUT_OK;
+    w->net = taut_arena_take(w->arena, (size_t)nu * (size_t)nv, 3 * sizeof(double));
+    if (w->net == NULL || taut_mask_new(nu, nv, problem->known, w->arena, &w->mask) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
-    status = taut_dirichlet_plan_new(problem, &options->monitor, plan, error);
-    if (status == TAUT_OK && options->workspace != NULL && (*plan)->is_lasting) {
-        taut_workspace_keep(options->workspace, *plan, taut_dirichlet_plan_free);
-    } else if (status == TAUT_OK) {
-        *own = *plan;
-    }
-    return status;
+    status = fill_net(problem, monitor, w, error);
+    return status == TAUT_OK ? make_model(problem, w, model, error) : status;
 }
 
 taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
@@ -280,10 +250,8 @@ taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
 {
     static const taut_make_options none;
     const taut_make_options *chosen = options != NULL ? options : &none;
-    outcome out = {1, taut_none, "none", 0};
-    taut_dirichlet_plan *plan = NULL, *own = NULL;
-    taut_status status = check(problem, error);
-    double *net = NULL;
+    work w = {.out = {1, taut_none, "none", 0}};
+    taut_status status = check_problem(problem, error);
 
     if (status != TAUT_OK) {
         return status;
@@ -292,18 +260,11 @@ taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_dirichlet_make needs a place for the model");
     }
-    net = taut_alloc_aligned(3 * (size_t)taut_basis_count(problem->u) *
-                                 (size_t)taut_basis_count(problem->v),
-                             sizeof(double));
-    status = net != NULL ? find_plan(problem, chosen, &plan, &own, error) : taut_fail_memory(error);
-    if (status == TAUT_OK) {
-        status = fill_net(problem, plan, &chosen->monitor, net, &out, error);
-    }
-    if (status == TAUT_OK) {
-        status = make_model(problem, &plan->pattern, net, &out, model, error);
-    }
-    taut_dirichlet_plan_free(own);
-    taut_free(net);
+    w.arena = taut_arena_new();
+    status = find_model(problem, &chosen->monitor, &w, model, error);
+    taut_dirichlet_system_free(w.system);
+    taut_dirichlet_form_clear(&w.form);
+    taut_arena_free(w.arena);
     return status;
 }
 

@@ -2,14 +2,15 @@
  *
  *     D = 1/2 sum_c x_c^T A x_c,     A = fu Ku (x) Mv + fv Mu (x) Kv         ([WuWang2011] 2.4)
  *
- * with Gram matrices over the unit square (geometry/nurbs/gram.h), fu = lambda Lv/Lu, fv = 1/fu for the
- * aspect lambda. Weights that are products w_ij = a_i b_j only change the Gram matrices; with other
- * weights A is made by quadrature (rational.h), and the Gram matrices of the nearest
- * product stand in for it as the preconditioner.
+ * with Gram matrices over the unit square (geometry/nurbs/gram.h), fu = lambda Lv/Lu, fv = 1/fu for
+ * the aspect lambda. Weights that are products w_ij = a_i b_j only change the Gram matrices; with
+ * other weights A is made by quadrature (rational.h), and the Gram matrices of the nearest product
+ * stand in for it as the preconditioner.
  */
 #ifndef TAUT_CONSTRUCT_DIRICHLET_FORM_H
 #define TAUT_CONSTRUCT_DIRICHLET_FORM_H
 
+#include "construct/common/mask.h"
 #include "construct/dirichlet/rational.h"
 #include "geometry/nurbs/gram.h"
 
@@ -26,6 +27,12 @@ typedef struct taut_dirichlet_form {
 taut_status taut_dirichlet_form_new(const taut_basis *u, const taut_basis *v, const double *weights,
                                     taut_dirichlet_form *form, taut_error *error);
 void taut_dirichlet_form_clear(taut_dirichlet_form *form);
+
+/* u, v: the Gram matrices of the mask's hull. Where that is the whole net its operator has the
+ * constants as kernel: the mass on top of the stiffness makes it definite, for a preconditioner.
+ * TAUT_NO_MEMORY; the caller clears both. */
+taut_status taut_dirichlet_form_select(const taut_dirichlet_form *form, const taut_mask *mask,
+                                       taut_gram *u, taut_gram *v);
 
 /* The factors of A from here on. */
 void taut_dirichlet_form_scale(taut_dirichlet_form *form, double fu, double fv);

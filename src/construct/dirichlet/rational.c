@@ -9,21 +9,34 @@
  */
 #include "construct/dirichlet/rational.h"
 
-#include "construct/common/line_rule.h"
+#include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "geometry/grid/table.h"
+#include "geometry/nurbs/cells.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>
 #include <string.h>
 
+/* Gauss quadrature along one direction of a surface, over the unit interval. */
+typedef struct line_rule {
+    int count;         /* nodes */
+    taut_table *table; /* order 1; slopes over the unit interval, not the basis' own range */
+    double *weights;   /* [count], their sum is 1 */
+    double *roundings; /* [count]: |t| over the width of its span, what a rounding of t is there */
+    double reach;      /* max |t| over the length of the range */
+} line_rule;
+
 struct taut_dirichlet_rational {
     const taut_basis *u, *v;
-    int nu, nv, k, h; /* functions, and functions alive on a span */
+    int nu, nv, k, h;  /* functions, and functions alive on a span */
+    taut_arena *arena; /* of all but the rules */
     taut_cells *panels_u, *panels_v;
-    double *weights; /* [nu][nv] */
-    int nodes;       /* a panel */
-    taut_line_rule along_u, along_v;
+    double *weights;   /* [nu][nv] */
+    int nodes;         /* a panel */
+    taut_arena *rules; /* of the next two */
+    line_rule along_u, along_v;
     double fu, fv;
     double *blocks;   /* [nu][k][nv][2h-1]: A(ij, (i+e)(j+d)) at [i][e][j][d + h-1] */
     double *row_sums; /* [nu][nv] */
@@ -33,28 +46,87 @@ struct taut_dirichlet_rational {
     double work; /* pairs of functions at nodes, of all assemblies so far */
 };
 
-/* Assemblies of all rules together may cost so many pairs, some ten seconds, or so many times those
- * of the first rule if no span were cut. */
-static const double work_least = 1e10, times = 60;
+/* What assemblies of all rules together may cost: so many pairs of functions at nodes, some ten
+ * seconds, or so many times those of the first rule if no span were cut. */
+static const struct {
+    double pairs_least, first_rules;
+} limits = {1e10, 60};
 
 void taut_dirichlet_rational_free(taut_dirichlet_rational *form)
 {
     if (form != NULL) {
-        taut_line_rule_clear(&form->along_u);
-        taut_line_rule_clear(&form->along_v);
         taut_cells_free(form->panels_u);
         taut_cells_free(form->panels_v);
-        taut_free(form->weights);
-        taut_free(form->blocks);
-        taut_free(form->row_sums);
-        taut_free(form->slopes);
-        taut_free(form->sums);
+        taut_arena_free(form->rules);
+        taut_arena_free(form->arena);
         taut_free(form);
     }
 }
 
+/* ---- rules ---- */
+
+/* Parameters and spans of the nodes, and what else the rule holds of them. */
+static void place_nodes(const taut_basis *basis, const taut_cells *panels, int nodes, double *t,
+                        int *spans, line_rule *rule)
+{
+    double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
+    const double length = taut_basis_hi(basis) - taut_basis_lo(basis);
+
+    taut_gauss_rule(nodes, node, weight);
+    rule->reach = fmax(fabs(taut_basis_lo(basis)), fabs(taut_basis_hi(basis))) / length;
+    for (int i = 0; i < rule->count; i++) {
+        const int k = i / nodes, g = i % nodes, span = panels->span[k];
+        t[i] = taut_cells_at(panels, k, node[g]);
+        spans[i] = span;
+        rule->weights[i] = 0.5 * weight[g] * ((panels->hi[k] - panels->lo[k]) / length);
+        rule->roundings[i] = fabs(t[i]) / taut_cells_finest(basis, span);
+    }
+}
+
+static void scale_slopes(taut_table *table, double factor)
+{
+    for (int i = 0; i < table->count; i++) {
+        double *slopes = table->values + ((size_t)i * 2 + 1) * (size_t)table->local;
+        for (int a = 0; a < table->local; a++) {
+            slopes[a] *= factor;
+        }
+    }
+}
+
+static void release_table(void *table)
+{
+    taut_table_free(table);
+}
+
+/* `nodes` Gauss nodes, 1..TAUT_GAUSS_MAX, on every panel. TAUT_NO_MEMORY. */
+static taut_status make_rule(const taut_basis *basis, const taut_cells *panels, int nodes,
+                             taut_arena *arena, line_rule *rule)
+{
+    const size_t count = (size_t)panels->count * (size_t)nodes;
+    double *t = taut_arena_take(arena, count, sizeof(double));
+    int *spans = taut_arena_take(arena, count, sizeof(int));
+    taut_status status = TAUT_OK;
+
+    rule->count = (int)count;
+    rule->weights = taut_arena_take(arena, count, sizeof(double));
+    rule->roundings = taut_arena_take(arena, count, sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    place_nodes(basis, panels, nodes, t, spans, rule);
+    status = taut_table_new(basis, rule->count, t, spans, 1, &rule->table);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    scale_slopes(rule->table, taut_basis_hi(basis) - taut_basis_lo(basis));
+    return taut_arena_keep(arena, rule->table, release_table) ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
+/* ---- the matrix ---- */
+
 /* out[a] = sum_s c_s (N_a' N_s - N_a N_s'), over the `count` functions alive. */
-static void wronskians(int count, const double *c, const double *n, const double *dn, double *out)
+static void find_wronskians(int count, const double *c, const double *n, const double *dn,
+                            double *out)
 {
     for (int a = 0; a < count; a++) {
         out[a] = 0;
@@ -78,7 +150,7 @@ static double dot(int count, const double *x, const double *y)
 static double find_slopes(const taut_dirichlet_rational *form, int p, int q, double *slopes)
 {
     const int k = form->k, h = form->h;
-    const taut_line_rule *ru = &form->along_u, *rv = &form->along_v;
+    const line_rule *ru = &form->along_u, *rv = &form->along_v;
     const double *n = taut_table_row(ru->table, p, 0), *dn = taut_table_row(ru->table, p, 1);
     const double *m = taut_table_row(rv->table, q, 0), *dm = taut_table_row(rv->table, q, 1);
     const double *weights = form->weights + (size_t)ru->table->first[p] * (size_t)form->nv +
@@ -95,8 +167,8 @@ static double find_slopes(const taut_dirichlet_rational *form, int p, int q, dou
         }
     }
     w = dot(k, rows, n);
-    wronskians(k, rows, n, dn, along_u);
-    wronskians(h, columns, m, dm, along_v);
+    find_wronskians(k, rows, n, dn, along_u);
+    find_wronskians(h, columns, m, dm, along_v);
     for (int a = 0; a < k; a++) {
         for (int b = 0; b < h; b++) {
             const double share = weights[(size_t)a * (size_t)form->nv + (size_t)b] / w;
@@ -133,7 +205,7 @@ static void add_node(taut_dirichlet_rational *form, int p, int q, double *line)
 }
 
 /* Moves the sums of one pair of panels, whose first functions are i and j, to the blocks. */
-static void scatter(taut_dirichlet_rational *form, int i, int j, const double *sums)
+static void scatter_sums(taut_dirichlet_rational *form, int i, int j, const double *sums)
 {
     const int k = form->k, h = form->h;
     for (int ab = 0; ab < k * h; ab++) {
@@ -166,7 +238,7 @@ static void add_panels(taut_dirichlet_rational *form, int panel_u, int panel_v)
             sums[i] += line[i];
         }
     }
-    scatter(form, form->along_u.table->first[p0], form->along_v.table->first[q0], sums);
+    scatter_sums(form, form->along_u.table->first[p0], form->along_v.table->first[q0], sums);
 }
 
 static void add_row_sums(taut_dirichlet_rational *form)
@@ -194,7 +266,7 @@ static size_t blocks_size(const taut_dirichlet_rational *form)
     return (size_t)form->nu * (size_t)form->k * (size_t)form->nv * (2 * (size_t)form->h - 1);
 }
 
-static double pairs(const taut_dirichlet_rational *form, double cells, int nodes)
+static double count_pairs(const taut_dirichlet_rational *form, double cells, int nodes)
 {
     const double alive = (double)form->k * form->h;
     return cells * nodes * nodes * alive * alive;
@@ -211,13 +283,15 @@ static int may_assemble(const taut_dirichlet_rational *form, int nodes)
     const double cells = (double)form->panels_u->count * form->panels_v->count;
     const double spans =
         (double)taut_basis_span_count(form->u) * (double)taut_basis_span_count(form->v);
-    return form->work + pairs(form, cells, nodes) <=
-           fmax(work_least, times * pairs(form, spans, first_nodes(form)));
+    return form->work + count_pairs(form, cells, nodes) <=
+           fmax(limits.pairs_least,
+                limits.first_rules * count_pairs(form, spans, first_nodes(form)));
 }
 
 static void assemble(taut_dirichlet_rational *form)
 {
-    form->work += pairs(form, (double)form->panels_u->count * form->panels_v->count, form->nodes);
+    form->work +=
+        count_pairs(form, (double)form->panels_u->count * form->panels_v->count, form->nodes);
     memset(form->blocks, 0, blocks_size(form) * sizeof(double));
     form->roundings = 0;
     for (int a = 0; a < form->panels_u->count; a++) {
@@ -230,17 +304,16 @@ static void assemble(taut_dirichlet_rational *form)
 
 static taut_status set_nodes(taut_dirichlet_rational *form, int nodes)
 {
-    taut_line_rule u, v;
-    taut_status status = taut_line_rule_init(form->u, form->panels_u, nodes, &u);
-    if (status == TAUT_OK) {
-        status = taut_line_rule_init(form->v, form->panels_v, nodes, &v);
+    taut_arena *rules = taut_arena_new();
+    line_rule u, v;
+
+    if (make_rule(form->u, form->panels_u, nodes, rules, &u) != TAUT_OK ||
+        make_rule(form->v, form->panels_v, nodes, rules, &v) != TAUT_OK) {
+        taut_arena_free(rules);
+        return TAUT_NO_MEMORY;
     }
-    if (status != TAUT_OK) {
-        taut_line_rule_clear(&u);
-        return status;
-    }
-    taut_line_rule_clear(&form->along_u);
-    taut_line_rule_clear(&form->along_v);
+    taut_arena_free(form->rules);
+    form->rules = rules;
     form->along_u = u;
     form->along_v = v;
     form->nodes = nodes;
@@ -248,25 +321,27 @@ static taut_status set_nodes(taut_dirichlet_rational *form, int nodes)
     return TAUT_OK;
 }
 
-static taut_status alloc(taut_dirichlet_rational *form, const double *weights)
+static taut_status prepare(taut_dirichlet_rational *form, const double *weights, taut_error *error)
 {
     const size_t nu = (size_t)form->nu, nv = (size_t)form->nv;
     const size_t alive = (size_t)form->k * (size_t)form->h;
-    taut_status status = TAUT_OK;
+    taut_arena *arena = form->arena;
 
-    form->weights = taut_alloc(nu * nv, sizeof(double));
-    form->row_sums = taut_alloc(nu * nv, sizeof(double));
-    form->slopes = taut_alloc(2 * alive, sizeof(double));
-    form->sums = taut_alloc(2 * alive * alive, sizeof(double));
-    form->blocks = taut_alloc_aligned(blocks_size(form), sizeof(double));
-    if (form->weights == NULL || form->row_sums == NULL || form->slopes == NULL ||
-        form->sums == NULL || form->blocks == NULL) {
-        return TAUT_NO_MEMORY;
+    form->weights = taut_arena_copy(arena, weights, nu * nv, sizeof(double));
+    form->row_sums = taut_arena_take(arena, nu * nv, sizeof(double));
+    form->slopes = taut_arena_take(arena, 2 * alive, sizeof(double));
+    form->sums = taut_arena_take(arena, 2 * alive * alive, sizeof(double));
+    form->blocks = taut_arena_take(arena, blocks_size(form), sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK ||
+        taut_cells_new(form->u, form->nv, weights, nv, 1, &form->panels_u) != TAUT_OK ||
+        taut_cells_new(form->v, form->nu, weights, 1, nv, &form->panels_v) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
-    memcpy(form->weights, weights, nu * nv * sizeof(double));
-    status = taut_cells_new(form->u, form->nv, weights, nv, 1, &form->panels_u);
-    return status == TAUT_OK ? taut_cells_new(form->v, form->nu, weights, 1, nv, &form->panels_v)
-                             : status;
+    form->nodes = first_nodes(form);
+    if (!may_assemble(form, form->nodes)) {
+        return taut_dirichlet_rational_refuse(form, error);
+    }
+    return set_nodes(form, form->nodes) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v,
@@ -286,15 +361,11 @@ taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v
     made->k = taut_basis_local(u);
     made->h = taut_basis_local(v);
     made->fu = made->fv = 1;
-    status = alloc(made, weights);
-    if (status == TAUT_OK) {
-        made->nodes = first_nodes(made);
-        status = may_assemble(made, made->nodes) ? set_nodes(made, made->nodes)
-                                                 : taut_dirichlet_rational_refuse(made, error);
-    }
+    made->arena = taut_arena_new();
+    status = prepare(made, weights, error);
     if (status != TAUT_OK) {
         taut_dirichlet_rational_free(made);
-        return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
+        return status;
     }
     *form = made;
     return TAUT_OK;
@@ -310,7 +381,7 @@ taut_status taut_dirichlet_rational_raise(taut_dirichlet_rational *form)
 
 taut_status taut_dirichlet_rational_refuse(const taut_dirichlet_rational *form, taut_error *error)
 {
-    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/weights", taut_none, taut_none,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "weights-vary", "/weights", taut_none, taut_none,
                      "the weights vary too much from point to point: the integrals ask for more "
                      "than %d x %d Gauss nodes on each of %d x %d panels; bring the weights nearer "
                      "to each other",

@@ -1,7 +1,8 @@
 /* system.h -- solving for the unknown points of a net, at one aspect after another.
  *
- *     [A x]_ij = 0 at every unknown point,   A = fu Ku (x) Mv + fv Mu (x) Kv    ([WuWang2011] 2.4,
- * 3)
+ *     [A x]_ij = 0 at every unknown point,   A = fu Ku (x) Mv + fv Mu (x) Kv
+ *
+ * ([WuWang2011] 2.4, 3)
  *
  * When the unknowns fill a box and A has tensor structure, fast diagonalisation of the box and a
  * step of refinement solve it; otherwise conjugate gradients, preconditioned by the same
@@ -14,21 +15,18 @@
 #ifndef TAUT_CONSTRUCT_DIRICHLET_SYSTEM_H
 #define TAUT_CONSTRUCT_DIRICHLET_SYSTEM_H
 
-#include "construct/common/pattern.h"
+#include "construct/common/mask.h"
 #include "construct/dirichlet/form.h"
 #include "taut/monitor.h"
 
 typedef struct taut_dirichlet_system taut_dirichlet_system;
 
-/* The form and the pattern (at least one point known, one unknown) are borrowed. TAUT_NO_MEMORY;
- * TAUT_NOT_CONVERGED when the matrices are not safely positive definite. */
-taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_pattern *pattern,
+/* The form, the mask (at least one point known, one unknown) and the monitor are borrowed.
+ * TAUT_NO_MEMORY; TAUT_NOT_CONVERGED when the matrices are not safely positive definite. */
+taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_mask *mask,
                                       const taut_monitor *monitor, taut_dirichlet_system **system,
                                       taut_error *error);
 void taut_dirichlet_system_free(taut_dirichlet_system *system); /* NULL is fine */
-
-/* Before a further problem: the iterations count from 0, and this monitor is asked. */
-void taut_dirichlet_system_restart(taut_dirichlet_system *system, const taut_monitor *monitor);
 
 /* Solves in place: net double[nu][nv][3], its known points in [-1, 1]^3, the unknown ones a first
  * guess (0 is fine). TAUT_NOT_CONVERGED with the residual in error->found; TAUT_INTERRUPTED. */

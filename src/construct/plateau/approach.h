@@ -9,12 +9,12 @@
 #include "construct/plateau/trust_region.h"
 #include "taut/surface.h"
 
-/* The net moves along the normals of `first`, whose net it is, and the descent and *products go on
- * as they would have; all stay as they are where no rest is found that way. TAUT_INTERRUPTED,
- * TAUT_NO_MEMORY. */
-taut_status taut_plateau_approach(taut_film *film, const taut_dirichlet_form *form,
-                                  const taut_pattern *pattern, const taut_surface *first,
-                                  double aspect, const taut_monitor *monitor, taut_descent *descent,
+/* The net moves along the normals of `first`, whose net it is, and the region and *products go
+ * on as they would have; net and region stay as they are where no minimum is found that way.
+ * TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
+taut_status taut_plateau_approach(taut_area_functional *functional, const taut_dirichlet_form *form,
+                                  const taut_mask *mask, const taut_surface *first, double aspect,
+                                  const taut_monitor *monitor, taut_trust_region *region,
                                   double *net, int *products, taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_PLATEAU_APPROACH_H */

@@ -2,33 +2,39 @@
  * contracted with the functions of u once for the line, then with those of v panel by panel, all
  * points of a panel side by side (area_kernel.h); what comes back is gathered along v per column of
  * the net and spread over the rows once (sum factorisation). Nothing is allocated after
- * taut_film_new. */
+ * taut_area_functional_new. */
 #include "construct/plateau/area.h"
 
+#include "core/arena.h"
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "geometry/grid/table.h"
 #include "geometry/nurbs/cells.h"
+#include "numeric/kernel/kernel.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
 #include <string.h>
 
-static void axis_clear(taut_film_axis *a)
+const taut_area_ops *taut_area_ops_chosen(void)
 {
-    taut_free(a->first);
-    taut_free(a->value);
-    taut_free(a->slope);
-    taut_free(a->weights);
-    taut_free(a->values);
-    taut_free(a->slopes);
-    taut_free(a->by_node);
-    taut_free(a->sloped);
-    taut_free(a->group_weights);
+    static const taut_area_ops *const table[] = {
+#if defined(__x86_64__)
+        &taut_area_avx512,
+        &taut_area_avx2,
+#endif
+        &taut_area_baseline
+    };
+    const char *name = taut_kernel_name();
+    size_t i = 0;
+    while (i + 1 < sizeof table / sizeof table[0] && strcmp(table[i]->name, name) != 0) {
+        i++;
+    }
+    return table[i];
 }
 
 /* value, slope and first from the table of both. */
-static void axis_fill(const taut_table *table, double length, taut_film_axis *a)
+static void fill_axis(const taut_table *table, double length, taut_area_axis *a)
 {
     const size_t local = (size_t)a->local;
     for (int k = 0; k < a->count; k++) {
@@ -41,16 +47,24 @@ static void axis_fill(const taut_table *table, double length, taut_film_axis *a)
     }
 }
 
-/* t: room for the parameters. */
-static taut_status axis_tabulate(const taut_basis *basis, const taut_cells *panels, double *t,
-                                 taut_film_axis *a)
+static taut_status tabulate_axis(const taut_basis *basis, const taut_cells *panels,
+                                 taut_arena *arena, taut_area_axis *a)
 {
     double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
     const double *breaks = taut_basis_breaks(basis);
     const double length = taut_basis_hi(basis) - taut_basis_lo(basis);
+    const size_t count = (size_t)a->count, local = (size_t)a->local;
+    double *t = taut_arena_take(arena, count, sizeof(double));
     taut_table *table = NULL;
     taut_status status = TAUT_OK;
 
+    a->first = taut_arena_take(arena, count, sizeof(int));
+    a->weights = taut_arena_take(arena, count, sizeof(double));
+    a->value = taut_arena_take(arena, count * local, sizeof(double));
+    a->slope = taut_arena_take(arena, count * local, sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
     taut_gauss_rule(a->nodes, node, weight);
     for (int k = 0; k < a->count; k++) {
         const int panel = k / a->nodes, span = panels->span[panel];
@@ -60,38 +74,29 @@ static taut_status axis_tabulate(const taut_basis *basis, const taut_cells *pane
         a->weights[k] = 0.5 * weight[k % a->nodes] * (width / length);
     }
     status = taut_table_new(basis, a->count, t, NULL, 1, &table);
-    if (status == TAUT_OK) {
-        axis_fill(table, length, a);
+    if (status != TAUT_OK) {
+        return status;
     }
+    fill_axis(table, length, a);
     taut_table_free(table);
-    return status;
+    return TAUT_OK;
 }
 
 /* lines, step, next as in geometry/nurbs/cells.h. */
-static taut_status axis_new(const taut_basis *basis, int lines, const double *weights, size_t step,
-                            size_t next, int extra, taut_film_axis *a)
+static taut_status make_axis(const taut_basis *basis, int lines, const double *weights, size_t step,
+                             size_t next, int extra, taut_arena *arena, taut_area_axis *a)
 {
+    const int wanted = taut_basis_local(basis) + extra;
     taut_cells *panels = NULL;
-    double *t = NULL;
     taut_status status = taut_cells_new(basis, lines, weights, step, next, &panels);
 
-    if (status == TAUT_OK) {
-        const int wanted = taut_basis_local(basis) + extra;
-        a->local = taut_basis_local(basis);
-        a->nodes = wanted < TAUT_GAUSS_MAX ? wanted : TAUT_GAUSS_MAX;
-        a->count = panels->count * a->nodes;
-        const size_t count = (size_t)a->count, table = count * (size_t)a->local;
-        t = taut_alloc(count, sizeof(double));
-        a->first = taut_alloc(count, sizeof(int));
-        a->weights = taut_alloc(count, sizeof(double));
-        a->value = taut_alloc(table, sizeof(double));
-        a->slope = taut_alloc(table, sizeof(double));
-        status = t != NULL && a->first != NULL && a->weights != NULL && a->value != NULL &&
-                         a->slope != NULL
-                     ? axis_tabulate(basis, panels, t, a)
-                     : TAUT_NO_MEMORY;
+    if (status != TAUT_OK) {
+        return status;
     }
-    taut_free(t);
+    a->local = taut_basis_local(basis);
+    a->nodes = wanted < TAUT_GAUSS_MAX ? wanted : TAUT_GAUSS_MAX;
+    a->count = panels->count * a->nodes;
+    status = tabulate_axis(basis, panels, arena, a);
     taut_cells_free(panels);
     return status;
 }
@@ -102,7 +107,7 @@ static int rounded_up(int count, int lanes)
 }
 
 /* The tables for kernels. */
-static taut_status axis_arrange(int lanes, taut_film_axis *a)
+static taut_status arrange_axis(int lanes, taut_arena *arena, taut_area_axis *a)
 {
     const size_t local = (size_t)a->local, nodes = (size_t)a->nodes;
     const size_t panels = (size_t)a->count / nodes;
@@ -111,13 +116,12 @@ static taut_status axis_arrange(int lanes, taut_film_axis *a)
 
     a->group = (int)group;
     a->wide = (int)wide;
-    a->values = taut_alloc_zero(panels * local, group * sizeof(double));
-    a->slopes = taut_alloc_zero(panels * local, group * sizeof(double));
-    a->by_node = taut_alloc_zero(panels * nodes, wide * sizeof(double));
-    a->sloped = taut_alloc_zero(panels * nodes, wide * sizeof(double));
-    a->group_weights = taut_alloc_zero(panels, group * sizeof(double));
-    if (a->values == NULL || a->slopes == NULL || a->by_node == NULL || a->sloped == NULL ||
-        a->group_weights == NULL) {
+    a->values = taut_arena_take(arena, panels * local, group * sizeof(double));
+    a->slopes = taut_arena_take(arena, panels * local, group * sizeof(double));
+    a->by_node = taut_arena_take(arena, panels * nodes, wide * sizeof(double));
+    a->sloped = taut_arena_take(arena, panels * nodes, wide * sizeof(double));
+    a->group_weights = taut_arena_take(arena, panels, group * sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     for (size_t k = 0; k < panels * nodes; k++) {
@@ -133,117 +137,127 @@ static taut_status axis_arrange(int lanes, taut_film_axis *a)
     return TAUT_OK;
 }
 
-/* film->net = the net in planes, times the weights. */
-static void take_net(taut_film *film, const double *net)
+/* functional->net = the net in planes, times the weights. */
+static void load_net(taut_area_functional *functional, const double *net)
 {
-    const size_t nv = (size_t)film->nv;
+    const size_t nv = (size_t)functional->nv;
 
-    for (size_t i = 0; i < (size_t)film->nu; i++) {
-        double *row = film->net + i * film->width;
+    for (size_t i = 0; i < (size_t)functional->nu; i++) {
+        double *row = functional->net + i * functional->width;
         for (size_t j = 0; j < nv; j++, net += 3) {
-            const double w = film->weights != NULL ? film->weights[i * nv + j] : 1;
+            const double w = functional->weights != NULL ? functional->weights[i * nv + j] : 1;
             for (size_t c = 0; c < 3; c++) {
-                row[c * film->stride + j] = w * net[c];
+                row[c * functional->stride + j] = w * net[c];
             }
         }
     }
 }
 
-static double *film_sums(const taut_film *film)
+static double *net_sums(const taut_area_functional *functional)
 {
-    return film->net + (size_t)film->nu * film->width;
+    return functional->net + (size_t)functional->nu * functional->width;
 }
 
-static void give_sums(const taut_film *film, double *net)
+static void store_sums(const taut_area_functional *functional, double *net)
 {
-    const size_t nv = (size_t)film->nv;
+    const size_t nv = (size_t)functional->nv;
 
-    for (size_t i = 0; i < (size_t)film->nu; i++) {
-        const double *row = film_sums(film) + i * film->width;
+    for (size_t i = 0; i < (size_t)functional->nu; i++) {
+        const double *row = net_sums(functional) + i * functional->width;
         for (size_t j = 0; j < nv; j++, net += 3) {
-            const double w = film->weights != NULL ? film->weights[i * nv + j] : 1;
+            const double w = functional->weights != NULL ? functional->weights[i * nv + j] : 1;
             for (size_t c = 0; c < 3; c++) {
-                net[c] = w * row[c * film->stride + j];
+                net[c] = w * row[c * functional->stride + j];
             }
         }
     }
 }
 
-static void contract(const taut_film *film, int line)
+static void contract_line(const taut_area_functional *functional, int line)
 {
-    const size_t at = (size_t)line * (size_t)film->u.local;
-    film->ops->contract(film->u.local, film->u.value + at, film->u.slope + at,
-                        film->net + (size_t)film->u.first[line] * film->width, film->width,
-                        film->polygons, film->polygons + film->width);
+    const size_t at = (size_t)line * (size_t)functional->u.local;
+    functional->ops->contract(
+        functional->u.local, functional->u.value + at, functional->u.slope + at,
+        functional->net + (size_t)functional->u.first[line] * functional->width, functional->width,
+        functional->polygons, functional->polygons + functional->width);
 }
 
-static void spread(const taut_film *film, int line)
+static void spread_line(const taut_area_functional *functional, int line)
 {
-    const size_t at = (size_t)line * (size_t)film->u.local;
-    film->ops->spread(film->u.local, film->u.value + at, film->u.slope + at, film->spread,
-                      film->spread + film->width, film->width,
-                      film_sums(film) + (size_t)film->u.first[line] * film->width);
+    const size_t at = (size_t)line * (size_t)functional->u.local;
+    functional->ops->spread(
+        functional->u.local, functional->u.value + at, functional->u.slope + at, functional->spread,
+        functional->spread + functional->width, functional->width,
+        net_sums(functional) + (size_t)functional->u.first[line] * functional->width);
 }
 
-static size_t panels_of(const taut_film_axis *a)
+static size_t panels_of(const taut_area_axis *a)
 {
     return (size_t)(a->count / a->nodes);
 }
 
 /* Where numbers of panel `panel` on the line begin, `each` of them a point. */
-static size_t place_of(const taut_film *film, int line, size_t panel, size_t each)
+static size_t panel_offset(const taut_area_functional *functional, int line, size_t panel,
+                           size_t each)
 {
-    return ((size_t)line * panels_of(&film->v) + panel) * each * (size_t)film->v.group;
+    return ((size_t)line * panels_of(&functional->v) + panel) * each * (size_t)functional->v.group;
 }
 
 /* What kernels see of a panel. */
-static taut_film_panel view(const taut_film *film, int line, size_t panel)
+static taut_area_panel panel_view(const taut_area_functional *functional, int line, size_t panel)
 {
-    const taut_film_axis *v = &film->v;
+    const taut_area_axis *v = &functional->v;
     const size_t nodes = (size_t)v->nodes, first = (size_t)v->first[panel * nodes];
     const size_t table = panel * (size_t)v->local * (size_t)v->group;
-    return (taut_film_panel){
+    return (taut_area_panel){
         .nodes = v->nodes,
         .group = v->group,
         .local = v->local,
         .wide = v->wide,
-        .stride = film->stride,
+        .stride = functional->stride,
         .value = v->values + table,
         .slope = v->slopes + table,
         .values = v->by_node + panel * nodes * (size_t)v->wide,
         .slopes = v->sloped + panel * nodes * (size_t)v->wide,
-        .still = film->polygons + first,
-        .along = film->polygons + film->width + first,
-        .quotient = film->quotient != NULL ? film->quotient + place_of(film, line, panel, 3) : NULL,
-        .spread_still = film->spread + first,
-        .spread_u = film->spread + film->width + first,
+        .still = functional->polygons + first,
+        .along = functional->polygons + functional->width + first,
+        .quotient = functional->quotient != NULL
+                        ? functional->quotient + panel_offset(functional, line, panel, 3)
+                        : NULL,
+        .spread_still = functional->spread + first,
+        .spread_u = functional->spread + functional->width + first,
     };
 }
 
-void taut_film_state_at(const taut_film *film, int line, int k, double state[TAUT_FILM_STATE])
+void taut_area_functional_state(const taut_area_functional *functional, int line, int k,
+                                double state[TAUT_AREA_STATE])
 {
-    const size_t panel = (size_t)(k / film->v.nodes), g = (size_t)(k % film->v.nodes);
-    const double *s = film->state + place_of(film, line, panel, TAUT_FILM_STATE) + g;
-    for (size_t i = 0; i < TAUT_FILM_STATE; i++) {
-        state[i] = s[i * (size_t)film->v.group];
+    const size_t panel = (size_t)(k / functional->v.nodes), g = (size_t)(k % functional->v.nodes);
+    const double *s =
+        functional->state + panel_offset(functional, line, panel, TAUT_AREA_STATE) + g;
+    for (size_t i = 0; i < TAUT_AREA_STATE; i++) {
+        state[i] = s[i * (size_t)functional->v.group];
     }
 }
 
-void taut_film_quotient_at(const taut_film *film, int line, int k, double quotient[3])
+void taut_area_functional_quotient(const taut_area_functional *functional, int line, int k,
+                                   double quotient[3])
 {
-    const size_t panel = (size_t)(k / film->v.nodes), g = (size_t)(k % film->v.nodes);
-    const double *q = film->quotient + place_of(film, line, panel, 3) + g;
+    const size_t panel = (size_t)(k / functional->v.nodes), g = (size_t)(k % functional->v.nodes);
+    const double *q = functional->quotient + panel_offset(functional, line, panel, 3) + g;
     for (size_t i = 0; i < 3; i++) {
-        quotient[i] = q[i * (size_t)film->v.group];
+        quotient[i] = q[i * (size_t)functional->v.group];
     }
 }
 
 /* 1 / w, w_u / w, w_v / w of one point, w from the first plane of the polygons. */
-static void quotient_of(const taut_film *film, int k, double q[3])
+static void find_quotient(const taut_area_functional *functional, int k, double q[3])
 {
-    const size_t local = (size_t)film->v.local;
-    const double *n = film->v.value + (size_t)k * local, *d = film->v.slope + (size_t)k * local;
-    const double *still = film->polygons + film->v.first[k], *along = still + film->width;
+    const size_t local = (size_t)functional->v.local;
+    const double *n = functional->v.value + (size_t)k * local,
+                 *d = functional->v.slope + (size_t)k * local;
+    const double *still = functional->polygons + functional->v.first[k],
+                 *along = still + functional->width;
     double w = 0, wu = 0, wv = 0;
 
     for (size_t b = 0; b < local; b++) {
@@ -258,20 +272,22 @@ static void quotient_of(const taut_film *film, int k, double q[3])
 
 /* All quotients, by the contraction of a net with w_ij in the first coordinate; 0 where there is no
  * point. */
-static void fill_quotients(taut_film *film)
+static void fill_quotients(taut_area_functional *functional)
 {
-    const size_t group = (size_t)film->v.group;
+    const size_t group = (size_t)functional->v.group;
 
-    for (int i = 0; i < film->nu; i++) {
-        memcpy(film->net + (size_t)i * film->width, film->weights + (size_t)i * (size_t)film->nv,
-               (size_t)film->nv * sizeof(double));
+    for (int i = 0; i < functional->nu; i++) {
+        memcpy(functional->net + (size_t)i * functional->width,
+               functional->weights + (size_t)i * (size_t)functional->nv,
+               (size_t)functional->nv * sizeof(double));
     }
-    for (int line = 0; line < film->u.count; line++) {
-        contract(film, line);
-        for (int k = 0; k < film->v.count; k++) {
-            const size_t panel = (size_t)(k / film->v.nodes), g = (size_t)(k % film->v.nodes);
-            double *to = film->quotient + place_of(film, line, panel, 3) + g, q[3];
-            quotient_of(film, k, q);
+    for (int line = 0; line < functional->u.count; line++) {
+        contract_line(functional, line);
+        for (int k = 0; k < functional->v.count; k++) {
+            const size_t panel = (size_t)(k / functional->v.nodes),
+                         g = (size_t)(k % functional->v.nodes);
+            double *to = functional->quotient + panel_offset(functional, line, panel, 3) + g, q[3];
+            find_quotient(functional, k, q);
             for (size_t c = 0; c < 3; c++) {
                 to[c * group] = q[c];
             }
@@ -279,183 +295,193 @@ static void fill_quotients(taut_film *film)
     }
 }
 
-static taut_status take_weights(const double *weights, taut_film *film)
+static taut_status take_weights(const double *weights, taut_area_functional *functional)
 {
-    const size_t count = (size_t)film->nu * (size_t)film->nv;
-    const size_t lines = (size_t)film->u.count * panels_of(&film->v);
+    const size_t count = (size_t)functional->nu * (size_t)functional->nv;
+    const size_t lines = (size_t)functional->u.count * panels_of(&functional->v);
+    const size_t group = (size_t)functional->v.group;
     double largest = 0;
 
-    film->weights = taut_alloc(count, sizeof(double));
-    film->quotient = taut_alloc_zero(lines * (size_t)film->v.group, 3 * sizeof(double));
-    if (film->weights == NULL || film->quotient == NULL) {
+    if (weights == NULL) {
+        return TAUT_OK;
+    }
+    functional->weights = taut_arena_take(functional->arena, count, sizeof(double));
+    functional->quotient = taut_arena_take(functional->arena, lines * group, 3 * sizeof(double));
+    if (taut_arena_status(functional->arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     for (size_t i = 0; i < count; i++) {
         largest = weights[i] > largest ? weights[i] : largest;
     }
     for (size_t i = 0; i < count; i++) {
-        film->weights[i] = weights[i] / largest;
+        functional->weights[i] = weights[i] / largest;
     }
-    fill_quotients(film);
+    fill_quotients(functional);
     return TAUT_OK;
 }
 
-void taut_film_free(taut_film *film)
+void taut_area_functional_free(taut_area_functional *functional)
 {
-    if (film != NULL) {
-        axis_clear(&film->u);
-        axis_clear(&film->v);
-        taut_free(film->weights);
-        taut_free(film->quotient);
-        taut_free(film->state);
-        taut_free(film->net);
-        taut_free(film->polygons);
-        taut_free(film->spread);
-        taut_free(film->elements);
-        taut_free(film);
+    if (functional != NULL) {
+        taut_arena_free(functional->arena);
+        taut_free(functional);
     }
 }
 
-/* Planes carry TAUT_FILM_PAD numbers more than the net, which stay 0 or are never looked at. */
-static taut_status alloc(taut_film *film)
+/* Planes carry TAUT_AREA_PAD numbers more than the net, which stay 0 or are never looked at. */
+static taut_status take_arrays(taut_area_functional *functional)
 {
-    const size_t nu = (size_t)film->nu, group = (size_t)film->v.group;
-    const size_t lines = (size_t)film->u.count * panels_of(&film->v);
+    taut_arena *arena = functional->arena;
+    const size_t nu = (size_t)functional->nu, group = (size_t)functional->v.group;
+    const size_t lines = (size_t)functional->u.count * panels_of(&functional->v);
 
-    film->stride = (size_t)rounded_up(film->nv, TAUT_FILM_PAD) + TAUT_FILM_PAD;
-    film->width = 3 * film->stride;
-    film->state = taut_alloc_aligned(lines * group, TAUT_FILM_STATE * sizeof(double));
-    film->net = taut_alloc_zero(2 * nu * film->width, sizeof(double));
-    film->polygons = taut_alloc_aligned(2 * film->width, sizeof(double));
-    film->spread = taut_alloc_aligned(2 * film->width, sizeof(double));
-    film->elements = taut_alloc_aligned(2 * group, sizeof(double));
-    return film->state != NULL && film->net != NULL && film->polygons != NULL &&
-                   film->spread != NULL && film->elements != NULL
-               ? TAUT_OK
-               : TAUT_NO_MEMORY;
+    functional->stride = (size_t)rounded_up(functional->nv, TAUT_AREA_PAD) + TAUT_AREA_PAD;
+    functional->width = 3 * functional->stride;
+    functional->state = taut_arena_take(arena, lines * group, TAUT_AREA_STATE * sizeof(double));
+    functional->net = taut_arena_take(arena, 2 * nu * functional->width, sizeof(double));
+    functional->polygons = taut_arena_take(arena, 2 * functional->width, sizeof(double));
+    functional->spread = taut_arena_take(arena, 2 * functional->width, sizeof(double));
+    functional->elements = taut_arena_take(arena, 2 * group, sizeof(double));
+    return taut_arena_status(arena);
 }
 
-taut_status taut_film_new(const taut_basis *u, const taut_basis *v, const double *weights,
-                          int extra, taut_film **film)
+static taut_status make_parts(const taut_basis *u, const taut_basis *v, const double *weights,
+                              int extra, taut_area_functional *functional)
 {
-    const int nu = taut_basis_count(u), nv = taut_basis_count(v);
-    taut_film *made = taut_alloc_zero(1, sizeof *made);
-    taut_status status = TAUT_NO_MEMORY;
+    taut_arena *arena = functional->arena;
+    const int nu = functional->nu, nv = functional->nv;
+    taut_status status = make_axis(u, nv, weights, (size_t)nv, 1, extra, arena, &functional->u);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = make_axis(v, nu, weights, 1, (size_t)nv, extra, arena, &functional->v);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = arrange_axis(functional->ops->lanes, arena, &functional->v);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = take_arrays(functional);
+    return status == TAUT_OK ? take_weights(weights, functional) : status;
+}
+
+taut_status taut_area_functional_new(const taut_basis *u, const taut_basis *v,
+                                     const double *weights, int extra,
+                                     taut_area_functional **functional)
+{
+    taut_area_functional *made = taut_alloc_zero(1, sizeof *made);
+    taut_status status = TAUT_OK;
 
     if (made == NULL) {
         return TAUT_NO_MEMORY;
     }
-    made->nu = nu;
-    made->nv = nv;
-    made->ops = taut_film_ops_chosen();
-    status = axis_new(u, nv, weights, (size_t)nv, 1, extra, &made->u);
-    if (status == TAUT_OK) {
-        status = axis_new(v, nu, weights, 1, (size_t)nv, extra, &made->v);
-    }
-    if (status == TAUT_OK) {
-        status = axis_arrange(made->ops->lanes, &made->v);
-    }
-    if (status == TAUT_OK) {
-        status = alloc(made);
-    }
-    if (status == TAUT_OK && weights != NULL) {
-        status = take_weights(weights, made);
-    }
+    made->arena = taut_arena_new();
+    made->nu = taut_basis_count(u);
+    made->nv = taut_basis_count(v);
+    made->ops = taut_area_ops_chosen();
+    status = make_parts(u, v, weights, extra, made);
     if (status != TAUT_OK) {
-        taut_film_free(made);
+        taut_area_functional_free(made);
         return status;
     }
-    *film = made;
+    *functional = made;
     return TAUT_OK;
 }
 
 /* At each point 6 numbers from the functions alive along v, and what is made of them. */
-double taut_film_cost(const taut_film *film)
+double taut_area_functional_cost(const taut_area_functional *functional)
 {
-    return 12.0 * (film->v.local + 4) * film->u.count * film->v.count;
+    return 12.0 * (functional->v.local + 4) * functional->u.count * functional->v.count;
 }
 
-/* Adds the panel's W, in film->elements, and lowers the least. */
-static void add_elements(const taut_film *film, int line, size_t panel, taut_sum *sum,
-                         taut_film_value *value)
+/* Adds the panel's W, in functional->elements, and lowers the least. */
+static void add_elements(const taut_area_functional *functional, int line, size_t panel,
+                         taut_sum *sum, taut_area_value *value)
 {
-    const double *weights = film->v.weights + panel * (size_t)film->v.nodes;
-    const double along_u = film->u.weights[line];
-    for (int g = 0; g < film->v.nodes; g++) {
-        const double w = film->elements[g];
+    const double *weights = functional->v.weights + panel * (size_t)functional->v.nodes;
+    const double along_u = functional->u.weights[line];
+    for (int g = 0; g < functional->v.nodes; g++) {
+        const double w = functional->elements[g];
         value->least = w < value->least ? w : value->least;
         taut_sum_add(sum, along_u * weights[g] * w);
     }
 }
 
-static taut_film_value total(const taut_sum *sum, taut_film_value value)
+static taut_area_value sum_up(const taut_sum *sum, taut_area_value value)
 {
     value.area = taut_sum_total(sum);
     value.least = value.area > 0 ? value.least / value.area : 0;
     return value;
 }
 
-taut_film_value taut_film_area(taut_film *film, const double *net)
+taut_area_value taut_area_functional_value(taut_area_functional *functional, const double *net)
 {
-    taut_film_value value = {0, INFINITY};
+    taut_area_value value = {0, INFINITY};
     taut_sum sum = {0, 0};
 
-    film->work += taut_film_cost(film);
-    take_net(film, net);
-    for (int line = 0; line < film->u.count; line++) {
-        contract(film, line);
-        for (size_t panel = 0; panel < panels_of(&film->v); panel++) {
-            const taut_film_panel p = view(film, line, panel);
-            film->ops->area(&p, film->elements);
-            add_elements(film, line, panel, &sum, &value);
+    functional->work += taut_area_functional_cost(functional);
+    load_net(functional, net);
+    for (int line = 0; line < functional->u.count; line++) {
+        contract_line(functional, line);
+        for (size_t panel = 0; panel < panels_of(&functional->v); panel++) {
+            const taut_area_panel p = panel_view(functional, line, panel);
+            functional->ops->area(&p, functional->elements);
+            add_elements(functional, line, panel, &sum, &value);
         }
     }
-    return total(&sum, value);
+    return sum_up(&sum, value);
 }
 
-taut_film_value taut_film_gradient(taut_film *film, const double *net, double *gradient)
+taut_area_value taut_area_functional_gradient(taut_area_functional *functional, const double *net,
+                                              double *gradient)
 {
-    const size_t group = (size_t)film->v.group;
-    double *const weights = film->elements + group;
-    taut_film_value value = {0, INFINITY};
+    const size_t group = (size_t)functional->v.group;
+    double *const weights = functional->elements + group;
+    taut_area_value value = {0, INFINITY};
     taut_sum sum = {0, 0};
 
-    film->work += 2 * taut_film_cost(film);
-    take_net(film, net);
-    memset(film_sums(film), 0, (size_t)film->nu * film->width * sizeof(double));
-    for (int line = 0; line < film->u.count; line++) {
-        contract(film, line);
-        memset(film->spread, 0, 2 * film->width * sizeof(double));
-        for (size_t panel = 0; panel < panels_of(&film->v); panel++) {
-            const taut_film_panel p = view(film, line, panel);
+    functional->work += 2 * taut_area_functional_cost(functional);
+    load_net(functional, net);
+    memset(net_sums(functional), 0, (size_t)functional->nu * functional->width * sizeof(double));
+    for (int line = 0; line < functional->u.count; line++) {
+        contract_line(functional, line);
+        memset(functional->spread, 0, 2 * functional->width * sizeof(double));
+        for (size_t panel = 0; panel < panels_of(&functional->v); panel++) {
+            const taut_area_panel p = panel_view(functional, line, panel);
             for (size_t g = 0; g < group; g++) {
-                weights[g] = film->u.weights[line] * film->v.group_weights[panel * group + g];
+                weights[g] =
+                    functional->u.weights[line] * functional->v.group_weights[panel * group + g];
             }
-            film->ops->gradient(&p, weights,
-                                film->state + place_of(film, line, panel, TAUT_FILM_STATE),
-                                film->elements);
-            add_elements(film, line, panel, &sum, &value);
+            functional->ops->gradient(&p, weights,
+                                      functional->state +
+                                          panel_offset(functional, line, panel, TAUT_AREA_STATE),
+                                      functional->elements);
+            add_elements(functional, line, panel, &sum, &value);
         }
-        spread(film, line);
+        spread_line(functional, line);
     }
-    give_sums(film, gradient);
-    return total(&sum, value);
+    store_sums(functional, gradient);
+    return sum_up(&sum, value);
 }
 
-void taut_film_product(taut_film *film, double theta, const double *direction, double *product)
+void taut_area_functional_product(taut_area_functional *functional, double theta,
+                                  const double *direction, double *product)
 {
-    film->work += 2 * taut_film_cost(film);
-    take_net(film, direction);
-    memset(film_sums(film), 0, (size_t)film->nu * film->width * sizeof(double));
-    for (int line = 0; line < film->u.count; line++) {
-        contract(film, line);
-        memset(film->spread, 0, 2 * film->width * sizeof(double));
-        for (size_t panel = 0; panel < panels_of(&film->v); panel++) {
-            const taut_film_panel p = view(film, line, panel);
-            film->ops->product(&p, theta,
-                               film->state + place_of(film, line, panel, TAUT_FILM_STATE));
+    functional->work += 2 * taut_area_functional_cost(functional);
+    load_net(functional, direction);
+    memset(net_sums(functional), 0, (size_t)functional->nu * functional->width * sizeof(double));
+    for (int line = 0; line < functional->u.count; line++) {
+        contract_line(functional, line);
+        memset(functional->spread, 0, 2 * functional->width * sizeof(double));
+        for (size_t panel = 0; panel < panels_of(&functional->v); panel++) {
+            const taut_area_panel p = panel_view(functional, line, panel);
+            functional->ops->product(&p, theta,
+                                     functional->state +
+                                         panel_offset(functional, line, panel, TAUT_AREA_STATE));
         }
-        spread(film, line);
+        spread_line(functional, line);
     }
-    give_sums(film, product);
+    store_sums(functional, product);
 }

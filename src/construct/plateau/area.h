@@ -22,12 +22,13 @@
 #define TAUT_CONSTRUCT_PLATEAU_AREA_H
 
 #include "construct/plateau/area_kernel.h"
+#include "core/arena.h"
 #include "taut/basis.h"
 
 #include <stddef.h>
 
 /* Gauss nodes in one direction; slopes are over the unit interval. */
-typedef struct taut_film_axis {
+typedef struct taut_area_axis {
     int count; /* nodes in all */
     int nodes; /* on each panel */
     int local;
@@ -40,12 +41,13 @@ typedef struct taut_film_axis {
     double *values, *slopes;  /* [panels][local][group] */
     double *by_node, *sloped; /* [count][wide]: value and slope */
     double *group_weights;    /* [panels][group] */
-} taut_film_axis;
+} taut_area_axis;
 
-typedef struct taut_film {
+typedef struct taut_area_functional {
+    taut_arena *arena; /* of all its arrays */
     int nu, nv;
-    taut_film_axis u, v;
-    const taut_film_ops *ops;
+    taut_area_axis u, v;
+    const taut_area_ops *ops;
     size_t stride, width; /* of a plane of a row of the net; 3 of them */
     double *weights;      /* [nu][nv] over the largest, or NULL */
     double *quotient;     /* [u.count][panels of v][3][group], area_kernel.h, or NULL */
@@ -55,33 +57,38 @@ typedef struct taut_film {
     double *spread;       /* [2][width] */
     double *elements;     /* [2][group]: W of a panel; weights */
     double work;          /* about so many flops were spent on it, its factors included */
-} taut_film;
+} taut_area_functional;
 
 /* What a net is worth. */
-typedef struct taut_film_value {
+typedef struct taut_area_value {
     double area;
     double least; /* smallest W over the area (the mean of W) */
-} taut_film_value;
+} taut_area_value;
 
 /* local + extra nodes a panel in each direction. weights double[nu][nv] or NULL. TAUT_NO_MEMORY. */
-taut_status taut_film_new(const taut_basis *u, const taut_basis *v, const double *weights,
-                          int extra, taut_film **film);
-void taut_film_free(taut_film *film); /* NULL is fine */
+taut_status taut_area_functional_new(const taut_basis *u, const taut_basis *v,
+                                     const double *weights, int extra,
+                                     taut_area_functional **functional);
+void taut_area_functional_free(taut_area_functional *functional); /* NULL is fine */
 
 /* The area of net double[nu][nv][3]. */
-taut_film_value taut_film_area(taut_film *film, const double *net);
+taut_area_value taut_area_functional_value(taut_area_functional *functional, const double *net);
 /* The same, with gradient double[nu][nv][3] at every point, known ones too; the operators below are
  * those of this net from now on. */
-taut_film_value taut_film_gradient(taut_film *film, const double *net, double *gradient);
+taut_area_value taut_area_functional_gradient(taut_area_functional *functional, const double *net,
+                                              double *gradient);
 
 /* The state, and the quotient where there are weights, of node k of v on line `line`. */
-void taut_film_state_at(const taut_film *film, int line, int k, double state[TAUT_FILM_STATE]);
-void taut_film_quotient_at(const taut_film *film, int line, int k, double quotient[3]);
+void taut_area_functional_state(const taut_area_functional *functional, int line, int k,
+                                double state[TAUT_AREA_STATE]);
+void taut_area_functional_quotient(const taut_area_functional *functional, int line, int k,
+                                   double quotient[3]);
 
 /* About so many flops: one look at the area of a net. */
-double taut_film_cost(const taut_film *film);
+double taut_area_functional_cost(const taut_area_functional *functional);
 
 /* product = B direction, nets double[nu][nv][3], apart. */
-void taut_film_product(taut_film *film, double theta, const double *direction, double *product);
+void taut_area_functional_product(taut_area_functional *functional, double theta,
+                                  const double *direction, double *product);
 
 #endif /* TAUT_CONSTRUCT_PLATEAU_AREA_H */

@@ -1,8 +1,8 @@
-/* area_baseline.c -- a film's kernels for any processor. */
+/* area_baseline.c -- the kernels of the area for any processor. */
 #include <math.h>
 
-#define FILM_LANES 2
-#define FILM_SQRT(v) ((lanes){sqrt((v)[0]), sqrt((v)[1])})
+#define AREA_LANES 2
+#define AREA_SQRT(v) ((lanes){sqrt((v)[0]), sqrt((v)[1])})
 #include "construct/plateau/area_kernel_body.h"
 
-const taut_film_ops taut_film_baseline = FILM_OPS("baseline");
+const taut_area_ops taut_area_baseline = AREA_OPS("baseline");

@@ -1,4 +1,4 @@
-/* area_kernel.h -- the inner loops of a film, one table per instruction set.
+/* area_kernel.h -- the inner loops of the area functional, one table per instruction set.
  *
  * Points of one panel see the same functions of v, so they are worked on side by side: `group` of
  * them, the last ones no points at all, with zeros for functions and weights. Nets lie in planes,
@@ -10,13 +10,13 @@
 #include <stddef.h>
 
 enum {
-    TAUT_FILM_GROUP_MAX = 256, /* TAUT_GAUSS_MAX, a multiple of TAUT_FILM_PAD */
-    TAUT_FILM_STATE = 7,       /* n, w_g E / W, w_g F / W, w_g G / W, w_g */
-    TAUT_FILM_PAD = 8          /* numbers beyond a plane that kernels may read and add 0 to */
+    TAUT_AREA_GROUP_MAX = 256, /* TAUT_GAUSS_MAX, a multiple of TAUT_FILM_PAD */
+    TAUT_AREA_STATE = 7,       /* n, w_g E / W, w_g F / W, w_g G / W, w_g */
+    TAUT_AREA_PAD = 8          /* numbers beyond a plane that kernels may read and add 0 to */
 };
 
 /* The points of a line u = const in one panel of v. */
-typedef struct taut_film_panel {
+typedef struct taut_area_panel {
     int nodes, group; /* points; the same rounded up to lanes */
     int local, wide;  /* functions alive; the same rounded up */
     size_t stride;
@@ -25,9 +25,9 @@ typedef struct taut_film_panel {
     const double *still, *along;     /* [3] planes from the first point alive: x, x_u on the line */
     const double *quotient;          /* [3][group]: 1 / w, w_u / w, w_v / w; or NULL */
     double *spread_still, *spread_u; /* [3] planes: what goes back with N_i, with N_i' */
-} taut_film_panel;
+} taut_area_panel;
 
-typedef struct taut_film_ops {
+typedef struct taut_area_ops {
     const char *name;
     int lanes; /* a power of two up to TAUT_FILM_PAD */
     /* still = sum_a n[a] row[a], along = sum_a d[a] row[a]; length a multiple of TAUT_FILM_PAD. */
@@ -37,21 +37,21 @@ typedef struct taut_film_ops {
     void (*spread)(int local, const double *n, const double *d, const double *still,
                    const double *along, size_t length, double *rows);
     /* w[group] = W. */
-    void (*area)(const taut_film_panel *panel, double *w);
+    void (*area)(const taut_area_panel *panel, double *w);
     /* The same, and the state [TAUT_FILM_STATE][group], and the gradient into the spread; weights
      * [group]. */
-    void (*gradient)(const taut_film_panel *panel, const double *weights, double *state, double *w);
+    void (*gradient)(const taut_area_panel *panel, const double *weights, double *state, double *w);
     /* The product of the direction in the polygons with the operator of the state and theta. */
-    void (*product)(const taut_film_panel *panel, double theta, const double *state);
-} taut_film_ops;
+    void (*product)(const taut_area_panel *panel, double theta, const double *state);
+} taut_area_ops;
 
 /* As taut_grid_ops_chosen. */
-const taut_film_ops *taut_film_ops_chosen(void);
+const taut_area_ops *taut_area_ops_chosen(void);
 
-extern const taut_film_ops taut_film_baseline;
+extern const taut_area_ops taut_area_baseline;
 #if defined(__x86_64__)
-extern const taut_film_ops taut_film_avx2;
-extern const taut_film_ops taut_film_avx512;
+extern const taut_area_ops taut_area_avx2;
+extern const taut_area_ops taut_area_avx512;
 #endif
 
 #endif /* TAUT_CONSTRUCT_PLATEAU_AREA_KERNEL_H */

@@ -1,6 +1,6 @@
 /* area_kernel_body.h -- the loops behind area_kernel.h, compiled once per instruction set.
  *
- * The including file defines FILM_LANES (doubles in a vector), FILM_SQRT(vector), and may let a*b+c
+ * The including file defines AREA_LANES (doubles in a vector), AREA_SQRT(vector), and may let a*b+c
  * contract: what is summed has few terms, so results of different sets agree to rounding. Vectors
  * are gcc's and clang's vector extension.
  */
@@ -8,17 +8,17 @@
 
 #include <math.h>
 
-typedef double lanes __attribute__((vector_size(8 * FILM_LANES), aligned(8), may_alias));
-typedef long long bits __attribute__((vector_size(8 * FILM_LANES), aligned(8), may_alias));
+typedef double lanes __attribute__((vector_size(8 * AREA_LANES), aligned(8), may_alias));
+typedef long long bits __attribute__((vector_size(8 * AREA_LANES), aligned(8), may_alias));
 
 #define AT(pointer) (*(lanes *)(void *)(pointer))
 #define OF(pointer) (*(const lanes *)(const void *)(pointer))
 #define INLINE static inline __attribute__((always_inline))
 
-static void film_contract(int local, const double *n, const double *d, const double *rows,
+static void area_contract(int local, const double *n, const double *d, const double *rows,
                           size_t length, double *still, double *along)
 {
-    for (size_t c = 0; c < length; c += FILM_LANES) {
+    for (size_t c = 0; c < length; c += AREA_LANES) {
         lanes s = {0}, t = {0};
         for (int a = 0; a < local; a++) {
             const lanes row = OF(rows + (size_t)a * length + c);
@@ -30,11 +30,11 @@ static void film_contract(int local, const double *n, const double *d, const dou
     }
 }
 
-static void film_spread(int local, const double *n, const double *d, const double *still,
+static void area_spread(int local, const double *n, const double *d, const double *still,
                         const double *along, size_t length, double *rows)
 {
     for (int a = 0; a < local; a++, rows += length) {
-        for (size_t c = 0; c < length; c += FILM_LANES) {
+        for (size_t c = 0; c < length; c += AREA_LANES) {
             AT(rows + c) += OF(still + c) * n[a] + OF(along + c) * d[a];
         }
     }
@@ -64,25 +64,25 @@ INLINE vector plus(vector a, vector b)
     return (vector){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-INLINE void add(lanes n, const double *plane, size_t stride, vector *sum)
+INLINE void add_plane(lanes n, const double *plane, size_t stride, vector *sum)
 {
     sum->x += n * plane[0];
     sum->y += n * plane[stride];
     sum->z += n * plane[2 * stride];
 }
 
-/* x_u, x_v at points at .. at + FILM_LANES - 1; with weights (X_u - (w_u / w) X) / w. */
-INLINE void jets(const taut_film_panel *p, int at, vector *u, vector *v)
+/* x_u, x_v at points at .. at + AREA_LANES - 1; with weights (X_u - (w_u / w) X) / w. */
+INLINE void find_slopes(const taut_area_panel *p, int at, vector *u, vector *v)
 {
     const size_t group = (size_t)p->group;
     vector x = {{0}, {0}, {0}}, xu = x, xv = x;
 
     for (int b = 0; b < p->local; b++) {
         const lanes n = OF(p->value + (size_t)b * group + at);
-        add(n, p->along + b, p->stride, &xu);
-        add(OF(p->slope + (size_t)b * group + at), p->still + b, p->stride, &xv);
+        add_plane(n, p->along + b, p->stride, &xu);
+        add_plane(OF(p->slope + (size_t)b * group + at), p->still + b, p->stride, &xv);
         if (p->quotient != NULL) {
-            add(n, p->still + b, p->stride, &x);
+            add_plane(n, p->still + b, p->stride, &x);
         }
     }
     if (p->quotient != NULL) {
@@ -97,32 +97,32 @@ INLINE void jets(const taut_film_panel *p, int at, vector *u, vector *v)
 /* Fluxes of the whole panel: f_u and f_v with which N_i' N_j and N_i N_j' go back, and, with
  * weights, what N_i N_j takes. */
 typedef struct fluxes {
-    double u[3][TAUT_FILM_GROUP_MAX], v[3][TAUT_FILM_GROUP_MAX], back[3][TAUT_FILM_GROUP_MAX];
+    double u[3][TAUT_AREA_GROUP_MAX], v[3][TAUT_AREA_GROUP_MAX], back[3][TAUT_AREA_GROUP_MAX];
 } fluxes;
 
-INLINE void store(vector f, int at, double to[3][TAUT_FILM_GROUP_MAX])
+INLINE void store_flux(vector f, int at, double to[3][TAUT_AREA_GROUP_MAX])
 {
     AT(to[0] + at) = f.x;
     AT(to[1] + at) = f.y;
     AT(to[2] + at) = f.z;
 }
 
-INLINE void take(const taut_film_panel *p, int at, vector u, vector v, fluxes *f)
+INLINE void keep_fluxes(const taut_area_panel *p, int at, vector u, vector v, fluxes *f)
 {
     if (p->quotient != NULL) {
         const lanes qu = OF(p->quotient + p->group + at), qv = OF(p->quotient + 2 * p->group + at);
         u = scaled(OF(p->quotient + at), u);
         v = scaled(OF(p->quotient + at), v);
-        store(plus(scaled(qu, u), scaled(qv, v)), at, f->back);
+        store_flux(plus(scaled(qu, u), scaled(qv, v)), at, f->back);
     }
-    store(u, at, f->u);
-    store(v, at, f->v);
+    store_flux(u, at, f->u);
+    store_flux(v, at, f->v);
 }
 
 /* spread_still += N_j' f_v - N_j back, spread_u += N_j f_u; lanes are functions here. */
-INLINE void gather(const taut_film_panel *p, const fluxes *f)
+INLINE void gather_fluxes(const taut_area_panel *p, const fluxes *f)
 {
-    for (int b = 0; b < p->wide; b += FILM_LANES) {
+    for (int b = 0; b < p->wide; b += AREA_LANES) {
         for (size_t c = 0; c < 3; c++) {
             lanes still = {0}, along = {0};
             for (int g = 0; g < p->nodes; g++) {
@@ -139,27 +139,27 @@ INLINE void gather(const taut_film_panel *p, const fluxes *f)
     }
 }
 
-static void film_area(const taut_film_panel *p, double *w)
+static void area_elements(const taut_area_panel *p, double *w)
 {
-    for (int at = 0; at < p->group; at += FILM_LANES) {
+    for (int at = 0; at < p->group; at += AREA_LANES) {
         vector u, v;
-        jets(p, at, &u, &v);
+        find_slopes(p, at, &u, &v);
         const vector n = cross(u, v);
-        AT(w + at) = FILM_SQRT(dot(n, n));
+        AT(w + at) = AREA_SQRT(dot(n, n));
     }
 }
 
-static void film_gradient(const taut_film_panel *p, const double *weights, double *state, double *w)
+static void area_gradient(const taut_area_panel *p, const double *weights, double *state, double *w)
 {
     const size_t group = (size_t)p->group;
     const lanes one = (lanes){0} + 1, least = (lanes){0} + 0x1p-500;
     fluxes f;
 
-    for (int at = 0; at < p->group; at += FILM_LANES) {
+    for (int at = 0; at < p->group; at += AREA_LANES) {
         vector u, v, n;
-        jets(p, at, &u, &v);
+        find_slopes(p, at, &u, &v);
         n = cross(u, v);
-        const lanes size = FILM_SQRT(dot(n, n));
+        const lanes size = AREA_SQRT(dot(n, n));
         /* no normal where W is 0 */
         const bits there = (bits)(size > least);
         const lanes inverse = (lanes)((bits)(one / size) & there);
@@ -174,37 +174,37 @@ static void film_gradient(const taut_film_panel *p, const double *weights, doubl
         AT(s + 5 * group) = part * dot(v, v);
         AT(s + 6 * group) = weight;
         AT(w + at) = size;
-        take(p, at, scaled(weight, cross(v, n)), scaled(weight, cross(n, u)), &f);
+        keep_fluxes(p, at, scaled(weight, cross(v, n)), scaled(weight, cross(n, u)), &f);
     }
-    gather(p, &f);
+    gather_fluxes(p, &f);
 }
 
 /* area.h's df_u, df_v. */
-static void film_product(const taut_film_panel *p, double theta, const double *state)
+static void area_product(const taut_area_panel *p, double theta, const double *state)
 {
     const size_t group = (size_t)p->group;
     const double rest = 1 - theta;
     fluxes f;
 
-    for (int at = 0; at < p->group; at += FILM_LANES) {
+    for (int at = 0; at < p->group; at += AREA_LANES) {
         const double *s = state + at;
         const vector n = {OF(s), OF(s + group), OF(s + 2 * group)};
         const lanes e = OF(s + 3 * group), m = OF(s + 4 * group), g = OF(s + 5 * group);
         const lanes weight = OF(s + 6 * group) * rest;
         vector u, v;
-        jets(p, at, &u, &v);
+        find_slopes(p, at, &u, &v);
         const lanes nu = dot(n, u) * rest, nv = dot(n, v) * rest;
         const lanes mixed = -m * theta;
         const vector fu = plus(scaled(g * nu - m * nv, n), scaled(weight, cross(v, n)));
         const vector fv = plus(scaled(e * nv - m * nu, n), scaled(weight, cross(n, u)));
-        take(p, at, plus(fu, plus(scaled(g * theta, u), scaled(mixed, v))),
-             plus(fv, plus(scaled(e * theta, v), scaled(mixed, u))), &f);
+        keep_fluxes(p, at, plus(fu, plus(scaled(g * theta, u), scaled(mixed, v))),
+                    plus(fv, plus(scaled(e * theta, v), scaled(mixed, u))), &f);
     }
-    gather(p, &f);
+    gather_fluxes(p, &f);
 }
 
-#define FILM_OPS(title)                                                                            \
+#define AREA_OPS(title)                                                                            \
     {                                                                                              \
-        .name = (title), .lanes = FILM_LANES, .contract = film_contract, .spread = film_spread,    \
-        .area = film_area, .gradient = film_gradient, .product = film_product                      \
+        .name = (title), .lanes = AREA_LANES, .contract = area_contract, .spread = area_spread,    \
+        .area = area_elements, .gradient = area_gradient, .product = area_product                  \
     }

@@ -1,10 +1,25 @@
 #include "construct/plateau/directions.h"
 
-#include "construct/common/greville.h"
-#include "core/memory.h"
+#include "basis/basis_ops.h"
+#include "core/arena.h"
 #include "core/vec3.h"
 
+#include <math.h>
 #include <string.h>
+
+void taut_plateau_greville(const taut_basis *basis, double *t)
+{
+    const int count = taut_basis_count(basis);
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+
+    if (basis->ops->linear != NULL) {
+        basis->ops->linear(basis, t);
+    }
+    for (int i = 0; i < count; i++) {
+        const double even = lo + (hi - lo) * i / (count - 1);
+        t[i] = fmin(hi, fmax(lo, basis->ops->linear != NULL ? t[i] : even));
+    }
+}
 
 /* Makes x unit and returns 1, or zeroes it and returns 0. `size` is what a full normal has. */
 static int make_unit(double x[3], double size)
@@ -18,7 +33,7 @@ static int make_unit(double x[3], double size)
 }
 
 /* Fills the gaps from neighbours, ring by ring, until none is left. */
-static void mend(int nu, int nv, double *directions)
+static void fill_gaps(int nu, int nv, double *directions)
 {
     int left = 1;
     for (int round = 0; left > 0 && round < nu + nv; round++) {
@@ -46,33 +61,42 @@ static void mend(int nu, int nv, double *directions)
     }
 }
 
+static taut_status find_normals(const taut_surface *surface, taut_arena *arena, double *directions)
+{
+    const taut_basis *basis_u = taut_surface_u(surface), *basis_v = taut_surface_v(surface);
+    const int nu = taut_basis_count(basis_u), nv = taut_basis_count(basis_v);
+    const size_t count = (size_t)nu * (size_t)nv;
+    double *u = taut_arena_take(arena, (size_t)nu, sizeof(double));
+    double *v = taut_arena_take(arena, (size_t)nv, sizeof(double));
+    double *jets = taut_arena_take(arena, count, 9 * sizeof(double));
+    double largest = 0;
+    taut_status status = taut_arena_status(arena);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_plateau_greville(basis_u, u);
+    taut_plateau_greville(basis_v, v);
+    status = taut_surface_eval_grid(surface, nu, u, nv, v, 1, 1, jets);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < count; i++) {
+        taut_cross(jets + 9 * i + 3, jets + 9 * i + 6, directions + 3 * i);
+        largest = fmax(largest, taut_norm(directions + 3 * i));
+    }
+    for (size_t i = 0; i < count; i++) {
+        make_unit(directions + 3 * i, largest);
+    }
+    fill_gaps(nu, nv, directions);
+    return TAUT_OK;
+}
+
 taut_status taut_plateau_directions(const taut_surface *surface, double *directions)
 {
-    const int nu = taut_basis_count(taut_surface_u(surface));
-    const int nv = taut_basis_count(taut_surface_v(surface));
-    double *u = taut_alloc((size_t)nu, sizeof(double));
-    double *v = taut_alloc((size_t)nv, sizeof(double));
-    double *jets = taut_alloc_aligned((size_t)nu * (size_t)nv, 9 * sizeof(double));
-    taut_status status = u != NULL && v != NULL && jets != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = find_normals(surface, arena, directions);
 
-    if (status == TAUT_OK) {
-        taut_greville(taut_surface_u(surface), u);
-        taut_greville(taut_surface_v(surface), v);
-        status = taut_surface_eval_grid(surface, nu, u, nv, v, 1, 1, jets);
-    }
-    if (status == TAUT_OK) {
-        double largest = 0;
-        for (size_t i = 0; i < (size_t)nu * (size_t)nv; i++) {
-            taut_cross(jets + 9 * i + 3, jets + 9 * i + 6, directions + 3 * i);
-            largest = fmax(largest, taut_norm(directions + 3 * i));
-        }
-        for (size_t i = 0; i < (size_t)nu * (size_t)nv; i++) {
-            make_unit(directions + 3 * i, largest);
-        }
-        mend(nu, nv, directions);
-    }
-    taut_free(u);
-    taut_free(v);
-    taut_free(jets);
+    taut_arena_free(arena);
     return status;
 }

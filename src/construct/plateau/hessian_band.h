@@ -11,33 +11,33 @@
 #ifndef TAUT_CONSTRUCT_PLATEAU_HESSIAN_BAND_H
 #define TAUT_CONSTRUCT_PLATEAU_HESSIAN_BAND_H
 
-#include "construct/common/pattern.h"
+#include "construct/common/mask.h"
 #include "construct/plateau/area.h"
 #include "numeric/band.h"
 
-typedef struct taut_film_band taut_film_band;
+typedef struct taut_area_hessian taut_area_hessian;
 
-/* Is a factorisation worth its cost for this film? */
-int taut_film_band_pays(const taut_film *film, const taut_pattern *pattern);
+/* Is a factorisation worth its cost for this functional? */
+int taut_area_hessian_pays(const taut_area_functional *functional, const taut_mask *mask);
 
 /* About so many flops: one assembly, and one factorisation. */
-double taut_film_band_assembly_cost(const taut_film *film);
-double taut_film_band_factor_cost(const taut_film *film, const taut_pattern *pattern);
+double taut_area_hessian_assembly_cost(const taut_area_functional *functional);
+double taut_area_hessian_factor_cost(const taut_area_functional *functional, const taut_mask *mask);
 
-/* The pattern is borrowed. TAUT_NO_MEMORY. */
-taut_status taut_film_band_new(const taut_film *film, const taut_pattern *pattern,
-                               taut_film_band **band);
-void taut_film_band_free(taut_film_band *band); /* NULL is fine */
+/* The mask is borrowed. TAUT_NO_MEMORY. */
+taut_status taut_area_hessian_new(const taut_area_functional *functional, const taut_mask *mask,
+                                  taut_area_hessian **hessian);
+void taut_area_hessian_free(taut_area_hessian *hessian); /* NULL is fine */
 
-/* Fills both matrices from the film's state: once for each net. */
-void taut_film_band_assemble(taut_film_band *band, const taut_film *film);
+/* Fills both matrices from the state of the functional: once for each net. */
+void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_functional *functional);
 
 /* Factors B = (1 - theta) H + theta L_g over the unknown points. TAUT_NO_SOLUTION when B is not
  * positive definite: there are no factors then. */
-taut_status taut_film_band_factor(taut_film_band *band, double theta);
+taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta);
 
 /* Solves B x = x in place with the factors of last, net double[nu][nv][3]; known points become
  * 0. */
-void taut_film_band_solve(taut_film_band *band, double *net);
+void taut_area_hessian_solve(taut_area_hessian *hessian, double *net);
 
 #endif /* TAUT_CONSTRUCT_PLATEAU_HESSIAN_BAND_H */

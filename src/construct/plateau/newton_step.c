@@ -1,9 +1,11 @@
 #include "construct/plateau/newton_step.h"
 
 #include "construct/plateau/hessian_band.h"
+#include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
+#include "geometry/nurbs/gram.h"
 #include "numeric/tensor/solver.h"
 
 #include <assert.h>
@@ -11,19 +13,20 @@
 
 enum {
     PRODUCTS = 30,    /* of a step, as a rule */
-    REPORTED = 16,    /* from one report to the next */
+    REPORTED = 16,    /* products from one report to the next */
     ROUNDS_MAX = 400, /* products of one solve: a step cut short is still one downhill */
 };
 
-struct taut_film_solver {
-    taut_film *film;
-    const taut_pattern *pattern;
+struct taut_newton_step {
+    taut_area_functional *functional;
+    const taut_mask *mask;
     const taut_monitor *monitor;
     const double *directions;
     int parts;
     size_t size; /* of a vector of unknowns */
     int products;
-    taut_film_band *band; /* or NULL: the rest is for conjugate gradients */
+    taut_arena *arena;
+    taut_area_hessian *hessian; /* or NULL: the rest is for conjugate gradients */
     int is_assembled;
     taut_gram u, v; /* of the hull */
     taut_tensor_solver *tensor;
@@ -32,215 +35,188 @@ struct taut_film_solver {
     double *move, *force;                       /* nets */
 };
 
-int taut_film_solver_parts(const taut_film_solver *solver)
+int taut_newton_step_parts(const taut_newton_step *newton)
 {
-    return solver->parts;
+    return newton->parts;
 }
 
-double taut_film_solver_floor(const taut_film_solver *solver)
+double taut_newton_step_floor(const taut_newton_step *newton)
 {
-    return solver->band != NULL ? 1e-10 : solver->parts == 1 ? 0 : 1e-5;
+    const double by_factors = 1e-10;  /* below it H alone is as definite, to rounding */
+    const double by_gradients = 1e-5; /* below it moves within the surface take too many products */
+    return newton->hessian != NULL ? by_factors : newton->parts == 1 ? 0 : by_gradients;
 }
 
-const char *taut_film_solver_name(const taut_film_solver *solver)
+const char *taut_newton_step_method(const taut_newton_step *newton)
 {
-    return solver->band != NULL ? "factors" : "conjugate-gradients";
+    return newton->hessian != NULL ? "factors" : "conjugate-gradients";
 }
 
-int taut_film_solver_products(const taut_film_solver *solver)
+int taut_newton_step_products(const taut_newton_step *newton)
 {
-    return solver->products;
+    return newton->products;
 }
 
-double taut_film_solver_step_cost(const taut_film_solver *solver)
+double taut_newton_step_cost(const taut_newton_step *newton)
 {
-    const double look = taut_film_cost(solver->film);
-    return solver->band != NULL ? taut_film_band_factor_cost(solver->film, solver->pattern) +
-                                      taut_film_band_assembly_cost(solver->film) + 8 * look
-                                : 2 * PRODUCTS * look;
+    const double look = taut_area_functional_cost(newton->functional);
+    return newton->hessian != NULL
+               ? taut_area_hessian_factor_cost(newton->functional, newton->mask) +
+                     taut_area_hessian_assembly_cost(newton->functional) + 8 * look
+               : 2 * PRODUCTS * look;
 }
 
-taut_status taut_film_solver_report(const taut_film_solver *solver)
+taut_status taut_newton_step_report(const taut_newton_step *newton)
 {
-    const taut_monitor *m = solver->monitor;
+    const taut_monitor *m = newton->monitor;
     return m->progress != NULL && m->progress(m->context, taut_none, "least area") != 0
                ? TAUT_INTERRUPTED
                : TAUT_OK;
 }
 
-void taut_film_solver_free(taut_film_solver *solver)
+void taut_newton_step_free(taut_newton_step *newton)
 {
-    if (solver != NULL) {
-        taut_film_band_free(solver->band);
-        taut_gram_clear(&solver->u);
-        taut_gram_clear(&solver->v);
-        taut_tensor_solver_free(solver->tensor);
-        taut_free(solver->hull);
-        taut_free(solver->residual);
-        taut_free(solver->smooth);
-        taut_free(solver->search);
-        taut_free(solver->image);
-        taut_free(solver->move);
-        taut_free(solver->force);
-        taut_free(solver);
+    if (newton != NULL) {
+        taut_area_hessian_free(newton->hessian);
+        taut_gram_clear(&newton->u);
+        taut_gram_clear(&newton->v);
+        taut_tensor_solver_free(newton->tensor);
+        taut_arena_free(newton->arena);
+        taut_free(newton);
     }
 }
 
-/* Where the hull is the whole net its operator has the constants as kernel: the mass makes it
- * definite. */
-static void shift(taut_gram *gram)
+static taut_status make_preconditioner(const taut_dirichlet_form *form, double aspect,
+                                       taut_newton_step *newton)
 {
-    const size_t size = (size_t)gram->mass.n * ((size_t)gram->mass.width + 1);
-    for (size_t i = 0; i < size; i++) {
-        gram->stiffness.a[i] += gram->mass.a[i];
-    }
+    const taut_gram *u = &newton->u, *v = &newton->v;
+    const taut_status status =
+        taut_dirichlet_form_select(form, newton->mask, &newton->u, &newton->v);
+
+    return status == TAUT_OK ? taut_tensor_solver_new(&u->stiffness, &u->mass, &v->stiffness,
+                                                      &v->mass, aspect, 1 / aspect, &newton->tensor)
+                             : status;
 }
 
-static taut_status precondition(const taut_dirichlet_form *form, double aspect,
-                                taut_film_solver *solver)
+/* Factors where they pay, else what conjugate gradients need. */
+static taut_status make_solver(const taut_dirichlet_form *form, double aspect,
+                               taut_newton_step *newton)
 {
-    const taut_pattern *pattern = solver->pattern;
-    taut_status status = taut_gram_select(&form->u, pattern->rows, pattern->row, &solver->u);
+    const taut_mask *mask = newton->mask;
+    const size_t hull = (size_t)mask->rows * (size_t)mask->columns;
+    taut_status status = TAUT_OK;
 
-    if (status == TAUT_OK) {
-        status = taut_gram_select(&form->v, pattern->columns, pattern->column, &solver->v);
+    if (newton->directions == NULL && taut_area_hessian_pays(newton->functional, mask)) {
+        return taut_area_hessian_new(newton->functional, mask, &newton->hessian);
     }
-    if (status == TAUT_OK && pattern->rows == pattern->nu && pattern->columns == pattern->nv) {
-        shift(&solver->u);
-        shift(&solver->v);
+    status = make_preconditioner(form, aspect, newton);
+    if (status != TAUT_OK) {
+        return status == TAUT_NO_MEMORY ? status : TAUT_NOT_CONVERGED;
     }
-    if (status == TAUT_OK) {
-        status = taut_tensor_solver_new(&solver->u.stiffness, &solver->u.mass, &solver->v.stiffness,
-                                        &solver->v.mass, aspect, 1 / aspect, &solver->tensor);
-    }
-    return status == TAUT_OK || status == TAUT_NO_MEMORY ? status : TAUT_NOT_CONVERGED;
+    newton->hull = taut_arena_take(newton->arena, hull, (size_t)newton->parts * sizeof(double));
+    newton->residual = taut_arena_take(newton->arena, newton->size, sizeof(double));
+    newton->smooth = taut_arena_take(newton->arena, newton->size, sizeof(double));
+    newton->search = taut_arena_take(newton->arena, newton->size, sizeof(double));
+    newton->image = taut_arena_take(newton->arena, newton->size, sizeof(double));
+    return taut_arena_status(newton->arena);
 }
 
-static taut_status alloc(taut_film_solver *solver)
+taut_status taut_newton_step_new(taut_area_functional *functional, const taut_dirichlet_form *form,
+                                 const taut_mask *mask, const double *directions, double aspect,
+                                 const taut_monitor *monitor, taut_newton_step **newton)
 {
-    const taut_pattern *pattern = solver->pattern;
-    const size_t net = 3 * (size_t)pattern->nu * (size_t)pattern->nv;
-    const size_t hull = (size_t)pattern->rows * (size_t)pattern->columns;
-
-    solver->move = taut_alloc_aligned(net, sizeof(double));
-    solver->force = taut_alloc_aligned(net, sizeof(double));
-    if (solver->move == NULL || solver->force == NULL) {
-        return TAUT_NO_MEMORY;
-    }
-    if (solver->band != NULL) {
-        return TAUT_OK;
-    }
-    solver->hull = taut_alloc_aligned(hull, (size_t)solver->parts * sizeof(double));
-    solver->residual = taut_alloc_aligned(solver->size, sizeof(double));
-    solver->smooth = taut_alloc_aligned(solver->size, sizeof(double));
-    solver->search = taut_alloc_aligned(solver->size, sizeof(double));
-    solver->image = taut_alloc_aligned(solver->size, sizeof(double));
-    return solver->hull != NULL && solver->residual != NULL && solver->smooth != NULL &&
-                   solver->search != NULL && solver->image != NULL
-               ? TAUT_OK
-               : TAUT_NO_MEMORY;
-}
-
-taut_status taut_film_solver_new(taut_film *film, const taut_dirichlet_form *form,
-                                 const taut_pattern *pattern, const double *directions,
-                                 double aspect, const taut_monitor *monitor,
-                                 taut_film_solver **solver)
-{
-    taut_film_solver *made = taut_alloc_zero(1, sizeof *made);
+    const size_t count = (size_t)mask->nu * (size_t)mask->nv;
+    taut_newton_step *made = taut_alloc_zero(1, sizeof *made);
     taut_status status = TAUT_OK;
 
     if (made == NULL) {
         return TAUT_NO_MEMORY;
     }
-    made->film = film;
+    made->functional = functional;
     made->monitor = monitor;
-    made->pattern = pattern;
+    made->mask = mask;
     made->directions = directions;
     made->parts = directions != NULL ? 1 : 3;
-    made->size = (size_t)made->parts * (size_t)pattern->nu * (size_t)pattern->nv;
-    if (directions == NULL && taut_film_band_pays(film, pattern)) {
-        status = taut_film_band_new(film, pattern, &made->band);
-    } else {
-        status = precondition(form, aspect, made);
-    }
-    if (status == TAUT_OK) {
-        status = alloc(made);
-    }
+    made->size = (size_t)made->parts * count;
+    made->arena = taut_arena_new();
+    made->move = taut_arena_take(made->arena, count, 3 * sizeof(double));
+    made->force = taut_arena_take(made->arena, count, 3 * sizeof(double));
+    status = made->force != NULL ? make_solver(form, aspect, made) : TAUT_NO_MEMORY;
     if (status != TAUT_OK) {
-        taut_film_solver_free(made);
+        taut_newton_step_free(made);
         return status;
     }
-    *solver = made;
+    *newton = made;
     return TAUT_OK;
 }
 
-void taut_film_solver_reduce(const taut_film_solver *solver, const double *net, double *z)
+void taut_newton_step_reduce(const taut_newton_step *newton, const double *net, double *z)
 {
-    const size_t count = (size_t)solver->pattern->nu * (size_t)solver->pattern->nv;
-    const unsigned char *known = solver->pattern->known;
+    const size_t count = (size_t)newton->mask->nu * (size_t)newton->mask->nv;
+    const unsigned char *known = newton->mask->known;
 
-    if (solver->directions == NULL) {
+    if (newton->directions == NULL) {
         memcpy(z, net, 3 * count * sizeof(double));
-        taut_pattern_clear_known(solver->pattern, z);
+        taut_mask_clear_known(newton->mask, z);
         return;
     }
     for (size_t i = 0; i < count; i++) {
-        z[i] = known[i] ? 0 : taut_dot(solver->directions + 3 * i, net + 3 * i);
+        z[i] = known[i] ? 0 : taut_dot(newton->directions + 3 * i, net + 3 * i);
     }
 }
 
-void taut_film_solver_expand(const taut_film_solver *solver, const double *z, double *net)
+void taut_newton_step_expand(const taut_newton_step *newton, const double *z, double *net)
 {
-    const size_t count = (size_t)solver->pattern->nu * (size_t)solver->pattern->nv;
+    const size_t count = (size_t)newton->mask->nu * (size_t)newton->mask->nv;
 
     for (size_t i = 0; i < 3 * count; i++) {
-        net[i] = solver->directions == NULL ? z[i] : z[i / 3] * solver->directions[i];
+        net[i] = newton->directions == NULL ? z[i] : z[i / 3] * newton->directions[i];
     }
 }
 
-void taut_film_solver_renew(taut_film_solver *solver)
+void taut_newton_step_renew(taut_newton_step *newton)
 {
-    solver->is_assembled = 0;
+    newton->is_assembled = 0;
 }
 
-double taut_film_solver_dot(const taut_film_solver *solver, const double *a, const double *b)
+double taut_newton_step_dot(const taut_newton_step *newton, const double *a, const double *b)
 {
     double sum = 0;
-    for (size_t i = 0; i < solver->size; i++) {
+    for (size_t i = 0; i < newton->size; i++) {
         sum += a[i] * b[i];
     }
     return sum;
 }
 
-void taut_film_solver_product(taut_film_solver *solver, double theta, const double *z,
+void taut_newton_step_product(taut_newton_step *newton, double theta, const double *z,
                               double *product)
 {
-    taut_film_solver_expand(solver, z, solver->move);
-    taut_film_product(solver->film, theta, solver->move, solver->force);
-    taut_film_solver_reduce(solver, solver->force, product);
-    solver->products++;
+    taut_newton_step_expand(newton, z, newton->move);
+    taut_area_functional_product(newton->functional, theta, newton->move, newton->force);
+    taut_newton_step_reduce(newton, newton->force, product);
+    newton->products++;
 }
 
 /* smooth = M^-1 residual, by the hull and back. */
-static taut_status smoothen(taut_film_solver *solver)
+static taut_status smoothen_residual(taut_newton_step *newton)
 {
-    const taut_pattern *p = solver->pattern;
-    const size_t parts = (size_t)solver->parts, nv = (size_t)p->nv;
+    const taut_mask *p = newton->mask;
+    const size_t parts = (size_t)newton->parts, nv = (size_t)p->nv;
     const unsigned char *known = p->hull_known;
-    double *hull = solver->hull;
+    double *hull = newton->hull;
     taut_status status = TAUT_OK;
 
     for (int a = 0; a < p->rows; a++) {
-        const double *row = solver->residual + (size_t)p->row[a] * nv * parts;
+        const double *row = newton->residual + (size_t)p->row[a] * nv * parts;
         for (int b = 0; b < p->columns; b++, hull += parts) {
             memcpy(hull, row + (size_t)p->column[b] * parts, parts * sizeof(double));
         }
     }
-    status = taut_tensor_solver_solve(solver->tensor, solver->parts, solver->hull);
-    hull = solver->hull;
-    memset(solver->smooth, 0, solver->size * sizeof(double));
+    status = taut_tensor_solver_solve(newton->tensor, newton->parts, newton->hull);
+    hull = newton->hull;
+    memset(newton->smooth, 0, newton->size * sizeof(double));
     for (int a = 0; a < p->rows; a++) {
-        double *row = solver->smooth + (size_t)p->row[a] * nv * parts;
+        double *row = newton->smooth + (size_t)p->row[a] * nv * parts;
         for (int b = 0; b < p->columns; b++, hull += parts) {
             if (!*known++) {
                 memcpy(row + (size_t)p->column[b] * parts, hull, parts * sizeof(double));
@@ -251,85 +227,87 @@ static taut_status smoothen(taut_film_solver *solver)
 }
 
 /* One step of conjugate gradients: *rho = residual . smooth on entry and return. */
-static taut_status iterate(taut_film_solver *solver, double theta, double *z, double *rho)
+static taut_status iterate(taut_newton_step *newton, double theta, double *z, double *rho)
 {
     const double before = *rho;
     double curvature = 0;
     taut_status status = TAUT_OK;
 
-    taut_film_solver_product(solver, theta, solver->search, solver->image);
-    curvature = taut_film_solver_dot(solver, solver->search, solver->image);
+    taut_newton_step_product(newton, theta, newton->search, newton->image);
+    curvature = taut_newton_step_dot(newton, newton->search, newton->image);
     if (!(curvature > 0)) {
         return TAUT_NO_SOLUTION;
     }
-    for (size_t i = 0; i < solver->size; i++) {
-        z[i] += before / curvature * solver->search[i];
-        solver->residual[i] -= before / curvature * solver->image[i];
+    for (size_t i = 0; i < newton->size; i++) {
+        z[i] += before / curvature * newton->search[i];
+        newton->residual[i] -= before / curvature * newton->image[i];
     }
-    status = smoothen(solver);
-    *rho = taut_film_solver_dot(solver, solver->residual, solver->smooth);
-    for (size_t i = 0; i < solver->size; i++) {
-        solver->search[i] = solver->smooth[i] + *rho / before * solver->search[i];
+    status = smoothen_residual(newton);
+    *rho = taut_newton_step_dot(newton, newton->residual, newton->smooth);
+    for (size_t i = 0; i < newton->size; i++) {
+        newton->search[i] = newton->smooth[i] + *rho / before * newton->search[i];
     }
     return status;
 }
 
-static taut_status conjugate_gradients(taut_film_solver *solver, double theta, double forcing,
+static taut_status conjugate_gradients(taut_newton_step *newton, double theta, double forcing,
                                        const double *b, double *z, double *model)
 {
     double rho = 0, enough = 0;
     taut_status status = TAUT_OK;
 
-    memset(z, 0, solver->size * sizeof(double));
-    memcpy(solver->residual, b, solver->size * sizeof(double));
-    status = smoothen(solver);
-    memcpy(solver->search, solver->smooth, solver->size * sizeof(double));
-    rho = taut_film_solver_dot(solver, solver->residual, solver->smooth);
+    memset(z, 0, newton->size * sizeof(double));
+    memcpy(newton->residual, b, newton->size * sizeof(double));
+    status = smoothen_residual(newton);
+    memcpy(newton->search, newton->smooth, newton->size * sizeof(double));
+    rho = taut_newton_step_dot(newton, newton->residual, newton->smooth);
     enough = forcing * forcing * rho;
     for (int k = 0; status == TAUT_OK && k < ROUNDS_MAX && rho > enough; k++) {
-        status = iterate(solver, theta, z, &rho);
-        if (status == TAUT_OK && k % REPORTED == REPORTED - 1) {
-            status = taut_film_solver_report(solver);
+        status = iterate(newton, theta, z, &rho);
+        if (k % REPORTED == REPORTED - 1 && status == TAUT_OK) {
+            status = taut_newton_step_report(newton);
         }
     }
     *model = 0;
-    for (size_t i = 0; i < solver->size; i++) {
-        *model += 0.5 * z[i] * (b[i] + solver->residual[i]);
+    for (size_t i = 0; i < newton->size; i++) {
+        *model += 0.5 * z[i] * (b[i] + newton->residual[i]);
     }
     return status;
 }
 
-taut_status taut_film_solver_solve(taut_film_solver *solver, double theta, double forcing,
+taut_status taut_newton_step_solve(taut_newton_step *newton, double theta, double forcing,
                                    const double *b, double *z, double *model)
 {
+    taut_area_functional *functional = newton->functional;
     taut_status status = TAUT_OK;
 
-    if (solver->band == NULL) {
-        return conjugate_gradients(solver, theta, forcing, b, z, model);
+    if (newton->hessian == NULL) {
+        return conjugate_gradients(newton, theta, forcing, b, z, model);
     }
-    if (!solver->is_assembled) {
-        taut_film_band_assemble(solver->band, solver->film);
-        solver->is_assembled = 1;
-        solver->film->work += taut_film_band_assembly_cost(solver->film);
+    if (!newton->is_assembled) {
+        taut_area_hessian_assemble(newton->hessian, functional);
+        newton->is_assembled = 1;
+        functional->work += taut_area_hessian_assembly_cost(functional);
     }
-    status = taut_film_band_factor(solver->band, theta);
-    solver->film->work += taut_film_band_factor_cost(solver->film, solver->pattern);
-    solver->products++;
-    if (status == TAUT_OK) {
-        memcpy(z, b, solver->size * sizeof(double));
-        taut_film_band_solve(solver->band, z);
-        *model = 0.5 * taut_film_solver_dot(solver, z, b);
+    status = taut_area_hessian_factor(newton->hessian, theta);
+    functional->work += taut_area_hessian_factor_cost(functional, newton->mask);
+    newton->products++;
+    if (status != TAUT_OK) {
+        return status;
     }
-    return status;
+    memcpy(z, b, newton->size * sizeof(double));
+    taut_area_hessian_solve(newton->hessian, z);
+    *model = 0.5 * taut_newton_step_dot(newton, z, b);
+    return TAUT_OK;
 }
 
-int taut_film_solver_has_factors(const taut_film_solver *solver)
+int taut_newton_step_has_factors(const taut_newton_step *newton)
 {
-    return solver->band != NULL;
+    return newton->hessian != NULL;
 }
 
-void taut_film_solver_again(taut_film_solver *solver, double *z)
+void taut_newton_step_again(taut_newton_step *newton, double *z)
 {
-    assert(solver->band != NULL);
-    taut_film_band_solve(solver->band, z);
+    assert(newton->hessian != NULL);
+    taut_area_hessian_solve(newton->hessian, z);
 }

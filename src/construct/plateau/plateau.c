@@ -1,7 +1,7 @@
 /* plateau.c -- the surface of least area through the known points of a net, or between four curves.
  *
  *     1. a spline space and a boundary in it (construct/plateau/space.h)
- *     2. the film of least area there (construct/plateau/solve.h)
+ *     2. the surface of least area there (construct/plateau/solve.h)
  *     3. more spaces, to say how far it is from the least area of all, or to come as near as was
  *        asked for (construct/plateau/refine.h)
  *
@@ -11,6 +11,8 @@
 
 #include "construct/construct_ops.h"
 #include "construct/plateau/refine.h"
+#include "construct/plateau/solve.h"
+#include "construct/plateau/space.h"
 #include "core/fail.h"
 
 #include <math.h>
@@ -27,11 +29,11 @@ static taut_status check_start(const taut_plateau_problem *problem, taut_error *
         char where[64];
         snprintf(where, sizeof where, "/start/points/%zu/%zu", at / (size_t)nv, at % (size_t)nv);
         if (!isfinite(problem->start[i])) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, problem->start[i], taut_none,
-                             "found %.17g, expected a finite number", problem->start[i]);
+            return taut_fail_expected(error, TAUT_BAD_INPUT, "value", where, problem->start[i],
+                                      "a finite number", "found %.17g", problem->start[i]);
         }
         if (problem->net.known[at] && problem->start[i] != problem->net.points[i]) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, problem->start[i],
+            return taut_fail(error, TAUT_BAD_INPUT, "conflict", where, problem->start[i],
                              problem->net.points[i],
                              "the start has %.17g where the known point of the net has %.17g",
                              problem->start[i], problem->net.points[i]);
@@ -40,7 +42,7 @@ static taut_status check_start(const taut_plateau_problem *problem, taut_error *
     return TAUT_OK;
 }
 
-static taut_status check_tolerance_area(const taut_plateau_problem *problem, taut_error *error)
+static taut_status check_spaces(const taut_plateau_problem *problem, taut_error *error)
 {
     const double tolerance = problem->tolerance_area;
     const int nu = taut_basis_count(problem->net.u), nv = taut_basis_count(problem->net.v);
@@ -52,19 +54,19 @@ static taut_status check_tolerance_area(const taut_plateau_problem *problem, tau
                          tolerance, TAUT_PLATEAU_AREA_MIN);
     }
     if (tolerance != 0 && (problem->refine > 0 || problem->start != NULL)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/tolerance_area", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/tolerance_area", taut_none, taut_none,
                          "tolerance_area finds its own spaces: expected neither refine nor start "
                          "beside it");
     }
     if (tolerance != 0 && (double)nu * nv > TAUT_PLATEAU_ADAPTED_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/tolerance_area", (double)nu * nv,
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/tolerance_area", (double)nu * nv,
                          TAUT_PLATEAU_ADAPTED_MAX,
                          "tolerance_area cannot put knots into a net of %d by %d points, expected "
                          "at most %d: take fewer, or refine",
                          nu, nv, TAUT_PLATEAU_ADAPTED_MAX);
     }
     if (problem->curves[0] != NULL && problem->start != NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/start", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/start", taut_none, taut_none,
                          "found a start beside curves, expected none: its boundary would not be "
                          "theirs");
     }
@@ -81,8 +83,7 @@ static taut_status check_refine(const taut_plateau_problem *problem, taut_error 
                           (taut_basis_count(v) + more * taut_basis_span_count(v));
 
     if (problem->refine > 0 && points > TAUT_PLATEAU_REFINED_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/refine", points,
-                         TAUT_PLATEAU_REFINED_MAX,
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/refine", points, TAUT_PLATEAU_REFINED_MAX,
                          "refine is %d, and makes a net of %.0f points, expected at most %d",
                          problem->refine, points, TAUT_PLATEAU_REFINED_MAX);
     }
@@ -90,7 +91,7 @@ static taut_status check_refine(const taut_plateau_problem *problem, taut_error 
 }
 
 /* What dirichlet does not check, or is needed before it does. */
-static taut_status check(const taut_plateau_problem *problem, taut_error *error)
+static taut_status check_problem(const taut_plateau_problem *problem, taut_error *error)
 {
     const taut_dirichlet_problem *net = &problem->net;
     const int curves = (problem->curves[0] != NULL) + (problem->curves[1] != NULL) +
@@ -111,7 +112,7 @@ static taut_status check(const taut_plateau_problem *problem, taut_error *error)
                          0, "max_iterations is %d, expected at least 1", problem->max_iterations);
     }
     if (problem->method != TAUT_PLATEAU_FULL && problem->method != TAUT_PLATEAU_NORMAL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", "/method", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "name", "/method", taut_none, taut_none,
                          "expected the method \"full\" or \"normal\"");
     }
     if (problem->refine < 0 || problem->refine > TAUT_PLATEAU_REFINE_MAX) {
@@ -122,29 +123,57 @@ static taut_status check(const taut_plateau_problem *problem, taut_error *error)
     if (check_refine(problem, error) != TAUT_OK) {
         return TAUT_BAD_INPUT;
     }
-    return check_tolerance_area(problem, error);
+    return check_spaces(problem, error);
 }
 
 static taut_status make_model(taut_plateau_solution *solution, taut_model **model,
                               taut_error *error)
 {
     taut_model *made = NULL;
-    taut_status status = taut_model_new(&made);
 
-    if (status == TAUT_OK) {
-        status = taut_model_add_surface(made, solution->surface);
-    }
-    if (status == TAUT_OK) {
-        solution->surface = NULL; /* the model's now */
-        status = taut_record_status(solution->details);
-        taut_model_set_details(made, solution->details);
-        solution->details = NULL;
-    }
-    if (status != TAUT_OK) {
+    if (taut_model_new(&made) != TAUT_OK ||
+        taut_model_add_surface(made, solution->surface) != TAUT_OK) {
         taut_model_free(made);
         return taut_fail_memory(error);
     }
+    solution->surface = NULL; /* the model's now */
+    if (taut_record_status(solution->details) != TAUT_OK) {
+        taut_model_free(made);
+        return taut_fail_memory(error);
+    }
+    taut_model_set_details(made, solution->details);
+    solution->details = NULL;
     *model = made;
+    return TAUT_OK;
+}
+
+/* What a make holds on the way. */
+typedef struct parts {
+    taut_plateau_space *space;
+    taut_plateau_solution solution;
+} parts;
+
+static taut_status make_parts(const taut_plateau_problem *problem, const taut_make_options *options,
+                              parts *p, taut_error *error)
+{
+    taut_status status = taut_plateau_space_new(problem, NULL, &p->space, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_plateau_solve(&p->space->problem, options, &p->solution, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (problem->refine > 0) {
+        status = taut_plateau_estimate(problem, options, &p->solution, error);
+    } else if (problem->tolerance_area > 0) {
+        status = taut_plateau_adapt(problem, options, &p->space, &p->solution, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_plateau_space_describe(p->space, p->solution.details);
     return TAUT_OK;
 }
 
@@ -152,33 +181,23 @@ taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_ma
                               taut_model **model, taut_error *error)
 {
     static const taut_make_options none;
-    taut_plateau_space *space = NULL;
-    taut_plateau_solution solution = {NULL, NULL, 0};
+    parts p = {NULL, {NULL, NULL, 0}};
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_plateau_make needs a problem and a place for the model");
     }
-    options = options != NULL ? options : &none;
-    status = check(problem, error);
+    status = check_problem(problem, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = make_parts(problem, options != NULL ? options : &none, &p, error);
     if (status == TAUT_OK) {
-        status = taut_plateau_space_new(problem, NULL, &space, error);
+        status = make_model(&p.solution, model, error);
     }
-    if (status == TAUT_OK) {
-        status = taut_plateau_solve(&space->problem, options, &solution, error);
-    }
-    if (status == TAUT_OK && problem->refine > 0) {
-        status = taut_plateau_estimate(problem, options, &solution, error);
-    } else if (status == TAUT_OK && problem->tolerance_area > 0) {
-        status = taut_plateau_adapt(problem, options, &space, &solution, error);
-    }
-    if (status == TAUT_OK) {
-        taut_plateau_space_describe(space, solution.details);
-        status = make_model(&solution, model, error);
-    }
-    taut_plateau_solution_clear(&solution);
-    taut_plateau_space_free(space);
+    taut_plateau_solution_clear(&p.solution);
+    taut_plateau_space_free(p.space);
     return status;
 }
 

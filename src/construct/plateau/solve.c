@@ -1,11 +1,18 @@
 /* solve.c -- the surface of least area in one spline space.
  *
- *     1. the Dirichlet surface of the same net (taut_dirichlet_make): the data are checked there
- *     2. move and scale the points to about unit size (construct/common/scaling.h)
- *     3. Gauss nodes enough that more of them do not change the area (construct/plateau/area.h)
- *     4. descend from the Dirichlet surface, or the one given (construct/plateau/trust_region.h)
- *     5. with more nodes: still at rest? Otherwise go on with those
- *     6. put the solution back between the known points, which stay bit for bit
+ *     x     = the Dirichlet surface of the same net (taut_dirichlet_make), which checks the data
+ *     net   = its points, moved and scaled to about unit size (construct/common/scaling.h)
+ *     rule  = the first number of Gauss nodes that the next one agrees with on the area of net
+ *     hardly any area: no solution
+ *     net   = the points to start from, if they are given, and a rule for them
+ *     net so large that factors do not pay: come near along normals (construct/plateau/approach.h)
+ *     repeat
+ *         minimise the area from net, by rule (construct/plateau/trust_region.h)
+ *         rule = the first from here on that the next one agrees with on the area of net
+ *     until the rule stays
+ *     where it costs little, raise the rule and minimise until the residual stays too
+ *     the rules still disagree on the area: the surface folds
+ *     points = net in the user's units, between the known ones, which stay bit for bit
  *
  * [WuWang2011] sections 6, 7.1, 7.2; docs/plateau.md.
  */
@@ -15,7 +22,9 @@
 #include "construct/plateau/approach.h"
 #include "construct/plateau/directions.h"
 #include "construct/plateau/hessian_band.h"
-#include "construct/plateau/work.h"
+#include "construct/plateau/newton_step.h"
+#include "construct/plateau/trust_region.h"
+#include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -24,38 +33,79 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ITERATIONS_DEFAULT = 500, RULES = 10 };
+enum {
+    ITERATIONS_DEFAULT = 500,
+    RULES = 10,
+    AREAS_MAX = 64, /* areas of iterations that are told */
+};
 static const double tolerance_default = 1e-10;
 /* Nodes on a panel beyond the functions alive there, each rule tried after the one before. */
-static const int extras[RULES] = {2, 4, 6, 9, 13, 19, 28, 42, 63, 95};
-/* Two rules agree when their areas do to this; where the last ones differ by more than `unsettled`
- * the film is none. */
-static const double agreement = 2e-14;
-/* Rules that draw near a smooth integral change it by much less each time; not so where it is
- * rough.
- */
-static const double rough = 0.2, rough_points = 5e3;
-static const double unsettled = 1e-9;
-static const double points_max = 3e7; /* Gauss points of one film, but for what its net needs: */
-static const double points_most = 6e7, points_each = 4e3; /* in all, or for each of its points */
-/* Residuals that agree to this, by rules of so many points that more cost little. */
-static const double sharp = 4e-15, sharp_points = 2e4;
+static const int extra_nodes[RULES] = {2, 4, 6, 9, 13, 19, 28, 42, 63, 95};
 
-/* What a film may cost, in flops: seconds of work, or so many of the first steps if that is more,
- * as if no span were cut for the sake of weights. */
-static const double work_least = 2e10, steps_worth = 200;
+/* What decides. */
+static const struct {
+    double area_agreement; /* share of the area: two rules agree where they differ by no more */
+    double area_unsettled; /* the same: where the last rules differ by more there is no surface */
+    double change_rough;   /* of one change to the next: a smooth integral settles much faster */
+    double points_rough;   /* Gauss points: only beyond them a rough net costs enough to matter */
+    double points_next;    /* Gauss points: a finer rule is not tried where it had more */
+    double points_most;    /* Gauss points that any net may have ... */
+    double points_each;    /* ... or for each of its control points */
+    double residual_sharp; /* residual: rules that agree to this see the same derivatives */
+    double points_sharp;   /* Gauss points: beyond them residuals are not made to agree */
+    double work_least;     /* flops: seconds, that any surface may cost ... */
+    double work_steps;   /* ... or so many of the first steps, as if no span were cut for weights */
+    double area_none;    /* of sqrt(iint |x_u|^2 iint |x_v|^2): no area at all, but rounding */
+    double stretch_most; /* of the preconditioner either way: beyond it the net is no guide */
+} limits = {
+    .area_agreement = 2e-14,
+    .area_unsettled = 1e-9,
+    .change_rough = 0.2,
+    .points_rough = 5e3,
+    .points_next = 3e7,
+    .points_most = 6e7,
+    .points_each = 4e3,
+    .residual_sharp = 4e-15,
+    .points_sharp = 2e4,
+    .work_least = 2e10,
+    .work_steps = 200,
+    .area_none = 1e-12,
+    .stretch_most = 1e4,
+};
 
-typedef taut_plateau_work work;
+/* What is being made. */
+typedef struct work {
+    const taut_plateau_problem *problem;
+    const taut_make_options *options;
+    taut_model *first; /* the Dirichlet surface */
+    const taut_surface *surface;
+    taut_arena *arena;
+    taut_mask mask;
+    taut_scaling scaling;
+    taut_dirichlet_form form;
+    taut_area_functional *functional;
+    size_t count;
+    double *net;        /* scaled */
+    double *points;     /* the same in the user's units, in the end */
+    double *directions; /* or NULL */
+    double dirichlet_area, aspect;
+    taut_trust_region region;
+    const char *solver;
+    int rule, products;
+    int is_rough;  /* no rule settles on the first net */
+    double change; /* of the area from one of the last rules to the next, over the area */
+} work;
 
 static void work_clear(work *w)
 {
     taut_dirichlet_form_clear(&w->form);
-    taut_film_free(w->film);
+    taut_area_functional_free(w->functional);
     taut_model_free(w->first);
     taut_arena_free(w->arena);
 }
 
-static taut_status work_new(work *w, taut_error *error)
+/* What is needed beside the Dirichlet surface. */
+static taut_status prepare(work *w, taut_error *error)
 {
     const taut_dirichlet_problem *net = &w->problem->net;
     const int nu = taut_basis_count(net->u), nv = taut_basis_count(net->v);
@@ -63,13 +113,12 @@ static taut_status work_new(work *w, taut_error *error)
     w->surface = taut_model_surface(w->first, 0);
     w->count = (size_t)nu * (size_t)nv;
     w->arena = taut_arena_new();
-    if (w->arena != NULL) {
-        w->net = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
-        w->descent.areas = taut_arena_take(w->arena, TAUT_PLATEAU_AREAS_MAX, sizeof(double));
-        w->descent.areas_max = TAUT_PLATEAU_AREAS_MAX;
-    }
-    if (w->net == NULL || w->descent.areas == NULL ||
-        taut_pattern_new(nu, nv, net->known, w->arena, &w->pattern) != TAUT_OK) {
+    w->net = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
+    w->points = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
+    w->region.areas = taut_arena_take(w->arena, AREAS_MAX, sizeof(double));
+    w->region.areas_max = AREAS_MAX;
+    if (taut_arena_status(w->arena) != TAUT_OK ||
+        taut_mask_new(nu, nv, net->known, w->arena, &w->mask) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     if (w->problem->method == TAUT_PLATEAU_NORMAL) {
@@ -82,132 +131,139 @@ static taut_status work_new(work *w, taut_error *error)
     return TAUT_OK;
 }
 
-/* net = points in the scaled frame. */
-static void scale(const work *w, const double *points, double *net)
+/* net = points, scaled. */
+static void scale_points(work *w, const double *points)
 {
-    for (size_t i = 0; i < w->count; i++) {
-        taut_scaling_apply(&w->scaling, points + 3 * i, net + 3 * i);
-    }
+    taut_scaling_apply(&w->scaling, w->count, points, NULL, w->net);
 }
 
-/* The points back: known ones as given. */
-static taut_status unscale(const work *w, double *points, taut_error *error)
+/* ---- rules of quadrature ---- */
+
+static double points_of(const taut_area_functional *functional)
 {
-    for (size_t i = 0; i < w->count; i++) {
-        if (w->problem->net.known[i]) {
-            memcpy(points + 3 * i, w->problem->net.points + 3 * i, 3 * sizeof(double));
-        } else {
-            taut_scaling_undo(&w->scaling, w->net + 3 * i, points + 3 * i);
-        }
-    }
-    for (size_t i = 0; i < 3 * w->count; i++) {
-        if (!isfinite(points[i])) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", taut_none,
-                             taut_none,
-                             "a point of the solution is beyond the range of double precision: "
-                             "scale the points down");
-        }
-    }
-    return TAUT_OK;
+    return (double)functional->u.count * functional->v.count;
 }
 
-static double points_of(const taut_film *film)
-{
-    return (double)film->u.count * film->v.count;
-}
-
-/* Gauss points of the film after this one: on the same panels, with the nodes of the next rule. */
-static double points_after(const work *w, const taut_film *film, int rule)
+/* Gauss points of the rule after this one: on the same panels, with the nodes of the next rule. */
+static double points_after(const work *w, const taut_area_functional *functional, int rule)
 {
     const int next = rule + 1 < RULES ? rule + 1 : rule;
-    const double u = taut_basis_local(w->problem->net.u) + extras[next];
-    const double v = taut_basis_local(w->problem->net.v) + extras[next];
-    return points_of(film) * u * v / (film->u.nodes * film->v.nodes);
+    const double u = taut_basis_local(w->problem->net.u) + extra_nodes[next];
+    const double v = taut_basis_local(w->problem->net.v) + extra_nodes[next];
+    return points_of(functional) * u * v / (functional->u.nodes * functional->v.nodes);
 }
 
 static double points_allowed(const work *w)
 {
-    return fmax(points_most, points_each * (double)w->count);
+    return fmax(limits.points_most, limits.points_each * (double)w->count);
 }
 
-/* The film with this rule; *is_last when a finer one would be too large. */
-static taut_status film_with(work *w, int rule, taut_film **film, int *is_last, taut_error *error)
+/* The functional with this rule; *is_last when a finer one would be too large. */
+static taut_status make_functional(work *w, int rule, taut_area_functional **functional,
+                                   int *is_last, taut_error *error)
 {
     const taut_dirichlet_problem *net = &w->problem->net;
-    taut_film *made = NULL;
+    taut_area_functional *made = NULL;
     double points = 0;
 
-    if (taut_film_new(net->u, net->v, net->weights, extras[rule], &made) != TAUT_OK) {
+    if (taut_area_functional_new(net->u, net->v, net->weights, extra_nodes[rule], &made) !=
+        TAUT_OK) {
         return taut_fail_memory(error);
     }
     points = points_of(made);
-    *is_last = rule + 1 >= RULES || points_after(w, made, rule) > points_max;
+    *is_last = rule + 1 >= RULES || points_after(w, made, rule) > limits.points_next;
     if (points > points_allowed(w)) {
-        taut_film_free(made);
-        return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/points", points,
+        taut_area_functional_free(made);
+        return taut_fail(error, TAUT_NOT_CONVERGED, "gauss-points", "/points", points,
                          points_allowed(w),
                          "the area asks for %.3g Gauss points, expected at most %.3g: the bases or "
                          "weights vary too fast for so small a net",
                          points, points_allowed(w));
     }
-    *film = made;
+    *functional = made;
     return TAUT_OK;
 }
 
-/* Raises the rule until the next one gives the same area of the net; the film is the coarser of
- * the two. *area is what the finer one gives. Before the first descent the rule is not raised on
- * and on for a net with points that have no tangent plane: no rule settles there, and the film may
- * come without them. */
-static taut_status find_rule(work *w, const double *net, double *area, taut_error *error)
+/* The finer functional takes the place of the one there is. */
+static void replace_functional(work *w, taut_area_functional *finer)
 {
-    const int is_first = w->descent.work_max == 0;
+    taut_area_functional_free(w->functional);
+    w->functional = finer;
+    w->rule++;
+}
+
+/* Raises the rule until the next one gives the same area of the net; the functional is the coarser
+ * of the two. *area is what the finer one gives. At first the rule is not raised on and on for a
+ * net with points that have no tangent plane: no rule settles there, and the surface may come
+ * without them. */
+static taut_status find_rule(work *w, double *area, taut_error *error)
+{
+    const int is_first = w->region.work_max == 0;
     double change = INFINITY;
-    int is_last = w->film != NULL && points_after(w, w->film, w->rule) > points_allowed(w);
+    int is_last =
+        w->functional != NULL && points_after(w, w->functional, w->rule) > points_allowed(w);
     taut_status status = TAUT_OK;
 
-    if (w->film == NULL) {
-        status = film_with(w, w->rule, &w->film, &is_last, error);
+    if (w->functional == NULL) {
+        status = make_functional(w, w->rule, &w->functional, &is_last, error);
     }
-    for (int settled = 0; status == TAUT_OK && !settled && !w->is_rough;) {
-        const double before = taut_film_area(w->film, net).area;
-        taut_film *finer = NULL;
+    while (status == TAUT_OK && !w->is_rough) {
+        const double before = taut_area_functional_value(w->functional, w->net).area;
+        const double earlier = change;
+        taut_area_functional *finer = NULL;
         *area = before;
         if (w->rule + 1 >= RULES || is_last) {
-            break;
+            return TAUT_OK;
         }
-        status = film_with(w, w->rule + 1, &finer, &is_last, error);
-        if (status == TAUT_OK) {
-            const double earlier = change;
-            *area = taut_film_area(finer, net).area;
-            change = fabs(*area - before);
-            settled = change <= agreement * *area;
-            w->is_rough = !settled && is_first && change > rough * earlier &&
-                          points_of(w->film) > rough_points;
+        status = make_functional(w, w->rule + 1, &finer, &is_last, error);
+        if (status != TAUT_OK) {
+            return status;
         }
-        if (status == TAUT_OK) {
-            w->change = change / *area;
+        *area = taut_area_functional_value(finer, w->net).area;
+        change = fabs(*area - before);
+        w->change = change / *area;
+        if (change <= limits.area_agreement * *area) {
+            taut_area_functional_free(finer);
+            return TAUT_OK;
         }
-        if (status == TAUT_OK && !settled && !w->is_rough) {
-            taut_film_free(w->film);
-            w->film = finer;
-            w->rule++;
-        } else {
-            taut_film_free(finer);
+        w->is_rough = is_first && change > limits.change_rough * earlier &&
+                      points_of(w->functional) > limits.points_rough;
+        if (w->is_rough) {
+            taut_area_functional_free(finer);
+            return TAUT_OK;
         }
+        replace_functional(w, finer);
     }
     return status;
 }
 
+/* The rule after this one, whatever it sees. */
+static taut_status raise_rule(work *w, taut_error *error)
+{
+    taut_area_functional *finer = NULL;
+    int is_last = 0;
+    const taut_status status = make_functional(w, w->rule + 1, &finer, &is_last, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    replace_functional(w, finer);
+    w->is_rough = !is_last;
+    return TAUT_OK;
+}
+
+/* ---- the minimum by one rule, and by all ---- */
+
 /* The stretch of u over that of v: fu / fv of the preconditioner. */
-static double stretch(const work *w)
+static double stretch_of_net(const work *w)
 {
     double halves[2] = {0, 0};
     taut_dirichlet_form_energies(&w->form, w->net, halves);
     const double ratio = sqrt(halves[1] / halves[0]) / w->form.ratio;
-    return ratio > 1e-4 && ratio < 1e4 ? ratio : 1;
+    return ratio > 1 / limits.stretch_most && ratio < limits.stretch_most ? ratio : 1;
 }
 
-static int has_free_edge(const taut_pattern *p)
+static int has_free_edge(const taut_mask *p)
 {
     const size_t nv = (size_t)p->nv, last = (size_t)(p->nu - 1) * nv;
     int found = 0;
@@ -223,68 +279,70 @@ static int has_free_edge(const taut_pattern *p)
 /* Is it worth while to come near along normals first (construct/plateau/approach.h)? */
 static int is_large(const work *w)
 {
-    return w->directions == NULL && w->problem->start == NULL && !w->descent.has_free_edge &&
-           !w->is_rough && !taut_film_band_pays(w->film, &w->pattern);
+    return w->directions == NULL && w->problem->start == NULL && !w->region.has_free_edge &&
+           !w->is_rough && !taut_area_hessian_pays(w->functional, &w->mask);
 }
 
 /* Spans over panels. Weights that vary from point to point cut the spans into thousands, and 200
  * steps there take hours. */
-static double uncut(const work *w)
+static double uncut_share(const work *w)
 {
     const taut_dirichlet_problem *net = &w->problem->net;
     const double spans =
         (double)taut_basis_span_count(net->u) * (double)taut_basis_span_count(net->v);
-    return spans * w->film->u.nodes * w->film->v.nodes / points_of(w->film);
+    return spans * w->functional->u.nodes * w->functional->v.nodes / points_of(w->functional);
 }
 
-/* Descends with the film of the moment. */
-static taut_status descend(work *w, taut_error *error)
+/* Minimises by the rule of the moment. */
+static taut_status minimise(work *w, taut_error *error)
 {
-    taut_film_solver *solver = NULL;
-    taut_status status = taut_film_solver_new(w->film, &w->form, &w->pattern, w->directions,
-                                              w->aspect, &w->options->monitor, &solver);
+    taut_newton_step *newton = NULL;
+    taut_status status = taut_newton_step_new(w->functional, &w->form, &w->mask, w->directions,
+                                              w->aspect, &w->options->monitor, &newton);
 
-    if (status == TAUT_OK) {
-        w->solver = taut_film_solver_name(solver);
-        if (w->descent.work_max == 0) {
-            w->descent.work_max =
-                fmax(work_least, steps_worth * uncut(w) * taut_film_solver_step_cost(solver));
-        }
-        status = taut_film_descend(w->film, solver, &w->descent, w->net, error);
-        w->products += taut_film_solver_products(solver);
-    } else {
-        status =
-            status == TAUT_NO_MEMORY
-                ? taut_fail_memory(error)
-                : taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, taut_none, taut_none,
-                            "the system is too ill-conditioned for double precision: the "
-                            "knots, the degree or the weights are too extreme");
+    if (status == TAUT_NO_MEMORY) {
+        return taut_fail_memory(error);
     }
-    taut_film_solver_free(solver);
+    if (status != TAUT_OK) {
+        return taut_fail(error, TAUT_NOT_CONVERGED, "ill-conditioned", NULL, taut_none, taut_none,
+                         "the system is too ill-conditioned for double precision: the "
+                         "knots, the degree or the weights are too extreme");
+    }
+    w->solver = taut_newton_step_method(newton);
+    if (w->region.work_max == 0) {
+        w->region.work_max = fmax(limits.work_least, limits.work_steps * uncut_share(w) *
+                                                         taut_newton_step_cost(newton));
+    }
+    status = taut_trust_region_minimise(w->functional, newton, &w->region, w->net, error);
+    w->products += taut_newton_step_products(newton);
+    taut_newton_step_free(newton);
     return status;
 }
 
-/* The area of the Dirichlet surface, in the scaled frame, and a rule for it. */
+/* The area of the Dirichlet surface, scaled, and a rule for it. */
 static taut_status measure_first(work *w, taut_error *error)
 {
     double halves[2] = {0, 0};
     taut_status status = TAUT_OK;
 
-    scale(w, taut_surface_points(w->surface), w->net);
-    status = find_rule(w, w->net, &w->dirichlet_area, error);
+    scale_points(w, taut_surface_points(w->surface));
+    status = find_rule(w, &w->dirichlet_area, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
     taut_dirichlet_form_energies(&w->form, w->net, halves);
-    if (status == TAUT_OK && !(w->dirichlet_area > 1e-12 * sqrt(halves[0] * halves[1]))) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", "/points", w->dirichlet_area,
+    if (!(w->dirichlet_area > limits.area_none * sqrt(halves[0] * halves[1]))) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-area", "/points", w->dirichlet_area,
                          taut_none,
                          "the known points span no area: every surface through them that has none "
                          "is a minimum; give a boundary that is not a point or a line");
     }
-    w->aspect = stretch(w);
-    return status;
+    w->aspect = stretch_of_net(w);
+    return TAUT_OK;
 }
 
-/* Largest derivative along an unknown over the largest in the net, by this film. */
-static taut_status residual_by(const work *w, taut_film *film, double *residual)
+/* Largest derivative along an unknown over the largest in the net, by this functional. */
+static taut_status find_residual(const work *w, taut_area_functional *functional, double *residual)
 {
     double *gradient = taut_alloc_aligned(w->count, 3 * sizeof(double));
     double all = 0, unknown = 0;
@@ -292,12 +350,12 @@ static taut_status residual_by(const work *w, taut_film *film, double *residual)
     if (gradient == NULL) {
         return TAUT_NO_MEMORY;
     }
-    taut_film_gradient(film, w->net, gradient);
+    taut_area_functional_gradient(functional, w->net, gradient);
     for (size_t i = 0; i < w->count; i++) {
         const double *g = gradient + 3 * i;
         const double size = fmax(fabs(g[0]), fmax(fabs(g[1]), fabs(g[2])));
         all = fmax(all, size);
-        if (!w->pattern.known[i]) {
+        if (!w->mask.known[i]) {
             unknown = fmax(unknown,
                            w->directions == NULL ? size : fabs(taut_dot(w->directions + 3 * i, g)));
         }
@@ -309,147 +367,202 @@ static taut_status residual_by(const work *w, taut_film *film, double *residual)
 
 /* Rules that agree on the area to 2e-14 agree on its derivatives to fewer digits: where it costs
  * little, goes on to rules that do not see the residual change either. */
-static taut_status sharpen(work *w, taut_error *error)
+static taut_status sharpen_residual(work *w, taut_error *error)
 {
-    taut_status status = TAUT_OK;
-
-    for (int settled = 0; status == TAUT_OK && !settled;) {
-        const double points = points_of(w->film);
-        taut_film *finer = NULL;
+    while (w->rule + 1 < RULES && points_of(w->functional) <= limits.points_sharp) {
+        taut_area_functional *finer = NULL;
         double residual = 0;
         int is_last = 0;
-        if (w->rule + 1 >= RULES || points > sharp_points) {
-            break;
+        taut_status status = make_functional(w, w->rule + 1, &finer, &is_last, error);
+        if (status != TAUT_OK) {
+            return status;
         }
-        status = film_with(w, w->rule + 1, &finer, &is_last, error);
-        if (status == TAUT_OK && residual_by(w, finer, &residual) != TAUT_OK) {
-            status = taut_fail_memory(error);
+        if (find_residual(w, finer, &residual) != TAUT_OK) {
+            taut_area_functional_free(finer);
+            return taut_fail_memory(error);
         }
-        settled = is_last ||
-                  fabs(residual - w->descent.residual) <= fmax(sharp, 0.1 * w->descent.residual);
-        if (status != TAUT_OK || settled) {
-            taut_film_free(finer);
-            break;
+        if (is_last || fabs(residual - w->region.residual) <=
+                           fmax(limits.residual_sharp, 0.1 * w->region.residual)) {
+            taut_area_functional_free(finer);
+            return TAUT_OK;
         }
-        taut_film_free(w->film);
-        w->film = finer;
-        w->rule++;
-        status = descend(w, error);
+        replace_functional(w, finer);
+        status = minimise(w, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
-    return status;
+    return TAUT_OK;
 }
 
-/* Descends, and again with more nodes where they turn out to matter. A film that came from a rough
- * net and finds no rest may find it with more of them, while that is not too much work. */
-static taut_status descend_by_rules(work *w, taut_error *error)
+/* Minimises, and again with more nodes where they turn out to matter. What came from a rough net
+ * and did not converge may do so with more of them, while that is not too much work. */
+static taut_status minimise_by_rules(work *w, taut_error *error)
 {
-    taut_status status = TAUT_OK;
     double area = 0;
 
-    for (int rule = -1; status == TAUT_OK && rule != w->rule;) {
+    for (int rule = -1; rule != w->rule;) {
         const int was_rough = w->is_rough;
+        taut_status status = TAUT_OK;
         rule = w->rule;
         w->is_rough = 0;
-        status = descend(w, error);
+        status = minimise(w, error);
         if (status == TAUT_OK) {
-            status = find_rule(w, w->net, &area, error);
+            status = find_rule(w, &area, error);
         } else if (status == TAUT_NOT_CONVERGED && was_rough && rule + 1 < RULES &&
-                   w->descent.work < w->descent.work_max &&
-                   w->descent.iterations < w->descent.max_iterations) {
-            int is_last = 0;
-            taut_film *finer = NULL;
-            status = film_with(w, rule + 1, &finer, &is_last, error);
-            if (status == TAUT_OK) {
-                taut_film_free(w->film);
-                w->film = finer;
-                w->rule++;
-                w->is_rough = !is_last;
-            }
+                   w->region.work < w->region.work_max &&
+                   w->region.iterations < w->region.max_iterations) {
+            status = raise_rule(w, error);
+        }
+        if (status != TAUT_OK) {
+            return status;
         }
     }
-    return status;
+    return TAUT_OK;
 }
 
-/* A film at rest by one rule is none where more nodes see another area. */
+/* At rest by one rule is not at rest where more nodes see another area. */
 static taut_status check_rule(const work *w, taut_error *error)
 {
-    if (!(w->change > unsettled)) {
+    if (!(w->change > limits.area_unsettled)) {
         return TAUT_OK;
     }
-    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->change, unsettled,
+    return taut_fail(error, TAUT_NOT_CONVERGED, "folds", NULL, w->change, limits.area_unsettled,
                      "the film folds: with %d Gauss nodes in a panel its area still changes by "
                      "%.2g of it; take fewer points, or give points inside",
-                     w->film->v.nodes, w->change);
+                     w->functional->v.nodes, w->change);
 }
 
-/* Fills points double[nu][nv][3]. */
-static taut_status solve(work *w, double *points, taut_error *error)
-{
-    taut_status status = TAUT_OK;
-    double area = 0;
+/* ---- the whole ---- */
 
-    w->scaling = taut_scaling_of(w->count, w->problem->net.points, w->problem->net.known);
-    status = taut_dirichlet_form_new(w->problem->net.u, w->problem->net.v, w->problem->net.weights,
-                                     &w->form, error);
-    if (status == TAUT_OK) {
-        status = measure_first(w, error);
+/* Fills net. */
+static taut_status find_net(work *w, taut_error *error)
+{
+    const taut_dirichlet_problem *net = &w->problem->net;
+    double area = 0;
+    taut_status status = TAUT_OK;
+
+    w->scaling = taut_scaling_of(w->count, net->points, net->known);
+    status = taut_dirichlet_form_new(net->u, net->v, net->weights, &w->form, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && w->problem->start != NULL) {
-        scale(w, w->problem->start, w->net);
-        status = find_rule(w, w->net, &area, error);
+    status = measure_first(w, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    w->descent.has_free_edge = has_free_edge(&w->pattern);
-    if (status == TAUT_OK && is_large(w)) {
-        w->descent.work_max = work_least;
+    if (w->problem->start != NULL) {
+        scale_points(w, w->problem->start);
+        status = find_rule(w, &area, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    w->region.has_free_edge = has_free_edge(&w->mask);
+    if (is_large(w)) {
+        w->region.work_max = limits.work_least;
         status =
-            taut_plateau_approach(w->film, &w->form, &w->pattern, w->surface, w->aspect,
-                                  &w->options->monitor, &w->descent, w->net, &w->products, error);
-        w->descent.work_max = 0;
+            taut_plateau_approach(w->functional, &w->form, &w->mask, w->surface, w->aspect,
+                                  &w->options->monitor, &w->region, w->net, &w->products, error);
+        w->region.work_max = 0;
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
-    if (status == TAUT_OK) {
-        status = descend_by_rules(w, error);
+    status = minimise_by_rules(w, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK && w->directions == NULL) { /* "normal" stops at the tolerance */
-        status = sharpen(w, error);
+    if (w->directions == NULL) { /* "normal" stops at the tolerance */
+        status = sharpen_residual(w, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
-    if (status == TAUT_OK) {
-        status = check_rule(w, error);
+    return check_rule(w, error);
+}
+
+/* Fills points, as far as it came where it does not converge; known ones as given. */
+static taut_status find_points(work *w, taut_error *error)
+{
+    const taut_status status = find_net(w, error);
+    taut_status unscaled = TAUT_OK;
+
+    if (status != TAUT_OK && status != TAUT_NOT_CONVERGED) {
+        return status;
     }
-    if (status == TAUT_OK || status == TAUT_NOT_CONVERGED) {
-        const taut_status unscaled = unscale(w, points, error);
-        status = unscaled != TAUT_OK ? unscaled : status;
-    }
-    return status;
+    unscaled = taut_scaling_undo(&w->scaling, w->count, w->problem->net.points,
+                                 w->problem->net.known, w->net, w->points, error);
+    return unscaled != TAUT_OK ? unscaled : status;
 }
 
 /* Without unknowns the surface is the one given; its area is still told. */
-static taut_status keep(work *w, double *points, taut_error *error)
+static taut_status keep_points(work *w, taut_error *error)
 {
-    taut_status status = TAUT_OK;
-
-    memcpy(points, w->problem->net.points, 3 * w->count * sizeof(double));
+    memcpy(w->points, w->problem->net.points, 3 * w->count * sizeof(double));
     w->solver = "none";
-    w->scaling = taut_scaling_of(w->count, points, w->problem->net.known);
-    scale(w, points, w->net);
-    status = find_rule(w, w->net, &w->dirichlet_area, error);
-    return status;
+    w->scaling = taut_scaling_of(w->count, w->points, w->problem->net.known);
+    scale_points(w, w->points);
+    return find_rule(w, &w->dirichlet_area, error);
 }
 
-static taut_status finish(const work *w, const double *points, taut_plateau_solution *solution,
-                          taut_error *error)
+static void add_directions(const work *w, taut_record *details)
+{
+    taut_record *rows = taut_record_add_list(details, "directions");
+    for (int i = 0; i < w->mask.nu; i++) {
+        taut_record *row = taut_record_add_list(rows, NULL);
+        for (int j = 0; j < w->mask.nv; j++) {
+            const size_t at = (size_t)i * (size_t)w->mask.nv + (size_t)j;
+            taut_record_add_numbers(row, NULL, 3, w->directions + 3 * at);
+        }
+    }
+}
+
+/* The member `details`; taut_record_status tells whether memory ran out. */
+static taut_record *details_of(const work *w)
+{
+    const taut_mask *p = &w->mask;
+    taut_record *details = taut_record_new();
+    const int is_normal = w->problem->method == TAUT_PLATEAU_NORMAL;
+
+    taut_record_add_number(details, "iterations", w->region.iterations);
+    taut_record_add_number(details, "dirichlet_area",
+                           taut_scaling_undo_square(&w->scaling, w->dirichlet_area));
+    taut_record_add_number(details, "unknowns", (double)p->unknowns);
+    taut_record_add_text(details, "known",
+                         p->unknowns == 0 ? "all"
+                         : p->is_interior ? "boundary"
+                                          : "pattern");
+    taut_record_add_text(details, "method", is_normal ? "normal" : "full");
+    taut_record_add_text(details, "solver", w->solver);
+    taut_record_add_number(details, "products", w->products);
+    taut_record_add_number(details, "residual", w->region.residual);
+    taut_record_add_number(details, "tolerance", w->region.tolerance);
+    if (is_normal && p->unknowns > 0) {
+        add_directions(w, details);
+    }
+    taut_record *areas = taut_record_add_list(details, "areas");
+    for (int k = 0; k < w->region.areas_count; k++) {
+        taut_record_add_number(areas, NULL,
+                               taut_scaling_undo_square(&w->scaling, w->region.areas[k]));
+    }
+    return details;
+}
+
+static taut_status make_solution(const work *w, taut_plateau_solution *solution, taut_error *error)
 {
     const taut_dirichlet_problem *net = &w->problem->net;
     const char *name = net->name != NULL ? net->name : "plateau";
     taut_plateau_solution made = {NULL, NULL, 0};
     taut_status status =
-        taut_surface_new(name, net->u, net->v, points, net->weights, &made.surface, error);
+        taut_surface_new(name, net->u, net->v, w->points, net->weights, &made.surface, error);
 
     if (status != TAUT_OK) {
         return status;
     }
-    made.area = taut_scaling_undo_square(&w->scaling, w->pattern.unknowns == 0 ? w->dirichlet_area
-                                                                               : w->descent.area);
-    made.details = taut_plateau_details(w);
+    made.area = taut_scaling_undo_square(&w->scaling, w->mask.unknowns == 0 ? w->dirichlet_area
+                                                                            : w->region.area);
+    made.details = details_of(w);
     if (taut_record_status(made.details) != TAUT_OK) {
         taut_plateau_solution_clear(&made);
         return taut_fail_memory(error);
@@ -465,34 +578,37 @@ void taut_plateau_solution_clear(taut_plateau_solution *solution)
     memset(solution, 0, sizeof *solution);
 }
 
+static taut_status solve(work *w, taut_plateau_solution *solution, taut_error *error)
+{
+    taut_status made = TAUT_OK;
+    taut_status status = taut_dirichlet_make(&w->problem->net, w->options, &w->first, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = prepare(w, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = w->mask.unknowns == 0 ? keep_points(w, error) : find_points(w, error);
+    if (status != TAUT_OK && !(status == TAUT_NOT_CONVERGED && w->region.area > 0)) {
+        return status;
+    }
+    made = make_solution(w, solution, error);
+    return made != TAUT_OK ? made : status;
+}
+
 taut_status taut_plateau_solve(const taut_plateau_problem *problem,
                                const taut_make_options *options, taut_plateau_solution *solution,
                                taut_error *error)
 {
-    work w;
-    double *points = NULL;
+    work w = {.problem = problem, .options = options};
     taut_status status = TAUT_OK;
 
-    memset(&w, 0, sizeof w);
-    w.problem = problem;
-    w.options = options;
-    w.descent.tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;
-    w.descent.max_iterations =
+    w.region.tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;
+    w.region.max_iterations =
         problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS_DEFAULT;
-    status = taut_dirichlet_make(&problem->net, w.options, &w.first, error);
-    if (status == TAUT_OK) {
-        status = work_new(&w, error);
-    }
-    if (status == TAUT_OK) {
-        points = taut_arena_take(w.arena, 3 * w.count, sizeof(double));
-        status = points == NULL            ? taut_fail_memory(error)
-                 : w.pattern.unknowns == 0 ? keep(&w, points, error)
-                                           : solve(&w, points, error);
-    }
-    if (status == TAUT_OK || (status == TAUT_NOT_CONVERGED && w.descent.area > 0)) {
-        const taut_status finished = finish(&w, points, solution, error);
-        status = finished != TAUT_OK ? finished : status;
-    }
+    status = solve(&w, solution, error);
     work_clear(&w);
     return status;
 }

@@ -8,10 +8,10 @@
 #include <math.h>
 #include <string.h>
 
+static const double value_clamped = 1e-12; /* of a function that is 1 at its end */
 /* Corners of two curves are one when they are this close, over the size of the boundary. */
-static const double clamped = 1e-12; /* of a function that is 1 at its end */
-static const double meeting = 1e-9;
-static const char *const names[4] = {"u0", "u1", "v0", "v1"};
+static const double gap_meeting = 1e-9;
+static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 
 static void release_basis(void *basis)
 {
@@ -41,7 +41,7 @@ static taut_status own_basis(taut_plateau_space *space, const taut_basis *basis,
 }
 
 /* Is exactly the boundary known? */
-static int is_frame(const taut_dirichlet_problem *net)
+static int knows_boundary_only(const taut_dirichlet_problem *net)
 {
     const int nu = taut_basis_count(net->u), nv = taut_basis_count(net->v);
     int is_so = 1;
@@ -60,7 +60,7 @@ static int corner_of(int e, int end)
     return e < 2 ? e + 2 * end : end + 2 * (e - 2);
 }
 
-static void end_of(const taut_curve *curve, int end, double x[3])
+static void evaluate_end(const taut_curve *curve, int end, double x[3])
 {
     const taut_basis *t = taut_curve_t(curve);
     (void)taut_curve_eval(curve, end == 0 ? taut_basis_lo(t) : taut_basis_hi(t), 0, x);
@@ -74,7 +74,7 @@ static taut_status find_corners(const taut_plateau_problem *given, double corner
     int seen[4] = {-1, -1, -1, -1};
 
     for (int k = 0; k < 8; k++) {
-        end_of(given->curves[k / 2], k % 2, ends[k / 2][k % 2]);
+        evaluate_end(given->curves[k / 2], k % 2, ends[k / 2][k % 2]);
         size = fmax(size, taut_distance(ends[k / 2][k % 2], ends[0][0]));
     }
     for (int e = 0; e < 4; e++) {
@@ -92,13 +92,13 @@ static taut_status find_corners(const taut_plateau_problem *given, double corner
             seen[c] = e;
             continue;
         }
-        memcpy(where + 8, names[e], 2);
+        memcpy(where + 8, edge_names[e], 2);
         const double gap = taut_distance(x, corner[c]);
-        if (!(gap <= meeting * size)) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, gap, meeting * size,
+        if (!(gap <= gap_meeting * size)) {
+            return taut_fail(error, TAUT_BAD_INPUT, "corners", where, gap, gap_meeting * size,
                              "curve %s misses %s by %.3g where they should meet, expected at most "
                              "%.3g: u0 and u1 run with v, v0 and v1 with u",
-                             names[e], names[seen[c]], gap, meeting * size);
+                             edge_names[e], edge_names[seen[c]], gap, gap_meeting * size);
         }
         for (int a = 0; a < 3; a++) {
             corner[c][a] = 0.5 * corner[c][a] + 0.5 * x[a];
@@ -108,24 +108,24 @@ static taut_status find_corners(const taut_plateau_problem *given, double corner
 }
 
 /* Is the net's outermost row the surface's edge? Not where the basis is no clamped one. */
-static int ends_in_its_ends(const taut_basis *basis)
+static int is_clamped(const taut_basis *basis)
 {
     double values[TAUT_DEGREE_MAX + 1];
     const int last = taut_basis_span_count(basis) - 1, local = taut_basis_local(basis);
 
     return taut_basis_eval(basis, 0, taut_basis_lo(basis), 0, values) == TAUT_OK &&
-           fabs(values[0] - 1) <= clamped &&
+           fabs(values[0] - 1) <= value_clamped &&
            taut_basis_eval(basis, last, taut_basis_hi(basis), 0, values) == TAUT_OK &&
-           fabs(values[local - 1] - 1) <= clamped;
+           fabs(values[local - 1] - 1) <= value_clamped;
 }
 
 static taut_status check_bases(const taut_dirichlet_problem *net, taut_error *error)
 {
     for (int k = 0; k < 2; k++) {
         const taut_basis *basis = k == 0 ? net->u : net->v;
-        if (!ends_in_its_ends(basis)) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "no-solution", k == 0 ? "/u" : "/v",
-                             taut_none, taut_none,
+        if (!is_clamped(basis)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "unclamped", k == 0 ? "/u" : "/v", taut_none,
+                             taut_none,
                              "curves cannot be the edges of a surface on this %s: its edges do not "
                              "end in its outermost points; take a bezier, c-bezier, h-bezier or "
                              "bspline basis",
@@ -135,30 +135,43 @@ static taut_status check_bases(const taut_dirichlet_problem *net, taut_error *er
     return TAUT_OK;
 }
 
+/* row: curve e in the space of its edge, between the corners. */
+static taut_status fit_edge(taut_plateau_space *space, const taut_plateau_problem *given, int e,
+                            const double corner[4][3], double *row, taut_error *error)
+{
+    const taut_dirichlet_problem *net = &space->problem.net;
+    double ends[2][3], deviation = 0;
+    taut_status status = TAUT_OK;
+
+    memcpy(ends[0], corner[corner_of(e, 0)], sizeof ends[0]);
+    memcpy(ends[1], corner[corner_of(e, 1)], sizeof ends[1]);
+    status = taut_curve_fit(given->curves[e], e < 2 ? net->v : net->u, (const double(*)[3])ends,
+                            row, &deviation);
+    if (status == TAUT_NOT_CONVERGED) {
+        return taut_fail(error, status, "curve-fit", "/curves", taut_none, taut_none,
+                         "curve %s cannot be fitted to the basis of its edge: the knots, "
+                         "the degree or the points are too extreme",
+                         edge_names[e]);
+    }
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    space->deviation = fmax(space->deviation, deviation);
+    return TAUT_OK;
+}
+
 /* points and known: the fitted curves around a hole. */
 static taut_status lay_curves(taut_plateau_space *space, const taut_plateau_problem *given,
                               double *points, unsigned char *known, taut_error *error)
 {
     const taut_dirichlet_problem *net = &space->problem.net;
     const int nu = taut_basis_count(net->u), nv = taut_basis_count(net->v);
-    double corner[4][3], *row = taut_alloc((size_t)(nu > nv ? nu : nv), 3 * sizeof(double));
+    double corner[4][3];
+    double *row = taut_arena_take(space->arena, (size_t)(nu > nv ? nu : nv), 3 * sizeof(double));
     taut_status status = row != NULL ? find_corners(given, corner, error) : taut_fail_memory(error);
 
     for (int e = 0; status == TAUT_OK && e < 4; e++) {
-        double ends[2][3], deviation = 0;
-        memcpy(ends[0], corner[corner_of(e, 0)], sizeof ends[0]);
-        memcpy(ends[1], corner[corner_of(e, 1)], sizeof ends[1]);
-        status = taut_curve_fit(given->curves[e], e < 2 ? net->v : net->u, (const double(*)[3])ends,
-                                row, &deviation);
-        if (status == TAUT_NOT_CONVERGED) {
-            status = taut_fail(error, status, "value", "/curves", taut_none, taut_none,
-                               "curve %s cannot be fitted to the basis of its edge: the knots, "
-                               "the degree or the points are too extreme",
-                               names[e]);
-        } else if (status != TAUT_OK) {
-            status = taut_fail_memory(error);
-        }
-        space->deviation = fmax(space->deviation, deviation);
+        status = fit_edge(space, given, e, (const double(*)[3])corner, row, error);
         for (int k = 0; status == TAUT_OK && k < (e < 2 ? nv : nu); k++) {
             const size_t i = e < 2 ? (size_t)(e == 0 ? 0 : nu - 1) : (size_t)k;
             const size_t j = e < 2 ? (size_t)k : (size_t)(e == 2 ? 0 : nv - 1);
@@ -166,23 +179,21 @@ static taut_status lay_curves(taut_plateau_space *space, const taut_plateau_prob
             known[i * (size_t)nv + j] = 1;
         }
     }
-    taut_free(row);
     return status;
 }
 
 /* The net: from the surface if there is one, else the problem's own points. */
-static taut_status fill(taut_plateau_space *space, const taut_plateau_problem *given,
-                        const taut_surface *finer, taut_error *error)
+static taut_status fill_net(taut_plateau_space *space, const taut_plateau_problem *given,
+                            const taut_surface *finer, taut_error *error)
 {
     taut_dirichlet_problem *net = &space->problem.net;
     const size_t nu = (size_t)taut_basis_count(net->u), nv = (size_t)taut_basis_count(net->v);
     double *points = taut_arena_take(space->arena, 3 * nu * nv, sizeof(double));
     unsigned char *known = taut_arena_take(space->arena, nu * nv, 1);
-    double *start = NULL;
-    taut_status status = points != NULL && known != NULL ? TAUT_OK : taut_fail_memory(error);
+    taut_status status = TAUT_OK;
 
-    if (status != TAUT_OK) {
-        return status;
+    if (known == NULL) {
+        return taut_fail_memory(error);
     }
     for (size_t i = 0; i < nu * nv; i++) {
         known[i] = i / nv == 0 || i / nv == nu - 1 || i % nv == 0 || i % nv == nv - 1;
@@ -190,54 +201,71 @@ static taut_status fill(taut_plateau_space *space, const taut_plateau_problem *g
     if (finer != NULL) {
         memcpy(points, taut_surface_points(finer), 3 * nu * nv * sizeof(double));
     }
-    if (space->has_curves) {
-        status = check_bases(net, error);
-    }
-    if (status == TAUT_OK && space->has_curves) {
-        status = lay_curves(space, given, points, known, error);
-    }
-    if (status == TAUT_OK && finer != NULL) {
-        start = taut_arena_copy(space->arena, points, 3 * nu * nv, sizeof(double));
-        status = start != NULL ? TAUT_OK : taut_fail_memory(error);
-    }
     net->points = points;
     net->known = known;
-    space->problem.start = start;
-    return status;
-}
-
-static taut_status fill_weights(taut_plateau_space *space, const taut_surface *finer)
-{
-    const double *weights = taut_surface_weights(finer);
-    const size_t count = (size_t)taut_basis_count(space->problem.net.u) *
-                         (size_t)taut_basis_count(space->problem.net.v);
-
-    space->problem.net.weights = NULL;
-    if (weights == NULL) {
+    space->problem.start = NULL;
+    if (space->has_curves) {
+        status = check_bases(net, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        status = lay_curves(space, given, points, known, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    if (finer == NULL) {
         return TAUT_OK;
     }
-    space->problem.net.weights = taut_arena_copy(space->arena, weights, count, sizeof(double));
-    return space->problem.net.weights != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    space->problem.start = taut_arena_copy(space->arena, points, 3 * nu * nv, sizeof(double));
+    return space->problem.start != NULL ? TAUT_OK : taut_fail_memory(error);
 }
 
-static taut_status take_bases(taut_plateau_space *space, const taut_surface *finer,
-                              taut_error *error)
+/* The bases and weights of the finer surface, copied. */
+static taut_status take_bases(taut_plateau_space *space, const taut_surface *finer)
 {
     taut_dirichlet_problem *net = &space->problem.net;
+    const double *weights = taut_surface_weights(finer);
 
-    if (finer != NULL && (own_basis(space, taut_surface_u(finer), &net->u) != TAUT_OK ||
-                          own_basis(space, taut_surface_v(finer), &net->v) != TAUT_OK ||
-                          fill_weights(space, finer) != TAUT_OK)) {
+    if (own_basis(space, taut_surface_u(finer), &net->u) != TAUT_OK ||
+        own_basis(space, taut_surface_v(finer), &net->v) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    net->weights = taut_arena_copy(
+        space->arena, weights, (size_t)taut_basis_count(net->u) * (size_t)taut_basis_count(net->v),
+        sizeof(double));
+    return net->weights != NULL || weights == NULL ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
+static taut_status make_space(taut_plateau_space *space, const taut_plateau_problem *given,
+                              const taut_surface *finer, taut_error *error)
+{
+    const int is_refined = finer != NULL || given->refine > 0 || given->tolerance_area > 0;
+
+    if (space->arena == NULL) {
         return taut_fail_memory(error);
     }
-    return TAUT_OK;
+    if (space->has_curves && given->net.weights != NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/weights", taut_none, taut_none,
+                         "found weights beside curves, expected none: curves are fitted without");
+    }
+    if (is_refined && !space->has_curves && !knows_boundary_only(&given->net)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/points", taut_none, taut_none,
+                         "finer spaces need a net whose boundary is known and whose inside is "
+                         "not: leave refine and tolerance_area out");
+    }
+    if (finer == NULL && !space->has_curves) {
+        return TAUT_OK;
+    }
+    if (finer != NULL && take_bases(space, finer) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return fill_net(space, given, finer, error);
 }
 
 taut_status taut_plateau_space_new(const taut_plateau_problem *given, const taut_surface *finer,
                                    taut_plateau_space **space, taut_error *error)
 {
-    const int has_curves = given->curves[0] != NULL;
-    const int is_refined = finer != NULL || given->refine > 0 || given->tolerance_area > 0;
     taut_plateau_space *made = taut_alloc_zero(1, sizeof *made);
     taut_status status = TAUT_OK;
 
@@ -245,21 +273,9 @@ taut_status taut_plateau_space_new(const taut_plateau_problem *given, const taut
         return taut_fail_memory(error);
     }
     made->problem = *given;
-    made->has_curves = has_curves;
+    made->has_curves = given->curves[0] != NULL;
     made->arena = taut_arena_new();
-    if (made->arena == NULL) {
-        status = taut_fail_memory(error);
-    } else if (has_curves && given->net.weights != NULL) {
-        status = taut_fail(error, TAUT_BAD_INPUT, "value", "/weights", taut_none, taut_none,
-                           "found weights beside curves, expected none: curves are fitted without");
-    } else if (is_refined && !has_curves && !is_frame(&given->net)) {
-        status = taut_fail(error, TAUT_BAD_INPUT, "value", "/points", taut_none, taut_none,
-                           "finer spaces need a net whose boundary is known and whose inside is "
-                           "not: leave refine and tolerance_area out");
-    } else if (finer != NULL || has_curves) {
-        status = take_bases(made, finer, error);
-        status = status == TAUT_OK ? fill(made, given, finer, error) : status;
-    }
+    status = make_space(made, given, finer, error);
     if (status != TAUT_OK) {
         taut_plateau_space_free(made);
         return status;

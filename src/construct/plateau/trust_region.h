@@ -12,7 +12,7 @@
 
 #include "construct/plateau/newton_step.h"
 
-typedef struct taut_descent {
+typedef struct taut_trust_region {
     /* given */
     double tolerance;
     int max_iterations;
@@ -27,11 +27,11 @@ typedef struct taut_descent {
     double area;
     double residual; /* largest derivative along an unknown over the largest in the net */
     double gain;     /* what the last model still had to gain, over the area */
-} taut_descent;
+} taut_trust_region;
 
 /* net double[nu][nv][3] is improved in place, on failure too. TAUT_NOT_CONVERGED, TAUT_NO_SOLUTION,
  * TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
-taut_status taut_film_descend(taut_film *film, taut_film_solver *solver, taut_descent *descent,
-                              double *net, taut_error *error);
+taut_status taut_trust_region_minimise(taut_area_functional *functional, taut_newton_step *newton,
+                                       taut_trust_region *region, double *net, taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_PLATEAU_TRUST_REGION_H */

@@ -17,7 +17,7 @@ static taut_status check_basis(const taut_json *document, const char *key, const
 {
     const taut_json at = taut_json_member(document, key);
     if (strcmp(taut_basis_type(basis), "ce-bezier") == 0) {
-        return taut_json_fail(&at, error, "value", taut_none, taut_none,
+        return taut_json_fail(&at, error, "basis", taut_none, taut_none,
                               "found a basis of type \"ce-bezier\", expected any other: it is a "
                               "basis of pipe axes, not of surfaces that are solved for");
     }
@@ -42,44 +42,53 @@ static taut_status read_aspect(const taut_json *document, taut_dirichlet_problem
     return taut_json_number(&at, &data->aspect, error);
 }
 
+static taut_status read_net(const taut_json *document, taut_problem *problem,
+                            taut_dirichlet_problem *data, taut_error *error)
+{
+    taut_net_document net = {NULL, NULL, NULL, NULL, NULL};
+    taut_status status = taut_boundary_document_is(document)
+                             ? taut_boundary_document_read(document, problem, &net, error)
+                             : taut_net_document_read(document, problem->arena, &net, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    data->u = net.u;
+    data->v = net.v;
+    data->points = net.points;
+    data->known = net.known;
+    data->weights = net.weights;
+    status = check_basis(document, "u", net.u, error);
+    return status == TAUT_OK ? check_basis(document, "v", net.v, error) : status;
+}
+
 static taut_status dirichlet_read(const taut_json *document, taut_problem *problem,
                                   taut_error *error)
 {
     taut_dirichlet_problem *data = taut_arena_take(problem->arena, 1, sizeof *data);
-    taut_net_document net = {NULL, NULL, NULL, NULL, NULL};
     const char *name = "";
-    taut_status status = data != NULL ? TAUT_OK : taut_fail_memory(error);
+    taut_status status = TAUT_OK;
 
-    if (status == TAUT_OK) {
-        status = taut_name_document_read(document, &name, error);
+    if (data == NULL) {
+        return taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        status = read_aspect(document, data, error);
+    status = taut_name_document_read(document, &name, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = taut_boundary_document_is(document)
-                     ? taut_boundary_document_read(document, problem, &net, error)
-                     : taut_net_document_read(document, problem->arena, &net, error);
+    status = read_aspect(document, data, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = check_basis(document, "u", net.u, error);
+    status = read_net(document, problem, data, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    if (status == TAUT_OK) {
-        status = check_basis(document, "v", net.v, error);
-    }
-    if (status == TAUT_OK && name[0] != '\0') {
+    if (name[0] != '\0') {
         data->name = taut_arena_text(problem->arena, name);
-        status = data->name != NULL ? TAUT_OK : taut_fail_memory(error);
     }
-    if (status == TAUT_OK) {
-        data->u = net.u;
-        data->v = net.v;
-        data->points = net.points;
-        data->known = net.known;
-        data->weights = net.weights;
-        problem->data = data;
-    }
-    return status;
+    problem->data = data;
+    return taut_arena_status(problem->arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 const taut_document_ops taut_document_dirichlet = {

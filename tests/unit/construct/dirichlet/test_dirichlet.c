@@ -199,7 +199,7 @@ static void test_aspect_degenerate(void)
         problem.points[3 * i] = (double)(i / 5) / 7;
     }
     CHECK(taut_dirichlet_make(&problem.data, NULL, &model, &error) == TAUT_NO_SOLUTION, "curve");
-    CHECK(strstr(error.message, "aspect") != NULL, "message: %s", error.message);
+    CHECK(strcmp(error.reason, "no-best-aspect") == 0, "%s: %s", error.reason, error.message);
     CHECK(model == NULL, "the output is untouched on failure");
     problem_free(&problem);
 }

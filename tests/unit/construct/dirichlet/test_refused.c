@@ -120,12 +120,12 @@ static void test_range(void)
     }
 }
 
-static void expect_says(const test_problem *problem, const char *says, taut_error *error)
+static void expect_reason(const test_problem *problem, const char *reason, taut_error *error)
 {
     taut_model *model = NULL;
     CHECK(taut_dirichlet_make(&problem->data, NULL, &model, error) == TAUT_NOT_CONVERGED &&
-              model == NULL && strstr(error->message, says) != NULL,
-          "expected \"%s\", found \"%s\"", says, error->message);
+              model == NULL && strcmp(error->reason, reason) == 0,
+          "expected %s, found %s: %s", reason, error->reason, error->message);
 }
 
 /* Beyond what numbers of double precision can tell apart: a random boundary of degree 20, whose
@@ -141,7 +141,7 @@ static void test_too_extreme(void)
     CHECK(taut_basis_new(&spec, 0, &v, NULL) == TAUT_OK, "v");
     problem = problem_new(u, v);
     problem_random_boundary(&problem);
-    expect_says(&problem, "the residual of the system stays at", &error);
+    expect_reason(&problem, "undetermined", &error);
     CHECK(error.found > error.limit && error.limit > 0 && error.found < 1e-6, "%g of %g",
           error.found, error.limit);
     problem_free(&problem);
@@ -151,7 +151,7 @@ static void test_too_extreme(void)
     for (int j = 0; j < 7; j++) {
         problem.weights[2 * 7 + j] = 1e-154;
     }
-    expect_says(&problem, "the system is too ill-conditioned for double precision", &error);
+    expect_reason(&problem, "ill-conditioned", &error);
     problem_free(&problem);
 }
 

@@ -14,30 +14,31 @@
 static const taut_monitor silent;
 
 static taut_status approach(int example, int max_iterations, const taut_monitor *monitor,
-                            taut_descent *descent, double *net, int *products, taut_error *error)
+                            taut_trust_region *region, double *net, int *products,
+                            taut_error *error)
 {
     test_problem problem = problem_example(example);
     const double *start = NULL;
     taut_model *model = problem_make(&problem, &start);
     taut_arena *arena = taut_arena_new();
     const int nu = taut_basis_count(problem.u), nv = taut_basis_count(problem.v);
-    taut_pattern pattern;
+    taut_mask mask;
     taut_dirichlet_form form;
-    taut_film *film = NULL;
+    taut_area_functional *functional = NULL;
     taut_status status = TAUT_NO_MEMORY;
     int made = 0;
 
     memcpy(net, start, 3 * (size_t)nu * (size_t)nv * sizeof(double));
-    CHECK(taut_pattern_new(nu, nv, problem.known, arena, &pattern) == TAUT_OK &&
+    CHECK(taut_mask_new(nu, nv, problem.known, arena, &mask) == TAUT_OK &&
               taut_dirichlet_form_new(problem.u, problem.v, NULL, &form, NULL) == TAUT_OK &&
-              taut_film_new(problem.u, problem.v, NULL, 9, &film) == TAUT_OK,
+              taut_area_functional_new(problem.u, problem.v, NULL, 9, &functional) == TAUT_OK,
           "the parts of a film");
-    *descent =
-        (taut_descent){.tolerance = 1e-10, .max_iterations = max_iterations, .work_max = INFINITY};
-    status = taut_plateau_approach(film, &form, &pattern, taut_model_surface(model, 0), 1, monitor,
-                                   descent, net, &made, error);
+    *region = (taut_trust_region){
+        .tolerance = 1e-10, .max_iterations = max_iterations, .work_max = INFINITY};
+    status = taut_plateau_approach(functional, &form, &mask, taut_model_surface(model, 0), 1,
+                                   monitor, region, net, &made, error);
     *products = made;
-    taut_film_free(film);
+    taut_area_functional_free(functional);
     taut_dirichlet_form_clear(&form);
     taut_arena_free(arena);
     taut_model_free(model);
@@ -52,13 +53,13 @@ static void test_near(void)
     test_problem net = problem_example(4);
     taut_plateau_problem problem = {.net = net.data, .method = TAUT_PLATEAU_NORMAL};
     taut_model *model = NULL;
-    taut_descent descent;
+    taut_trust_region region;
     double found[3 * 64];
     int products = 0;
 
     CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK, "normal");
-    CHECK(approach(4, 100, &silent, &descent, found, &products, NULL) == TAUT_OK, "approach");
-    CHECK(descent.iterations > 1 && products > 1, "%d steps", descent.iterations);
+    CHECK(approach(4, 100, &silent, &region, found, &products, NULL) == TAUT_OK, "approach");
+    CHECK(region.iterations > 1 && products > 1, "%d steps", region.iterations);
     for (size_t i = 0; model != NULL && i < 60; i++) {
         CHECK_NEAR(found[i], taut_surface_points(taut_model_surface(model, 0))[i], 1e-6, "%zu", i);
     }
@@ -72,12 +73,12 @@ static void test_nothing(void)
     test_problem problem = problem_example(4);
     const double *start = NULL;
     taut_model *model = problem_make(&problem, &start);
-    taut_descent descent;
+    taut_trust_region region;
     double found[3 * 64];
     int products = 0;
 
-    CHECK(approach(4, 1, &silent, &descent, found, &products, NULL) == TAUT_OK, "approach");
-    CHECK(descent.iterations == 0 && products > 0, "%d steps", descent.iterations);
+    CHECK(approach(4, 1, &silent, &region, found, &products, NULL) == TAUT_OK, "approach");
+    CHECK(region.iterations == 0 && products > 0, "%d steps", region.iterations);
     CHECK(memcmp(found, start, 60 * sizeof(double)) == 0, "the net has moved");
     taut_model_free(model);
     problem_free(&problem);
@@ -97,12 +98,12 @@ static void test_stopped(void)
     taut_model *model = problem_make(&problem, &start);
     int left = 1;
     const taut_monitor monitor = {stop, &left};
-    taut_descent descent;
+    taut_trust_region region;
     taut_error error = {0};
     double found[3 * 64];
     int products = 0;
 
-    CHECK(approach(4, 100, &monitor, &descent, found, &products, &error) == TAUT_INTERRUPTED &&
+    CHECK(approach(4, 100, &monitor, &region, found, &products, &error) == TAUT_INTERRUPTED &&
               strcmp(error.message, "stopped on request") == 0,
           "%s", error.message);
     CHECK(memcmp(found, start, 60 * sizeof(double)) == 0 && left == -1, "the net has moved");
@@ -137,9 +138,9 @@ static void test_large(void)
         const double products = taut_record_number(taut_record_get(details, "products"));
         const double least = 1.2792615711710065;
         const double area = film_proved_area(model, &problem, "54 x 54");
-        const char *solver = taut_record_text(taut_record_get(details, "solver"));
+        const char *newton = taut_record_text(taut_record_get(details, "solver"));
         CHECK(area > least * (1 - 1e-14) && area < least * (1 + 1e-11), "area %.16g", area);
-        CHECK(solver != NULL && strcmp(solver, "conjugate-gradients") == 0, "by %s", solver);
+        CHECK(newton != NULL && strcmp(newton, "conjugate-gradients") == 0, "by %s", newton);
         CHECK(reports > 2 * steps + 8 && reports < products / 8, "%d, %g steps, %g products",
               reports, steps, products);
     }

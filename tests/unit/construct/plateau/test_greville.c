@@ -6,7 +6,7 @@
 #include "check.h"
 #include "shapes.h"
 
-#include "construct/common/greville.h"
+#include "construct/plateau/directions.h"
 
 #include <arb.h>
 #include <string.h>
@@ -53,7 +53,7 @@ static void test_reproduce(void)
         taut_basis *basis = random_basis(&length);
         const int count = taut_basis_count(basis), local = taut_basis_local(basis);
         const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-        taut_greville(basis, found);
+        taut_plateau_greville(basis, found);
         CHECK(found[0] == lo && found[count - 1] == hi, "the ends are met");
         for (int i = 1; i < count; i++) {
             CHECK(found[i - 1] <= found[i], "%s: they increase", taut_basis_type(basis));
@@ -107,7 +107,7 @@ static void test_against_balls(void)
         const double k = exact_k(length, hyperbolic);
         taut_basis *basis = shape_basis(&spec);
         double found[4];
-        taut_greville(basis, found);
+        taut_plateau_greville(basis, found);
         CHECK_NEAR(found[1], k, 8 * 0x1p-53 * k, "%s of %.17g", spec.type, length);
         CHECK_NEAR(found[2], length - k, 8 * 0x1p-53 * length, "%s of %.17g", spec.type, length);
         taut_basis_free(basis);
@@ -119,7 +119,7 @@ static void test_ce(void)
     const taut_basis_spec spec = {.type = "ce-bezier", .alpha = 1, .beta = -2};
     taut_basis *basis = shape_basis(&spec);
     double found[4];
-    taut_greville(basis, found);
+    taut_plateau_greville(basis, found);
     for (int i = 0; i < 4; i++) {
         CHECK_NEAR(found[i], i / 3.0, 0x1p-52, "i=%d", i);
     }
