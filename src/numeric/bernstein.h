@@ -10,7 +10,7 @@
 #ifndef TAUT_NUMERIC_BERNSTEIN_H
 #define TAUT_NUMERIC_BERNSTEIN_H
 
-enum { TAUT_BERNSTEIN_MAX = 64 }; /* highest degree of a polynomial that is evaluated or made */
+enum { TAUT_BERNSTEIN_MAX = 128 }; /* highest degree of a polynomial that is evaluated or made */
 
 /* C(n, k), 0 <= k <= n <= TAUT_BERNSTEIN_MAX; exact below 2^53. */
 double taut_binomial(int n, int k);
