@@ -43,7 +43,7 @@ taut_monitor cli_monitor(int quiet)
 {
     taut_monitor monitor = {NULL, NULL};
     started = cli_seconds();
-    if (!quiet && !cli_speaks_json() && isatty(STDERR_FILENO)) {
+    if (!quiet && isatty(STDERR_FILENO)) {
         monitor.progress = show;
     }
     return monitor;

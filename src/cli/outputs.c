@@ -69,7 +69,7 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
                                    .combs = options->combs,
                                    .side_by_side = options->side_by_side,
                                    .width = options->width,
-                                   .monitor = cli_monitor(options->quiet)};
+                                   .monitor = cli_monitor(options->quiet || options->json)};
     if (options->colour != NULL) {
         for (size_t i = 0; i < sizeof colours / sizeof colours[0]; i++) {
             if (strcmp(options->colour, colours[i].word) == 0) {

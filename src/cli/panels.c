@@ -11,7 +11,8 @@ static int chosen_options(const cli_options *options, taut_panels_options *chose
 {
     double divide[2] = {0, 0};
 
-    *chosen = (taut_panels_options){.surface = options->surface, .monitor = cli_monitor(0)};
+    *chosen =
+        (taut_panels_options){.surface = options->surface, .monitor = cli_monitor(options->json)};
     if (options->kind == NULL ||
         (strcmp(options->kind, "conical") != 0 && strcmp(options->kind, "circular") != 0)) {
         return cli_misuse(options->kind != NULL ? "value" : "option",
