@@ -1,6 +1,8 @@
 #!/bin/sh
-# check_layers.sh [ROOT] -- who may include whom. Prints every include that breaks the table and fails.
+# check_layers.sh [ROOT] -- who may include whom, and no circles between files. Prints what breaks that and fails.
 set -eu
+bad=0
+tools=$(cd "$(dirname "$0")" && pwd)
 cd "${1:-$(dirname "$0")/..}"
 
 # layer: what it may include besides itself, <standard headers> and "taut/...". "layer" is all of a layer,
@@ -108,4 +110,6 @@ TABLE="$table" STANDARD="$standard" awk '
         }
     }
     END { exit bad }
-' $list
+' $list || bad=1
+python3 "$tools/check_circles.py" . || bad=1
+exit $bad

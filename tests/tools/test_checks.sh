@@ -6,7 +6,8 @@ fresh() {
     rm -rf "${tree:?}"/*
     mkdir -p "$tree/include/taut" "$tree/src/core" "$tree/src/geometry" "$tree/src/certify" "$tree/src/cli" \
         "$tree/src/construct" "$tree/docs"
-    printf '#include <stdio.h>\n#include "taut/status.h"\n#include "core/fail.h"\n' > "$tree/src/core/fail.c"
+    printf '#include <stdio.h>\n#include "taut/status.h"\n#include "core/fail.h"\nint taut_y(void)\n{\n    return taut_x();\n}\n' > \
+        "$tree/src/core/fail.c"
     printf '#include "numeric/sum.h"\n/* [Known2001] */\n' > "$tree/src/certify/a.c"
     printf '#include "geometry/b.h"\n#include "basis/b.h"\n' > "$tree/src/geometry/b.c"
     printf '#include "taut/taut.h"\n#include "cli/c.h"\n#include "c.h"\n' > "$tree/src/cli/c.c"
@@ -56,6 +57,8 @@ catches layers src/geometry/x.c 'without its layer' '#include "net.h"\n'
 catches layers src/geometry/x.c 'name the layer' '#include "geometry/../cli/c.h"\n'
 catches layers src/strange/x.c 'no row' 'int x;\n'
 catches layers src/x.c 'in no layer' 'int x;\n'
+catches layers src/core/x.c 'a circle of 2 files' \
+    'int taut_x(void)\n{\n    return taut_y();\n}\n'
 catches layers include/taut/x.h 'may not include' '#include "core/memory.h"\n'
 
 catches words src/core/x.c 'a // comment' 'int x; // why\n'
