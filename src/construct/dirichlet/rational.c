@@ -331,7 +331,8 @@ static taut_status prepare(taut_dirichlet_rational *form, const double *weights,
     form->row_sums = taut_arena_take(arena, nu * nv, sizeof(double));
     form->slopes = taut_arena_take(arena, 2 * alive, sizeof(double));
     form->sums = taut_arena_take(arena, 2 * alive * alive, sizeof(double));
-    form->blocks = taut_arena_take_raw(arena, blocks_size(form), sizeof(double)); /* zeroed in use */
+    form->blocks =
+        taut_arena_take_raw(arena, blocks_size(form), sizeof(double)); /* zeroed in use */
     if (taut_arena_status(arena) != TAUT_OK ||
         taut_cells_new(form->u, form->nv, weights, nv, 1, &form->panels_u) != TAUT_OK ||
         taut_cells_new(form->v, form->nu, weights, 1, nv, &form->panels_v) != TAUT_OK) {

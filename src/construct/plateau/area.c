@@ -338,8 +338,7 @@ static taut_status take_arrays(taut_area_functional *functional)
     functional->stride = (size_t)rounded_up(functional->nv, TAUT_AREA_PAD) + TAUT_AREA_PAD;
     functional->width = 3 * functional->stride;
     /* not zeroed: gigabytes, which a rule that turns out too fine never touches */
-    functional->state =
-        taut_arena_take_raw(arena, lines * group, TAUT_AREA_STATE * sizeof(double));
+    functional->state = taut_arena_take_raw(arena, lines * group, TAUT_AREA_STATE * sizeof(double));
     functional->net = taut_arena_take(arena, 2 * nu * functional->width, sizeof(double));
     functional->polygons = taut_arena_take(arena, 2 * functional->width, sizeof(double));
     functional->spread = taut_arena_take(arena, 2 * functional->width, sizeof(double));
