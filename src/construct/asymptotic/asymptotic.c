@@ -5,12 +5,12 @@
 #include "construct/asymptotic/conditions.h"
 #include "construct/asymptotic/low.h"
 #include "construct/asymptotic/plate.h"
-#include "construct/asymptotic/poly.h"
 #include "construct/asymptotic/ribbon.h"
 #include "construct/common/build.h"
 #include "construct/construct_ops.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <float.h>
 #include <math.h>
@@ -229,7 +229,7 @@ static int list_freedoms(work *w)
             unit[j] = (low ? 1.0 : -1.0) / m;
             freedom->parts = 1;
             freedom->part[0].edge = e;
-            taut_poly_scale(degree, unit, 2 * n - 2, 3, &w->ribbons[e].p[0][0], &row[0][0]);
+            taut_bernstein_scale(degree, unit, 2 * n - 2, 3, &w->ribbons[e].p[0][0], &row[0][0]);
             for (int k = 0; k <= m; k++) {
                 memcpy(freedom->part[0].row[k], row[k], sizeof row[k]);
             }

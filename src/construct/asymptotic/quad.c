@@ -1,7 +1,7 @@
 #include "construct/asymptotic/quad.h"
 
-#include "construct/asymptotic/poly.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <float.h>
 #include <string.h>
@@ -101,7 +101,7 @@ void taut_quad_raise_edge(int p, int n, taut_quad_edge *edge)
             low[j][k] = edge->points[j][k] * edge->weights[j];
         }
     }
-    taut_poly_elevate(p, 4, &low[0][0], n - p, &high[0][0]);
+    taut_bernstein_raise(p, 4, &low[0][0], n - p, &high[0][0]);
     for (int j = 0; j <= n; j++) {
         edge->weights[j] = high[j][3];
         for (int k = 0; k < 3; k++) {
