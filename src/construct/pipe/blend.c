@@ -3,6 +3,7 @@
 #include "construct/pipe/bend.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <math.h>
 #include <string.h>
@@ -131,8 +132,8 @@ static double round_deviation(const blend_maker *m, double t0, const taut_pipe_n
     taut_pipe_jet jet;
 
     taut_pipe_arc_jet(m->arc, t0 + s * h, &jet);
-    taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, u, NULL);
-    taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
+    taut_bernstein_point(degree, 3, &polygon_u[0][0], s, u, NULL);
+    taut_bernstein_point(degree, 3, &polygon_w[0][0], s, w, NULL);
     for (int k = 0; k < ANGLES; k++) {
         const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
         double g[3], e = 0, turn = 0, square = 0;
@@ -161,13 +162,13 @@ static double profile_deviation(const blend_maker *m, double t0, const double ca
 
     memcpy(at, carried, sizeof at);
     carry_frame(m, t0, t0 + s * h, at, &exact);
-    taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, u, NULL);
-    taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
+    taut_bernstein_point(degree, 3, &polygon_u[0][0], s, u, NULL);
+    taut_bernstein_point(degree, 3, &polygon_w[0][0], s, w, NULL);
     taut_difference(u, exact.u, u);
     taut_difference(w, exact.w, w);
     if (m->profile->canal > 0) {
         interpolate_offset(m, n0, n1, h, polygon_u);
-        taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, back, NULL);
+        taut_bernstein_point(degree, 3, &polygon_u[0][0], s, back, NULL);
         taut_difference(back, exact.c, back);
     }
     for (int k = 0; k < ANGLES; k++) {

@@ -1,6 +1,7 @@
 #include "construct/pipe/frame.h"
 
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <math.h>
 #include <string.h>
@@ -123,7 +124,7 @@ void taut_pipe_bishop(const taut_pipe_arc *arc, double t, const double u[3],
 static double size_at(const taut_pipe_binormal *b, double t)
 {
     double value[3];
-    taut_pipe_bernstein(b->degree, (const double(*)[3])b->k, t, value, NULL);
+    taut_bernstein_point(b->degree, 3, &b->k[0][0], t, value, NULL);
     return sqrt(taut_dot(value, value));
 }
 
@@ -177,7 +178,7 @@ void taut_pipe_binormal_of(const taut_pipe_arc *arc, taut_pipe_binormal *b)
     b->degree = degree - p - q;
     largest = 0;
     for (int i = 0; i <= b->degree; i++) {
-        const double ratio = taut_pipe_binomial(degree, i + p) / taut_pipe_binomial(b->degree, i);
+        const double ratio = taut_binomial(degree, i + p) / taut_binomial(b->degree, i);
         for (int k = 0; k < 3; k++) {
             b->k[i][k] = ratio * arc->cross[i + p][k];
         }
@@ -194,7 +195,7 @@ void taut_pipe_frenet(const taut_pipe_arc *arc, const taut_pipe_binormal *binorm
     double k1[3], part[3], size = 0;
 
     taut_pipe_arc_jet(arc, t, &jet);
-    taut_pipe_bernstein(binormal->degree, (const double(*)[3])binormal->k, t, normals->w, k1);
+    taut_bernstein_point(binormal->degree, 3, &binormal->k[0][0], t, normals->w, k1);
     size = sqrt(taut_dot(normals->w, normals->w));
     for (int k = 0; k < 3; k++) {
         normals->w[k] /= size;

@@ -3,6 +3,7 @@
 #include "construct/pipe/reach.h"
 
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <math.h>
 #include <string.h>
@@ -58,8 +59,8 @@ static void sample_axis(composite_axis *a)
             taut_pipe_arc_jet(arc, (double)i / a->per_arc, &jet);
             if (i > 0) {
                 double middle[3];
-                taut_pipe_bernstein(arc->degree - 1, arc->velocity, (i - 0.5) / a->per_arc, middle,
-                                    NULL);
+                taut_bernstein_point(arc->degree - 1, 3, &arc->velocity[0][0],
+                                     (i - 0.5) / a->per_arc, middle, NULL);
                 length += (before + 4 * taut_norm(middle) + jet.speed) / (6 * a->per_arc);
             }
             before = jet.speed;
