@@ -12,21 +12,6 @@
 
 enum { GAUSS = 12, DEPTH_MAX = 40, INTERVALS = 8, INTEGRALS = 4, HALVINGS = 4000 };
 
-void taut_pipe_halve(int degree, const double (*points)[3], int upper, double (*half)[3])
-{
-    double b[TAUT_PIPE_PIECE_DEGREE + 1][3];
-    memcpy(b, points, ((size_t)degree + 1) * sizeof b[0]);
-    for (int level = 0; level <= degree; level++) {
-        const int from = upper ? degree - level : 0, to = upper ? degree - level : level;
-        memcpy(half[to], b[from], sizeof b[0]);
-        for (int i = 0; i < degree - level; i++) {
-            for (int k = 0; k < 3; k++) {
-                b[i][k] = 0.5 * (b[i][k] + b[i + 1][k]);
-            }
-        }
-    }
-}
-
 /* The differences of each order, each then evaluated by de Casteljau's algorithm. */
 void taut_pipe_piece_eval(const taut_pipe_piece *piece, double t, int order, double (*d)[3])
 {

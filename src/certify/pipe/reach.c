@@ -10,6 +10,7 @@
  * for the least distance is taken at such a chord, or at a free end. Pairs of leaves that are left
  * are solved for the least distance by Newton's method.
  */
+#include "certify/common/bernstein.h"
 #include "certify/pipe/axis.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -85,11 +86,11 @@ static void enclose_points(node *n, int degree, const double (*points)[3])
 static void grow_tree(tree *t, int at, const double (*points)[3])
 {
     const int degree = t->piece.degree;
-    double half[TAUT_PIPE_PIECE_DEGREE + 1][3];
+    double halves[2][TAUT_PIPE_PIECE_DEGREE + 1][3];
     enclose_points(&t->nodes[at], degree, points);
+    taut_certify_halve(degree, 3, &points[0][0], &halves[0][0][0], &halves[1][0][0]);
     for (int upper = 0; upper < 2 && at < LEAVES; upper++) {
-        taut_pipe_halve(degree, points, upper, half);
-        grow_tree(t, 2 * at + upper, (const double(*)[3])half);
+        grow_tree(t, 2 * at + upper, (const double(*)[3])halves[upper]);
     }
 }
 
