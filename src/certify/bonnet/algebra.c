@@ -17,11 +17,11 @@
  */
 #include "certify/bonnet/parts.h"
 
+#include "core/constants.h"
+
 #include <complex.h>
 #include <math.h>
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 /* A coefficient of the surface, and the sum of the absolute values it comes from. */
 typedef struct mode {
@@ -119,7 +119,7 @@ static double length(const double *v)
 /* re + i factor im */
 static triple join(const patch *p, const mode *re, double factor, const mode *im)
 {
-    triple t = {.error = unit_roundoff * (re->gross + fabs(factor) * im->gross)};
+    triple t = {.error = TAUT_UNIT_ROUNDOFF * (re->gross + fabs(factor) * im->gross)};
     for (int c = 0; c < 3; c++) {
         t.value[c] = re->value[c] + I * factor * im->value[c];
     }
@@ -146,7 +146,7 @@ static void vanish(const mode *m, double factor, double size, const patch *p,
                    taut_bonnet_finding *found)
 {
     taut_bonnet_raise(found, factor * length(m->value) / size,
-                      unit_roundoff * factor * m->gross / size, p->lo[0], p->lo[1]);
+                      TAUT_UNIT_ROUNDOFF * factor * m->gross / size, p->lo[0], p->lo[1]);
 }
 
 /* a.a + factor b.c = 0 */

@@ -7,10 +7,11 @@
  */
 #include "certify/bonnet/sums.h"
 
+#include "core/constants.h"
+
 #include <math.h>
 
 enum { ORDERS = TAUT_BONNET_ORDERS, TRIES = 33 };
-static const double unit_roundoff = 0x1p-53;
 
 /* The largest coordinate. */
 static double largest_of(const double *p)
@@ -23,7 +24,7 @@ static double far_rounding(const taut_basis *basis)
 {
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
     const double segment = (hi - lo) / taut_basis_span_count(basis);
-    return unit_roundoff * fmax(0, fmax(fabs(lo), fabs(hi)) - segment);
+    return TAUT_UNIT_ROUNDOFF * fmax(0, fmax(fabs(lo), fabs(hi)) - segment);
 }
 
 static double parameter_at(int k, double lo, double hi)
@@ -173,8 +174,8 @@ void taut_bonnet_sums_at(const taut_bonnet_sums *sums, const taut_bonnet_line *v
         third[k] = finish(sums, v, thirds[k][0], thirds[k][1], unused);
     }
     spot->noise[0] =
-        unit_roundoff * (g[1] + g[2]) + shift[0] * (g[3] + g[4]) + shift[1] * (g[4] + g[5]);
-    spot->noise[1] = unit_roundoff * (g[3] + g[5]) + shift[0] * (third[0] + third[2]) +
+        TAUT_UNIT_ROUNDOFF * (g[1] + g[2]) + shift[0] * (g[3] + g[4]) + shift[1] * (g[4] + g[5]);
+    spot->noise[1] = TAUT_UNIT_ROUNDOFF * (g[3] + g[5]) + shift[0] * (third[0] + third[2]) +
                      shift[1] * (third[1] + third[3]);
     taut_forms_of((const double(*)[3])spot->x, &spot->forms);
     spot->slope = spot->noise[0] / sqrt(spot->forms.e);

@@ -1,6 +1,7 @@
 #include "certify/common/curve_distance.h"
 
 #include "certify/common/bernstein.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -10,8 +11,7 @@
 #include <string.h>
 
 enum { CUTS = 14, CHANNELS = 4 /* three of the numerator, the denominator */ };
-static const double bound_near = 1.05; /* times a distance seen: not made sharper */
-static const double unit_roundoff = 0x1p-53;
+static const double bound_near = 1.05;        /* times a distance seen: not made sharper */
 static const double knot_same = 1e-12;        /* of the range: knots nearer to each other are one */
 static const double spline_tolerance = 1e-11; /* of c- and h- curves as splines */
 
@@ -127,7 +127,7 @@ static double piece_distance(const taut_curve *a, const taut_curve *b, double *w
 {
     const int p = taut_basis_degree(taut_curve_t(a)), q = taut_basis_degree(taut_curve_t(b));
     const double *centre = taut_curve_points(a);
-    const double roundings = 32 * (p + q) * unit_roundoff;
+    const double roundings = 32 * (p + q) * TAUT_UNIT_ROUNDOFF;
     double most = 0;
 
     memset(work, 0, CHANNELS * (size_t)(p + q + 1) * sizeof(double));

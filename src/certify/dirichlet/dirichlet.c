@@ -19,6 +19,7 @@
 #include "certify/certify_ops.h"
 #include "certify/common/known.h"
 #include "certify/dirichlet/gradient.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "numeric/quadrature.h"
@@ -29,7 +30,6 @@
 #include <string.h>
 
 enum { ROUNDINGS = 4 };
-static const double unit_roundoff = 0x1p-53;
 static const double largest_limit = 1e-6;
 
 /* What is certified. */
@@ -155,7 +155,7 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
         }
     }
     found.residual = unknown > 0 ? unknown / all : 0;
-    found.noise = ROUNDINGS * unit_roundoff * (all > 0 ? fmax(1, gross / all) : 1);
+    found.noise = ROUNDINGS * TAUT_UNIT_ROUNDOFF * (all > 0 ? fmax(1, gross / all) : 1);
     found.limit = fmin(found.noise, largest_limit);
     return found;
 }

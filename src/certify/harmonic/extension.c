@@ -15,13 +15,12 @@
 #include "certify/certify_ops.h"
 #include "certify/harmonic/claims.h"
 #include "certify/harmonic/residual.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "taut/measure.h"
 
 #include <math.h>
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 enum { SAMPLES = 65 };
 
@@ -107,9 +106,9 @@ static taut_status add_continuity(const taut_model *model, taut_edge edge, int g
     const double width = taut_basis_hi(basis) - taut_basis_lo(basis);
     const double derivative =
         taut_basis_degree(basis) * size / width; /* that rounding applies to */
-    const double limit = 8 * degrees * unit_roundoff *
+    const double limit = 8 * degrees * TAUT_UNIT_ROUNDOFF *
                          (slope > 0 ? fmax(1, derivative / slope) : 1) /
-                         (g1 && least < 1 ? fmax(least, unit_roundoff) : 1);
+                         (g1 && least < 1 ? fmax(least, TAUT_UNIT_ROUNDOFF) : 1);
     const double jump = g1 ? angle : slope > 0 ? apart / slope : 0;
     return taut_harmonic_add_claim("continuity", fmax(size > 0 ? gap / size : 0, jump), limit,
                                    g1 ? "tangent planes" : "derivatives across", certificate);

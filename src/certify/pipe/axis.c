@@ -1,12 +1,12 @@
 #include "certify/pipe/axis.h"
 
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 #include "taut/operations.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -70,7 +70,7 @@ static void set_coordinates(const taut_curve *const *curves, int count, taut_pip
         }
     }
     line->scale = power_below(size);
-    line->noise = DBL_EPSILON / 2 * (largest + size) / line->scale;
+    line->noise = TAUT_UNIT_ROUNDOFF * (largest + size) / line->scale;
 }
 
 /* The Bezier pieces of one curve, in local coordinates. */

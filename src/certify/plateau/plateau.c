@@ -27,6 +27,7 @@
 #include "certify/common/curve_distance.h"
 #include "certify/common/known.h"
 #include "certify/dirichlet/gradient.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -38,7 +39,6 @@
 #include <string.h>
 
 enum { ROUNDINGS = 8, GRID = 101 /* as taut_measure_surface */ };
-static const double unit_roundoff = 0x1p-53;
 static const double many = 4e4; /* Gauss points */
 static const double largest_limit = 1e-6, tolerance_default = 1e-10, flat = 1e-15;
 
@@ -219,7 +219,7 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
         }
     }
     found.residual = unknown > 0 ? unknown / all : 0;
-    found.noise = ROUNDINGS * unit_roundoff * (all > 0 ? fmax(1, gross / all) : 1);
+    found.noise = ROUNDINGS * TAUT_UNIT_ROUNDOFF * (all > 0 ? fmax(1, gross / all) : 1);
     return found;
 }
 
@@ -468,7 +468,7 @@ static taut_status add_boundary(const request *r, taut_certificate *certificate,
         }
     }
     b.roundings *= 1 + taut_norm(b.origin) / b.size; /* of points as they are stored */
-    const double told = r->deviation / b.size, rounding = 64 * b.roundings * unit_roundoff;
+    const double told = r->deviation / b.size, rounding = 64 * b.roundings * TAUT_UNIT_ROUNDOFF;
     const double proved = b.distance / b.size;
     const int holds = proved <= 1.25 * told + rounding && told <= proved + rounding;
     const taut_claim claim = {

@@ -1,9 +1,9 @@
 #include "construct/asymptotic/quad.h"
 
+#include "core/constants.h"
 #include "core/vec3.h"
 #include "numeric/bernstein.h"
 
-#include <float.h>
 #include <string.h>
 
 /* [WangZhuLi2017] section 1, the map pi of docs/papers/asymptotic.md 1.1. */
@@ -85,7 +85,7 @@ double taut_quad_rounding(const taut_quad *quad)
             reach = fmax(reach, taut_norm(quad->edges[a].points[j]));
         }
     }
-    return fmax(quad->rounding, 0.5 * DBL_EPSILON * reach);
+    return fmax(quad->rounding, TAUT_UNIT_ROUNDOFF * reach);
 }
 
 /* Degree elevation of the homogeneous coefficients. */

@@ -1,6 +1,7 @@
 #include "construct/pipe/blend.h"
 
 #include "construct/pipe/bend.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/bernstein.h"
@@ -9,8 +10,6 @@
 #include <string.h>
 
 enum { SEGMENTS_MAX = 100000, ANGLES = 16, LEVEL_MAX = 30, FRAMES_PER_UNIT = 1024, PLACES = 2048 };
-
-static const double pi = 3.14159265358979323846;
 
 /* Of the sine between a ruling and the axis (g2: of the curvature across it, times the radius). */
 static const double near_enough = 5e-14;
@@ -135,7 +134,7 @@ static double round_deviation(const blend_maker *m, double t0, const taut_pipe_n
     taut_bernstein_point(degree, 3, &polygon_u[0][0], s, u, NULL);
     taut_bernstein_point(degree, 3, &polygon_w[0][0], s, w, NULL);
     for (int k = 0; k < ANGLES; k++) {
-        const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
+        const double c = cos(2 * TAUT_PI * k / ANGLES), z = sin(2 * TAUT_PI * k / ANGLES);
         double g[3], e = 0, turn = 0, square = 0;
         for (int i = 0; i < 3; i++) {
             g[i] = c * u[i] + z * w[i];
@@ -172,7 +171,7 @@ static double profile_deviation(const blend_maker *m, double t0, const double ca
         taut_difference(back, exact.c, back);
     }
     for (int k = 0; k < ANGLES; k++) {
-        const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
+        const double c = cos(2 * TAUT_PI * k / ANGLES), z = sin(2 * TAUT_PI * k / ANGLES);
         double apart[3] = {back[0], back[1], back[2]};
         taut_add_scaled(c, u, apart);
         taut_add_scaled(z, w, apart);

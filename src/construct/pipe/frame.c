@@ -1,5 +1,6 @@
 #include "construct/pipe/frame.h"
 
+#include "core/constants.h"
 #include "core/vec3.h"
 #include "numeric/bernstein.h"
 
@@ -12,8 +13,6 @@ enum {
     CARRY_STEPS = 4096, /* from end to end, for the turn of a section */
     ROOM_SAMPLES = 2000 /* of what a canal surface leaves */
 };
-
-static const double pi = 3.14159265358979323846;
 
 static void make_unit(double v[3])
 {
@@ -356,6 +355,8 @@ int taut_pipe_profile_turn(const taut_pipe_arc *arc, const double *const directi
     taut_pipe_carry(arc, 0, 1, CARRY_STEPS, carried);
     taut_cross(jet.tangent, carried, w);
     angle = atan2(taut_dot(wanted, w), taut_dot(wanted, carried));
-    profile->turn = angle > pi / 2 ? angle - pi : angle <= -pi / 2 ? angle + pi : angle;
+    profile->turn = angle > TAUT_PI / 2     ? angle - TAUT_PI
+                    : angle <= -TAUT_PI / 2 ? angle + TAUT_PI
+                                            : angle;
     return 1;
 }

@@ -2,6 +2,7 @@
  * damped Newton steps ([WangBai2018] section 9). */
 #include "construct/pipe/reach.h"
 
+#include "core/constants.h"
 #include "core/vec3.h"
 #include "numeric/bernstein.h"
 
@@ -12,7 +13,6 @@ enum { NEWTON_STEPS = 60, GOLDEN_STEPS = 60, NUMBERS = 4 };
 
 /* A curvature below this, over the size of the axis, cannot be told from none. */
 static const double straight = 1e-12;
-static const double pi = 3.14159265358979323846;
 
 /* The axis while it is looked at: samples double[count * (samples + 1)][NUMBERS], point and arc
  * length. */
@@ -393,11 +393,11 @@ void taut_pipe_reach_of(const taut_pipe_composite *composite, double *scratch,
     reach->radius = 1 / reach->curvature;
     /* a chord at right angles to the axis at both its ends needs a turn of pi between them */
     reach->shortcut =
-        turning < 0.999 * pi && isinf(composite->tails[0]) && isinf(composite->tails[1]);
+        turning < 0.999 * TAUT_PI && isinf(composite->tails[0]) && isinf(composite->tails[1]);
     if (reach->shortcut) {
         return;
     }
-    a.apart = pi / reach->curvature;
+    a.apart = TAUT_PI / reach->curvature;
     a.best = 2 / reach->curvature; /* others do not bind */
     sample_axis(&a);
     arcs_with_arcs(&a);

@@ -17,6 +17,7 @@
  */
 #include "taut/recognise.h"
 
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "taut/measure.h"
@@ -26,7 +27,6 @@
 #include <string.h>
 
 enum { TRIES = 5, GRID = 9, SIDE = 8 };
-static const double pi = 3.14159265358979323846;
 static const double close_enough = 1e-9;
 
 typedef double complex vector[3];
@@ -129,7 +129,7 @@ static int rotation_of(const vector a, const vector b, const vector d, double w,
         }
     }
     if (volume < 0) {
-        m->theta += m->theta > 0 ? -pi : pi;
+        m->theta += m->theta > 0 ? -TAUT_PI : TAUT_PI;
     }
     return defect <= 1e-6;
 }
