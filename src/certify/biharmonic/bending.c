@@ -1,6 +1,7 @@
 #include "certify/biharmonic/bending.h"
 
 #include "core/constants.h"
+#include "core/vec3.h"
 #include "numeric/quadrature.h"
 #include "taut/limits.h"
 
@@ -113,7 +114,7 @@ static double slope_along(const taut_surface *surface, taut_edge edge, const ser
             }
         }
     }
-    const double most = fmax(fabs(with[0]), fmax(fabs(with[1]), fabs(with[2])));
+    const double most = taut_largest_coordinate(with);
     return own > 0 ? most / sqrt(own) : 0;
 }
 

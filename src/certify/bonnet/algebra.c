@@ -18,6 +18,7 @@
 #include "certify/bonnet/parts.h"
 
 #include "core/constants.h"
+#include "core/vec3.h"
 
 #include <complex.h>
 #include <math.h>
@@ -111,11 +112,6 @@ static mode mode_of(const patch *p, const table *u, int k, const table *v, int l
     return m;
 }
 
-static double length(const double *v)
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 /* re + i factor im */
 static triple join(const patch *p, const mode *re, double factor, const mode *im)
 {
@@ -123,7 +119,7 @@ static triple join(const patch *p, const mode *re, double factor, const mode *im
     for (int c = 0; c < 3; c++) {
         t.value[c] = re->value[c] + I * factor * im->value[c];
     }
-    t.size = hypot(length(re->value), factor * length(im->value));
+    t.size = hypot(taut_length(re->value), factor * taut_length(im->value));
     t.error += p->shift * t.size;
     return t;
 }
@@ -145,7 +141,7 @@ static void orthogonal(const triple *a, const triple *b, const patch *p, taut_bo
 static void vanish(const mode *m, double factor, double size, const patch *p,
                    taut_bonnet_finding *found)
 {
-    taut_bonnet_raise(found, factor * length(m->value) / size,
+    taut_bonnet_raise(found, factor * taut_length(m->value) / size,
                       TAUT_UNIT_ROUNDOFF * factor * m->gross / size, p->lo[0], p->lo[1]);
 }
 

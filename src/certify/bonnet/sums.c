@@ -8,16 +8,11 @@
 #include "certify/bonnet/sums.h"
 
 #include "core/constants.h"
+#include "core/vec3.h"
 
 #include <math.h>
 
 enum { ORDERS = TAUT_BONNET_ORDERS, TRIES = 33 };
-
-/* The largest coordinate. */
-static double largest_of(const double *p)
-{
-    return fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
-}
 
 /* Far from zero, a parameter is known less well than a segment's own rounding would have it. */
 static double far_rounding(const taut_basis *basis)
@@ -62,12 +57,12 @@ void taut_bonnet_scale_of(const taut_surface *surface, int is_exact, taut_bonnet
                 a[0][c] += p[c] * along_u;
                 a[1][c] += p[c] * along_v;
             }
-            gross += largest_of(p) * (fabs(fu[12] * fv[0]) + fabs(fu[0] * fv[12]));
+            gross += taut_largest_coordinate(p) * (fabs(fu[12] * fv[0]) + fabs(fu[0] * fv[12]));
         }
         if (gross < least) {
             least = gross;
-            scale->linear[0] = largest_of(a[0]);
-            scale->linear[1] = largest_of(a[1]);
+            scale->linear[0] = taut_largest_coordinate(a[0]);
+            scale->linear[1] = taut_largest_coordinate(a[1]);
         }
     }
 }
@@ -84,7 +79,7 @@ double taut_bonnet_point_size(const taut_surface *surface, const taut_bonnet_sca
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const double *p = taut_surface_points(surface) + 3 * ((long)i * taut_basis_count(v) + j);
-    return largest_of(p) + scale->linear[0] * fabs(abscissa(u, i)) +
+    return taut_largest_coordinate(p) + scale->linear[0] * fabs(abscissa(u, i)) +
            scale->linear[1] * fabs(abscissa(v, j));
 }
 

@@ -17,6 +17,7 @@
 #include "certify/harmonic/residual.h"
 #include "core/constants.h"
 #include "core/fail.h"
+#include "core/vec3.h"
 #include "taut/measure.h"
 
 #include <math.h>
@@ -24,24 +25,13 @@
 
 enum { SAMPLES = 65 };
 
-static double norm(const double *a)
-{
-    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
-
-static double distance(const double *a, const double *b)
-{
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return norm(d);
-}
-
 /* |a x b| / (|a| |b|); 0 where one vanishes */
 static double sine(const double *a, const double *b)
 {
     const double c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
                          a[0] * b[1] - a[1] * b[0]};
-    const double size = norm(a) * norm(b);
-    return size > 0 ? norm(c) / size : 0;
+    const double size = taut_length(a) * taut_length(b);
+    return size > 0 ? taut_length(c) / size : 0;
 }
 
 /* The point of an edge at share s of its length in parameters. */
@@ -95,9 +85,9 @@ static taut_status add_continuity(const taut_model *model, taut_edge edge, int g
         memcpy(second[1], b, sizeof b);
         taut_forms_of((const double(*)[3])second[0], &fa);
         taut_forms_of((const double(*)[3])second[1], &fb);
-        gap = fmax(gap, distance(a[0], b[0]));
-        slope = fmax(slope, fmax(norm(a[across]), norm(b[across])));
-        apart = fmax(apart, distance(a[across], b[across]));
+        gap = fmax(gap, taut_length_between(a[0], b[0]));
+        slope = fmax(slope, fmax(taut_length(a[across]), taut_length(b[across])));
+        apart = fmax(apart, taut_length_between(a[across], b[across]));
         if (fa.regular && fb.regular) {
             angle = fmax(angle, sine(fa.normal, fb.normal));
             least = fmin(least, fmin(fa.w / fmax(fa.e, fa.g), fb.w / fmax(fb.e, fb.g)));

@@ -191,11 +191,6 @@ static taut_status read_request(const taut_model *model, const taut_plateau_prob
     return is_normal ? read_directions(details, r, error) : TAUT_OK;
 }
 
-static double largest_of(const double *p)
-{
-    return fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
-}
-
 static finding judge_gradient(const request *r, const taut_dirichlet_gradient *gradient)
 {
     finding found = {0, 0, 0, 0};
@@ -205,9 +200,9 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
         for (int j = 0; j < r->nv; j++) {
             const size_t at = (size_t)i * (size_t)r->nv + (size_t)j;
             const double *g = gradient->values + 3 * at;
-            const double size =
-                r->directions != NULL ? fabs(taut_dot(r->directions + 3 * at, g)) : largest_of(g);
-            all = fmax(all, largest_of(g));
+            const double size = r->directions != NULL ? fabs(taut_dot(r->directions + 3 * at, g))
+                                                      : taut_largest_coordinate(g);
+            all = fmax(all, taut_largest_coordinate(g));
             if (!is_known(r, i, j)) {
                 gross = fmax(gross, gradient->gross[at]);
                 if (size > unknown) {

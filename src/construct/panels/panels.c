@@ -73,11 +73,6 @@ typedef struct residuals {
     double circle;    /* largest |sum of opposite angles - pi| */
 } residuals;
 
-static double length(const double *a)
-{
-    return sqrt(taut_dot(a, a));
-}
-
 /* At `at`, between the directions to a and b. */
 static double angle_at(const double *at, const double *a, const double *b)
 {
@@ -85,7 +80,7 @@ static double angle_at(const double *at, const double *a, const double *b)
     taut_difference(a, at, p);
     taut_difference(b, at, q);
     taut_cross(p, q, n);
-    return atan2(length(n), taut_dot(p, q));
+    return atan2(taut_length(n), taut_dot(p, q));
 }
 
 static void raise_largest(double *largest, double value)
@@ -102,8 +97,8 @@ static void measure_panel(const double *const corner[4], residuals *r)
     taut_difference(corner[3], corner[1], two);
     taut_difference(corner[1], corner[0], side);
     taut_cross(one, two, n);
-    raise_largest(&r->planarity,
-                  2 * fabs(taut_dot(side, n)) / (length(n) * (length(one) + length(two))));
+    raise_largest(&r->planarity, 2 * fabs(taut_dot(side, n)) /
+                                     (taut_length(n) * (taut_length(one) + taut_length(two))));
     for (int k = 0; k < 2; k++) {
         raise_largest(&r->circle,
                       fabs(angle_at(corner[k], corner[k + 1], corner[(k + 3) % 4]) +

@@ -4,7 +4,6 @@
 #include "numeric/bernstein.h"
 
 #include <assert.h>
-#include <math.h>
 #include <string.h>
 
 /* With P' = u p + t q, p and q the polynomials of its first and of its last n - 1 coefficients,
@@ -111,7 +110,7 @@ void taut_pipe_arc_jet(const taut_pipe_arc *arc, double t, taut_pipe_jet *jet)
     taut_bernstein_point(arc->degree, 3, &arc->points[0][0], t, jet->point, NULL);
     taut_bernstein_point(arc->degree - 1, 3, &arc->velocity[0][0], t, jet->d1, jet->d2);
     taut_bernstein_point(2 * arc->degree - 4, 3, &arc->cross[0][0], t, jet->cross, cross1);
-    jet->speed = sqrt(taut_dot(jet->d1, jet->d1));
+    jet->speed = taut_length(jet->d1);
     memset(jet->tangent, 0, sizeof jet->tangent);
     memset(jet->turn, 0, sizeof jet->turn);
     memset(jet->bent, 0, sizeof jet->bent);
@@ -131,8 +130,7 @@ void taut_pipe_arc_jet(const taut_pipe_arc *arc, double t, taut_pipe_jet *jet)
                 (jet->bent[k] + more[k]) / (jet->speed * jet->speed * jet->speed) -
                 3 * taut_dot(jet->d1, jet->d2) / (jet->speed * jet->speed) * jet->turn[k];
         }
-        jet->curvature =
-            sqrt(taut_dot(jet->cross, jet->cross)) / (jet->speed * jet->speed * jet->speed);
+        jet->curvature = taut_length(jet->cross) / (jet->speed * jet->speed * jet->speed);
     }
 }
 

@@ -16,7 +16,7 @@ enum {
 
 static void make_unit(double v[3])
 {
-    const double length = sqrt(taut_dot(v, v));
+    const double length = taut_length(v);
     for (int k = 0; k < 3 && length > 0; k++) {
         v[k] /= length;
     }
@@ -124,7 +124,7 @@ static double size_at(const taut_pipe_binormal *b, double t)
 {
     double value[3];
     taut_bernstein_point(b->degree, 3, &b->k[0][0], t, value, NULL);
-    return sqrt(taut_dot(value, value));
+    return taut_length(value);
 }
 
 /* The smallest |K|: samples, then golden section beside the smallest of them. */
@@ -195,7 +195,7 @@ void taut_pipe_frenet(const taut_pipe_arc *arc, const taut_pipe_binormal *binorm
 
     taut_pipe_arc_jet(arc, t, &jet);
     taut_bernstein_point(binormal->degree, 3, &binormal->k[0][0], t, normals->w, k1);
-    size = sqrt(taut_dot(normals->w, normals->w));
+    size = taut_length(normals->w);
     for (int k = 0; k < 3; k++) {
         normals->w[k] /= size;
     }

@@ -147,9 +147,7 @@ static void refine_pair(composite_axis *a, const int arc[2], const double start[
 
 static double sample_distance(const composite_axis *a, int i, int j)
 {
-    double d[3];
-    taut_difference(a->samples[i], a->samples[j], d);
-    return sqrt(taut_dot(d, d)); /* at unit size nothing overflows, and what vanishes is 0 */
+    return taut_length_between(a->samples[i], a->samples[j]); /* at unit size */
 }
 
 /* Is pair (i, j) no farther than its neighbours on the grid? */

@@ -254,11 +254,6 @@ static void recognise_member(const taut_surface *surface, int turned, taut_famil
     }
 }
 
-static double norm_of(const double *x)
-{
-    return sqrt(taut_dot(x, x));
-}
-
 /* Largest of |E-G|/E, |F|/E, |r_uu + r_vv|/|r_uu| on a grid. */
 static double defect_of(const taut_surface *surface)
 {
@@ -273,8 +268,8 @@ static double defect_of(const taut_surface *surface)
         for (int c = 0; c < 3; c++) {
             sum[c] = x[TAUT_XUU][c] + x[TAUT_XVV][c];
         }
-        const double second = fmax(norm_of(x[TAUT_XUU]), norm_of(x[TAUT_XUV]));
-        const double here = fmax(fmax(fabs(f.e - f.g), fabs(f.f)) / f.e, norm_of(sum) / second);
+        const double second = fmax(taut_length(x[TAUT_XUU]), taut_length(x[TAUT_XUV]));
+        const double here = fmax(fmax(fabs(f.e - f.g), fabs(f.f)) / f.e, taut_length(sum) / second);
         largest = here <= largest ? largest : here;
         if (!(here <= 1)) { /* infinite or NaN too: a point, a line, a plane in affine parameters */
             return INFINITY;
