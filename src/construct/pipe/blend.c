@@ -4,6 +4,7 @@
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "geometry/keep.h"
 #include "numeric/bernstein.h"
 
 #include <math.h>
@@ -384,11 +385,6 @@ void taut_pipe_straighten(const taut_pipe_arc *arc, const taut_pipe_blend *blend
     }
 }
 
-static void release_basis(void *basis)
-{
-    taut_basis_free(basis);
-}
-
 taut_status taut_pipe_basis(const taut_basis_spec *spec, int count, taut_arena *arena,
                             const taut_basis **basis, taut_error *error)
 {
@@ -398,7 +394,7 @@ taut_status taut_pipe_basis(const taut_basis_spec *spec, int count, taut_arena *
         return status;
     }
     *basis = made;
-    return taut_arena_keep(arena, made, release_basis) ? TAUT_OK : taut_fail_memory(error);
+    return taut_keep_basis(arena, made) ? TAUT_OK : taut_fail_memory(error);
 }
 
 taut_status taut_pipe_basis_u(const taut_pipe_arc *arc, const taut_pipe_blend *blend,

@@ -3,7 +3,7 @@
 #include "basis/basis_ops.h"
 #include "core/fail.h"
 #include "core/memory.h"
-#include "io/model/keep.h"
+#include "geometry/keep.h"
 #include "taut/read.h"
 
 #include <assert.h>

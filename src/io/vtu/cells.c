@@ -9,7 +9,7 @@
  * inside, away from edges that may be collapsed: with A_ki = B_i(t_k) and W = sum w_ij B_i B_j,
  *     w_ij f_ij = sum_kl inv(A_u)_ik inv(A_v)_jl (f W)(s_k, t_l). */
 #include "core/fail.h"
-#include "io/model/keep.h"
+#include "geometry/keep.h"
 #include "io/vtu/grid.h"
 #include "numeric/bernstein.h"
 #include "taut/operations.h"
