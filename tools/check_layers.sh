@@ -18,7 +18,7 @@ measure:   core platform numeric basis geometry
 construct: core platform numeric basis geometry problem
 certify:   core numeric/quadrature.h numeric/sum.h basis geometry measure problem
 mesh:      core basis geometry measure
-io:        core platform basis geometry problem measure mesh
+io:        core platform numeric/bernstein.h basis geometry problem measure mesh
 draw:      core platform basis geometry measure mesh io
 page:      core basis geometry measure mesh io draw
 cli:

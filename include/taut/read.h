@@ -71,6 +71,11 @@ TAUT_API int taut_problem_list_is_list(const taut_problem_list *list);
 TAUT_API taut_status taut_record_read_text(const char *text, size_t length, const char *name,
                                            taut_record **record, taut_error *error);
 
+/* The word of a list (ended by NULL) that a misspelt one is nearest to, the first of those equally
+ * near; *edits (may be NULL): how many letters to put in, leave out or replace, of the first 64 of
+ * each word. NULL, and *edits untouched, if the list is empty. */
+TAUT_API const char *taut_nearest_word(const char *word, const char *const *words, int *edits);
+
 #ifdef __cplusplus
 }
 #endif

@@ -167,41 +167,10 @@ int cli_no_memory(void)
     return cli_fail(&error);
 }
 
-/* Edit distance of two short words (insertions, deletions, changes). */
-static int distance(const char *a, const char *b)
-{
-    enum { LONGEST = 40 };
-    int row[LONGEST + 1];
-    const int n = (int)strlen(b);
-    if (n > LONGEST || strlen(a) > LONGEST) {
-        return LONGEST;
-    }
-    for (int j = 0; j <= n; j++) {
-        row[j] = j;
-    }
-    for (int i = 1; a[i - 1] != '\0'; i++) {
-        int corner = row[0];
-        row[0] = i;
-        for (int j = 1; j <= n; j++) {
-            const int change = corner + (a[i - 1] != b[j - 1]);
-            const int gap = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
-            corner = row[j];
-            row[j] = change < gap ? change : gap;
-        }
-    }
-    return row[n];
-}
-
 const char *cli_nearest(const char *word, const char *const *words)
 {
-    const char *best = NULL;
-    int least = (int)strlen(word) / 3 + 1;
-    for (; *words != NULL; words++) {
-        const int d = distance(word, *words);
-        if (d <= least) {
-            least = d - 1;
-            best = *words;
-        }
-    }
-    return best;
+    enum { LETTERS = 64 }; /* compared */
+    int edits = 0;
+    const char *nearest = taut_nearest_word(word, words, &edits);
+    return edits <= (int)strnlen(word, LETTERS) / 3 + 1 ? nearest : NULL;
 }

@@ -25,6 +25,18 @@ static inline double taut_norm(const double a[3])
     return hypot(hypot(a[0], a[1]), a[2]);
 }
 
+/* The same at a fifth of the cost, where squares neither overflow nor vanish. */
+static inline double taut_length(const double a[3])
+{
+    return sqrt(taut_dot(a, a));
+}
+
+/* The largest absolute value of a coordinate. */
+static inline double taut_largest_coordinate(const double a[3])
+{
+    return fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
+}
+
 static inline double taut_det(const double a[3], const double b[3], const double c[3])
 {
     double normal[3];
@@ -53,6 +65,14 @@ static inline double taut_distance(const double a[3], const double b[3])
     double d[3];
     taut_difference(a, b, d);
     return taut_norm(d);
+}
+
+/* The same by taut_length. */
+static inline double taut_length_between(const double a[3], const double b[3])
+{
+    double d[3];
+    taut_difference(a, b, d);
+    return taut_length(d);
 }
 
 #endif /* TAUT_CORE_VEC3_H */

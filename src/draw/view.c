@@ -1,4 +1,5 @@
 #include "draw/view.h"
+#include "core/vec3.h"
 
 #include <math.h>
 
@@ -33,9 +34,8 @@ static void add_seen(const taut_camera *camera, const taut_sheet *sheet, double 
         for (int j = 0; j + dv < sheet->v.count; j += dv) {
             double a[3];
             area_vector(camera, sheet, i, j, du, dv, a);
-            const double along =
-                a[0] * camera->eye[0] + a[1] * camera->eye[1] + a[2] * camera->eye[2];
-            const double size = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+            const double along = taut_dot(a, camera->eye);
+            const double size = taut_length(a);
             if (isfinite(along) && isfinite(size)) {
                 *seen += fabs(along);
                 *all += size;

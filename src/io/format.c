@@ -5,6 +5,7 @@
 #include "io/file/in.h"
 #include "io/json/in.h"
 #include "taut/limits.h"
+#include "taut/read.h"
 
 #include <errno.h>
 #include <math.h>
@@ -122,7 +123,7 @@ static const char *nearest_surface(const taut_model *model, const char *name)
         count++;
     }
     names[count] = NULL;
-    return taut_nearest(name, names);
+    return taut_nearest_word(name, names, NULL);
 }
 
 taut_status taut_format_check(const taut_model *model, const taut_write_options *options,

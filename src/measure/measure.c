@@ -94,7 +94,7 @@ static double angle_between_lines(const double *a, const double *b)
 {
     double c[3];
     taut_cross(a, b, c);
-    return atan2(sqrt(taut_dot(c, c)), fabs(taut_dot(a, b)));
+    return atan2(taut_length(c), fabs(taut_dot(a, b)));
 }
 
 /* fmax passes over the NaN of a point where a figure is undefined. */

@@ -1,4 +1,5 @@
 #include "mesh/colour.h"
+#include "core/vec3.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -75,8 +76,7 @@ taut_ink taut_colour_shade(taut_ink ink, const double normal[3], double strength
     static const double light[3] = {-0.4583, 0.6110, 0.6455};
     static const double between[3] = {-0.2527, 0.3368, 0.9070}; /* of light and eye */
     static const taut_ink black = {24, 28, 40}, white = {255, 255, 255};
-    const double length =
-        sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    const double length = taut_length(normal);
     double lit = 0, shine = 0;
     for (int c = 0; c < 3; c++) {
         lit += light[c] * normal[c] / length;

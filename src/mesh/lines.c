@@ -50,12 +50,12 @@ static void fill_samples(const taut_basis *basis, int each, double *t)
 static double part_across(const double *a, const double *along)
 {
     double c[3];
-    const double length = sqrt(taut_dot(along, along));
+    const double length = taut_length(along);
     if (!(length > 0)) {
-        return sqrt(taut_dot(a, a));
+        return taut_length(a);
     }
     taut_cross(a, along, c);
-    return sqrt(taut_dot(c, c)) / length;
+    return taut_length(c) / length;
 }
 
 /* The part of x_uv along the normal; all of it where there is none. */
@@ -63,9 +63,9 @@ static double twist_of(const double *x)
 {
     double n[3];
     taut_cross(x + 3 * TAUT_XU, x + 3 * TAUT_XV, n);
-    const double length = sqrt(taut_dot(n, n));
+    const double length = taut_length(n);
     const double *uv = x + 3 * TAUT_XUV;
-    return length > 0 ? fabs(taut_dot(uv, n)) / length : sqrt(taut_dot(uv, uv));
+    return length > 0 ? fabs(taut_dot(uv, n)) / length : taut_length(uv);
 }
 
 /* What is known of one span: the largest second derivative along it, and the sum of the speeds. */
@@ -82,8 +82,8 @@ typedef struct facts {
 
 static void take_sample(const double *x, int s, int t, facts *known, taut_bending *bending)
 {
-    const double u = sqrt(taut_dot(x + 3 * TAUT_XU, x + 3 * TAUT_XU));
-    const double v = sqrt(taut_dot(x + 3 * TAUT_XV, x + 3 * TAUT_XV));
+    const double u = taut_length(x + 3 * TAUT_XU);
+    const double v = taut_length(x + 3 * TAUT_XV);
     double *twisted = &known->twist[(size_t)s * (size_t)known->spans_v + (size_t)t];
     known->u[s].bend = fmax(known->u[s].bend, part_across(x + 3 * TAUT_XUU, x + 3 * TAUT_XU));
     known->v[t].bend = fmax(known->v[t].bend, part_across(x + 3 * TAUT_XVV, x + 3 * TAUT_XV));

@@ -190,17 +190,12 @@ static taut_status take_arrays(taut_mesh *mesh, taut_error *error)
     return TAUT_OK;
 }
 
-static double length(const double *a)
-{
-    return sqrt(taut_dot(a, a));
-}
-
 /* Position and unit normal out of x, x_u, x_v. */
 static void make_vertex(const double *x, double speeds, double *position, double *normal)
 {
     double n[3];
     taut_cross(x + 3 * TAUT_XU, x + 3 * TAUT_XV, n);
-    const double size = length(n);
+    const double size = taut_length(n);
     const int regular = size > 0x1p-40 * speeds && isfinite(size);
     memcpy(position, x, 3 * sizeof(double));
     for (int c = 0; c < 3; c++) {
@@ -235,9 +230,7 @@ static taut_status evaluate_vertices(const taut_surface *surface, int nu, const 
 
 static double distance(const double *positions, uint32_t a, uint32_t b)
 {
-    double d[3];
-    taut_difference(positions + 3 * (size_t)a, positions + 3 * (size_t)b, d);
-    return length(d);
+    return taut_length_between(positions + 3 * (size_t)a, positions + 3 * (size_t)b);
 }
 
 /* quads uint32_t[(nu-1)(nv-1)][4], triangles [..][2][3] of a grid whose first vertex is `first`;
@@ -267,10 +260,8 @@ static void add_face(int nv, int i, int j, const double *positions, double *sum)
     const double *a = positions + 3 * ((size_t)i * (size_t)nv + (size_t)j);
     const double *d = a + 3, *b = a + 3 * (size_t)nv, *c = b + 3;
     double ac[3], bd[3], n[3];
-    for (int k = 0; k < 3; k++) {
-        ac[k] = c[k] - a[k];
-        bd[k] = d[k] - b[k];
-    }
+    taut_difference(c, a, ac);
+    taut_difference(d, b, bd);
     taut_cross(ac, bd, n);
     for (int k = 0; k < 3; k++) {
         sum[k] += n[k] / 2;
@@ -287,7 +278,7 @@ static void mend_normal(int nu, int nv, int i, int j, const double *positions, d
             }
         }
     }
-    const double size = length(sum);
+    const double size = taut_length(sum);
     for (int k = 0; k < 3; k++) {
         normal[k] = size > 0 && isfinite(size) ? sum[k] / size : k == 2;
     }

@@ -5,7 +5,6 @@
 
 #include "core/vec3.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 enum { SAMPLES = 17, LOOKED_AT_MOST = 64 };
@@ -25,13 +24,6 @@ static int by_shadow(const void *a, const void *b)
         return x->shadow < y->shadow ? -1 : 1;
     }
     return x->edge < y->edge ? -1 : x->edge > y->edge;
-}
-
-static double distance(const double *a, const double *b)
-{
-    double d[3];
-    taut_difference(a, b, d);
-    return sqrt(taut_dot(d, d));
 }
 
 static void fill_parameters(const taut_basis *basis, double *t)
@@ -63,7 +55,7 @@ static taut_status sample_edges(const taut_surface *surface, double *points)
 static int is_point(const double *edge, double tolerance)
 {
     int k = 1;
-    while (k < SAMPLES && distance(edge, edge + 3 * (size_t)k) <= tolerance) {
+    while (k < SAMPLES && taut_length_between(edge, edge + 3 * (size_t)k) <= tolerance) {
         k++;
     }
     return k == SAMPLES;
@@ -72,8 +64,9 @@ static int is_point(const double *edge, double tolerance)
 static int are_same(const double *a, const double *b, int reversed, double tolerance)
 {
     int k = 0;
-    while (k < SAMPLES && distance(a + 3 * (size_t)k,
-                                   b + 3 * (size_t)(reversed ? SAMPLES - 1 - k : k)) <= tolerance) {
+    while (k < SAMPLES &&
+           taut_length_between(a + 3 * (size_t)k,
+                               b + 3 * (size_t)(reversed ? SAMPLES - 1 - k : k)) <= tolerance) {
         k++;
     }
     return k == SAMPLES;

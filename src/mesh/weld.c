@@ -1,4 +1,5 @@
 /* weld.c -- vertices along seams become one place, and surfaces that meet are turned alike. */
+#include "core/vec3.h"
 #include "mesh/seams.h"
 
 #include <float.h>
@@ -50,12 +51,7 @@ static void unite_vertices(uint32_t *welded, size_t a, size_t b)
 
 static double distance(const taut_weld *weld, size_t a, size_t b)
 {
-    double sum = 0;
-    for (size_t c = 0; c < 3; c++) {
-        const double d = weld->positions[3 * a + c] - weld->positions[3 * b + c];
-        sum += d * d;
-    }
-    return sqrt(sum);
+    return taut_length_between(weld->positions + 3 * a, weld->positions + 3 * b);
 }
 
 static int are_near(const taut_weld *weld, size_t a, size_t b)

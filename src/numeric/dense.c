@@ -1,4 +1,5 @@
 #include "numeric/dense.h"
+#include "core/constants.h"
 
 #include <assert.h>
 #include <float.h>
@@ -229,7 +230,7 @@ static int eigen_sweep(int n, double *a, double *v)
     for (int p = 0; p < n - 1; p++) {
         for (int q = p + 1; q < n; q++) {
             const double scale = fabs(a[p + (long)p * n]) + fabs(a[q + (long)q * n]);
-            if (fabs(a[p + (long)q * n]) > DBL_MIN + 0.5 * DBL_EPSILON * scale) {
+            if (fabs(a[p + (long)q * n]) > DBL_MIN + TAUT_UNIT_ROUNDOFF * scale) {
                 eigen_rotate(n, a, v, p, q);
                 rotations++;
             }

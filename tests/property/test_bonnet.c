@@ -4,6 +4,7 @@
 #include "certificates.h"
 #include "check.h"
 
+#include "core/constants.h"
 #include "taut/bonnet.h"
 #include "taut/operations.h"
 
@@ -11,9 +12,6 @@
 #include <string.h>
 
 enum { BITS = 400 };
-
-static const double pi = 3.14159265358979323846;
-static const double unit_roundoff = 0x1p-53;
 
 static double random_lambda(int normalize)
 {
@@ -36,7 +34,7 @@ static taut_bonnet_problem random_problem(void)
     p.normalize = random_int(0, 2) == 0;
     p.bspline = !p.normalize && random_int(0, 1);
     p.lambda[0] = p.lambda[1] = random_lambda(p.normalize);
-    p.alpha = random_log(1e-5, p.bspline ? 2.5 : pi);
+    p.alpha = random_log(1e-5, p.bspline ? 2.5 : TAUT_PI);
     p.beta = random_log(1e-5, p.bspline ? 8 : p.normalize ? 10 : 100);
     if (p.bspline) {
         p.segments[0] = random_int(1, 6);
@@ -153,7 +151,7 @@ static void against_formula(const taut_bonnet_problem *p, const taut_surface *su
                                     fabs(x[2][c] * fmax(fabs(taut_basis_lo(v)), fabs(b))));
         }
     }
-    const double limit = unit_roundoff * (24 * size + 6 * moved);
+    const double limit = TAUT_UNIT_ROUNDOFF * (24 * size + 6 * moved);
     if (apart / limit > worst_distance) {
         worst_distance = apart / limit;
     }

@@ -4,14 +4,13 @@
 #include "check.h"
 #include "problems.h"
 
+#include "core/constants.h"
 #include "geometry/nurbs/gram.h"
 #include "taut/measure.h"
 
 #include <lapacke.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 static size_t count_of(const test_problem *problem)
 {
@@ -392,7 +391,7 @@ static void test_patterns(void)
         model = problem_make(&problem, &points);
         if (points != NULL) {
             /* what the dense solve itself may be off by ([Higham2002] 10.1) */
-            const double tolerance = 8 * (double)count * unit_roundoff / fmax(rcond, 1e-300);
+            const double tolerance = 8 * (double)count * TAUT_UNIT_ROUNDOFF / fmax(rcond, 1e-300);
             CHECK_NEAR(apart(count, points, exact), 0, tolerance + 1e-14, "trial %d, %zu points",
                        trial, count);
             for (size_t i = 0; i < count; i++) {
@@ -496,7 +495,7 @@ static void test_far_away(void)
             problem.points[i] = ldexp(round(ldexp(problem.points[i], 20)), -20);
             moved.points[i] = problem.points[i] + far[i % 3];
         }
-        compare(&problem, &moved, shift_far, far, 2 * unit_roundoff, "far away");
+        compare(&problem, &moved, shift_far, far, 2 * TAUT_UNIT_ROUNDOFF, "far away");
         problem_free(&problem);
         problem_free(&moved);
     }

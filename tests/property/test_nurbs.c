@@ -4,12 +4,11 @@
 #include "check.h"
 #include "shapes.h"
 
+#include "core/constants.h"
 #include "taut/operations.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static const double pi = 3.14159265358979311600;
 
 enum { C_BEZIER, C_BSPLINE, H_BEZIER, H_BSPLINE, BEZIER, TYPES };
 static const char *const type_names[TYPES] = {"c-bezier", "c-bspline", "h-bezier", "h-bspline",
@@ -17,7 +16,7 @@ static const char *const type_names[TYPES] = {"c-bezier", "c-bspline", "h-bezier
 
 static taut_basis *random_basis(int type)
 {
-    const double longest[TYPES] = {pi, 3, 300, 300, 1};
+    const double longest[TYPES] = {TAUT_PI, 3, 300, 300, 1};
     const double length = type == H_BEZIER || type == H_BSPLINE ? random_log(0.3, longest[type])
                                                                 : random_in(0.1, 1) * longest[type];
     if (type == BEZIER) {
@@ -152,11 +151,12 @@ static void test_surface(int type_u, int type_v)
  * coefficients of sections 3 and 5. */
 static taut_surface *figure_2a(void)
 {
-    const double k = pi / 2, w = sqrt(0.75), kh = (1 - sinh(1)) / (1 - cosh(1));
-    const double u[4] = {0, k, pi - k, pi}, s[4] = {0, k, pi - k, 0}, c[4] = {1, 1, -1, -1};
+    const double k = TAUT_PI / 2, w = sqrt(0.75), kh = (1 - sinh(1)) / (1 - cosh(1));
+    const double u[4] = {0, k, TAUT_PI - k, TAUT_PI}, s[4] = {0, k, TAUT_PI - k, 0},
+                 c[4] = {1, 1, -1, -1};
     const double v[4] = {0, kh, 1 - kh, 1}, sh[4] = {0, kh, 1 - kh, sinh(1)};
     const double ch[4] = {1, 1, 1 / tanh(0.5) - 1, cosh(1)};
-    const taut_basis_spec su = {.type = "c-bezier", .alpha = pi};
+    const taut_basis_spec su = {.type = "c-bezier", .alpha = TAUT_PI};
     const taut_basis_spec sv = {.type = "h-bezier", .beta = 1};
     taut_basis *bu = NULL, *bv = NULL;
     taut_surface *surface = NULL;

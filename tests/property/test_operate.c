@@ -3,13 +3,11 @@
 #include "bases.h"
 #include "check.h"
 
+#include "core/constants.h"
 #include "taut/operations.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
-static const double pi = 3.14159265358979311600;
 
 enum { BEZIER, BSPLINE, C_BEZIER, C_BSPLINE, H_BEZIER, H_BSPLINE, CE_BEZIER, TYPES };
 static const char *const type_names[TYPES] = {"bezier",   "bspline",   "c-bezier", "c-bspline",
@@ -34,7 +32,9 @@ static taut_basis *random_basis(int type)
         spec.knot_count = random_knots(spec.degree, 6, lo, knots);
     }
     if (quasi) {
-        const double length = random_log(1e-3, type == C_BEZIER ? pi : type == C_BSPLINE ? 3 : 20);
+        const double length = random_log(1e-3, type == C_BEZIER    ? TAUT_PI
+                                               : type == C_BSPLINE ? 3
+                                                                   : 20);
         const int segments = type == C_BSPLINE || type == H_BSPLINE ? random_int(1, 6) : 0;
         spec = spec_of_spans(type_names[type], length, segments, lo);
         spec.has_range = lo != 0;
@@ -59,7 +59,7 @@ static double noise(const taut_basis *basis)
     for (int i = 0; i < spans; i++) {
         shortest = fmin(shortest, breaks[i + 1] - breaks[i]);
     }
-    return unit_roundoff * taut_basis_local(basis) * (16 + 4 * far / shortest);
+    return TAUT_UNIT_ROUNDOFF * taut_basis_local(basis) * (16 + 4 * far / shortest);
 }
 
 static void random_net(size_t count, double *points, double *weights)
@@ -291,8 +291,8 @@ static void test_reverse_nets(int type_u, int type_v)
             const double *p = taut_surface_points(surface) + 3 * (i * nv + j);
             const double *q = taut_surface_points(once) + 3 * (i * nv + nv - 1 - j);
             const double *r = taut_surface_points(twice) + 3 * (i * nv + j);
-            CHECK(distance(p, q) <= 4 * unit_roundoff, "i=%d j=%d", i, j);
-            CHECK(distance(p, r) <= 4 * unit_roundoff, "i=%d j=%d", i, j);
+            CHECK(distance(p, q) <= 4 * TAUT_UNIT_ROUNDOFF, "i=%d j=%d", i, j);
+            CHECK(distance(p, r) <= 4 * TAUT_UNIT_ROUNDOFF, "i=%d j=%d", i, j);
         }
     }
     taut_surface_free(surface);

@@ -6,12 +6,11 @@
 #include "pipes.h"
 #include "touching.h"
 
+#include "core/constants.h"
 #include "core/vec3.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 /* Ends anywhere with any directions; or loops that come back beside where they began,
  * near themselves or their straight pipes. */
@@ -187,7 +186,7 @@ static double global_radius(axis *a, const taut_pipe_problem *problem)
             evaluate(a, part, fmin(1, fmax(0, t)), x);
             length += taut_distance(x[0], before);
             memcpy(before, x[0], sizeof before);
-            if (length >= pi * local) {
+            if (length >= TAUT_PI * local) {
                 best = fmin(best, 0.5 * taut_distance(x[0], end[0]));
             }
         }
@@ -259,8 +258,8 @@ static void test_pappus(void)
         for (int side = 0; side < 2; side++) { /* discs look back at V_0, on at V_3 */
             double x[2][3];
             taut_curve_eval(taut_model_curve(model, 0), side, 1, &x[0][0]);
-            volume += (side == 0 ? -1 : 1) * taut_dot(x[0], x[1]) / taut_norm(x[1]) * pi * 0.05 *
-                      0.05 / 3;
+            volume += (side == 0 ? -1 : 1) * taut_dot(x[0], x[1]) / taut_norm(x[1]) * TAUT_PI *
+                      0.05 * 0.05 / 3;
         }
         CHECK_NEAR(area, figure_of(certificate, "area"), 1e-10 * area, "trial %d", trial);
         CHECK_NEAR(volume, figure_of(certificate, "volume"), 1e-10 * volume, "trial %d", trial);

@@ -3,10 +3,9 @@
 #include "check.h"
 
 #include "construct/pipe/bend.h"
+#include "core/constants.h"
 #include "core/vec3.h"
 #include "taut/taut.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* Ends anywhere with any directions. */
 static taut_pipe_problem random_ends(void)
@@ -54,7 +53,7 @@ static void test_choice(void)
             taut_pipe_arc_quasi((const double(*)[3])edges, shape, &arc);
             taut_pipe_bend_extremes(&arc, 60, &bend);
             taut_pipe_bend_integrals(&arc, 8, &bend);
-            if (bend.turning < 0.99 * pi && bend.curvature * problem.section.radius < 0.999) {
+            if (bend.turning < 0.99 * TAUT_PI && bend.curvature * problem.section.radius < 0.999) {
                 least = fmin(least, sharpest ? bend.curvature : bend.bending);
             }
         }

@@ -4,12 +4,11 @@
 #include "check.h"
 #include "pipe_runs.h"
 
+#include "core/constants.h"
 #include "core/vec3.h"
 
 #include <stddef.h>
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 /* Surfaces meet with equal normals (and curvatures), and the frame comes round: 1e-13 at unit size,
  * where the first rings are far enough apart for their rounding. */
@@ -110,7 +109,7 @@ static void test_pappus(void)
         r.problem.radius = 0.03;
         r.problem.bend_radius = 0.12;
         taut_model *model = pipe_random_made(&r, 1e-11);
-        const double disc = pi * r.problem.radius * r.problem.radius;
+        const double disc = TAUT_PI * r.problem.radius * r.problem.radius;
         taut_certificate *certificate = pipe_run_proved(model, &r.problem, 1e-11);
         double area = 0, volume = 0;
         for (int i = 0; model != NULL && i < taut_model_surface_count(model); i++) {

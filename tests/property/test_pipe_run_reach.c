@@ -5,14 +5,13 @@
 #include "pipe_runs.h"
 #include "touching.h"
 
+#include "core/constants.h"
 #include "core/vec3.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { STEPS = 400, GRID = 64 };
-
-static const double pi = 3.14159265358979323846;
 
 /* The axis as the test sees it: curves of the model evaluated by their bases. */
 typedef struct axis {
@@ -139,7 +138,7 @@ static double least_from_end(const axis *a, int side, double local, double best)
     for (int n = 0; n <= a->count * FINE; n++) {
         const int part[2] = {(int)fmin(a->count - 1, n / FINE), side == 0 ? 0 : a->count - 1};
         const double t[2] = {(n - part[0] * FINE) / (double)FINE, side};
-        if (way(a, part, t) >= pi * local) {
+        if (way(a, part, t) >= TAUT_PI * local) {
             evaluate(a, part[0], t[0], x);
             best = fmin(best, 0.5 * taut_distance(x[0], end[0]));
         }

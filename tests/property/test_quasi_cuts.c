@@ -2,11 +2,10 @@
  * published, where its formulas have their limits, and what kinds of pieces come out. */
 #include "check.h"
 
+#include "core/constants.h"
 #include "taut/operations.h"
 
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 static void random_points(int count, double *points)
 {
@@ -26,7 +25,7 @@ static void same_curve(const taut_curve *curve, const taut_curve *part, size_t n
 {
     const taut_basis *t = taut_curve_t(part);
     const double lo = taut_basis_lo(t), hi = taut_basis_hi(t);
-    const double tolerance = unit_roundoff * (64 + 8 * hi / fmin(hi - lo, 1));
+    const double tolerance = TAUT_UNIT_ROUNDOFF * (64 + 8 * hi / fmin(hi - lo, 1));
     for (int i = 0; i <= 20; i++) {
         const double x = i == 20 ? hi : lo + (hi - lo) * i / 20;
         double p[3], q[3];

@@ -2,6 +2,7 @@
 
 #include "certificates.h"
 #include "check.h"
+#include "core/constants.h"
 
 #include <math.h>
 #include <string.h>
@@ -69,8 +70,6 @@ taut_verdict pipe_run_verdict(const taut_model *model, const taut_pipe_run_probl
     return holds;
 }
 
-static const double pi = 3.14159265358979323846;
-
 void pipe_random_run(int kind, pipe_random *r)
 {
     taut_pipe_run_problem *const p = &r->problem;
@@ -88,8 +87,8 @@ void pipe_random_run(int kind, pipe_random *r)
                                  .joint = random_int(0, 1) == 0 ? TAUT_PIPE_G1 : TAUT_PIPE_G2};
     for (int i = 0; i < p->route.count; i++) {
         for (int k = 0; k < 3; k++) {
-            const double turn = i * (0.5 * pi + twist * rise);
-            const double ring = 2 * pi * i / p->route.count;
+            const double turn = i * (0.5 * TAUT_PI + twist * rise);
+            const double ring = 2 * TAUT_PI * i / p->route.count;
             r->corners[i][k] = kind == 1   ? (k == 0   ? cos(turn)
                                               : k == 1 ? sin(turn)
                                                        : rise * i / 4)

@@ -1,6 +1,7 @@
 /* boundary.c -- the model held against the data it was made from. Distances are over
  * the size of the data; curvatures and weights are compared relative to themselves. */
 #include "certify/asymptotic/parts.h"
+#include "core/constants.h"
 #include "core/vec3.h"
 
 #include <float.h>
@@ -68,7 +69,7 @@ static void compare_curvature(const taut_asymptotic_model *model,
 {
     const int n = corners->degree, at = end ? n : 0, step = end ? -1 : 1;
     const double given = corners->edges[e].curvature[end];
-    const double r = 0.5 * DBL_EPSILON * model->curve_size;
+    const double r = TAUT_UNIT_ROUNDOFF * model->curve_size;
     const double *const p = taut_curve_points(model->curves[e]);
     const double *const w = taut_curve_weights(model->curves[e]);
     const double factor = (n - 1.0) / n * w[at] * w[at + 2 * step] / (w[at + step] * w[at + step]);

@@ -1,5 +1,6 @@
 #include "certify/asymptotic/identity.h"
 
+#include "certify/common/bernstein.h"
 #include "core/vec3.h"
 
 #include <assert.h>
@@ -301,20 +302,6 @@ double taut_identity_at(const taut_identity *identity, double t)
            (taut_norm(m) * taut_dot(p, p));
 }
 
-/* Splits double[degree+1][dim] at 1/2 by de Casteljau: a becomes the right half, left the left. */
-static void halve(int degree, int dim, double *a, double *left)
-{
-    for (int d = 0; d < dim; d++) {
-        for (int step = 0; step <= degree; step++) {
-            left[step * dim + d] = a[d];
-            for (int j = 0; j < degree - step; j++) {
-                a[j * dim + d] = 0.5 * (a[j * dim + d] + a[(j + 1) * dim + d]);
-            }
-        }
-        /* a now holds the right half's coefficients at the places they ended in */
-    }
-}
-
 static double largest_of(int degree, const double *a)
 {
     double most = 0.0;
@@ -392,7 +379,7 @@ static void bound_below(run *b, int levels, double share, double *stack)
     }
     places(b->identity, stack + b->size, left);
     for (int k = 0; k < 4; k++) {
-        halve(b->identity->degree[k], dims[k], here[k], left[k]);
+        taut_certify_halve(b->identity->degree[k], dims[k], here[k], left[k], here[k]);
     }
     bound_below(b, levels - 1, 0.5 * share, stack + b->size);
     memcpy(stack + b->size, stack, (size_t)b->size * sizeof *stack);

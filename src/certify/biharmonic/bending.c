@@ -1,12 +1,12 @@
 #include "certify/biharmonic/bending.h"
 
+#include "core/constants.h"
+#include "core/vec3.h"
 #include "numeric/quadrature.h"
 #include "taut/limits.h"
 
 #include <math.h>
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 enum { DEGREE = 64, SIZE = DEGREE + 6 };
 
@@ -114,7 +114,7 @@ static double slope_along(const taut_surface *surface, taut_edge edge, const ser
             }
         }
     }
-    const double most = fmax(fabs(with[0]), fmax(fabs(with[1]), fabs(with[2])));
+    const double most = taut_largest_coordinate(with);
     return own > 0 ? most / sqrt(own) : 0;
 }
 
@@ -153,8 +153,8 @@ taut_bending_slope taut_bending_slope_of(const taut_surface *surface, taut_edge 
         }
     }
     /* points rounded by 2^-53 reach move second derivatives by 4 n^2 / a^2 times that */
-    found.noise = energy > 0 ? 8 * unit_roundoff * n * n * (1 / (a * a) + 1 / (b * b)) * reach *
-                                   sqrt(a * b / energy)
+    found.noise = energy > 0 ? 8 * TAUT_UNIT_ROUNDOFF * n * n * (1 / (a * a) + 1 / (b * b)) *
+                                   reach * sqrt(a * b / energy)
                              : 0;
     return found;
 }

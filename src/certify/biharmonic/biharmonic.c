@@ -17,6 +17,7 @@
 #include "certify/certify_ops.h"
 #include "certify/harmonic/claims.h"
 #include "certify/harmonic/residual.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "measure/integrate/near_zero.h"
@@ -27,7 +28,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double unit_roundoff = 0x1p-53;
 static const double roundings = 8;
 
 static double width_of(const taut_basis *basis)
@@ -89,7 +89,7 @@ static taut_status residual_of(const taut_surface *surface, double *residual, do
     for (size_t k = 0; k < numbers && size > 0; k++) {
         *residual = fmax(*residual, fabs(net[k]) / size);
     }
-    *noise = roundings * (n + m) * unit_roundoff * (size > 0 ? fmax(1, reach / size) : 1);
+    *noise = roundings * (n + m) * TAUT_UNIT_ROUNDOFF * (size > 0 ? fmax(1, reach / size) : 1);
     taut_free(net);
     return TAUT_OK;
 }
@@ -205,7 +205,7 @@ static taut_status add_continuity(const taut_surface *p, const taut_surface *q, 
     }
     snprintf(where, sizeof where, "derivative %d across", worst);
     return taut_harmonic_add_claim("continuity", most,
-                                   4 * unit_roundoff *
+                                   4 * TAUT_UNIT_ROUNDOFF *
                                        fmax(1, size > 0 ? fmax(reach[0], reach[1]) / size : 1),
                                    where, certificate);
 }

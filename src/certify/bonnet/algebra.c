@@ -17,11 +17,12 @@
  */
 #include "certify/bonnet/parts.h"
 
+#include "core/constants.h"
+#include "core/vec3.h"
+
 #include <complex.h>
 #include <math.h>
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 /* A coefficient of the surface, and the sum of the absolute values it comes from. */
 typedef struct mode {
@@ -111,19 +112,14 @@ static mode mode_of(const patch *p, const table *u, int k, const table *v, int l
     return m;
 }
 
-static double length(const double *v)
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 /* re + i factor im */
 static triple join(const patch *p, const mode *re, double factor, const mode *im)
 {
-    triple t = {.error = unit_roundoff * (re->gross + fabs(factor) * im->gross)};
+    triple t = {.error = TAUT_UNIT_ROUNDOFF * (re->gross + fabs(factor) * im->gross)};
     for (int c = 0; c < 3; c++) {
         t.value[c] = re->value[c] + I * factor * im->value[c];
     }
-    t.size = hypot(length(re->value), factor * length(im->value));
+    t.size = hypot(taut_length(re->value), factor * taut_length(im->value));
     t.error += p->shift * t.size;
     return t;
 }
@@ -145,8 +141,8 @@ static void orthogonal(const triple *a, const triple *b, const patch *p, taut_bo
 static void vanish(const mode *m, double factor, double size, const patch *p,
                    taut_bonnet_finding *found)
 {
-    taut_bonnet_raise(found, factor * length(m->value) / size,
-                      unit_roundoff * factor * m->gross / size, p->lo[0], p->lo[1]);
+    taut_bonnet_raise(found, factor * taut_length(m->value) / size,
+                      TAUT_UNIT_ROUNDOFF * factor * m->gross / size, p->lo[0], p->lo[1]);
 }
 
 /* a.a + factor b.c = 0 */

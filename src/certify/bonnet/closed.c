@@ -11,9 +11,9 @@
  */
 #include "certify/bonnet/parts.h"
 
-#include <math.h>
+#include "core/constants.h"
 
-static const double unit_roundoff = 0x1p-53;
+#include <math.h>
 
 static double w_of(double lambda)
 {
@@ -148,8 +148,8 @@ void taut_bonnet_against_formula(const taut_surface *surface, const taut_bonnet_
             at[1] = t[1];
         }
     }
-    taut_bonnet_raise(found, apart == 0 ? 0 : apart / size, 2 * unit_roundoff * noise / size, at[0],
-                      at[1]);
+    taut_bonnet_raise(found, apart == 0 ? 0 : apart / size, 2 * TAUT_UNIT_ROUNDOFF * noise / size,
+                      at[0], at[1]);
 }
 
 /* A number and the sum of the absolute values of its terms. */
@@ -204,7 +204,7 @@ void taut_bonnet_closed_area(const taut_bonnet_frame *frame, double *area, doubl
         scale = frame->problem->normalize ? 4 / (w * w * w * w * w * w) : 1 / (w * w);
     }
     *area = scale * t.value;
-    *noise = 4 * unit_roundoff * t.gross / fabs(t.value);
+    *noise = 4 * TAUT_UNIT_ROUNDOFF * t.gross / fabs(t.value);
 }
 
 /* sinh v int du / (cosh v + a cos u) from 0: atan(q tan(u/2)), beyond its first jump u/2 + atan of
@@ -254,5 +254,5 @@ void taut_bonnet_closed_curvature(const taut_bonnet_frame *frame, double *sum, d
         add_term(&t, sign * two, fabs(two));
     }
     *sum = t.value;
-    *noise = 4 * unit_roundoff * t.gross / fabs(t.value);
+    *noise = 4 * TAUT_UNIT_ROUNDOFF * t.gross / fabs(t.value);
 }

@@ -9,6 +9,7 @@
  * the segments, of which there may be any number.
  */
 #include "certify/bonnet/parts.h"
+#include "core/constants.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
@@ -22,8 +23,6 @@ enum { AREA, CURVATURE, NOISE, FIELDS = 4 };
 /* W over its least at the nodes of a cell that is trusted: W = F0^2/w^2 grows about so much from
  * the middle of a peak, |K| = w^4/F0^4, to where 99 hundredths of it are inside. */
 static const double most_varied = 100;
-
-static const double unit_roundoff = 0x1p-53; /* each cut leaves about a quarter of it */
 
 typedef struct cell {
     double lo[2], hi[2];
@@ -231,7 +230,7 @@ taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet
     for (int k = 0; k < 2; k++) {
         integrals->value[k] = taut_sum_total(&total[k]);
         integrals->noise[k] = taut_sum_total(&total[NOISE + k]) / fabs(integrals->value[k]) +
-                              0.25 * unit_roundoff * (double)cut;
+                              0.25 * TAUT_UNIT_ROUNDOFF * (double)cut;
         if (cut >= CELLS_MAX) { /* not reached: by a test, for the 8 s so many cuts take; a net in
                                    one plane that folds over, W = 0 along lines, comes here */
             integrals->noise[k] = INFINITY;

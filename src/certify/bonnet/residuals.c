@@ -11,6 +11,7 @@
  */
 #include "certify/bonnet/parts.h"
 #include "certify/bonnet/sums.h"
+#include "core/vec3.h"
 
 #include <math.h>
 
@@ -75,11 +76,6 @@ static taut_status lines_new(const taut_basis *basis, taut_arena *arena, sample_
     return TAUT_OK;
 }
 
-static double length(const double *p)
-{
-    return sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-}
-
 static double over(double a, double b)
 {
     return a == 0 ? 0 : a / b;
@@ -90,15 +86,16 @@ static void raise_at(const taut_bonnet_spot *spot, double u, double v, taut_bonn
     const taut_forms *f = &spot->forms;
     const double(*x)[3] = spot->x;
     const double k = sqrt(fabs(f->gaussian));
-    double sum[3],
-        second = fmax(length(x[TAUT_XUU]), fmax(length(x[TAUT_XUV]), length(x[TAUT_XVV])));
+    double sum[3], second = fmax(taut_length(x[TAUT_XUU]),
+                                 fmax(taut_length(x[TAUT_XUV]), taut_length(x[TAUT_XVV])));
 
     for (int c = 0; c < 3; c++) {
         sum[c] = x[TAUT_XUU][c] + x[TAUT_XVV][c];
     }
     taut_bonnet_raise(&found[0], over(fmax(fabs(f->e - f->g), fabs(f->f)), f->e),
                       spot->slope * (2 + spot->slope), u, v);
-    taut_bonnet_raise(&found[1], over(length(sum), second), over(spot->noise[1], second), u, v);
+    taut_bonnet_raise(&found[1], over(taut_length(sum), second), over(spot->noise[1], second), u,
+                      v);
     taut_bonnet_raise(&found[2], f->regular ? over(fabs(f->mean), k) : most,
                       spot->bend / (2 * k * f->w), u, v);
 }

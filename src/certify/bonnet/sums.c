@@ -7,23 +7,19 @@
  */
 #include "certify/bonnet/sums.h"
 
+#include "core/constants.h"
+#include "core/vec3.h"
+
 #include <math.h>
 
 enum { ORDERS = TAUT_BONNET_ORDERS, TRIES = 33 };
-static const double unit_roundoff = 0x1p-53;
-
-/* The largest coordinate. */
-static double largest_of(const double *p)
-{
-    return fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
-}
 
 /* Far from zero, a parameter is known less well than a segment's own rounding would have it. */
 static double far_rounding(const taut_basis *basis)
 {
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
     const double segment = (hi - lo) / taut_basis_span_count(basis);
-    return unit_roundoff * fmax(0, fmax(fabs(lo), fabs(hi)) - segment);
+    return TAUT_UNIT_ROUNDOFF * fmax(0, fmax(fabs(lo), fabs(hi)) - segment);
 }
 
 static double parameter_at(int k, double lo, double hi)
@@ -61,12 +57,12 @@ void taut_bonnet_scale_of(const taut_surface *surface, int is_exact, taut_bonnet
                 a[0][c] += p[c] * along_u;
                 a[1][c] += p[c] * along_v;
             }
-            gross += largest_of(p) * (fabs(fu[12] * fv[0]) + fabs(fu[0] * fv[12]));
+            gross += taut_largest_coordinate(p) * (fabs(fu[12] * fv[0]) + fabs(fu[0] * fv[12]));
         }
         if (gross < least) {
             least = gross;
-            scale->linear[0] = largest_of(a[0]);
-            scale->linear[1] = largest_of(a[1]);
+            scale->linear[0] = taut_largest_coordinate(a[0]);
+            scale->linear[1] = taut_largest_coordinate(a[1]);
         }
     }
 }
@@ -83,7 +79,7 @@ double taut_bonnet_point_size(const taut_surface *surface, const taut_bonnet_sca
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const double *p = taut_surface_points(surface) + 3 * ((long)i * taut_basis_count(v) + j);
-    return largest_of(p) + scale->linear[0] * fabs(abscissa(u, i)) +
+    return taut_largest_coordinate(p) + scale->linear[0] * fabs(abscissa(u, i)) +
            scale->linear[1] * fabs(abscissa(v, j));
 }
 
@@ -173,8 +169,8 @@ void taut_bonnet_sums_at(const taut_bonnet_sums *sums, const taut_bonnet_line *v
         third[k] = finish(sums, v, thirds[k][0], thirds[k][1], unused);
     }
     spot->noise[0] =
-        unit_roundoff * (g[1] + g[2]) + shift[0] * (g[3] + g[4]) + shift[1] * (g[4] + g[5]);
-    spot->noise[1] = unit_roundoff * (g[3] + g[5]) + shift[0] * (third[0] + third[2]) +
+        TAUT_UNIT_ROUNDOFF * (g[1] + g[2]) + shift[0] * (g[3] + g[4]) + shift[1] * (g[4] + g[5]);
+    spot->noise[1] = TAUT_UNIT_ROUNDOFF * (g[3] + g[5]) + shift[0] * (third[0] + third[2]) +
                      shift[1] * (third[1] + third[3]);
     taut_forms_of((const double(*)[3])spot->x, &spot->forms);
     spot->slope = spot->noise[0] / sqrt(spot->forms.e);

@@ -1,5 +1,7 @@
 #include "certify/common/curve_distance.h"
 
+#include "certify/common/bernstein.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -9,8 +11,7 @@
 #include <string.h>
 
 enum { CUTS = 14, CHANNELS = 4 /* three of the numerator, the denominator */ };
-static const double bound_near = 1.05; /* times a distance seen: not made sharper */
-static const double unit_roundoff = 0x1p-53;
+static const double bound_near = 1.05;        /* times a distance seen: not made sharper */
 static const double knot_same = 1e-12;        /* of the range: knots nearer to each other are one */
 static const double spline_tolerance = 1e-11; /* of c- and h- curves as splines */
 
@@ -97,15 +98,6 @@ static double weight_of(const taut_curve *c, int i)
     return taut_curve_weights(c) != NULL ? taut_curve_weights(c)[i] : 1;
 }
 
-static double binomial(int n, int k)
-{
-    double value = 1;
-    for (int i = 1; i <= k; i++) {
-        value = value * (n - k + i) / i;
-    }
-    return value;
-}
-
 /* (max |X_i| + rounding) / min d_i, of halves of halves where that is not near what is seen at
  * ends: *seen. c double[n+1][CHANNELS] is spoilt, spare is as long for each level. */
 static double largest_distance(int n, double rounding, double *c, int cuts, double *spare,
@@ -124,12 +116,7 @@ static double largest_distance(int n, double rounding, double *c, int cuts, doub
     if (cuts == 0 || !(bound > bound_near * *seen + 2 * rounding / least)) {
         return bound;
     }
-    for (int i = 0; i <= n; i++) { /* spare = the low half, c becomes the high one */
-        memcpy(spare + CHANNELS * i, c, CHANNELS * sizeof(double));
-        for (int k = 0; k < CHANNELS * (n - i); k++) {
-            c[k] = 0.5 * c[k] + 0.5 * c[k + CHANNELS];
-        }
-    }
+    taut_certify_halve(n, CHANNELS, c, spare, c);
     const double high = largest_distance(n, rounding, c, cuts - 1, deeper, seen);
     const double low = largest_distance(n, rounding, spare, cuts - 1, deeper, seen);
     return high <= low ? low : high;
@@ -140,14 +127,15 @@ static double piece_distance(const taut_curve *a, const taut_curve *b, double *w
 {
     const int p = taut_basis_degree(taut_curve_t(a)), q = taut_basis_degree(taut_curve_t(b));
     const double *centre = taut_curve_points(a);
-    const double roundings = 32 * (p + q) * unit_roundoff;
+    const double roundings = 32 * (p + q) * TAUT_UNIT_ROUNDOFF;
     double most = 0;
 
     memset(work, 0, CHANNELS * (size_t)(p + q + 1) * sizeof(double));
     for (int i = 0; i <= p; i++) {
         for (int j = 0; j <= q; j++) {
             const double weight = weight_of(a, i) * weight_of(b, j);
-            const double part = binomial(p, i) * binomial(q, j) / binomial(p + q, i + j) * weight;
+            const double part = taut_certify_binomial(p, i) * taut_certify_binomial(q, j) /
+                                taut_certify_binomial(p + q, i + j) * weight;
             double apart[3];
             taut_difference(taut_curve_points(a) + 3 * i, taut_curve_points(b) + 3 * j, apart);
             taut_add_scaled(part, apart, work + CHANNELS * (i + j));

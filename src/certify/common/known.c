@@ -1,16 +1,16 @@
 #include "certify/common/known.h"
 
+#include "core/constants.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 /* |a - b| over size, at least 2^-52 where they differ at all. */
 static double relative_difference(double a, double b, double size)
 {
     const double apart = fabs(0.5 * a - 0.5 * b) / (0.5 * size);
-    return a == b ? 0 : fmax(apart, 2 * unit_roundoff);
+    return a == b ? 0 : fmax(apart, 2 * TAUT_UNIT_ROUNDOFF);
 }
 
 /* How far apart two bases of the same count are, over their range. */

@@ -19,8 +19,10 @@
 #include "certify/certify_ops.h"
 #include "certify/common/known.h"
 #include "certify/dirichlet/gradient.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "core/vec3.h"
 #include "numeric/quadrature.h"
 #include "taut/measure.h"
 
@@ -29,7 +31,6 @@
 #include <string.h>
 
 enum { ROUNDINGS = 4 };
-static const double unit_roundoff = 0x1p-53;
 static const double largest_limit = 1e-6;
 
 /* What is certified. */
@@ -129,11 +130,6 @@ typedef struct finding {
     int at_u, at_v;
 } finding;
 
-static double largest_of(const double *p)
-{
-    return fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
-}
-
 static finding judge_gradient(const request *r, const taut_dirichlet_gradient *gradient)
 {
     finding found = {0, 0, 0, 0, 0};
@@ -142,7 +138,7 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
     for (int i = 0; i < r->nu; i++) {
         for (int j = 0; j < r->nv; j++) {
             const size_t at = (size_t)i * (size_t)r->nv + (size_t)j;
-            const double size = largest_of(gradient->values + 3 * at);
+            const double size = taut_largest_coordinate(gradient->values + 3 * at);
             all = fmax(all, size);
             if (!is_known(r, i, j)) {
                 gross = fmax(gross, gradient->gross[at]);
@@ -155,7 +151,7 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
         }
     }
     found.residual = unknown > 0 ? unknown / all : 0;
-    found.noise = ROUNDINGS * unit_roundoff * (all > 0 ? fmax(1, gross / all) : 1);
+    found.noise = ROUNDINGS * TAUT_UNIT_ROUNDOFF * (all > 0 ? fmax(1, gross / all) : 1);
     found.limit = fmin(found.noise, largest_limit);
     return found;
 }

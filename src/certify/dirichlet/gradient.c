@@ -13,6 +13,7 @@
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "geometry/grid/table.h"
+#include "geometry/keep.h"
 #include "geometry/nurbs/cells.h"
 #include "numeric/quadrature.h"
 
@@ -51,11 +52,6 @@ typedef struct work {
     double *polygons; /* [4][nv]: w and w_u; gross of values and of slopes in u */
     double *spread;   /* [2][nv][CHANNELS]: what goes back with N_i, and with N_i' */
 } work;
-
-static void release_table(void *table)
-{
-    taut_table_free(table);
-}
 
 static taut_status fill_axis(const taut_basis *basis, const taut_cells *panels, int nodes,
                              taut_arena *arena, axis *a)
@@ -111,7 +107,7 @@ static taut_status make_axis(const taut_basis *basis, int lines, const double *s
             slopes[i] *= a->length;
         }
     }
-    return taut_arena_keep(arena, a->table, release_table) ? TAUT_OK : TAUT_NO_MEMORY;
+    return taut_keep_table(arena, a->table) ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
 /* The exponent e with largest < 2^e, 0 for 0. */
@@ -120,11 +116,6 @@ static int exponent_of(double largest)
     int e = 0;
     (void)frexp(largest, &e);
     return e;
-}
-
-static void release_surface(void *surface)
-{
-    taut_surface_free(surface);
 }
 
 /* The surface with its points around 0 and of about unit size, and the sizes of the points as they
@@ -166,7 +157,7 @@ static taut_status centre_surface(const taut_surface *surface, work *w)
     if (status != TAUT_OK) {
         return status;
     }
-    return taut_arena_keep(w->arena, w->centred, release_surface) ? TAUT_OK : TAUT_NO_MEMORY;
+    return taut_keep_surface(w->arena, w->centred) ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
 /* w->arena is there, or NULL. */

@@ -1,6 +1,7 @@
 #include "certify/harmonic/claims.h"
 
 #include "certify/harmonic/residual.h"
+#include "core/constants.h"
 #include "core/exact.h"
 #include "core/fail.h"
 #include "taut/measure.h"
@@ -9,7 +10,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double unit_roundoff = 0x1p-53;
 static const double largest_limit = 1e-6;
 
 taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_error *error)
@@ -160,7 +160,7 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
         const int degrees =
             taut_basis_degree(taut_surface_u(surface)) + taut_basis_degree(taut_surface_v(surface));
         const double noise = found.size > 0 && k > 0 ? carried / found.size : 0;
-        const double allowed = 2 * degrees * unit_roundoff * fmax(found.reach, noise);
+        const double allowed = 2 * degrees * TAUT_UNIT_ROUNDOFF * fmax(found.reach, noise);
         carried = k == 0 ? growth * found.reach * found.size : carried;
         if (!(found.scaled / allowed <= worst)) {
             worst = found.scaled / allowed;

@@ -15,34 +15,23 @@
 #include "certify/certify_ops.h"
 #include "certify/harmonic/claims.h"
 #include "certify/harmonic/residual.h"
+#include "core/constants.h"
 #include "core/fail.h"
+#include "core/vec3.h"
 #include "taut/measure.h"
 
 #include <math.h>
 #include <string.h>
 
-static const double unit_roundoff = 0x1p-53;
-
 enum { SAMPLES = 65 };
-
-static double norm(const double *a)
-{
-    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
-
-static double distance(const double *a, const double *b)
-{
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return norm(d);
-}
 
 /* |a x b| / (|a| |b|); 0 where one vanishes */
 static double sine(const double *a, const double *b)
 {
     const double c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
                          a[0] * b[1] - a[1] * b[0]};
-    const double size = norm(a) * norm(b);
-    return size > 0 ? norm(c) / size : 0;
+    const double size = taut_length(a) * taut_length(b);
+    return size > 0 ? taut_length(c) / size : 0;
 }
 
 /* The point of an edge at share s of its length in parameters. */
@@ -96,9 +85,9 @@ static taut_status add_continuity(const taut_model *model, taut_edge edge, int g
         memcpy(second[1], b, sizeof b);
         taut_forms_of((const double(*)[3])second[0], &fa);
         taut_forms_of((const double(*)[3])second[1], &fb);
-        gap = fmax(gap, distance(a[0], b[0]));
-        slope = fmax(slope, fmax(norm(a[across]), norm(b[across])));
-        apart = fmax(apart, distance(a[across], b[across]));
+        gap = fmax(gap, taut_length_between(a[0], b[0]));
+        slope = fmax(slope, fmax(taut_length(a[across]), taut_length(b[across])));
+        apart = fmax(apart, taut_length_between(a[across], b[across]));
         if (fa.regular && fb.regular) {
             angle = fmax(angle, sine(fa.normal, fb.normal));
             least = fmin(least, fmin(fa.w / fmax(fa.e, fa.g), fb.w / fmax(fb.e, fb.g)));
@@ -107,9 +96,9 @@ static taut_status add_continuity(const taut_model *model, taut_edge edge, int g
     const double width = taut_basis_hi(basis) - taut_basis_lo(basis);
     const double derivative =
         taut_basis_degree(basis) * size / width; /* that rounding applies to */
-    const double limit = 8 * degrees * unit_roundoff *
+    const double limit = 8 * degrees * TAUT_UNIT_ROUNDOFF *
                          (slope > 0 ? fmax(1, derivative / slope) : 1) /
-                         (g1 && least < 1 ? fmax(least, unit_roundoff) : 1);
+                         (g1 && least < 1 ? fmax(least, TAUT_UNIT_ROUNDOFF) : 1);
     const double jump = g1 ? angle : slope > 0 ? apart / slope : 0;
     return taut_harmonic_add_claim("continuity", fmax(size > 0 ? gap / size : 0, jump), limit,
                                    g1 ? "tangent planes" : "derivatives across", certificate);

@@ -3,6 +3,7 @@
  * on the boundary: here to the powers of z themselves, Re and Im of ((z - z0) / rho)^k, one after
  * the other ([NiWang2015] sections 2.3, 8.3). */
 #include "certify/harmonic/claims.h"
+#include "core/constants.h"
 #include "numeric/quadrature.h"
 #include "taut/limits.h"
 
@@ -10,8 +11,6 @@
 #include <stdio.h>
 
 enum { SAMPLES = 257 };
-
-static const double unit_roundoff = 0x1p-53;
 
 /* The surface, its rows as they were given, and the half sides of its rectangle over the larger. */
 typedef struct fit {
@@ -171,7 +170,7 @@ taut_status taut_harmonic_add_nearest(const taut_surface *surface,
     for (int k = 0; k < 3 * (f.n + 1) * (f.m + 1); k++) {
         reach = fmax(reach, fabs(taut_surface_points(surface)[k]));
     }
-    const double limit = 8 * (f.n + f.m) * unit_roundoff * fmax(1, reach / size);
+    const double limit = 8 * (f.n + f.m) * TAUT_UNIT_ROUNDOFF * fmax(1, reach / size);
     snprintf(where, sizeof where, "against the power %d of z", worst);
     return taut_harmonic_add_claim("nearest", most, limit, where, certificate);
 }

@@ -13,13 +13,12 @@
 
 #include "certify/certify_ops.h"
 #include "certify/harmonic/claims.h"
+#include "core/constants.h"
 #include "core/fail.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 /* What the boundary claim gathers. */
 typedef struct boundary {
@@ -175,15 +174,15 @@ static taut_status add_boundary(const taut_model *model, const taut_harmonic_pro
     if (p->given == TAUT_HARMONIC_DERIVATIVE) {
         b.size = size_of(p->derivative.edge, NULL, nv);
         compare_derivative(surface, p, &b);
-        limit = 8 * n * unit_roundoff;
+        limit = 8 * n * TAUT_UNIT_ROUNDOFF;
         for (int k = 0; k < 3 * nv; k++) { /* coordinates far from the origin round more */
-            limit = fmax(limit, 4 * unit_roundoff * fabs(p->derivative.edge[k]) / b.size);
+            limit = fmax(limit, 4 * TAUT_UNIT_ROUNDOFF * fabs(p->derivative.edge[k]) / b.size);
         }
     } else {
         b.size = size_of(p->rows.points, p->rows.known, nu * nv);
         compare_lines(model, p, &b);
         limit = repair_of(model)[0] != '\0' && strcmp(repair_of(model), "project") == 0
-                    ? 8 * n * unit_roundoff
+                    ? 8 * n * TAUT_UNIT_ROUNDOFF
                     : 0;
     }
     if (b.largest > 0) {

@@ -1,31 +1,16 @@
 #include "certify/pipe/axis.h"
 
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 #include "taut/operations.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
 enum { GAUSS = 12, DEPTH_MAX = 40, INTERVALS = 8, INTEGRALS = 4, HALVINGS = 4000 };
-
-void taut_pipe_halve(int degree, const double (*points)[3], int upper, double (*half)[3])
-{
-    double b[TAUT_PIPE_PIECE_DEGREE + 1][3];
-    memcpy(b, points, ((size_t)degree + 1) * sizeof b[0]);
-    for (int level = 0; level <= degree; level++) {
-        const int from = upper ? degree - level : 0, to = upper ? degree - level : level;
-        memcpy(half[to], b[from], sizeof b[0]);
-        for (int i = 0; i < degree - level; i++) {
-            for (int k = 0; k < 3; k++) {
-                b[i][k] = 0.5 * (b[i][k] + b[i + 1][k]);
-            }
-        }
-    }
-}
 
 /* The differences of each order, each then evaluated by de Casteljau's algorithm. */
 void taut_pipe_piece_eval(const taut_pipe_piece *piece, double t, int order, double (*d)[3])
@@ -85,7 +70,7 @@ static void set_coordinates(const taut_curve *const *curves, int count, taut_pip
         }
     }
     line->scale = power_below(size);
-    line->noise = DBL_EPSILON / 2 * (largest + size) / line->scale;
+    line->noise = TAUT_UNIT_ROUNDOFF * (largest + size) / line->scale;
 }
 
 /* The Bezier pieces of one curve, in local coordinates. */

@@ -49,8 +49,6 @@ taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, ta
                                   taut_pipe_line *line, taut_error *error);
 /* d[k][3]: the k-th derivative by the piece's own parameter in [0, 1], k = 0..order <= 3. */
 void taut_pipe_piece_eval(const taut_pipe_piece *piece, double t, int order, double (*d)[3]);
-/* The half [0, 1/2] or [1/2, 1] of Bezier points double[degree+1][3]. */
-void taut_pipe_halve(int degree, const double (*points)[3], int upper, double (*half)[3]);
 double taut_pipe_piece_curvature(const taut_pipe_piece *piece, double t);
 
 /* Figures, local: integrals by adaptive quadrature (axis.c), the largest curvature by bounds

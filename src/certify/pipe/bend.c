@@ -5,6 +5,7 @@
  * so that the curvature is at most the one over the cube of the other. Pieces whose bound is not
  * above what was seen elsewhere are dropped; what is left shrinks onto the maximum.
  */
+#include "certify/common/bernstein.h"
 #include "certify/pipe/axis.h"
 #include "core/vec3.h"
 
@@ -34,15 +35,6 @@ static void record(bound *b, double t)
     }
 }
 
-static double binomial(int n, int k)
-{
-    double value = 1;
-    for (int i = 1; i <= k; i++) {
-        value = value * (n - k + i) / i;
-    }
-    return value;
-}
-
 /* Bernstein coefficients of P' x P'' from all pairs of first and second differences. */
 static double largest_cross(int n, const double (*points)[3], double *longest)
 {
@@ -57,8 +49,9 @@ static double largest_cross(int n, const double (*points)[3], double *longest)
             double second[3], product[3];
             taut_difference(e[j + 1], e[j], second);
             taut_cross(e[i], second, product);
-            taut_add_scaled(n * (double)n * (n - 1) * binomial(n - 1, i) * binomial(n - 2, j) /
-                                binomial(2 * n - 3, i + j),
+            taut_add_scaled(n * (double)n * (n - 1) * taut_certify_binomial(n - 1, i) *
+                                taut_certify_binomial(n - 2, j) /
+                                taut_certify_binomial(2 * n - 3, i + j),
                             product, cross[i + j]);
         }
     }
@@ -88,16 +81,16 @@ static void visit(bound *b, const double (*points)[3], double lo, double hi, int
     const double cross = largest_cross(n, points, &longest), speed = least_speed(n, points);
     /* coordinates of unit size, each rounded: so much of P' x P'' may be nothing */
     const double rounding = 32 * DBL_EPSILON * n * n * n * longest;
-    double half[TAUT_PIPE_PIECE_DEGREE + 1][3];
+    double halves[2][TAUT_PIPE_PIECE_DEGREE + 1][3];
 
     record(b, 0.5 * (lo + hi));
     if ((speed > 0 && cross <= b->best * (1 + resolution) * speed * speed * speed + rounding) ||
         depth == DEPTH_MAX) {
         return;
     }
+    taut_certify_halve(n, 3, &points[0][0], &halves[0][0][0], &halves[1][0][0]);
     for (int upper = 0; upper < 2; upper++) {
-        taut_pipe_halve(n, points, upper, half);
-        visit(b, (const double(*)[3])half, upper ? 0.5 * (lo + hi) : lo,
+        visit(b, (const double(*)[3])halves[upper], upper ? 0.5 * (lo + hi) : lo,
               upper ? hi : 0.5 * (lo + hi), depth + 1);
     }
 }

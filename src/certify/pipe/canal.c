@@ -5,14 +5,13 @@
  *     |x - P| h'' / |P'|^2 = 1 - r_s^2 - r r_ss - kappa_n r sqrt(1 - r_s^2)
  */
 #include "certify/pipe/parts.h"
+#include "core/constants.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>
 
 enum { GAUSS = 12, INTERVALS = 32, NEWTON_STEPS = 20 };
-
-static const double pi = 3.14159265358979323846;
 
 /* r with its derivatives by the curve's parameter, local. */
 static void evaluate_radius(const taut_pipe_parts *parts, double t, double r[3])
@@ -82,8 +81,8 @@ void taut_pipe_canal_measures(const taut_pipe_parts *parts, double *area, double
         const double ds = 0.5 / INTERVALS * weights[k % GAUSS] * speed;
         const double rs = r[1] / speed;
         const double rss = (r[2] - rs * taut_dot(d[1], d[2]) / speed) / (speed * speed);
-        *area += 2 * pi * ds * r[0] * (1 + rs * rs);
-        *volume += pi * ds * r[0] * r[0] * (1 - rs * rs) * (1 - rs * rs - r[0] * rss);
+        *area += 2 * TAUT_PI * ds * r[0] * (1 + rs * rs);
+        *volume += TAUT_PI * ds * r[0] * r[0] * (1 - rs * rs) * (1 - rs * rs - r[0] * rss);
     }
     *area *= scale * scale;
     *volume *= scale * scale * scale;

@@ -16,6 +16,7 @@
 
 #include "certify/certify_ops.h"
 #include "certify/pipe/parts.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "problem/pipe.h"
@@ -24,7 +25,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double pi = 3.14159265358979323846;
 static const double tolerance_default = 1e-6;
 
 static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, taut_error *error)
@@ -115,8 +115,8 @@ static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
             taut_record_add_number(figures, "section_turn", parts->turn);
         }
     } else {
-        taut_record_add_number(figures, "area", 2 * pi * a * length);
-        taut_record_add_number(figures, "volume", pi * a * a * length);
+        taut_record_add_number(figures, "area", 2 * TAUT_PI * a * length);
+        taut_record_add_number(figures, "volume", TAUT_PI * a * a * length);
     }
     taut_record_add_numbers(figures, "joint_curvature", 2, ends);
     list = taut_record_add_list(figures, "joint_jump");

@@ -10,7 +10,9 @@
  * for the least distance is taken at such a chord, or at a free end. Pairs of leaves that are left
  * are solved for the least distance by Newton's method.
  */
+#include "certify/common/bernstein.h"
 #include "certify/pipe/axis.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
@@ -20,7 +22,6 @@
 
 enum { DEPTH = 7, LEAVES = 1 << DEPTH, NODES = 2 * LEAVES, GAUSS = 8, STEPS = 30 };
 
-static const double pi = 3.14159265358979323846;
 static const double slack = 1e-12; /* of cones and of lengths: rounding at unit size */
 
 /* A piece of the tree. Node 1 is the whole, 2k and 2k + 1 the halves of node k. */
@@ -79,17 +80,17 @@ static void enclose_points(node *n, int degree, const double (*points)[3])
         taut_cross(e, n->mean, across);
         n->cone = fmax(n->cone, atan2(taut_norm(across), taut_dot(e, n->mean)));
     }
-    n->cone = length > 0 ? n->cone : pi;
+    n->cone = length > 0 ? n->cone : TAUT_PI;
 }
 
 static void grow_tree(tree *t, int at, const double (*points)[3])
 {
     const int degree = t->piece.degree;
-    double half[TAUT_PIPE_PIECE_DEGREE + 1][3];
+    double halves[2][TAUT_PIPE_PIECE_DEGREE + 1][3];
     enclose_points(&t->nodes[at], degree, points);
+    taut_certify_halve(degree, 3, &points[0][0], &halves[0][0][0], &halves[1][0][0]);
     for (int upper = 0; upper < 2 && at < LEAVES; upper++) {
-        taut_pipe_halve(degree, points, upper, half);
-        grow_tree(t, 2 * at + upper, (const double(*)[3])half);
+        grow_tree(t, 2 * at + upper, (const double(*)[3])halves[upper]);
     }
 }
 
@@ -132,7 +133,7 @@ static double angle_between(const double a[3], const double b[3])
 /* Can a chord within `spread` of `chord` be at right angles to a tangent of the node? */
 static int may_be_normal(const node *n, const double chord[3], double spread)
 {
-    return fabs(angle_between(chord, n->mean) - 0.5 * pi) <= n->cone + spread + slack;
+    return fabs(angle_between(chord, n->mean) - 0.5 * TAUT_PI) <= n->cone + spread + slack;
 }
 
 static int may_bind(const finder *f, const node *a, const node *b, int a_is_free)
@@ -359,7 +360,7 @@ taut_status taut_pipe_bound_reach(const taut_pipe_line *line, taut_pipe_figures 
     if (!(figures->curvature > 0)) {
         return TAUT_OK;
     }
-    f.apart = pi / figures->curvature;
+    f.apart = TAUT_PI / figures->curvature;
     f.best = 2 / figures->curvature;
     if (f.apart < slack) { /* arc lengths do not tell such pairs apart: the bend alone decides */
         figures->rho = 1 / figures->curvature;

@@ -13,6 +13,7 @@
  *                  and ends where the first and last are.
  */
 #include "certify/pipe/parts.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -23,7 +24,6 @@
 
 enum { RING = 32, PER_SPAN = 8 };
 
-static const double pi = 3.14159265358979323846;
 static const double tolerance_default = 1e-6, bend_of_corners = 3;
 static const double turns_not = 1e-9; /* sine */
 
@@ -445,8 +445,8 @@ static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
     taut_record_add_number(figures, "total_torsion", f->torsion);
     taut_record_add_number(figures, "bending", f->bending / scale);
     taut_record_add_number(figures, "largest_radius", f->rho * scale);
-    taut_record_add_number(figures, "area", 2 * pi * a * f->length * scale);
-    taut_record_add_number(figures, "volume", pi * a * a * f->length * scale);
+    taut_record_add_number(figures, "area", 2 * TAUT_PI * a * f->length * scale);
+    taut_record_add_number(figures, "volume", TAUT_PI * a * a * f->length * scale);
     taut_record_add_number(figures, "fit_error", fit_error);
     taut_record_add_text(figures, "binding",
                          !isfinite(f->rho) ? "none"

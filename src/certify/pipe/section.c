@@ -6,6 +6,7 @@
  * and psi at the end from the direction wanted there ([WangBai2018] section 10.6).
  */
 #include "certify/pipe/parts.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
@@ -14,8 +15,6 @@
 #include <string.h>
 
 enum { STEPS = 2048, GAUSS = 12, INTERVALS = 32, AROUND = 48 };
-
-static const double pi = 3.14159265358979323846;
 
 static void tangent_of(const taut_pipe_piece *piece, double s, double tangent[3], double turn[3])
 {
@@ -154,10 +153,10 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
     make_across(s[1].direction, line->tangent[1], wanted);
     taut_cross(line->tangent[1], u, w);
     angle = atan2(taut_dot(wanted, w), taut_dot(wanted, u));
-    parts->turn = parts->unlike      ? 0 /* of circles */
-                  : angle > pi / 2   ? angle - pi
-                  : angle <= -pi / 2 ? angle + pi
-                                     : angle;
+    parts->turn = parts->unlike           ? 0 /* of circles */
+                  : angle > TAUT_PI / 2   ? angle - TAUT_PI
+                  : angle <= -TAUT_PI / 2 ? angle + TAUT_PI
+                                          : angle;
     return TAUT_OK;
 }
 
@@ -218,7 +217,7 @@ double taut_pipe_section_volume(const taut_pipe_parts *parts)
                    (e[0].a + (e[1].a - e[0].a) * part) * (e[0].b + (e[1].b - e[0].b) * part);
         }
     }
-    return pi * sum * scale;
+    return TAUT_PI * sum * scale;
 }
 
 /* The mean over phi of |X_s x X_phi|, times 2 pi: with E_1, E_2 and X_s = A T + p E_1 + q E_2,
@@ -241,13 +240,13 @@ static double ring_area(const taut_pipe_parts *parts, int piece, double s, int p
     const double k1 = a * (cos(angle) * x + sin(angle) * y);
     const double k2 = b * (cos(angle) * y - sin(angle) * x);
     for (int k = 0; k < points; k++) {
-        const double c = cos(2 * pi * k / points), z = sin(2 * pi * k / points);
+        const double c = cos(2 * TAUT_PI * k / points), z = sin(2 * TAUT_PI * k / points);
         const double along = speed - c * k1 - z * k2;
         const double p = da * rate_of * c - twist * b * z, q = db * rate_of * z + twist * a * c;
         const double side = p * b * c + q * a * z;
         sum += sqrt(side * side + along * along * (b * b * c * c + a * a * z * z));
     }
-    return 2 * pi * sum / points;
+    return 2 * TAUT_PI * sum / points;
 }
 
 double taut_pipe_section_area(const taut_pipe_parts *parts)

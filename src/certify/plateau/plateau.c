@@ -27,6 +27,7 @@
 #include "certify/common/curve_distance.h"
 #include "certify/common/known.h"
 #include "certify/dirichlet/gradient.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -38,7 +39,6 @@
 #include <string.h>
 
 enum { ROUNDINGS = 8, GRID = 101 /* as taut_measure_surface */ };
-static const double unit_roundoff = 0x1p-53;
 static const double many = 4e4; /* Gauss points */
 static const double largest_limit = 1e-6, tolerance_default = 1e-10, flat = 1e-15;
 
@@ -191,11 +191,6 @@ static taut_status read_request(const taut_model *model, const taut_plateau_prob
     return is_normal ? read_directions(details, r, error) : TAUT_OK;
 }
 
-static double largest_of(const double *p)
-{
-    return fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
-}
-
 static finding judge_gradient(const request *r, const taut_dirichlet_gradient *gradient)
 {
     finding found = {0, 0, 0, 0};
@@ -205,9 +200,9 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
         for (int j = 0; j < r->nv; j++) {
             const size_t at = (size_t)i * (size_t)r->nv + (size_t)j;
             const double *g = gradient->values + 3 * at;
-            const double size =
-                r->directions != NULL ? fabs(taut_dot(r->directions + 3 * at, g)) : largest_of(g);
-            all = fmax(all, largest_of(g));
+            const double size = r->directions != NULL ? fabs(taut_dot(r->directions + 3 * at, g))
+                                                      : taut_largest_coordinate(g);
+            all = fmax(all, taut_largest_coordinate(g));
             if (!is_known(r, i, j)) {
                 gross = fmax(gross, gradient->gross[at]);
                 if (size > unknown) {
@@ -219,7 +214,7 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
         }
     }
     found.residual = unknown > 0 ? unknown / all : 0;
-    found.noise = ROUNDINGS * unit_roundoff * (all > 0 ? fmax(1, gross / all) : 1);
+    found.noise = ROUNDINGS * TAUT_UNIT_ROUNDOFF * (all > 0 ? fmax(1, gross / all) : 1);
     return found;
 }
 
@@ -468,7 +463,7 @@ static taut_status add_boundary(const request *r, taut_certificate *certificate,
         }
     }
     b.roundings *= 1 + taut_norm(b.origin) / b.size; /* of points as they are stored */
-    const double told = r->deviation / b.size, rounding = 64 * b.roundings * unit_roundoff;
+    const double told = r->deviation / b.size, rounding = 64 * b.roundings * TAUT_UNIT_ROUNDOFF;
     const double proved = b.distance / b.size;
     const int holds = proved <= 1.25 * told + rounding && told <= proved + rounding;
     const taut_claim claim = {

@@ -5,14 +5,14 @@
 #include "construct/asymptotic/conditions.h"
 #include "construct/asymptotic/low.h"
 #include "construct/asymptotic/plate.h"
-#include "construct/asymptotic/poly.h"
 #include "construct/asymptotic/ribbon.h"
 #include "construct/common/build.h"
 #include "construct/construct_ops.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,12 +60,12 @@ static taut_status check_size(const double *corners, const double center[3], con
         *size = fmax(*size, fabs(corners[k] - center[k % 3]));
         far = fmax(far, fabs(corners[k]));
     }
-    if (isfinite(far) && *size > 0 && 0.5 * DBL_EPSILON * far > most_rounding * *size) {
-        return taut_fail(error, TAUT_BAD_INPUT, "far-away", where, 0.5 * DBL_EPSILON * far / *size,
+    if (isfinite(far) && *size > 0 && TAUT_UNIT_ROUNDOFF * far > most_rounding * *size) {
+        return taut_fail(error, TAUT_BAD_INPUT, "far-away", where, TAUT_UNIT_ROUNDOFF * far / *size,
                          most_rounding,
                          "coordinates of %.3g hold the corners, %.3g from their mean, to %.1e of "
                          "that only, expected %.0e at the most: move the origin nearer",
-                         far, *size, 0.5 * DBL_EPSILON * far / *size, most_rounding);
+                         far, *size, TAUT_UNIT_ROUNDOFF * far / *size, most_rounding);
     }
     if (isfinite(center[0]) && isfinite(center[1]) && isfinite(center[2]) && *size > 0 &&
         !(*size >= least_size && *size <= most_size)) {
@@ -188,13 +188,13 @@ static taut_status find_curves(work *w, taut_error *error)
             taut_add_scaled(-1.0, center, moved.points[c]);
         }
     }
-    status = taut_branches_find(&moved, 0.5 * DBL_EPSILON * far, w->monitor, &w->branches, error);
+    status = taut_branches_find(&moved, TAUT_UNIT_ROUNDOFF * far, w->monitor, &w->branches, error);
     if (status != TAUT_OK) {
         return status;
     }
     status = taut_branch_choose(&moved, &w->branches, &chosen, error);
     w->quad = w->branches.list[chosen].quad;
-    w->quad.rounding = 0.5 * DBL_EPSILON * far;
+    w->quad.rounding = TAUT_UNIT_ROUNDOFF * far;
     w->curve_energy = w->branches.list[chosen].energy;
     return status;
 }
@@ -229,7 +229,7 @@ static int list_freedoms(work *w)
             unit[j] = (low ? 1.0 : -1.0) / m;
             freedom->parts = 1;
             freedom->part[0].edge = e;
-            taut_poly_scale(degree, unit, 2 * n - 2, 3, &w->ribbons[e].p[0][0], &row[0][0]);
+            taut_bernstein_scale(degree, unit, 2 * n - 2, 3, &w->ribbons[e].p[0][0], &row[0][0]);
             for (int k = 0; k <= m; k++) {
                 memcpy(freedom->part[0].row[k], row[k], sizeof row[k]);
             }

@@ -1,6 +1,6 @@
 #include "construct/asymptotic/bubble.h"
 
-#include "construct/asymptotic/poly.h"
+#include "numeric/bernstein.h"
 
 #include <assert.h>
 #include <math.h>
@@ -24,9 +24,9 @@ static double integral(const double *p, int k)
 
 void taut_bubble_eval(int m, double t, double *values)
 {
-    double p[TAUT_POLY_MAX + 1];
+    double p[TAUT_BERNSTEIN_MAX + 1];
     const int count = m - 3;
-    assert(m >= 4 && m < TAUT_POLY_MAX);
+    assert(m >= 4 && m < TAUT_BERNSTEIN_MAX);
     legendre(m + 1, 2.0 * t - 1.0, p);
     for (int k = 2; k <= m - 2; k++) {
         const double scale = sqrt(2.0 * k + 1.0);
@@ -40,15 +40,15 @@ void taut_bubble_eval(int m, double t, double *values)
  * twice from the left, where errors have not piled up; the right half by symmetry. */
 void taut_bubble_bernstein(int m, double *coefficients)
 {
-    assert(m >= 4 && m < TAUT_POLY_MAX);
+    assert(m >= 4 && m < TAUT_BERNSTEIN_MAX);
     for (int k = 2; k <= m - 2; k++) {
-        double low[TAUT_POLY_MAX + 1], a[TAUT_POLY_MAX + 1];
+        double low[TAUT_BERNSTEIN_MAX + 1], a[TAUT_BERNSTEIN_MAX + 1];
         double *const out = coefficients + (long)(k - 2) * (m + 1);
         double first = 0.0, second = 0.0;
         for (int i = 0; i <= k; i++) {
-            low[i] = ((k + i) % 2 == 0 ? 1.0 : -1.0) * taut_poly_binomial(k, i);
+            low[i] = ((k + i) % 2 == 0 ? 1.0 : -1.0) * taut_binomial(k, i);
         }
-        taut_poly_elevate(k, 1, low, m - 2 - k, a);
+        taut_bernstein_raise(k, 1, low, m - 2 - k, a);
         memset(out, 0, (size_t)(m + 1) * sizeof *out);
         for (int j = 2; j <= m / 2; j++) {
             first += a[j - 2] / (m - 1);

@@ -1,7 +1,7 @@
 #include "construct/asymptotic/inflection.h"
 
-#include "construct/asymptotic/poly.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <string.h>
 
@@ -12,21 +12,21 @@ static const double zero_cut = 1e-10, zero_factor = 64.0;
 /* And over what is summed there, sum |q_j| B_j: where that is as small as |q| itself nothing
  * cancels, and a small q is no zero. */
 static const double cancels = 1e-6;
-enum { LENGTH = TAUT_POLY_MAX + 1, SAMPLES_PER_DEGREE = 8, BISECTIONS = 60 };
+enum { LENGTH = TAUT_BERNSTEIN_MAX + 1, SAMPLES_PER_DEGREE = 8, BISECTIONS = 60 };
 
 /* q.q' at t: half the derivative of |q|^2. */
 static double slope_at(int degree, double (*q)[3], double (*derivative)[3], double t)
 {
     double value[3], slope[3];
-    taut_poly_eval(degree, 3, &q[0][0], t, value);
-    taut_poly_eval(degree - 1, 3, &derivative[0][0], t, slope);
+    taut_bernstein_point(degree, 3, &q[0][0], t, value, NULL);
+    taut_bernstein_point(degree - 1, 3, &derivative[0][0], t, slope, NULL);
     return taut_dot(value, slope);
 }
 
 static double length_at(int degree, double (*q)[3], double t)
 {
     double value[3];
-    taut_poly_eval(degree, 3, &q[0][0], t, value);
+    taut_bernstein_point(degree, 3, &q[0][0], t, value, NULL);
     return taut_norm(value);
 }
 
@@ -70,7 +70,7 @@ static double summed_at(int degree, double (*q)[3], double t)
     for (int j = 0; j <= degree; j++) {
         lengths[j] = taut_norm(q[j]);
     }
-    taut_poly_eval(degree, 1, lengths, t, &sum);
+    taut_bernstein_point(degree, 1, lengths, t, &sum, NULL);
     return sum;
 }
 
@@ -95,7 +95,7 @@ int taut_inflections_remove(int degree, double rounding, double (*q)[3], double 
               fmin(cut * largest_coefficient(left, q), cancels * summed_at(left, q, place)))) {
             break;
         }
-        taut_poly_deflate(left, 3, &q[0][0], place, &work[0][0]);
+        taut_bernstein_deflate(left, 3, &q[0][0], place, &work[0][0]);
         left--;
         memcpy(q, work, (size_t)(left + 1) * sizeof *q);
         for (; k > 0 && at[k - 1] > place; k--) {
@@ -104,7 +104,7 @@ int taut_inflections_remove(int degree, double rounding, double (*q)[3], double 
         at[k] = place;
         count++;
     }
-    taut_poly_elevate(left, 3, &q[0][0], degree - left, &work[0][0]);
+    taut_bernstein_raise(left, 3, &q[0][0], degree - left, &work[0][0]);
     memcpy(q, work, (size_t)(degree + 1) * sizeof *q);
     return count;
 }

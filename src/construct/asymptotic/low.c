@@ -6,10 +6,10 @@
 
 #include "construct/asymptotic/conditions.h"
 #include "construct/asymptotic/plate.h"
-#include "construct/asymptotic/poly.h"
 #include "construct/asymptotic/ribbon.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "numeric/bernstein.h"
 
 #include <math.h>
 #include <string.h>
@@ -41,7 +41,7 @@ static taut_status check_regular(const taut_low *l, taut_error *error)
         for (int step = 0; step < 60; step++) {
             double value = 0.0;
             const double middle = 0.5 * (from + to);
-            taut_poly_eval(3, 1, abc[2], middle, &value);
+            taut_bernstein_point(3, 1, abc[2], middle, &value, NULL);
             if (value * abc[2][0] > 0) {
                 from = middle;
             } else {

@@ -1,6 +1,6 @@
 #include "construct/asymptotic/low.h"
 
-#include "construct/asymptotic/poly.h"
+#include "numeric/bernstein.h"
 #include "numeric/dense.h"
 
 #include <math.h>
@@ -29,14 +29,14 @@ void taut_low_cross(const taut_low *l, int e, const double *x, double (*out)[4])
                 product[end == 0 ? 1 : 2][k] = value[k] + (end == 0 ? s[k] : -s[k]) / 3;
             }
         }
-        taut_poly_elevate(3, 4, &product[0][0], n, &out[0][0]);
+        taut_bernstein_raise(3, 4, &product[0][0], n, &out[0][0]);
         return;
     }
     taut_low_cubics(l, e, x, abc);
     taut_quad_homogeneous(&l->quad->edges[e], n, h);
     for (int order = 0; order < 3; order++) {
-        taut_poly_scale(3, abc[order], n - order, 4, &h[0][0], &product[0][0]);
-        taut_poly_elevate(n - order + 3, 4, &product[0][0], order, &raised[0][0]);
+        taut_bernstein_scale(3, abc[order], n - order, 4, &h[0][0], &product[0][0]);
+        taut_bernstein_raise(n - order + 3, 4, &product[0][0], order, &raised[0][0]);
         for (int j = 0; j <= n + 3; j++) {
             for (int k = 0; k < 4; k++) {
                 out[j][k] += raised[j][k];

@@ -1,7 +1,7 @@
 #include "construct/asymptotic/patch.h"
 
-#include "construct/asymptotic/poly.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <math.h>
 #include <string.h>
@@ -40,12 +40,8 @@ static double bend_at(const taut_quad_edge *edge, int n, double t)
     double h[TAUT_QUAD_POINTS][4], p[3][4], d[2][3], normal[3], speed = 0.0;
     taut_quad_homogeneous(edge, n, h);
     for (int order = 0; order < 3; order++) {
-        taut_poly_eval(n - order, 4, &h[0][0], t, p[order]);
-        for (int j = 0; j < n - order; j++) {
-            for (int k = 0; k < 4; k++) {
-                h[j][k] = (n - order) * (h[j + 1][k] - h[j][k]);
-            }
-        }
+        taut_bernstein_point(n - order, 4, &h[0][0], t, p[order], NULL);
+        taut_bernstein_derivative(n - order, 4, &h[0][0], &h[0][0]);
     }
     for (int order = 1; order < 3; order++) {
         for (int k = 0; k < 3; k++) {
@@ -82,7 +78,7 @@ void taut_patch_boundary(const taut_quad *quad, taut_patch *patch)
     for (int e = 0; e < 4; e++) {
         double low[TAUT_QUAD_POINTS][4], high[TAUT_QUAD_PATCH + 1][4];
         taut_quad_homogeneous(&quad->edges[e], n, low);
-        taut_poly_elevate(n, 4, &low[0][0], m - n, &high[0][0]);
+        taut_bernstein_raise(n, 4, &low[0][0], m - n, &high[0][0]);
         for (int k = 0; k <= m; k++) {
             memcpy(taut_patch_at(patch, e, 0, k), high[k], sizeof high[k]);
         }

@@ -1,9 +1,9 @@
 #include "construct/asymptotic/quad.h"
 
-#include "construct/asymptotic/poly.h"
+#include "core/constants.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
-#include <float.h>
 #include <string.h>
 
 /* [WangZhuLi2017] section 1, the map pi of docs/papers/asymptotic.md 1.1. */
@@ -85,7 +85,7 @@ double taut_quad_rounding(const taut_quad *quad)
             reach = fmax(reach, taut_norm(quad->edges[a].points[j]));
         }
     }
-    return fmax(quad->rounding, 0.5 * DBL_EPSILON * reach);
+    return fmax(quad->rounding, TAUT_UNIT_ROUNDOFF * reach);
 }
 
 /* Degree elevation of the homogeneous coefficients. */
@@ -101,7 +101,7 @@ void taut_quad_raise_edge(int p, int n, taut_quad_edge *edge)
             low[j][k] = edge->points[j][k] * edge->weights[j];
         }
     }
-    taut_poly_elevate(p, 4, &low[0][0], n - p, &high[0][0]);
+    taut_bernstein_raise(p, 4, &low[0][0], n - p, &high[0][0]);
     for (int j = 0; j <= n; j++) {
         edge->weights[j] = high[j][3];
         for (int k = 0; k < 3; k++) {

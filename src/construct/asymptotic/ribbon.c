@@ -1,8 +1,8 @@
 #include "construct/asymptotic/ribbon.h"
 
 #include "construct/asymptotic/inflection.h"
-#include "construct/asymptotic/poly.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <string.h>
 
@@ -20,8 +20,8 @@ static void tangent_polynomial(int n, double (*h)[4], double (*p)[3])
         w_lo[j] = h[j][3];
         w_up[j] = h[j + 1][3];
     }
-    taut_poly_scale(n - 1, w_lo, n - 1, 3, &up[0][0], &p[0][0]);
-    taut_poly_scale(n - 1, w_up, n - 1, 3, &lo[0][0], &second[0][0]);
+    taut_bernstein_scale(n - 1, w_lo, n - 1, 3, &up[0][0], &p[0][0]);
+    taut_bernstein_scale(n - 1, w_up, n - 1, 3, &lo[0][0], &second[0][0]);
     for (int j = 0; j <= 2 * n - 2; j++) {
         for (int k = 0; k < 3; k++) {
             p[j][k] = n * (p[j][k] - second[j][k]);
@@ -43,9 +43,9 @@ static void binormal_polynomial(int n, double (*h)[4], double (*q)[3])
     }
     memset(q, 0, LENGTH_Q * sizeof *q);
     for (int s = 0; s < 3; s++) {
-        taut_poly_cross(n - 2, &part[(s + 1) % 3][0][0], n - 2, &part[(s + 2) % 3][0][0],
-                        &cross[0][0]);
-        taut_poly_scale(n - 2, weight[s], 2 * n - 4, 3, &cross[0][0], &term[0][0]);
+        taut_bernstein_cross(n - 2, &part[(s + 1) % 3][0][0], n - 2, &part[(s + 2) % 3][0][0],
+                             &cross[0][0]);
+        taut_bernstein_scale(n - 2, weight[s], 2 * n - 4, 3, &cross[0][0], &term[0][0]);
         for (int j = 0; j <= 3 * n - 6; j++) {
             taut_add_scaled(n * n * (n - 1.0), term[j], q[j]);
         }
@@ -70,7 +70,7 @@ void taut_ribbon_fill(const taut_quad *quad, int edge, taut_ribbon *ribbon)
         binormal_polynomial(n, h, q);
         ribbon->inflections = taut_inflections_remove(
             3 * n - 6, taut_quad_rounding(quad) / taut_quad_size(quad), q, ribbon->inflection);
-        taut_poly_cross(3 * n - 6, &q[0][0], 2 * n - 2, &ribbon->p[0][0], &ribbon->qh[0][0]);
+        taut_bernstein_cross(3 * n - 6, &q[0][0], 2 * n - 2, &ribbon->p[0][0], &ribbon->qh[0][0]);
     }
 }
 
@@ -78,9 +78,9 @@ void taut_ribbon_numerator(int n, taut_ribbon *ribbon)
 {
     double second[TAUT_QUAD_PATCH + 1][3];
     const int m = 5 * n - 7;
-    taut_poly_scale(3 * n - 5, ribbon->alpha, 2 * n - 2, 3, &ribbon->p[0][0],
-                    &ribbon->numerator[0][0]);
-    taut_poly_scale(1, ribbon->beta, 5 * n - 8, 3, &ribbon->qh[0][0], &second[0][0]);
+    taut_bernstein_scale(3 * n - 5, ribbon->alpha, 2 * n - 2, 3, &ribbon->p[0][0],
+                         &ribbon->numerator[0][0]);
+    taut_bernstein_scale(1, ribbon->beta, 5 * n - 8, 3, &ribbon->qh[0][0], &second[0][0]);
     for (int k = 0; k <= m; k++) {
         taut_add_scaled(1.0, second[k], ribbon->numerator[k]);
     }

@@ -1,10 +1,10 @@
 /* rows.c -- docs page section 5, steps 3 and 4. The weights' cross difference along an edge is
  * H W with H of degree h = 4n - 7; its end values come from the partners' weights, their
  * neighbours from the corner weight W_11, for which the two edges' proposals are averaged. */
-#include "construct/asymptotic/poly.h"
 #include "construct/asymptotic/ribbon.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <string.h>
 
@@ -30,7 +30,7 @@ static double proposed_weight(const taut_quad *quad, const taut_patch *patch, co
     const int n = quad->degree, m = patch->m;
     double product[TAUT_QUAD_PATCH + 1];
     const int k = end == 0 ? 1 : m - 1;
-    taut_poly_scale(4 * n - 7, h, n, 1, quad->edges[e].weights, product);
+    taut_bernstein_scale(4 * n - 7, h, n, 1, quad->edges[e].weights, product);
     return taut_patch_at(patch, e, 0, k)[3] + (is_low(e) ? product[k] : -product[k]);
 }
 
@@ -69,7 +69,7 @@ static void fill_row(const taut_quad *quad, const taut_ribbon *ribbon, const dou
     const double sign = is_low(e) ? 1.0 : -1.0;
     double edge[TAUT_QUAD_POINTS][4], product[TAUT_QUAD_PATCH + 1][4];
     taut_quad_homogeneous(&quad->edges[e], n, edge);
-    taut_poly_scale(4 * n - 7, h, n, 4, &edge[0][0], &product[0][0]);
+    taut_bernstein_scale(4 * n - 7, h, n, 4, &edge[0][0], &product[0][0]);
     for (int k = 1; k < m; k++) {
         const double share = k == 1 ? patch->share[e][0] : k == m - 1 ? patch->share[e][1] : 1.0;
         double *const made = taut_patch_at(patch, e, 1, k);

@@ -1,9 +1,9 @@
 /* twist.c -- one twist R_uv at each corner (docs page (5.3)). */
 #include "construct/asymptotic/conditions.h"
-#include "construct/asymptotic/poly.h"
 #include "construct/asymptotic/ribbon.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 #include "numeric/dense.h"
 
 #include <string.h>
@@ -85,8 +85,8 @@ static void straight_ribbon(const taut_quad *quad, int e, double twist[4][3],
         memcpy(cubic[end == 0 ? 1 : 2], value, sizeof cubic[0]);
         taut_add_scaled(end == 0 ? 1.0 / 3 : -1.0 / 3, twist[f->corner], cubic[end == 0 ? 1 : 2]);
     }
-    taut_poly_scale(n, quad->edges[e].weights, 3, 3, &cubic[0][0], &product[0][0]);
-    taut_poly_elevate(n + 3, 3, &product[0][0], 4 * n - 10, &ribbons[e].numerator[0][0]);
+    taut_bernstein_scale(n, quad->edges[e].weights, 3, 3, &cubic[0][0], &product[0][0]);
+    taut_bernstein_raise(n + 3, 3, &product[0][0], 4 * n - 10, &ribbons[e].numerator[0][0]);
 }
 
 taut_status taut_ribbon_twists(const taut_quad *quad, taut_ribbon ribbons[4], double twist[4][3],

@@ -5,13 +5,13 @@
 #include "construct/bonnet/net.h"
 #include "construct/common/build.h"
 #include "construct/construct_ops.h"
+#include "core/constants.h"
 #include "core/fail.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
 
-static const double pi = 3.14159265358979323846;
 /* F_0^4, which curvatures divide by, must stay finite: cosh(177)^4 does; on Enneper's surface
  * (1 + q^2)^4. */
 static const double farthest = 177, farthest_enneper = 1e30;
@@ -71,24 +71,25 @@ static taut_status check_lengths(const taut_bonnet_problem *problem, taut_error 
         return taut_fail(error, TAUT_BAD_INPUT, "value", "", taut_none, taut_none,
                          "a number is not finite");
     }
-    if (problem->bspline && problem->alpha >= pi) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "segment-length", "/alpha", problem->alpha, pi,
+    if (problem->bspline && problem->alpha >= TAUT_PI) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "segment-length", "/alpha", problem->alpha,
+                         TAUT_PI,
                          "alpha is %.17g, expected less than pi, where the four functions of a "
                          "c-bspline become dependent: use more segments",
                          problem->alpha);
     }
-    if (!problem->bspline && !problem->normalize && problem->alpha > pi) {
-        return taut_fail(error, TAUT_BAD_INPUT, "segment-length", "/alpha", problem->alpha, pi,
+    if (!problem->bspline && !problem->normalize && problem->alpha > TAUT_PI) {
+        return taut_fail(error, TAUT_BAD_INPUT, "segment-length", "/alpha", problem->alpha, TAUT_PI,
                          "alpha is %.17g, expected at most pi for one c-bezier segment: use "
                          "\"mesh\": \"bspline\" with more segments",
                          problem->alpha);
     }
-    if (problem->normalize && widest_scale(problem) * problem->alpha > pi) {
+    if (problem->normalize && widest_scale(problem) * problem->alpha > TAUT_PI) {
         return taut_fail(error, TAUT_BAD_INPUT, "segment-length", "/alpha", problem->alpha,
-                         pi / widest_scale(problem),
+                         TAUT_PI / widest_scale(problem),
                          "alpha is %.17g, expected at most pi / sqrt(1 - lambda^2) = %.6g for one "
                          "segment: make it of two windows",
-                         problem->alpha, pi / widest_scale(problem));
+                         problem->alpha, TAUT_PI / widest_scale(problem));
     }
     return TAUT_OK;
 }

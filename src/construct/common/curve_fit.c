@@ -2,6 +2,7 @@
 
 #include "core/arena.h"
 #include "core/vec3.h"
+#include "geometry/keep.h"
 #include "numeric/dense.h"
 #include "numeric/quadrature.h"
 
@@ -75,11 +76,6 @@ static taut_status merge_breaks(fit *f)
     return f->samples != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
-static void release_basis(void *basis)
-{
-    taut_basis_free(basis);
-}
-
 /* The test functions: the basis without its first and its last inner knot; the inner functions of
  * the basis itself where it has not two. */
 static taut_status choose_tests(fit *f)
@@ -114,7 +110,7 @@ static taut_status choose_tests(fit *f)
     }
     f->test = test;
     f->offset = 0;
-    return taut_arena_keep(f->arena, test, release_basis) ? TAUT_OK : TAUT_NO_MEMORY;
+    return taut_keep_basis(f->arena, test) ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
 /* Adds what node t gives to the moments; x, the curve's point there, is spoilt. */

@@ -1,6 +1,7 @@
 #include "construct/dirichlet/form.h"
 
 #include "core/arena.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "numeric/sum.h"
@@ -29,7 +30,7 @@ static int is_product(int nu, int nv, const double *w, double *u, double *v)
     for (int i = 0; i < nu; i++) {
         for (int j = 0; j < nv; j++) {
             const double wij = w[(size_t)i * (size_t)nv + (size_t)j];
-            if (!(fabs(u[i] * v[j] - wij) <= 8 * 0x1p-53 * wij)) {
+            if (!(fabs(u[i] * v[j] - wij) <= 8 * TAUT_UNIT_ROUNDOFF * wij)) {
                 return 0;
             }
         }

@@ -13,6 +13,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "geometry/grid/table.h"
+#include "geometry/keep.h"
 #include "geometry/nurbs/cells.h"
 #include "numeric/quadrature.h"
 
@@ -93,11 +94,6 @@ static void scale_slopes(taut_table *table, double factor)
     }
 }
 
-static void release_table(void *table)
-{
-    taut_table_free(table);
-}
-
 /* `nodes` Gauss nodes, 1..TAUT_GAUSS_MAX, on every panel. TAUT_NO_MEMORY. */
 static taut_status make_rule(const taut_basis *basis, const taut_cells *panels, int nodes,
                              taut_arena *arena, line_rule *rule)
@@ -119,7 +115,7 @@ static taut_status make_rule(const taut_basis *basis, const taut_cells *panels, 
         return status;
     }
     scale_slopes(rule->table, taut_basis_hi(basis) - taut_basis_lo(basis));
-    return taut_arena_keep(arena, rule->table, release_table) ? TAUT_OK : TAUT_NO_MEMORY;
+    return taut_keep_table(arena, rule->table) ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
 /* ---- the matrix ---- */

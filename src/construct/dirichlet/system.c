@@ -8,6 +8,7 @@
 
 #include "construct/dirichlet/rational.h"
 #include "core/arena.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "geometry/nurbs/gram.h"
@@ -15,8 +16,6 @@
 
 #include <math.h>
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 struct taut_dirichlet_system {
     taut_dirichlet_form *form;
@@ -419,9 +418,9 @@ static taut_status settle_iterated(taut_dirichlet_system *system, double *net, d
                                    taut_error *error)
 {
     taut_status status = find_residual(system, TWICE, net, omega, error);
-    for (int k = 0; status == TAUT_OK && k < 8 && !(*omega <= unit_roundoff); k++) {
+    for (int k = 0; status == TAUT_OK && k < 8 && !(*omega <= TAUT_UNIT_ROUNDOFF); k++) {
         const double before = *omega;
-        status = improve_net(system, 0.5 * unit_roundoff, net, error);
+        status = improve_net(system, 0.5 * TAUT_UNIT_ROUNDOFF, net, error);
         if (status != TAUT_OK) {
             return status;
         }
@@ -442,7 +441,8 @@ static double rounding_of(const taut_dirichlet_system *system, const double *net
     for (size_t i = 0; i < net_size(system); i++) {
         largest = fabs(net[i]) > largest ? fabs(net[i]) : largest;
     }
-    return 64 * unit_roundoff * fmin(largest, 256) * taut_dirichlet_form_roundings(system->form);
+    return 64 * TAUT_UNIT_ROUNDOFF * fmin(largest, 256) *
+           taut_dirichlet_form_roundings(system->form);
 }
 
 static taut_status settle_net(taut_dirichlet_system *system, double *net, double *omega,
@@ -462,7 +462,7 @@ static taut_status settle_quadrature(taut_dirichlet_system *system, double *net,
                                      taut_error *error)
 {
     const double limit = rounding_of(system, net);
-    const double least = 4 * unit_roundoff;
+    const double least = 4 * TAUT_UNIT_ROUNDOFF;
     double before = INFINITY;
 
     while (*omega <= limit) {

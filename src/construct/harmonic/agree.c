@@ -4,14 +4,10 @@
 #include "construct/harmonic/lidstone.h"
 #include "construct/harmonic/task.h"
 #include "core/fail.h"
+#include "core/vec3.h"
 
 #include <float.h>
 #include <math.h>
-
-static double largest(const double vector[3])
-{
-    return fmax(fabs(vector[0]), fmax(fabs(vector[1]), fabs(vector[2])));
-}
 
 /* delta, what must vanish: the difference of the rows' top differences, or the top difference of
  * the cross derivative. */
@@ -32,7 +28,7 @@ static void repair_corner(taut_harmonic_task *task, const double delta[3])
     for (int c = 0; c < 3; c++) {
         task->row[1][3 * task->m + c] -= delta[c];
     }
-    task->repair_change = largest(delta) * task->map.size;
+    task->repair_change = taut_largest_coordinate(delta) * task->map.size;
 }
 
 /* The least change of both rows: +- w_j delta with w_j = (-1)^(m-j) C(m,j) / (2 C(2m,m)). */
@@ -53,7 +49,7 @@ static void repair_project(taut_harmonic_task *task, const double delta[3])
         most = fmax(most, weight);
         weight *= (double)(m - j) / (j + 1);
     }
-    task->repair_change = most * largest(delta) * task->map.size;
+    task->repair_change = most * taut_largest_coordinate(delta) * task->map.size;
 }
 
 static taut_status fail_inconsistent(const taut_harmonic_task *task, double defect, double limit,
@@ -96,7 +92,7 @@ taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error)
         task->repair_change = 0; /* nothing given was moved */
         return TAUT_OK;
     }
-    if (largest(delta) <= limit) {
+    if (taut_largest_coordinate(delta) <= limit) {
         return TAUT_OK;
     }
     task->repair = even;
@@ -113,5 +109,6 @@ taut_status taut_harmonic_agree(taut_harmonic_task *task, taut_error *error)
     case TAUT_EVEN_REFUSE:
         break;
     }
-    return fail_inconsistent(task, largest(delta) * task->map.size, limit * task->map.size, error);
+    return fail_inconsistent(task, taut_largest_coordinate(delta) * task->map.size,
+                             limit * task->map.size, error);
 }

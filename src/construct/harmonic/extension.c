@@ -13,6 +13,7 @@
 #include "core/arena.h"
 #include "core/exact.h"
 #include "core/fail.h"
+#include "core/vec3.h"
 #include "taut/harmonic.h"
 
 #include <float.h>
@@ -67,7 +68,7 @@ static taut_status complete_g1(const taut_neighbour *e, const taut_extension_g1 
     }
     derive_g1(e, g1, cross);
     taut_top_difference(m, cross, top);
-    const double defect = fmax(fabs(top[0]), fmax(fabs(top[1]), fabs(top[2])));
+    const double defect = taut_largest_coordinate(top);
     if (m % 2 == 0 && n == m && defect > limit) {
         return taut_fail(error, TAUT_NO_SOLUTION, "inconsistent", "/beta", defect * e->map.size,
                          limit * e->map.size,

@@ -1,4 +1,5 @@
 #include "construct/harmonic/unit_map.h"
+#include "core/vec3.h"
 
 #include <float.h>
 #include <math.h>
@@ -39,7 +40,7 @@ taut_unit_map taut_unit_map_of(size_t count, const double *points, const unsigne
 double taut_unit_map_reach(const taut_unit_map *map)
 {
     const double *c = map->centre;
-    return 1 + fmax(fabs(c[0]), fmax(fabs(c[1]), fabs(c[2]))) / map->size;
+    return 1 + taut_largest_coordinate(c) / map->size;
 }
 
 void taut_unit_map_apply(const taut_unit_map *map, size_t count, double *points)

@@ -5,6 +5,7 @@
 #include "construct/bonnet/net.h"
 #include "construct/common/build.h"
 #include "construct/panels/vertices.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "problem/problem.h"
@@ -13,8 +14,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 /* Neighbouring tangent planes are refused where they meet at less than this share of the angle that
  * small steps have: vertices run away from the surface. */
@@ -74,11 +73,6 @@ typedef struct residuals {
     double circle;    /* largest |sum of opposite angles - pi| */
 } residuals;
 
-static double length(const double *a)
-{
-    return sqrt(taut_dot(a, a));
-}
-
 /* At `at`, between the directions to a and b. */
 static double angle_at(const double *at, const double *a, const double *b)
 {
@@ -86,7 +80,7 @@ static double angle_at(const double *at, const double *a, const double *b)
     taut_difference(a, at, p);
     taut_difference(b, at, q);
     taut_cross(p, q, n);
-    return atan2(length(n), taut_dot(p, q));
+    return atan2(taut_length(n), taut_dot(p, q));
 }
 
 static void raise_largest(double *largest, double value)
@@ -103,12 +97,12 @@ static void measure_panel(const double *const corner[4], residuals *r)
     taut_difference(corner[3], corner[1], two);
     taut_difference(corner[1], corner[0], side);
     taut_cross(one, two, n);
-    raise_largest(&r->planarity,
-                  2 * fabs(taut_dot(side, n)) / (length(n) * (length(one) + length(two))));
+    raise_largest(&r->planarity, 2 * fabs(taut_dot(side, n)) /
+                                     (taut_length(n) * (taut_length(one) + taut_length(two))));
     for (int k = 0; k < 2; k++) {
         raise_largest(&r->circle,
                       fabs(angle_at(corner[k], corner[k + 1], corner[(k + 3) % 4]) +
-                           angle_at(corner[k + 2], corner[(k + 3) % 4], corner[k + 1]) - pi));
+                           angle_at(corner[k + 2], corner[(k + 3) % 4], corner[k + 1]) - TAUT_PI));
     }
 }
 
@@ -273,9 +267,9 @@ static taut_status add_asked(making *m, int i, taut_error *error)
         window.factor = 0.5 * w * w;
         window.lift = -1;
         if (p->sign > 0) {
-            lo[0] -= pi;
-            hi[0] -= pi;
-            window.matrix[0][3] = side * lambda * pi / w;
+            lo[0] -= TAUT_PI;
+            hi[0] -= TAUT_PI;
+            window.matrix[0][3] = side * lambda * TAUT_PI / w;
         }
     }
     cut_window(m, lo, hi, p->normalize ? 1 : w, 0, &window);

@@ -17,6 +17,8 @@
  */
 #include "construct/panels/vertices.h"
 
+#include "core/constants.h"
+
 #include <math.h>
 
 /* One direction: circular, or hyperbolic. */
@@ -26,7 +28,6 @@ typedef struct kernel {
     double (*cosine)(double);
 } kernel;
 
-static const double pi = 3.14159265358979323846;
 static const kernel circular = {-1, sin, cos}, hyperbolic = {1, sinh, cosh};
 
 /* sum_j (2 j + 2)^weighted / (2 j + first)! (sign x^2)^j, |x| <= 1 */
@@ -123,7 +124,7 @@ double taut_panels_conical(const taut_panels_window *window, int i, int j, doubl
     x[1] = (r2 + l * v.sine * x[2]) / v.cosine;
     /* determinant = -(cos(a/2) cosh v - lambda cosh(b/2) cos u) / (w^2 cosh v): its share of what
      * it is for a = b = 0 */
-    if (w * window->step[0] >= pi) {
+    if (w * window->step[0] >= TAUT_PI) {
         return 0;
     }
     const double p = line(window, 0, i), q = line(window, 1, j);

@@ -1,48 +1,10 @@
 #include "construct/pipe/arc.h"
 
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <assert.h>
-#include <math.h>
 #include <string.h>
-
-void taut_pipe_bernstein(int degree, const double (*c)[3], double t, double value[3],
-                         double derivative[3])
-{
-    double b[2 * TAUT_PIPE_DEGREE_MAX][4]; /* a fourth, of no meaning, fills two vectors of two */
-    const double u = 1 - t;
-
-    assert(degree >= 0 && degree < 2 * TAUT_PIPE_DEGREE_MAX);
-    for (int i = 0; i <= degree; i++) {
-        memcpy(b[i], c[i], sizeof c[i]);
-        b[i][3] = 0;
-    }
-    for (int level = degree; level > 0; level--) {
-        if (level == 1 && derivative != NULL) {
-            for (int k = 0; k < 3; k++) {
-                derivative[k] = degree * (b[1][k] - b[0][k]);
-            }
-        }
-        for (int i = 0; i < level; i++) {
-            for (int k = 0; k < 4; k++) {
-                b[i][k] = u * b[i][k] + t * b[i + 1][k];
-            }
-        }
-    }
-    if (degree == 0 && derivative != NULL) {
-        memset(derivative, 0, 3 * sizeof *derivative);
-    }
-    memcpy(value, b[0], 3 * sizeof *value);
-}
-
-double taut_pipe_binomial(int n, int k)
-{
-    double value = 1;
-    for (int i = 1; i <= k; i++) {
-        value = value * (n - k + i) / i;
-    }
-    return value;
-}
 
 /* With P' = u p + t q, p and q the polynomials of its first and of its last n - 1 coefficients,
  * P'' = (n-1)(q - p) and so P' x P'' = (n-1) p x q: a product of Bernstein polynomials. */
@@ -51,18 +13,14 @@ void taut_pipe_arc_finish(taut_pipe_arc *arc)
     const int n = arc->degree, m = n - 2;
 
     assert(n >= 2 && n <= TAUT_PIPE_DEGREE_MAX);
-    for (int i = 0; i < n; i++) {
-        for (int k = 0; k < 3; k++) {
-            arc->velocity[i][k] = n * (arc->points[i + 1][k] - arc->points[i][k]);
-        }
-    }
+    taut_bernstein_derivative(n, 3, &arc->points[0][0], &arc->velocity[0][0]);
     memset(arc->cross, 0, sizeof arc->cross);
     for (int i = 0; i <= m; i++) {
         for (int j = 0; j <= m; j++) {
             double product[3];
             taut_cross(arc->velocity[i], arc->velocity[j + 1], product);
-            taut_add_scaled((n - 1) * taut_pipe_binomial(m, i) * taut_pipe_binomial(m, j) /
-                                taut_pipe_binomial(2 * m, i + j),
+            taut_add_scaled((n - 1) * taut_binomial(m, i) * taut_binomial(m, j) /
+                                taut_binomial(2 * m, i + j),
                             product, arc->cross[i + j]);
         }
     }
@@ -130,8 +88,8 @@ void taut_pipe_arc_quintic(const double edges[3][3], const double shape[3], taut
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {
             const double *a = legs[i], *b = legs[j + 1];
-            const double weight = 4 * taut_pipe_binomial(3, i) * taut_pipe_binomial(3, j) /
-                                  taut_pipe_binomial(6, i + j);
+            const double weight =
+                4 * taut_binomial(3, i) * taut_binomial(3, j) / taut_binomial(6, i + j);
             double product[3];
             combine_vectors(products[0], a[0] * b[1] - a[1] * b[0], a[0] * b[2] - a[2] * b[0],
                             a[1] * b[2] - a[2] * b[1], 1, product);
@@ -142,17 +100,17 @@ void taut_pipe_arc_quintic(const double edges[3][3], const double shape[3], taut
 
 void taut_pipe_arc_point(const taut_pipe_arc *arc, double t, double point[3])
 {
-    taut_pipe_bernstein(arc->degree, arc->points, t, point, NULL);
+    taut_bernstein_point(arc->degree, 3, &arc->points[0][0], t, point, NULL);
 }
 
 void taut_pipe_arc_jet(const taut_pipe_arc *arc, double t, taut_pipe_jet *jet)
 {
     double cross1[3], more[3];
 
-    taut_pipe_bernstein(arc->degree, arc->points, t, jet->point, NULL);
-    taut_pipe_bernstein(arc->degree - 1, arc->velocity, t, jet->d1, jet->d2);
-    taut_pipe_bernstein(2 * arc->degree - 4, arc->cross, t, jet->cross, cross1);
-    jet->speed = sqrt(taut_dot(jet->d1, jet->d1));
+    taut_bernstein_point(arc->degree, 3, &arc->points[0][0], t, jet->point, NULL);
+    taut_bernstein_point(arc->degree - 1, 3, &arc->velocity[0][0], t, jet->d1, jet->d2);
+    taut_bernstein_point(2 * arc->degree - 4, 3, &arc->cross[0][0], t, jet->cross, cross1);
+    jet->speed = taut_length(jet->d1);
     memset(jet->tangent, 0, sizeof jet->tangent);
     memset(jet->turn, 0, sizeof jet->turn);
     memset(jet->bent, 0, sizeof jet->bent);
@@ -172,33 +130,13 @@ void taut_pipe_arc_jet(const taut_pipe_arc *arc, double t, taut_pipe_jet *jet)
                 (jet->bent[k] + more[k]) / (jet->speed * jet->speed * jet->speed) -
                 3 * taut_dot(jet->d1, jet->d2) / (jet->speed * jet->speed) * jet->turn[k];
         }
-        jet->curvature =
-            sqrt(taut_dot(jet->cross, jet->cross)) / (jet->speed * jet->speed * jet->speed);
+        jet->curvature = taut_length(jet->cross) / (jet->speed * jet->speed * jet->speed);
     }
 }
 
-/* De Casteljau's algorithm at hi keeps [0, hi], then at lo/hi the rest. */
+/* First [0, hi] is cut off, then what is left of lo/hi from that. */
 void taut_pipe_arc_piece(const taut_pipe_arc *arc, double lo, double hi, double (*points)[3])
 {
-    const int n = arc->degree;
-    double left[TAUT_PIPE_DEGREE_MAX + 1][3], work[TAUT_PIPE_DEGREE_MAX + 1][3];
-    const double t = lo / hi;
-
-    memcpy(work, arc->points, ((size_t)n + 1) * sizeof work[0]);
-    for (int level = 0; level <= n; level++) {
-        memcpy(left[level], work[0], sizeof left[0]);
-        for (int i = 0; i < n - level; i++) {
-            for (int k = 0; k < 3; k++) {
-                work[i][k] = (1 - hi) * work[i][k] + hi * work[i + 1][k];
-            }
-        }
-    }
-    for (int level = 0; level <= n; level++) {
-        memcpy(points[n - level], left[n - level], sizeof left[0]);
-        for (int i = 0; i < n - level; i++) {
-            for (int k = 0; k < 3; k++) {
-                left[i][k] = (1 - t) * left[i][k] + t * left[i + 1][k];
-            }
-        }
-    }
+    taut_bernstein_split(arc->degree, 3, &arc->points[0][0], hi, &points[0][0], NULL);
+    taut_bernstein_split(arc->degree, 3, &points[0][0], lo / hi, NULL, &points[0][0]);
 }

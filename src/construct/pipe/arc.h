@@ -26,11 +26,6 @@ void taut_pipe_arc_quasi(const double edges[3][3], const double shape[3], taut_p
  * not used. Products of parallel edges are exactly 0. */
 void taut_pipe_arc_quintic(const double edges[3][3], const double shape[3], taut_pipe_arc *arc);
 
-double taut_pipe_binomial(int n, int k);
-/* sum_i c_i B[degree,i](t) by de Casteljau's algorithm, and its derivative (NULL: not wanted). */
-void taut_pipe_bernstein(int degree, const double (*c)[3], double t, double value[3],
-                         double derivative[3]);
-
 /* What is asked of a point of an arc. */
 typedef struct taut_pipe_jet {
     double point[3], d1[3], d2[3];

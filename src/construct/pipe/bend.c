@@ -1,6 +1,7 @@
 #include "construct/pipe/bend.h"
 
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>
@@ -22,7 +23,7 @@ typedef double (*slope_function)(const taut_pipe_arc *arc, double t);
 static double speed_slope(const taut_pipe_arc *arc, double t)
 {
     double d1[3], d2[3];
-    taut_pipe_bernstein(arc->degree - 1, arc->velocity, t, d1, d2);
+    taut_bernstein_point(arc->degree - 1, 3, &arc->velocity[0][0], t, d1, d2);
     return taut_dot(d1, d2);
 }
 
@@ -31,8 +32,8 @@ static double speed_slope(const taut_pipe_arc *arc, double t)
 static double curvature_slope(const taut_pipe_arc *arc, double t)
 {
     double d1[3], d2[3], cross[3], cross1[3];
-    taut_pipe_bernstein(arc->degree - 1, arc->velocity, t, d1, d2);
-    taut_pipe_bernstein(2 * arc->degree - 4, arc->cross, t, cross, cross1);
+    taut_bernstein_point(arc->degree - 1, 3, &arc->velocity[0][0], t, d1, d2);
+    taut_bernstein_point(2 * arc->degree - 4, 3, &arc->cross[0][0], t, cross, cross1);
     return taut_dot(cross, cross1) * taut_dot(d1, d1) -
            3 * taut_dot(cross, cross) * taut_dot(d1, d2);
 }
@@ -78,8 +79,8 @@ static pace pace_at(const taut_pipe_arc *arc, double t)
 {
     double d1[3], d2[3], cross[3], cross1[3];
     pace p = {0, 0, 0, 0};
-    taut_pipe_bernstein(arc->degree - 1, arc->velocity, t, d1, d2);
-    taut_pipe_bernstein(2 * arc->degree - 4, arc->cross, t, cross, cross1);
+    taut_bernstein_point(arc->degree - 1, 3, &arc->velocity[0][0], t, d1, d2);
+    taut_bernstein_point(2 * arc->degree - 4, 3, &arc->cross[0][0], t, cross, cross1);
     const double square = taut_dot(d1, d1), bent = taut_dot(cross, cross);
     p.speed = sqrt(square);
     p.curvature = p.speed > 0 ? sqrt(bent) / (p.speed * p.speed * p.speed) : 0;

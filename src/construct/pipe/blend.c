@@ -1,15 +1,16 @@
 #include "construct/pipe/blend.h"
 
 #include "construct/pipe/bend.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "geometry/keep.h"
+#include "numeric/bernstein.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { SEGMENTS_MAX = 100000, ANGLES = 16, LEVEL_MAX = 30, FRAMES_PER_UNIT = 1024, PLACES = 2048 };
-
-static const double pi = 3.14159265358979323846;
 
 /* Of the sine between a ruling and the axis (g2: of the curvature across it, times the radius). */
 static const double near_enough = 5e-14;
@@ -131,10 +132,10 @@ static double round_deviation(const blend_maker *m, double t0, const taut_pipe_n
     taut_pipe_jet jet;
 
     taut_pipe_arc_jet(m->arc, t0 + s * h, &jet);
-    taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, u, NULL);
-    taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
+    taut_bernstein_point(degree, 3, &polygon_u[0][0], s, u, NULL);
+    taut_bernstein_point(degree, 3, &polygon_w[0][0], s, w, NULL);
     for (int k = 0; k < ANGLES; k++) {
-        const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
+        const double c = cos(2 * TAUT_PI * k / ANGLES), z = sin(2 * TAUT_PI * k / ANGLES);
         double g[3], e = 0, turn = 0, square = 0;
         for (int i = 0; i < 3; i++) {
             g[i] = c * u[i] + z * w[i];
@@ -161,17 +162,17 @@ static double profile_deviation(const blend_maker *m, double t0, const double ca
 
     memcpy(at, carried, sizeof at);
     carry_frame(m, t0, t0 + s * h, at, &exact);
-    taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, u, NULL);
-    taut_pipe_bernstein(degree, (const double(*)[3])polygon_w, s, w, NULL);
+    taut_bernstein_point(degree, 3, &polygon_u[0][0], s, u, NULL);
+    taut_bernstein_point(degree, 3, &polygon_w[0][0], s, w, NULL);
     taut_difference(u, exact.u, u);
     taut_difference(w, exact.w, w);
     if (m->profile->canal > 0) {
         interpolate_offset(m, n0, n1, h, polygon_u);
-        taut_pipe_bernstein(degree, (const double(*)[3])polygon_u, s, back, NULL);
+        taut_bernstein_point(degree, 3, &polygon_u[0][0], s, back, NULL);
         taut_difference(back, exact.c, back);
     }
     for (int k = 0; k < ANGLES; k++) {
-        const double c = cos(2 * pi * k / ANGLES), z = sin(2 * pi * k / ANGLES);
+        const double c = cos(2 * TAUT_PI * k / ANGLES), z = sin(2 * TAUT_PI * k / ANGLES);
         double apart[3] = {back[0], back[1], back[2]};
         taut_add_scaled(c, u, apart);
         taut_add_scaled(z, w, apart);
@@ -384,11 +385,6 @@ void taut_pipe_straighten(const taut_pipe_arc *arc, const taut_pipe_blend *blend
     }
 }
 
-static void release_basis(void *basis)
-{
-    taut_basis_free(basis);
-}
-
 taut_status taut_pipe_basis(const taut_basis_spec *spec, int count, taut_arena *arena,
                             const taut_basis **basis, taut_error *error)
 {
@@ -398,7 +394,7 @@ taut_status taut_pipe_basis(const taut_basis_spec *spec, int count, taut_arena *
         return status;
     }
     *basis = made;
-    return taut_arena_keep(arena, made, release_basis) ? TAUT_OK : taut_fail_memory(error);
+    return taut_keep_basis(arena, made) ? TAUT_OK : taut_fail_memory(error);
 }
 
 taut_status taut_pipe_basis_u(const taut_pipe_arc *arc, const taut_pipe_blend *blend,

@@ -9,6 +9,7 @@
 #include "construct/pipe/reach.h"
 #include "construct/pipe/search.h"
 #include "construct/pipe/task.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -32,14 +33,13 @@ typedef enum pipe_goal {
 } pipe_goal;
 
 static const double infeasible = 1e200, cusped = 1e300;
-static const double pi = 3.14159265358979323846;
 
 /* The chords that count need a turn of pi between their ends, or of half that where one of them is
  * a free end. */
 static int may_touch(const taut_pipe_task *task, double turning)
 {
     const int is_free = isfinite(task->tails[0]) || isfinite(task->tails[1]);
-    return turning > 0.99 * (is_free ? 0.5 * pi : pi);
+    return turning > 0.99 * (is_free ? 0.5 * TAUT_PI : TAUT_PI);
 }
 
 /* What a choice is worth: `goal` where the pipe fits, with room; else 1e200 and more, growing with

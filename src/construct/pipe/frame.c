@@ -1,6 +1,8 @@
 #include "construct/pipe/frame.h"
 
+#include "core/constants.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <math.h>
 #include <string.h>
@@ -12,11 +14,9 @@ enum {
     ROOM_SAMPLES = 2000 /* of what a canal surface leaves */
 };
 
-static const double pi = 3.14159265358979323846;
-
 static void make_unit(double v[3])
 {
-    const double length = sqrt(taut_dot(v, v));
+    const double length = taut_length(v);
     for (int k = 0; k < 3 && length > 0; k++) {
         v[k] /= length;
     }
@@ -123,8 +123,8 @@ void taut_pipe_bishop(const taut_pipe_arc *arc, double t, const double u[3],
 static double size_at(const taut_pipe_binormal *b, double t)
 {
     double value[3];
-    taut_pipe_bernstein(b->degree, (const double(*)[3])b->k, t, value, NULL);
-    return sqrt(taut_dot(value, value));
+    taut_bernstein_point(b->degree, 3, &b->k[0][0], t, value, NULL);
+    return taut_length(value);
 }
 
 /* The smallest |K|: samples, then golden section beside the smallest of them. */
@@ -177,7 +177,7 @@ void taut_pipe_binormal_of(const taut_pipe_arc *arc, taut_pipe_binormal *b)
     b->degree = degree - p - q;
     largest = 0;
     for (int i = 0; i <= b->degree; i++) {
-        const double ratio = taut_pipe_binomial(degree, i + p) / taut_pipe_binomial(b->degree, i);
+        const double ratio = taut_binomial(degree, i + p) / taut_binomial(b->degree, i);
         for (int k = 0; k < 3; k++) {
             b->k[i][k] = ratio * arc->cross[i + p][k];
         }
@@ -194,8 +194,8 @@ void taut_pipe_frenet(const taut_pipe_arc *arc, const taut_pipe_binormal *binorm
     double k1[3], part[3], size = 0;
 
     taut_pipe_arc_jet(arc, t, &jet);
-    taut_pipe_bernstein(binormal->degree, (const double(*)[3])binormal->k, t, normals->w, k1);
-    size = sqrt(taut_dot(normals->w, normals->w));
+    taut_bernstein_point(binormal->degree, 3, &binormal->k[0][0], t, normals->w, k1);
+    size = taut_length(normals->w);
     for (int k = 0; k < 3; k++) {
         normals->w[k] /= size;
     }
@@ -355,6 +355,8 @@ int taut_pipe_profile_turn(const taut_pipe_arc *arc, const double *const directi
     taut_pipe_carry(arc, 0, 1, CARRY_STEPS, carried);
     taut_cross(jet.tangent, carried, w);
     angle = atan2(taut_dot(wanted, w), taut_dot(wanted, carried));
-    profile->turn = angle > pi / 2 ? angle - pi : angle <= -pi / 2 ? angle + pi : angle;
+    profile->turn = angle > TAUT_PI / 2     ? angle - TAUT_PI
+                    : angle <= -TAUT_PI / 2 ? angle + TAUT_PI
+                                            : angle;
     return 1;
 }

@@ -2,7 +2,9 @@
  * damped Newton steps ([WangBai2018] section 9). */
 #include "construct/pipe/reach.h"
 
+#include "core/constants.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 
 #include <math.h>
 #include <string.h>
@@ -11,7 +13,6 @@ enum { NEWTON_STEPS = 60, GOLDEN_STEPS = 60, NUMBERS = 4 };
 
 /* A curvature below this, over the size of the axis, cannot be told from none. */
 static const double straight = 1e-12;
-static const double pi = 3.14159265358979323846;
 
 /* The axis while it is looked at: samples double[count * (samples + 1)][NUMBERS], point and arc
  * length. */
@@ -58,8 +59,8 @@ static void sample_axis(composite_axis *a)
             taut_pipe_arc_jet(arc, (double)i / a->per_arc, &jet);
             if (i > 0) {
                 double middle[3];
-                taut_pipe_bernstein(arc->degree - 1, arc->velocity, (i - 0.5) / a->per_arc, middle,
-                                    NULL);
+                taut_bernstein_point(arc->degree - 1, 3, &arc->velocity[0][0],
+                                     (i - 0.5) / a->per_arc, middle, NULL);
                 length += (before + 4 * taut_norm(middle) + jet.speed) / (6 * a->per_arc);
             }
             before = jet.speed;
@@ -146,9 +147,7 @@ static void refine_pair(composite_axis *a, const int arc[2], const double start[
 
 static double sample_distance(const composite_axis *a, int i, int j)
 {
-    double d[3];
-    taut_difference(a->samples[i], a->samples[j], d);
-    return sqrt(taut_dot(d, d)); /* at unit size nothing overflows, and what vanishes is 0 */
+    return taut_length_between(a->samples[i], a->samples[j]); /* at unit size */
 }
 
 /* Is pair (i, j) no farther than its neighbours on the grid? */
@@ -392,11 +391,11 @@ void taut_pipe_reach_of(const taut_pipe_composite *composite, double *scratch,
     reach->radius = 1 / reach->curvature;
     /* a chord at right angles to the axis at both its ends needs a turn of pi between them */
     reach->shortcut =
-        turning < 0.999 * pi && isinf(composite->tails[0]) && isinf(composite->tails[1]);
+        turning < 0.999 * TAUT_PI && isinf(composite->tails[0]) && isinf(composite->tails[1]);
     if (reach->shortcut) {
         return;
     }
-    a.apart = pi / reach->curvature;
+    a.apart = TAUT_PI / reach->curvature;
     a.best = 2 / reach->curvature; /* others do not bind */
     sample_axis(&a);
     arcs_with_arcs(&a);

@@ -144,11 +144,6 @@ double taut_pipe_power_below(double size)
     return ldexp(1, exponent - 1);
 }
 
-static double largest_part(const double v[3])
-{
-    return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
-}
-
 /* The feet of the common perpendicular, with n = d1 x d2 and w = q - p:
  *     s = det(w, d2, n) / n.n,   r = det(w, d1, n) / n.n */
 static taut_status find_feet(taut_pipe_task *task, taut_error *error)
@@ -218,10 +213,10 @@ static void set_local(taut_pipe_task *task)
         for (int i = 0; i < 4; i++) {
             double d[3];
             taut_difference(task->polygon[i], task->polygon[0], d);
-            size = fmax(size, largest_part(d));
+            size = fmax(size, taut_largest_coordinate(d));
         }
     } else {
-        size = fmax(size, largest_part(task->across));
+        size = fmax(size, taut_largest_coordinate(task->across));
         size = fmax(size, fmax(p->axis.ends[0].handle, p->axis.ends[1].handle));
     }
     task->scale = taut_pipe_power_below(size);
@@ -373,7 +368,7 @@ static taut_status check_sizes(const taut_pipe_task *task, taut_error *error)
     };
     double least = 0;
     for (int i = 0; i < 4; i++) {
-        least = fmax(least, 0x1p-44 * largest_part(task->polygon[i]));
+        least = fmax(least, 0x1p-44 * taut_largest_coordinate(task->polygon[i]));
     }
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         const double size = sizes[i].size;
@@ -400,7 +395,8 @@ taut_status taut_pipe_settle(taut_pipe_task *task, taut_error *error)
     }
     for (int side = 0; side < 2; side++) {
         const double *a = task->polygon[2 * side], *b = task->polygon[2 * side + 1];
-        const double rounding = 0x1p-50 * fmax(largest_part(a), largest_part(b)) / task->scale;
+        const double rounding =
+            0x1p-50 * fmax(taut_largest_coordinate(a), taut_largest_coordinate(b)) / task->scale;
         task->handles[side] = taut_norm(task->edges[2 * side]);
         if (!(task->handles[side] > rounding)) {
             return taut_fail(error, TAUT_NO_SOLUTION, "degenerate-edge",

@@ -353,7 +353,7 @@ static taut_status find_residual(const work *w, taut_area_functional *functional
     taut_area_functional_gradient(functional, w->net, gradient);
     for (size_t i = 0; i < w->count; i++) {
         const double *g = gradient + 3 * i;
-        const double size = fmax(fabs(g[0]), fmax(fabs(g[1]), fabs(g[2])));
+        const double size = taut_largest_coordinate(g);
         all = fmax(all, size);
         if (!w->mask.known[i]) {
             unknown = fmax(unknown,

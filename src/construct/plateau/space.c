@@ -4,6 +4,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
+#include "geometry/keep.h"
 
 #include <math.h>
 #include <string.h>
@@ -12,11 +13,6 @@ static const double value_clamped = 1e-12; /* of a function that is 1 at its end
 /* Corners of two curves are one when they are this close, over the size of the boundary. */
 static const double gap_meeting = 1e-9;
 static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
-
-static void release_basis(void *basis)
-{
-    taut_basis_free(basis);
-}
 
 void taut_plateau_space_free(taut_plateau_space *space)
 {
@@ -32,8 +28,7 @@ static taut_status own_basis(taut_plateau_space *space, const taut_basis *basis,
 {
     taut_basis *copy = NULL;
 
-    if (taut_basis_copy(basis, &copy) != TAUT_OK ||
-        !taut_arena_keep(space->arena, copy, release_basis)) {
+    if (taut_basis_copy(basis, &copy) != TAUT_OK || !taut_keep_basis(space->arena, copy)) {
         return TAUT_NO_MEMORY;
     }
     *own = copy;

@@ -47,13 +47,6 @@ static const struct {
                 {"u1v1", {TAUT_SIDE_U1, TAUT_SIDE_V1}, {1, 1}},
                 {"u0v1", {TAUT_SIDE_U0, TAUT_SIDE_V1}, {1, 0}}};
 
-static double distance(const double *a, const double *b)
-{
-    double d[3];
-    taut_difference(a, b, d);
-    return sqrt(taut_dot(d, d));
-}
-
 static void measure_curves(const taut_curve *const curves[TAUT_SIDES], loose_curves *loose)
 {
     double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY};
@@ -67,7 +60,7 @@ static void measure_curves(const taut_curve *const curves[TAUT_SIDES], loose_cur
         taut_curve_eval(curves[i], taut_basis_lo(t), 0, loose->ends[i][0]);
         taut_curve_eval(curves[i], taut_basis_hi(t), 0, loose->ends[i][1]);
     }
-    loose->size = distance(lo, hi);
+    loose->size = taut_length_between(lo, hi);
 }
 
 /* Do the curves begin and end in their first and last control points? c- and h-bsplines do not, and
@@ -78,8 +71,8 @@ static taut_status check_clamped(const taut_curve *const curves[TAUT_SIDES],
     for (int i = 0; i < TAUT_SIDES; i++) {
         const double *points = taut_curve_points(curves[i]);
         const double *last = points + 3 * (taut_basis_count(taut_curve_t(curves[i])) - 1);
-        if (!(distance(points, loose->ends[i][0]) <= 1e-12 * loose->size) ||
-            !(distance(last, loose->ends[i][1]) <= 1e-12 * loose->size)) {
+        if (!(taut_length_between(points, loose->ends[i][0]) <= 1e-12 * loose->size) ||
+            !(taut_length_between(last, loose->ends[i][1]) <= 1e-12 * loose->size)) {
             return taut_fail(error, TAUT_NO_SOLUTION, "not-clamped", NULL, taut_none, taut_none,
                              "curve %d, a %s, does not begin and end in control points: convert it "
                              "to a B-spline",
@@ -99,8 +92,9 @@ static double widest_gap(const loose_curves *loose, const arrangement *a, int *c
 {
     double widest = -1;
     for (int c = 0; c < 4; c++) {
-        const double gap = distance(end_of(loose, a, corners[c].side[0], corners[c].end[0]),
-                                    end_of(loose, a, corners[c].side[1], corners[c].end[1]));
+        const double gap =
+            taut_length_between(end_of(loose, a, corners[c].side[0], corners[c].end[0]),
+                                end_of(loose, a, corners[c].side[1], corners[c].end[1]));
         if (gap > widest) {
             widest = gap;
             *corner = c;

@@ -7,6 +7,7 @@
 #include "geometry/nurbs/gram.h"
 
 #include "basis/basis_ops.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "geometry/nurbs/cells.h"
@@ -252,7 +253,7 @@ static taut_status raise_nodes(const taut_basis *basis, const double *weights, t
     }
     while (!(moved <= enough) && nodes < TAUT_GAUSS_MAX) {
         nodes = nodes + nodes / 2 < TAUT_GAUSS_MAX ? nodes + nodes / 2 : TAUT_GAUSS_MAX;
-        enough = 64 * 0x1p-53 * gram->roundings;
+        enough = 64 * TAUT_UNIT_ROUNDOFF * gram->roundings;
         if (gram_with(basis, weights, nodes, &next) != TAUT_OK) {
             taut_gram_clear(gram);
             return taut_fail_memory(error);

@@ -8,11 +8,6 @@
 
 #include <string.h>
 
-static void *take_memory(void *context, size_t count, size_t size)
-{
-    return taut_arena_take(context, count, size);
-}
-
 static int is_cut(const taut_surface *surface, const char *name)
 {
     return name == NULL || strcmp(name, taut_surface_name(surface)) == 0;
@@ -40,7 +35,7 @@ static taut_status add_piece(const taut_exact_ops *ops, const taut_surface *whol
     const double range[4] = {taut_basis_lo(old), taut_basis_hi(old), taut_basis_lo(part),
                              taut_basis_hi(part)};
     const taut_exact_numbers numbers = {taut_surface_points(whole), taut_surface_exact(whole)};
-    const taut_exact_memory memory = {arena, take_memory};
+    const taut_exact_memory memory = taut_exact_memory_of(arena);
     taut_exact_net net;
     taut_surface *made = NULL;
 

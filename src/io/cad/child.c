@@ -2,8 +2,8 @@
 
 #include "core/arena.h"
 #include "core/fail.h"
+#include "geometry/keep.h"
 #include "io/json/utf8.h"
-#include "io/model/keep.h"
 #include "platform/module.h"
 
 #include <errno.h>

@@ -1,6 +1,6 @@
 #include "core/fail.h"
+#include "geometry/keep.h"
 #include "io/geomdl/geomdl.h"
-#include "io/model/keep.h"
 #include "io/model/surface.h"
 #include "io/problem/net_document.h"
 #include "taut/limits.h"

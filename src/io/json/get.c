@@ -1,6 +1,7 @@
 /* get.c -- typed getters. */
 #include "core/fail.h"
 #include "io/json/in.h"
+#include "taut/read.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +12,7 @@ static taut_status unknown_member(const taut_json *object, const char *key,
                                   const char *const *members, taut_error *error)
 {
     const taut_json at = taut_json_member(object, key);
-    const char *near = taut_nearest(key, members);
+    const char *near = taut_nearest_word(key, members, NULL);
     return taut_json_fail(&at, error, "unknown-member", taut_none, taut_none,
                           "there is no such member here; the nearest one known is \"%s\"",
                           near != NULL ? near : "");

@@ -103,8 +103,4 @@ taut_status taut_json_record(const taut_json *at, taut_record **record, taut_err
 /* The same of an object only. */
 taut_status taut_json_record_object(const taut_json *at, taut_record **record, taut_error *error);
 
-/* The name of a list (ended by NULL) that is nearest to `word`, in single edits; NULL if the list
- * is empty. */
-const char *taut_nearest(const char *word, const char *const *names);
-
 #endif /* TAUT_IO_JSON_IN_H */

@@ -1,5 +1,5 @@
 /* nearest.c -- the known word that a misspelt one was meant for. */
-#include "io/json/in.h"
+#include "taut/read.h"
 
 #include <string.h>
 
@@ -33,16 +33,19 @@ static size_t edit_distance(const char *a, const char *b)
     return row[n];
 }
 
-const char *taut_nearest(const char *word, const char *const *names)
+const char *taut_nearest_word(const char *word, const char *const *words, int *edits)
 {
     const char *nearest = NULL;
     size_t least = 0;
-    for (; *names != NULL; names++) {
-        const size_t distance = edit_distance(word, *names);
+    for (; *words != NULL; words++) {
+        const size_t distance = edit_distance(word, *words);
         if (nearest == NULL || distance < least) {
-            nearest = *names;
+            nearest = *words;
             least = distance;
         }
+    }
+    if (nearest != NULL && edits != NULL) {
+        *edits = (int)least;
     }
     return nearest;
 }

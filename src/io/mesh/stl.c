@@ -4,6 +4,7 @@
  * Corners along seams are the same bytes, and surfaces that close a body are turned outwards: what
  * slicers ask for. */
 #include "core/fail.h"
+#include "core/vec3.h"
 #include "io/format.h"
 #include "io/mesh/out.h"
 
@@ -25,14 +26,10 @@ static void write_header(taut_sink *sink, const taut_model *model)
 static void normal_of(const double *a, const double *b, const double *c, double *normal)
 {
     double p[3], q[3], length = 0;
-    for (int k = 0; k < 3; k++) {
-        p[k] = b[k] - a[k];
-        q[k] = c[k] - a[k];
-    }
-    normal[0] = p[1] * q[2] - p[2] * q[1];
-    normal[1] = p[2] * q[0] - p[0] * q[2];
-    normal[2] = p[0] * q[1] - p[1] * q[0];
-    length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    taut_difference(b, a, p);
+    taut_difference(c, a, q);
+    taut_cross(p, q, normal);
+    length = taut_length(normal);
     for (int k = 0; k < 3; k++) {
         normal[k] = length > 0 && isfinite(length) ? normal[k] / length : 0;
     }

@@ -3,7 +3,8 @@
 #include "basis/basis_ops.h"
 #include "core/fail.h"
 #include "core/memory.h"
-#include "io/model/keep.h"
+#include "geometry/keep.h"
+#include "taut/read.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -62,7 +63,7 @@ static taut_status read_type(const taut_json *at, const taut_basis_ops **ops, ta
         }
         types[count] = NULL;
         return taut_json_refuse(&type, error, "name", "a type of basis; the nearest one is \"%s\"",
-                                taut_nearest(name, types));
+                                taut_nearest_word(name, types, NULL));
     }
     return TAUT_OK;
 }

@@ -1,7 +1,7 @@
 #include "io/problem/boundary_document.h"
 
 #include "core/fail.h"
-#include "io/model/keep.h"
+#include "geometry/keep.h"
 #include "taut/limits.h"
 #include "taut/read.h"
 

@@ -41,7 +41,7 @@ static taut_status read_construct(const taut_json *document, int *construct, tau
     *construct = taut_construct_find(name);
     if (*construct < 0) {
         return taut_json_refuse(&at, error, "name", "a construction; the nearest one is \"%s\"",
-                                taut_nearest(name, names));
+                                taut_nearest_word(name, names, NULL));
     }
     return TAUT_OK;
 }

@@ -9,8 +9,9 @@
  * inside, away from edges that may be collapsed: with A_ki = B_i(t_k) and W = sum w_ij B_i B_j,
  *     w_ij f_ij = sum_kl inv(A_u)_ik inv(A_v)_jl (f W)(s_k, t_l). */
 #include "core/fail.h"
-#include "io/model/keep.h"
+#include "geometry/keep.h"
 #include "io/vtu/grid.h"
+#include "numeric/bernstein.h"
 #include "taut/operations.h"
 
 #include <math.h>
@@ -42,20 +43,6 @@ typedef struct node_rule {
     double values[ORDER_MAX][ORDER_MAX]; /* [k][i]: B_i at node k */
     double inverse[ORDER_MAX][ORDER_MAX];
 } node_rule;
-
-static void bernstein(int degree, double t, double *b)
-{
-    b[0] = 1;
-    for (int m = 1; m <= degree; m++) {
-        double carried = 0;
-        for (int i = 0; i < m; i++) {
-            const double lower = b[i];
-            b[i] = (1 - t) * lower + carried;
-            carried = t * lower;
-        }
-        b[m] = carried;
-    }
-}
 
 /* Gauss-Jordan with the largest pivot; the matrix is regular and small. */
 static void invert(node_rule *rule)
@@ -98,7 +85,7 @@ static void make_rule(int degree, node_rule *rule)
     rule->order = degree + 1;
     for (int k = 0; k <= degree; k++) {
         rule->nodes[k] = (1 - cos(acos(-1) * (2 * k + 1) / (2 * degree + 2))) / 2;
-        bernstein(degree, rule->nodes[k], rule->values[k]);
+        taut_bernstein_eval(degree, 0, rule->nodes[k], rule->values[k]);
     }
     invert(rule);
 }

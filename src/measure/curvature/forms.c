@@ -15,7 +15,7 @@
 /* unit = v / 2^exponent with its largest component in [1/2, 1); a zero vector stays, exponent 0. */
 static int normalise(const double *v, double *unit)
 {
-    const double largest = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+    const double largest = taut_largest_coordinate(v);
     int exponent = 0;
     frexp(largest, &exponent);
     if (largest == 0 || !isfinite(largest)) {
@@ -66,7 +66,7 @@ void taut_forms_of(const double values[6][3], taut_forms *forms)
     double w = 0;
 
     taut_cross(p, q, n);
-    w = sqrt(taut_dot(n, n));
+    w = taut_length(n);
     forms->e = ldexp(e, 2 * a);
     forms->f = ldexp(f, a + b);
     forms->g = ldexp(g, 2 * b);

@@ -1,5 +1,6 @@
 #include "measure/curvature/scan.h"
 
+#include "geometry/keep.h"
 #include "geometry/net.h"
 
 #include <string.h>
@@ -25,11 +26,6 @@ static const double *homogeneous_net(taut_arena *arena, const taut_surface *surf
     return net;
 }
 
-static void release_table(void *table)
-{
-    taut_table_free(table);
-}
-
 static taut_status keep_table(taut_arena *arena, const taut_basis *basis,
                               const taut_parameters *parameters, taut_table **table)
 {
@@ -38,7 +34,7 @@ static taut_status keep_table(taut_arena *arena, const taut_basis *basis,
     if (status != TAUT_OK) {
         return status;
     }
-    return taut_arena_keep(arena, *table, release_table) ? TAUT_OK : TAUT_NO_MEMORY;
+    return taut_keep_table(arena, *table) ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
 taut_status taut_scan_new(taut_arena *arena, const taut_surface *surface, const taut_parameters *u,

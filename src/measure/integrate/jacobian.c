@@ -11,6 +11,7 @@
  *     W_ik = C(p,i) C(q,k) / C(p+q,l),  which sum to 1 for each l           [Farin2002] 5.5
  */
 #include "core/arena.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/exponent.h"
@@ -42,8 +43,6 @@ typedef struct planar_patch {
     const double *x;
     double apart;
 } planar_patch;
-
-static const double unit_roundoff = 0x1p-53;
 
 /* C(p,i) C(q,k) / C(p+q,i+k) for all i, k: double[p+1][q+1]. The hypergeometric ratios are formed
  * along k from the first, W_i0 = C(p,i) / C(p+q,i); every factor is a quotient of whole numbers, so
@@ -87,7 +86,8 @@ static void sum_coefficient(const planar_patch *patch, const double *wu, const d
         }
     }
     *value = n * m * sum;
-    *error = n * m * ((8 * (double)(n + m) + 2.0 * n * m + 8) * unit_roundoff * size + 2 * spread);
+    *error =
+        n * m * ((8 * (double)(n + m) + 2.0 * n * m + 8) * TAUT_UNIT_ROUNDOFF * size + 2 * spread);
 }
 
 /* The coefficients of scale (x_u y_v - x_v y_u), du = 2n-1, dv = 2m-1: values double[2][2n][2m] as
@@ -105,7 +105,7 @@ static void find_coefficients(const planar_patch *patch, double scale, double *v
             double value = 0, error = 0;
             sum_coefficient(patch, wu, wv, l, r, &value, &error);
             values[l * 2 * m + r] = scale * value;
-            errors[l * 2 * m + r] = scale * (1 + 8 * unit_roundoff) * error;
+            errors[l * 2 * m + r] = scale * (1 + 8 * TAUT_UNIT_ROUNDOFF) * error;
         }
     }
 }
@@ -122,7 +122,8 @@ static void halve_line(int degree, long stride, double *value, double *error, do
             const double mean = 0.5 * (value[i * stride] + value[(i - 1) * stride]);
             const double bound = 0.5 * (error[i * stride] + error[(i - 1) * stride]);
             value[i * stride] = mean;
-            error[i * stride] = bound * (1 + 4 * unit_roundoff) + 2 * unit_roundoff * fabs(mean);
+            error[i * stride] =
+                bound * (1 + 4 * TAUT_UNIT_ROUNDOFF) + 2 * TAUT_UNIT_ROUNDOFF * fabs(mean);
         }
     }
 }
@@ -391,7 +392,7 @@ static taut_status prove_planar(search *s, taut_jacobian *jacobian)
     s->du = 2 * taut_basis_degree(u) - 1;
     s->dv = 2 * taut_basis_degree(v) - 1;
     /* a piece is reached by at most 2 degree insertions along each direction, means of points */
-    s->apart = exact ? 0 : 8.0 * (s->du + s->dv + 2) * 0x1p-53;
+    s->apart = exact ? 0 : 8.0 * (s->du + s->dv + 2) * TAUT_UNIT_ROUNDOFF;
     s->arena = taut_arena_new();
     status = prove_sign(s, pieces, jacobian);
     taut_arena_free(s->arena);

@@ -214,22 +214,17 @@ taut_status taut_line_length(const taut_line *line, double *length)
 
 /* Curvature. */
 
-static double norm(const double *a)
-{
-    return sqrt(taut_dot(a, a));
-}
-
 void taut_line_bend(const taut_line *line, int span, double t, int order, taut_bend *bend)
 {
     double bound[4];
     taut_line_eval(line, span, t, 0, order, &bend->d[0][0], bound);
     taut_cross(bend->d[1], bend->d[2], bend->binormal);
-    bend->speed = norm(bend->d[1]);
+    bend->speed = taut_length(bend->d[1]);
     bend->curvature = nan("");
     bend->trust = 0;
     /* a speed of 2^-40 of what the net allows is a sum that cancels but for its rounding */
     if (bend->speed > 0x1p-40 * bound[1]) {
-        bend->curvature = norm(bend->binormal) / bend->speed / bend->speed / bend->speed;
+        bend->curvature = taut_length(bend->binormal) / bend->speed / bend->speed / bend->speed;
         bend->trust = 8 * DBL_EPSILON * bound[2] / bend->speed / bend->speed;
     }
 }

@@ -38,9 +38,9 @@ static double bound_of(const double *x)
     }
     const double w = sqrt(w2);
     /* l, m, n cancel by themselves too: |x_uu| W in place of |x_uu . (x_u x x_v)| */
-    const double sizes = w * (sqrt(taut_dot(x + 3 * TAUT_XUU, x + 3 * TAUT_XUU)) * g +
-                              2 * sqrt(taut_dot(x + 3 * TAUT_XUV, x + 3 * TAUT_XUV)) * fabs(f) +
-                              sqrt(taut_dot(x + 3 * TAUT_XVV, x + 3 * TAUT_XVV)) * e);
+    const double sizes =
+        w * (taut_length(x + 3 * TAUT_XUU) * g + 2 * taut_length(x + 3 * TAUT_XUV) * fabs(f) +
+             taut_length(x + 3 * TAUT_XVV) * e);
     const double bound = (fabs(l - m + n) + noise * sizes) / (2 * w2 * w);
     return sizes < largest ? bound * (1 + 1e-8) : INFINITY;
 }

@@ -15,16 +15,11 @@
 
 enum { S1 = 1, T1 = 2 }; /* places of s and t in a jet; those of order k begin at k(k+1)/2 */
 
-static double norm(const double *a)
-{
-    return sqrt(taut_dot(a, a));
-}
-
 static double angle_between(const double *a, const double *b)
 {
     double c[3];
     taut_cross(a, b, c);
-    return atan2(norm(c), taut_dot(a, b));
+    return atan2(taut_length(c), taut_dot(a, b));
 }
 
 static void vector_at(const taut_spot *spot, int k, double *x)
@@ -48,9 +43,9 @@ static tangents tangents_of(const taut_spot *spot)
     vector_at(spot, S1, d.s);
     vector_at(spot, T1, d.t);
     taut_cross(d.s, d.t, d.normal);
-    d.length_s = norm(d.s);
-    d.length_t = norm(d.t);
-    const double w = norm(d.normal);
+    d.length_s = taut_length(d.s);
+    d.length_t = taut_length(d.t);
+    const double w = taut_length(d.normal);
     /* each derivative is good to a few roundings of its bound; 2^-40 as in forms.c */
     const double noise =
         64 * DBL_EPSILON * (d.length_s * spot->bound[T1] + d.length_t * spot->bound[S1]);
@@ -73,7 +68,7 @@ static void height_bounds(const taut_spot *spot, const tangents *d, double bound
             double x[3];
             vector_at(spot, i, x);
             bound[k] += spot->bound[i] / speeds;
-            second += k == 2 ? norm(x) / speeds : 0;
+            second += k == 2 ? taut_length(x) / speeds : 0;
         }
         bound[k] /= pow(d->sine, k);
     }
@@ -133,7 +128,7 @@ static int geometric_order(const taut_spot *a, const tangents *da, const taut_sp
     double frame[3][3], bound_a[4], bound_b[4];
     for (int c = 0; c < 3; c++) {
         frame[0][c] = da->s[c] / da->length_s;
-        frame[2][c] = da->normal[c] / norm(da->normal);
+        frame[2][c] = da->normal[c] / taut_length(da->normal);
     }
     taut_cross(frame[2], frame[0], frame[1]);
     if (!(taut_dot(db->t, frame[1]) > 0) || !(taut_dot(db->normal, da->normal) > 0)) {

@@ -17,6 +17,7 @@
  */
 #include "taut/recognise.h"
 
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "taut/measure.h"
@@ -26,7 +27,6 @@
 #include <string.h>
 
 enum { TRIES = 5, GRID = 9, SIDE = 8 };
-static const double pi = 3.14159265358979323846;
 static const double close_enough = 1e-9;
 
 typedef double complex vector[3];
@@ -129,7 +129,7 @@ static int rotation_of(const vector a, const vector b, const vector d, double w,
         }
     }
     if (volume < 0) {
-        m->theta += m->theta > 0 ? -pi : pi;
+        m->theta += m->theta > 0 ? -TAUT_PI : TAUT_PI;
     }
     return defect <= 1e-6;
 }
@@ -254,11 +254,6 @@ static void recognise_member(const taut_surface *surface, int turned, taut_famil
     }
 }
 
-static double norm_of(const double *x)
-{
-    return sqrt(taut_dot(x, x));
-}
-
 /* Largest of |E-G|/E, |F|/E, |r_uu + r_vv|/|r_uu| on a grid. */
 static double defect_of(const taut_surface *surface)
 {
@@ -273,8 +268,8 @@ static double defect_of(const taut_surface *surface)
         for (int c = 0; c < 3; c++) {
             sum[c] = x[TAUT_XUU][c] + x[TAUT_XVV][c];
         }
-        const double second = fmax(norm_of(x[TAUT_XUU]), norm_of(x[TAUT_XUV]));
-        const double here = fmax(fmax(fabs(f.e - f.g), fabs(f.f)) / f.e, norm_of(sum) / second);
+        const double second = fmax(taut_length(x[TAUT_XUU]), taut_length(x[TAUT_XUV]));
+        const double here = fmax(fmax(fabs(f.e - f.g), fabs(f.f)) / f.e, taut_length(sum) / second);
         largest = here <= largest ? largest : here;
         if (!(here <= 1)) { /* infinite or NaN too: a point, a line, a plane in affine parameters */
             return INFINITY;

@@ -20,16 +20,17 @@
 #include "numeric/eigen/band.h"
 
 #include "core/arena.h"
+#include "core/constants.h"
 #include "numeric/eigen/internal.h"
 
 #include <math.h>
 #include <string.h>
 
 /* What band.h promises. */
-static const double residual_limit = 64 * 0x1p-53;
+static const double residual_limit = 64 * TAUT_UNIT_ROUNDOFF;
 
 /* For the sum of all that is lost to rounding and to orthogonality: twice the promise. */
-static const double completeness_limit = 128 * 0x1p-53;
+static const double completeness_limit = 128 * TAUT_UNIT_ROUNDOFF;
 
 static void clear_pencil(taut_pencil *pencil)
 {

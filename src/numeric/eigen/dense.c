@@ -1,4 +1,5 @@
 /* dense.c -- all eigenpairs by the methods for full matrices: slow, and sure. */
+#include "core/constants.h"
 #include "numeric/eigen/internal.h"
 
 #include <math.h>
@@ -138,7 +139,7 @@ static int diagonalise(int n, double *d, double *e, double *q)
     for (int l = 0; l < n; l++) {
         for (int steps = 0;; steps++) {
             int m = l;
-            while (m < n - 1 && fabs(e[m]) > 0x1p-53 * (fabs(d[m]) + fabs(d[m + 1]))) {
+            while (m < n - 1 && fabs(e[m]) > TAUT_UNIT_ROUNDOFF * (fabs(d[m]) + fabs(d[m + 1]))) {
                 m++;
             }
             if (m == l) {

@@ -2,12 +2,11 @@
 #include "bases.h"
 #include "check.h"
 
+#include "core/constants.h"
 #include "taut/basis.h"
 
 #include <stddef.h>
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 static taut_basis *random_basis(void)
 {
@@ -48,7 +47,7 @@ static void test_partition_of_unity(void)
                 sum += values[k * local + a];
                 size += fabs(values[k * local + a]);
             }
-            CHECK_NEAR(sum, k == 0, 8 * local * unit_roundoff * size, "k=%d local=%d t=%a", k,
+            CHECK_NEAR(sum, k == 0, 8 * local * TAUT_UNIT_ROUNDOFF * size, "k=%d local=%d t=%a", k,
                        local, t);
         }
         taut_basis_free(basis);

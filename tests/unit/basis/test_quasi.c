@@ -9,6 +9,7 @@
 #include "check.h"
 #include "shapes.h"
 
+#include "core/constants.h"
 #include "taut/basis.h"
 
 #include <arb.h>
@@ -16,7 +17,6 @@
 #include <stddef.h>
 
 enum { BITS = 2400 };
-static const double pi = 3.14159265358979311600;
 static const double bound = 1e-14; /* the accuracy that taut/basis.h states */
 
 /* s, c, 1-c, k, m of a segment; sinh and cosh when hyperbolic. */
@@ -217,16 +217,16 @@ static double random_parameter(double length)
 static void test_against_balls(void)
 {
     for (int trial = 0; trial < 1500; trial++) {
-        const double alpha = random_log(1e-8, pi);
-        const double below = random_int(0, 1) ? random_log(1e-8, 3) : pi - random_log(1e-6, 3);
+        const double alpha = random_log(1e-8, TAUT_PI);
+        const double below = random_int(0, 1) ? random_log(1e-8, 3) : TAUT_PI - random_log(1e-6, 3);
         const double beta = random_log(1e-8, 300);
         compare(alpha, random_parameter(alpha), 0, 0);
         compare(below, random_parameter(below), 0, 1);
         compare(beta, random_parameter(beta), 1, 0);
         compare(beta, random_parameter(beta), 1, 1);
     }
-    compare(pi, pi, 0, 0);
-    compare(pi, pi / 2, 0, 0);
+    compare(TAUT_PI, TAUT_PI, 0, 0);
+    compare(TAUT_PI, TAUT_PI / 2, 0, 0);
     compare(700, 350, 1, 0);
     compare(700, 699, 1, 1);
     compare(0x1p-27, 0x1p-28, 0, 0);
@@ -409,8 +409,8 @@ static void test_refusals(void)
         (taut_basis_spec){
             .type = "c-bezier", .alpha = 1, .has_range = 1, .range = {1e15, 1e15 + 1}},
         TAUT_BAD_INPUT, "/range");
-    refuse((taut_basis_spec){.type = "c-bspline", .alpha = pi, .segments = 2}, TAUT_NO_SOLUTION,
-           "/alpha");
+    refuse((taut_basis_spec){.type = "c-bspline", .alpha = TAUT_PI, .segments = 2},
+           TAUT_NO_SOLUTION, "/alpha");
     refuse((taut_basis_spec){.type = "c-bspline", .alpha = 4, .segments = 2}, TAUT_NO_SOLUTION,
            "/alpha");
     refuse((taut_basis_spec){.type = "c-bspline", .alpha = -4, .segments = 2}, TAUT_BAD_INPUT,

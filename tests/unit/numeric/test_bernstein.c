@@ -1,13 +1,12 @@
 /* test_bernstein.c -- two ways to each number of the Bernstein algebra. */
 #include "check.h"
 
+#include "core/constants.h"
 #include "numeric/bernstein.h"
 
 #include <math.h>
 
 enum { TRIALS = 200, DIM = 3 };
-
-static const double unit_roundoff = 0x1p-53;
 
 static void fill(int p, double (*a)[DIM])
 {
@@ -37,7 +36,7 @@ static void test_point_and_derivative(void)
     double a[TAUT_BERNSTEIN_MAX + 1][DIM], d[TAUT_BERNSTEIN_MAX + 1][DIM];
     for (int trial = 0; trial < TRIALS; trial++) {
         const int p = (int)random_in(0, 21);
-        const double t = random_in(0, 1), near = 8.0 * (p + 1) * unit_roundoff;
+        const double t = random_in(0, 1), near = 8.0 * (p + 1) * TAUT_UNIT_ROUNDOFF;
         double value[DIM], slope[DIM], other[DIM], rate[DIM], by_net[DIM];
         fill(p, a);
         taut_bernstein_point(p, DIM, &a[0][0], t, value, slope);
@@ -60,7 +59,7 @@ static void test_split_and_raise(void)
     for (int trial = 0; trial < TRIALS; trial++) {
         const int p = (int)random_in(0, 13), times = (int)random_in(0, 5);
         const double cut = random_in(0, 1), s = random_in(0, 1);
-        const double near = 16.0 * (p + times + 1) * unit_roundoff;
+        const double near = 16.0 * (p + times + 1) * TAUT_UNIT_ROUNDOFF;
         double whole[DIM], piece[DIM];
         fill(p, a);
         taut_bernstein_split(p, DIM, &a[0][0], cut, &low[0][0], &high[0][0]);
@@ -90,7 +89,7 @@ static void test_products(void)
         cross[TAUT_BERNSTEIN_MAX + 1][DIM], one[TAUT_BERNSTEIN_MAX + 1];
     for (int trial = 0; trial < TRIALS; trial++) {
         const int p = (int)random_in(0, 9), q = (int)random_in(0, 9);
-        const double t = random_in(0, 1), near = 64.0 * (p + q + 1) * unit_roundoff;
+        const double t = random_in(0, 1), near = 64.0 * (p + q + 1) * TAUT_UNIT_ROUNDOFF;
         double x[DIM], y[DIM], factor = 0, found[DIM];
         fill(p, s);
         fill(p, a);

@@ -2,13 +2,12 @@
  * of the normalised family, windows and signs, long segments, NURBS of associates, and refusals. */
 #include "check.h"
 
+#include "core/constants.h"
 #include "taut/bonnet.h"
 #include "taut/measure.h"
 #include "taut/operations.h"
 
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 static taut_model *made(const taut_bonnet_problem *p)
 {
@@ -95,8 +94,8 @@ static void test_figures(void)
         const double (*net)[4][3];
         taut_bonnet_problem problem;
     } figures[] = {
-        {figure_2a, {.lambda = {0.5, 0.5}, .sign = 1, .alpha = 3.14159265358979323846, .beta = 1}},
-        {figure_2b, {.lambda = {0.9, 0.9}, .sign = -1, .alpha = 3.14159265358979323846, .beta = 2}},
+        {figure_2a, {.lambda = {0.5, 0.5}, .sign = 1, .alpha = TAUT_PI, .beta = 1}},
+        {figure_2b, {.lambda = {0.9, 0.9}, .sign = -1, .alpha = TAUT_PI, .beta = 2}},
         {figure_3a, {.lambda = {0, 0}, .sign = -1, .alpha = 2, .beta = 1, .bspline = 1}},
         {figure_3b, {.lambda = {0.5, 0.5}, .sign = -1, .alpha = 1, .beta = 0.5, .bspline = 1}},
     };
@@ -154,14 +153,14 @@ static void test_windows(void)
                                  .start = {random_in(-3, 3), random_in(-2, 2)}};
         taut_model *minus = made(&p), *plus = NULL, *whole = NULL;
         p.sign = 1;
-        p.start[0] += pi;
+        p.start[0] += TAUT_PI;
         plus = made(&p);
         for (int k = 0; k < 3 * 6 * 5; k++) {
-            CHECK_NEAR(points(minus)[k] + (k % 3 == 0 ? l * pi / w : 0), points(plus)[k],
+            CHECK_NEAR(points(minus)[k] + (k % 3 == 0 ? l * TAUT_PI / w : 0), points(plus)[k],
                        3e-14 * (1 + fabs(points(plus)[k])) / w, "trial %d", trial);
         }
         p.sign = -1;
-        p.start[0] -= pi;
+        p.start[0] -= TAUT_PI;
         p.bspline = 0;
         p.alpha *= p.segments[0];
         p.beta *= p.segments[1];

@@ -4,12 +4,11 @@
 #include "check.h"
 #include "monitors.h"
 
+#include "core/constants.h"
 #include "taut/panels.h"
 #include "taut/read.h"
 
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 static const double *vertices(const taut_model *panels)
 {
@@ -21,7 +20,7 @@ static taut_bonnet_problem random_problem(void)
     taut_bonnet_problem p = {.sign = random_int(0, 1) ? 1 : -1,
                              .alpha = random_in(0.5, 2.5),
                              .beta = random_in(0.5, 2),
-                             .theta = random_int(0, 3) == 0 ? pi : 0,
+                             .theta = random_int(0, 3) == 0 ? TAUT_PI : 0,
                              .start = {random_in(-2, 1), random_in(-2, 1)},
                              .bspline = random_int(0, 1)};
     const double lambdas[] = {0, 0.9, random_in(0, 0.9)};
@@ -178,7 +177,7 @@ static void test_refusals(void)
     q.theta = 0.3;
     CHECK(refused(q, 8, 8) == TAUT_NO_SOLUTION, "theta");
     q = p;
-    q.alpha = pi;
+    q.alpha = TAUT_PI;
     CHECK(refused(q, 1, 8) == TAUT_NO_SOLUTION, "a step of pi");
     q.lambda[0] = q.lambda[1] = 0.99;
     q.sign = -1;

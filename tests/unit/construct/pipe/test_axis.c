@@ -4,6 +4,7 @@
 #include "construct/pipe/bend.h"
 #include "construct/pipe/frame.h"
 #include "core/vec3.h"
+#include "numeric/bernstein.h"
 #include "taut/curve.h"
 
 #include <string.h>
@@ -119,13 +120,13 @@ static double torsion_of(const taut_pipe_arc *arc, int count)
     for (int i = 0; i < count; i++) {
         const double t = (i + 0.5) / count;
         double d1[3], d2[3], unused[3], third[3][3], d3[3], across[3];
-        taut_pipe_bernstein(3, arc->velocity, t, d1, d2);
+        taut_bernstein_point(3, 3, &arc->velocity[0][0], t, d1, d2);
         for (int k = 0; k < 3; k++) {
             for (int c = 0; c < 3; c++) {
                 third[k][c] = 3 * (arc->velocity[k + 1][c] - arc->velocity[k][c]);
             }
         }
-        taut_pipe_bernstein(2, (const double(*)[3])third, t, unused, d3);
+        taut_bernstein_point(2, 3, &third[0][0], t, unused, d3);
         taut_cross(d1, d2, across);
         sum += taut_dot(across, d3) / taut_dot(across, across) * taut_norm(d1) / count;
     }

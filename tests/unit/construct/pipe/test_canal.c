@@ -4,11 +4,10 @@
 #include "check.h"
 #include "pipes.h"
 
+#include "core/constants.h"
 #include "core/vec3.h"
 
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 static taut_pipe_problem random_problem(void)
 {
@@ -53,8 +52,8 @@ static void test_measures(void)
         problem.section.kind = trial == 2 ? TAUT_PIPE_NAIVE_SWEEP : TAUT_PIPE_CANAL;
         taut_model *model = pipe_made(&problem, 2e-11);
         taut_certificate *certificate = pipe_proved(model, &problem, 1e-10);
-        const double discs[2] = {pi * problem.section.radii[0] * problem.section.radii[0],
-                                 pi * problem.section.radii[1] * problem.section.radii[1]};
+        const double discs[2] = {TAUT_PI * problem.section.radii[0] * problem.section.radii[0],
+                                 TAUT_PI * problem.section.radii[1] * problem.section.radii[1]};
         double area = 0;
         const double volume = pipe_volume(model, &problem, discs, &area);
         CHECK_NEAR(volume, figure_of(certificate, "volume"), 1e-10 * volume, "trial %d", trial);

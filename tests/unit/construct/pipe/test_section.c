@@ -4,11 +4,10 @@
 #include "check.h"
 #include "pipes.h"
 
+#include "core/constants.h"
 #include "core/vec3.h"
 
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 static taut_pipe_problem random_problem(void)
 {
@@ -80,19 +79,19 @@ static void test_volume(void)
         taut_certificate *certificate = pipe_proved(model, &problem, 1e-10);
         const double volume = figure_of(certificate, "volume");
         const double ellipses[2] = {
-            pi * problem.section.ellipses[0].a * problem.section.ellipses[0].b,
-            pi * problem.section.ellipses[1].a * problem.section.ellipses[1].b};
+            TAUT_PI * problem.section.ellipses[0].a * problem.section.ellipses[0].b,
+            TAUT_PI * problem.section.ellipses[1].a * problem.section.ellipses[1].b};
         double area = 0;
         CHECK_NEAR(pipe_volume(model, &problem, ellipses, &area), volume, 1e-10 * volume,
                    "trial %d", trial);
         CHECK_NEAR(area, figure_of(certificate, "area"), 1e-10 * area, "trial %d: area", trial);
         if (trial == 0) {
             CHECK_NEAR(volume,
-                       pi * problem.section.ellipses[0].a * problem.section.ellipses[0].b *
+                       TAUT_PI * problem.section.ellipses[0].a * problem.section.ellipses[0].b *
                            figure_of(certificate, "length"),
                        1e-13 * volume, "closed form");
         }
-        CHECK(fabs(figure_of(certificate, "section_turn")) <= pi / 2, "turned the near way");
+        CHECK(fabs(figure_of(certificate, "section_turn")) <= TAUT_PI / 2, "turned the near way");
         taut_certificate_free(certificate);
         taut_model_free(model);
     }

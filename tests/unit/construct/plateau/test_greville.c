@@ -7,12 +7,12 @@
 #include "shapes.h"
 
 #include "construct/plateau/directions.h"
+#include "core/constants.h"
 
 #include <arb.h>
 #include <string.h>
 
 enum { BITS = 2400, COUNT_MAX = 40 };
-static const double pi = 3.14159265358979311600;
 
 static taut_basis *random_basis(double *length)
 {
@@ -100,7 +100,7 @@ static void test_against_balls(void)
 {
     for (int trial = 0; trial < 2000; trial++) {
         const int hyperbolic = trial % 2;
-        const double length = random_log(1e-8, hyperbolic ? 700 : pi);
+        const double length = random_log(1e-8, hyperbolic ? 700 : TAUT_PI);
         const taut_basis_spec spec = {.type = hyperbolic ? "h-bezier" : "c-bezier",
                                       .alpha = hyperbolic ? 0 : length,
                                       .beta = hyperbolic ? length : 0};

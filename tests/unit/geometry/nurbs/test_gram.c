@@ -2,12 +2,11 @@
 #include "check.h"
 #include "problems.h"
 
+#include "core/constants.h"
 #include "geometry/nurbs/cells.h"
 #include "geometry/nurbs/gram.h"
 
 #include <string.h>
-
-static const double unit_roundoff = 0x1p-53;
 
 static double binomial(int n, int k)
 {
@@ -50,9 +49,10 @@ static void test_bernstein(void)
                                      (mass_of(q, i - 1, s - 1) - mass_of(q, i - 1, s) -
                                       mass_of(q, i, s - 1) + mass_of(q, i, s));
                 CHECK_NEAR(taut_band_at(&gram.mass, i, s), mass_of(p, i, s),
-                           32 * p * unit_roundoff * mass_of(p, i, i), "p=%d i=%d s=%d", p, i, s);
+                           32 * p * TAUT_UNIT_ROUNDOFF * mass_of(p, i, i), "p=%d i=%d s=%d", p, i,
+                           s);
                 CHECK_NEAR(taut_band_at(&gram.stiffness, i, s), stiff,
-                           64 * p * p * unit_roundoff * p, "p=%d i=%d s=%d", p, i, s);
+                           64 * p * p * TAUT_UNIT_ROUNDOFF * p, "p=%d i=%d s=%d", p, i, s);
             }
         }
         taut_gram_clear(&gram);
@@ -85,13 +85,13 @@ static void test_sums(void)
         double weights[64];
         taut_gram gram;
         CHECK(taut_gram_new(basis, NULL, &gram, NULL) == TAUT_OK, "trial=%d", trial);
-        check_sums(&gram, 64 * unit_roundoff);
+        check_sums(&gram, 64 * TAUT_UNIT_ROUNDOFF);
         taut_gram_clear(&gram);
         for (int i = 0; i < count; i++) {
             weights[i] = random_log(0.1, 10);
         }
         CHECK(taut_gram_new(basis, weights, &gram, NULL) == TAUT_OK, "trial=%d", trial);
-        check_sums(&gram, 256 * unit_roundoff * gram.roundings);
+        check_sums(&gram, 256 * TAUT_UNIT_ROUNDOFF * gram.roundings);
         taut_gram_clear(&gram);
         taut_basis_free(basis);
     }
@@ -116,7 +116,7 @@ static void test_equal_weights(void)
                                          taut_band_at(&plain.stiffness, s, s));
                 CHECK_NEAR(taut_band_at(&weighted.stiffness, i, s),
                            taut_band_at(&plain.stiffness, i, s),
-                           64 * unit_roundoff * plain.roundings * size, "i=%d s=%d", i, s);
+                           64 * TAUT_UNIT_ROUNDOFF * plain.roundings * size, "i=%d s=%d", i, s);
             }
         }
         taut_gram_clear(&plain);
@@ -136,9 +136,9 @@ static void test_rational_linear(void)
         const double exact = (1 + ratio + ratio * ratio) / (3 * ratio);
         taut_gram gram;
         CHECK(taut_gram_new(basis, weights, &gram, NULL) == TAUT_OK, "ratio=%g", ratio);
-        CHECK_NEAR(taut_band_at(&gram.stiffness, 1, 1), exact, 256 * unit_roundoff * exact,
+        CHECK_NEAR(taut_band_at(&gram.stiffness, 1, 1), exact, 256 * TAUT_UNIT_ROUNDOFF * exact,
                    "ratio=%g", ratio);
-        CHECK_NEAR(taut_band_at(&gram.stiffness, 1, 0), -exact, 256 * unit_roundoff * exact,
+        CHECK_NEAR(taut_band_at(&gram.stiffness, 1, 0), -exact, 256 * TAUT_UNIT_ROUNDOFF * exact,
                    "ratio=%g", ratio);
         taut_gram_clear(&gram);
     }
@@ -156,7 +156,7 @@ static void test_hidden_bump(void)
     CHECK(taut_cells_new(basis, 1, weights, 1, 0, &cells) == TAUT_OK, "cells");
     CHECK(cells->count > 2 && cells->hi[cells->count - 1] == 1, "%d cells", cells->count);
     CHECK(taut_gram_new(basis, weights, &gram, NULL) == TAUT_OK, "gram");
-    check_sums(&gram, 64 * unit_roundoff * gram.roundings);
+    check_sums(&gram, 64 * TAUT_UNIT_ROUNDOFF * gram.roundings);
     taut_gram_clear(&gram);
     taut_cells_free(cells);
     taut_basis_free(basis);
@@ -229,12 +229,12 @@ static void test_many_uniform_spans(void)
             const double stiff = taut_band_at(&gram.stiffness, i, i);
             /* 16 terms, each from a recurrence of three steps */
             CHECK_NEAR(taut_band_at(&gram.mass, COUNT - 1 - i, COUNT - 1 - i), mass,
-                       64 * unit_roundoff * mass, "shift=%d i=%d", shift, i);
+                       64 * TAUT_UNIT_ROUNDOFF * mass, "shift=%d i=%d", shift, i);
             CHECK_NEAR(taut_band_at(&gram.stiffness, COUNT - 1 - i, COUNT - 1 - i), stiff,
-                       64 * unit_roundoff * stiff, "shift=%d i=%d", shift, i);
+                       64 * TAUT_UNIT_ROUNDOFF * stiff, "shift=%d i=%d", shift, i);
             if (shift == 1 && i >= 6 && i < COUNT - 6) {
-                CHECK_NEAR(mass * SPANS, 151.0 / 315, 64 * unit_roundoff, "i=%d", i);
-                CHECK_NEAR(stiff / SPANS, 2.0 / 3, 64 * unit_roundoff, "i=%d", i);
+                CHECK_NEAR(mass * SPANS, 151.0 / 315, 64 * TAUT_UNIT_ROUNDOFF, "i=%d", i);
+                CHECK_NEAR(stiff / SPANS, 2.0 / 3, 64 * TAUT_UNIT_ROUNDOFF, "i=%d", i);
             }
         }
         taut_gram_clear(&gram);
@@ -263,9 +263,9 @@ static void test_nearly_mirrored(void)
         const double h[2] = {knots[i + 1] - knots[i], knots[i + 2] - knots[i + 1]};
         const double mass = (h[0] + h[1]) / 3 / gram.length;
         const double stiff = gram.length / h[0] + gram.length / h[1];
-        CHECK_NEAR(taut_band_at(&gram.mass, i, i), mass, 16 * unit_roundoff * mass, "i=%d", i);
-        CHECK_NEAR(taut_band_at(&gram.stiffness, i, i), stiff, 16 * unit_roundoff * stiff, "i=%d",
-                   i);
+        CHECK_NEAR(taut_band_at(&gram.mass, i, i), mass, 16 * TAUT_UNIT_ROUNDOFF * mass, "i=%d", i);
+        CHECK_NEAR(taut_band_at(&gram.stiffness, i, i), stiff, 16 * TAUT_UNIT_ROUNDOFF * stiff,
+                   "i=%d", i);
     }
     taut_gram_clear(&gram);
     taut_basis_free(basis);

@@ -3,12 +3,11 @@
 #include "check.h"
 #include "shapes.h"
 
+#include "core/constants.h"
 #include "taut/measure.h"
 
 #include <stddef.h>
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 enum { GRID = 9, COUNT_MAX = 12 };
 
@@ -60,7 +59,7 @@ static direction random_direction(int hyperbolic)
 {
     static const char *const types[4] = {"c-bezier", "c-bspline", "h-bezier", "h-bspline"};
     const int spline = random_int(0, 1), segments = spline ? random_int(1, 6) : 1;
-    const double length = random_in(0.5, hyperbolic ? 1.5 : spline ? 1.2 : pi);
+    const double length = random_in(0.5, hyperbolic ? 1.5 : spline ? 1.2 : TAUT_PI);
     const double lo = random_in(-1.5, 0.5);
     direction d = {.basis = NULL};
     taut_basis_spec spec = {.type = types[2 * hyperbolic + spline], .has_range = 1};

@@ -2,11 +2,10 @@
 #include "check.h"
 #include "shapes.h"
 
+#include "core/constants.h"
 #include "taut/measure.h"
 
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 static taut_surface_measure measured(const taut_surface *surface)
 {
@@ -24,9 +23,10 @@ static void test_torus(void)
     const taut_surface_measure m = measured(s);
     for (int edge = 0; edge < 4; edge++) {
         const taut_edge_measure *e = &m.edges[edge];
-        CHECK_NEAR(e->length, edge < 2 ? 2 * pi : 8 * pi, 1e-13 * e->length, "edge %d", edge);
+        CHECK_NEAR(e->length, edge < 2 ? 2 * TAUT_PI : 8 * TAUT_PI, 1e-13 * e->length, "edge %d",
+                   edge);
         CHECK_NEAR(e->max_abs_normal_curvature, edge < 2 ? 1 : 0.25, 1e-14, "edge %d", edge);
-        CHECK_NEAR(e->max_angle_normal_binormal, pi / 2, 1e-7, "edge %d", edge);
+        CHECK_NEAR(e->max_angle_normal_binormal, TAUT_PI / 2, 1e-7, "edge %d", edge);
     }
     taut_surface_free(s);
 }
@@ -62,7 +62,7 @@ static void test_enneper(void)
     const taut_surface_measure m = measured(s);
     CHECK_NEAR(m.edges[2].length, 4.0 / 3, 2e-15, "v0");
     CHECK_NEAR(m.edges[2].max_abs_normal_curvature, 2, 1e-14, "v0");
-    CHECK_NEAR(m.edges[2].max_angle_normal_binormal, pi / 2, 1e-7, "v0");
+    CHECK_NEAR(m.edges[2].max_angle_normal_binormal, TAUT_PI / 2, 1e-7, "v0");
     taut_surface_free(s);
 }
 
@@ -101,7 +101,7 @@ static void test_curves(void)
     const double arc[9] = {2, 0, 0, 2, 2, 0, 0, 2, 0};
     taut_curve *c = shape_curve(shape_bezier(2, 0, 1), arc, weights);
     CHECK(taut_measure_curve(c, NULL, &m, NULL) == TAUT_OK, "arc");
-    CHECK_NEAR(m.length, pi, 4e-15, "arc");
+    CHECK_NEAR(m.length, TAUT_PI, 4e-15, "arc");
     CHECK_NEAR(m.max_curvature, 0.5, 2e-15, "arc");
     CHECK_NEAR(m.max_torsion, 0, 1e-14, "arc");
     taut_curve_free(c);

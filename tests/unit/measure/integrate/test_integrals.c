@@ -2,11 +2,10 @@
 #include "check.h"
 #include "shapes.h"
 
+#include "core/constants.h"
 #include "taut/measure.h"
 
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 static taut_surface_measure measured(const taut_surface *surface)
 {
@@ -37,7 +36,7 @@ static void test_quadrics(void)
 {
     taut_surface *s = shape_sphere(2);
     taut_surface_measure m = measured(s);
-    CHECK_NEAR(m.area, 16 * pi, 16 * pi * 1e-13, "sphere");
+    CHECK_NEAR(m.area, 16 * TAUT_PI, 16 * TAUT_PI * 1e-13, "sphere");
     CHECK_NEAR(m.mean_abs_mean, 0.5, 1e-7, "sphere");
     CHECK(m.area_error == 0, "sphere");
     check_alone(s, &m);
@@ -45,7 +44,7 @@ static void test_quadrics(void)
 
     s = shape_torus(3, 1);
     m = measured(s);
-    CHECK_NEAR(m.area, 12 * pi * pi, 12 * pi * pi * 1e-13, "torus");
+    CHECK_NEAR(m.area, 12 * TAUT_PI * TAUT_PI, 12 * TAUT_PI * TAUT_PI * 1e-13, "torus");
     /* int H = pi (R - 0) per turn: iint H dA = int int (R + 2 r cos) / 2 = 2 pi^2 R */
     CHECK_NEAR(m.mean_abs_mean, 0.5, 1e-7, "torus");
     check_alone(s, &m);
@@ -53,7 +52,7 @@ static void test_quadrics(void)
 
     s = shape_cylinder(2, 3, 2);
     m = measured(s);
-    CHECK_NEAR(m.area, 12 * pi, 12 * pi * 1e-13, "cylinder");
+    CHECK_NEAR(m.area, 12 * TAUT_PI, 12 * TAUT_PI * 1e-13, "cylinder");
     CHECK_NEAR(m.mean_abs_mean, 0.25, 1e-7, "cylinder");
     check_alone(s, &m);
     taut_surface_free(s);
@@ -74,7 +73,7 @@ static void test_saddle(void)
         CHECK_NEAR(m.min_gaussian, -c2, 1e-14 * c2, "c=%g", c);
         CHECK_NEAR(m.max_gaussian, -c2 / (1 + 2 * c2) / (1 + 2 * c2), 1e-14, "c=%g", c);
         if (c == 1) {
-            CHECK_NEAR(m.area, (sqrt(3) + 4 * asinh(sqrt(0.5)) - pi / 6) / 3, 2e-15, "c=1");
+            CHECK_NEAR(m.area, (sqrt(3) + 4 * asinh(sqrt(0.5)) - TAUT_PI / 6) / 3, 2e-15, "c=1");
         }
         check_alone(s, &m);
         taut_surface_free(s);
@@ -124,15 +123,15 @@ static void test_cone(void)
         taut_surface *s =
             shape_surface(shape_bezier(1, 0, 1), shape_bezier(2, 0, 1), points[0], weights);
         const taut_surface_measure m = measured(s);
-        const double area = pi * sqrt(1 + h * h) / 4;
+        const double area = TAUT_PI * sqrt(1 + h * h) / 4;
         CHECK_NEAR(m.area, area, 1e-13 * area, "h=%g", h);
         CHECK(m.area_error == 0, "h=%g", h);
         CHECK(m.singular_points == 101, "h=%g: %ld", h, m.singular_points);
         CHECK_NEAR(m.edges[0].length, 0, 1e-15, "h=%g", h);
-        CHECK_NEAR(m.edges[1].length, pi / 2, 1e-13, "h=%g", h);
+        CHECK_NEAR(m.edges[1].length, TAUT_PI / 2, 1e-13, "h=%g", h);
         CHECK_NEAR(m.max_gaussian, 0, 1e-10, "h=%g", h);
         /* |H| = h / (2 rho sqrt(1 + h^2)), rho the distance from the axis; iint |H| = pi h / 4 */
-        CHECK_NEAR(m.mean_abs_mean * area, pi * h / 4, 1e-6, "h=%g", h);
+        CHECK_NEAR(m.mean_abs_mean * area, TAUT_PI * h / 4, 1e-6, "h=%g", h);
         taut_surface_free(s);
     }
 }

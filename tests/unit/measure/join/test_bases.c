@@ -4,12 +4,11 @@
 #include "check.h"
 #include "shapes.h"
 
+#include "core/constants.h"
 #include "taut/join.h"
 #include "taut/operations.h"
 
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 static taut_surface *reversed(const taut_surface *a, int direction)
 {
@@ -129,11 +128,12 @@ static void test_pieces(int type_u, int type_v)
  * (1, 1, a cot(a/2) - 1, 0) and reversed ([XuWang2006] section 3), and as a rational parabola. */
 static taut_surface *quarter_tube(int rational, double low, double high)
 {
-    const double c[4] = {1, 1, pi / 2 - 1, 0}, w[6] = {1, 1, sqrt(0.5), sqrt(0.5), 1, 1};
+    const double c[4] = {1, 1, TAUT_PI / 2 - 1, 0}, w[6] = {1, 1, sqrt(0.5), sqrt(0.5), 1, 1};
     const double x[3] = {1, 1, 0};
     double points[4][2][3];
-    taut_basis *u = shape_basis(rational ? &(taut_basis_spec){.type = "bezier", .degree = 2}
-                                         : &(taut_basis_spec){.type = "c-bezier", .alpha = pi / 2});
+    taut_basis *u =
+        shape_basis(rational ? &(taut_basis_spec){.type = "bezier", .degree = 2}
+                             : &(taut_basis_spec){.type = "c-bezier", .alpha = TAUT_PI / 2});
     taut_basis *v = shape_basis(&(taut_basis_spec){.type = "bezier", .degree = 1});
     taut_surface *surface = NULL;
     for (int i = 0; i < (rational ? 3 : 4); i++) {
@@ -153,12 +153,12 @@ static taut_surface *quarter_tube(int rational, double low, double high)
 /* A quarter of the catenoid (cos u cosh v, sin u cosh v, v), 0 <= v <= beta. */
 static taut_surface *catenoid(double beta)
 {
-    const double c[4] = {1, 1, pi / 2 - 1, 0};
+    const double c[4] = {1, 1, TAUT_PI / 2 - 1, 0};
     const double k = (beta - sinh(beta)) / (1 - cosh(beta));
     const double h[4] = {1, 1, beta / tanh(beta / 2) - 1, cosh(beta)},
                  z[4] = {0, k, beta - k, beta};
     double points[4][4][3];
-    taut_basis *u = shape_basis(&(taut_basis_spec){.type = "c-bezier", .alpha = pi / 2});
+    taut_basis *u = shape_basis(&(taut_basis_spec){.type = "c-bezier", .alpha = TAUT_PI / 2});
     taut_basis *v = shape_basis(&(taut_basis_spec){.type = "h-bezier", .beta = beta});
     taut_surface *surface = NULL;
     for (int i = 0; i < 4; i++) {

@@ -3,12 +3,11 @@
 #include "papers.h"
 #include "shapes.h"
 
+#include "core/constants.h"
 #include "taut/join.h"
 #include "taut/operations.h"
 
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 static taut_join joined(const taut_surface *a, taut_edge edge_a, const taut_surface *b,
                         taut_edge edge_b)
@@ -134,8 +133,8 @@ static void test_one_surface(void)
     check_turned(left, TAUT_EDGE_U1, unit, 0, 3, 1, "widths forgotten");
     const taut_join self = joined(left, TAUT_EDGE_U1, left, TAUT_EDGE_U1);
     CHECK(self.c_order == 0 && self.g_order == 0 && self.one_surface == 0, "folded on itself");
-    CHECK_NEAR(self.max_normal_angle, pi, 1e-14, "folded on itself");
-    CHECK_NEAR(self.max_tangent_angle, pi, 1e-14, "folded on itself");
+    CHECK_NEAR(self.max_normal_angle, TAUT_PI, 1e-14, "folded on itself");
+    CHECK_NEAR(self.max_tangent_angle, TAUT_PI, 1e-14, "folded on itself");
     CHECK(joined(left, TAUT_EDGE_U1, other, TAUT_EDGE_U0).one_surface == -1, "bidegrees differ");
     taut_surface_free(left);
     taut_surface_free(right);
@@ -242,7 +241,7 @@ static void test_splines(void)
     taut_surface *b = shape_transposed(a);
     const taut_join j = joined(a, TAUT_EDGE_U1, b, TAUT_EDGE_V1);
     CHECK(j.c_order == 0 && j.g_order == 0, "the same edge of the same surface");
-    CHECK_NEAR(j.max_normal_angle, pi, 1e-7, "folded");
+    CHECK_NEAR(j.max_normal_angle, TAUT_PI, 1e-7, "folded");
     CHECK(!j.reversed && j.one_surface == -1, "spline");
     taut_surface_free(a);
     taut_surface_free(b);

@@ -2,13 +2,12 @@
  * their scale, lambda and theta; other nets are not. */
 #include "check.h"
 
+#include "core/constants.h"
 #include "taut/bonnet.h"
 #include "taut/operations.h"
 #include "taut/recognise.h"
 
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 static taut_surface *made(const taut_bonnet_problem *p)
 {
@@ -47,14 +46,14 @@ static taut_surface *moved(taut_surface *surface, double scale, int mirrored)
 /* The difference of two angles in (-pi, pi]. */
 static double turn(double a, double b)
 {
-    return remainder(a - b, 2 * pi);
+    return remainder(a - b, 2 * TAUT_PI);
 }
 
 static void test_members(void)
 {
     for (int trial = 0; trial < random_trials(400); trial++) {
         const double lambdas[] = {0, random_in(0, 1), 1 - random_log(1e-5, 1)};
-        const double thetas[] = {0, 0.5 * pi, random_in(-pi, pi)};
+        const double thetas[] = {0, 0.5 * TAUT_PI, random_in(-TAUT_PI, TAUT_PI)};
         taut_bonnet_problem p = {.sign = random_int(0, 1) ? 1 : -1,
                                  .alpha = random_in(0.5, 2.5),
                                  .beta = random_in(0.5, 4),
@@ -80,9 +79,10 @@ static void test_members(void)
             const double noise = 1e-12 / w2;
             CHECK_NEAR(m.lambda, p.lambda[0], noise, "trial %d", trial);
             CHECK_NEAR(m.scale / (unit * scale), 1, noise, "trial %d", trial);
-            CHECK_NEAR(turn(m.theta, p.theta + (mirrored ? pi : 0)), 0, noise, "trial %d", trial);
+            CHECK_NEAR(turn(m.theta, p.theta + (mirrored ? TAUT_PI : 0)), 0, noise, "trial %d",
+                       trial);
             CHECK((strcmp(m.name, "helicoid") == 0) ==
-                      (p.lambda[0] == 0 && fabs(p.theta) == 0.5 * pi),
+                      (p.lambda[0] == 0 && fabs(p.theta) == 0.5 * TAUT_PI),
                   "a %s", m.name);
         }
         taut_surface_free(s);

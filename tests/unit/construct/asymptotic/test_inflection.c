@@ -1,68 +1,20 @@
-/* test_poly.c -- polynomials in Bernstein form, inflections, and the bubble basis, each
- * against values. */
+/* test_inflection.c -- inflections taken out of a polynomial, and the bubble basis, against values. */
 #include "check.h"
 
 #include "construct/asymptotic/bubble.h"
 #include "construct/asymptotic/inflection.h"
-#include "construct/asymptotic/poly.h"
-#include "core/vec3.h"
 #include "numeric/bernstein.h"
 #include "numeric/quadrature.h"
 
 #include <float.h>
 #include <string.h>
 
-enum { P = 6, Q = 7, SUM = P + Q };
+enum { SUM = 13 };
 
 static void fill(int count, double *a)
 {
     for (int i = 0; i < count; i++) {
         a[i] = random_in(-1, 1);
-    }
-}
-
-static void test_products(void)
-{
-    for (int trial = 0; trial < 100; trial++) {
-        double s[P + 1], a[P + 1][3], b[Q + 1][3], sb[SUM + 1][3], ab[SUM + 1][3], up[SUM + 1][3];
-        const double t = random_in(0, 1);
-        double vs = 0.0, va[3], vb[3], vsb[3], vab[3], cross[3], vup[3];
-        fill(P + 1, s);
-        fill(3 * (P + 1), &a[0][0]);
-        fill(3 * (Q + 1), &b[0][0]);
-        taut_poly_scale(P, s, Q, 3, &b[0][0], &sb[0][0]);
-        taut_poly_cross(P, &a[0][0], Q, &b[0][0], &ab[0][0]);
-        taut_poly_elevate(P, 3, &a[0][0], Q, &up[0][0]);
-        taut_poly_eval(P, 1, s, t, &vs);
-        taut_poly_eval(P, 3, &a[0][0], t, va);
-        taut_poly_eval(Q, 3, &b[0][0], t, vb);
-        taut_poly_eval(SUM, 3, &sb[0][0], t, vsb);
-        taut_poly_eval(SUM, 3, &ab[0][0], t, vab);
-        taut_poly_eval(SUM, 3, &up[0][0], t, vup);
-        taut_cross(va, vb, cross);
-        for (int k = 0; k < 3; k++) {
-            CHECK_NEAR(vsb[k], vs * vb[k], 1e-14, "t=%a", t);
-            CHECK_NEAR(vab[k], cross[k], 1e-14, "t=%a", t);
-            CHECK_NEAR(vup[k], va[k], 1e-14, "t=%a", t);
-        }
-    }
-}
-
-/* (t - root) q divided by (t - root) is q, for roots all over [0, 1] and its ends. */
-static void test_deflate(void)
-{
-    for (int trial = 0; trial < 500; trial++) {
-        const double root = trial % 10 == 0 ? trial % 20 / 10.0 : random_in(0, 1);
-        const double factor[2] = {-root, 1.0 - root};
-        double q[Q + 1][3], product[Q + 2][3], back[Q + 1][3];
-        fill(3 * (Q + 1), &q[0][0]);
-        taut_poly_scale(1, factor, Q, 3, &q[0][0], &product[0][0]);
-        taut_poly_deflate(Q + 1, 3, &product[0][0], root, &back[0][0]);
-        for (int j = 0; j <= Q; j++) {
-            for (int k = 0; k < 3; k++) {
-                CHECK_NEAR(back[j][k], q[j][k], 1e-12, "root %a coefficient %d", root, j);
-            }
-        }
     }
 }
 
@@ -83,7 +35,7 @@ static void test_inflections(void)
         memcpy(q, start, sizeof start);
         for (int k = 0; k < zeros; k++) {
             const double factor[2] = {-roots[k], 1.0 - roots[k]};
-            taut_poly_scale(1, factor, degree, 3, &q[0][0], &work[0][0]);
+            taut_bernstein_scale(1, factor, degree, 3, &q[0][0], &work[0][0]);
             degree++;
             memcpy(q, work, sizeof work);
         }
@@ -92,7 +44,7 @@ static void test_inflections(void)
         for (int k = 0; k < found; k++) {
             CHECK_NEAR(at[k], roots[k], 1e-13, "trial %d zero %d", trial, k);
         }
-        taut_poly_elevate(3, 3, &start[0][0], zeros, &work[0][0]);
+        taut_bernstein_raise(3, 3, &start[0][0], zeros, &work[0][0]);
         for (int j = 0; j <= degree; j++) {
             for (int k = 0; k < 3; k++) {
                 CHECK_NEAR(q[j][k], work[j][k], 1e-12, "trial %d", trial);
@@ -146,8 +98,6 @@ static void test_bubbles(void)
 int main(void)
 {
     random_seed(17);
-    test_products();
-    test_deflate();
     test_inflections();
     test_bubbles();
     return check_failures != 0;
