@@ -13,12 +13,12 @@
 #include <stdexcept>
 #include <string>
 
-/* A failure with its status and its word (TAUT_FILE_REASON_LIST); the message is a sentence. */
+/* A failure with its status and its reason (TAUT_FILE_REASON_LIST); the message is a sentence. */
 class occt_failure : public std::runtime_error
 {
   public:
-    occt_failure(taut_status why, const char *word, const std::string &message)
-        : std::runtime_error(message), status(why), reason(word)
+    occt_failure(taut_status why, const char *reason, const std::string &message)
+        : std::runtime_error(message), status(why), reason(reason)
     {
     }
     taut_status status;

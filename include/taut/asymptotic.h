@@ -115,9 +115,7 @@ typedef struct taut_asymptotic_problem {
     X("negative-weight", "a weight beside the boundary does not come out positive",                \
       "take end weights and curvatures that differ less, or the other surface")                    \
     X("ill-conditioned", "the least-squares problem for the inner points is singular",             \
-      "take weights that differ less")                                                             \
-    X("model", "the model to certify is not a patch with its four curves",                         \
-      "certify a model that taut made")
+      "take weights that differ less")
 
 /* Makes the model: surface `patch`, curves `v0`, `v1`, `u0`, `u1`; details curve_energy, degree,
  * branch, branches, edges, corners. TAUT_BAD_INPUT: data out of range; TAUT_NO_SOLUTION: no such

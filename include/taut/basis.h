@@ -62,7 +62,7 @@ typedef struct taut_basis_spec {
 #define TAUT_BASIS_REASON_LIST(X)                                                                  \
     X("knots", "the knots decrease, are not clamped, or repeat more often than the degree allows", \
       "give knots that do not decrease, the ends degree + 1 times, inner ones at most degree")     \
-    X("short-span", "a span is, or would become, too short to tell parameters apart in it",        \
+    X("short-span", "a span is, or would become, too short for its parameters or its slopes",      \
       "take breaks, or a cut, further apart")                                                      \
     X("dependent", "a c-bspline of segments of pi or longer has dependent functions",              \
       "use more segments, each at most 2.5, say")

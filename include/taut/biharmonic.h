@@ -61,9 +61,7 @@ typedef struct taut_biharmonic_problem {
     X("ill-conditioned", "rounding in the data would leave too few digits of the result",          \
       "lower the degree, change the width, or allow it with \"allow_ill_conditioned\"")            \
     X("not-biharmonic", "the surface to meet is not biharmonic over its own rectangle",            \
-      "give a biharmonic surface with all its digits")                                             \
-    X("model", "the model to certify is not one of the construction, or not of the problem",       \
-      "certify it with the problem that it was made from")
+      "give a biharmonic surface with all its digits")
 
 /* From rows: one surface; details: amplification. A neighbour: the given surface and `extension`,
  * each with its rectangle; details: contact ("c1", "c2"), free (numbers chosen, a coordinate),

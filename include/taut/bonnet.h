@@ -39,9 +39,7 @@ typedef struct taut_bonnet_problem {
     X("segment-length", "a segment in u is too long for its basis",                                \
       "use \"mesh\": \"bspline\" with more segments, or make it of two windows")                   \
     X("far-window", "the window lies so far out that curvatures overflow or digits are lost",      \
-      "begin nearer to 0, or end earlier")                                                         \
-    X("model", "the model to certify is not of the construction, or not of the problem",           \
-      "certify it with the problem that it was made from")
+      "begin nearer to 0, or end earlier")
 
 /* Makes the model: surface "bonnet", or frame-0, frame-1, ... details: lambda (a list for frames),
  * amplitude (of the quasi-B-spline net: alpha / sin alpha; 1 for bezier). TAUT_NO_SOLUTION: lambda

@@ -56,12 +56,10 @@ typedef struct taut_certify_options {
 #define TAUT_CERTIFY_REASON_LIST(X)                                                                \
     X("needs-problem", "the model alone does not say what it was to be",                           \
       "give the problem it was made from too")                                                     \
-    X("no-surface", "the model has no surface", "give the model of this problem")                  \
-    X("mismatch", "model and problem do not belong together", "give the model of this problem")    \
+    X("model", "the model is none that the construction makes, or not of this problem",            \
+      "give the model of this problem")                                                            \
     X("details", "the model's details lack what its claims are about, or are wrong",               \
-      "make the model again")                                                                      \
-    X("close-knots", "knots of two curves lie too close to be told apart",                         \
-      "make the knots that are meant to be one the same number")
+      "make the model again")
 
 /* Proves a model again from its numbers alone. problem NULL: the construction is taken from the
  * certificate the model carries, and claims that need the problem's data are judged from the model

@@ -88,9 +88,7 @@ typedef struct taut_harmonic_problem {
     X("not-harmonic", "the surface to extend is not harmonic over its own rectangle",              \
       "give a harmonic surface with all its digits")                                               \
     X("other-surface", "the neighbour is no piece of the same surface",                            \
-      "give the piece across that edge, u and v as in the surface")                                \
-    X("model", "the model to certify is not one of the construction, or not of the problem",       \
-      "certify it with the problem that it was made from")
+      "give the piece across that edge, u and v as in the surface")
 
 /* Makes the surface. details: amplification, repair (null, or kind and change), warnings.
  * TAUT_NO_SOLUTION when rows of even degree do not agree (found: the defect), when the

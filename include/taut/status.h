@@ -39,7 +39,7 @@ typedef enum taut_status {
 
 /* Reasons that any call may give: word, meaning, remedy. What can be wrong with a document is
  * listed in taut/read.h, with a file in taut/write.h, and with what a construction is asked for in
- * its own header. */
+ * its own header. docs/errors.md has them all. */
 #define TAUT_REASON_LIST(X)                                                                        \
     X("argument", "an argument of a C call is NULL or outside its documented range",               \
       "see the call in its header")                                                                \

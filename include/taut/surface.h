@@ -24,17 +24,19 @@ typedef struct taut_surface taut_surface;
     X("bases-differ", "opposite curves are on c- or h- bases that differ",                         \
       "give both on the same basis, or convert them to B-splines")                                 \
     X("basis", "a basis of this type has no such operation", "convert it to NURBS first")          \
-    X("close-knots", "knots of two opposite curves lie too close to be told apart",                \
+    X("close-knots", "knots of two curves lie too close to be told apart",                         \
       "make the knots that are meant to be one the same number")                                   \
     X("corner-weights", "weights of four curves do not agree at the corners they share",           \
       "scale the weights until both ways around give the same ones")                               \
-    X("degree", "a degree cannot be raised so often", "raise it to the largest degree at most")    \
-    X("empty", "the model holds no surface and no curve", "name a model that holds some")          \
+    X("degree", "a degree is higher, or would be raised higher, than is taken there",              \
+      "keep to the largest degree that the message names")                                         \
+    X("empty", "a model or a file holds no surface and no curve, or none that the format takes",   \
+      "give one that holds some")                                                                  \
     X("gap", "four curves do not close",                                                           \
       "move the ends that the message names together, or allow a larger gap")                      \
     X("no-such-object", "nothing in the model has this name",                                      \
       "give the name of one that is there")                                                        \
-    X("no-surface", "the model has no surface to make a mesh of", "name a surface that is there")  \
+    X("no-surface", "the model has no surface", "give a model that has one")                       \
     X("not-bezier", "a curve has several spans, or is on a basis that is no polynomial one",       \
       "give a curve of one Bezier span")                                                           \
     X("not-clamped", "a curve does not begin and end in control points",                           \
@@ -46,8 +48,6 @@ typedef struct taut_surface taut_surface;
     X("not-in-family", "the surface is no minimal surface with planar curvature lines",            \
       "give a net on the bases that hold the family")                                              \
     X("parameter", "a parameter is not inside the open range", "give one between the ends")        \
-    X("short-span", "a span is so short against its range that slopes overflow",                   \
-      "leave such a knot out, or move it")                                                         \
     X("tolerance", "a tolerance is below what rounding leaves", "ask for the limit at least")      \
     X("too-fine", "a mesh would have too many vertices", "ask for a coarser one")                  \
     X("too-large", "coordinates are too large to prove a distance", "scale them")                  \

@@ -23,21 +23,18 @@ extern "C" {
     X("write", "a file cannot be written", "see to its folder, permissions and room")              \
     X("large", "a file is larger than any document may be", "take it apart")                       \
     X("format", "the ending of a path is that of no format", "take one that is listed")            \
-    X("not-regular", "the format can be written to nothing else than a regular file",              \
+    X("not-a-file", "the format can be written to nothing else than a regular file",               \
       "write a file")                                                                              \
     X("same-place", "two outputs go to the same place", "give each its own path")                  \
     X("several", "the format holds one model a file, or not so many",                              \
       "write .json, or figures of fewer models")                                                   \
     X("surface", "the surface asked for is the name of none, or of several",                       \
       "name one of the model's surfaces")                                                          \
-    X("empty", "there is nothing that the format holds, or nothing in the file",                   \
-      "give a model with surfaces or curves")                                                      \
     X("cells", "a grid of more points than a file may have", "ask for a coarser one")              \
     X("single-precision", "a coordinate is too large for the single precision of the format",      \
       "write .ply or .obj")                                                                        \
     X("single-point", "a surface is one point, which no STEP file gives back",                     \
       "leave it out, or write IGES or JSON")                                                       \
-    X("degree", "a degree that OpenCASCADE does not have", "write JSON")                           \
     X("broken", "a STEP or IGES file is none, or is cut off, or breaks the rules of its format",   \
       "export it again")                                                                           \
     X("claims", "a STEP or IGES file claims to hold more than its size explains",                  \

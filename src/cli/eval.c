@@ -42,8 +42,12 @@ static int clamp(const taut_basis *basis, double *t)
 
 static int outside(const char *name, double t, const taut_basis *basis)
 {
-    return cli_misuse("range", "--at: %s is %.17g, expected %.17g to %.17g", name, t,
-                      taut_basis_lo(basis), taut_basis_hi(basis));
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    taut_error error = {
+        .status = TAUT_BAD_ARGUMENT, .reason = "range", .found = t, .limit = t < lo ? lo : hi};
+    snprintf(error.message, sizeof error.message, "--at: %s is %.17g, expected %.17g to %.17g",
+             name, t, lo, hi);
+    return cli_fail(&error);
 }
 
 static void add_or_null(taut_record *record, const char *key, int regular, int count,

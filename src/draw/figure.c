@@ -232,7 +232,7 @@ static taut_status fail_painting(taut_status status, taut_error *error)
     if (errno != 0) {
         strerror_r(errno, reason, sizeof reason);
     }
-    return taut_fail(error, TAUT_IO, "file", NULL, taut_none, taut_none,
+    return taut_fail(error, TAUT_IO, "write", NULL, taut_none, taut_none,
                      "the figure could not be written: %s", reason);
 }
 

@@ -20,14 +20,32 @@ run() {
     [ "$code" = "$expected" ] || complain "taut $*: exit $code, expected $expected: $(cat err.txt)"
 }
 
-# refused CODE PATTERN WORDS...: exit code, one line on standard error that matches, nothing on standard output.
+# refused CODE PATTERN [COMMAND WORDS...]: with --json, the exit code, nothing on standard output, and on standard error
+# one line, the error with its six members, of which "REASON WHERE found FOUND expected EXPECTED" begins with words that
+# match (WHERE is left out where it is empty). What the sentence alone says, such as the name of a file, is checked
+# afterwards with `contains err.txt`: there its quotes are written \".
 refused() {
     expected=$1
     pattern=$2
     shift 2
+    if [ $# -gt 0 ]; then
+        verb=$1
+        shift
+        set -- "$verb" --json "$@"
+    else
+        set -- --json
+    fi
     run "$expected" "$@"
+    told=$(sed -nE '
+        s/^\{ "error": \{ "exit": '"$expected"', "reason": "([a-z0-9-]+)", "where": "(([^"\\]|\\.)*)", "message": "(([^"\\]|\\.)+)", "found": (null|-?[0-9][-+.e0-9]*), "expected": (.*) \} \}$/\1 \2 found \6 expected \7/
+        t tell
+        s/.*/no error of these members/
+        : tell
+        s/^([^ ]*)  /\1 /
+        s/ expected "(.*)"$/ expected \1/
+        p' err.txt)
+    printf '%s\n' "$told" | grep -qE -- "^($pattern)( |\$)" || complain "taut $*: told '$told', expected $pattern: $(cat err.txt)"
     [ "$(wc -l < err.txt)" = 1 ] || complain "taut $*: not one line on standard error: $(cat err.txt)"
-    grep -qE -- "$pattern" err.txt || complain "taut $*: said '$(cat err.txt)', expected $pattern"
     [ ! -s out.txt ] || complain "taut $*: wrote to standard output"
 }
 

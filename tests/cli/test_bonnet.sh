@@ -44,10 +44,11 @@ for kind in conical circular; do
     [ ! -s err.txt ] || complain "--quiet said $(cat err.txt)"
 done
 run 0 panels "$example/bonnet-enneper.json" --kind conical -o e.ply --surface frame-5
-refused 2 'needs --kind' panels a.json -o p.obj
-refused 2 'whole numbers' panels a.json --kind conical --divide 0,4 -o x.obj
-refused 4 'theta is 1\.57' panels "$example/bonnet-helicoid.json" --kind conical -o x.obj
-refused 4 'none of the minimal surfaces' panels tent.json --kind circular -o x.obj
+refused 2 'option' panels a.json -o p.obj
+contains err.txt 'needs --kind'
+refused 2 'value --divide 0,4 found null expected whole numbers from 1 to 500000' panels a.json --kind conical --divide 0,4 -o x.obj
+refused 4 'theta /theta found 1\.57[0-9]* expected 0' panels "$example/bonnet-helicoid.json" --kind conical -o x.obj
+refused 4 'not-in-family /surfaces/0' panels tent.json --kind circular -o x.obj
 absent x.obj
 
 # NURBS within a proved distance, also as JSON when a tolerance is given.
@@ -62,27 +63,31 @@ bonnet() { # bonnet MEMBERS: a problem of sign -, alpha 1, beta 1 unless said
     printf '{ "taut": 1, "construct": "bonnet", "sign": "-", %s }\n' "$1" > p.json
 }
 bonnet '"lambda": 1, "alpha": 1, "beta": 1'
-refused 4 '/lambda: .*normalize' make p.json -o x.json
+refused 4 'lambda /lambda found 1 expected 1' make p.json -o x.json
+contains err.txt 'normalize'
 bonnet '"lambda": 1.5, "alpha": 1, "beta": 1, "normalize": true'
-refused 4 '/lambda: .*no real root' make p.json -o x.json
+refused 4 'lambda /lambda found 1\.5 expected 1' make p.json -o x.json
 bonnet '"lambda": -0.5, "alpha": 1, "beta": 1'
-refused 4 '/lambda: .*the other sign' make p.json -o x.json
+refused 4 'lambda /lambda found -0\.5 expected 0' make p.json -o x.json
 bonnet '"lambda": 0.5, "alpha": 3.15, "beta": 1, "mesh": "bspline"'
-refused 4 '/alpha: .*more segments' make p.json -o x.json
+refused 4 'segment-length /alpha found 3\.15 expected 3\.14159[0-9]*' make p.json -o x.json
+contains err.txt 'more segments'
 bonnet '"lambda": 0.5, "alpha": 3.15, "beta": 1'
-refused 3 '/alpha: .*bspline' make p.json -o x.json
+refused 3 'segment-length /alpha found 3\.15 expected 3\.14159[0-9]*' make p.json -o x.json
+contains err.txt 'bspline'
 bonnet '"lambda": 0.5, "alpha": 4, "beta": 1, "normalize": true'
-refused 3 '/alpha: .*two windows' make p.json -o x.json
+refused 3 'segment-length /alpha found 4 expected 3\.6275[0-9]*' make p.json -o x.json
+contains err.txt 'two windows'
 bonnet '"lambda": 0.5, "alpha": 1, "beta": 178'
-refused 4 '/beta: .*overflow' make p.json -o x.json
+refused 4 'far-window /beta found 178 expected 177' make p.json -o x.json
 bonnet '"lambda": 0.5, "alpha": 0, "beta": 1'
-refused 3 '/alpha: .*positive' make p.json -o x.json
+refused 3 'value /alpha found 0 expected a positive length' make p.json -o x.json
 bonnet '"lambda": 0.5, "alpha": 1, "beta": 1, "start": [1e13, 0]'
-refused 3 '/start/0: .*2 pi' make p.json -o x.json
+refused 3 'far-window /start/0 found 10000000000000 expected 1000000000000' make p.json -o x.json
 bonnet '"lambda": [0, 0.5], "alpha": 1, "beta": 1'
-refused 3 '/lambda: .*frames' make p.json -o x.json
+refused 3 'size /lambda found 2 expected 1' make p.json -o x.json
 bonnet '"lambda": 0.5, "alpha": 1, "beta": 1, "segments": [2, 2]'
-refused 3 '/segments: .*bspline' make p.json -o x.json
+refused 3 'conflict /segments' make p.json -o x.json
 absent x.json
 
 # A window so small that rounding leaves it open: said, and no failure.
@@ -94,7 +99,7 @@ contains tiny.json '"holds": null'
 # A tolerance below rounding: the least one is named in the measure it is asked for in, and then works.
 bonnet '"lambda": 0.5, "alpha": 0.001, "beta": 0.001'
 run 0 make p.json -o tiny.json
-refused 2 'ask for [0-9.e-]+ at least' convert tiny.json --tolerance 1e-12 -o x.json
+refused 2 'tolerance /surfaces/0 found 1e-12 expected [0-9.]+e-10' convert tiny.json --tolerance 1e-12 -o x.json
 absent x.json
 least=$(sed 's/.*ask for \([0-9.e-]*\) at least.*/\1/' err.txt)
 run 0 convert tiny.json --tolerance "$least" -o x.json

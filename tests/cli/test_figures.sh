@@ -54,8 +54,8 @@ run 0 convert saddle.json other.json -o two.svg -o two.pdf --combs
 contains two.svg '>saddle<'
 contains two.svg '>other<'
 [ -s two.pdf ] || complain "no two.pdf"
-refused 2 'holds one model' convert saddle.json other.json -o two.obj
-refused 5 'missing' convert saddle.json missing.json -o none.svg
+refused 2 'several found 2 expected 1' convert saddle.json other.json -o two.obj
+refused 5 'read missing\.json' convert saddle.json missing.json -o none.svg
 absent two.obj none.svg
 
 # Small enough to be sent: vectors stay vectors.
@@ -63,12 +63,12 @@ absent two.obj none.svg
 grep -q '<image' k.svg && complain "a figure holds pixels"
 
 run 0 convert saddle.json -o w.png --width 200
-refused 2 'expected H, K or I' convert saddle.json -o x.svg --colour Q
-refused 2 'width' convert saddle.json -o x.png --width 8
-refused 2 'isolines' convert saddle.json -o x.png --isolines 0
-refused 2 'reflections' convert saddle.json -o x.png --reflections 1.5
-refused 2 'two numbers' view saddle.json -o x.html --view 1
-refused 2 'needs more' view
-refused 5 'missing' view missing.json -o x.html
+refused 2 'value --colour Q found null expected H, K or I' convert saddle.json -o x.svg --colour Q
+refused 2 'value --width 8 found 8' convert saddle.json -o x.png --width 8
+refused 2 'value --isolines 0 found 0' convert saddle.json -o x.png --isolines 0
+refused 2 'value --reflections 1\.5 found 1\.5' convert saddle.json -o x.png --reflections 1.5
+refused 2 'value --view 1 found 1 expected two numbers,.*' view saddle.json -o x.html --view 1
+refused 2 'operand' view
+refused 5 'read missing\.json' view missing.json -o x.html
 absent x.svg x.png x.html
 finish

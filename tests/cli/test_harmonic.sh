@@ -29,18 +29,19 @@ for direction in u v; do
 
     # Pieces that are others are refused, each way by its name.
     merge low low ${direction}1
-    refused 4 'neighbour: not the same surface: .* by [0-9.]+' make problem.json -o no.json
+    refused 4 'other-surface /neighbour found 0\.[0-9]+' make problem.json -o no.json
     merge high low ${direction}1
-    refused 4 'not the same surface' make problem.json -o no.json
+    refused 4 'other-surface /neighbour' make problem.json -o no.json
     absent no.json
 done
 printf '{"name": "b", "u": {"type": "bezier", "degree": 1}, "v": {"type": "bezier", "degree": 1}, "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]}' > bilinear
 merge low bilinear v1
-refused 4 'not the same surface: the neighbour.s degrees are 1 and 1, the surface.s 3 and 3' make problem.json -o no.json
+refused 4 'other-surface /neighbour' make problem.json -o no.json
+contains err.txt 'degrees are 1 and 1, the surface.s 3 and 3'
 merge low high v1 ', "width": 2'
-refused 3 'neighbour.*beside "width"' make problem.json -o no.json
+refused 3 'conflict /neighbour' make problem.json -o no.json
 merge low high v1 ', "contact": "g1"'
-refused 3 'neighbour.*contact "g1"' make problem.json -o no.json
+refused 3 'conflict /neighbour' make problem.json -o no.json
 
 # Exactly: at 0.3, where 1 - 0.3 is no double; a digit that doubles cannot hold is one too many.
 run 0 make "$SOURCE/examples/harmonic-exact.json" --exact --quiet -o exact.json 2> /dev/null
@@ -57,7 +58,7 @@ if grep -q '16/45' exact.json; then
     if ! cmp -s near high; then
         merge low near u1
         run 0 make problem.json -o merged.json
-        refused 4 'not the same surface' make problem.json --exact -o no.json
+        refused 4 'other-surface /neighbour' make problem.json --exact -o no.json
     else
         complain "no coordinate was changed: $(cat high)"
     fi

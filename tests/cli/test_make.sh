@@ -42,42 +42,63 @@ run 1 certify m.json elsewhere.json
 contains err.txt 'known +DOES NOT HOLD'
 
 # The command line is wrong: 2.
-refused 2 'no command' 
-refused 2 'did you mean "make"' mkae saddle.json
-refused 2 'did you mean --report' make saddle.json --reprot r.json
-refused 2 'no option --nonsense' make saddle.json --nonsense
-refused 2 'needs more' make
-refused 2 'does not know what to do with' make saddle.json more.json
-refused 2 'needs a value' make saddle.json -o
-refused 2 'ending' make saddle.json -o model.xyz
-refused 2 'given twice' make saddle.json -o a.json -o a.json
-refused 2 'tolerance' make saddle.json --tolerance 1,5
-refused 2 'tolerance' make saddle.json --tolerance nan
-refused 2 'threads' make saddle.json --threads 0
-refused 2 'expected 0 to 1' eval m.json --at 1.5,0
-refused 2 'two numbers' eval m.json --at 1
-refused 2 'no surface' eval m.json --surface other --at 0,0
-refused 2 'no curve' eval m.json --curve other --at 0
-refused 2 'needs at least one -o' convert m.json
-refused 2 'no surface of that name' measure m.json --surface other
-refused 2 'there are: ' example nonsense
-refused 2 'there are: ' schema nonsense
+refused 2 'command'
+refused 2 'command' mkae saddle.json
+contains err.txt 'did you mean \\"make\\"'
+refused 2 'option' make saddle.json --reprot r.json
+contains err.txt 'did you mean --report'
+refused 2 'option' make saddle.json --nonsense
+contains err.txt 'no option --nonsense'
+refused 2 'operand' make
+contains err.txt 'needs more'
+refused 2 'operand' make saddle.json more.json
+contains err.txt 'does not know what to do with more\.json'
+refused 2 'option' make saddle.json -o
+contains err.txt '-o needs a value'
+refused 2 'format' make saddle.json -o model.xyz
+contains err.txt 'the ending of model\.xyz'
+refused 2 'option' make saddle.json -o a.json -o a.json
+contains err.txt 'a\.json is given twice'
+refused 2 'value --tolerance 1,5 found null expected a number from 1e-14 to 1' make saddle.json --tolerance 1,5
+refused 2 'value --tolerance nan' make saddle.json --tolerance nan
+refused 2 'value --threads 0 found 0' make saddle.json --threads 0
+refused 2 'range found 1\.5 expected 1' eval m.json --at 1.5,0
+refused 2 'value --at 1 found 1 expected two numbers U,V' eval m.json --at 1
+refused 2 'name' eval m.json --surface other --at 0,0
+contains err.txt 'no surface other'
+refused 2 'name' eval m.json --curve other --at 0
+contains err.txt 'no curve other'
+refused 2 'option' convert m.json
+contains err.txt 'at least one -o'
+refused 2 'name' measure m.json --surface other
+contains err.txt '--surface other'
+refused 2 'name' example nonsense
+contains err.txt 'there are: .*dirichlet'
+refused 2 'name' schema nonsense
+contains err.txt 'there are: .*problem'
 absent model.xyz a.json more.json
 
 # Files that can't be read or written: 5, and nothing left behind.
-refused 5 'missing\.json' make missing.json
-refused 5 '\.' make .
-refused 5 'no\?\?file\.json: ' make "$(printf 'no\n\033file.json')" # one line, which cannot move the cursor
-refused 5 'nowhere' make saddle.json --quiet -o nowhere/m.json
-refused 5 'folder' make saddle.json --quiet -o good.json -o nowhere/folder.obj
+refused 5 'read missing\.json' make missing.json
+refused 5 'read \.' make .
+refused 5 'read no\\u000a\\u001bfile\.json' make "$(printf 'no\n\033file.json')"
+run 5 make "$(printf 'no\n\033file.json')" # one line, which cannot move the cursor
+[ "$(wc -l < err.txt)" = 1 ] || complain "a name of two lines: $(cat err.txt)"
+contains err.txt 'no\?\?file\.json: '
+refused 5 'write' make saddle.json --quiet -o nowhere/m.json
+contains err.txt 'nowhere/m\.json'
+refused 5 'write' make saddle.json --quiet -o good.json -o nowhere/folder.obj
+contains err.txt 'nowhere/folder\.obj'
 mkdir folder.json
-refused 5 'folder\.json' make saddle.json --quiet -o folder.json
+refused 5 'write' make saddle.json --quiet -o folder.json
+contains err.txt 'folder\.json'
 absent good.json nowhere
 if [ -w /dev/full ]; then
     "$TAUT" make saddle.json --quiet > /dev/full 2> err.txt
     [ $? = 5 ] || complain "a full disk is not exit 5"
     [ "$(wc -l < err.txt)" = 1 ] || complain "a full disk: $(cat err.txt)"
-    refused 5 'full' make saddle.json --quiet -o other.json --report /dev/full
+    refused 5 'write' make saddle.json --quiet -o other.json --report /dev/full
+    contains err.txt '/dev/full'
     absent other.json
     [ -c /dev/full ] || complain "/dev/full was replaced"
 fi

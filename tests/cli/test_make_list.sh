@@ -60,16 +60,19 @@ rm -f all.json m-0.obj
 
 # One that fails leaves nothing of any, and is named by its place.
 list 1 2 null 4 > list.json
-refused 3 'list\.json: /2/points/0/0/2: ' make list.json -o all.json -o m.obj
+refused 3 'type /2/points/0/0/2 found null expected a number' make list.json -o all.json -o m.obj
+run 3 make list.json -o all.json -o m.obj
+contains err.txt '^taut: list\.json: /2/points/0/0/2: '
 printf '[%s, { "taut": 1, "construct": "dirichlet", "u": { "type": "bezier", "degree": 1 }, "v": { "type": "bezier", "degree": 1 },
   "points": [[null, null], [null, null]] }]\n' "$(problem 1)" > list.json
-refused 4 'list\.json: /1/points: no point of the net is known' make list.json -o all.json -o m.obj
+refused 4 'nothing-known /1/points found 0 expected 1' make list.json -o all.json -o m.obj
 printf '[]' > list.json
-refused 3 'found an empty array' make list.json -o all.json
+refused 3 'size list\.json found null expected an array of problems, one at least' make list.json -o all.json
 printf '[[%s]]' "$(problem 1)" > list.json
-refused 3 '/0: found an array' make list.json -o all.json
+refused 3 'type /0 found null expected an object' make list.json -o all.json
 list 1 2 > list.json
-refused 5 'nowhere' make list.json --quiet -o all.json -o nowhere/m.obj
+refused 5 'write' make list.json --quiet -o all.json -o nowhere/m.obj
+contains err.txt 'nowhere/m-0\.obj'
 absent all.json m-0.obj m-1.obj
 
 # A claim that does not hold is exit 1; the list is written to be looked at, pictures of that one are not.

@@ -50,16 +50,22 @@ run 0 convert patch.json --pieces --surface p -o pieces.json
 contains pieces.json 'ce-bezier'
 run 0 convert patch.json --pieces --tolerance 1e-6 -o pieces.json
 absent_word pieces.json 'h-bezier'
-refused 2 'one model at a time' convert patch.json patch.json --pieces -o both.svg
-refused 2 'no.*name|nothing' convert patch.json --pieces --surface q -o none.json
+refused 2 'operand' convert patch.json patch.json --pieces -o both.svg
+contains err.txt 'one model at a time'
+refused 2 'no-such-object patch\.json' convert patch.json --pieces --surface q -o none.json
 
-refused 4 'p|u' split patch.json --u 1.5
-refused 4 'p|u' split patch.json --u 0
-refused 2 'one of --u' split patch.json
-refused 2 'one of --u' split patch.json --u 0.1 --v 0.1
-refused 2 'expected a number' split patch.json --u half
-refused 2 'is no edge' join patch.json top patch.json u0
-refused 2 'no such surface' join patch.json q.u1 patch.json u0
-refused 2 'expected NAME' join halves.json u1 patch.json u0
-refused 2 '.' split patch.json --u 0.5 --surface q
+refused 4 'parameter /surfaces/0 found 1\.5 expected 1' split patch.json --u 1.5
+refused 4 'parameter /surfaces/0 found 0 expected 0' split patch.json --u 0
+refused 2 'option' split patch.json
+contains err.txt 'one of --u'
+refused 2 'option' split patch.json --u 0.1 --v 0.1
+contains err.txt 'one of --u'
+refused 2 'value --u half found null expected a number' split patch.json --u half
+refused 2 'value' join patch.json top patch.json u0
+contains err.txt 'top is no edge'
+refused 2 'name' join patch.json q.u1 patch.json u0
+contains err.txt 'q\.u1'
+refused 2 'name' join halves.json u1 patch.json u0
+contains err.txt 'expected NAME\.u1'
+refused 2 'no-such-object patch\.json' split patch.json --u 0.5 --surface q
 finish

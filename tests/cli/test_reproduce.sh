@@ -6,5 +6,6 @@ grep -q 'differs' out.txt && complain "$(grep differs out.txt)"
 run 0 reproduce dirichlet --json
 contains out.txt '"verdict": "agrees"'
 contains out.txt '"verdict": "erratum"'
-refused 2 'there are: .*dirichlet' reproduce nonsense
+refused 2 'name' reproduce nonsense
+contains err.txt 'there are: .*dirichlet'
 finish

@@ -8,7 +8,8 @@ endings='json obj stl ply glb svg'
 if [ -w /dev/full ]; then
     for ending in $endings; do
         ln -s /dev/full "full.$ending"
-        refused 5 "full\.$ending.*[Nn]o space" make problem.json --quiet -o beside.json -o "full.$ending"
+        refused 5 'write' make problem.json --quiet -o beside.json -o "full.$ending"
+        contains err.txt "full\.$ending: [Nn]o space"
         [ -L "full.$ending" ] || complain "full.$ending was replaced"
         rm "full.$ending"
     done
@@ -45,17 +46,20 @@ exec 3>&-
 [ "$(wc -l < err.txt)" = 1 ] || complain "a closed pipe: $(cat err.txt)"
 
 # Folders that take nothing, for root either.
-refused 5 'proc' make problem.json --quiet -o beside.obj -o /proc/taut-model.json
+refused 5 'write' make problem.json --quiet -o beside.obj -o /proc/taut-model.json
+contains err.txt '/proc/taut-model\.json'
 absent beside.obj
 if [ "$(id -u)" != 0 ]; then
     mkdir closed
     chmod a-w closed
-    refused 5 'closed' make problem.json --quiet -o beside.obj -o closed/model.json
+    refused 5 'write' make problem.json --quiet -o beside.obj -o closed/model.json
+    contains err.txt 'closed'
     absent beside.obj
 fi
 mkdir old
 echo old > old/model.json
-refused 5 'nowhere' make problem.json --quiet -o old/model.json -o nowhere/model.obj
+refused 5 'write' make problem.json --quiet -o old/model.json -o nowhere/model.obj
+contains err.txt 'nowhere/model\.obj'
 [ "$(cat old/model.json)" = old ] || complain "a file was replaced although another could not be written"
 
 # Stopped half way: one output is written but not yet in place, the next waits for a reader who never comes.

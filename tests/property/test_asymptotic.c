@@ -156,8 +156,9 @@ static void test_flat_edges(void)
         (void)snprintf(what, sizeof what, "net %d flat to %g", trial, bend);
         problem.surface = trial % 3 == 2 ? TAUT_BIDEGREE_N_PLUS_3 : TAUT_BIDEGREE_5N_MINUS_7;
         status = taut_asymptotic_make(&problem, NULL, &model, &error);
-        CHECK(status == TAUT_OK || strstr(error.message, "take surface \"5n-7\"") != NULL, "%s: %s",
-              what, error.message);
+        CHECK(status == TAUT_OK || strcmp(error.reason, "inflection") == 0 ||
+                  strcmp(error.reason, "negative-weight") == 0,
+              "%s: %s", what, error.message);
         if (status == TAUT_OK) {
             asymptotic_check_claims_or_fold(model, &problem, what);
         }
@@ -183,8 +184,7 @@ static void test_far_nets(void)
         const taut_status status = taut_asymptotic_make(&moved, NULL, &model, &error);
         CHECK(status == (k < 2 ? TAUT_OK : TAUT_BAD_INPUT), "origin %g: %s", origins[k],
               error.message);
-        CHECK(k < 2 || strstr(error.message, "move the origin nearer") != NULL, "%s",
-              error.message);
+        CHECK(k < 2 || strcmp(error.reason, "far-away") == 0, "%s", error.message);
         if (status == TAUT_OK) {
             certificate = asymptotic_certify(model, &moved, "far");
             for (int c = 0; c < 3; c++) {
@@ -232,7 +232,7 @@ static void test_weight_scales(void)
             problem.curves[0] = asymptotic_curve("v0", 3, taut_curve_points(from), weights);
             taut_curve_free((taut_curve *)(size_t)from);
             CHECK(taut_asymptotic_make(&problem, NULL, &model, &error) == TAUT_BAD_INPUT &&
-                      strstr(error.message, "of those at the corners") != NULL,
+                      strcmp(error.reason, "value") == 0,
                   "%s: %s", what, error.message);
         }
         asymptotic_free_curves(&problem);

@@ -6,12 +6,14 @@ fresh() {
     rm -rf "${tree:?}"/*
     mkdir -p "$tree/include/taut" "$tree/src/core" "$tree/src/geometry" "$tree/src/certify" "$tree/src/cli" \
         "$tree/src/construct" "$tree/docs"
-    printf '#include <stdio.h>\n#include "taut/status.h"\n#include "core/fail.h"\nint taut_y(void)\n{\n    return taut_x();\n}\n' > \
-        "$tree/src/core/fail.c"
+    printf '#include <stdio.h>\n#include "taut/status.h"\n#include "core/fail.h"\n%s\n%s\n' \
+        'int say(const char *reason) { return say("lost"); }' 'int taut_y(void) { return taut_x(); }' > "$tree/src/core/fail.c"
     printf '#include "numeric/sum.h"\n/* [Known2001] */\n' > "$tree/src/certify/a.c"
     printf '#include "geometry/b.h"\n#include "basis/b.h"\n' > "$tree/src/geometry/b.c"
     printf '#include "taut/taut.h"\n#include "cli/c.h"\n#include "c.h"\n' > "$tree/src/cli/c.c"
-    printf '/* status.h -- what happened. */\n#include "taut/export.h"\n' > "$tree/include/taut/status.h"
+    printf '/* status.h -- what happened. */\n#include "taut/export.h"\n%s\n' \
+        '#define TAUT_REASON_LIST(X) X("lost", "a part is lost", "find it")' > "$tree/include/taut/status.h"
+    printf '# Errors\n\n## Any call\n\n| `lost` | 3 | a part is lost | find it |\n' > "$tree/docs/errors.md"
     mkdir -p "$tree/tests/fault"
     printf '/* calls taut_known */\n' > "$tree/tests/fault/test_known.c"
     printf 'taut_exempt it takes none\n' > "$tree/tests/fault/no_memory.txt"
@@ -39,7 +41,7 @@ catches() {
 }
 
 fresh
-for check in layers words citations docs faults; do
+for check in layers words citations docs reasons faults; do
     passes $check
 done
 
@@ -114,6 +116,14 @@ stale 'the headers know no taut_new'
 library
 printf '/* x.h -- more. */\n' > "$tree/include/taut/x.h"
 stale 'taut.h does not include it'
+
+catches reasons src/core/x.c '"gone" stands in no list' 'int x(int a) { return say(a ? "lost" : "gone"); }\n'
+catches reasons src/core/x.c '"gone" stands in no list' 'struct error x = {.reason = "gone", .place = "here"};\n'
+catches reasons src/core/fail.c 'words that nothing gives: lost' '/* say("lost") */\nint say(const char *reason);\n'
+catches reasons docs/errors.md 'no row for lost' '## Any call\n\n## More\n| `lost` | 3 |\n'
+catches reasons docs/errors.md 'no reason is called gone' '## Any call\n| `lost` | 3 |\n| `gone` | 3 |\n'
+catches reasons include/taut/read.h 'both have lost' '#define TAUT_DOCUMENT_REASON_LIST(X) X("lost", "it is", "seek it")\n'
+catches reasons include/taut/read.h 'cannot be read' '#define TAUT_DOCUMENT_REASON_LIST(X) X("left")\n'
 
 catches faults include/taut/x.h 'taut_x: no test' '/* x.h */\nTAUT_API taut_status\ntaut_x(int n);\n'
 catches faults include/taut/x.h 'taut_x: no test' '/* x.h */\nTAUT_API void taut_x(taut_record *record);\n'

@@ -104,7 +104,7 @@ static taut_status read_request(const taut_model *model, const taut_dirichlet_pr
     r->surface = taut_model_surface(model, 0);
     r->problem = problem;
     if (r->surface == NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "no-surface", "/surfaces", 0, 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces", 0, 1,
                          "the model has no surface, expected the one of its problem");
     }
     r->nu = taut_basis_count(taut_surface_u(r->surface));
@@ -115,8 +115,7 @@ static taut_status read_request(const taut_model *model, const taut_dirichlet_pr
             return status;
         }
     } else if (taut_basis_count(problem->u) != r->nu || taut_basis_count(problem->v) != r->nv) {
-        return taut_fail(error, TAUT_BAD_INPUT, "mismatch", "/surfaces/0/points", taut_none,
-                         taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces/0/points", taut_none, taut_none,
                          "the model's net is %d by %d, the problem's %d by %d: they do not "
                          "belong together",
                          r->nu, r->nv, taut_basis_count(problem->u), taut_basis_count(problem->v));

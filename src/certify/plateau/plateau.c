@@ -149,11 +149,11 @@ static taut_status read_method(const taut_record *details, request *r, int *is_n
         return TAUT_OK;
     }
     if (taut_basis_count(problem->net.u) != r->nu || taut_basis_count(problem->net.v) != r->nv) {
-        return taut_fail(
-            error, TAUT_BAD_INPUT, "mismatch", "/surfaces/0/points", taut_none, taut_none,
-            "the model's net is %d by %d, the problem's %d by %d: they do not "
-            "belong together",
-            r->nu, r->nv, taut_basis_count(problem->net.u), taut_basis_count(problem->net.v));
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces/0/points", taut_none, taut_none,
+                         "the model's net is %d by %d, the problem's %d by %d: they do not "
+                         "belong together",
+                         r->nu, r->nv, taut_basis_count(problem->net.u),
+                         taut_basis_count(problem->net.v));
     }
     *is_normal = *is_normal && memchr(problem->net.known, 0, (size_t)r->nu * (size_t)r->nv) != NULL;
     return TAUT_OK;
@@ -176,7 +176,7 @@ static taut_status read_request(const taut_model *model, const taut_plateau_prob
     r->problem = problem;
     r->deviation = deviation > 0 && isfinite(deviation) ? deviation : 0;
     if (r->surface == NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, "no-surface", "/surfaces", 0, 1,
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces", 0, 1,
                          "the model has no surface, expected the one of its problem");
     }
     r->nu = taut_basis_count(taut_surface_u(r->surface));

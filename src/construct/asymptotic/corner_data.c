@@ -34,7 +34,8 @@ static int finite_all(int count, const double *x)
 
 static taut_status fail_value(taut_error *error, const char *where, double found, const char *what)
 {
-    return taut_fail(error, TAUT_BAD_INPUT, "value", where, found, taut_none, "%s", what);
+    const double limit = is_beyond(found) ? (found > most ? most : 1e-30) : taut_none;
+    return taut_fail(error, TAUT_BAD_INPUT, "value", where, found, limit, "%s", what);
 }
 
 static taut_status check_edge(const taut_asymptotic_corners *corners, int e, taut_error *error)

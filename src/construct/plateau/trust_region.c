@@ -688,9 +688,11 @@ static void note_area(state *s)
 /* Steps until the net is at rest at a minimum. */
 static taut_status iterate(state *s, taut_error *error)
 {
-    static const ending limit = {"iterations", "the most iterations allowed were made"};
-    static const ending spent = {"work", "the work allowed was done"};
-    static const ending stuck = {"no-step", "no step lowers the area any more"};
+    static const ending limit = {.reason = "iterations",
+                                 .sentence = "the most iterations allowed were made"};
+    static const ending spent = {.reason = "work", .sentence = "the work allowed was done"};
+    static const ending stuck = {.reason = "no-step",
+                                 .sentence = "no step lowers the area any more"};
     taut_trust_region *region = s->region;
 
     for (int at_rest = 0; !at_rest;) {

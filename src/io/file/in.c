@@ -32,17 +32,17 @@ static void show_path(const char *path, char *shown, size_t size)
 }
 
 /* strerror without its shared buffer. */
-static const char *reason_text(int reason, char *text, size_t size)
+static const char *reason_text(int number, char *text, size_t size)
 {
-    return strerror_r(reason, text, size) == 0 ? text : "unknown reason";
+    return strerror_r(number, text, size) == 0 ? text : "unknown reason";
 }
 
-taut_status taut_fail_file(taut_error *error, const char *path, const char *verb, int reason)
+taut_status taut_fail_file(taut_error *error, const char *path, const char *reason, int number)
 {
     char shown[160], text[96];
     show_path(strcmp(path, "-") == 0 ? "standard input or output" : path, shown, sizeof shown);
-    return taut_fail(error, TAUT_IO, verb, NULL, taut_none, taut_none, "cannot %s %s: %s", verb,
-                     shown, reason_text(reason, text, sizeof text));
+    return taut_fail(error, TAUT_IO, reason, NULL, taut_none, taut_none, "cannot %s %s: %s", reason,
+                     shown, reason_text(number, text, sizeof text));
 }
 
 static taut_status refuse_size(const char *path, double size, taut_error *error)

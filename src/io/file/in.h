@@ -10,8 +10,8 @@
  * freed by taut_free. TAUT_IO with path and reason, TAUT_NO_MEMORY. */
 taut_status taut_file_read(const char *path, char **text, size_t *length, taut_error *error);
 
-/* TAUT_IO about a path, for the reason errno gives: "cannot <verb> <path>: <reason>". The verb,
- * "read" or "write", is the word of the error too. */
-taut_status taut_fail_file(taut_error *error, const char *path, const char *verb, int reason);
+/* TAUT_IO about a path: "cannot <reason> <path>: <what errno `number` means>". The reason is "read"
+ * or "write". */
+taut_status taut_fail_file(taut_error *error, const char *path, const char *reason, int number);
 
 #endif /* TAUT_IO_FILE_IN_H */

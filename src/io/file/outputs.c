@@ -118,7 +118,7 @@ static taut_status write_by_path(taut_staged *staged, const taut_format_ops *ops
 {
     char own[TAUT_STAGED_ROOM];
     if (staged->kind != TAUT_TARGET_FILE) {
-        return taut_fail(error, TAUT_IO, "not-regular", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_IO, "not-a-file", NULL, taut_none, taut_none,
                          "%.200s is no regular file: this format can be written to nothing else",
                          staged->path);
     }

@@ -13,9 +13,13 @@ static taut_status unknown_member(const taut_json *object, const char *key,
 {
     const taut_json at = taut_json_member(object, key);
     const char *near = taut_nearest_word(key, members, NULL);
-    return taut_json_fail(&at, error, "unknown-member", taut_none, taut_none,
-                          "there is no such member here; the nearest one known is \"%s\"",
-                          near != NULL ? near : "");
+    const taut_status status = taut_json_fail(
+        &at, error, "unknown-member", taut_none, taut_none,
+        "there is no such member here; the nearest one known is \"%s\"", near != NULL ? near : "");
+    if (error != NULL && near != NULL) {
+        snprintf(error->expected, sizeof error->expected, "\"%s\"", near);
+    }
+    return status;
 }
 
 static int is_listed(const char *key, const char *const *members)

@@ -21,7 +21,7 @@ static taut_status read_lambda(const taut_json *document, taut_bonnet_problem *d
         return status == TAUT_OK ? taut_json_numbers(&at, 2, data->lambda, error) : status;
     }
     if (taut_json_kind_at(&at) == TAUT_JSON_ARRAY) {
-        return taut_json_fail(&at, error, "size", taut_none, taut_none,
+        return taut_json_fail(&at, error, "size", 2, 1,
                               "found two numbers, expected one, or \"frames\": how many surfaces");
     }
     status = taut_json_number(&at, &data->lambda[0], error);

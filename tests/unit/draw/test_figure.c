@@ -397,7 +397,7 @@ static void test_full_device(void)
         taut_error error = {.status = TAUT_OK};
         if (full != NULL) {
             CHECK(taut_draw_figure(model, NULL, kinds[k], full, &error) == TAUT_IO, "%s", kinds[k]);
-            CHECK(error.status == TAUT_IO && strcmp(error.reason, "file") == 0, "%s",
+            CHECK(error.status == TAUT_IO && strcmp(error.reason, "write") == 0, "%s",
                   error.message);
             fclose(full);
         }

@@ -172,7 +172,7 @@ static void test_kinds(const taut_model *model)
                &e);
     CHECK(strcmp(e.reason, "several") == 0 && e.limit == 1, "%s", e.message);
     check_told("step", taut_outputs_model(outputs, model, "-", &step, &e), TAUT_IO, &e);
-    CHECK(strcmp(e.reason, "not-regular") == 0, "\"%s\"", e.message);
+    CHECK(strcmp(e.reason, "not-a-file") == 0, "\"%s\"", e.message);
     CHECK(taut_outputs_commit(outputs, &e) == TAUT_OK, "nothing is to be put in place");
     taut_outputs_free(outputs);
 }
