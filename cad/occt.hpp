@@ -17,8 +17,8 @@
 class occt_failure : public std::runtime_error
 {
   public:
-    occt_failure(taut_status why, const char *reason, const std::string &message)
-        : std::runtime_error(message), status(why), reason(reason)
+    occt_failure(taut_status code, const char *word, const std::string &message)
+        : std::runtime_error(message), status(code), reason(word)
     {
     }
     taut_status status;

@@ -178,11 +178,39 @@ taut_reader taut_reader_of(const taut_json *object, const char *const *members, 
                          members != NULL ? taut_json_object(object, members, error) : TAUT_OK};
 }
 
+taut_reader taut_reader_inside(const taut_reader *outer, const taut_json *object,
+                               const char *const *members)
+{
+    return outer->status == TAUT_OK ? taut_reader_of(object, members, outer->error)
+                                    : (taut_reader){object, outer->error, outer->status};
+}
+
+int taut_reader_has(const taut_reader *reader, const char *key)
+{
+    return taut_json_find(reader->object->value, key) != NULL;
+}
+
 void taut_reader_integer(taut_reader *reader, const char *key, int least, int most, int *value)
 {
     const taut_json at = taut_json_member(reader->object, key);
     if (reader->status == TAUT_OK) {
         reader->status = taut_json_integer(&at, least, most, value, reader->error);
+    }
+}
+
+void taut_reader_number(taut_reader *reader, const char *key, double *value)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_number(&at, value, reader->error);
+    }
+}
+
+void taut_reader_numbers(taut_reader *reader, const char *key, size_t count, double *values)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_numbers(&at, count, values, reader->error);
     }
 }
 
@@ -211,6 +239,13 @@ void taut_reader_word(taut_reader *reader, const char *key, const char *const *w
     }
 }
 
+void taut_reader_flag(taut_reader *reader, const char *key, int *value)
+{
+    if (reader->status == TAUT_OK) {
+        reader->status = taut_json_flag(reader->object, key, value, reader->error);
+    }
+}
+
 void taut_reader_member(taut_reader *reader, const char *key, taut_json_read *read, void *into)
 {
     const taut_json at = taut_json_member(reader->object, key);
@@ -219,9 +254,44 @@ void taut_reader_member(taut_reader *reader, const char *key, taut_json_read *re
     }
 }
 
+void taut_reader_items(taut_reader *reader, const char *key, size_t count, const char *items,
+                       taut_json_read *read, void *first, size_t size)
+{
+    const taut_json at = taut_json_member(reader->object, key);
+    size_t found = 0;
+    taut_reader_array(reader, key, count, count, items, &found);
+    for (size_t i = 0; i < count && reader->status == TAUT_OK; i++) {
+        const taut_json item = taut_json_item(&at, i);
+        reader->status = read(&item, (char *)first + i * size, reader->error);
+    }
+}
+
 void taut_reader_optional(taut_reader *reader, const char *key, taut_json_read *read, void *into)
 {
-    if (taut_json_find(reader->object->value, key) != NULL) {
+    if (taut_reader_has(reader, key)) {
         taut_reader_member(reader, key, read, into);
+    }
+}
+
+void taut_reader_optional_integer(taut_reader *reader, const char *key, int least, int most,
+                                  int *value)
+{
+    if (taut_reader_has(reader, key)) {
+        taut_reader_integer(reader, key, least, most, value);
+    }
+}
+
+void taut_reader_optional_number(taut_reader *reader, const char *key, double *value)
+{
+    if (taut_reader_has(reader, key)) {
+        taut_reader_number(reader, key, value);
+    }
+}
+
+void taut_reader_optional_word(taut_reader *reader, const char *key, const char *const *words,
+                               int *word)
+{
+    if (taut_reader_has(reader, key)) {
+        taut_reader_word(reader, key, words, word);
     }
 }

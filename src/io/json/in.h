@@ -74,14 +74,31 @@ typedef struct taut_reader {
 
 /* Of an object that has only members of this list (ended by NULL; no list: any). */
 taut_reader taut_reader_of(const taut_json *object, const char *const *members, taut_error *error);
+/* The same of an object inside, where the outer reader has not failed: then it begins as failed. */
+taut_reader taut_reader_inside(const taut_reader *outer, const taut_json *object,
+                               const char *const *members);
+/* Is the member there? */
+int taut_reader_has(const taut_reader *reader, const char *key);
 void taut_reader_integer(taut_reader *reader, const char *key, int least, int most, int *value);
+void taut_reader_number(taut_reader *reader, const char *key, double *value);
+/* An array of exactly `count` numbers. */
+void taut_reader_numbers(taut_reader *reader, const char *key, size_t count, double *values);
 void taut_reader_array(taut_reader *reader, const char *key, size_t least, size_t most,
                        const char *items, size_t *count);
 void taut_reader_text(taut_reader *reader, const char *key, const char **text);
 void taut_reader_word(taut_reader *reader, const char *key, const char *const *words, int *word);
+void taut_reader_flag(taut_reader *reader, const char *key, int *value);
 void taut_reader_member(taut_reader *reader, const char *key, taut_json_read *read, void *into);
-/* The same where the member is there. */
+/* An array of exactly `count` items, item i into the i-th place, of `size` bytes, from `first`. */
+void taut_reader_items(taut_reader *reader, const char *key, size_t count, const char *items,
+                       taut_json_read *read, void *first, size_t size);
+/* The same where the member is there; else what it would fill stays as it is. */
 void taut_reader_optional(taut_reader *reader, const char *key, taut_json_read *read, void *into);
+void taut_reader_optional_integer(taut_reader *reader, const char *key, int least, int most,
+                                  int *value);
+void taut_reader_optional_number(taut_reader *reader, const char *key, double *value);
+void taut_reader_optional_word(taut_reader *reader, const char *key, const char *const *words,
+                               int *word);
 
 /* TAUT_BAD_INPUT at this place: "found <what is there>, expected <expected>". The reason is
  * "missing" where nothing is there, else "value" where numbers or a list are, else "type". */

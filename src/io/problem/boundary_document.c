@@ -2,6 +2,8 @@
 
 #include "core/fail.h"
 #include "geometry/keep.h"
+#include "io/problem/member.h"
+#include "io/problem/net_document.h"
 #include "taut/limits.h"
 #include "taut/read.h"
 
@@ -12,9 +14,9 @@ enum { PATH_ROOM = 4096, HALVINGS_MAX = 16 };
 
 static const double closed = 1e-6; /* the widest gap at a corner, of the size */
 
-int taut_boundary_document_is(const taut_json *document)
+int taut_boundary_document_is(const taut_reader *document)
 {
-    return taut_json_find(document->value, "boundary") != NULL;
+    return taut_reader_has(document, "boundary");
 }
 
 /* The file's path: beside the document, unless it begins at the root. */
@@ -94,37 +96,24 @@ static taut_status read_sides(const taut_json *at, const taut_problem *problem,
     return status;
 }
 
-/* Two whole numbers, or 0 and 0 where the member is missing. */
-static taut_status read_pair(const taut_json *document, const char *key, int most, int pair[2],
-                             taut_error *error)
+/* Along one direction. */
+static taut_status read_degree(const taut_json *at, void *degree, taut_error *error)
 {
-    const taut_json at = taut_json_member(document, key);
-    size_t count = 0;
-    taut_status status = TAUT_OK;
-    pair[0] = pair[1] = 0;
-    if (at.value == NULL) {
-        return TAUT_OK;
-    }
-    status = taut_json_array(&at, 2, 2, "whole numbers, along u and v", &count, error);
-    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
-        const taut_json item = taut_json_item(&at, i);
-        status = taut_json_integer(&item, 0, most, &pair[i], error);
-    }
-    return status;
+    return taut_json_integer(at, 0, TAUT_DEGREE_MAX, degree, error);
 }
 
-/* The file says what these members would. */
-static taut_status check_alone(const taut_json *document, const char *const *others,
-                               taut_error *error)
+static taut_status read_halvings(const taut_json *at, void *halvings, taut_error *error)
 {
-    for (; *others != NULL; others++) {
-        const taut_json at = taut_json_member(document, *others);
-        if (at.value != NULL) {
-            return taut_json_fail(&at, error, "conflict", taut_none, taut_none,
-                                  "found \"%s\" beside \"boundary\", which says it all", *others);
-        }
+    return taut_json_integer(at, 0, HALVINGS_MAX, halvings, error);
+}
+
+/* Two whole numbers, which stay 0 and 0 where the member is missing. */
+static void read_pair(taut_reader *document, const char *key, taut_json_read *read, int pair[2])
+{
+    if (taut_reader_has(document, key)) {
+        taut_reader_items(document, key, 2, "whole numbers, along u and v", read, pair,
+                          sizeof pair[0]);
     }
-    return TAUT_OK;
 }
 
 static const taut_basis *keep_basis(const taut_curve *side, taut_arena *arena)
@@ -190,29 +179,40 @@ static taut_status read_net(boundary_work *work, const int degree[2], const int 
     return fill_net(work->made, work->at, work->problem->arena, net, error);
 }
 
-taut_status taut_boundary_document_read(const taut_json *document, taut_problem *problem,
-                                        taut_net_document *net, taut_error *error)
+/* The file says what these members would. */
+static const char says_all[] = "beside \"boundary\", which says it all";
+
+static void read_boundary(taut_reader *document, taut_problem *problem, taut_net_document *net)
 {
     static const char *const others[] = {"u", "v", "points", "weights", NULL};
-    const taut_json at = taut_json_member(document, "boundary");
+    const taut_json at = taut_json_member(document->object, "boundary");
     boundary_work work = {.at = &at, .problem = problem};
-    int degree[2], halvings[2];
-    taut_status status = check_alone(document, others, error);
+    int degree[2] = {0, 0}, halvings[2] = {0, 0};
 
-    if (status != TAUT_OK) {
-        return status;
+    taut_member_refuse(document, others, says_all);
+    read_pair(document, "degree", read_degree, degree);
+    read_pair(document, "refine", read_halvings, halvings);
+    if (document->status == TAUT_OK) {
+        document->status = read_net(&work, degree, halvings, net, document->error);
     }
-    status = read_pair(document, "degree", TAUT_DEGREE_MAX, degree, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = read_pair(document, "refine", HALVINGS_MAX, halvings, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = read_net(&work, degree, halvings, net, error);
     clear_work(&work);
-    return status;
+}
+
+void taut_boundary_document_net(taut_reader *document, taut_problem *problem,
+                                taut_dirichlet_problem *net)
+{
+    taut_net_document read = {NULL, NULL, NULL, NULL, NULL};
+
+    if (taut_boundary_document_is(document)) {
+        read_boundary(document, problem, &read);
+    } else {
+        taut_net_document_read(document, problem->arena, &read);
+    }
+    net->u = read.u;
+    net->v = read.v;
+    net->points = read.points;
+    net->known = read.known;
+    net->weights = read.weights;
 }
 
 static taut_status read_bezier(boundary_work *work, int agree, const taut_curve *sides[TAUT_SIDES],
@@ -242,18 +242,16 @@ static taut_status read_bezier(boundary_work *work, int agree, const taut_curve 
     return TAUT_OK;
 }
 
-taut_status taut_boundary_document_bezier(const taut_json *document, taut_problem *problem,
-                                          const char *const *others, int agree,
-                                          const taut_curve *sides[TAUT_SIDES], taut_error *error)
+void taut_boundary_document_bezier(taut_reader *document, taut_problem *problem,
+                                   const char *const *others, int agree,
+                                   const taut_curve *sides[TAUT_SIDES])
 {
-    const taut_json at = taut_json_member(document, "boundary");
+    const taut_json at = taut_json_member(document->object, "boundary");
     boundary_work work = {.at = &at, .problem = problem};
-    taut_status status = check_alone(document, others, error);
 
-    if (status != TAUT_OK) {
-        return status;
+    taut_member_refuse(document, others, says_all);
+    if (document->status == TAUT_OK) {
+        document->status = read_bezier(&work, agree, sides, document->error);
     }
-    status = read_bezier(&work, agree, sides, error);
     clear_work(&work);
-    return status;
 }

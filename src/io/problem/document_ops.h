@@ -9,8 +9,10 @@ typedef struct taut_document_ops {
     /* The members it has besides `taut`, `construct` and `unit`, at most TAUT_DOCUMENT_MEMBERS,
      * ended by NULL: others are refused before `read` is called. */
     const char *const *members;
-    /* Fills problem->data, in problem->arena; problem->unit is in place. */
-    taut_status (*read)(const taut_json *document, taut_problem *problem, taut_error *error);
+    size_t size; /* of the struct that says what is asked for */
+    /* Fills that struct: `data` is zeroed and of problem->arena, and what it points at is to be of
+     * that arena too; problem->unit is in place. */
+    void (*read)(taut_reader *document, taut_problem *problem, void *data);
 } taut_document_ops;
 
 enum { TAUT_DOCUMENT_MEMBERS = 32 };

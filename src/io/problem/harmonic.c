@@ -2,6 +2,7 @@
  * curves, or a row and the derivative across it, or four rows (docs/format.md). */
 #include "taut/harmonic.h"
 #include "core/fail.h"
+#include "geometry/keep.h"
 #include "io/model/basis.h"
 #include "io/problem/boundary_document.h"
 #include "io/problem/document_ops.h"
@@ -28,25 +29,18 @@ static const char *const members[] = {"name",
                                       NULL};
 
 /* A bezier basis says itself how many functions it has. */
-static taut_status read_basis(const taut_json *document, const char *key, taut_arena *arena,
-                              const taut_basis **basis, taut_error *error)
+static void read_basis(taut_reader *document, const char *key, taut_arena *arena,
+                       const taut_basis **basis)
 {
     static const char *const any[] = {"type", "degree", "range", NULL};
-    const taut_json at = taut_json_member(document, key);
-    const taut_json degree = taut_json_member(&at, "degree");
-    taut_basis *made = NULL;
+    const taut_json at = taut_json_member(document->object, key);
+    taut_reader in = taut_reader_inside(document, &at, any);
     int n = 0;
-    taut_status status = taut_json_object(&at, any, error);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_json_integer(&degree, 1, TAUT_DEGREE_MAX, &n, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_basis_document_read(&at, n + 1, &made, error);
-    return status == TAUT_OK ? taut_member_keep_basis(arena, made, basis, error) : status;
+    taut_reader_integer(&in, "degree", 1, TAUT_DEGREE_MAX, &n);
+    document->status = in.status == TAUT_OK
+                           ? taut_basis_document_keep(&at, n + 1, arena, basis, document->error)
+                           : in.status;
 }
 
 /* The texts of rational coordinates; NULL where all are numbers. */
@@ -74,135 +68,96 @@ static taut_status read_texts(const taut_json *at, int rows, int columns, taut_a
 }
 
 /* A list of `count` points. */
-static taut_status read_row(const taut_json *document, const char *key, int count,
-                            taut_arena *arena, const double **row, const char *const **texts,
-                            taut_error *error)
+static void read_row(taut_reader *document, const char *key, int count, taut_arena *arena,
+                     const double **row, const char *const **texts)
 {
-    const taut_json at = taut_json_member(document, key);
+    const taut_json at = taut_json_member(document->object, key);
     double *points = taut_arena_take(arena, 3 * (size_t)count, sizeof(double));
     size_t found = 0;
-    taut_status status = TAUT_OK;
 
-    if (points == NULL) {
-        return taut_fail_memory(error);
+    taut_reader_array(document, key, (size_t)count, (size_t)count, "points", &found);
+    if (document->status == TAUT_OK) {
+        document->status =
+            points != NULL ? taut_net_document_points(&at, 0, count, points, NULL, document->error)
+                           : taut_fail_memory(document->error);
     }
-    status = taut_json_array(&at, (size_t)count, (size_t)count, "points", &found, error);
-    if (status != TAUT_OK) {
-        return status;
+    if (document->status == TAUT_OK) {
+        *row = points;
+        document->status = read_texts(&at, 0, count, arena, texts, document->error);
     }
-    status = taut_net_document_points(&at, 0, count, points, NULL, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    *row = points;
-    return read_texts(&at, 0, count, arena, texts, error);
 }
 
-static taut_status read_derivative(const taut_json *document, taut_arena *arena,
-                                   taut_harmonic_problem *data, taut_error *error)
+static void read_derivative(taut_reader *document, taut_arena *arena, taut_harmonic_problem *data)
 {
     static const char *const strangers[] = {"points", NULL};
-    taut_harmonic_derivative *given = &data->derivative;
-    taut_status status =
-        taut_member_refuse(document, strangers,
-                           "beside \"from\": the edge and the derivative across it say all", error);
+    taut_harmonic_derivative *const given = &data->derivative;
 
-    if (status != TAUT_OK) {
-        return status;
-    }
+    taut_member_refuse(document, strangers,
+                       "beside \"from\": the edge and the derivative across it say all");
     data->given = TAUT_HARMONIC_DERIVATIVE;
-    status = read_basis(document, "u", arena, &data->u, error);
-    if (status != TAUT_OK) {
-        return status;
+    read_basis(document, "u", arena, &data->u);
+    read_basis(document, "v", arena, &data->v);
+    if (document->status == TAUT_OK) {
+        const int count = taut_basis_count(data->v);
+        read_row(document, "edge", count, arena, &given->edge, &given->exact_edge);
+        read_row(document, "cross_derivative", count, arena, &given->cross, &given->exact_cross);
     }
-    status = read_basis(document, "v", arena, &data->v, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = read_row(document, "edge", taut_basis_count(data->v), arena, &given->edge,
-                      &given->exact_edge, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    return read_row(document, "cross_derivative", taut_basis_count(data->v), arena, &given->cross,
-                    &given->exact_cross, error);
 }
 
-static taut_status read_net(const taut_json *document, taut_arena *arena,
-                            taut_harmonic_problem *data, taut_error *error)
+static void read_net(taut_reader *document, taut_arena *arena, taut_harmonic_problem *data)
 {
     static const char *const strangers[] = {"edge", "cross_derivative", NULL};
-    const taut_json points = taut_json_member(document, "points");
+    const taut_json points = taut_json_member(document->object, "points");
     taut_net_document net = {NULL, NULL, NULL, NULL, NULL};
-    taut_status status = taut_net_document_read(document, arena, &net, error);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_member_refuse(document, strangers, "without \"from\": \"derivative\"", error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_member_check_bezier(document, "u", net.u, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_member_check_bezier(document, "v", net.v, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
+    taut_net_document_read(document, arena, &net);
+    taut_member_refuse(document, strangers, "without \"from\": \"derivative\"");
+    taut_member_check_bezier(document, "u", net.u);
+    taut_member_check_bezier(document, "v", net.v);
     data->u = net.u;
     data->v = net.v;
     data->rows.points = net.points;
     data->rows.known = net.known;
-    return read_texts(&points, taut_basis_count(net.u), taut_basis_count(net.v), arena,
-                      &data->rows.exact, error);
+    if (document->status == TAUT_OK) {
+        document->status = read_texts(&points, taut_basis_count(net.u), taut_basis_count(net.v),
+                                      arena, &data->rows.exact, document->error);
+    }
 }
 
 /* "fit" takes four boundary rows as they are, in place of two. */
-static taut_status read_fit(const taut_json *document, taut_harmonic_problem *data,
-                            taut_error *error)
+static void read_fit(taut_reader *document, taut_harmonic_problem *data)
 {
-    const taut_json at = taut_json_member(document, "fit");
+    const taut_json at = taut_json_member(document->object, "fit");
     const int derivative = data->given == TAUT_HARMONIC_DERIVATIVE;
     int fit = 0;
-    const taut_status status = taut_json_flag(document, "fit", &fit, error);
 
-    if (status != TAUT_OK || !fit) {
-        return status;
+    taut_reader_flag(document, "fit", &fit);
+    if (document->status == TAUT_OK && fit && (derivative || taut_reader_has(document, "even"))) {
+        document->status =
+            taut_json_fail(&at, document->error, "conflict", taut_none, taut_none,
+                           "found \"fit\" beside \"%s\": it takes four boundary rows as they are",
+                           derivative ? "from" : "even");
+    } else if (fit) {
+        const taut_harmonic_boundary boundary = {data->rows.points, data->rows.known};
+        data->given = TAUT_HARMONIC_BOUNDARY;
+        data->boundary = boundary;
     }
-    if (derivative || taut_json_member(document, "even").value != NULL) {
-        return taut_json_fail(&at, error, "conflict", taut_none, taut_none,
-                              "found \"fit\" beside \"%s\": it takes four boundary rows as they "
-                              "are",
-                              derivative ? "from" : "even");
-    }
-    const taut_harmonic_boundary boundary = {data->rows.points, data->rows.known};
-    data->given = TAUT_HARMONIC_BOUNDARY;
-    data->boundary = boundary;
-    return TAUT_OK;
 }
 
 /* What to do where data of even degree does not agree, and whatever the rounding. */
-static taut_status read_choices(const taut_json *document, taut_harmonic_problem *data,
-                                taut_error *error)
+static void read_choices(taut_reader *document, taut_harmonic_problem *data)
 {
     static const char *const repairs[] = {"refuse", "corner", "project", "raise", NULL};
-    const taut_json at = taut_json_member(document, "even");
+    const taut_json at = taut_json_member(document->object, "even");
     int even = TAUT_EVEN_REFUSE, allow = 0;
-    taut_status status = taut_member_word(document, "even", repairs, &even, error);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
-    if (data->given == TAUT_HARMONIC_DERIVATIVE &&
+    taut_reader_optional_word(document, "even", repairs, &even);
+    if (document->status == TAUT_OK && data->given == TAUT_HARMONIC_DERIVATIVE &&
         (even == TAUT_EVEN_CORNER || even == TAUT_EVEN_PROJECT)) {
-        return taut_json_expected(&at, error, "\"refuse\" or \"raise\", with a derivative");
+        document->status =
+            taut_json_expected(&at, document->error, "\"refuse\" or \"raise\", with a derivative");
     }
-    status = taut_member_allow_ill_conditioned(document, &allow, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
+    taut_member_allow_ill_conditioned(document, &allow);
     if (data->given == TAUT_HARMONIC_DERIVATIVE) {
         data->derivative.raise = even == TAUT_EVEN_RAISE;
         data->derivative.allow_ill_conditioned = allow;
@@ -210,7 +165,6 @@ static taut_status read_choices(const taut_json *document, taut_harmonic_problem
         data->rows.even = (taut_harmonic_even)even;
         data->rows.allow_ill_conditioned = allow;
     }
-    return TAUT_OK;
 }
 
 /* What the document says, and what comes of it. */
@@ -231,26 +185,28 @@ static taut_status make_basis(int degree, double width, taut_arena *arena, const
         .type = "bezier", .degree = degree, .has_range = 1, .range = {0, width}};
     taut_basis *made = NULL;
     const taut_status status = taut_basis_new(&spec, 0, &made, error);
-    return status == TAUT_OK ? taut_member_keep_basis(arena, made, basis, error) : status;
+    if (status == TAUT_OK && !taut_keep_basis(arena, made)) {
+        return taut_fail_memory(error);
+    }
+    *basis = made;
+    return status;
 }
 
 /* "known" and "widths". */
-static taut_status read_sides(const taut_json *document, harmonic_boundary *rows, taut_error *error)
+static void read_sides(taut_reader *document, harmonic_boundary *rows)
 {
     static const char *const pairs[] = {"u", "v", NULL};
-    const taut_json widths_at = taut_json_member(document, "widths");
-    taut_status status = TAUT_OK;
+    const taut_json widths = taut_json_member(document->object, "widths");
+
     rows->along_u = 1;
     rows->widths[0] = rows->widths[1] = 1;
-    status = taut_member_word(document, "known", pairs, &rows->along_u, error);
-    if (status != TAUT_OK || widths_at.value == NULL) {
-        return status;
+    taut_reader_optional_word(document, "known", pairs, &rows->along_u);
+    if (widths.value != NULL) {
+        taut_reader_numbers(document, "widths", 2, rows->widths);
     }
-    status = taut_json_numbers(&widths_at, 2, rows->widths, error);
-    if (status == TAUT_OK && !(rows->widths[0] > 0 && rows->widths[1] > 0)) {
-        status = taut_json_expected(&widths_at, error, "two positive numbers");
+    if (document->status == TAUT_OK && !(rows->widths[0] > 0 && rows->widths[1] > 0)) {
+        document->status = taut_json_expected(&widths, document->error, "two positive numbers");
     }
-    return status;
 }
 
 static int is_polynomial(const taut_curve *curve)
@@ -327,83 +283,51 @@ static taut_status fill_net(harmonic_boundary *rows, taut_arena *arena, taut_err
     return status;
 }
 
-static taut_status read_boundary_rows(const taut_json *document, taut_problem *problem,
-                                      harmonic_boundary *rows, taut_error *error)
+/* Two opposite curves of the file "boundary", those that "known" names, become the known rows of
+ * bidegree (n, n) over [0, a] x [0, b], "widths": [a, b]; the other two only say which ends face
+ * each other. */
+static void read_boundary(taut_reader *document, taut_problem *problem, taut_harmonic_problem *data)
 {
     static const char *const others[] = {"u", "v", "points", "from", "edge", "cross_derivative",
                                          NULL};
     const taut_curve *sides[TAUT_SIDES];
-    taut_status status = read_sides(document, rows, error);
-
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_boundary_document_bezier(document, problem, others, 0, sides, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = choose_pair(document, sides, rows, error);
-    return status == TAUT_OK ? fill_net(rows, problem->arena, error) : status;
-}
-
-/* Two opposite curves of the file "boundary", those that "known" names, become the known rows of
- * bidegree (n, n) over [0, a] x [0, b], "widths": [a, b]; the other two only say which ends face
- * each other. */
-static taut_status read_boundary(const taut_json *document, taut_problem *problem,
-                                 taut_harmonic_problem *data, taut_error *error)
-{
     harmonic_boundary rows = {.degree = 0};
-    const taut_status status = read_boundary_rows(document, problem, &rows, error);
 
-    if (status != TAUT_OK) {
-        return status;
+    read_sides(document, &rows);
+    taut_boundary_document_bezier(document, problem, others, 0, sides);
+    if (document->status == TAUT_OK) {
+        document->status = choose_pair(document->object, sides, &rows, document->error);
+    }
+    if (document->status == TAUT_OK) {
+        document->status = fill_net(&rows, problem->arena, document->error);
     }
     data->u = rows.bases[0];
     data->v = rows.bases[1];
     data->rows.points = rows.points;
     data->rows.known = rows.known;
-    return TAUT_OK;
 }
 
-static taut_status read_given(const taut_json *document, taut_problem *problem,
-                              taut_harmonic_problem *data, taut_error *error)
+static void harmonic_read(taut_reader *document, taut_problem *problem, void *into)
 {
     static const char *const sources[] = {"derivative", NULL};
-    const taut_json from = taut_json_member(document, "from");
+    taut_harmonic_problem *const data = into;
     int word = 0;
-    const taut_status status = taut_member_word(document, "from", sources, &word, error);
 
-    if (status != TAUT_OK) {
-        return status;
+    taut_reader_optional_word(document, "from", sources, &word);
+    if (taut_boundary_document_is(document)) {
+        read_boundary(document, problem, data);
+    } else if (taut_reader_has(document, "from")) {
+        read_derivative(document, problem->arena, data);
+    } else {
+        read_net(document, problem->arena, data);
     }
-    return taut_boundary_document_is(document) ? read_boundary(document, problem, data, error)
-           : from.value != NULL ? read_derivative(document, problem->arena, data, error)
-                                : read_net(document, problem->arena, data, error);
-}
-
-static taut_status harmonic_read(const taut_json *document, taut_problem *problem,
-                                 taut_error *error)
-{
-    taut_harmonic_problem *data = taut_arena_take(problem->arena, 1, sizeof *data);
-    taut_status status = TAUT_OK;
-
-    if (data == NULL) {
-        return taut_fail_memory(error);
-    }
-    problem->data = data;
-    status = read_given(document, problem, data, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_member_name(document, problem->arena, &data->name, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = read_fit(document, data, error);
-    return status == TAUT_OK ? read_choices(document, data, error) : status;
+    taut_member_name(document, problem->arena, &data->name);
+    read_fit(document, data);
+    read_choices(document, data);
 }
 
 const taut_document_ops taut_document_harmonic = {
     .members = members,
+    .size = sizeof(taut_harmonic_problem),
     .read = harmonic_read,
 };

@@ -9,30 +9,25 @@ static const char *const members[] = {"surface", "edge",  "width", "contact", "n
                                       "c",       "alpha", "beta",  NULL};
 
 /* c, alpha and beta belong to the contact of tangent planes. */
-static taut_status read_contact(const taut_json *document, double width,
-                                taut_harmonic_extension_problem *data, taut_error *error)
+static void read_contact(taut_reader *document, double width, taut_harmonic_extension_problem *data)
 {
     static const char *const contacts[] = {"c1", "g1", NULL};
     static const char *const own[] = {"c", "alpha", "beta", NULL};
     taut_extension_g1 g1 = {.width = width, .c = 1};
-    double *const values[] = {&g1.c, &g1.alpha, &g1.beta};
     int is_g1 = 0;
-    taut_status status = taut_member_word(document, "contact", contacts, &is_g1, error);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
+    taut_reader_optional_word(document, "contact", contacts, &is_g1);
     if (!is_g1) {
         data->given = TAUT_EXTENSION_C1;
         data->c1.width = width;
-        return taut_member_refuse(document, own, "without \"contact\": \"g1\"", error);
+        taut_member_refuse(document, own, "without \"contact\": \"g1\"");
+        return;
     }
-    for (int i = 0; i < 3 && status == TAUT_OK; i++) {
-        status = taut_member_number(document, own[i], values[i], error);
-    }
+    taut_reader_optional_number(document, "c", &g1.c);
+    taut_reader_optional_number(document, "alpha", &g1.alpha);
+    taut_reader_optional_number(document, "beta", &g1.beta);
     data->given = TAUT_EXTENSION_G1;
     data->g1 = g1;
-    return status;
 }
 
 /* A neighbour that is given says its width, and is the surface carried on. */
@@ -49,43 +44,26 @@ static taut_status take_neighbour(const taut_surface *neighbour, double width,
     return TAUT_OK;
 }
 
-static taut_status read_members(const taut_json *document, taut_arena *arena,
-                                taut_harmonic_extension_problem *data, taut_error *error)
+static void extension_read(taut_reader *document, taut_problem *problem, void *into)
 {
+    taut_harmonic_extension_problem *const data = into;
     const taut_surface *neighbour = NULL;
     double width = 0;
-    taut_status status = taut_member_surface(document, "surface", arena, &data->surface, error);
 
-    if (status == TAUT_OK && taut_json_member(document, "neighbour").value != NULL) {
-        status = taut_member_surface(document, "neighbour", arena, &neighbour, error);
+    taut_member_surface(document, "surface", problem->arena, &data->surface);
+    if (taut_reader_has(document, "neighbour")) {
+        taut_member_surface(document, "neighbour", problem->arena, &neighbour);
     }
-    if (status != TAUT_OK) {
-        return status;
+    taut_member_edge(document, &data->edge);
+    taut_member_width(document, &width);
+    read_contact(document, width, data);
+    if (document->status == TAUT_OK && neighbour != NULL) {
+        document->status = take_neighbour(neighbour, width, data, document->error);
     }
-    status = taut_member_edge(document, &data->edge, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_member_width(document, &width, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = read_contact(document, width, data, error);
-    return status == TAUT_OK && neighbour != NULL ? take_neighbour(neighbour, width, data, error)
-                                                  : status;
-}
-
-static taut_status extension_read(const taut_json *document, taut_problem *problem,
-                                  taut_error *error)
-{
-    taut_harmonic_extension_problem *data = taut_arena_take(problem->arena, 1, sizeof *data);
-
-    problem->data = data;
-    return data != NULL ? read_members(document, problem->arena, data, error)
-                        : taut_fail_memory(error);
 }
 
 const taut_document_ops taut_document_harmonic_extension = {
     .members = members,
+    .size = sizeof(taut_harmonic_extension_problem),
     .read = extension_read,
 };

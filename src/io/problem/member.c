@@ -1,136 +1,107 @@
 #include "io/problem/member.h"
 
 #include "core/fail.h"
+#include "geometry/keep.h"
 #include "io/model/surface.h"
 
 #include <string.h>
 
-taut_status taut_member_number(const taut_json *document, const char *key, double *value,
-                               taut_error *error)
+void taut_member_surface(taut_reader *document, const char *key, taut_arena *arena,
+                         const taut_surface **surface)
 {
-    const taut_json at = taut_json_member(document, key);
-    return at.value == NULL ? TAUT_OK : taut_json_number(&at, value, error);
-}
-
-taut_status taut_member_word(const taut_json *document, const char *key, const char *const *words,
-                             int *value, taut_error *error)
-{
-    const taut_json at = taut_json_member(document, key);
-    return at.value == NULL ? TAUT_OK : taut_json_word(&at, words, value, error);
-}
-
-static void release_surface(void *surface)
-{
-    taut_surface_free(surface);
-}
-
-taut_status taut_member_surface(const taut_json *document, const char *key, taut_arena *arena,
-                                const taut_surface **surface, taut_error *error)
-{
-    const taut_json at = taut_json_member(document, key);
+    const taut_json at = taut_json_member(document->object, key);
     taut_surface *read = NULL;
-    const taut_status status = taut_surface_document_read(&at, &read, error);
 
-    if (status != TAUT_OK) {
-        return status;
+    if (document->status == TAUT_OK) {
+        document->status = taut_surface_document_read(&at, &read, document->error);
     }
-    if (!taut_arena_keep(arena, read, release_surface)) {
-        return taut_fail_memory(error);
+    if (document->status == TAUT_OK && !taut_keep_surface(arena, read)) {
+        document->status = taut_fail_memory(document->error);
+    } else if (document->status == TAUT_OK) {
+        *surface = read;
     }
-    *surface = read;
-    return TAUT_OK;
 }
 
-static void release_basis(void *basis)
+void taut_member_curve(taut_reader *document, const char *key, taut_arena *arena,
+                       const taut_curve **curve)
 {
-    taut_basis_free(basis);
-}
+    const taut_json at = taut_json_member(document->object, key);
+    taut_curve *read = NULL;
 
-taut_status taut_member_keep_basis(taut_arena *arena, taut_basis *made, const taut_basis **basis,
-                                   taut_error *error)
-{
-    if (!taut_arena_keep(arena, made, release_basis)) {
-        return taut_fail_memory(error);
+    if (document->status == TAUT_OK) {
+        document->status = taut_curve_document_read(&at, &read, document->error);
     }
-    *basis = made;
-    return TAUT_OK;
+    if (document->status == TAUT_OK && !taut_keep_curve(arena, read)) {
+        document->status = taut_fail_memory(document->error);
+    } else if (document->status == TAUT_OK) {
+        *curve = read;
+    }
 }
 
-taut_status taut_member_name(const taut_json *document, taut_arena *arena, const char **name,
-                             taut_error *error)
+void taut_member_name(taut_reader *document, taut_arena *arena, const char **name)
 {
     const char *text = "";
-    const taut_status status = taut_name_document_read(document, &text, error);
 
-    if (status != TAUT_OK || text[0] == '\0') {
-        return status;
+    if (document->status == TAUT_OK) {
+        document->status = taut_name_document_read(document->object, &text, document->error);
     }
-    *name = taut_arena_text(arena, text);
-    return *name != NULL ? TAUT_OK : taut_fail_memory(error);
+    if (document->status == TAUT_OK && text[0] != '\0') {
+        *name = taut_arena_text(arena, text);
+        document->status = *name != NULL ? TAUT_OK : taut_fail_memory(document->error);
+    }
 }
 
-taut_status taut_member_edge(const taut_json *document, taut_edge *edge, taut_error *error)
+void taut_member_edge(taut_reader *document, taut_edge *edge)
 {
     static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
-    const taut_json at = taut_json_member(document, "edge");
     int word = 0;
-    const taut_status status = taut_json_word(&at, edges, &word, error);
 
-    if (status == TAUT_OK) {
-        *edge = (taut_edge)word;
-    }
-    return status;
+    taut_reader_word(document, "edge", edges, &word);
+    *edge = (taut_edge)word;
 }
 
-taut_status taut_member_width(const taut_json *document, double *width, taut_error *error)
+void taut_member_width(taut_reader *document, double *width)
 {
-    const taut_json at = taut_json_member(document, "width");
-    const taut_status status = taut_member_number(document, "width", width, error);
+    const taut_json at = taut_json_member(document->object, "width");
 
-    if (status == TAUT_OK && at.value != NULL && !(*width > 0)) {
-        return taut_json_expected(&at, error, "a positive number");
+    taut_reader_optional_number(document, "width", width);
+    if (document->status == TAUT_OK && at.value != NULL && !(*width > 0)) {
+        document->status = taut_json_expected(&at, document->error, "a positive number");
     }
-    return status;
 }
 
-taut_status taut_member_check_bezier(const taut_json *document, const char *key,
-                                     const taut_basis *basis, taut_error *error)
+void taut_member_check_bezier(taut_reader *document, const char *key, const taut_basis *basis)
 {
-    const taut_json at = taut_json_member(document, key);
-    if (strcmp(taut_basis_type(basis), "bezier") != 0) {
-        const taut_status status =
-            taut_fail_expected(error, TAUT_BAD_INPUT, "not-bezier", "", taut_none, "\"bezier\"",
-                               "found a basis of type \"%s\"", taut_basis_type(basis));
-        return taut_json_within(&at, status, error);
+    const taut_json at = taut_json_member(document->object, key);
+
+    if (document->status == TAUT_OK && strcmp(taut_basis_type(basis), "bezier") != 0) {
+        const taut_status status = taut_fail_expected(
+            document->error, TAUT_BAD_INPUT, "not-bezier", "", taut_none, "\"bezier\"",
+            "found a basis of type \"%s\"", taut_basis_type(basis));
+        document->status = taut_json_within(&at, status, document->error);
     }
-    return TAUT_OK;
 }
 
-taut_status taut_member_refuse(const taut_json *document, const char *const *strangers,
-                               const char *why, taut_error *error)
+void taut_member_refuse(taut_reader *document, const char *const *strangers, const char *why)
 {
-    for (int i = 0; strangers[i] != NULL; i++) {
-        const taut_json at = taut_json_member(document, strangers[i]);
+    for (int i = 0; document->status == TAUT_OK && strangers[i] != NULL; i++) {
+        const taut_json at = taut_json_member(document->object, strangers[i]);
         if (at.value != NULL) {
-            return taut_json_fail(&at, error, "conflict", taut_none, taut_none, "found \"%s\" %s",
-                                  strangers[i], why);
+            document->status = taut_json_fail(&at, document->error, "conflict", taut_none,
+                                              taut_none, "found \"%s\" %s", strangers[i], why);
         }
     }
-    return TAUT_OK;
 }
 
-taut_status taut_member_allow_ill_conditioned(const taut_json *document, int *value,
-                                              taut_error *error)
+void taut_member_allow_ill_conditioned(taut_reader *document, int *value)
 {
     static const char now[] = "allow_ill_conditioned";
-    const taut_json old = taut_json_member(document, "insist");
+    const taut_json old = taut_json_member(document->object, "insist");
 
-    if (old.value == NULL) {
-        return taut_json_flag(document, now, value, error);
+    if (document->status == TAUT_OK && old.value != NULL && taut_reader_has(document, now)) {
+        document->status =
+            taut_json_fail(&old, document->error, "conflict", taut_none, taut_none,
+                           "found \"insist\" beside \"%s\", as it is called now", now);
     }
-    if (taut_json_member(document, now).value != NULL) {
-        return taut_json_fail(&old, error, "conflict", taut_none, taut_none,
-                              "found \"insist\" beside \"%s\", as it is called now", now);
-    }
-    return taut_json_flag(document, "insist", value, error);
+    taut_reader_flag(document, old.value != NULL ? "insist" : now, value);
 }

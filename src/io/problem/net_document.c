@@ -235,10 +235,25 @@ static taut_status read_net(const taut_json *document, taut_arena *arena, int is
     return status;
 }
 
-taut_status taut_net_document_read(const taut_json *document, taut_arena *arena,
-                                   taut_net_document *net, taut_error *error)
+void taut_net_document_read(taut_reader *document, taut_arena *arena, taut_net_document *net)
 {
-    return read_net(document, arena, 1, net, error);
+    if (document->status == TAUT_OK) {
+        document->status = read_net(document->object, arena, 1, net, document->error);
+    }
+}
+
+/* A ce-bezier basis is one for curves, the axes of pipes. */
+void taut_net_document_check_bases(taut_reader *document, const taut_basis *u, const taut_basis *v)
+{
+    for (int d = 0; d < 2 && document->status == TAUT_OK; d++) {
+        const taut_json at = taut_json_member(document->object, d == 0 ? "u" : "v");
+        if (strcmp(taut_basis_type(d == 0 ? u : v), "ce-bezier") == 0) {
+            document->status =
+                taut_json_fail(&at, document->error, "basis", taut_none, taut_none,
+                               "found a basis of type \"ce-bezier\", expected any other: it is a "
+                               "basis of pipe axes, not of surfaces that are solved for");
+        }
+    }
 }
 
 taut_status taut_net_document_read_known(const taut_json *object, taut_arena *arena,

@@ -17,8 +17,9 @@ typedef struct taut_net_document {
 
 /* Reads the members `u`, `v`, `points` (null: unknown) and `weights` of a problem; the arena owns
  * it all. */
-taut_status taut_net_document_read(const taut_json *document, taut_arena *arena,
-                                   taut_net_document *net, taut_error *error);
+void taut_net_document_read(taut_reader *document, taut_arena *arena, taut_net_document *net);
+/* TAUT_BAD_INPUT where one of its bases "u" and "v" is no basis of surfaces. */
+void taut_net_document_check_bases(taut_reader *document, const taut_basis *u, const taut_basis *v);
 
 /* The same of a surface, whose points are all known: net->known is NULL. */
 taut_status taut_net_document_read_known(const taut_json *object, taut_arena *arena,

@@ -92,6 +92,20 @@ static taut_status read_head(const taut_json *document, int *construct, const ch
     return status == TAUT_OK ? taut_unit_document_read(document, unit, error) : status;
 }
 
+static taut_status read_data(const taut_json *document, const taut_document_ops *ops,
+                             taut_problem *problem, taut_error *error)
+{
+    taut_reader reader = taut_reader_of(document, NULL, error);
+    void *const data = taut_arena_take(problem->arena, 1, ops->size);
+
+    if (data == NULL) {
+        return taut_fail_memory(error);
+    }
+    problem->data = data;
+    ops->read(&reader, problem, data);
+    return reader.status;
+}
+
 taut_status taut_problem_document_read(const taut_json *document, const char *path,
                                        taut_problem **problem, taut_error *error)
 {
@@ -109,7 +123,7 @@ taut_status taut_problem_document_read(const taut_json *document, const char *pa
     snprintf(made->unit, sizeof made->unit, "%s", unit);
     status = set_folder(made, path, error);
     if (status == TAUT_OK) {
-        status = ops_table[construct]->read(document, made, error);
+        status = read_data(document, ops_table[construct], made, error);
     }
     if (status != TAUT_OK) {
         taut_problem_free(made);
