@@ -138,7 +138,9 @@ def main():
         for place, what in said:
             for word in words_of(what):
                 known = [name for name in may_use if word in lists[name]]
-                for name in known:
+                # what all rooms share speaks for the constructions that repeat its word
+                all_know = constructions if not set(may_use) & set(constructions) else []
+                for name in known + [name for name in all_know if word in lists[name]]:
                     given[name].add(word)
                 if not known:
                     wrong.append('%s:%d: "%s" stands in no list that this room may use' %
