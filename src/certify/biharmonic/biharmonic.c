@@ -35,25 +35,6 @@ static double width_of(const taut_basis *basis)
     return taut_basis_hi(basis) - taut_basis_lo(basis);
 }
 
-/* Half the largest extent, and the largest coordinate, of points where `known` (NULL: all). */
-static double size_of(const double *points, const unsigned char *known, size_t count, double *reach)
-{
-    double size = 0;
-    *reach = 0;
-    for (size_t c = 0; c < 3; c++) {
-        double low = INFINITY, high = -INFINITY;
-        for (size_t k = 0; k < count; k++) {
-            if (known == NULL || known[k]) {
-                low = fmin(low, points[3 * k + c]);
-                high = fmax(high, points[3 * k + c]);
-            }
-        }
-        size = fmax(size, 0.5 * high - 0.5 * low);
-        *reach = fmax(*reach, fmax(fabs(low), fabs(high)));
-    }
-    return size;
-}
-
 static size_t count_of(const taut_surface *surface)
 {
     return (size_t)taut_basis_count(taut_surface_u(surface)) *
@@ -127,7 +108,7 @@ static taut_status add_boundary(const taut_surface *found, const taut_basis *u, 
     char where[64] = "";
 
     if (same) {
-        size = size_of(points, known, count, &reach);
+        size = taut_certify_extent(points, known, count, &reach);
     }
     for (size_t k = 0; same && k < count; k++) {
         for (size_t c = 0; (known == NULL || known[k]) && c < 3; c++) {
@@ -185,8 +166,9 @@ static taut_status add_continuity(const taut_surface *p, const taut_surface *q, 
     const int m = taut_basis_degree(across ? v[0] : u[0]);
     const double h = across ? width_of(u[1]) / width_of(u[0]) : width_of(v[1]) / width_of(v[0]);
     double reach[2], most = 0;
-    const double size = fmax(size_of(taut_surface_points(p), NULL, count_of(p), &reach[0]),
-                             size_of(taut_surface_points(q), NULL, count_of(q), &reach[1]));
+    const double size =
+        fmax(taut_certify_extent(taut_surface_points(p), NULL, count_of(p), &reach[0]),
+             taut_certify_extent(taut_surface_points(q), NULL, count_of(q), &reach[1]));
     int worst = 0;
     char where[64];
 
@@ -232,17 +214,7 @@ static taut_status add_bending(const taut_surface *q, taut_edge edge, int contac
 static taut_edge edge_of(const taut_surface *p, const taut_surface *q,
                          const taut_biharmonic_problem *problem)
 {
-    if (problem != NULL) {
-        return problem->neighbour.edge;
-    }
-    if (taut_basis_hi(taut_surface_u(p)) == taut_basis_lo(taut_surface_u(q))) {
-        return TAUT_EDGE_U1;
-    }
-    if (taut_basis_lo(taut_surface_u(p)) == taut_basis_hi(taut_surface_u(q))) {
-        return TAUT_EDGE_U0;
-    }
-    return taut_basis_hi(taut_surface_v(p)) == taut_basis_lo(taut_surface_v(q)) ? TAUT_EDGE_V1
-                                                                                : TAUT_EDGE_V0;
+    return problem != NULL ? problem->neighbour.edge : taut_certify_shared_edge(p, q);
 }
 
 static taut_status add_neighbour(const taut_model *model, const taut_biharmonic_problem *problem,

@@ -125,17 +125,7 @@ static taut_status add_boundary(const taut_model *model, const taut_surface *giv
 static taut_edge edge_of(const taut_model *model, const taut_harmonic_extension_problem *problem)
 {
     const taut_surface *p = taut_model_surface(model, 0), *q = taut_model_surface(model, 1);
-    if (problem != NULL) {
-        return problem->edge;
-    }
-    if (taut_basis_hi(taut_surface_u(p)) == taut_basis_lo(taut_surface_u(q))) {
-        return TAUT_EDGE_U1;
-    }
-    if (taut_basis_lo(taut_surface_u(p)) == taut_basis_hi(taut_surface_u(q))) {
-        return TAUT_EDGE_U0;
-    }
-    return taut_basis_hi(taut_surface_v(p)) == taut_basis_lo(taut_surface_v(q)) ? TAUT_EDGE_V1
-                                                                                : TAUT_EDGE_V0;
+    return problem != NULL ? problem->edge : taut_certify_shared_edge(p, q);
 }
 
 /* (1 + 2 h)^n, h the ratio of the widths: what the points' rounding grows to when they are carried

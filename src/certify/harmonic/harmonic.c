@@ -13,6 +13,7 @@
 
 #include "certify/certify_ops.h"
 #include "certify/harmonic/claims.h"
+#include "certify/harmonic/residual.h"
 #include "core/constants.h"
 #include "core/fail.h"
 
@@ -41,17 +42,8 @@ static void compare(boundary *b, const double *found, const double *given, int i
 /* Half the largest extent of the given points. */
 static double size_of(const double *points, const unsigned char *known, int count)
 {
-    double size = 0;
-    for (int c = 0; c < 3; c++) {
-        double low = INFINITY, high = -INFINITY;
-        for (int k = 0; k < count; k++) {
-            if (known == NULL || known[k]) {
-                low = fmin(low, points[3 * k + c]);
-                high = fmax(high, points[3 * k + c]);
-            }
-        }
-        size = fmax(size, 0.5 * high - 0.5 * low);
-    }
+    double reach = 0;
+    const double size = taut_certify_extent(points, known, (size_t)count, &reach);
     return size > 0 ? size : 1;
 }
 

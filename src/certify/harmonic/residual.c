@@ -57,6 +57,37 @@ static double size_about_mean(const double *points, long count, int unit, double
     return size;
 }
 
+double taut_certify_extent(const double *points, const unsigned char *known, size_t count,
+                           double *reach)
+{
+    double size = 0;
+    *reach = 0;
+    for (size_t c = 0; c < 3; c++) {
+        double low = INFINITY, high = -INFINITY;
+        for (size_t k = 0; k < count; k++) {
+            if (known == NULL || known[k]) {
+                low = fmin(low, points[3 * k + c]);
+                high = fmax(high, points[3 * k + c]);
+            }
+        }
+        size = fmax(size, 0.5 * high - 0.5 * low);
+        *reach = fmax(*reach, fmax(fabs(low), fabs(high)));
+    }
+    return size;
+}
+
+taut_edge taut_certify_shared_edge(const taut_surface *p, const taut_surface *q)
+{
+    if (taut_basis_hi(taut_surface_u(p)) == taut_basis_lo(taut_surface_u(q))) {
+        return TAUT_EDGE_U1;
+    }
+    if (taut_basis_lo(taut_surface_u(p)) == taut_basis_hi(taut_surface_u(q))) {
+        return TAUT_EDGE_U0;
+    }
+    return taut_basis_hi(taut_surface_v(p)) == taut_basis_lo(taut_surface_v(q)) ? TAUT_EDGE_V1
+                                                                                : TAUT_EDGE_V0;
+}
+
 void taut_certify_laplacian(int n, int m, double wu, double wv, const double *net,
                             double *laplacian)
 {

@@ -2,7 +2,10 @@
 #ifndef TAUT_CERTIFY_HARMONIC_RESIDUAL_H
 #define TAUT_CERTIFY_HARMONIC_RESIDUAL_H
 
+#include "taut/join.h"
 #include "taut/surface.h"
+
+#include <stddef.h>
 
 typedef struct taut_harmonic_residual {
     double largest; /* max |R_ij|, the control points of x_uu + x_vv in the parameters of the
@@ -23,5 +26,13 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
  * relation (2). Not in place. */
 void taut_certify_laplacian(int n, int m, double wu, double wv, const double *net,
                             double *laplacian);
+
+/* Half the largest extent of double[count][3], and the largest coordinate, of points where `known`
+ * (NULL: all). */
+double taut_certify_extent(const double *points, const unsigned char *known, size_t count,
+                           double *reach);
+
+/* The edge of p beyond which q lies, by their ranges; v0 where none is shared. */
+taut_edge taut_certify_shared_edge(const taut_surface *p, const taut_surface *q);
 
 #endif /* TAUT_CERTIFY_HARMONIC_RESIDUAL_H */
