@@ -128,13 +128,13 @@ static taut_status bezier_elevate(const taut_basis *basis, taut_change **change,
     return status;
 }
 
-static taut_status bezier_to_bspline(const taut_basis *basis, int panels, const double *ends,
+static taut_status bezier_to_bspline(const taut_basis *basis, int pieces, const double *ends,
                                      taut_change **change, taut_error *error)
 {
     taut_basis *bspline = NULL;
     taut_status status = taut_bspline_of_bezier(basis, &bspline, error);
 
-    (void)panels;
+    (void)pieces;
     (void)ends;
     if (status != TAUT_OK) {
         return status;

@@ -351,10 +351,10 @@ static taut_status bspline_rerange(const taut_basis *basis, double lo, double hi
     return move_knots(basis, lo, hi, 0, change, error);
 }
 
-static taut_status bspline_to_bspline(const taut_basis *basis, int panels, const double *ends,
+static taut_status bspline_to_bspline(const taut_basis *basis, int pieces, const double *ends,
                                       taut_change **change, taut_error *error)
 {
-    (void)panels;
+    (void)pieces;
     (void)ends;
     return taut_change_select(&basis->spec, basis->shape.count, 0, 0, change, error);
 }

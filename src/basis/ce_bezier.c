@@ -200,7 +200,7 @@ static taut_status ce_bezier_rerange(const taut_basis *basis, double lo, double 
     return compose_forms(status, form, step, change, error);
 }
 
-static taut_status ce_bezier_to_bspline(const taut_basis *basis, int panels, const double *ends,
+static taut_status ce_bezier_to_bspline(const taut_basis *basis, int pieces, const double *ends,
                                         taut_change **change, taut_error *error)
 {
     taut_change *form = NULL, *step = NULL;
@@ -209,7 +209,7 @@ static taut_status ce_bezier_to_bspline(const taut_basis *basis, int panels, con
     if (status != TAUT_OK) {
         return status;
     }
-    status = form->to->ops->changes->to_bspline(form->to, panels, ends, &step, error);
+    status = form->to->ops->changes->to_bspline(form->to, pieces, ends, &step, error);
     return compose_forms(status, form, step, change, error);
 }
 

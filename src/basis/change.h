@@ -48,9 +48,9 @@ typedef struct taut_change_ops {
     /* Another range, by an affine map of the parameter. */
     taut_status (*rerange)(const taut_basis *basis, double lo, double hi, taut_change **change,
                            taut_error *error);
-    /* A bspline basis: exact for polynomials, whatever the panels; else quintic Hermite
-     * interpolants, C^2, on the panels [ends[k], ends[k + 1]], k < panels. All breaks are ends. */
-    taut_status (*to_bspline)(const taut_basis *basis, int panels, const double *ends,
+    /* A bspline basis: exact for polynomials, whatever the pieces; else quintic Hermite
+     * interpolants, C^2, on the pieces [ends[k], ends[k + 1]], k < pieces. All breaks are ends. */
+    taut_status (*to_bspline)(const taut_basis *basis, int pieces, const double *ends,
                               taut_change **change, taut_error *error);
     /* Only where to_bspline is not exact. The sixth derivative of such functions is the second one,
      * y; within `reach` of m, |y(t)| <= at |y(m)| + slope |y'(m)|. */

@@ -6,7 +6,7 @@
  * quasi de Casteljau algorithm (ibid. section 6), whose ratios become 0/0 near alpha = pi.
  *
  * As a B-spline such a basis is met by a quintic C^2 one with two derivatives at the ends of
- * panels. All inner knots are triple. The coefficient with knots x, x, x, x+y, x+z is the blossom
+ * pieces. All inner knots are triple. The coefficient with knots x, x, x, x+y, x+z is the blossom
  * of the osculating parabola at x:
  *     f(x) + f'(x) (y + z)/5 + f''(x) y z/20
  */
@@ -289,26 +289,26 @@ static taut_status quasi_bezier_halve(const taut_basis *basis, taut_change **cha
     return TAUT_OK;
 }
 
-/* knots[0 .. 3 N + 8]: six at each end, three at each of the N - 1 inner panel ends. */
-static void fill_hermite_knots(int panels, const double *ends, double *knots)
+/* knots[0 .. 3 N + 8]: six at each end, three at each of the N - 1 inner piece ends. */
+static void fill_hermite_knots(int pieces, const double *ends, double *knots)
 {
     int n = 0;
-    for (int k = 0; k <= panels; k++) {
-        const int times = k == 0 || k == panels ? 6 : 3;
+    for (int k = 0; k <= pieces; k++) {
+        const int times = k == 0 || k == pieces ? 6 : 3;
         for (int i = 0; i < times; i++) {
             knots[n++] = ends[k];
         }
     }
 }
 
-/* The three coefficients at panel end k. */
-static void fill_hermite_rows(const taut_basis *basis, int panels, const double *ends, int k,
+/* The three coefficients at piece end k. */
+static void fill_hermite_rows(const taut_basis *basis, int pieces, const double *ends, int k,
                               taut_change *change)
 {
     const double x = ends[k];
     const int span = taut_basis_span(basis, x);
     const double before = k > 0 ? ends[k - 1] - x : 0;
-    const double after = k < panels ? ends[k + 1] - x : 0;
+    const double after = k < pieces ? ends[k + 1] - x : 0;
     const double y[3] = {before, before, after};
     const double z[3] = {before, after, after};
     double u[3 * 4];
@@ -323,24 +323,24 @@ static void fill_hermite_rows(const taut_basis *basis, int panels, const double 
     }
 }
 
-static taut_status quasi_to_bspline(const taut_basis *basis, int panels, const double *ends,
+static taut_status quasi_to_bspline(const taut_basis *basis, int pieces, const double *ends,
                                     taut_change **change, taut_error *error)
 {
     taut_basis_spec spec = {.type = "bspline", .degree = 5};
     taut_status status = TAUT_OK;
     double *knots = NULL;
 
-    assert(panels >= 1 && panels <= (TAUT_COUNT_MAX - 3) / 3); /* see geometry/nurbs/spans.c */
-    spec.knot_count = 3 * panels + 9;
+    assert(pieces >= 1 && pieces <= (TAUT_COUNT_MAX - 3) / 3); /* see geometry/nurbs/spans.c */
+    spec.knot_count = 3 * pieces + 9;
     knots = taut_alloc((size_t)spec.knot_count, sizeof(double));
     if (knots == NULL) {
         return taut_fail_memory(error);
     }
-    fill_hermite_knots(panels, ends, knots);
+    fill_hermite_knots(pieces, ends, knots);
     spec.knots = knots;
     status = taut_change_new(&spec, 0, 4, change, error);
-    for (int k = 0; status == TAUT_OK && k <= panels; k++) {
-        fill_hermite_rows(basis, panels, ends, k, *change);
+    for (int k = 0; status == TAUT_OK && k <= pieces; k++) {
+        fill_hermite_rows(basis, pieces, ends, k, *change);
     }
     taut_free(knots);
     return status;

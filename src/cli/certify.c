@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-static int tell(const cli_options *options, const taut_certificate *certificate)
+static int print_certificate(const cli_options *options, const taut_certificate *certificate)
 {
     int code = 0;
     if (options->json) {
@@ -38,7 +38,8 @@ static int run(const cli_options *options)
         at = 0;
         status = taut_certify(model, problem, &chosen, &certificate, &error);
     }
-    code = status == TAUT_OK ? tell(options, certificate) : cli_fail_in(options->files[at], &error);
+    code = status == TAUT_OK ? print_certificate(options, certificate)
+                             : cli_fail_in(options->files[at], &error);
     taut_certificate_free(certificate);
     taut_problem_free(problem);
     taut_model_free(model);

@@ -32,7 +32,7 @@ static int find_edge(const taut_model *model, const char *word, const taut_surfa
     return cli_misuse("name", "%.80s: the model has no such surface", word);
 }
 
-static int tell(const cli_options *options, const taut_join *join)
+static int print_join(const cli_options *options, const taut_join *join)
 {
     taut_record *record = taut_record_new();
     taut_join_record(join, record);
@@ -73,7 +73,7 @@ static int run(const cli_options *options)
     if (code == 0) {
         code = taut_join_measure(surfaces[0], edges[0], surfaces[1], edges[1], &join, &error) ==
                        TAUT_OK
-                   ? tell(options, &join)
+                   ? print_join(options, &join)
                    : cli_fail(&error);
     }
     taut_model_free(models[0]);

@@ -96,7 +96,7 @@ static void print_json(const taut_error *error, const char *where)
     taut_record_free(record);
 }
 
-static int tell(const taut_error *error, const char *where)
+static int print_error(const taut_error *error, const char *where)
 {
     char line[sizeof error->where + sizeof error->message + 2];
     cli_monitor_done();
@@ -112,7 +112,7 @@ static int tell(const taut_error *error, const char *where)
 
 int cli_fail(const taut_error *error)
 {
-    return tell(error, error->where);
+    return print_error(error, error->where);
 }
 
 int cli_fail_in(const char *file, const taut_error *error)
@@ -126,7 +126,7 @@ int cli_fail_in(const char *file, const taut_error *error)
         snprintf(placed.where, sizeof placed.where, "%.100s%s%.80s", name,
                  error->where[0] != '\0' ? ": " : "", error->where);
     }
-    return tell(&placed, error->where[0] != '\0' ? error->where : placed.where);
+    return print_error(&placed, error->where[0] != '\0' ? error->where : placed.where);
 }
 
 static taut_error misuse(const char *reason)

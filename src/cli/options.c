@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const cli_option *find(const cli_command *command, const char *word)
+static const cli_option *find_option(const cli_command *command, const char *word)
 {
     for (const cli_option *o = command->options; o->kind != CLI_END; o++) {
         if (strcmp(o->name, word) == 0) {
@@ -48,7 +48,7 @@ static int append(char *base, const cli_option *option, const char *word)
 }
 
 /* Puts the value of an option in its place. */
-static int take(char *base, const cli_option *option, const char *word)
+static int set_option(char *base, const cli_option *option, const char *word)
 {
     double value = 0;
     if (option->kind == CLI_TEXT) {
@@ -98,7 +98,7 @@ static int take_option(const cli_command *command, char **words, int left, cli_o
     }
     memcpy(name, words[0], length);
     name[length] = '\0';
-    option = find(command, name);
+    option = find_option(command, name);
     if (option == NULL) {
         return unknown(command, name);
     }
@@ -114,7 +114,7 @@ static int take_option(const cli_command *command, char **words, int left, cli_o
                           option->value);
     }
     *used = equals != NULL ? 1 : 2;
-    return take((char *)options, option, equals != NULL ? equals + 1 : words[1]);
+    return set_option((char *)options, option, equals != NULL ? equals + 1 : words[1]);
 }
 
 int cli_parse(const cli_command *command, int count, char **words, cli_options *options)

@@ -53,12 +53,12 @@ typedef struct work {
     double *spread;   /* [2][nv][CHANNELS]: what goes back with N_i, and with N_i' */
 } work;
 
-static taut_status fill_axis(const taut_basis *basis, const taut_cells *panels, int nodes,
+static taut_status fill_axis(const taut_basis *basis, const taut_cells *cells, int nodes,
                              taut_arena *arena, axis *a)
 {
     const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
     const double *breaks = taut_basis_breaks(basis);
-    const size_t count = (size_t)panels->count * (size_t)nodes;
+    const size_t count = (size_t)cells->count * (size_t)nodes;
     double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
 
     a->count = (int)count;
@@ -72,9 +72,9 @@ static taut_status fill_axis(const taut_basis *basis, const taut_cells *panels, 
     }
     taut_gauss_rule(nodes, node, weight);
     for (int k = 0; k < a->count; k++) {
-        const int panel = k / nodes, span = panels->span[panel];
-        const double t = taut_cells_at(panels, panel, node[k % nodes]);
-        const double width = panels->hi[panel] - panels->lo[panel];
+        const int cell = k / nodes, span = cells->span[cell];
+        const double t = taut_cells_at(cells, cell, node[k % nodes]);
+        const double width = cells->hi[cell] - cells->lo[cell];
         a->t[k] = t < breaks[span + 1] ? t : breaks[span]; /* the span of t must be this one */
         a->weights[k] = 0.5 * weight[k % nodes] * (width / a->length);
         a->roundings[k] = taut_basis_local(basis) * fabs(t) / taut_cells_finest(basis, span);
@@ -86,14 +86,14 @@ static taut_status fill_axis(const taut_basis *basis, const taut_cells *panels, 
 static taut_status make_axis(const taut_basis *basis, int lines, const double *surface_weights,
                              size_t step, size_t next, int nodes, taut_arena *arena, axis *a)
 {
-    taut_cells *panels = NULL;
-    taut_status status = taut_cells_new(basis, lines, surface_weights, step, next, &panels);
+    taut_cells *cells = NULL;
+    taut_status status = taut_cells_new(basis, lines, surface_weights, step, next, &cells);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = fill_axis(basis, panels, nodes, arena, a);
-    taut_cells_free(panels);
+    status = fill_axis(basis, cells, nodes, arena, a);
+    taut_cells_free(cells);
     if (status != TAUT_OK) {
         return status;
     }

@@ -25,7 +25,7 @@ typedef struct taut_dirichlet_gradient {
     int unit;         /* the unit is 2 to this power */
 } taut_dirichlet_gradient;
 
-/* `nodes` Gauss nodes a panel (geometry/nurbs/cells.h), 1..TAUT_GAUSS_MAX. TAUT_NO_MEMORY. */
+/* `nodes` Gauss nodes a cell (geometry/nurbs/cells.h), 1..TAUT_GAUSS_MAX. TAUT_NO_MEMORY. */
 taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect, int nodes,
                                         taut_dirichlet_gradient *gradient);
 /* The gradient of the area instead, from the form (G, -F, E) / W in place of (lambda, 0, 1/lambda)

@@ -163,7 +163,7 @@ static double count_of(const cli_subject *s, const words *w)
 }
 
 /* at U V C: coordinate of the first surface */
-static double at(const cli_subject *s, const words *w)
+static double evaluate_at(const cli_subject *s, const words *w)
 {
     double x[3];
     return taut_surface_eval(surface_of(s, NULL), real(w, 1), real(w, 2), 0, x) == TAUT_OK
@@ -337,7 +337,7 @@ static const struct {
     {"figure", figure},
     {"detail", detail},
     {"count", count_of},
-    {"at", at},
+    {"at", evaluate_at},
     {"weight", weight},
     {"curve_point", curve_point},
     {"curve_weight", curve_weight},

@@ -65,8 +65,8 @@ static double printed_number(const char *word)
 }
 
 /* One row judged: added to `list` as a record. Returns whether ours is what it should be. */
-static int judge(const char *paper, const taut_record *row, const cli_subject *subject,
-                 taut_record *list)
+static int judge_row(const char *paper, const taut_record *row, const cli_subject *subject,
+                     taut_record *list)
 {
     const char *erratum = text(row, "erratum");
     const double ours = cli_quantity(subject, text(row, "quantity"));
@@ -112,7 +112,7 @@ static taut_status reproduce(const taut_embedded *paper, taut_record *list, int 
             status = make(problem, &subject, error);
         }
         if (status == TAUT_OK) {
-            *wrong += !judge(paper->name, row, &subject, list);
+            *wrong += !judge_row(paper->name, row, &subject, list);
         }
     }
     clear(&subject);
@@ -150,7 +150,7 @@ static void print_table(const taut_record *list)
     }
 }
 
-static int tell(const cli_options *options, taut_record *list, int wrong)
+static int print_list(const cli_options *options, taut_record *list, int wrong)
 {
     int code = 0;
     if (options->json) {
@@ -193,7 +193,7 @@ static int run(const cli_options *options)
         taut_record_free(list);
         return cli_fail(&error);
     }
-    return tell(options, list, wrong);
+    return print_list(options, list, wrong);
 }
 
 static const cli_option options_of_reproduce[] = {

@@ -11,16 +11,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NODES = 32 }; /* a panel: degree 20 and rational curves to rounding */
+enum { NODES = 32 }; /* a cell: degree 20 and rational curves to rounding */
 enum { LOCAL = TAUT_DEGREE_MAX + 1 };
 
 typedef struct fit {
     const taut_curve *curve;
     const taut_basis *basis, *test;
     int count, unknowns, offset; /* offset: of the first test function that is used */
-    int panels;
-    double *breaks;         /* [panels + 1] in the basis's range */
-    double *samples;        /* [panels * NODES][3]: of the curve */
+    int cells;
+    double *breaks;         /* [cells + 1] in the basis's range */
+    double *samples;        /* [cells * NODES][3]: of the curve */
     taut_arena *arena;      /* of the arrays */
     double *triangle, *row; /* (unknowns + 3) columns */
     double *rows;           /* [unknowns][unknowns + 3] */
@@ -71,8 +71,8 @@ static taut_status merge_breaks(fit *f)
             f->breaks[count++] = f->breaks[k];
         }
     }
-    f->panels = count - 1;
-    f->samples = taut_arena_take(f->arena, (size_t)f->panels * NODES, 3 * sizeof(double));
+    f->cells = count - 1;
+    f->samples = taut_arena_take(f->arena, (size_t)f->cells * NODES, 3 * sizeof(double));
     return f->samples != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
@@ -153,7 +153,7 @@ static void visit_nodes(fit *f, const double ends[2][3], const double *points, d
     double node[NODES], weight[NODES];
 
     taut_gauss_rule(NODES, node, weight);
-    for (int k = 0; k < f->panels * NODES; k++) {
+    for (int k = 0; k < f->cells * NODES; k++) {
         const double lo = f->breaks[k / NODES], hi = f->breaks[k / NODES + 1];
         const double t = lo + (hi - lo) * (0.5 + 0.5 * node[k % NODES]);
         double n[LOCAL], x[3];

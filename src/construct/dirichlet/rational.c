@@ -33,16 +33,16 @@ struct taut_dirichlet_rational {
     const taut_basis *u, *v;
     int nu, nv, k, h;  /* functions, and functions alive on a span */
     taut_arena *arena; /* of all but the rules */
-    taut_cells *panels_u, *panels_v;
+    taut_cells *cells_u, *cells_v;
     double *weights;   /* [nu][nv] */
-    int nodes;         /* a panel */
+    int nodes;         /* a cell */
     taut_arena *rules; /* of the next two */
     line_rule along_u, along_v;
     double fu, fv;
     double *blocks;   /* [nu][k][nv][2h-1]: A(ij, (i+e)(j+d)) at [i][e][j][d + h-1] */
     double *row_sums; /* [nu][nv] */
     double *slopes;   /* [2][k][h]: R_u and R_v at one node */
-    double *sums;     /* [2][k h][k h]: of a pair of panels, and of one line of it */
+    double *sums;     /* [2][k h][k h]: of a pair of cells, and of one line of it */
     double roundings;
     double work; /* pairs of functions at nodes, of all assemblies so far */
 };
@@ -56,8 +56,8 @@ static const struct {
 void taut_dirichlet_rational_free(taut_dirichlet_rational *form)
 {
     if (form != NULL) {
-        taut_cells_free(form->panels_u);
-        taut_cells_free(form->panels_v);
+        taut_cells_free(form->cells_u);
+        taut_cells_free(form->cells_v);
         taut_arena_free(form->rules);
         taut_arena_free(form->arena);
         taut_free(form);
@@ -67,7 +67,7 @@ void taut_dirichlet_rational_free(taut_dirichlet_rational *form)
 /* ---- rules ---- */
 
 /* Parameters and spans of the nodes, and what else the rule holds of them. */
-static void place_nodes(const taut_basis *basis, const taut_cells *panels, int nodes, double *t,
+static void place_nodes(const taut_basis *basis, const taut_cells *cells, int nodes, double *t,
                         int *spans, line_rule *rule)
 {
     double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
@@ -76,10 +76,10 @@ static void place_nodes(const taut_basis *basis, const taut_cells *panels, int n
     taut_gauss_rule(nodes, node, weight);
     rule->reach = fmax(fabs(taut_basis_lo(basis)), fabs(taut_basis_hi(basis))) / length;
     for (int i = 0; i < rule->count; i++) {
-        const int k = i / nodes, g = i % nodes, span = panels->span[k];
-        t[i] = taut_cells_at(panels, k, node[g]);
+        const int k = i / nodes, g = i % nodes, span = cells->span[k];
+        t[i] = taut_cells_at(cells, k, node[g]);
         spans[i] = span;
-        rule->weights[i] = 0.5 * weight[g] * ((panels->hi[k] - panels->lo[k]) / length);
+        rule->weights[i] = 0.5 * weight[g] * ((cells->hi[k] - cells->lo[k]) / length);
         rule->roundings[i] = fabs(t[i]) / taut_cells_finest(basis, span);
     }
 }
@@ -94,11 +94,11 @@ static void scale_slopes(taut_table *table, double factor)
     }
 }
 
-/* `nodes` Gauss nodes, 1..TAUT_GAUSS_MAX, on every panel. TAUT_NO_MEMORY. */
-static taut_status make_rule(const taut_basis *basis, const taut_cells *panels, int nodes,
+/* `nodes` Gauss nodes, 1..TAUT_GAUSS_MAX, on every cell. TAUT_NO_MEMORY. */
+static taut_status make_rule(const taut_basis *basis, const taut_cells *cells, int nodes,
                              taut_arena *arena, line_rule *rule)
 {
-    const size_t count = (size_t)panels->count * (size_t)nodes;
+    const size_t count = (size_t)cells->count * (size_t)nodes;
     double *t = taut_arena_take(arena, count, sizeof(double));
     int *spans = taut_arena_take(arena, count, sizeof(int));
     taut_status status = TAUT_OK;
@@ -109,7 +109,7 @@ static taut_status make_rule(const taut_basis *basis, const taut_cells *panels, 
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    place_nodes(basis, panels, nodes, t, spans, rule);
+    place_nodes(basis, cells, nodes, t, spans, rule);
     status = taut_table_new(basis, rule->count, t, spans, 1, &rule->table);
     if (status != TAUT_OK) {
         return status;
@@ -200,7 +200,7 @@ static void add_node(taut_dirichlet_rational *form, int p, int q, double *line)
     }
 }
 
-/* Moves the sums of one pair of panels, whose first functions are i and j, to the blocks. */
+/* Moves the sums of one pair of cells, whose first functions are i and j, to the blocks. */
 static void scatter_sums(taut_dirichlet_rational *form, int i, int j, const double *sums)
 {
     const int k = form->k, h = form->h;
@@ -216,13 +216,13 @@ static void scatter_sums(taut_dirichlet_rational *form, int i, int j, const doub
     }
 }
 
-/* One pair of panels: nodes of a line first, then lines, then, in the blocks, panels. Sums of a few
+/* One pair of cells: nodes of a line first, then lines, then, in the blocks, cells. Sums of a few
  * dozen terms each keep the rounding of hundreds of thousands small ([Higham2002] 4.2). */
-static void add_panels(taut_dirichlet_rational *form, int panel_u, int panel_v)
+static void add_cells(taut_dirichlet_rational *form, int cell_u, int cell_v)
 {
     const size_t size = (size_t)(form->k * form->h) * (size_t)(form->k * form->h);
     double *sums = form->sums, *line = form->sums + size;
-    const int p0 = panel_u * form->nodes, q0 = panel_v * form->nodes;
+    const int p0 = cell_u * form->nodes, q0 = cell_v * form->nodes;
 
     memset(sums, 0, size * sizeof(double));
     for (int p = p0; p < p0 + form->nodes; p++) {
@@ -276,7 +276,7 @@ static int first_nodes(const taut_dirichlet_rational *form)
 /* May another assembly with so many nodes be made? */
 static int may_assemble(const taut_dirichlet_rational *form, int nodes)
 {
-    const double cells = (double)form->panels_u->count * form->panels_v->count;
+    const double cells = (double)form->cells_u->count * form->cells_v->count;
     const double spans =
         (double)taut_basis_span_count(form->u) * (double)taut_basis_span_count(form->v);
     return form->work + count_pairs(form, cells, nodes) <=
@@ -287,12 +287,12 @@ static int may_assemble(const taut_dirichlet_rational *form, int nodes)
 static void assemble(taut_dirichlet_rational *form)
 {
     form->work +=
-        count_pairs(form, (double)form->panels_u->count * form->panels_v->count, form->nodes);
+        count_pairs(form, (double)form->cells_u->count * form->cells_v->count, form->nodes);
     memset(form->blocks, 0, blocks_size(form) * sizeof(double));
     form->roundings = 0;
-    for (int a = 0; a < form->panels_u->count; a++) {
-        for (int b = 0; b < form->panels_v->count; b++) {
-            add_panels(form, a, b);
+    for (int a = 0; a < form->cells_u->count; a++) {
+        for (int b = 0; b < form->cells_v->count; b++) {
+            add_cells(form, a, b);
         }
     }
     add_row_sums(form);
@@ -303,8 +303,8 @@ static taut_status set_nodes(taut_dirichlet_rational *form, int nodes)
     taut_arena *rules = taut_arena_new();
     line_rule u, v;
 
-    if (make_rule(form->u, form->panels_u, nodes, rules, &u) != TAUT_OK ||
-        make_rule(form->v, form->panels_v, nodes, rules, &v) != TAUT_OK) {
+    if (make_rule(form->u, form->cells_u, nodes, rules, &u) != TAUT_OK ||
+        make_rule(form->v, form->cells_v, nodes, rules, &v) != TAUT_OK) {
         taut_arena_free(rules);
         return TAUT_NO_MEMORY;
     }
@@ -330,8 +330,8 @@ static taut_status prepare(taut_dirichlet_rational *form, const double *weights,
     form->blocks =
         taut_arena_take_raw(arena, blocks_size(form), sizeof(double)); /* zeroed in use */
     if (taut_arena_status(arena) != TAUT_OK ||
-        taut_cells_new(form->u, form->nv, weights, nv, 1, &form->panels_u) != TAUT_OK ||
-        taut_cells_new(form->v, form->nu, weights, 1, nv, &form->panels_v) != TAUT_OK) {
+        taut_cells_new(form->u, form->nv, weights, nv, 1, &form->cells_u) != TAUT_OK ||
+        taut_cells_new(form->v, form->nu, weights, 1, nv, &form->cells_v) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     form->nodes = first_nodes(form);
@@ -382,7 +382,7 @@ taut_status taut_dirichlet_rational_refuse(const taut_dirichlet_rational *form, 
                      "the weights vary too much from point to point: the integrals ask for more "
                      "than %d x %d Gauss nodes on each of %d x %d panels; bring the weights nearer "
                      "to each other",
-                     form->nodes, form->nodes, form->panels_u->count, form->panels_v->count);
+                     form->nodes, form->nodes, form->cells_u->count, form->cells_v->count);
 }
 
 void taut_dirichlet_rational_scale(taut_dirichlet_rational *form, double fu, double fv)

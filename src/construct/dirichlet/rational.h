@@ -12,7 +12,7 @@
 
 typedef struct taut_dirichlet_rational taut_dirichlet_rational;
 
-/* Starts with two nodes more than functions alive, on every panel (geometry/nurbs/cells.h), and
+/* Starts with two nodes more than functions alive, on every cell (geometry/nurbs/cells.h), and
  * (fu, fv) = (1, 1). The bases are borrowed, the weights, in (0, 1], copied. TAUT_NO_MEMORY;
  * TAUT_NOT_CONVERGED where they vary so much that the quadrature would be too much work. */
 taut_status taut_dirichlet_rational_new(const taut_basis *u, const taut_basis *v,

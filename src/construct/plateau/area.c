@@ -1,6 +1,6 @@
 /* area.c -- one line u = const of Gauss points after another: the rows of the net alive there are
- * contracted with the functions of u once for the line, then with those of v panel by panel, all
- * points of a panel side by side (area_kernel.h); what comes back is gathered along v per column of
+ * contracted with the functions of u once for the line, then with those of v cell by cell, all
+ * points of a cell side by side (area_kernel.h); what comes back is gathered along v per column of
  * the net and spread over the rows once (sum factorisation). Nothing is allocated after
  * taut_area_functional_new. */
 #include "construct/plateau/area.h"
@@ -47,7 +47,7 @@ static void fill_axis(const taut_table *table, double length, taut_area_axis *a)
     }
 }
 
-static taut_status tabulate_axis(const taut_basis *basis, const taut_cells *panels,
+static taut_status tabulate_axis(const taut_basis *basis, const taut_cells *cells,
                                  taut_arena *arena, taut_area_axis *a)
 {
     double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
@@ -67,9 +67,9 @@ static taut_status tabulate_axis(const taut_basis *basis, const taut_cells *pane
     }
     taut_gauss_rule(a->nodes, node, weight);
     for (int k = 0; k < a->count; k++) {
-        const int panel = k / a->nodes, span = panels->span[panel];
-        const double at = taut_cells_at(panels, panel, node[k % a->nodes]);
-        const double width = panels->hi[panel] - panels->lo[panel];
+        const int cell = k / a->nodes, span = cells->span[cell];
+        const double at = taut_cells_at(cells, cell, node[k % a->nodes]);
+        const double width = cells->hi[cell] - cells->lo[cell];
         t[k] = at < breaks[span + 1] ? at : breaks[span]; /* the span of t must be this one */
         a->weights[k] = 0.5 * weight[k % a->nodes] * (width / length);
     }
@@ -87,17 +87,17 @@ static taut_status make_axis(const taut_basis *basis, int lines, const double *w
                              size_t next, int extra, taut_arena *arena, taut_area_axis *a)
 {
     const int wanted = taut_basis_local(basis) + extra;
-    taut_cells *panels = NULL;
-    taut_status status = taut_cells_new(basis, lines, weights, step, next, &panels);
+    taut_cells *cells = NULL;
+    taut_status status = taut_cells_new(basis, lines, weights, step, next, &cells);
 
     if (status != TAUT_OK) {
         return status;
     }
     a->local = taut_basis_local(basis);
     a->nodes = wanted < TAUT_GAUSS_MAX ? wanted : TAUT_GAUSS_MAX;
-    a->count = panels->count * a->nodes;
-    status = tabulate_axis(basis, panels, arena, a);
-    taut_cells_free(panels);
+    a->count = cells->count * a->nodes;
+    status = tabulate_axis(basis, cells, arena, a);
+    taut_cells_free(cells);
     return status;
 }
 
@@ -110,26 +110,26 @@ static int rounded_up(int count, int lanes)
 static taut_status arrange_axis(int lanes, taut_arena *arena, taut_area_axis *a)
 {
     const size_t local = (size_t)a->local, nodes = (size_t)a->nodes;
-    const size_t panels = (size_t)a->count / nodes;
+    const size_t cells = (size_t)a->count / nodes;
     const size_t group = (size_t)rounded_up(a->nodes, lanes);
     const size_t wide = (size_t)rounded_up(a->local, lanes);
 
     a->group = (int)group;
     a->wide = (int)wide;
-    a->values = taut_arena_take(arena, panels * local, group * sizeof(double));
-    a->slopes = taut_arena_take(arena, panels * local, group * sizeof(double));
-    a->by_node = taut_arena_take(arena, panels * nodes, wide * sizeof(double));
-    a->sloped = taut_arena_take(arena, panels * nodes, wide * sizeof(double));
-    a->group_weights = taut_arena_take(arena, panels, group * sizeof(double));
+    a->values = taut_arena_take(arena, cells * local, group * sizeof(double));
+    a->slopes = taut_arena_take(arena, cells * local, group * sizeof(double));
+    a->by_node = taut_arena_take(arena, cells * nodes, wide * sizeof(double));
+    a->sloped = taut_arena_take(arena, cells * nodes, wide * sizeof(double));
+    a->group_weights = taut_arena_take(arena, cells, group * sizeof(double));
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    for (size_t k = 0; k < panels * nodes; k++) {
-        const size_t panel = k / nodes, g = k % nodes;
-        a->group_weights[panel * group + g] = a->weights[k];
+    for (size_t k = 0; k < cells * nodes; k++) {
+        const size_t cell = k / nodes, g = k % nodes;
+        a->group_weights[cell * group + g] = a->weights[k];
         for (size_t b = 0; b < local; b++) {
-            a->values[(panel * local + b) * group + g] = a->value[k * local + b];
-            a->slopes[(panel * local + b) * group + g] = a->slope[k * local + b];
+            a->values[(cell * local + b) * group + g] = a->value[k * local + b];
+            a->slopes[(cell * local + b) * group + g] = a->slope[k * local + b];
             a->by_node[k * wide + b] = a->value[k * local + b];
             a->sloped[k * wide + b] = a->slope[k * local + b];
         }
@@ -191,25 +191,25 @@ static void spread_line(const taut_area_functional *functional, int line)
         net_sums(functional) + (size_t)functional->u.first[line] * functional->width);
 }
 
-static size_t panels_of(const taut_area_axis *a)
+static size_t cells_of(const taut_area_axis *a)
 {
     return (size_t)(a->count / a->nodes);
 }
 
-/* Where numbers of panel `panel` on the line begin, `each` of them a point. */
-static size_t panel_offset(const taut_area_functional *functional, int line, size_t panel,
-                           size_t each)
+/* Where numbers of cell `cell` on the line begin, `each` of them a point. */
+static size_t cell_offset(const taut_area_functional *functional, int line, size_t cell,
+                          size_t each)
 {
-    return ((size_t)line * panels_of(&functional->v) + panel) * each * (size_t)functional->v.group;
+    return ((size_t)line * cells_of(&functional->v) + cell) * each * (size_t)functional->v.group;
 }
 
-/* What kernels see of a panel. */
-static taut_area_panel panel_view(const taut_area_functional *functional, int line, size_t panel)
+/* What kernels see of a cell. */
+static taut_area_cell cell_view(const taut_area_functional *functional, int line, size_t cell)
 {
     const taut_area_axis *v = &functional->v;
-    const size_t nodes = (size_t)v->nodes, first = (size_t)v->first[panel * nodes];
-    const size_t table = panel * (size_t)v->local * (size_t)v->group;
-    return (taut_area_panel){
+    const size_t nodes = (size_t)v->nodes, first = (size_t)v->first[cell * nodes];
+    const size_t table = cell * (size_t)v->local * (size_t)v->group;
+    return (taut_area_cell){
         .nodes = v->nodes,
         .group = v->group,
         .local = v->local,
@@ -217,12 +217,12 @@ static taut_area_panel panel_view(const taut_area_functional *functional, int li
         .stride = functional->stride,
         .value = v->values + table,
         .slope = v->slopes + table,
-        .values = v->by_node + panel * nodes * (size_t)v->wide,
-        .slopes = v->sloped + panel * nodes * (size_t)v->wide,
+        .values = v->by_node + cell * nodes * (size_t)v->wide,
+        .slopes = v->sloped + cell * nodes * (size_t)v->wide,
         .still = functional->polygons + first,
         .along = functional->polygons + functional->width + first,
         .quotient = functional->quotient != NULL
-                        ? functional->quotient + panel_offset(functional, line, panel, 3)
+                        ? functional->quotient + cell_offset(functional, line, cell, 3)
                         : NULL,
         .spread_still = functional->spread + first,
         .spread_u = functional->spread + functional->width + first,
@@ -232,9 +232,8 @@ static taut_area_panel panel_view(const taut_area_functional *functional, int li
 void taut_area_functional_state(const taut_area_functional *functional, int line, int k,
                                 double state[TAUT_AREA_STATE])
 {
-    const size_t panel = (size_t)(k / functional->v.nodes), g = (size_t)(k % functional->v.nodes);
-    const double *s =
-        functional->state + panel_offset(functional, line, panel, TAUT_AREA_STATE) + g;
+    const size_t cell = (size_t)(k / functional->v.nodes), g = (size_t)(k % functional->v.nodes);
+    const double *s = functional->state + cell_offset(functional, line, cell, TAUT_AREA_STATE) + g;
     for (size_t i = 0; i < TAUT_AREA_STATE; i++) {
         state[i] = s[i * (size_t)functional->v.group];
     }
@@ -243,8 +242,8 @@ void taut_area_functional_state(const taut_area_functional *functional, int line
 void taut_area_functional_quotient(const taut_area_functional *functional, int line, int k,
                                    double quotient[3])
 {
-    const size_t panel = (size_t)(k / functional->v.nodes), g = (size_t)(k % functional->v.nodes);
-    const double *q = functional->quotient + panel_offset(functional, line, panel, 3) + g;
+    const size_t cell = (size_t)(k / functional->v.nodes), g = (size_t)(k % functional->v.nodes);
+    const double *q = functional->quotient + cell_offset(functional, line, cell, 3) + g;
     for (size_t i = 0; i < 3; i++) {
         quotient[i] = q[i * (size_t)functional->v.group];
     }
@@ -284,9 +283,9 @@ static void fill_quotients(taut_area_functional *functional)
     for (int line = 0; line < functional->u.count; line++) {
         contract_line(functional, line);
         for (int k = 0; k < functional->v.count; k++) {
-            const size_t panel = (size_t)(k / functional->v.nodes),
+            const size_t cell = (size_t)(k / functional->v.nodes),
                          g = (size_t)(k % functional->v.nodes);
-            double *to = functional->quotient + panel_offset(functional, line, panel, 3) + g, q[3];
+            double *to = functional->quotient + cell_offset(functional, line, cell, 3) + g, q[3];
             find_quotient(functional, k, q);
             for (size_t c = 0; c < 3; c++) {
                 to[c * group] = q[c];
@@ -298,7 +297,7 @@ static void fill_quotients(taut_area_functional *functional)
 static taut_status take_weights(const double *weights, taut_area_functional *functional)
 {
     const size_t count = (size_t)functional->nu * (size_t)functional->nv;
-    const size_t lines = (size_t)functional->u.count * panels_of(&functional->v);
+    const size_t lines = (size_t)functional->u.count * cells_of(&functional->v);
     const size_t group = (size_t)functional->v.group;
     double largest = 0;
 
@@ -333,7 +332,7 @@ static taut_status take_arrays(taut_area_functional *functional)
 {
     taut_arena *arena = functional->arena;
     const size_t nu = (size_t)functional->nu, group = (size_t)functional->v.group;
-    const size_t lines = (size_t)functional->u.count * panels_of(&functional->v);
+    const size_t lines = (size_t)functional->u.count * cells_of(&functional->v);
 
     functional->stride = (size_t)rounded_up(functional->nv, TAUT_AREA_PAD) + TAUT_AREA_PAD;
     functional->width = 3 * functional->stride;
@@ -397,11 +396,11 @@ double taut_area_functional_cost(const taut_area_functional *functional)
     return 12.0 * (functional->v.local + 4) * functional->u.count * functional->v.count;
 }
 
-/* Adds the panel's W, in functional->elements, and lowers the least. */
-static void add_elements(const taut_area_functional *functional, int line, size_t panel,
+/* Adds the cell's W, in functional->elements, and lowers the least. */
+static void add_elements(const taut_area_functional *functional, int line, size_t cell,
                          taut_sum *sum, taut_area_value *value)
 {
-    const double *weights = functional->v.weights + panel * (size_t)functional->v.nodes;
+    const double *weights = functional->v.weights + cell * (size_t)functional->v.nodes;
     const double along_u = functional->u.weights[line];
     for (int g = 0; g < functional->v.nodes; g++) {
         const double w = functional->elements[g];
@@ -426,10 +425,10 @@ taut_area_value taut_area_functional_value(taut_area_functional *functional, con
     load_net(functional, net);
     for (int line = 0; line < functional->u.count; line++) {
         contract_line(functional, line);
-        for (size_t panel = 0; panel < panels_of(&functional->v); panel++) {
-            const taut_area_panel p = panel_view(functional, line, panel);
+        for (size_t cell = 0; cell < cells_of(&functional->v); cell++) {
+            const taut_area_cell p = cell_view(functional, line, cell);
             functional->ops->area(&p, functional->elements);
-            add_elements(functional, line, panel, &sum, &value);
+            add_elements(functional, line, cell, &sum, &value);
         }
     }
     return sum_up(&sum, value);
@@ -449,17 +448,17 @@ taut_area_value taut_area_functional_gradient(taut_area_functional *functional, 
     for (int line = 0; line < functional->u.count; line++) {
         contract_line(functional, line);
         memset(functional->spread, 0, 2 * functional->width * sizeof(double));
-        for (size_t panel = 0; panel < panels_of(&functional->v); panel++) {
-            const taut_area_panel p = panel_view(functional, line, panel);
+        for (size_t cell = 0; cell < cells_of(&functional->v); cell++) {
+            const taut_area_cell p = cell_view(functional, line, cell);
             for (size_t g = 0; g < group; g++) {
                 weights[g] =
-                    functional->u.weights[line] * functional->v.group_weights[panel * group + g];
+                    functional->u.weights[line] * functional->v.group_weights[cell * group + g];
             }
             functional->ops->gradient(&p, weights,
                                       functional->state +
-                                          panel_offset(functional, line, panel, TAUT_AREA_STATE),
+                                          cell_offset(functional, line, cell, TAUT_AREA_STATE),
                                       functional->elements);
-            add_elements(functional, line, panel, &sum, &value);
+            add_elements(functional, line, cell, &sum, &value);
         }
         spread_line(functional, line);
     }
@@ -476,11 +475,11 @@ void taut_area_functional_product(taut_area_functional *functional, double theta
     for (int line = 0; line < functional->u.count; line++) {
         contract_line(functional, line);
         memset(functional->spread, 0, 2 * functional->width * sizeof(double));
-        for (size_t panel = 0; panel < panels_of(&functional->v); panel++) {
-            const taut_area_panel p = panel_view(functional, line, panel);
+        for (size_t cell = 0; cell < cells_of(&functional->v); cell++) {
+            const taut_area_cell p = cell_view(functional, line, cell);
             functional->ops->product(&p, theta,
                                      functional->state +
-                                         panel_offset(functional, line, panel, TAUT_AREA_STATE));
+                                         cell_offset(functional, line, cell, TAUT_AREA_STATE));
         }
         spread_line(functional, line);
     }

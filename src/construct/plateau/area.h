@@ -30,17 +30,17 @@
 /* Gauss nodes in one direction; slopes are over the unit interval. */
 typedef struct taut_area_axis {
     int count; /* nodes in all */
-    int nodes; /* on each panel */
+    int nodes; /* on each cell */
     int local;
     int *first;      /* [count] */
     double *value;   /* [count][local] */
     double *slope;   /* [count][local] */
     double *weights; /* [count]: their sum is 1 */
-    /* For kernels, by panel, whole vectors of nodes or functions, zeros where there are none: */
+    /* For kernels, by cell, whole vectors of nodes or functions, zeros where there are none: */
     int group, wide;          /* nodes, local, rounded up */
-    double *values, *slopes;  /* [panels][local][group] */
+    double *values, *slopes;  /* [cells][local][group] */
     double *by_node, *sloped; /* [count][wide]: value and slope */
-    double *group_weights;    /* [panels][group] */
+    double *group_weights;    /* [cells][group] */
 } taut_area_axis;
 
 typedef struct taut_area_functional {
@@ -50,12 +50,12 @@ typedef struct taut_area_functional {
     const taut_area_ops *ops;
     size_t stride, width; /* of a plane of a row of the net; 3 of them */
     double *weights;      /* [nu][nv] over the largest, or NULL */
-    double *quotient;     /* [u.count][panels of v][3][group], area_kernel.h, or NULL */
-    double *state;        /* [u.count][panels of v][TAUT_FILM_STATE][group] of the last gradient */
+    double *quotient;     /* [u.count][cells of v][3][group], area_kernel.h, or NULL */
+    double *state;        /* [u.count][cells of v][TAUT_FILM_STATE][group] of the last gradient */
     double *net;          /* [nu][width], then as many for what comes back: in planes, weighted */
     double *polygons;     /* [2][width] */
     double *spread;       /* [2][width] */
-    double *elements;     /* [2][group]: W of a panel; weights */
+    double *elements;     /* [2][group]: W of a cell; weights */
     double work;          /* about so many flops were spent on it, its factors included */
 } taut_area_functional;
 
@@ -65,7 +65,7 @@ typedef struct taut_area_value {
     double least; /* smallest W over the area (the mean of W) */
 } taut_area_value;
 
-/* local + extra nodes a panel in each direction. weights double[nu][nv] or NULL. TAUT_NO_MEMORY. */
+/* local + extra nodes a cell in each direction. weights double[nu][nv] or NULL. TAUT_NO_MEMORY. */
 taut_status taut_area_functional_new(const taut_basis *u, const taut_basis *v,
                                      const double *weights, int extra,
                                      taut_area_functional **functional);

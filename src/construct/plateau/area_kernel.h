@@ -1,6 +1,6 @@
 /* area_kernel.h -- the inner loops of the area functional, one table per instruction set.
  *
- * Points of one panel see the same functions of v, so they are worked on side by side: `group` of
+ * Points of one cell see the same functions of v, so they are worked on side by side: `group` of
  * them, the last ones no points at all, with zeros for functions and weights. Nets lie in planes,
  * one per coordinate, `stride` apart.
  */
@@ -15,8 +15,8 @@ enum {
     TAUT_AREA_PAD = 8          /* numbers beyond a plane that kernels may read and add 0 to */
 };
 
-/* The points of a line u = const in one panel of v. */
-typedef struct taut_area_panel {
+/* The points of a line u = const in one cell of v. */
+typedef struct taut_area_cell {
     int nodes, group; /* points; the same rounded up to lanes */
     int local, wide;  /* functions alive; the same rounded up */
     size_t stride;
@@ -25,7 +25,7 @@ typedef struct taut_area_panel {
     const double *still, *along;     /* [3] planes from the first point alive: x, x_u on the line */
     const double *quotient;          /* [3][group]: 1 / w, w_u / w, w_v / w; or NULL */
     double *spread_still, *spread_u; /* [3] planes: what goes back with N_i, with N_i' */
-} taut_area_panel;
+} taut_area_cell;
 
 typedef struct taut_area_ops {
     const char *name;
@@ -37,12 +37,12 @@ typedef struct taut_area_ops {
     void (*spread)(int local, const double *n, const double *d, const double *still,
                    const double *along, size_t length, double *rows);
     /* w[group] = W. */
-    void (*area)(const taut_area_panel *panel, double *w);
+    void (*area)(const taut_area_cell *cell, double *w);
     /* The same, and the state [TAUT_FILM_STATE][group], and the gradient into the spread; weights
      * [group]. */
-    void (*gradient)(const taut_area_panel *panel, const double *weights, double *state, double *w);
+    void (*gradient)(const taut_area_cell *cell, const double *weights, double *state, double *w);
     /* The product of the direction in the polygons with the operator of the state and theta. */
-    void (*product)(const taut_area_panel *panel, double theta, const double *state);
+    void (*product)(const taut_area_cell *cell, double theta, const double *state);
 } taut_area_ops;
 
 /* As taut_grid_ops_chosen. */

@@ -72,7 +72,7 @@ INLINE void add_plane(lanes n, const double *plane, size_t stride, vector *sum)
 }
 
 /* x_u, x_v at points at .. at + AREA_LANES - 1; with weights (X_u - (w_u / w) X) / w. */
-INLINE void find_slopes(const taut_area_panel *p, int at, vector *u, vector *v)
+INLINE void find_slopes(const taut_area_cell *p, int at, vector *u, vector *v)
 {
     const size_t group = (size_t)p->group;
     vector x = {{0}, {0}, {0}}, xu = x, xv = x;
@@ -94,7 +94,7 @@ INLINE void find_slopes(const taut_area_panel *p, int at, vector *u, vector *v)
     *v = xv;
 }
 
-/* Fluxes of the whole panel: f_u and f_v with which N_i' N_j and N_i N_j' go back, and, with
+/* Fluxes of the whole cell: f_u and f_v with which N_i' N_j and N_i N_j' go back, and, with
  * weights, what N_i N_j takes. */
 typedef struct fluxes {
     double u[3][TAUT_AREA_GROUP_MAX], v[3][TAUT_AREA_GROUP_MAX], back[3][TAUT_AREA_GROUP_MAX];
@@ -107,7 +107,7 @@ INLINE void store_flux(vector f, int at, double to[3][TAUT_AREA_GROUP_MAX])
     AT(to[2] + at) = f.z;
 }
 
-INLINE void keep_fluxes(const taut_area_panel *p, int at, vector u, vector v, fluxes *f)
+INLINE void keep_fluxes(const taut_area_cell *p, int at, vector u, vector v, fluxes *f)
 {
     if (p->quotient != NULL) {
         const lanes qu = OF(p->quotient + p->group + at), qv = OF(p->quotient + 2 * p->group + at);
@@ -120,7 +120,7 @@ INLINE void keep_fluxes(const taut_area_panel *p, int at, vector u, vector v, fl
 }
 
 /* spread_still += N_j' f_v - N_j back, spread_u += N_j f_u; lanes are functions here. */
-INLINE void gather_fluxes(const taut_area_panel *p, const fluxes *f)
+INLINE void gather_fluxes(const taut_area_cell *p, const fluxes *f)
 {
     for (int b = 0; b < p->wide; b += AREA_LANES) {
         for (size_t c = 0; c < 3; c++) {
@@ -139,7 +139,7 @@ INLINE void gather_fluxes(const taut_area_panel *p, const fluxes *f)
     }
 }
 
-static void area_elements(const taut_area_panel *p, double *w)
+static void area_elements(const taut_area_cell *p, double *w)
 {
     for (int at = 0; at < p->group; at += AREA_LANES) {
         vector u, v;
@@ -149,7 +149,7 @@ static void area_elements(const taut_area_panel *p, double *w)
     }
 }
 
-static void area_gradient(const taut_area_panel *p, const double *weights, double *state, double *w)
+static void area_gradient(const taut_area_cell *p, const double *weights, double *state, double *w)
 {
     const size_t group = (size_t)p->group;
     const lanes one = (lanes){0} + 1, least = (lanes){0} + 0x1p-500;
@@ -180,7 +180,7 @@ static void area_gradient(const taut_area_panel *p, const double *weights, doubl
 }
 
 /* area.h's df_u, df_v. */
-static void area_product(const taut_area_panel *p, double theta, const double *state)
+static void area_product(const taut_area_cell *p, double theta, const double *state)
 {
     const size_t group = (size_t)p->group;
     const double rest = 1 - theta;

@@ -20,7 +20,7 @@ struct taut_area_hessian {
     const taut_mask *mask;
     int unknowns;
     int *index;                       /* [nu][nv], or -1 at known points */
-    int local;                        /* functions alive on one panel */
+    int local;                        /* functions alive on one cell */
     taut_band second, metric, factor; /* H, L_g, what was made of both */
     double *element;                  /* [local][local][BLOCK], the lower half used */
     double *slope_u;                  /* [local], at one Gauss point */
@@ -243,7 +243,7 @@ static void add_block(taut_area_hessian *hessian, int a, int b, double sign, con
     taut_band_row(&hessian->metric, a)[a - b] += block[9];
 }
 
-/* Adds the element of the panels that begin at this node. */
+/* Adds the element of the cells that begin at this node. */
 static void add_element(taut_area_hessian *hessian, const taut_area_functional *functional,
                         int line, int k)
 {

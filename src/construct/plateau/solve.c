@@ -39,7 +39,7 @@ enum {
     AREAS_MAX = 64, /* areas of iterations that are told */
 };
 static const double tolerance_default = 1e-10;
-/* Nodes on a panel beyond the functions alive there, each rule tried after the one before. */
+/* Nodes on a cell beyond the functions alive there, each rule tried after the one before. */
 static const int extra_nodes[RULES] = {2, 4, 6, 9, 13, 19, 28, 42, 63, 95};
 
 /* What decides. */
@@ -144,7 +144,7 @@ static double points_of(const taut_area_functional *functional)
     return (double)functional->u.count * functional->v.count;
 }
 
-/* Gauss points of the rule after this one: on the same panels, with the nodes of the next rule. */
+/* Gauss points of the rule after this one: on the same cells, with the nodes of the next rule. */
 static double points_after(const work *w, const taut_area_functional *functional, int rule)
 {
     const int next = rule + 1 < RULES ? rule + 1 : rule;
@@ -283,7 +283,7 @@ static int is_large(const work *w)
            !w->is_rough && !taut_area_hessian_pays(w->functional, &w->mask);
 }
 
-/* Spans over panels. Weights that vary from point to point cut the spans into thousands, and 200
+/* Spans over cells. Weights that vary from point to point cut the spans into thousands, and 200
  * steps there take hours. */
 static double uncut_share(const work *w)
 {

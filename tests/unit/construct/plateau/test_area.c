@@ -1,5 +1,5 @@
 /* test_area.c -- the operators of the area against differences of what they derive from, by every
- * set of kernels that this machine runs; with and without weights, panels that fill no vector. */
+ * set of kernels that this machine runs; with and without weights, cells that fill no vector. */
 #include "check.h"
 #include "shapes.h"
 
