@@ -100,7 +100,11 @@ def lists_of_room(path, constructions):
     layer = part[1] if part[0] == "src" else part[0]
     names = ["status", *MAY_USE.get(layer, "").split()]
     if layer in ("construct", "certify", "io"):
-        own = part[2] if layer != "io" else re.match(r"[a-z]*", part[-1]).group(0) if part[2] == "problem" else ""
+        own = part[2]
+        if layer == "io":  # the longest name that the file's begins with: harmonic_extension.c is harmonic's
+            stem = part[-1].split(".")[0]
+            begins = [name for name in constructions if (stem + "_").startswith(name + "_")]
+            own = max(begins, key=len, default=stem) if part[2] == "problem" else ""
         names += [own] if own in constructions else constructions if own != "" and layer != "io" else []
         names += BESIDES.get(own, "").split()
     return names

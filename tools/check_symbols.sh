@@ -9,7 +9,7 @@ if [ "${1:-}" = --update ]; then
     update=1
     shift
 fi
-library=${1:-build/ci/libtaut.so}
+library=${1:-build/release/libtaut.so}
 if [ ! -e "$library" ]; then
     echo "check_symbols: $library is not built" >&2
     exit 1

@@ -79,7 +79,7 @@ int main(int argc, char **argv)
     const char *names[COMMAND_COUNT + 3] = {"--help", "--version"};
 
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
-        if (strcmp(argv[i], "--json") == 0) {
+        if (strncmp(argv[i], "--json", strlen("--json")) == 0) {
             cli_speak_json(); /* also of what is wrong with the words before */
         }
     }

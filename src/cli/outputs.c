@@ -213,6 +213,8 @@ int cli_print_text(const char *text, size_t length)
         taut_error error = {.status = TAUT_IO,
                             .reason = "write",
                             .where = "standard output",
+                            .found = (double)NAN,
+                            .limit = (double)NAN,
                             .message = "it could not be written"};
         return cli_fail(&error);
     }

@@ -73,7 +73,7 @@ contains err.txt 'at least one -o'
 refused 2 'name' measure m.json --surface other
 contains err.txt '--surface other'
 refused 2 'name' example nonsense
-contains err.txt 'there are: .*dirichlet'
+contains err.txt 'there are: [a-z]'
 refused 2 'name' schema nonsense
 contains err.txt 'there are: .*problem'
 absent model.xyz a.json more.json

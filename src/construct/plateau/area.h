@@ -51,7 +51,7 @@ typedef struct taut_area_functional {
     size_t stride, width; /* of a plane of a row of the net; 3 of them */
     double *weights;      /* [nu][nv] over the largest, or NULL */
     double *quotient;     /* [u.count][cells of v][3][group], area_kernel.h, or NULL */
-    double *state;        /* [u.count][cells of v][TAUT_FILM_STATE][group] of the last gradient */
+    double *state;        /* [u.count][cells of v][TAUT_AREA_STATE][group] of the last gradient */
     double *net;          /* [nu][width], then as many for what comes back: in planes, weighted */
     double *polygons;     /* [2][width] */
     double *spread;       /* [2][width] */

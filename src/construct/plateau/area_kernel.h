@@ -10,7 +10,7 @@
 #include <stddef.h>
 
 enum {
-    TAUT_AREA_GROUP_MAX = 256, /* TAUT_GAUSS_MAX, a multiple of TAUT_FILM_PAD */
+    TAUT_AREA_GROUP_MAX = 256, /* TAUT_GAUSS_MAX, a multiple of TAUT_AREA_PAD */
     TAUT_AREA_STATE = 7,       /* n, w_g E / W, w_g F / W, w_g G / W, w_g */
     TAUT_AREA_PAD = 8          /* numbers beyond a plane that kernels may read and add 0 to */
 };
@@ -29,8 +29,8 @@ typedef struct taut_area_cell {
 
 typedef struct taut_area_ops {
     const char *name;
-    int lanes; /* a power of two up to TAUT_FILM_PAD */
-    /* still = sum_a n[a] row[a], along = sum_a d[a] row[a]; length a multiple of TAUT_FILM_PAD. */
+    int lanes; /* a power of two up to TAUT_AREA_PAD */
+    /* still = sum_a n[a] row[a], along = sum_a d[a] row[a]; length a multiple of TAUT_AREA_PAD. */
     void (*contract)(int local, const double *n, const double *d, const double *rows, size_t length,
                      double *still, double *along);
     /* row[a] += n[a] still + d[a] along. */
@@ -38,7 +38,7 @@ typedef struct taut_area_ops {
                    const double *along, size_t length, double *rows);
     /* w[group] = W. */
     void (*area)(const taut_area_cell *cell, double *w);
-    /* The same, and the state [TAUT_FILM_STATE][group], and the gradient into the spread; weights
+    /* The same, and the state [TAUT_AREA_STATE][group], and the gradient into the spread; weights
      * [group]. */
     void (*gradient)(const taut_area_cell *cell, const double *weights, double *state, double *w);
     /* The product of the direction in the polygons with the operator of the state and theta. */
