@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-evaluate bench-plateau format check mutants reproduction reference install deb \
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-evaluate bench-plateau format check mutants reproduction reference install deb wasm \
   clean help
 
 demo: build
@@ -40,6 +40,12 @@ bench-dirichlet bench-documents bench-evaluate bench-plateau:
 	@cmake --preset bench
 	@cmake --build --preset bench --target $@
 	@OPENBLAS_NUM_THREADS=1 build/bench/bin/$@
+
+wasm: build
+	@tools/deps.sh wasm
+	@cmake --preset wasm
+	@cmake --build --preset wasm
+	@node --test tests/web/test_web.mjs
 
 format:
 	@tools/check_format.sh --fix

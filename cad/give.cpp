@@ -5,6 +5,8 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_OffsetCurve.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>

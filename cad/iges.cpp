@@ -214,7 +214,6 @@ void occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *it
         for (int k = 0; k < 3 * n; k++) {
             reach = std::max(reach, std::fabs(items[i].points[k]));
         }
-        occt_check_degree(items[i]);
         add_named(model,
                   items[i].count[1] > 0 ? entity_of_surface(items[i]) : entity_of_curve(items[i]),
                   items[i].name);

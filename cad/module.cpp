@@ -48,13 +48,7 @@ template <class Work> static taut_status guard(taut_status blame, taut_error *er
 static taut_status cad_write(const taut_cad_job *job, int count, const taut_cad_item *items,
                              taut_error *error)
 {
-    return guard(TAUT_INTERNAL, error, [&] {
-        if (job->kind == TAUT_CAD_STEP) {
-            occt_write_step(*job, count, items);
-        } else {
-            occt_write_iges(*job, count, items);
-        }
-    });
+    return guard(TAUT_INTERNAL, error, [&] { occt_write_iges(*job, count, items); });
 }
 
 static taut_status cad_read(const taut_cad_job *job, const taut_cad_sink *sink, taut_error *error)

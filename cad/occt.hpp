@@ -4,8 +4,6 @@
 
 #include "io/cad/module_interface.h"
 
-#include <Geom_BSplineCurve.hxx>
-#include <Geom_BSplineSurface.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -25,20 +23,12 @@ class occt_failure : public std::runtime_error
     const char *reason;
 };
 
-/* Geometry of OpenCASCADE from an item: the same numbers. */
-Handle(Geom_BSplineSurface) occt_surface(const taut_cad_item &item);
-Handle(Geom_BSplineCurve) occt_curve(const taut_cad_item &item);
-
 /* Closed surfaces are to be read as they are; for a reader that has been made. */
 void occt_keep_closed();
-
-/* TAUT_NO_SOLUTION for a degree that OpenCASCADE does not have. */
-void occt_check_degree(const taut_cad_item &item);
 
 /* The unit as OpenCASCADE's settings and as taut's documents call it. */
 const char *occt_unit(const char *unit);
 
-void occt_write_step(const taut_cad_job &job, int count, const taut_cad_item *items);
 void occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *items);
 
 /* The names that entities of the file give to shapes: of a face or an edge, by the geometry it

@@ -5,7 +5,7 @@ find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
-list(FILTER library_sources EXCLUDE REGEX "/src/(cli|modules)/")
+list(FILTER library_sources EXCLUDE REGEX "/src/(cli|modules|web)/|/platform/wasi.c")
 
 # The page of `taut view`: our scripts and the part of three.js they need (src/page/viewer/three/bundle.sh makes it).
 file(GLOB viewer_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/page/viewer/page.* ${CMAKE_SOURCE_DIR}/src/page/viewer/script/*.js)
@@ -24,13 +24,12 @@ set_target_properties(taut_shared PROPERTIES OUTPUT_NAME taut VERSION ${PROJECT_
 target_link_libraries(taut_shared PRIVATE taut_flags Threads::Threads m dl)
 add_dependencies(product taut_shared)
 
-# Kernels for one instruction set each, chosen at run time; fused multiply-add is theirs to use.
+# Kernels for one instruction set each, chosen at run time. None may fuse a product with a sum: all give the same bytes.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   file(GLOB_RECURSE avx2_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*avx2.c)
   file(GLOB_RECURSE avx512_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*avx512.c)
   list(FILTER avx2_sources EXCLUDE REGEX "/numeric/kernel/") # these name their instruction set themselves
   list(FILTER avx512_sources EXCLUDE REGEX "/numeric/kernel/")
-  set_source_files_properties(${avx2_sources} PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
-  set_source_files_properties(${avx512_sources} PROPERTIES COMPILE_OPTIONS
-    "-mavx512f;-mavx2;-mfma;-ffp-contract=fast")
+  set_source_files_properties(${avx2_sources} PROPERTIES COMPILE_OPTIONS "-mavx2")
+  set_source_files_properties(${avx512_sources} PROPERTIES COMPILE_OPTIONS "-mavx512f;-mavx2")
 endif()

@@ -62,5 +62,5 @@ if(OCCT_INCLUDE AND NOT OCCT_LIBRARIES MATCHES "NOTFOUND")
 else()
   message(STATUS "Module occt is left out: libocct-data-exchange-dev is not installed")
 endif()
-set_source_files_properties(${CMAKE_SOURCE_DIR}/src/platform/module.c PROPERTIES COMPILE_DEFINITIONS
+set_source_files_properties(${CMAKE_SOURCE_DIR}/src/platform/posix.c PROPERTIES COMPILE_DEFINITIONS
   "TAUT_MODULE_BUILD_DIR=\"${TAUT_MODULE_DIR}\";TAUT_MODULE_INSTALL_DIR=\"${CMAKE_INSTALL_PREFIX}/${TAUT_MODULE_INSTALL_DIR}\"")

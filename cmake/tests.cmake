@@ -1,13 +1,36 @@
 # Every tests/<kind>/**/test_*.c is one program and one ctest; every tests/cli/test_*.sh one ctest.
 # A test that needs a library the product does not names it in a line `links: <package> ...` near its top. One that ends with 77
 # says what it lacks and how to get it; it is reported as skipped.
-file(GLOB support_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.c)
+file(GLOB support_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.c ${CMAKE_SOURCE_DIR}/tests/support/oracle/*.c)
 add_library(taut_test_support STATIC ${support_sources})
 target_include_directories(taut_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests/support)
 target_link_libraries(taut_test_support PUBLIC taut_static taut_embedded_files)
 if(TARGET taut_module_exact) # loaded by tests when they run
   add_dependencies(taut_test_support taut_module_exact)
 endif()
+
+# What OpenCASCADE sees in a STEP file, where it is installed: for tests that link step-probe, and as a program.
+set(probe_libraries)
+foreach(toolkit TKXDESTEP TKXCAF TKLCAF TKCAF TKCDF)
+  find_library(OCCT_${toolkit} ${toolkit})
+  list(APPEND probe_libraries ${OCCT_${toolkit}})
+endforeach()
+if(TARGET taut_module_occt AND NOT probe_libraries MATCHES "NOTFOUND")
+  add_library(step-probe STATIC ${CMAKE_SOURCE_DIR}/tests/support/cad/probe.cpp)
+  target_include_directories(step-probe SYSTEM PRIVATE ${OCCT_INCLUDE})
+  target_link_libraries(step-probe PRIVATE taut_flags ${probe_libraries} ${OCCT_LIBRARIES})
+  if(TAUT_SANITIZE)
+    set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/support/cad/probe.cpp PROPERTIES
+      COMPILE_OPTIONS "-fno-sanitize=vptr,function")
+  endif()
+else()
+  add_library(step-probe STATIC ${CMAKE_SOURCE_DIR}/tests/support/cad/absent.c)
+  target_link_libraries(step-probe PRIVATE taut_flags)
+endif()
+target_include_directories(step-probe PUBLIC ${CMAKE_SOURCE_DIR}/tests/support/cad)
+add_executable(probe_step ${CMAKE_SOURCE_DIR}/tests/support/cad/main.c)
+target_link_libraries(probe_step PRIVATE step-probe taut_flags)
+set_target_properties(probe_step PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
 
 # What the sanitizers are told: which leaks are not ours.
 set(sanitizer_options "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0")
@@ -29,7 +52,7 @@ endfunction()
 
 file(GLOB_RECURSE test_files CONFIGURE_DEPENDS
   ${CMAKE_SOURCE_DIR}/tests/unit/test_*.c ${CMAKE_SOURCE_DIR}/tests/property/test_*.c
-  ${CMAKE_SOURCE_DIR}/tests/paper/test_*.c)
+  ${CMAKE_SOURCE_DIR}/tests/paper/test_*.c ${CMAKE_SOURCE_DIR}/tests/thread/test_*.c)
 foreach(file IN LISTS test_files)
   taut_test(${file})
 endforeach()
@@ -51,8 +74,25 @@ foreach(file IN LISTS cli_tests)
   string(REPLACE "test_" "" short ${short})
   add_test(NAME cli/${short} COMMAND sh ${file})
   set_tests_properties(cli/${short} PROPERTIES TIMEOUT 300 SKIP_RETURN_CODE 77
-    ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR};${sanitizer_options}")
+    ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;PROBE=${CMAKE_BINARY_DIR}/tests/probe_step;SOURCE=${CMAKE_SOURCE_DIR};${sanitizer_options}")
 endforeach()
+
+# Forgeries of made models and random problems, against the judge from outside; by the thousand here, by the million in
+# tools/forge_night.sh. The seeds are fixed: what is run is always the same.
+file(GLOB forge_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/forge/*.c)
+add_executable(forge ${forge_sources})
+target_link_libraries(forge PRIVATE taut_test_support m)
+set_target_properties(forge PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+if(TAUT_SANITIZE) # ten times slower
+  set(forgeries 30)
+  set(forged_problems 9)
+else()
+  set(forgeries 300)
+  set(forged_problems 60)
+endif()
+add_test(NAME forge/forgeries COMMAND forge --seed 1 --count ${forgeries} --table)
+add_test(NAME forge/made COMMAND forge --seed 1 --count ${forged_problems} --mode made --table)
+set_tests_properties(forge/forgeries forge/made PROPERTIES TIMEOUT 600 ENVIRONMENT "${sanitizer_options}")
 
 # The pages of `taut view` in a browser, where there is one.
 add_test(NAME viewer/page COMMAND sh ${CMAKE_SOURCE_DIR}/tests/viewer/test_page.sh)

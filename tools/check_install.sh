@@ -51,7 +51,7 @@ for program in "$source"/examples/c/*.c; do
 done
 export LD_LIBRARY_PATH="$lib"
 ./saddle > said && grep -q 'agrees with the formula to 14 digits' said || fail "saddle says $(cat said)"
-./film > said && [ "$(grep -c ' holds$' said)" = 2 ] && [ -s film.obj ] || fail "film says $(cat said)"
+./film > said && [ "$(grep -c ' holds$' said)" = 4 ] && [ -s film.obj ] || fail "film says $(cat said)"
 "$prefix/bin/taut" example harmonic-rows > rows.json
 ./build rows.json rows.obj rows.svg > said && grep -q 'harmonic: .* holds$' said && [ -s rows.obj ] && [ -s rows.svg ] ||
     fail "build says $(cat said)"

@@ -18,10 +18,12 @@ measure:   core platform numeric basis geometry
 construct: core platform numeric basis geometry problem
 certify:   core numeric/quadrature.h numeric/sum.h basis geometry measure problem
 mesh:      core basis geometry measure
-io:        core platform numeric/bernstein.h basis geometry problem measure mesh
+shell:     core numeric/quadrature.h basis geometry measure mesh
+io:        core platform numeric/bernstein.h basis geometry problem measure mesh shell
 draw:      core platform basis geometry measure mesh io
 page:      core basis geometry measure mesh io draw
-cli:
+cli:       core/elementary/elementary.h
+web:       core io
 modules/*: core draw
 modules/exact: core <flint/fmpq.h>
 modules/cairo: core draw <cairo.h> <cairo-svg.h> <cairo-pdf.h>
@@ -111,5 +113,12 @@ TABLE="$table" STANDARD="$standard" awk '
     }
     END { exit bad }
 ' $list || bad=1
+# The judge from outside shares nothing with what it judges: public headers, and its own.
+for file in tests/support/oracle/*.[ch]; do
+    if [ -e "$file" ] && grep -nE '^[ \t]*#[ \t]*include[ \t]*"' "$file" | grep -vE '"(taut|oracle)/[a-z_]+\.h"'; then
+        echo "$file: the oracle may include taut/ and oracle/ only" >&2
+        bad=1
+    fi
+done
 python3 "$tools/check_circles.py" . || bad=1
 exit $bad

@@ -1,5 +1,5 @@
 #!/bin/sh
-# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check bench.
+# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check bench wasm.
 #
 # A need is met when its command runs, its pkg-config file is found or its header compiles, however it came to the
 # machine; only unmet needs become packages. With nothing missing no network is touched.
@@ -20,12 +20,13 @@ test  cmd:git                        git                    makes the copy of th
 test  cmd:python3                    python3                breaks it, and reads our files with a reader of its own
 test  pc:jansson                     libjansson-dev         another JSON parser, which ours is compared with
 test  header:gmp.h                   libgmp-dev             exact numbers the results are checked against
+test  header:mpfr.h                  libmpfr-dev            numbers of any precision: the elementary functions
 test  header:flint/fmpq_mat.h        libflint-dev           exact rational algebra, likewise
 test  header:arb.h                   libflint-arb-dev       intervals of any precision, likewise
 test  header:lapacke.h               liblapacke-dev         a second solver that shares no code with ours
 test  cmd:pdfinfo                    poppler-utils          reads the PDF figures back
 test  cmd:rsvg-convert               librsvg2-bin           reads the SVG figures back
-test  header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev writes and reads STEP and IGES
+test  header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev reads STEP and IGES, writes IGES
 test  cmd:python3                    python3                changes documents, one member at a time
 test  py:jsonschema                  python3-jsonschema     reads the schemas
 browser cmd:node                     nodejs                 drives the browser that looks at the pages of `taut view`
@@ -40,6 +41,12 @@ check cmd:gmsh                       gmsh                   reads STEP and IGES 
 check cmd:node                       nodejs                 runs the Khronos validator of glTF
 check cmd:npm                        npm                    fetches it
 check py:vtkmodules                  python3-vtk9           VTK, which reads the VTU files back
+wasm  cmd:clang                      clang                  compiles for WebAssembly
+wasm  cmd:wasm-ld                    lld                    links it
+wasm  file:/usr/include/wasm32-wasi/stdlib.h wasi-libc      the C library of WebAssembly
+wasm  file:/usr/lib/llvm-14/lib/clang/14.0.6/lib/wasi/libclang_rt.builtins-wasm32.a libclang-rt-14-dev-wasm32 what the compiler calls there
+wasm  cmd:wasm-opt                   binaryen               makes the module smaller and faster
+wasm  cmd:node                       nodejs                 runs its tests
 bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of the Dirichlet solver
 bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
 bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
@@ -57,6 +64,7 @@ is_there() {
     cmd:*) command -v "${1#cmd:}" >/dev/null 2>&1 ;;
     pc:*) pkg-config --exists "${1#pc:}" 2>/dev/null ;;
     header:*.hxx) test -e "/usr/include/${1#header:}" ;;
+    file:*) test -e "${1#file:}" ;;
     py:*) python3 -c "import ${1#py:}" 2>/dev/null || /usr/bin/python3 -c "import ${1#py:}" 2>/dev/null ;;
     header:*) compiles c "${1#header:}" ;;
     clang:*) echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return d == 0 && n > 0; }' |
@@ -67,8 +75,8 @@ is_there() {
 packages=
 seen=' '
 for group in "$@"; do
-    case $group in build | test | browser | check | bench) ;; *)
-        echo "deps.sh: no group \"$group\"; there are build, test, browser, check and bench" >&2
+    case $group in build | test | browser | check | bench | wasm) ;; *)
+        echo "deps.sh: no group \"$group\"; there are build, test, browser, check, bench and wasm" >&2
         exit 2
         ;;
     esac

@@ -49,8 +49,8 @@ TAUT_API taut_status taut_bonnet_make(const taut_bonnet_problem *problem,
                                       const taut_make_options *options, taut_model **model,
                                       taut_error *error);
 
-/* The certificate, over all surfaces of the model: claims isothermal, harmonic, minimal, algebraic
- * and, with the problem (NULL: only the model), formula, closed-form; figures area,
+/* The certificate, over all surfaces of the model: claims isothermal, harmonic, minimal, smooth,
+ * algebraic and, with the problem (NULL: only the model), formula, closed-form; figures area,
  * total_gaussian_curvature, lists for several surfaces. TAUT_BAD_INPUT: not that many surfaces, or
  * weights. docs/bonnet.md says what each claim is held against. */
 TAUT_API taut_status taut_bonnet_certify(const taut_model *model,

@@ -19,10 +19,18 @@ typedef enum taut_verdict {
     TAUT_UNDECIDED = 2 /* rounding leaves it open: `holds` is null */
 } taut_verdict;
 
+/* What a claim rests on. *Proved* is said of the second and the third only. */
+typedef enum taut_claim_kind {
+    TAUT_CHECK = 0, /* compared at places */
+    TAUT_BOUND = 1, /* an inequality proved over the whole domain, rounding counted */
+    TAUT_EXACT = 2  /* an identity, in integers, rationals or to rounding in coefficients */
+} taut_claim_kind;
+
 typedef struct taut_claim {
     const char *claim; /* its name, such as "stationary" */
-    double residual;   /* what was found */
-    double limit;      /* what it was held against */
+    taut_claim_kind kind;
+    double residual; /* what was found */
+    double limit;    /* what it was held against */
     taut_verdict holds;
     const char *where; /* "" or the place of the largest residual, or why it is undecided */
 } taut_claim;
@@ -36,7 +44,10 @@ TAUT_API taut_status taut_certificate_copy(const taut_certificate *certificate,
 
 /* The construction's name, such as "dirichlet"; borrowed. */
 TAUT_API const char *taut_certificate_construct(const taut_certificate *certificate);
-/* TAUT_FALSE if any claim is, else TAUT_UNDECIDED if any is, else TAUT_TRUE. */
+/* "check", "bound" or "exact"; "" for no kind. */
+TAUT_API const char *taut_claim_kind_name(taut_claim_kind kind);
+/* TAUT_FALSE if any claim is, else TAUT_UNDECIDED if any is, else TAUT_TRUE. A claim `least` that
+ * is undecided does not count: it is offered, not owed. */
 TAUT_API taut_verdict taut_certificate_holds(const taut_certificate *certificate);
 /* The claims, i = 0 .. count-1, NULL beyond; and the figures, an object. Borrowed. */
 TAUT_API int taut_certificate_claim_count(const taut_certificate *certificate);

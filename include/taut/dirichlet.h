@@ -26,6 +26,7 @@ typedef struct taut_dirichlet_problem {
     double aspect;              /* lambda of D_lambda = 1/2 iint lambda |x_u|^2 + |x_v|^2 / lambda;
                                  * 0 means 1 */
     int aspect_auto;            /* nonzero: minimise over lambda as well (section 7.3) */
+    int regular; /* nonzero: the certificate claims `regular`: x_u and x_v nowhere parallel or 0 */
 } taut_dirichlet_problem;
 
 /* What may be wrong with a problem that is well formed: the word in error->reason, its meaning, a
@@ -54,8 +55,9 @@ TAUT_API taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
                                          const taut_make_options *options, taut_model **model,
                                          taut_error *error);
 
-/* The certificate. Claims: `stationary`, with a problem `known`, after a search `aspect`; figures
- * dirichlet_energy (aspect 1), area, isothermality and, with an aspect, aspect_energy. problem
+/* The certificate. Claims: `stationary`, with a problem `known`, after a search `aspect`, where the
+ * problem asks `regular`; figures dirichlet_energy (aspect 1), area, isothermality and, with an
+ * aspect, aspect_energy, with `regular` regular_bound. problem
  * NULL: judged from the model's details where they say that the boundary or all points were known,
  * else TAUT_BAD_INPUT. The limits are formulas of docs/dirichlet.md. */
 TAUT_API taut_status taut_dirichlet_certify(const taut_model *model,

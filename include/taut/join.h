@@ -33,8 +33,13 @@ TAUT_API const char *taut_edge_name(taut_edge edge); /* "u0", ...; "" for none *
 /* TAUT_BAD_ARGUMENT for a name that is none. */
 TAUT_API taut_status taut_edge_of_name(const char *name, taut_edge *edge);
 
+/* What max_gap and c_order rest on: places, or coefficients of the polynomials that the derivatives
+ * of both surfaces differ by. */
+typedef enum taut_join_kind { TAUT_JOIN_CHECK = 0, TAUT_JOIN_BOUND = 1 } taut_join_kind;
+
 typedef struct taut_join {
-    double max_gap;           /* largest distance between matched points */
+    double max_gap;           /* largest distance between matched points that was found */
+    double gap_bound;         /* no pair is farther apart, rounding counted; NaN where not proved */
     double max_tangent_angle; /* of `out` and `in`, in [0, pi]; NaN where undefined all along */
     double max_normal_angle;  /* of the normals, both on the same side of a smooth join: [0, pi];
                                * NaN where undefined all along. Points where a normal vanishes are
@@ -43,6 +48,10 @@ typedef struct taut_join {
     int reversed;             /* nonzero: the edges run against each other */
     int one_surface; /* 1: both are polynomial Bezier patches, of one bidegree, and pieces of one
                       * polynomial surface; 0: such patches, but not of one; -1: not such patches */
+    taut_join_kind kind; /* bound: there is no gap anywhere, and derivatives up to c_order are
+                            * equal all along; with a normal everywhere g_order >= c_order then. On
+                            * polynomial bases, with weights too, where the edges are matched by
+                            * the affine map; beyond c_order, g_order and angles are checks */
 } taut_join;
 
 /* TAUT_BAD_ARGUMENT (NULL, an edge that is none), TAUT_NO_MEMORY. */

@@ -81,22 +81,25 @@ typedef struct taut_jacobian {
  * planar. TAUT_BAD_ARGUMENT, TAUT_NO_MEMORY. */
 TAUT_API taut_status taut_surface_jacobian(const taut_surface *surface, taut_jacobian *jacobian);
 
+/* Integrals beyond the range of doubles are NaN. */
 typedef struct taut_surface_measure {
     double area;
-    double area_error; /* 0 when area is good to 1e-10 relative; else its estimated error */
-    double dirichlet_energy;
+    double area_error; /* 0 when area is good to 1e-10 relative; else its error; so the others */
+    double dirichlet_energy, dirichlet_energy_error;
     double bending_energy; /* iint |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2; infinity where a crease makes
                               it so */
-    double box[2][3];      /* lowest and highest x, y, z of the whole surface */
+    double bending_energy_error;
+    double box[2][3];                   /* lowest and highest x, y, z of the whole surface */
     double max_abs_mean, mean_abs_mean; /* of |H|: largest on the grid, mean over the area */
     double min_gaussian, max_gaussian;  /* of K on the grid */
     double max_e_minus_g, max_f;        /* of |E - G| and |F| on the grid */
     double isothermality;               /* sqrt(iint (E-G)^2 + 4F^2) / iint (E+G); 0 for a point */
-    double max_laplacian;               /* of |x_uu + x_vv| on the grid */
-    double max_abs_mean_at[2];          /* parameters (u, v) of the largest |H| on the grid */
-    taut_edge_measure edges[4];         /* u0, u1, v0, v1 */
-    long singular_points;               /* of the grid: those without a normal */
-    taut_jacobian jacobian;             /* of planar surfaces */
+    double isothermality_error;
+    double max_laplacian;       /* of |x_uu + x_vv| on the grid */
+    double max_abs_mean_at[2];  /* parameters (u, v) of the largest |H| on the grid */
+    taut_edge_measure edges[4]; /* u0, u1, v0, v1 */
+    long singular_points;       /* of the grid: those without a normal */
+    taut_jacobian jacobian;     /* of planar surfaces */
 } taut_surface_measure;
 
 /* All of the above at once. TAUT_BAD_ARGUMENT (NULL, an option out of range), TAUT_NO_MEMORY. */
@@ -116,7 +119,8 @@ TAUT_API taut_status taut_measure_curve(const taut_curve *curve,
                                         taut_curve_measure *measure, taut_error *error);
 
 /* The integrals alone, each good to 1e-10 relative or better (adaptive Gauss quadrature, or exact
- * where the integrand is polynomial). *error_estimate may be NULL. */
+ * where the integrand is polynomial); NaN where one is above the range of doubles. *error_estimate
+ * may be NULL. */
 TAUT_API taut_status taut_surface_area(const taut_surface *surface, double *area,
                                        double *error_estimate);
 TAUT_API taut_status taut_surface_dirichlet_energy(const taut_surface *surface, double *energy);

@@ -18,6 +18,8 @@ typedef struct taut_model taut_model;
 
 /* An empty model in "mm", the caller's. TAUT_NO_MEMORY. */
 TAUT_API taut_status taut_model_new(taut_model **model);
+/* All of it, details and certificate too. TAUT_NO_MEMORY; *copy untouched on failure. */
+TAUT_API taut_status taut_model_copy(const taut_model *model, taut_model **copy);
 TAUT_API void taut_model_free(taut_model *model); /* NULL is fine */
 
 /* On TAUT_OK the model owns the object; on failure the caller still does. TAUT_NO_MEMORY;

@@ -29,6 +29,9 @@ enum { TAUT_PLATEAU_REFINED_MAX = 1000000 };
 #define TAUT_PLATEAU_AREA_MIN 1e-11 /* of tolerance_area */
 /* Control points of a net that tolerance_area puts knots into. */
 enum { TAUT_PLATEAU_ADAPTED_MAX = 2500 };
+#define TAUT_PLATEAU_GAP_MIN 1e-12 /* below gap */
+/* Control points of a film that is proved to be near the least. */
+enum { TAUT_PLATEAU_LEAST_MAX = 10000 };
 
 /* Zero means default everywhere. */
 typedef struct taut_plateau_problem {
@@ -47,6 +50,11 @@ typedef struct taut_plateau_problem {
     double tolerance_area; /* above 0: put knots in, until that estimate is within so much of the
                             * area; from TAUT_PLATEAU_AREA_MIN on and below 1, without refine and
                             * start */
+    int without_least;     /* nonzero: no witness for the claim `least` is looked for */
+    double gap;            /* above 0: put knots in, until the area is proved to be within so much
+                            * of itself from the least of all (docs/least.md); above
+                            * TAUT_PLATEAU_GAP_MIN and below 1, with none of refine, start,
+                            * tolerance_area and without_least */
 } taut_plateau_problem;
 
 /* What may be wrong with a problem that is well formed: the word in error->reason, its meaning, a
@@ -77,6 +85,10 @@ typedef struct taut_plateau_problem {
       "even out the weights or the bases, or take more control points")                            \
     X("area-gap", "tolerance_area is not reached with as many points as there may be",             \
       "raise the degree, or tolerance_area")                                                       \
+    X("gap", "the gap asked for is not reached with as many points as there may be",               \
+      "raise the degree, or the gap")                                                              \
+    X("not-convex", "no direction is found along which the film is a graph over a convex domain",  \
+      "leave out the gap, or give a boundary that projects onto a convex curve")                   \
     X("overflow", "a point of the solution is beyond the range of double precision",               \
       "scale the points down")                                                                     \
     X("ill-conditioned", "the knots, the degree or the weights are too extreme for doubles",       \
@@ -84,7 +96,8 @@ typedef struct taut_plateau_problem {
 
 /* Makes the model with its one surface; details: iterations, products, dirichlet_area, areas (one
  * an iteration), residual, tolerance, unknowns, known, method, solver; with TAUT_PLATEAU_NORMAL
- * also directions [nu][nv][3]; with curves deviation; with refine or tolerance_area refinement.
+ * also directions [nu][nv][3]; with curves deviation; with refine, tolerance_area or gap refinement;
+ * where a witness was found least (docs/least.md).
  * TAUT_BAD_INPUT: numbers out of range, error->where the member.
  * TAUT_NO_SOLUTION: the known points span no area, or a free edge lets the surface shrink away.
  * TAUT_NOT_CONVERGED: max_iterations, or a surface that folds. Others as taut_make. */
@@ -92,8 +105,9 @@ TAUT_API taut_status taut_plateau_make(const taut_plateau_problem *problem,
                                        const taut_make_options *options, taut_model **model,
                                        taut_error *error);
 
-/* The certificate: claims `stationary` and, with a problem, `known`; figures area,
- * mean_abs_mean_curvature, max_abs_mean_curvature. */
+/* The certificate: claims `stationary`, `least` and, with a problem, `known`, where net.regular asks
+ * `regular`; figures area, mean_abs_mean_curvature, max_abs_mean_curvature, of `least` lower_bound,
+ * gap, direction, of `regular` regular_bound. */
 TAUT_API taut_status taut_plateau_certify(const taut_model *model,
                                           const taut_plateau_problem *problem,
                                           const taut_certify_options *options,

@@ -44,12 +44,14 @@ extern "C" {
       "let the process have more files and children")
 
 /* Colour of the surfaces in figures: none, H, K, or how far the parametrisation is from isothermal,
- * sqrt((E-G)^2 + 4 F^2) / (E+G) in [0, 1], 0 where it is. */
+ * sqrt((E-G)^2 + 4 F^2) / (E+G) in [0, 1], 0 where it is; or of a film where its area is how far above
+ * the lower bound of its witness, for each unit of area (docs/least.md; figures only). */
 typedef enum taut_colour {
     TAUT_COLOUR_PLAIN,
     TAUT_COLOUR_MEAN,
     TAUT_COLOUR_GAUSSIAN,
-    TAUT_COLOUR_ISOTHERMALITY
+    TAUT_COLOUR_ISOTHERMALITY,
+    TAUT_COLOUR_GAP
 } taut_colour;
 
 /* Zero means default everywhere. */
@@ -118,6 +120,14 @@ TAUT_API void taut_outputs_abandon(const taut_outputs *outputs);
 /* One model to one path: the above in one call. */
 TAUT_API taut_status taut_model_write(const taut_model *model, const char *path,
                                       const taut_write_options *options, taut_error *error);
+
+/* One model into memory, in the format of an ending such as "json" or "svg" (options->format is not
+ * read); *text, with a 0 behind its *length bytes, is the caller's, to be freed by taut_text_free.
+ * Errors as taut_outputs_model; TAUT_BAD_ARGUMENT also where the format can be written to files only
+ * ("not-a-file"). */
+TAUT_API taut_status taut_model_write_text(const taut_model *model, const char *format,
+                                           const taut_write_options *options, char **text,
+                                           size_t *length, taut_error *error);
 
 /* A record as JSON text, two spaces an indent, numbers to 17 digits as needed to read back the
  * same; *text is the caller's, to be freed by taut_text_free. */

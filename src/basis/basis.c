@@ -122,6 +122,12 @@ static taut_status check_breaks(const taut_basis *basis, taut_error *error)
     return TAUT_OK;
 }
 
+static taut_status fail_count(int count, taut_error *error)
+{
+    return taut_fail(error, TAUT_BAD_INPUT, "size", "", count, TAUT_COUNT_MAX,
+                     "a basis of %d functions, expected at most %d", count, TAUT_COUNT_MAX);
+}
+
 taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basis **basis,
                            taut_error *error)
 {
@@ -140,6 +146,9 @@ taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basi
                          "there is no basis of type \"%.40s\"",
                          spec->type != NULL ? spec->type : "");
     }
+    if (functions > TAUT_COUNT_MAX) {
+        return fail_count(functions, error);
+    }
     status = check_spec(ops, spec, error);
     if (status != TAUT_OK) {
         return status;
@@ -149,9 +158,7 @@ taut_status taut_basis_new(const taut_basis_spec *spec, int functions, taut_basi
         return status;
     }
     if (shape.count > TAUT_COUNT_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "size", "", shape.count, TAUT_COUNT_MAX,
-                         "a basis of %d functions, expected at most %d", shape.count,
-                         TAUT_COUNT_MAX);
+        return fail_count(shape.count, error);
     }
     made = basis_alloc(ops, spec, &shape);
     if (made == NULL) {

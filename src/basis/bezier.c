@@ -24,20 +24,49 @@ static void bezier_fill(taut_basis *basis)
     basis->breaks[1] = basis->spec.range[1];
 }
 
-/* d^k/dt^k brings a factor (hi-lo)^-k. */
-static void bezier_eval(const taut_basis *basis, int span, double t, int order, double *values)
+/* d^k/dt^k brings a factor (hi-lo)^-k; where the range is run through backwards, of either sign. */
+static void scale_rows(const taut_basis *basis, int order, int is_backwards, double *values)
 {
     const int local = basis->shape.local;
     const double width = basis->breaks[1] - basis->breaks[0];
-    const double s = (t - basis->breaks[0]) / width;
     double scale = 1;
 
-    (void)span;
-    taut_bernstein_eval(local - 1, order, s, values);
     for (int k = 1; k <= order; k++) {
-        scale /= width;
+        scale /= is_backwards ? -width : width;
         for (int i = 0; i < local; i++) {
             values[k * local + i] *= scale;
+        }
+    }
+}
+
+static void bezier_eval(const taut_basis *basis, int span, double t, int order, double *values)
+{
+    const double width = basis->breaks[1] - basis->breaks[0];
+
+    (void)span;
+    taut_bernstein_eval(basis->shape.local - 1, order, (t - basis->breaks[0]) / width, values);
+    scale_rows(basis, order, 0, values);
+}
+
+/* From the nearer end, B[n,i](s) = B[n,n-i](1-s): the distance from there has all its digits, that
+ * from the other end has none of the last ones. */
+static void bezier_eval_beside(const taut_basis *basis, int span, double t, double rest, int order,
+                               double *values)
+{
+    const int local = basis->shape.local;
+    const double lo = basis->breaks[0], hi = basis->breaks[1];
+    const double from_lo = (t - lo) + rest, from_hi = (hi - t) - rest;
+    const int is_backwards = from_hi < from_lo;
+
+    (void)span;
+    taut_bernstein_eval(local - 1, order, (is_backwards ? from_hi : from_lo) / (hi - lo), values);
+    scale_rows(basis, order, is_backwards, values);
+    for (int k = 0; is_backwards && k <= order; k++) {
+        double *row = values + k * local;
+        for (int i = 0, j = local - 1; i < j; i++, j--) {
+            const double held = row[i];
+            row[i] = row[j];
+            row[j] = held;
         }
     }
 }
@@ -164,6 +193,7 @@ const taut_basis_ops taut_basis_bezier = {
     .plan = bezier_plan,
     .fill = bezier_fill,
     .eval = bezier_eval,
+    .eval_beside = bezier_eval_beside,
     .linear = bezier_linear,
     .changes = &bezier_changes,
 };

@@ -108,11 +108,11 @@ static taut_status bspline_plan(const taut_basis_ops *ops, const taut_basis_spec
                          "a bspline needs either \"knots\" or \"count\"");
     }
     if (spec->knots != NULL) {
-        const int dropped = knots_dropped(spec, functions);
         if (spec->knot_count < 0 || spec->knot_count > TAUT_COUNT_MAX + 2 * TAUT_DEGREE_MAX) {
             return taut_fail(error, TAUT_BAD_INPUT, "size", "/knots", spec->knot_count,
                              TAUT_COUNT_MAX, "%d knots are too many", spec->knot_count);
         }
+        const int dropped = knots_dropped(spec, functions);
         count = spec->knot_count + 2 * dropped - p - 1;
         if (functions > 0 && count != functions) {
             return taut_fail(error, TAUT_BAD_INPUT, "size", "/knots", spec->knot_count,

@@ -18,6 +18,8 @@
  */
 #include "basis/quasi_kernel.h"
 
+#include "core/elementary/elementary.h"
+
 #include <math.h>
 
 enum { SERIES = 12 }; /* enough for t <= 2: the first term left out is below 1e-18 of the sum */
@@ -99,12 +101,12 @@ static double upper_value(const taut_quasi_segment *segment, double f, double g)
 
 static double f_circular(double t)
 {
-    return t < 2 ? f_series(-1, t) : t - sin(t);
+    return t < 2 ? f_series(-1, t) : t - taut_sin(t);
 }
 
 static void prepare_circular(double a, taut_quasi_segment *segment)
 {
-    const double h = a / 2, s = sin(h);
+    const double h = a / 2, s = taut_sin(h);
 
     if (is_polynomial(a)) {
         prepare_polynomial(a, segment);
@@ -125,7 +127,7 @@ static void half_circular(const taut_quasi_segment *segment, double t, int order
         half_polynomial(segment->length, t, order, values);
         return;
     }
-    const double sh = sin(t / 2), xh = cos(t / 2);
+    const double sh = taut_sin(t / 2), xh = taut_cos(t / 2);
     const double f = f_circular(t), g = 2 * sh * sh;
     const double s = 2 * sh * xh, x = 1 - g;
     const double c = segment->c, k = segment->k;
@@ -148,12 +150,12 @@ static void half_circular(const taut_quasi_segment *segment, double t, int order
 
 static double middle_circular(double length)
 {
-    return cos(length / 2);
+    return taut_cos(length / 2);
 }
 
 static double f_hyperbolic(double t)
 {
-    return t < 2 ? f_series(1, t) : sinh(t) - t;
+    return t < 2 ? f_series(1, t) : taut_sinh(t) - t;
 }
 
 /* Long enough that k is nearer to 1 than to 0. */
@@ -164,7 +166,7 @@ static int is_long(double length)
 
 static void prepare_hyperbolic(double a, taut_quasi_segment *segment)
 {
-    const double h = a / 2, s = sinh(h);
+    const double h = a / 2, s = taut_sinh(h);
 
     if (is_polynomial(a)) {
         prepare_polynomial(a, segment);
@@ -173,10 +175,10 @@ static void prepare_hyperbolic(double a, taut_quasi_segment *segment)
     segment->length = a;
     segment->f = f_hyperbolic(a);
     segment->k = segment->f / (2 * s * s);
-    segment->q = is_long(a) ? (a + expm1(-a)) / (2 * s * s) : 1 - segment->k;
+    segment->q = is_long(a) ? (a + taut_expm1(-a)) / (2 * s * s) : 1 - segment->k;
     /* s^3 / (h cosh h - s), divided by s where s^3 could overflow */
-    segment->c =
-        h < 2 ? s * s * s / (d_series(1, h) * segment->f) : s * s / (h / tanh(h) - 1) / segment->f;
+    segment->c = h < 2 ? s * s * s / (d_series(1, h) * segment->f)
+                       : s * s / (h / taut_tanh(h) - 1) / segment->f;
     segment->rho = segment->k / (2 * a);
 }
 
@@ -187,44 +189,44 @@ static void half_hyperbolic(const taut_quasi_segment *segment, double t, int ord
         half_polynomial(segment->length, t, order, values);
         return;
     }
-    const double sh = sinh(t / 2), xh = cosh(t / 2);
+    const double sh = taut_sinh(t / 2), xh = taut_cosh(t / 2);
     const double f = f_hyperbolic(t), g = 2 * sh * sh;
     const double s = 2 * sh * xh, x = 1 + g;
     const double c = segment->c, k = segment->k, q = segment->q;
     const int by_q = is_long(segment->length) && t > 1;
 
-    values[0][0] = by_q ? c * g * ((t + expm1(-t)) / g - q) : upper_value(segment, f, g);
+    values[0][0] = by_q ? c * g * ((t + taut_expm1(-t)) / g - q) : upper_value(segment, f, g);
     values[0][1] = f / segment->f;
     if (order >= 1) {
-        values[1][0] = by_q ? c * (-expm1(-t) - q * s) : c * (k * s - g);
+        values[1][0] = by_q ? c * (-taut_expm1(-t) - q * s) : c * (k * s - g);
         values[1][1] = g / segment->f;
     }
     if (order >= 2) {
-        values[2][0] = by_q ? c * (exp(-t) - q * x) : c * (k * x - s);
+        values[2][0] = by_q ? c * (taut_exp(-t) - q * x) : c * (k * x - s);
         values[2][1] = s / segment->f;
     }
     if (order >= 3) {
-        values[3][0] = by_q ? c * (-exp(-t) - q * s) : c * (k * s - x);
+        values[3][0] = by_q ? c * (-taut_exp(-t) - q * s) : c * (k * s - x);
         values[3][1] = x / segment->f;
     }
 }
 
 static double middle_hyperbolic(double length)
 {
-    return cosh(length / 2);
+    return taut_cosh(length / 2);
 }
 
 /* y(t) = y(m) cos(t - m) + y'(m) sin(t - m); reach is at most pi/2. */
 static void growth_circular(double reach, double *at, double *slope)
 {
     *at = 1;
-    *slope = sin(reach);
+    *slope = taut_sin(reach);
 }
 
 static void growth_hyperbolic(double reach, double *at, double *slope)
 {
-    *at = cosh(reach);
-    *slope = sinh(reach);
+    *at = taut_cosh(reach);
+    *slope = taut_sinh(reach);
 }
 
 const taut_quasi_kernel taut_quasi_circular = {prepare_circular, half_circular, -1, middle_circular,

@@ -21,30 +21,56 @@ static int construct_of(const taut_model *model, const taut_problem *problem)
     return taut_construct_find(taut_certificate_construct(taut_model_certificate(model)));
 }
 
-taut_status taut_certify_with(const taut_certify_ops *ops, const char *construct,
-                              const taut_model *model, const void *data,
-                              const taut_certify_options *options, taut_certificate **certificate,
-                              taut_error *error)
+/* Which surfaces and curves the claims are about; unit: the problem's, or NULL. */
+static taut_status add_identity(const taut_certify_ops *ops, const taut_model *model,
+                                const void *data, const char *unit, taut_certificate *certificate)
+{
+    taut_arena *arena = taut_arena_new();
+    taut_identity identity;
+    taut_status status = taut_identity_begin(arena, model, data != NULL, &identity);
+    if (status == TAUT_OK) {
+        ops->identify(model, data, &identity);
+        status = taut_identity_end(&identity, unit, certificate);
+    }
+    taut_arena_free(arena);
+    return status;
+}
+
+static taut_status certify(const taut_certify_ops *ops, const char *construct,
+                           const taut_model *model, const void *data, const char *unit,
+                           const taut_certify_options *options, taut_certificate **certificate,
+                           taut_error *error)
 {
     static const taut_certify_options none;
     taut_certificate *made = NULL;
     taut_status status = TAUT_OK;
 
-    if (model == NULL || certificate == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
-                         "certifying `%s` needs a model and a place for the certificate",
-                         construct);
-    }
     if (taut_certificate_new(construct, &made) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     status = ops->certify(model, data, options != NULL ? options : &none, made, error);
+    if (status == TAUT_OK && add_identity(ops, model, data, unit, made) != TAUT_OK) {
+        status = taut_fail_memory(error);
+    }
     if (status != TAUT_OK) {
         taut_certificate_free(made);
         return status;
     }
     *certificate = made;
     return TAUT_OK;
+}
+
+taut_status taut_certify_with(const taut_certify_ops *ops, const char *construct,
+                              const taut_model *model, const void *data,
+                              const taut_certify_options *options, taut_certificate **certificate,
+                              taut_error *error)
+{
+    if (model == NULL || certificate == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "certifying `%s` needs a model and a place for the certificate",
+                         construct);
+    }
+    return certify(ops, construct, model, data, NULL, options, certificate, error);
 }
 
 taut_status taut_certify(const taut_model *model, const taut_problem *problem,
@@ -69,6 +95,7 @@ taut_status taut_certify(const taut_model *model, const taut_problem *problem,
                          "rational arithmetic is for harmonic and harmonic-extension, not for %s",
                          taut_construct_name(construct));
     }
-    return taut_certify_with(ops_table[construct], taut_construct_name(construct), model,
-                             problem != NULL ? problem->data : NULL, options, certificate, error);
+    return certify(ops_table[construct], taut_construct_name(construct), model,
+                   problem != NULL ? problem->data : NULL, problem != NULL ? problem->unit : NULL,
+                   options, certificate, error);
 }

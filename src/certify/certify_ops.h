@@ -2,6 +2,7 @@
 #ifndef TAUT_CERTIFY_OPS_H
 #define TAUT_CERTIFY_OPS_H
 
+#include "certify/common/identity.h"
 #include "problem/construct_list.h"
 #include "taut/construct.h"
 
@@ -11,11 +12,13 @@ typedef struct taut_certify_ops {
     taut_status (*certify)(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error);
+    /* Names the objects that the claims are about, as they are to be; data as above. */
+    void (*identify)(const taut_model *model, const void *data, taut_identity *identity);
     int exact; /* nonzero: knows options->exact */
 } taut_certify_ops;
 
 /* The public function of one construction: checks the arguments, makes a certificate with the
- * construction's name and lets `ops` fill it; NULL options are none. */
+ * construction's name, lets `ops` fill it and adds the claim `identity`; NULL options are none. */
 taut_status taut_certify_with(const taut_certify_ops *ops, const char *construct,
                               const taut_model *model, const void *data,
                               const taut_certify_options *options, taut_certificate **certificate,

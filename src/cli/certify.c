@@ -15,7 +15,7 @@ static int print_certificate(const cli_options *options, const taut_certificate 
         fprintf(stderr, "%s\n", taut_certificate_construct(certificate));
         cli_certificate_print(certificate);
     }
-    return code == 0 && taut_certificate_holds(certificate) == TAUT_FALSE ? 1 : code;
+    return code == 0 && taut_certificate_holds(certificate) != TAUT_TRUE ? 1 : code;
 }
 
 static int run(const cli_options *options)
@@ -55,7 +55,7 @@ const cli_command cli_command_certify = {
     .summary = "prove a saved model again, from its numbers alone",
     .text =
         "With the problem every claim is judged; without it those that the model alone decides.\n"
-        "Exit 1 when a claim does not hold.\n",
+        "Exit 1 when a claim does not hold, and when one is left undecided.\n",
     .files_min = 1,
     .files_max = 2,
     .options = options_of_certify,

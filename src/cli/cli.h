@@ -115,8 +115,8 @@ typedef struct cli_command {
      0,                                                                                            \
      0,                                                                                            \
      0,                                                                                            \
-     "H|K|I",                                                                                      \
-     "figures, GLB (H, K): colour by curvature or isothermality, with scale"},                     \
+     "H|K|I|gap",                                                                                  \
+     "figures, GLB (not gap): colour by curvature, isothermality or gap"},                         \
         {"--isolines",                                                                             \
          CLI_INTEGER,                                                                              \
          offsetof(cli_options, isolines),                                                          \

@@ -46,6 +46,8 @@ static int print_join(const cli_options *options, const taut_join *join)
             printf("%.6g\n", taut_record_number(value));
         } else if (taut_record_kind_of(value) == TAUT_RECORD_BOOL) {
             printf("%s\n", taut_record_bool(value) ? "yes" : "no");
+        } else if (taut_record_kind_of(value) == TAUT_RECORD_TEXT) {
+            printf("%s\n", taut_record_text(value));
         } else {
             printf("-\n");
         }

@@ -54,8 +54,10 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
     static const struct {
         const char *word;
         taut_colour colour;
-    } colours[] = {
-        {"H", TAUT_COLOUR_MEAN}, {"K", TAUT_COLOUR_GAUSSIAN}, {"I", TAUT_COLOUR_ISOTHERMALITY}};
+    } colours[] = {{"H", TAUT_COLOUR_MEAN},
+                   {"K", TAUT_COLOUR_GAUSSIAN},
+                   {"I", TAUT_COLOUR_ISOTHERMALITY},
+                   {"gap", TAUT_COLOUR_GAP}};
 
     *chosen = (taut_write_options){.tolerance = options->tolerance,
                                    .divide = options->divide,
@@ -77,7 +79,7 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
             }
         }
         if (chosen->colour == TAUT_COLOUR_PLAIN) {
-            return cli_misuse_value("--colour", options->colour, "H, K or I");
+            return cli_misuse_value("--colour", options->colour, "H, K, I or gap");
         }
     }
     if (options->view != NULL) {

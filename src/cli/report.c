@@ -112,8 +112,12 @@ void cli_certificate_print(const taut_certificate *certificate)
         const char *verdict = claim->holds == TAUT_TRUE    ? "holds"
                               : claim->holds == TAUT_FALSE ? "DOES NOT HOLD"
                                                            : "undecided";
-        fprintf(stderr, "  %-*s%s: %.3g, limit %.3g%s%s\n", COLUMN, claim->claim, verdict,
-                claim->residual, claim->limit,
+        char residual[32] = "-"; /* where nothing was found */
+        if (isfinite(claim->residual)) {
+            snprintf(residual, sizeof residual, "%.3g", claim->residual);
+        }
+        fprintf(stderr, "  %-*s%s (%s): %s, limit %.3g%s%s\n", COLUMN, claim->claim, verdict,
+                taut_claim_kind_name(claim->kind), residual, claim->limit,
                 claim->where[0] == '\0'          ? ""
                 : claim->holds == TAUT_UNDECIDED ? ": "
                                                  : ", at ",
@@ -155,6 +159,9 @@ void cli_report_print(const cli_report *report)
     print_objects(report->model);
     cli_members_print(taut_model_details(report->model));
     cli_certificate_print(report->certificate);
+    if (report->seconds_proved > 0.1 && report->seconds_proved > 10 * report->seconds_made) {
+        fprintf(stderr, "  %-*s%s\n", COLUMN, "", "the proof took over ten times the making");
+    }
     fprintf(stderr, "  %-*s", COLUMN, "time");
     print_duration("made", report->seconds_made, ", ");
     print_duration("proved", report->seconds_proved, ", ");
@@ -187,6 +194,7 @@ void cli_certificate_record(taut_record *record, const char *key,
         const taut_claim *claim = taut_certificate_claim(certificate, i);
         taut_record *row = taut_record_add_object(claims, NULL);
         taut_record_add_text(row, "claim", claim->claim);
+        taut_record_add_text(row, "kind", taut_claim_kind_name(claim->kind));
         taut_record_add_number(row, "residual", claim->residual);
         taut_record_add_number(row, "limit", claim->limit);
         add_verdict(row, claim->holds);

@@ -121,6 +121,13 @@ taut_status taut_certificate_copy(const taut_certificate *certificate, taut_cert
     return TAUT_OK;
 }
 
+const char *taut_claim_kind_name(taut_claim_kind kind)
+{
+    static const char *const names[] = {
+        [TAUT_CHECK] = "check", [TAUT_BOUND] = "bound", [TAUT_EXACT] = "exact"};
+    return (int)kind >= 0 && kind <= TAUT_EXACT ? names[kind] : "";
+}
+
 const char *taut_certificate_construct(const taut_certificate *certificate)
 {
     return certificate->construct;
@@ -133,7 +140,8 @@ taut_verdict taut_certificate_holds(const taut_certificate *certificate)
         if (certificate->claims[i].holds == TAUT_FALSE) {
             return TAUT_FALSE;
         }
-        if (certificate->claims[i].holds == TAUT_UNDECIDED) {
+        if (certificate->claims[i].holds == TAUT_UNDECIDED &&
+            strcmp(certificate->claims[i].claim, "least") != 0) {
             verdict = TAUT_UNDECIDED;
         }
     }

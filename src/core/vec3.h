@@ -3,6 +3,8 @@
 #ifndef TAUT_CORE_VEC3_H
 #define TAUT_CORE_VEC3_H
 
+#include "core/elementary/elementary.h"
+
 #include <math.h>
 
 static inline double taut_dot(const double a[3], const double b[3])
@@ -22,7 +24,7 @@ static inline void taut_cross(const double a[3], const double b[3], double out[3
 
 static inline double taut_norm(const double a[3])
 {
-    return hypot(hypot(a[0], a[1]), a[2]);
+    return taut_hypot(taut_hypot(a[0], a[1]), a[2]);
 }
 
 /* The same at a fifth of the cost, where squares neither overflow nor vanish. */

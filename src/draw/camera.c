@@ -1,6 +1,7 @@
 #include "draw/camera.h"
 
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
 #include <assert.h>
@@ -49,8 +50,8 @@ int taut_camera_settle(taut_camera *camera)
 void taut_camera_aim(taut_camera *camera, double azimuth, double elevation)
 {
     const double degree = TAUT_PI / 180;
-    const double ca = cos(azimuth * degree), sa = sin(azimuth * degree);
-    const double ce = cos(elevation * degree), se = sin(elevation * degree);
+    const double ca = taut_cos(azimuth * degree), sa = taut_sin(azimuth * degree);
+    const double ce = taut_cos(elevation * degree), se = taut_sin(elevation * degree);
     const double eye[3] = {ce * ca, ce * sa, se};
     const double right[3] = {-sa, ca, 0};
     const double up[3] = {-se * ca, -se * sa, ce};

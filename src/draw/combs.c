@@ -1,4 +1,5 @@
 /* combs.c -- curvature combs of the edges of a surface. */
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 #include "draw/parts.h"
 
@@ -46,7 +47,8 @@ taut_status taut_combs_fill(const taut_surface *surface, taut_combs *combs, doub
         }
         memcpy(combs->foot[edge][i], values[TAUT_X], sizeof values[TAUT_X]);
         bend_of(values[first], values[second], bend);
-        *most = fmax(*most, hypot(hypot(bend[0], bend[1]), bend[2])); /* passes over NaN */
+        *most =
+            fmax(*most, taut_hypot(taut_hypot(bend[0], bend[1]), bend[2])); /* passes over NaN */
     }
     return TAUT_OK;
 }

@@ -3,6 +3,7 @@
 #include "draw/figure.h"
 
 #include "core/arena.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "draw/label.h"
 #include "draw/legend.h"
@@ -84,8 +85,10 @@ static double noise_of(const figure *f)
     const double unit[] = {[TAUT_COLOUR_PLAIN] = 1,
                            [TAUT_COLOUR_MEAN] = 1 / size,
                            [TAUT_COLOUR_GAUSSIAN] = 1 / size / size,
-                           [TAUT_COLOUR_ISOTHERMALITY] = 1};
-    return pow(10, ceil(log10(fmin(fmax(1e-9 * unit[f->options.colour], 1e-290), 1e290))));
+                           [TAUT_COLOUR_ISOTHERMALITY] = 1,
+                           [TAUT_COLOUR_GAP] = 1e-15};
+    return taut_pow(10,
+                    ceil(taut_log10(fmin(fmax(1e-9 * unit[f->options.colour], 1e-290), 1e290))));
 }
 
 /* One range for all surfaces. */
@@ -305,9 +308,9 @@ static taut_status check_numbers(const taut_write_options *o, taut_error *error)
                              most[i]);
         }
     }
-    if (o->colour > TAUT_COLOUR_ISOTHERMALITY) {
+    if (o->colour > TAUT_COLOUR_GAP) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, (double)o->colour,
-                         TAUT_COLOUR_ISOTHERMALITY, "there is no such colour");
+                         TAUT_COLOUR_GAP, "there is no such colour");
     }
     return TAUT_OK;
 }

@@ -1,5 +1,7 @@
 #include "draw/label.h"
 
+#include "core/elementary/elementary.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
@@ -8,7 +10,7 @@
 void taut_label_fixed(double value, int decimals, char *text, size_t size)
 {
     static const char minus[] = "\xe2\x88\x92"; /* U+2212 */
-    const double unit = pow(10, decimals);
+    const double unit = taut_pow(10, decimals);
     const long long scaled = llround(fabs(value) * unit);
     const long long whole = scaled / (long long)unit;
     long long part = scaled % (long long)unit;
@@ -27,13 +29,13 @@ void taut_label_fixed(double value, int decimals, char *text, size_t size)
 void taut_label_number(double value, char *text, size_t size)
 {
     char digits[48];
-    const int e = value < 0 || value > 0 ? (int)floor(log10(fabs(value)) + 1e-9) : 0;
+    const int e = value < 0 || value > 0 ? (int)floor(taut_log10(fabs(value)) + 1e-9) : 0;
     if (!isfinite(value)) {
         snprintf(text, size, "?");
     } else if (e >= -3 && e <= 5) {
         taut_label_fixed(value, e < 2 ? 2 - e : 0, text, size);
     } else {
-        taut_label_fixed(value / pow(10, e), 2, digits, sizeof digits);
+        taut_label_fixed(value / taut_pow(10, e), 2, digits, sizeof digits);
         snprintf(text, size, "%se%d", digits, e);
     }
 }

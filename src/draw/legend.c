@@ -1,5 +1,6 @@
 #include "draw/legend.h"
 
+#include "core/elementary/elementary.h"
 #include "draw/label.h"
 #include "mesh/colour.h"
 
@@ -30,7 +31,7 @@ static void draw_box(const taut_legend *l, double x, double y, double w, double 
 /* The step 1, 2 or 5 times a power of ten that gives two to five steps from 0 to limit. */
 static double tick_step(double limit)
 {
-    const double power = pow(10, floor(log10(limit)));
+    const double power = taut_pow(10, floor(taut_log10(limit)));
     const double first = limit / power; /* in [1, 10) */
     return power * (first < 2 ? 0.5 : first < 5 ? 1 : 2);
 }
@@ -38,9 +39,9 @@ static double tick_step(double limit)
 /* Ticks are numbers a such that the value is a 10^*exponent; plain from 0.01 to 9999. */
 static double tick_power(double limit, int *exponent)
 {
-    const int e = (int)floor(log10(limit));
+    const int e = (int)floor(taut_log10(limit));
     *exponent = e >= -2 && e <= 3 ? 0 : e;
-    return pow(10, *exponent);
+    return taut_pow(10, *exponent);
 }
 
 /* A scale from `from` (-1 or 0) to 1 of its limit. */
@@ -54,7 +55,7 @@ static void draw_ticks(const taut_legend *l, const scale *s)
 {
     const double step = tick_step(s->limit);
     const int count = (int)floor(s->limit / step + 1e-9);
-    const int decimals = (int)fmax(0, -floor(log10(step / s->power) + 1e-9));
+    const int decimals = (int)fmax(0, -floor(taut_log10(step / s->power) + 1e-9));
     char text[48];
 
     for (int k = s->from * count; k <= count; k++) {
@@ -95,6 +96,7 @@ static const heading headings[] = {
     [TAUT_COLOUR_MEAN] = {"Mean", "curvature H", 1},
     [TAUT_COLOUR_GAUSSIAN] = {"Gaussian", "curvature K", 2},
     [TAUT_COLOUR_ISOTHERMALITY] = {"Isothermality", "0: isothermal", 0},
+    [TAUT_COLOUR_GAP] = {"Gap per area", "0: least", 0},
 };
 
 static void draw_heading(const taut_legend *l, const scale *s, taut_colour colour, const char *unit)
@@ -127,7 +129,7 @@ void taut_legend_scale(const taut_legend *legend, taut_colour colour, double lim
     scale s = {.x = legend->width - bar_from_right,
                .top = bar_top,
                .limit = limit,
-               .from = colour == TAUT_COLOUR_ISOTHERMALITY ? 0 : -1};
+               .from = colour >= TAUT_COLOUR_ISOTHERMALITY ? 0 : -1};
 
     s.power = tick_power(limit, &s.exponent);
     for (int k = 0; k < SLICES; k++) {
@@ -184,7 +186,7 @@ void taut_legend_axes(const taut_legend *legend, const taut_camera *camera)
     const double at[2] = {72, legend->height - 72}, length = 46;
     for (int c = 0; c < 3; c++) {
         const double d[2] = {camera->right[c], -camera->up[c]};
-        const double seen = hypot(d[0], d[1]);
+        const double seen = taut_hypot(d[0], d[1]);
         const double tip[2] = {at[0] + length * d[0], at[1] + length * d[1]};
         const double shaft[2][2] = {{at[0], at[1]}, {tip[0], tip[1]}};
         if (seen > 0.2) {

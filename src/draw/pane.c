@@ -1,5 +1,6 @@
 #include "draw/pane.h"
 
+#include "core/elementary/elementary.h"
 #include "mesh/colour.h"
 
 #include <math.h>
@@ -28,6 +29,9 @@ static taut_status sample_surface(taut_pane *pane, const taut_write_options *opt
     taut_sheet *sheet = &pane->sheets[pane->sheet_count++];
     const taut_status status =
         taut_sheet_new(taut_model_surface(pane->model, i), cells, most, options, arena, sheet);
+    if (status == TAUT_OK && options->colour == TAUT_COLOUR_GAP) {
+        return taut_sheet_gap(options, taut_model_details(pane->model), arena, sheet);
+    }
     return status == TAUT_OK && options->isolines > 0 && options->colour != TAUT_COLOUR_PLAIN
                ? taut_sheet_corners(options, arena, sheet)
                : status;
@@ -84,7 +88,8 @@ static taut_status sample_combs(taut_pane *pane, taut_arena *arena)
         }
         status = taut_combs_fill(s->surface, &pane->combs[i], &pane->comb_most);
     }
-    const double size = hypot(hypot(high[0] - low[0], high[1] - low[1]), high[2] - low[2]);
+    const double size =
+        taut_hypot(taut_hypot(high[0] - low[0], high[1] - low[1]), high[2] - low[2]);
     const int bends = pane->comb_most * size > 1e-9 && isfinite(pane->comb_most * size);
     pane->comb_scale = bends ? size / 8 / pane->comb_most : 0;
     for (int i = 0; i < pane->sheet_count && status == TAUT_OK; i++) {
@@ -219,7 +224,7 @@ static taut_status add_isolines(const taut_pane *pane, const taut_write_options 
         return taut_parts_parameter_lines(sheet->surface, count, &pane->camera, arena, scene);
     }
     return taut_parts_isolines(sheet, pane->pages[i], limit / count,
-                               options->colour == TAUT_COLOUR_ISOTHERMALITY ? 0 : -count, count,
+                               options->colour >= TAUT_COLOUR_ISOTHERMALITY ? 0 : -count, count,
                                scene);
 }
 

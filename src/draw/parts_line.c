@@ -1,4 +1,5 @@
 /* parts_line.c -- control nets and curves. */
+#include "core/elementary/elementary.h"
 #include "draw/parts.h"
 
 #include <math.h>
@@ -63,7 +64,7 @@ static double point_radius(size_t count, const double *points, const taut_camera
             high[c] = fmax(high[c], at[c]);
         }
     }
-    const double size = hypot(high[0] - low[0], high[1] - low[1]);
+    const double size = taut_hypot(high[0] - low[0], high[1] - low[1]);
     return fmin(fmax(0.03 * size / (sqrt((double)count) - 0.5), 1.4), 4.2);
 }
 

@@ -3,6 +3,7 @@
  * g = the part of the normal towards the eye, at each grid point the mean of the cells around it;
  * the silhouette is g = 0, linear along the sides of the cells (marching squares).
  */
+#include "core/elementary/elementary.h"
 #include "draw/parts.h"
 
 #include <math.h>
@@ -18,7 +19,7 @@ static double facing_of(const double *a, const double *b, const double *c, const
     const double q[3] = {d[0] - b[0], d[1] - b[1], d[2] - b[2]};
     const double x = p[1] * q[2] - p[2] * q[1], y = p[2] * q[0] - p[0] * q[2];
     const double z = p[0] * q[1] - p[1] * q[0];
-    const double length = hypot(hypot(x, y), z);
+    const double length = taut_hypot(taut_hypot(x, y), z);
     return fabs(z) > 1e-9 * length ? z / length : 0;
 }
 
@@ -65,7 +66,7 @@ static int find_crossings(const size_t corner[4], const double *page, const doub
 static int falls_away(const taut_depth *depth, const double a[3], const double b[3],
                       const double side[2])
 {
-    const double d[2] = {b[0] - a[0], b[1] - a[1]}, length = hypot(d[0], d[1]);
+    const double d[2] = {b[0] - a[0], b[1] - a[1]}, length = taut_hypot(d[0], d[1]);
     const double away = d[0] * side[1] - d[1] * side[0] > 0 ? -2.5 : 2.5;
     if (!(length > 0)) {
         return 0;
@@ -101,8 +102,8 @@ static void fold_side(const field *f, size_t i, size_t j, double side[2])
         du[c] = (after[c] - before[c]) / 2;
         dv[c] = (right[c] - left[c]) / 2;
     }
-    const double a = hypot(dv[0], dv[1]);
-    const double b = hypot(du[0], du[1]) * (du[0] * dv[0] + du[1] * dv[1] > 0 ? -1 : 1);
+    const double a = taut_hypot(dv[0], dv[1]);
+    const double b = taut_hypot(du[0], du[1]) * (du[0] * dv[0] + du[1] * dv[1] > 0 ? -1 : 1);
     for (size_t c = 0; c < 2; c++) {
         const double uu = after[c] - 2 * here[c] + before[c];
         const double vv = right[c] - 2 * here[c] + left[c];

@@ -1,5 +1,6 @@
 #include "draw/scene.h"
 
+#include "core/elementary/elementary.h"
 #include "core/memory.h"
 
 #include <assert.h>
@@ -66,7 +67,7 @@ static int shape_cell(const double *const corner[4], taut_cell *cell)
     }
     for (int i = 0; i < 4; i++) {
         const double d[2] = {corner[i][0] - centre[0], corner[i][1] - centre[1]};
-        const double length = hypot(d[0], d[1]);
+        const double length = taut_hypot(d[0], d[1]);
         reach = fmax(reach, length);
         for (int c = 0; c < 2; c++) {
             cell->xy[i][c] = corner[i][c] + (length > 0.01 ? 0.35 * d[c] / length : 0);
@@ -127,7 +128,7 @@ static void add_point(taut_scene *scene, double x, double y)
 /* The steps a piece of line is judged in: 0 where it is a point or not finite. */
 static size_t steps_of(const double a[3], const double b[3])
 {
-    const double length = hypot(b[0] - a[0], b[1] - a[1]);
+    const double length = taut_hypot(b[0] - a[0], b[1] - a[1]);
     return is_finite(a) && is_finite(b) && length > 0
                ? (size_t)fmin(ceil(length / step_length), 10000)
                : 0;

@@ -1,5 +1,6 @@
 #include "draw/sheet.h"
 
+#include "core/elementary/elementary.h"
 #include "taut/measure.h"
 
 #include <math.h>
@@ -21,8 +22,8 @@ static double mean_length(const taut_surface *surface, int along_u)
     for (int i = 0; i < across; i += skip) {
         const double *p = taut_surface_points(surface) + (size_t)i * step_across;
         for (int j = 1; j < along; j++, p += step_along) {
-            sum += hypot(hypot(p[step_along] - p[0], p[step_along + 1] - p[1]),
-                         p[step_along + 2] - p[2]);
+            sum += taut_hypot(taut_hypot(p[step_along] - p[0], p[step_along + 1] - p[1]),
+                              p[step_along + 2] - p[2]);
         }
     }
     return sum / ((across + skip - 1) / skip);
@@ -85,7 +86,8 @@ double taut_sheet_value(taut_colour colour, const taut_forms *forms)
         [TAUT_COLOUR_MEAN] = forms->regular ? forms->mean : (double)NAN,
         [TAUT_COLOUR_GAUSSIAN] = forms->regular ? forms->gaussian : (double)NAN,
         [TAUT_COLOUR_ISOTHERMALITY] =
-            hypot(forms->e - forms->g, 2 * forms->f) / (forms->e + forms->g),
+            taut_hypot(forms->e - forms->g, 2 * forms->f) / (forms->e + forms->g),
+        [TAUT_COLOUR_GAP] = (double)NAN, /* forms do not tell: taut_sheet_gap */
     };
     return isfinite(x[colour]) ? x[colour] : (double)NAN;
 }

@@ -86,6 +86,56 @@ taut_status taut_model_add_curve(taut_model *model, taut_curve *curve)
     return TAUT_OK;
 }
 
+static taut_status copy_objects(const taut_model *model, taut_model *made)
+{
+    for (int i = 0; i < model->surface_count; i++) {
+        taut_surface *surface = NULL;
+        if (taut_surface_copy(model->surfaces[i], &surface) != TAUT_OK ||
+            taut_model_add_surface(made, surface) != TAUT_OK) {
+            taut_surface_free(surface);
+            return TAUT_NO_MEMORY;
+        }
+    }
+    for (int i = 0; i < model->curve_count; i++) {
+        taut_curve *curve = NULL;
+        if (taut_curve_copy(model->curves[i], &curve) != TAUT_OK ||
+            taut_model_add_curve(made, curve) != TAUT_OK) {
+            taut_curve_free(curve);
+            return TAUT_NO_MEMORY;
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status copy_notes(const taut_model *model, taut_model *made)
+{
+    if (model->details != NULL) {
+        made->details = taut_record_copy(model->details);
+        if (made->details == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    return model->certificate != NULL
+               ? taut_certificate_copy(model->certificate, &made->certificate)
+               : TAUT_OK;
+}
+
+taut_status taut_model_copy(const taut_model *model, taut_model **copy)
+{
+    taut_model *made = NULL;
+    if (model == NULL || copy == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    if (taut_model_new(&made) != TAUT_OK || copy_objects(model, made) != TAUT_OK ||
+        copy_notes(model, made) != TAUT_OK) {
+        taut_model_free(made);
+        return TAUT_NO_MEMORY;
+    }
+    memcpy(made->unit, model->unit, sizeof made->unit);
+    *copy = made;
+    return TAUT_OK;
+}
+
 void taut_model_set_details(taut_model *model, taut_record *details)
 {
     if (model->details != details) {

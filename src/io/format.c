@@ -4,6 +4,7 @@
 #include "core/fail.h"
 #include "io/file/in.h"
 #include "io/json/in.h"
+#include "platform/system.h"
 #include "taut/limits.h"
 #include "taut/read.h"
 
@@ -12,7 +13,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 
 typedef struct format_row {
     const taut_format_ops *ops;
@@ -75,7 +75,6 @@ static void list_endings(char *list, size_t size)
 
 int taut_format_of(const char *path, taut_error *error)
 {
-    struct stat about;
     const char *slash = NULL;
     char list[200];
     int i = 0;
@@ -93,11 +92,12 @@ int taut_format_of(const char *path, taut_error *error)
     if (strcmp(path, "-") == 0) {
         return find_ending(".json");
     }
-    if (stat(path, &about) == 0 && S_ISDIR(about.st_mode)) {
+    const taut_place place = taut_system_place_of(path);
+    if (place == TAUT_PLACE_FOLDER) {
         taut_fail_file(error, path, "write", EISDIR);
         return -1;
     }
-    if (strncmp(path, "/dev/", 5) == 0 || (stat(path, &about) == 0 && !S_ISREG(about.st_mode))) {
+    if (strncmp(path, "/dev/", 5) == 0 || place == TAUT_PLACE_OTHER) {
         return find_ending(".json"); /* a device or a pipe: as standard output */
     }
     list_endings(list, sizeof list);

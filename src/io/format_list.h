@@ -15,7 +15,7 @@
     X(pdf, "pdf", "figure: shaded surfaces on a page")                                             \
     X(ply, "ply", "mesh: triangles with normals and parameters, binary, double precision")         \
     X(png, "png", "figure: shaded surfaces as an image")                                           \
-    X(step, "step", "CAD: NURBS within --tolerance (1e-6) of the model, mostly exact")             \
+    X(step, "step", "CAD: NURBS within --tolerance (1e-6), sewn, solid where they close")          \
     X(stl, "stl", "mesh: triangles, binary, turned outwards where the surfaces close")             \
     X(step, "stp", "the same as step")                                                             \
     X(svg, "svg", "figure: shaded surfaces as vectors")                                            \

@@ -6,6 +6,7 @@
 #include "taut/measure.h"
 
 #include "core/arena.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "measure/curvature/box.h"
@@ -45,9 +46,12 @@ static void take_figures(const taut_surface_integrals *figures, const taut_extre
     measure->area = figures->area;
     measure->area_error = figures->area_error;
     measure->dirichlet_energy = figures->dirichlet;
+    measure->dirichlet_energy_error = figures->dirichlet_error;
     measure->bending_energy = figures->bending;
+    measure->bending_energy_error = figures->bending_error;
     measure->mean_abs_mean = figures->mean_abs;
     measure->isothermality = figures->isothermality;
+    measure->isothermality_error = figures->isothermality_error;
     measure->max_abs_mean = extremes->max_abs_mean;
     measure->max_abs_mean_at[0] = extremes->max_abs_mean_at[0];
     measure->max_abs_mean_at[1] = extremes->max_abs_mean_at[1];
@@ -94,7 +98,7 @@ static double angle_between_lines(const double *a, const double *b)
 {
     double c[3];
     taut_cross(a, b, c);
-    return atan2(taut_length(c), fabs(taut_dot(a, b)));
+    return taut_atan2(taut_length(c), fabs(taut_dot(a, b)));
 }
 
 /* fmax passes over the NaN of a point where a figure is undefined. */
@@ -148,7 +152,7 @@ static taut_status measure_surface(taut_arena *arena, const taut_surface *surfac
     taut_extremes extremes;
     taut_surface_integrals integrals;
 
-    if (taut_surface_integrals_of(surface, options->threads, &integrals) != TAUT_OK ||
+    if (taut_surface_integrals_of(surface, 2, options->threads, &integrals) != TAUT_OK ||
         taut_extremes_of(surface, options->grid, options->threads, &extremes) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }

@@ -23,6 +23,16 @@ static void add_edges(const taut_edge_measure edges[4], taut_record *record)
     }
 }
 
+/* An integral, and where it is not good to 1e-10 how far it may be off. */
+static void add_integral(taut_record *record, const char *name, double value,
+                         const char *error_name, double error)
+{
+    taut_record_add_number(record, name, value);
+    if (!(error <= 0)) {
+        taut_record_add_number(record, error_name, error);
+    }
+}
+
 /* Planar surfaces only: one_sign is true, false or null, and then why. */
 static void add_jacobian(const taut_jacobian *jacobian, taut_record *record)
 {
@@ -68,12 +78,11 @@ void taut_measure_surface_record(const taut_surface *surface, const taut_surface
     taut_record *child = NULL;
 
     taut_record_add_text(record, "name", taut_surface_name(surface));
-    taut_record_add_number(record, "area", measure->area);
-    if (measure->area_error > 0) {
-        taut_record_add_number(record, "area_error", measure->area_error);
-    }
-    taut_record_add_number(record, "dirichlet_energy", measure->dirichlet_energy);
-    taut_record_add_number(record, "bending_energy", measure->bending_energy);
+    add_integral(record, "area", measure->area, "area_error", measure->area_error);
+    add_integral(record, "dirichlet_energy", measure->dirichlet_energy, "dirichlet_energy_error",
+                 measure->dirichlet_energy_error);
+    add_integral(record, "bending_energy", measure->bending_energy, "bending_energy_error",
+                 measure->bending_energy_error);
     add_box(measure->box, record);
     child = taut_record_add_object(record, "mean_curvature");
     taut_record_add_number(child, "max_abs", measure->max_abs_mean);
@@ -85,7 +94,8 @@ void taut_measure_surface_record(const taut_surface *surface, const taut_surface
     child = taut_record_add_object(record, "isothermality");
     taut_record_add_number(child, "max_e_minus_g", measure->max_e_minus_g);
     taut_record_add_number(child, "max_f", measure->max_f);
-    taut_record_add_number(child, "integral", measure->isothermality);
+    add_integral(child, "integral", measure->isothermality, "integral_error",
+                 measure->isothermality_error);
     child = taut_record_add_object(record, "harmonicity");
     taut_record_add_number(child, "max_abs_laplacian", measure->max_laplacian);
     add_edges(measure->edges, record);

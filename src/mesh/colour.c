@@ -1,4 +1,5 @@
 #include "mesh/colour.h"
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
 #include <math.h>
@@ -16,7 +17,7 @@ static double lab_inverse(double t)
 
 static double srgb_gamma(double x)
 {
-    return x > 0.0031308 ? 1.055 * pow(x, 1 / 2.4) - 0.055 : 12.92 * x;
+    return x > 0.0031308 ? 1.055 * taut_pow(x, 1 / 2.4) - 0.055 : 12.92 * x;
 }
 
 /* CIELAB (white D65) to sRGB, cut off at the gamut. */
@@ -43,7 +44,7 @@ taut_ink taut_colour_diverging(double t)
     if (isnan(t)) {
         return (taut_ink){158, 158, 158};
     }
-    return from_lab(96 - 58 * size, arm[0] * pow(size, 0.9), arm[1] * pow(size, 0.9));
+    return from_lab(96 - 58 * size, arm[0] * taut_pow(size, 0.9), arm[1] * taut_pow(size, 0.9));
 }
 
 taut_ink taut_colour_plain(int i)
@@ -84,7 +85,7 @@ taut_ink taut_colour_shade(taut_ink ink, const double normal[3], double strength
     }
     const double wrap = (1 + lit) / 2;
     const double dark = strength * 0.38 * (1 - wrap * wrap);
-    const double bright = strength * 0.2 * pow(fmax(shine, 0), 16);
+    const double bright = strength * 0.2 * taut_pow(fmax(shine, 0), 16);
     return taut_colour_mix(taut_colour_mix(ink, black, dark), white, bright);
 }
 
@@ -113,7 +114,7 @@ double taut_colour_limit(size_t count, double *values, double noise, int *cut)
         *cut = most > 3 * limit && most > 3 * noise;
         limit = fmax(*cut ? limit : most, noise);
     }
-    step = pow(10, floor(log10(limit)) - 1);
+    step = taut_pow(10, floor(taut_log10(limit)) - 1);
     return isfinite(ceil(limit / step - 1e-9) * step) && step > 0 ? ceil(limit / step - 1e-9) * step
                                                                   : limit;
 }

@@ -2,6 +2,7 @@
 #include "taut/mesh.h"
 
 #include "core/arena.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -78,7 +79,7 @@ static double size_of(const taut_bending *bendings, int count)
             lo = fmin(lo, bendings[i].lo[c]);
             hi = fmax(hi, bendings[i].hi[c]);
         }
-        size = hypot(size, hi - lo); /* whose squares need not be doubles */
+        size = taut_hypot(size, hi - lo); /* whose squares need not be doubles */
     }
     return size;
 }

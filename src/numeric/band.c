@@ -10,7 +10,8 @@
 #include <string.h>
 
 /* Largest n * (width + 1): keeps every index computation far from overflow. */
-static const size_t entries_max = (size_t)1 << 40;
+static const uint64_t entries_max =
+    SIZE_MAX / 16 < (uint64_t)1 << 40 ? SIZE_MAX / 16 : (uint64_t)1 << 40;
 
 enum { WIDE = 32 }; /* half-width from which the vector kernels pay */
 

@@ -124,11 +124,17 @@ static void update_tile(const block *b, int r, int q, const double *left, const 
         return;
     }
     memset(edge, 0, sizeof edge);
+    for (int i = r; i < r + rows && i < b->rest; i++) {
+        const double *row = taut_band_row(b->band, b->end + i);
+        for (int j = i < last ? i : last; j >= q; j--) {
+            edge[(i - r) * columns + (last - j)] = row[i - j];
+        }
+    }
     b->kernel->tile(depth, left, right, edge, (size_t)columns);
     for (int i = r; i < r + rows && i < b->rest; i++) {
         double *row = taut_band_row(b->band, b->end + i);
         for (int j = i < last ? i : last; j >= q; j--) {
-            row[i - j] += edge[(i - r) * columns + (last - j)];
+            row[i - j] = edge[(i - r) * columns + (last - j)];
         }
     }
 }

@@ -6,6 +6,7 @@
 #include "numeric/quadrature.h"
 
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 
 #include <assert.h>
 #include <math.h>
@@ -29,7 +30,7 @@ void taut_gauss_rule(int count, double *nodes, double *weights)
     for (int i = 0; i < (count + 1) / 2; i++) {
         const double angle = TAUT_PI * (4.0 * i + 3) / (4.0 * count + 2);
         const double n = count;
-        double x = (1 - (n - 1) / (8 * n * n * n)) * cos(angle);
+        double x = (1 - (n - 1) / (8 * n * n * n)) * taut_cos(angle);
         double value = 0, slope = 1;
         for (int step = 0; step < 8; step++) {
             evaluate_legendre(count, x, &value, &slope);

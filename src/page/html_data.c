@@ -124,7 +124,7 @@ static void put_basis(taut_json_out *out, const char *key, const taut_basis *bas
 static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
                                const taut_page_surface *s)
 {
-    static const char *const names[TAUT_PAGE_FIELDS] = {"H", "K", "I"};
+    static const char *const names[TAUT_PAGE_FIELDS] = {"H", "K", "I", "G"};
     const taut_surface *surface = s->surface;
     const size_t count = (size_t)s->u.count * (size_t)s->v.count;
     const size_t net = (size_t)taut_page_kept(net_u(surface), s->every[0]) *
@@ -149,6 +149,9 @@ static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
     }
     put_shorts(out, "normals", 2 * count, room.shorts, room.text);
     for (int k = 0; k < TAUT_PAGE_FIELDS; k++) {
+        if (k == TAUT_PAGE_GAP && !s->has_gap) {
+            continue;
+        }
         for (size_t i = 0; i < count; i++) {
             room.shorts[i] = taut_page_value(s->fields[k][i], p->limits[k]);
         }

@@ -20,7 +20,7 @@
  *     values   32766 v / limit, 32767 and -32767 beyond the scale, -32768 where there is none
  */
 
-enum { TAUT_PAGE_H, TAUT_PAGE_K, TAUT_PAGE_I, TAUT_PAGE_FIELDS };
+enum { TAUT_PAGE_H, TAUT_PAGE_K, TAUT_PAGE_I, TAUT_PAGE_GAP, TAUT_PAGE_FIELDS };
 
 /* Parameters of the lines in one direction. */
 typedef struct taut_page_lines {
@@ -36,13 +36,16 @@ typedef struct taut_page_surface {
     double *points;                   /* [u.count][v.count][3] */
     double *normals;                  /* likewise; NaN where there is none */
     double *fields[TAUT_PAGE_FIELDS]; /* [u.count][v.count] */
+    int has_gap;                      /* a witness tells the gap (measure/dual/density.h) */
     int every[2];                     /* every so many points of the net are kept, along u and v */
 } taut_page_surface;
 
-/* About `vertices` vertices, or, where divide is above 0, so many cells a knot span but no more
+/* details: of the model, or NULL: where they hold a witness, the gap is among the fields.
+ * About `vertices` vertices, or, where divide is above 0, so many cells a knot span but no more
  * vertices than that; and at most `net` points of the net. */
-taut_status taut_page_sample(const taut_surface *surface, int vertices, int divide, int net,
-                             int threads, taut_arena *arena, taut_page_surface *page);
+taut_status taut_page_sample(const taut_surface *surface, const taut_record *details, int vertices,
+                             int divide, int net, int threads, taut_arena *arena,
+                             taut_page_surface *page);
 
 /* How many points are kept of `count`, every so many and the last; and which is the i-th. */
 int taut_page_kept(int count, int every);

@@ -1,5 +1,7 @@
 #include "page/html_page.h"
 
+#include "core/elementary/elementary.h"
+#include "measure/dual/density.h"
 #include "taut/measure.h"
 
 #include <math.h>
@@ -49,7 +51,8 @@ static void fill_row(size_t count, const double *vectors, size_t first, taut_pag
         memcpy(page->normals + 3 * at, forms.normal, sizeof forms.normal);
         page->fields[TAUT_PAGE_H][at] = forms.regular ? forms.mean : nan("");
         page->fields[TAUT_PAGE_K][at] = forms.regular ? forms.gaussian : nan("");
-        page->fields[TAUT_PAGE_I][at] = hypot(forms.e - forms.g, 2 * forms.f) / (forms.e + forms.g);
+        page->fields[TAUT_PAGE_I][at] =
+            taut_hypot(forms.e - forms.g, 2 * forms.f) / (forms.e + forms.g);
     }
 }
 
@@ -77,6 +80,24 @@ static taut_status fill_grid(int threads, taut_arena *arena, taut_page_surface *
     return TAUT_OK;
 }
 
+/* Where the film is how far from least; NaN all over without a witness. */
+static taut_status fill_gaps(const taut_record *details, taut_page_surface *page)
+{
+    const size_t nv = (size_t)page->v.count, count = (size_t)page->u.count * nv;
+    taut_dual_density *density = NULL;
+    const taut_status status = taut_dual_density_new(page->surface, details, &density);
+
+    page->has_gap = status == TAUT_OK && density != NULL;
+    for (size_t at = 0; status == TAUT_OK && at < count; at++) {
+        page->fields[TAUT_PAGE_GAP][at] =
+            density != NULL
+                ? taut_dual_density_at(density, page->u.at[at / nv], page->v.at[at % nv])
+                : (double)NAN;
+    }
+    taut_dual_density_free(density);
+    return status;
+}
+
 /* The least step, the same along u and v, that leaves at most `most` points of the net. */
 static void thin_net(const taut_surface *surface, int most, int every[2])
 {
@@ -95,9 +116,11 @@ static int cells_of(const taut_basis *basis, int most, int divide)
     return divide > 0 && asked < most ? (int)asked : most;
 }
 
-taut_status taut_page_sample(const taut_surface *surface, int vertices, int divide, int net,
-                             int threads, taut_arena *arena, taut_page_surface *page)
+taut_status taut_page_sample(const taut_surface *surface, const taut_record *details, int vertices,
+                             int divide, int net, int threads, taut_arena *arena,
+                             taut_page_surface *page)
 {
+    taut_status status = TAUT_OK;
     const int side = (int)sqrt((double)vertices) - 1;
     const int u = cells_of(taut_surface_u(surface), side, divide);
     const int v = cells_of(taut_surface_v(surface), side, divide);
@@ -108,7 +131,8 @@ taut_status taut_page_sample(const taut_surface *surface, int vertices, int divi
         fill_lines(taut_surface_v(surface), v, arena, &page->v) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    return fill_grid(threads, arena, page);
+    status = fill_grid(threads, arena, page);
+    return status == TAUT_OK ? fill_gaps(details, page) : status;
 }
 
 int taut_page_kept(int count, int every)

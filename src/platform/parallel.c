@@ -1,47 +1,34 @@
 #include "platform/parallel.h"
 
+#include "platform/system.h"
 #include "taut/limits.h"
 
-#include <pthread.h>
 #include <stdatomic.h>
 
 typedef struct job {
     void (*work)(void *context, int part, int from, int to);
     void *context;
-    int part, from, to;
+    int count, parts;
 } job;
 
-static void *run_job(void *argument)
+static void run_part(void *context, int part)
 {
-    const job *j = argument;
-    j->work(j->context, j->part, j->from, j->to);
-    return NULL;
+    const job *j = context;
+    const int from = (int)((long long)j->count * part / j->parts);
+    const int to = (int)((long long)j->count * (part + 1) / j->parts);
+    j->work(j->context, part, from, to);
 }
 
 void taut_parallel_for(int count, int threads,
                        void (*work)(void *context, int part, int from, int to), void *context)
 {
-    job jobs[TAUT_THREADS_MAX];
-    pthread_t handles[TAUT_THREADS_MAX];
-    int started[TAUT_THREADS_MAX];
     int parts = threads < 1 ? 1 : threads > TAUT_THREADS_MAX ? TAUT_THREADS_MAX : threads;
 
     if (parts > count) {
         parts = count > 0 ? count : 1;
     }
-    for (int p = parts - 1; p >= 0; p--) {
-        const int from = (int)((long)count * p / parts), to = (int)((long)count * (p + 1) / parts);
-        jobs[p] = (job){work, context, p, from, to};
-        started[p] = p > 0 && pthread_create(&handles[p], NULL, run_job, &jobs[p]) == 0;
-        if (!started[p]) {
-            run_job(&jobs[p]);
-        }
-    }
-    for (int p = 1; p < parts; p++) {
-        if (started[p]) {
-            pthread_join(handles[p], NULL);
-        }
-    }
+    job all = {work, context, count, parts};
+    taut_system_threads(parts, run_part, &all);
 }
 
 /* What the workers share: a counter from which each takes the next task. */

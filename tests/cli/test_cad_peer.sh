@@ -50,7 +50,7 @@ run 0 split once.json --u 0.5 -o halves.json
 run 0 split halves.json --v 0.5 -o quarters.json
 run 0 refine quarters.json -o saddle-fine.json
 run 0 refine quasi.json -o quasi-fine.json
-"$TAUT" convert quasi.json -o probe.step 2> err.txt
+"$TAUT" convert quasi.json -o probe.igs 2> err.txt
 if grep -q 'install libocct' err.txt; then
     skip OpenCASCADE 'tools/deps.sh test, and build anew'
 fi

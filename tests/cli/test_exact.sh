@@ -15,7 +15,7 @@ run 0 make "$SOURCE/examples/harmonic-exact.json" --exact -o p.json
 row p.json '-1, 0, 1' '-1, 3/4, 1' '-1/2, 5/4, 1' '1/2, 5/4, 1'
 row p.json '-5/12, -1/5, 2/3' '-5/12, 16/45, 2/3' '0, 32/45, 2/3' '5/6, 19/30, 2/3'
 row p.json '-1/3, -3/20, 1/3' '-1/3, 53/180, 1/3' '0, 53/90, 1/3' '2/3, 31/60, 1/3'
-contains err.txt 'harmonic +holds: 0, limit 0, at in rational arithmetic'
+contains err.txt 'harmonic +holds \([a-z]+\): 0, limit 0, at in rational arithmetic'
 
 # Extension and merged surface.
 extend() { # extend EDGE [MORE]: of the surface in p.json
@@ -30,7 +30,7 @@ row q.json '1/6, -2/5, 1/3' '1/6, -7/180, 1/3' '1/2, 31/180, 1/3' '7/6, 1/60, 1/
 row q.json '-2/3, 1/5, -1/3' '-2/3, 91/180, -1/3' '-1/2, 137/180, -1/3' '-1/6, 47/60, -1/3'
 contains q.json '"merged_square_residual": 9'
 run 0 certify q.json --exact
-contains err.txt 'harmonic +holds: 0, limit 0'
+contains err.txt 'harmonic +holds \([a-z]+\): 0, limit 0'
 run 0 join q.json p.u1 q.json extension.u0 --json
 contains out.txt '"one_surface": true'
 contains out.txt '"c_order": 3'
@@ -54,7 +54,7 @@ done
 for edge in u0 v0 v1; do
     extend $edge ',"width":0.375'
     run 0 make problem.json --exact -o r.json
-    contains err.txt 'harmonic +holds: 0, limit 0'
+    contains err.txt 'harmonic +holds \([a-z]+\): 0, limit 0'
 done
 
 # What is not harmonic to the last digit is not carried on.
@@ -85,7 +85,7 @@ refused 4 'inconsistent /points found 1\.714[0-9]* expected 0' make even.json --
 for mend in corner project raise; do
     sed "s/\"harmonic\",/\"harmonic\", \"even\": \"$mend\",/" even.json > mended.json
     run 0 make mended.json --exact -o m.json
-    contains err.txt 'harmonic +holds: 0, limit 0'
+    contains err.txt 'harmonic +holds \([a-z]+\): 0, limit 0'
     contains m.json "\"kind\": \"$mend\""
 done
 refused 2 'argument .*/dirichlet-bicubic\.json' make "$SOURCE/examples/dirichlet-bicubic.json" --exact

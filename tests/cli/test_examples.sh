@@ -12,6 +12,8 @@ for name in $examples; do
     *) holds=0 ;;
     esac
     run $holds make problem.json --quiet -o model.json
+    # R_u is 0 inside, whatever the patch (docs/papers/asymptotic.md 7): `regular` is undecided, which certify counts
+    [ "$name" != asymptotic-6 ] || holds=1
     case " $(echo $again) " in *" $name "*) run $holds certify model.json problem.json ;; esac
 done
 finish

@@ -13,6 +13,13 @@ contains k.svg 'A &amp; B'
 contains k.svg '>a line every 0\.250<'
 contains k.svg '>−1\.0<'
 run 0 convert saddle.json -o i.svg --colour I
+run 0 convert saddle.json -o gap.svg --colour gap
+contains gap.svg 'undefined'
+"$TAUT" example plateau-skew | "$TAUT" make - --quiet -o skew.json
+run 0 convert skew.json -o gap.svg --colour gap --isolines 3
+contains gap.svg 'Gap per area'
+grep -q undefined gap.svg && complain "the gap of a film with its witness has places without one"
+run 2 convert skew.json -o gap.glb --colour gap
 contains i.svg 'Isothermality'
 run 0 convert saddle.json -o c.svg --combs --reflections 12 --no-net
 contains c.svg 'the longest tooth is a curvature of '
@@ -63,7 +70,7 @@ absent two.obj none.svg
 grep -q '<image' k.svg && complain "a figure holds pixels"
 
 run 0 convert saddle.json -o w.png --width 200
-refused 2 'value --colour Q found null expected H, K or I' convert saddle.json -o x.svg --colour Q
+refused 2 'value --colour Q found null expected H, K, I or gap' convert saddle.json -o x.svg --colour Q
 refused 2 'value --width 8 found 8' convert saddle.json -o x.png --width 8
 refused 2 'value --isolines 0 found 0' convert saddle.json -o x.png --isolines 0
 refused 2 'value --reflections 1\.5 found 1\.5' convert saddle.json -o x.png --reflections 1.5

@@ -24,6 +24,51 @@ refused 3 'conflict /tolerance_area' make both.json --quiet
 sed 's/"refine": 2/"tolerance_area": 0/' refine.json > zero.json
 refused 3 'value /tolerance_area found 0 expected a number from 1e-11 .*' make zero.json --quiet
 
+# A film proved least, with the witness that the model carries; asked for, it is proved or exit 1.
+"$TAUT" example plateau-skew > skew.json
+run 0 make skew.json -o film.json
+contains err.txt 'least +holds \(bound\): [0-9.]+e-12, limit 1e-06'
+contains film.json '"lower_bound": 1\.2792615711[67]'
+run 0 certify film.json skew.json
+run 0 certify film.json
+sed 's/"points"/"least": false, "points"/' skew.json > declined.json
+run 0 make declined.json -o declined-film.json
+contains err.txt 'least +undecided \(bound\): -, limit 1e-06: declined'
+grep -q '"coefficients"' declined-film.json && complain "a witness was looked for"
+run 0 make refine.json -o film.json
+contains err.txt 'least +undecided \(bound\): 0\.000[0-9]+, limit 1e-06: coarse'
+for gap in 1e-4 1e-6 1e-9; do
+    sed "s/\"refine\": 2/\"gap\": $gap/" refine.json > gap.json
+    run 0 make gap.json -o film.json
+    contains err.txt "least +holds \(bound\): .*, limit (0.0001|$gap|1e-0[0-9])"
+    run 0 certify film.json gap.json
+done
+sed 's/"gap": 1e-9/"gap": 1e-11/' gap.json > finer-gap.json
+run 1 certify film.json finer-gap.json
+contains err.txt 'least +DOES NOT HOLD'
+sed 's/"gap": 1e-9/"gap": 1e-9, "least": false/' gap.json > both.json
+refused 3 'conflict /gap' make both.json --quiet
+sed 's/"gap": 1e-9/"gap": 1e-12/' gap.json > zero.json
+refused 3 'value /gap found 1e-12 expected a number above 1e-12 .*' make zero.json --quiet
+sed 's/"gap": 1e-9/"gap": 1e-9, "refine": 1/' gap.json > both.json
+refused 3 'conflict /gap' make both.json --quiet
+
+cat > bent-in.json << 'END'
+{ "taut": 1, "construct": "plateau", "gap": 1e-4,
+  "u": { "type": "bezier", "degree": 2 }, "v": { "type": "bezier", "degree": 2 },
+  "points": [[[0, 0, 0], [0.5, 1, 0], [0, 2, 0]], [[1, 0, 0], null, [1, 2, 0]], [[2, 0, 0], [2, 1, 0], [2, 2, 0]]] }
+END
+refused 1 'not-convex /gap' make bent-in.json --quiet
+sed 's/"gap": 1e-4,//' bent-in.json > bent.json
+run 0 make bent.json -o film.json
+contains err.txt 'least +undecided \(bound\): -, limit 1e-06: convex'
+cat > faceted.json << 'END'
+{ "taut": 1, "construct": "plateau", "method": "normal", "gap": 1e-10,
+  "u": { "type": "bspline", "degree": 1, "count": 3 }, "v": { "type": "bspline", "degree": 1, "count": 3 },
+  "points": [[[0, 0, 0], [0, 1, 0.5], [0, 2, 0]], [[1, 0, 0], null, [1, 2, 0]], [[2, 0, 0], [2, 1, 0], [2, 2, 0.5]]] }
+END
+refused 1 'gap /gap found [0-9.e-]+ expected 1e-10' make faceted.json --quiet
+
 # A plane boundary that crosses itself: no quadrature settles the area of what folds.
 cat > folded.json << 'END'
 { "taut": 1, "construct": "plateau", "method": "normal",

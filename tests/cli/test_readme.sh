@@ -18,7 +18,7 @@ block() { # block LANGUAGE: the first block of that language in the README
 }
 
 lasting() { # times differ from run to run; residuals of rounding, and limits made of it, from machine to machine
-    grep -v -e '^ *time' -e '^taut: ' | sed 's/ *$//; s/holds: [0-9.e+-]*/holds: RESIDUAL/; s/limit [0-9.]*e-1[0-9]/limit OF ROUNDING/'
+    grep -v -e '^ *time' -e '^taut: ' | sed 's/ *$//; s/\(holds ([a-z]*)\): [0-9.e+-]*/\1: RESIDUAL/; s/limit [0-9.]*e-1[0-9]/limit OF ROUNDING/'
 }
 
 block json > tent.json

@@ -79,7 +79,12 @@ static taut_status copy_record(const void *context, void **result, taut_error *e
 
 static taut_status make_certificate(const void *context, void **result, taut_error *error)
 {
-    static const taut_claim claim = {"stationary", 1e-16, 1e-12, TAUT_TRUE, "/points/1/1"};
+    static const taut_claim claim = {.claim = "stationary",
+                                     .kind = TAUT_BOUND,
+                                     .residual = 1e-16,
+                                     .limit = 1e-12,
+                                     .holds = TAUT_TRUE,
+                                     .where = "/points/1/1"};
     taut_certificate *certificate = NULL;
     taut_record *figures = NULL;
     taut_status status = taut_certificate_new("dirichlet", &certificate);
@@ -156,7 +161,9 @@ int main(void)
     test_countdown();
     test_failed_record();
     allocations = fault_loop(&(fault_call){"arena", make_arena, release_arena, "text"});
-    CHECK(allocations == 9, "an arena and four things in it take 9, found %ld", allocations);
+    /* 9 where addresses are watched: each take then has a block of its own */
+    CHECK(allocations == 5 || allocations == 9,
+          "an arena, a block for what is small, one thing kept: 5, found %ld", allocations);
     fault_loop(&(fault_call){"record", make_record, release_record, NULL});
     record = filled_record();
     allocations = fault_loop(&(fault_call){"record copy", copy_record, release_record, record});

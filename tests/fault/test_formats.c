@@ -3,6 +3,7 @@
 #include "check.h"
 #include "fault.h"
 #include "folder.h"
+#include "shapes.h"
 
 #include "geometry/boundary/boundary.h"
 #include "taut/read.h"
@@ -51,6 +52,22 @@ static taut_status write_vtu(const void *context, void **result, taut_error *err
 {
     (void)result;
     return write_file(context, "a.vtu", error);
+}
+
+/* Two sheets that share an edge on other knots, and a curve. */
+static const char sheets_text[] =
+    "{\"taut\": 1, \"surfaces\": [{\"u\": {\"type\": \"bezier\", \"degree\": 1}, \"v\": "
+    "{\"type\": \"bezier\", \"degree\": 2}, \"points\": [[[0,0,0],[0,1,1e-9],[0,2,0]], "
+    "[[1,0,0],[1,1,0],[1,2,0]]]}, {\"u\": {\"type\": \"bezier\", \"degree\": 1}, \"v\": {\"type\": "
+    "\"bspline\", \"degree\": 1, \"knots\": [0, 0, 1, 2, 2]}, \"points\": "
+    "[[[1,0,0],[1,1,0],[1,2,0]], "
+    "[[2,0,0],[2,1,1],[2,2,0]]], \"weights\": [[1,1,1],[1,2,1]]}], \"curves\": [{\"t\": {\"type\": "
+    "\"bezier\", \"degree\": 1}, \"points\": [[2,0,0],[2,2,0]]}]}";
+
+static taut_status write_step(const void *context, void **result, taut_error *error)
+{
+    (void)result;
+    return write_file(context, "a.step", error);
 }
 
 static taut_status write_geomdl(const void *context, void **result, taut_error *error)
@@ -113,6 +130,7 @@ int main(void)
     const char *path = NULL;
     char *single = strdup(frame_text);
     taut_model *surfaces = model_of(surfaces_text), *frame = model_of(frame_text);
+    taut_model *sheets = model_of(sheets_text), *body = shape_model(shape_sphere(2));
 
     folder_make();
     /* the side of two spans as one: its middle point and a knot blotted out */
@@ -124,6 +142,8 @@ int main(void)
     fault_check("vtu", write_vtu, NULL, surfaces, 20);
     fault_check("geomdl", write_geomdl, NULL, surfaces, 10);
     fault_check("geomdl of curves", write_geomdl, NULL, frame, 10);
+    fault_check("step", write_step, NULL, sheets, 20);
+    fault_check("step of a body", write_step, NULL, body, 20);
     fault_check("glb", write_glb, NULL, surfaces, 20);
     fault_check("boundary", fit, NULL, frame, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
@@ -138,6 +158,8 @@ int main(void)
     fault_check("geomdl of curves in", read_model, release_model, path, 30);
     taut_model_free(surfaces);
     taut_model_free(frame);
+    taut_model_free(sheets);
+    taut_model_free(body);
     free(single);
     folder_remove();
     return check_failures != 0;

@@ -67,10 +67,10 @@ static taut_curve *edge(double x0, double y0, double x1, double y1, double middl
 /* Between curves, on finer spaces, and to a tolerance of the area: some of many allocations. */
 static void test_spaces(void)
 {
-    static const char *const names[] = {"curves", "refine", "tolerance_area"};
+    static const char *const names[] = {"curves", "refine", "tolerance_area", "gap"};
     taut_curve *curves[4] = {edge(0, 0, 0, 1, 0.2), edge(1, 0, 1, 1, 0.1), edge(0, 0, 1, 0, -0.1),
                              edge(0, 1, 1, 1, -0.2)};
-    for (int kind = 0; kind < 3; kind++) {
+    for (int kind = 0; kind < 4; kind++) {
         test_problem net = problem_example(1);
         taut_plateau_problem problem;
         memset(&problem, 0, sizeof problem);
@@ -81,6 +81,7 @@ static void test_spaces(void)
         problem.method = TAUT_PLATEAU_NORMAL;
         problem.refine = kind == 1;
         problem.tolerance_area = kind == 2 ? 0.02 : 0;
+        problem.gap = kind == 3 ? 1e-3 : 0;
         const fault_call call = {names[kind], make, release_model, &problem};
         CHECK(fault_loop_some(&call, 60) > 60, "%s takes memory", names[kind]);
         problem_free(&net);

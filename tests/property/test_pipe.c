@@ -326,7 +326,8 @@ static void test_scale_and_shift(void)
                     CHECK(claim->holds != TAUT_FALSE, "trial %d, move %zu: %s %g, limit %g, %s",
                           trial, i, claim->claim, claim->residual, claim->limit, claim->where);
                     CHECK(claim->holds == TAUT_TRUE || strcmp(claim->claim, "embedded") != 0,
-                          "trial %d, move %zu: embedded", trial, i);
+                          "trial %d, move %zu: embedded %g, %s", trial, i, claim->residual,
+                          claim->where);
                 }
                 taut_certificate_free(certificate);
                 taut_model_free(model);

@@ -164,7 +164,6 @@ static double global_radius(axis *a)
 /* Construction, certificate and the global radius agree, and so does the verdict on either side. */
 static void test_largest_radius(void)
 {
-    int by_distance = 0, compared = 0;
     for (int trial = 0; trial < random_trials(8); trial++) {
         pipe_random r;
         pipe_random_run(trial % 4, &r);
@@ -186,8 +185,7 @@ static void test_largest_radius(void)
               trial);
         const char *binding =
             taut_record_text(taut_record_get(taut_certificate_figures(certificate), "binding"));
-        by_distance += strcmp(binding, "distance") == 0;
-        compared++;
+        CHECK(trial % 4 != 1 || strcmp(binding, "distance") == 0, "trial %d: %s", trial, binding);
         taut_certificate_free(certificate);
         taut_model_free(model);
         r.problem.radius = 1.0005 * rho;
@@ -203,8 +201,6 @@ static void test_largest_radius(void)
             taut_model_free(pipe_run_made(&r.problem, 1e-2));
         }
     }
-    CHECK(compared > 0 && (by_distance > 1 || compared < 8), "%d of %d bind by distance",
-          by_distance, compared);
 }
 
 int main(void)

@@ -22,7 +22,9 @@ taut_certificate *asymptotic_certify(const taut_model *model,
 /* CHECKs that all claims hold. */
 void asymptotic_check_claims(const taut_model *model, const taut_asymptotic_problem *problem,
                              const char *what);
-/* The same where the inside may fold: then `regular` is false, at a place without a normal. */
+/* The same where the inside may fold: then `regular` is false, at a place without a normal, or
+ * undecided, where R_u or R_v is 0; and where edges may be so flat that rounding hides b: then
+ * `osculating` is undecided. */
 void asymptotic_check_claims_or_fold(const taut_model *model,
                                      const taut_asymptotic_problem *problem, const char *what);
 

@@ -74,7 +74,8 @@ void pipe_random_run(int kind, pipe_random *r)
 {
     taut_pipe_run_problem *const p = &r->problem;
     double at[3] = {0, 0, 0};
-    const double rise = random_in(0.1, 0.4), twist = random_in(-0.3, 0.3);
+    const double rise = kind == 1 ? random_in(0.05, 0.1) : random_in(0.1, 0.4),
+                 twist = random_in(-0.3, 0.3);
     memset(r, 0, sizeof *r);
     *p = (taut_pipe_run_problem){.route = {.kind = kind == 3 ? TAUT_PIPE_LEGS : TAUT_PIPE_CORNERS,
                                            .count = kind == 3   ? 3
@@ -82,8 +83,12 @@ void pipe_random_run(int kind, pipe_random *r)
                                                                 : 7,
                                            .closed = kind == 2},
                                  .radius = 1e-3,
-                                 .shape = {.alpha = random_in(-2, 1), .gamma = random_in(-2, 1)},
-                                 .bend_radius = kind == 3 ? 0 : random_in(0.05, 0.3),
+                                 .shape = {.alpha = random_in(kind == 1 ? 0 : -2, 1),
+                                           .gamma = random_in(kind == 1 ? 0 : -2, 1)},
+                                 /* a stair's turns, above each other by half of it at most */
+                                 .bend_radius = kind == 3   ? 0
+                                                : kind == 1 ? random_in(0.25, 0.3)
+                                                            : random_in(0.05, 0.3),
                                  .joint = random_int(0, 1) == 0 ? TAUT_PIPE_G1 : TAUT_PIPE_G2};
     for (int i = 0; i < p->route.count; i++) {
         for (int k = 0; k < 3; k++) {
@@ -125,6 +130,10 @@ taut_model *pipe_random_made(pipe_random *r, double tolerance)
     if (status == TAUT_NO_SOLUTION && strcmp(error.reason, "leg-too-short") == 0) {
         r->problem.bend_radius = 0.999 * error.limit;
         r->problem.radius = fmin(r->problem.radius, 0.1 * error.limit);
+        status = taut_pipe_run_make(&r->problem, &coarse, &model, &error);
+    }
+    if (status == TAUT_NO_SOLUTION && strncmp(error.reason, "self-intersect-", 15) == 0) {
+        r->problem.radius = 0.5 * error.limit;
         status = taut_pipe_run_make(&r->problem, &coarse, &model, &error);
     }
     CHECK(status == TAUT_OK, "%s %s", error.where, error.message);

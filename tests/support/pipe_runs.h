@@ -29,12 +29,12 @@ typedef struct pipe_random {
     taut_pipe_leg legs[LEGS];
 } pipe_random;
 
-/* Corners of a random walk (kind 0), of a square stair that winds over itself (1), of a closed ring
- * (2); or straight pipes with directions of their own (3). */
+/* Corners of a random walk (kind 0), of a square stair that winds over itself more closely than it
+ * bends (1), of a closed ring (2); or straight pipes with directions of their own (3). */
 void pipe_random_run(int kind, pipe_random *r);
 /* Again, where it was copied. */
 void pipe_attach(pipe_random *r);
-/* Made coarsely; where legs are too short, with the bend radius that is told to work. */
+/* Made coarsely; where legs are too short, or the pipe too wide, with what is told to work. */
 taut_model *pipe_random_made(pipe_random *r, double tolerance);
 
 #endif /* TAUT_TEST_PIPE_RUNS_H */

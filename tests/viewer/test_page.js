@@ -151,6 +151,24 @@ async function testFrames(browser) {
     await page.close();
 }
 
+/* A film that carries the witness of its least area shows where it is how far from it; others do not offer that. */
+async function testGap(browser) {
+    const film = path.join(folder, 'film.json');
+    execFileSync(taut, ['make', path.join(__dirname, '../../examples/plateau-bicubic.json'), '-o', film, '--quiet']);
+    const page = await Page.open(browser, makePage('film', JSON.parse(fs.readFileSync(film, 'utf8'))), 800, 420);
+    await page.until(drawn);
+    check(await page.evaluate('!document.getElementById("gap-choice").hidden'), 'a film with a witness has no gap to colour by');
+    await mustChange(page, 'gap', () => page.click('[name=colour][value=G]'));
+    check((await page.evaluate('document.getElementById("legend-title").textContent')).includes('Gap'), 'the scale of the gap has no name');
+    check((await page.evaluate('document.querySelector("#claims tbody").textContent')).includes('bound'), 'the kinds of claims are not shown');
+    quiet(page, 'the film');
+    await page.close();
+    const plain = await Page.open(browser, path.join(folder, 'frames.html'), 800, 420);
+    await plain.until(drawn);
+    check(await plain.evaluate('document.getElementById("gap-choice").hidden'), 'a gap is offered where there is none');
+    await plain.close();
+}
+
 async function testPhone(browser) {
     const page = await Page.open(browser, path.join(folder, 'frames.html'), 390, 800);
     await page.until(drawn);
@@ -197,6 +215,7 @@ async function main() {
     try {
         await testControls(browser);
         await testFrames(browser);
+        await testGap(browser);
         await testPhone(browser);
         await testLarge(browser);
         await testFarNet(browser);

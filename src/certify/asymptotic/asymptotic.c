@@ -1,19 +1,24 @@
 /* asymptotic.c -- the certificate of `asymptotic`: from the finished patch and curves alone.
  *
- *     boundary          largest distance from the given data, over its size
+ *     boundary          largest distance from the given data, over its size; of curves it holds if
+ *                       a bound for every parameter is within the limit
  *     asymptotic        largest |k_n| on the edges; it holds if the bound for the whole of every
  *                       edge, from the Bernstein coefficients of its numerator, is within the limit
- *     osculating        largest sine between N and b on the curved edges
- *     regular           least sine between R_u and R_v over the closed patch
+ *     osculating        largest sine between N and b on the curved edges, in the same way
+ *     regular           least sine between R_u and R_v over the closed patch, bounded from below
  *     positive-weights  least weight of the patch
  *
  * Limits are `factor` times what rounding of the control points explains (docs/asymptotic.md), and
  * never above 1e-6, of `asymptotic` 1e-6 over the size: what lies between is undecided.
  */
 #include "certify/asymptotic/parts.h"
+#include "certify/asymptotic/unit.h"
 #include "certify/certify_ops.h"
+#include "certify/common/figures.h"
+#include "certify/common/regular.h"
+#include "certify/common/verdict.h"
 #include "core/fail.h"
-#include "taut/measure.h"
+#include "measure/integrate/integrals.h"
 
 #include <float.h>
 #include <math.h>
@@ -22,8 +27,8 @@
 
 static const double factor = 2.0; /* over the noise of one rounding per control point */
 static const double limit_most = 1e-6;
-static const double regular_least = 1e-6; /* sine */
 static const double weight_least = 1e-6;
+static const double covered_least = 0.5; /* of an edge: less is not the edge */
 
 static const taut_curve *find_curve(const taut_model *model, const char *name)
 {
@@ -91,35 +96,48 @@ static taut_status find_parts(const taut_model *model, taut_asymptotic_model *pa
                              taut_asymptotic_edge_name(e));
         }
     }
-    fill_sizes(parts);
     return TAUT_OK;
 }
 
-static taut_status add_claim(taut_certificate *certificate, const char *name, double residual,
-                             double limit, int holds, const char *where)
-{
-    const taut_claim claim = {name, residual, limit, holds ? TAUT_TRUE : TAUT_FALSE, where};
-    return taut_certificate_add(certificate, &claim);
-}
+/* What a claim is about: residual is at most `bound`, proved or seen; `noise` is what rounding of
+ * the points explains, `data` what the curves leave any patch. */
+typedef struct finding {
+    double residual, bound, noise, data;
+    int exponent; /* residual and limit are told 2^-exponent times as large */
+    const char *where;
+    double covered; /* the least share of an edge that it is about */
+    int elsewhere;  /* nonzero: the edges are not the curves that it takes b from */
+} finding;
 
-/* A claim on what is at most `bound`, held against what rounding explains but no more than `most`;
- * open where rounding explains more than that, or the data does: what the curves leave any patch.
- */
-static taut_status add_within(taut_certificate *certificate, const char *name, double residual,
-                              double bound, double noise, double data, double most,
-                              const char *where)
+/* Held against what rounding explains but no more than `most`; open where rounding, or the data,
+ * explains more than that, and where a number is none. */
+static taut_status add_within(taut_certificate *certificate, const char *name, taut_claim_kind kind,
+                              const finding *found, double most)
 {
-    const double limit = fmin(noise, most);
-    const int hidden = bound > limit && bound <= noise;
-    const int open = bound > limit && bound <= noise + data;
-    const taut_claim claim = {name, residual, limit,
-                              bound <= limit ? TAUT_TRUE
-                              : open         ? TAUT_UNDECIDED
-                                             : TAUT_FALSE,
-                              hidden ? "the rounding of the points hides it"
-                              : open
-                                  ? "the curves' planes and torsions at the corners agree no better"
-                                  : where};
+    const double limit = taut_certify_min(found->noise, most);
+    const double reach = found->noise + found->data;
+    taut_claim claim = {.claim = name,
+                        .kind = kind,
+                        .residual = ldexp(found->residual, -found->exponent),
+                        .limit = ldexp(limit, -found->exponent),
+                        .holds = taut_certify_below(found->bound, limit),
+                        .where = found->where};
+    if (!isfinite(found->residual + found->bound + limit + claim.residual + claim.limit)) {
+        claim.holds = TAUT_UNDECIDED;
+        claim.where = TAUT_CERTIFY_OUT_OF_RANGE;
+    } else if (claim.holds == TAUT_FALSE && found->bound <= found->noise) {
+        claim.holds = TAUT_UNDECIDED;
+        claim.where = "the rounding of the points hides it";
+    } else if (claim.holds == TAUT_FALSE && found->bound <= reach) {
+        claim.holds = TAUT_UNDECIDED;
+        claim.where = "the curves' planes and torsions at the corners agree no better";
+    } else if (claim.holds == TAUT_TRUE && !(found->covered >= covered_least)) {
+        claim.holds = TAUT_UNDECIDED;
+        claim.where = "rounding leaves no bound on most of an edge";
+    } else if (claim.holds == TAUT_TRUE && found->elsewhere) {
+        claim.holds = TAUT_UNDECIDED;
+        claim.where = "the edges are not the curves, whose binormals it takes";
+    }
     return taut_certificate_add(certificate, &claim);
 }
 
@@ -128,10 +146,21 @@ static taut_status add_boundary(const taut_asymptotic_model *parts,
                                 taut_certificate *certificate)
 {
     char where[TAUT_PLACE_TEXT];
-    double distance = 0.0, noise = 0.0;
-    taut_boundary_distance(parts, problem, &distance, &noise, where);
-    return add_within(certificate, "boundary", distance, distance, factor * noise, 0.0, limit_most,
-                      where);
+    double distance = 0.0, bound = 0.0, noise = 0.0;
+    taut_boundary_distance(parts, problem, &distance, &bound, &noise, where);
+    {
+        const finding found = {distance, bound, factor * noise, 0.0, 0, where, 1.0, 0};
+        return add_within(certificate, "boundary", TAUT_BOUND, &found, limit_most);
+    }
+}
+
+/* A straight curve has no b: what is its edge then must be straight too. */
+static int edges_are_elsewhere(const taut_asymptotic_model *parts)
+{
+    char where[TAUT_PLACE_TEXT];
+    double distance = 0.0, bound = 0.0, noise = 0.0;
+    taut_boundary_distance(parts, NULL, &distance, &bound, &noise, where);
+    return !(bound <= limit_most);
 }
 
 /* The largest extent of the curves' corners: a curvature is compared with one over it. */
@@ -153,47 +182,39 @@ static double size_of(const taut_asymptotic_model *parts)
 }
 
 /* `asymptotic` and `osculating`, over all edges. */
-static taut_status add_edges(const taut_edge_proof proofs[4], double size,
-                             taut_certificate *certificate)
+static taut_status add_edges(const taut_edge_proof proofs[4], double size, int exponent,
+                             int elsewhere, taut_certificate *certificate)
 {
     char where[2][TAUT_PLACE_TEXT] = {"", ""};
-    double bound = 0.0, noise = 0.0, noise_sine = 0.0, sine = 0.0, given = 0.0, given_sine = 0.0;
+    finding flat = {0, 0, 0, 0, exponent, where[0], 1, 0};
+    finding sine = {0, 0, 0, 0, 0, where[1], 1, elsewhere};
     int worst = 0, worst_sine = 0;
     taut_status status = TAUT_OK;
     for (int e = 0; e < 4; e++) {
-        bound = fmax(bound, proofs[e].bound);
-        noise = fmax(noise, proofs[e].noise);
-        noise_sine = fmax(noise_sine, proofs[e].noise_sine);
-        given = fmax(given, proofs[e].given);
-        given_sine = fmax(given_sine, proofs[e].given_sine);
+        const double angle = proofs[e].osculating < 0 ? 0 : proofs[e].osculating;
+        flat.bound = taut_certify_max(flat.bound, proofs[e].bound);
+        flat.noise = taut_certify_max(flat.noise, factor * proofs[e].noise);
+        flat.data = taut_certify_max(flat.data, factor * proofs[e].given);
+        flat.residual = taut_certify_max(flat.residual, proofs[e].sampled);
+        sine.noise = taut_certify_max(sine.noise, factor * proofs[e].noise_sine);
+        sine.data = taut_certify_max(sine.data, factor * proofs[e].given_sine);
+        sine.residual = taut_certify_max(sine.residual, angle);
+        sine.bound = taut_certify_max(sine.bound, proofs[e].sine_bound);
+        flat.covered = sine.covered = fmin(flat.covered, proofs[e].covered);
         worst = proofs[e].sampled > proofs[worst].sampled ? e : worst;
         worst_sine = proofs[e].osculating > proofs[worst_sine].osculating ? e : worst_sine;
     }
-    sine = fmax(proofs[worst_sine].osculating, 0.0);
+    /* samples see more of a singular edge than the bound covers */
+    flat.bound = taut_certify_max(flat.bound, flat.residual);
+    sine.bound = taut_certify_max(sine.bound, sine.residual);
     (void)snprintf(where[0], TAUT_PLACE_TEXT, "%s, t = %.2f; on no edge above %.3g",
-                   taut_asymptotic_edge_name(worst), proofs[worst].at, bound);
-    (void)snprintf(where[1], TAUT_PLACE_TEXT, "%s, t = %.2f", taut_asymptotic_edge_name(worst_sine),
-                   proofs[worst_sine].sine_at);
-    status = add_within(certificate, "asymptotic", proofs[worst].sampled, bound, factor * noise,
-                        factor * given, limit_most / size, where[0]);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    return add_within(certificate, "osculating", sine, sine, factor * noise_sine,
-                      factor * given_sine, limit_most, where[1]);
-}
-
-static taut_status add_regular(const taut_asymptotic_model *parts, int threads,
-                               taut_certificate *certificate)
-{
-    char where[TAUT_PLACE_TEXT];
-    double sine = 0.0, at[2] = {0, 0};
-    const taut_status status = taut_regular_least(parts->patch, threads, &sine, at);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    (void)snprintf(where, sizeof where, "u = %.6f, v = %.6f", at[0], at[1]);
-    return add_claim(certificate, "regular", sine, regular_least, sine > regular_least, where);
+                   taut_asymptotic_edge_name(worst), proofs[worst].at,
+                   ldexp(flat.bound, -exponent));
+    (void)snprintf(where[1], TAUT_PLACE_TEXT, "%s, t = %.2f; on no edge above %.3g",
+                   taut_asymptotic_edge_name(worst_sine), proofs[worst_sine].sine_at, sine.bound);
+    status = add_within(certificate, "asymptotic", TAUT_BOUND, &flat, limit_most / size);
+    return status == TAUT_OK ? add_within(certificate, "osculating", TAUT_BOUND, &sine, limit_most)
+                             : status;
 }
 
 static double smallest_weight(const taut_surface *patch, char where[TAUT_PLACE_TEXT])
@@ -213,25 +234,30 @@ static double smallest_weight(const taut_surface *patch, char where[TAUT_PLACE_T
 }
 
 static taut_status add_figures(const taut_asymptotic_model *parts, const taut_edge_proof proofs[4],
-                               double weight, taut_certificate *certificate)
+                               double weight, const taut_regular *regular, int exponent,
+                               taut_certificate *certificate)
 {
     taut_record *const figures = taut_record_new();
     taut_record *edges = NULL;
-    double energy = 0.0, bound = 0.0, sine = 1.0;
-    taut_status status = taut_surface_bending_energy(parts->patch, &energy);
+    double energy = 0.0, error = 0.0, bound = 0.0, sine = 1.0;
+    taut_status status = taut_surface_bending_of(parts->patch, &energy, &error);
     for (int e = 0; e < 4; e++) {
-        bound = fmax(bound, proofs[e].bound);
-        sine = fmin(sine, proofs[e].least_sine);
+        bound = taut_certify_max(bound, proofs[e].bound);
+        sine = taut_certify_min(sine, proofs[e].least_sine);
     }
-    taut_record_add_number(figures, "bending_energy", energy);
+    energy = ldexp(energy, 2 * exponent);
+    error = ldexp(error, 2 * exponent);
+    taut_certify_add_integrals(figures, "bending_energy", 1, &energy, &error);
     taut_record_add_number(figures, "smallest_weight", weight);
-    taut_record_add_number(figures, "asymptotic_bound", bound);
+    taut_record_add_number(figures, "asymptotic_bound", ldexp(bound, -exponent));
+    taut_certify_regular_figure(regular, figures);
     taut_record_add_number(figures, "least_edge_sine", sine);
     edges = taut_record_add_object(figures, "edges");
     for (int e = 0; e < 4; e++) {
         taut_record *const edge = taut_record_add_object(edges, taut_asymptotic_edge_name(e));
-        taut_record_add_number(edge, "max_abs_normal_curvature", proofs[e].sampled);
-        taut_record_add_number(edge, "bound", proofs[e].bound);
+        taut_record_add_number(edge, "max_abs_normal_curvature",
+                               ldexp(proofs[e].sampled, -exponent));
+        taut_record_add_number(edge, "bound", ldexp(proofs[e].bound, -exponent));
         taut_record_add_number(edge, "bound_covers", proofs[e].covered);
         if (proofs[e].osculating >= 0) {
             taut_record_add_number(edge, "max_sine_normal_binormal", proofs[e].osculating);
@@ -243,51 +269,108 @@ static taut_status add_figures(const taut_asymptotic_model *parts, const taut_ed
     return status == TAUT_OK ? taut_record_status(figures) : status;
 }
 
+static taut_status add_weights(double weight, const char *where, taut_certificate *certificate)
+{
+    const taut_claim claim = {.claim = "positive-weights",
+                              .kind = TAUT_EXACT,
+                              .residual = weight,
+                              .limit = weight_least,
+                              .holds = taut_certify_above(weight, weight_least),
+                              .where = where};
+    return taut_certificate_add(certificate, &claim);
+}
+
+/* parts and problem: at unit size, by 2^exponent; weight: of the model itself. */
 static taut_status add_all(const taut_asymptotic_model *parts,
-                           const taut_asymptotic_problem *problem, int threads,
-                           taut_certificate *certificate)
+                           const taut_asymptotic_problem *problem, int exponent, double weight,
+                           const char *where, taut_certificate *certificate)
 {
     taut_edge_proof proofs[4];
-    char where[TAUT_PLACE_TEXT];
-    const double weight = smallest_weight(parts->patch, where);
+    taut_regular regular;
     taut_status status = TAUT_OK;
     for (int e = 0; e < 4 && status == TAUT_OK; e++) {
         status = taut_edge_prove(parts, e, &proofs[e]);
     }
-    if (status != TAUT_OK) {
-        return status;
+    if (status == TAUT_OK) {
+        status = add_boundary(parts, problem, certificate);
     }
-    status = add_boundary(parts, problem, certificate);
-    if (status != TAUT_OK) {
-        return status;
+    if (status == TAUT_OK) {
+        status =
+            add_edges(proofs, size_of(parts), exponent, edges_are_elsewhere(parts), certificate);
     }
-    status = add_edges(proofs, size_of(parts), certificate);
-    if (status != TAUT_OK) {
-        return status;
+    if (status == TAUT_OK) {
+        status = taut_certify_regular(parts->patch, &regular);
     }
-    status = add_regular(parts, threads, certificate);
-    if (status != TAUT_OK) {
-        return status;
+    if (status == TAUT_OK) {
+        status = taut_certify_add_regular(&regular, certificate);
     }
-    status = add_claim(certificate, "positive-weights", weight, weight_least, weight > weight_least,
-                       where);
-    return status == TAUT_OK ? add_figures(parts, proofs, weight, certificate) : status;
+    if (status == TAUT_OK) {
+        status = add_weights(weight, where, certificate);
+    }
+    return status == TAUT_OK ? add_figures(parts, proofs, weight, &regular, exponent, certificate)
+                             : status;
 }
 
 static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
 {
-    taut_asymptotic_model parts;
+    taut_asymptotic_model parts, unit;
+    taut_asymptotic_problem scaled;
+    taut_arena *arena = NULL;
+    char where[TAUT_PLACE_TEXT];
+    int exponent = 0;
     taut_status status = find_parts(model, &parts, error);
+    (void)options;
     if (status != TAUT_OK) {
         return status;
     }
-    status = add_all(&parts, data, options->threads, certificate);
+    arena = taut_arena_new();
+    status = taut_asymptotic_unit(&parts, data, arena, &unit, &scaled, &exponent);
+    if (status == TAUT_OK) {
+        const double weight = smallest_weight(parts.patch, where);
+        fill_sizes(&unit);
+        status =
+            add_all(&unit, data != NULL ? &scaled : NULL, exponent, weight, where, certificate);
+    }
+    taut_arena_free(arena);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
 
-const taut_certify_ops taut_certify_asymptotic = {.certify = certify};
+/* The degree of the four curves: the one asked for, or the highest of those given. */
+static int degree_of(const taut_asymptotic_problem *problem)
+{
+    int degree = 3; /* lower ones are raised */
+    if (problem->given == TAUT_ASYMPTOTIC_CORNERS) {
+        return problem->corners.degree;
+    }
+    for (int e = 0; e < 4; e++) {
+        const int n = taut_basis_degree(taut_curve_t(problem->curves[e]));
+        degree = n > degree ? n : degree;
+    }
+    return degree;
+}
+
+static void identify(const taut_model *model, const void *data, taut_identity *identity)
+{
+    const taut_asymptotic_problem *problem = data;
+    taut_expected_basis patch = {.type = "bezier"}, curve = {.type = "bezier"};
+
+    (void)model;
+    if (problem != NULL) {
+        const int n = degree_of(problem);
+        const int m = problem->surface == TAUT_BIDEGREE_N_PLUS_3 ? n + 3 : 5 * n - 7;
+        curve.degree[0] = curve.degree[1] = n;
+        patch.degree[0] = patch.degree[1] = m;
+    }
+    taut_identity_surface(identity, 0, "patch", &patch, &patch);
+    for (int e = 0; e < 4; e++) {
+        const char *name = taut_asymptotic_edge_name(e);
+        taut_identity_curve(identity, taut_identity_find_curve(identity, name), name, &curve);
+    }
+}
+
+const taut_certify_ops taut_certify_asymptotic = {.certify = certify, .identify = identify};
 
 taut_status taut_asymptotic_certify(const taut_model *model, const taut_asymptotic_problem *problem,
                                     const taut_certify_options *options,

@@ -1,6 +1,8 @@
 /* boundary.c -- the model held against the data it was made from. Distances are over
  * the size of the data; curvatures and weights are compared relative to themselves. */
+#include "certify/asymptotic/apart.h"
 #include "certify/asymptotic/parts.h"
+#include "certify/common/verdict.h"
 #include "core/constants.h"
 #include "core/vec3.h"
 
@@ -10,6 +12,7 @@
 
 typedef struct tally {
     double distance, noise;
+    double bound; /* that no distance exceeds, at any parameter */
     char *where;
 } tally;
 
@@ -17,27 +20,64 @@ typedef struct tally {
 static void add_difference(tally *t, double difference, double noise, const char *what,
                            const char *which)
 {
-    t->noise = fmax(t->noise, noise);
+    t->noise = taut_certify_max(t->noise, noise);
+    t->bound = taut_certify_max(t->bound, difference);
     if (difference > t->distance || isnan(difference)) {
         t->distance = isnan(difference) ? INFINITY : difference;
         (void)snprintf(t->where, TAUT_PLACE_TEXT, "%s of %s", what, which);
     }
 }
 
+static taut_bezier_row row_of_curve(const taut_curve *curve)
+{
+    return (taut_bezier_row){taut_basis_count(taut_curve_t(curve)) - 1, 1, taut_curve_points(curve),
+                             taut_curve_weights(curve)};
+}
+
+/* The outermost row or column of the patch. */
+static taut_bezier_row row_of_edge(const taut_surface *patch, int edge)
+{
+    const int nu = taut_basis_count(taut_surface_u(patch));
+    const int nv = taut_basis_count(taut_surface_v(patch));
+    const int with_u = edge % 2 == 0;
+    const long first = edge < 2 ? 0 : with_u ? nv - 1 : (long)(nu - 1) * nv;
+    const double *const weights = taut_surface_weights(patch);
+    return (taut_bezier_row){with_u ? nu - 1 : nv - 1, with_u ? nv : 1,
+                             taut_surface_points(patch) + 3 * first,
+                             weights != NULL ? weights + first : NULL};
+}
+
+/* Of two curves, one of them the model's, at places; and everywhere. */
+static void compare_rows(const taut_asymptotic_model *model, const taut_bezier_row *row,
+                         double places[TAUT_EDGE_SAMPLES][3], int e, double size, const char *what,
+                         tally *t)
+{
+    const taut_bezier_row curve = row_of_curve(model->curves[e]);
+    double seen = 0.0;
+    for (int k = 0; k < TAUT_EDGE_SAMPLES; k++) {
+        double c[3], distance = 0.0;
+        (void)taut_curve_eval(model->curves[e], k / (TAUT_EDGE_SAMPLES - 1.0), 0, c);
+        distance = taut_distance(places[k], c);
+        seen = taut_certify_max(seen, distance);
+        add_difference(t, distance / size, 4 * DBL_EPSILON * model->curve_size / size, what,
+                       taut_asymptotic_edge_name(e));
+    }
+    seen = fmax(seen, DBL_EPSILON * model->curve_size); /* no sharper than a rounding */
+    t->bound = taut_certify_max(t->bound, taut_curves_apart(row, &curve, seen) / size);
+}
+
 /* The patch's edges are the model's curves. */
 static void compare_edges(const taut_asymptotic_model *model, double size, tally *t)
 {
     for (int e = 0; e < 4; e++) {
+        const taut_bezier_row row = row_of_edge(model->patch, e);
+        double places[TAUT_EDGE_SAMPLES][3];
         for (int k = 0; k < TAUT_EDGE_SAMPLES; k++) {
-            const double s = k / (TAUT_EDGE_SAMPLES - 1.0);
-            double u = 0.0, v = 0.0, x[3], c[3];
-            taut_edge_parameters(e, s, &u, &v);
-            (void)taut_surface_eval(model->patch, u, v, 0, x);
-            (void)taut_curve_eval(model->curves[e], s, 0, c);
-            add_difference(t, taut_distance(x, c) / size,
-                           4 * DBL_EPSILON * model->curve_size / size, "edge",
-                           taut_asymptotic_edge_name(e));
+            double u = 0.0, v = 0.0;
+            taut_edge_parameters(e, k / (TAUT_EDGE_SAMPLES - 1.0), &u, &v);
+            (void)taut_surface_eval(model->patch, u, v, 0, places[k]);
         }
+        compare_rows(model, &row, places, e, size, "edge", t);
     }
 }
 
@@ -46,14 +86,12 @@ static void compare_curves(const taut_asymptotic_model *model, const taut_curve 
                            double size, tally *t)
 {
     for (int e = 0; e < 4; e++) {
+        const taut_bezier_row row = row_of_curve(given[e]);
+        double places[TAUT_EDGE_SAMPLES][3];
         for (int k = 0; k < TAUT_EDGE_SAMPLES; k++) {
-            double x[3], c[3];
-            (void)taut_curve_eval(given[e], k / (TAUT_EDGE_SAMPLES - 1.0), 0, x);
-            (void)taut_curve_eval(model->curves[e], k / (TAUT_EDGE_SAMPLES - 1.0), 0, c);
-            add_difference(t, taut_distance(x, c) / size,
-                           4 * DBL_EPSILON * model->curve_size / size, "curve",
-                           taut_asymptotic_edge_name(e));
+            (void)taut_curve_eval(given[e], k / (TAUT_EDGE_SAMPLES - 1.0), 0, places[k]);
         }
+        compare_rows(model, &row, places, e, size, "curve", t);
     }
 }
 
@@ -96,7 +134,7 @@ static void compare_corner_data(const taut_asymptotic_model *model,
         const double *const p = taut_curve_points(model->curves[e]);
         const double *const w = taut_curve_weights(model->curves[e]);
         if (n != corners->degree || w == NULL) {
-            add_difference(t, INFINITY, 0.0, "degree", name);
+            add_difference(t, 1.0, 0.0, "degree", name); /* as large as anything */
             continue;
         }
         for (int end = 0; end < 2; end++) {
@@ -141,11 +179,11 @@ static double size_of(const taut_asymptotic_model *model)
 }
 
 void taut_boundary_distance(const taut_asymptotic_model *model,
-                            const taut_asymptotic_problem *problem, double *distance, double *noise,
-                            char where[TAUT_PLACE_TEXT])
+                            const taut_asymptotic_problem *problem, double *distance, double *bound,
+                            double *noise, char where[TAUT_PLACE_TEXT])
 {
     const double size = size_of(model);
-    tally t = {0.0, DBL_EPSILON, where};
+    tally t = {0.0, DBL_EPSILON, 0.0, where};
     where[0] = '\0';
     compare_edges(model, size, &t);
     if (problem != NULL && problem->given == TAUT_ASYMPTOTIC_CURVES) {
@@ -154,5 +192,6 @@ void taut_boundary_distance(const taut_asymptotic_model *model,
         compare_corner_data(model, &problem->corners, size, &t);
     }
     *distance = t.distance;
+    *bound = t.bound;
     *noise = t.noise;
 }

@@ -11,6 +11,7 @@
  * explains nothing.
  */
 #include "certify/asymptotic/parts.h"
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
 #include <float.h>
@@ -100,7 +101,7 @@ double taut_edge_data_at(const taut_edge_data *data, int m, double t)
     double sum = 0.0;
     for (int end = 0; end < 2; end++) {
         const double s = end == 0 ? t : 1.0 - t;
-        const double b0 = pow(1.0 - s, m), b1 = m * s * pow(1.0 - s, m - 1);
+        const double b0 = taut_pow(1.0 - s, m), b1 = m * s * taut_pow(1.0 - s, m - 1);
         sum += data->plane[end] * (b0 + b1) + data->twist[end] * b1 / m;
     }
     return sum;

@@ -5,6 +5,7 @@
  */
 #include "certify/asymptotic/identity.h"
 #include "certify/asymptotic/parts.h"
+#include "certify/common/verdict.h"
 #include "core/vec3.h"
 
 #include <float.h>
@@ -137,29 +138,33 @@ static void add_sample(const taut_asymptotic_model *model, int edge, double t,
     sample s;
     double b[3], angle[3], k_n = 0.0, k = 0.0, sine = 0.0, tilt = 0.0;
     evaluate_sample(model, edge, t, &s);
+    if (!isfinite(taut_norm(s.along) + taut_norm(s.across) + taut_norm(s.second))) {
+        proof->sampled = NAN; /* nothing is known of the edge */
+        return;
+    }
     proof->least_sine = fmin(proof->least_sine, s.sine);
     if (!(s.sine > (proof->covered < 1.0 ? singular_cut : normal_cut))) {
         proof->singular++;
         return;
     }
     k_n = fabs(taut_identity_at(identity, t));
-    if (k_n > proof->sampled) {
+    if (k_n > proof->sampled || isnan(k_n)) {
         proof->sampled = k_n;
         proof->at = t;
     }
-    proof->noise = fmax(proof->noise, noise_of(model, edge, t, &s));
+    proof->noise = taut_certify_max(proof->noise, noise_of(model, edge, t, &s));
     k = curvature(&s, b);
     tilt = weight_ratio(model->curves[edge], t) * taut_edge_data_at(&data, identity->degree[3], t) /
            (taut_norm(s.across) * s.sine);
-    proof->given = fmax(proof->given, k * tilt);
+    proof->given = taut_certify_max(proof->given, k * tilt);
     if (proof->osculating < 0 || !(k > inflection_cut * most)) {
         return;
     }
     taut_cross(s.normal, b, angle);
-    sine = taut_norm(angle) / (taut_norm(s.normal) * taut_norm(b));
-    proof->given_sine = fmax(proof->given_sine, tilt);
-    proof->noise_sine = fmax(proof->noise_sine, noise_of(model, edge, t, &s) / k);
-    if (sine > proof->osculating) {
+    sine = taut_certify_max(taut_norm(angle) / (taut_norm(s.normal) * taut_norm(b)), k_n / k);
+    proof->given_sine = taut_certify_max(proof->given_sine, tilt);
+    proof->noise_sine = taut_certify_max(proof->noise_sine, noise_of(model, edge, t, &s) / k);
+    if (sine > proof->osculating || isnan(sine)) {
         proof->osculating = sine;
         proof->sine_at = t;
     }
@@ -168,7 +173,8 @@ static void add_sample(const taut_asymptotic_model *model, int edge, double t,
 static taut_status prove(const taut_asymptotic_model *model, int edge, taut_arena *arena,
                          taut_edge_proof *proof)
 {
-    taut_bounding bounding = {LEVELS, MORE, INFINITY, normal_share};
+    taut_bounding bounding = {LEVELS, MORE, INFINITY, normal_share, INFINITY, INFINITY};
+    double sine = 0.0;
     taut_identity identity;
     double *scratch = NULL;
     const double most = largest_curvature(model, edge);
@@ -185,12 +191,15 @@ static taut_status prove(const taut_asymptotic_model *model, int edge, taut_aren
     proof->least_sine = 1.0;
     proof->osculating = is_straight(model, edge, most) ? -1.0 : 0.0;
     /* a first bound tells whether the edge is singular, which the samples must know */
-    (void)taut_identity_bound(&identity, &bounding, scratch, &proof->covered);
+    (void)taut_identity_bound(&identity, &bounding, scratch, &proof->covered, &sine);
     for (int k = 0; k < TAUT_EDGE_SAMPLES; k++) {
         add_sample(model, edge, k / (TAUT_EDGE_SAMPLES - 1.0), &identity, most, proof);
     }
     bounding.target = close_enough * proof->sampled;
-    proof->bound = taut_identity_bound(&identity, &bounding, scratch, &proof->covered);
+    bounding.sine = close_enough * proof->osculating;
+    bounding.bent = proof->osculating < 0 ? INFINITY : inflection_cut * most;
+    proof->bound =
+        taut_identity_bound(&identity, &bounding, scratch, &proof->covered, &proof->sine_bound);
     return TAUT_OK;
 }
 

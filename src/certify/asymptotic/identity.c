@@ -1,79 +1,34 @@
 #include "certify/asymptotic/identity.h"
 
 #include "certify/common/bernstein.h"
+#include "certify/common/verdict.h"
+#include "core/constants.h"
+#include "core/elementary/elementary.h"
+#include "core/twice.h"
 #include "core/vec3.h"
 
 #include <assert.h>
 #include <math.h>
 #include <string.h>
 
-/* Sums and products of twice the precision of double, so that what is left of an identity is the
- * model's own rounding and not that of the proof. A number is hi + lo with |lo| <= 2^-53 |hi|;
- * relative error of an operation about 2^-104 ([Dekker1971]; the products by fma). */
-typedef struct double_double {
-    double hi, lo;
-} double_double;
-
-static double_double double_of(double x)
-{
-    return (double_double){x, 0.0};
-}
-
-static double_double double_sum(double a, double b)
-{
-    const double s = a + b, part = s - a;
-    return (double_double){s, (a - (s - part)) + (b - part)};
-}
-
-static double_double double_add(double_double a, double_double b)
-{
-    double_double high = double_sum(a.hi, b.hi);
-    const double_double low = double_sum(a.lo, b.lo);
-    high.lo += low.hi;
-    high = double_sum(high.hi, high.lo);
-    high.lo += low.lo;
-    return double_sum(high.hi, high.lo);
-}
-
-static double_double double_negative(double_double a)
-{
-    return (double_double){-a.hi, -a.lo};
-}
-
-static double_double double_multiply(double_double a, double_double b)
-{
-    const double p = a.hi * b.hi;
-    const double rest = fma(a.hi, b.hi, -p) + (a.hi * b.lo + a.lo * b.hi);
-    return double_sum(p, rest);
-}
-
-/* a / d for a plain number d. */
-static double_double double_divide(double_double a, double d)
-{
-    const double q = a.hi / d;
-    const double_double product = double_multiply(double_of(q), double_of(d));
-    const double_double rest = double_add(a, double_negative(product));
-    return double_sum(q, (rest.hi + rest.lo) / d);
-}
-
 /* A polynomial in twice the precision, scaled Bernstein form: coefficient j times C(degree, j), in
  * which products are plain convolutions ([Farouki2012] section 4). */
 typedef struct wide {
     int degree;
-    double_double *c;
+    taut_twice *c;
 } wide;
 
 /* The rows of the net along an edge, homogeneous, about the net's first point: k_n is the same from
  * any origin, and the products of coordinates then lose nothing to a far one. */
 typedef struct rows {
-    int along, across;          /* degrees */
-    double_double *edge, *next; /* [along + 1][4] */
-    double sign;                /* of next - edge as a derivative across */
+    int along, across;       /* degrees */
+    taut_twice *edge, *next; /* [along + 1][4] */
+    double sign;             /* of next - edge as a derivative across */
 } rows;
 
 /* One block for all of them, handed out from the front. */
 typedef struct pool {
-    double_double *next, *end;
+    taut_twice *next, *end;
 } pool;
 
 /* Coefficients per coefficient of the edge: two rows and S_c (12), the parts of the edge (12 + 8),
@@ -92,9 +47,9 @@ static wide wide_new(pool *from, int degree)
 static void add_product(double s, const wide *a, const wide *b, const wide *sum)
 {
     for (int i = 0; i <= a->degree; i++) {
-        const double_double left = {s * a->c[i].hi, s * a->c[i].lo};
+        const taut_twice left = {s * a->c[i].high, s * a->c[i].low};
         for (int j = 0; j <= b->degree; j++) {
-            sum->c[i + j] = double_add(sum->c[i + j], double_multiply(left, b->c[j]));
+            sum->c[i + j] = taut_twice_add(sum->c[i + j], taut_twice_times(left, b->c[j]));
         }
     }
 }
@@ -102,25 +57,26 @@ static void add_product(double s, const wide *a, const wide *b, const wide *sum)
 /* Multiplies (or divides) coefficient j by C(degree, j). */
 static void scale(const wide *a, int divide)
 {
-    double_double binomial = double_of(1.0);
+    taut_twice binomial = taut_twice_of(1.0);
     for (int j = 0; j <= a->degree; j++) {
         if (divide) {
             /* 1 / binomial to working precision, then one correction */
-            const double q = 1.0 / binomial.hi;
-            const double_double rest = double_add(
-                double_of(1.0), double_negative(double_multiply(double_of(q), binomial)));
-            const double_double inverse = double_sum(q, q * (rest.hi + rest.lo));
-            a->c[j] = double_multiply(a->c[j], inverse);
+            const double q = 1.0 / binomial.high;
+            const taut_twice rest =
+                taut_twice_add(taut_twice_of(1.0),
+                               taut_twice_negative(taut_twice_times(taut_twice_of(q), binomial)));
+            const taut_twice inverse = taut_twice_sum(q, q * (rest.high + rest.low));
+            a->c[j] = taut_twice_times(a->c[j], inverse);
         } else {
-            a->c[j] = double_multiply(a->c[j], binomial);
+            a->c[j] = taut_twice_times(a->c[j], binomial);
         }
-        binomial =
-            double_divide(double_multiply(binomial, double_of((double)(a->degree - j))), j + 1.0);
+        binomial = taut_twice_over_number(
+            taut_twice_times(binomial, taut_twice_of((double)(a->degree - j))), j + 1.0);
     }
 }
 
 /* Component k of the coefficients from `from` on, as a polynomial of `degree`. */
-static wide part(pool *from, const double_double *row, int first, int degree, int k)
+static wide part(pool *from, const taut_twice *row, int first, int degree, int k)
 {
     const wide made = wide_new(from, degree);
     for (int j = 0; j <= degree; j++) {
@@ -144,16 +100,16 @@ static void take_rows(const taut_surface *surface, int edge, pool *from, rows *r
     r->edge = wide_new(from, 4 * count - 1).c;
     r->next = wide_new(from, 4 * count - 1).c;
     for (int depth = 0; depth < 2; depth++) {
-        double_double *const row = depth == 0 ? r->edge : r->next;
+        taut_twice *const row = depth == 0 ? r->edge : r->next;
         for (int k = 0; k < count; k++) {
             const int held = high ? last - depth : depth;
             const long at = with_u ? (long)k * nv + held : (long)held * nv + k;
             const double w = weights != NULL ? weights[at] : 1.0;
             for (int d = 0; d < 3; d++) {
-                row[4 * k + d] =
-                    double_multiply(double_of(w), double_sum(points[3 * at + d], -points[d]));
+                row[4 * k + d] = taut_twice_times(taut_twice_of(w),
+                                                  taut_twice_sum(points[3 * at + d], -points[d]));
             }
-            row[4 * k + 3] = double_of(w);
+            row[4 * k + 3] = taut_twice_of(w);
         }
     }
 }
@@ -164,9 +120,9 @@ static void take_cross(pool *from, const rows *r, wide cross[4])
     for (int k = 0; k < 4; k++) {
         cross[k] = wide_new(from, r->along);
         for (int j = 0; j <= r->along; j++) {
-            const double_double step =
-                double_add(r->next[4 * j + k], double_negative(r->edge[4 * j + k]));
-            cross[k].c[j] = double_multiply(step, double_of(r->sign * r->across));
+            const taut_twice step =
+                taut_twice_add(r->next[4 * j + k], taut_twice_negative(r->edge[4 * j + k]));
+            cross[k].c[j] = taut_twice_times(step, taut_twice_of(r->sign * r->across));
         }
         scale(&cross[k], 0);
     }
@@ -181,7 +137,7 @@ static wide minor(pool *from, const wide *x, const wide *y, int k, int l)
     return made;
 }
 
-static void take_parts(pool *from, const double_double *row, int first, int degree, wide out[4])
+static void take_parts(pool *from, const taut_twice *row, int first, int degree, wide out[4])
 {
     for (int k = 0; k < 4; k++) {
         out[k] = part(from, row, first, degree, k);
@@ -193,11 +149,11 @@ static void round_into(const wide *a, double factor, double *out, int stride)
 {
     scale(a, 1);
     for (int j = 0; j <= a->degree; j++) {
-        out[j * stride] = factor * (a->c[j].hi + a->c[j].lo);
+        out[j * stride] = factor * (a->c[j].high + a->c[j].low);
     }
 }
 
-/* D = m^2 (m-1) det(a, b, c, S_c) with a, b, c the edge's coefficients from 0, 1, 2 on, of degree
+/* Q, and D = m^2 (m-1) det(a, b, c, S_c) with a, b, c the edge's coefficients from 0, 1, 2 on, of degree
  * m - 2 (the derivatives of S are combinations of them with determinant 1). */
 static void fill_d(pool *from, const rows *r, const wide cross[4], taut_identity *id)
 {
@@ -215,6 +171,9 @@ static void fill_d(pool *from, const rows *r, const wide cross[4], taut_identity
         add_product(1.0, &jl, &c[i], &three);
         add_product(1.0, &li, &c[j], &three);
         add_product(k % 2 == 0 ? -1.0 : 1.0, &three, &cross[k], &sum);
+        if (k < 3) { /* columns 1, 2, w; 0, 2, w; 0, 1, w: Q, but for the order of the second */
+            round_into(&three, (k == 1 ? -1.0 : 1.0) * m * m * (m - 1), id->q + k, 3);
+        }
     }
     round_into(&sum, (double)m * m * (m - 1), id->d, 1);
 }
@@ -238,7 +197,7 @@ static void fill_denominator(pool *from, const rows *r, const wide cross[4], tau
         round_into(&tangent, m, id->p + k, 3);
     }
     for (int j = 0; j <= m; j++) {
-        id->w[j] = r->edge[4 * j + 3].hi;
+        id->w[j] = r->edge[4 * j + 3].high;
     }
 }
 
@@ -249,7 +208,7 @@ taut_status taut_identity_fill(const taut_surface *surface, int edge, taut_arena
         edge % 2 == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
     const int m = taut_basis_count(along) - 1;
     const size_t room = (size_t)POOL_PER_COEFFICIENT * (size_t)(m + 1);
-    double_double *const block = taut_arena_take(arena, room, sizeof *block);
+    taut_twice *const block = taut_arena_take(arena, room, sizeof *block);
     double *numbers = NULL;
     rows r;
     wide cross[4];
@@ -257,6 +216,7 @@ taut_status taut_identity_fill(const taut_surface *surface, int edge, taut_arena
     identity->degree[1] = 3 * m - 2;
     identity->degree[2] = 2 * m - 2;
     identity->degree[3] = m;
+    identity->degree[4] = 3 * m - 6;
     numbers = taut_arena_take(arena, (size_t)taut_identity_size(identity), sizeof *numbers);
     if (block == NULL || numbers == NULL) {
         return TAUT_NO_MEMORY;
@@ -265,6 +225,7 @@ taut_status taut_identity_fill(const taut_surface *surface, int edge, taut_arena
     identity->m = identity->d + (4 * m - 5);
     identity->p = identity->m + 3 * (3 * m - 1);
     identity->w = identity->p + 3 * (2 * m - 1);
+    identity->q = identity->w + (m + 1);
     {
         pool from = {block, block + room};
         take_rows(surface, edge, &from, &r);
@@ -277,11 +238,14 @@ taut_status taut_identity_fill(const taut_surface *surface, int edge, taut_arena
 
 /* ---- values and bounds ---- */
 
+enum { PARTS = 5 }; /* D, M, P, W, Q */
+static const double slack = 1 + 0x1p-40;
+
 /* sum_j a_j B_j(t), stable: the recurrence on binomial terms, from the nearer end. */
 static double value_of(int degree, const double *a, int stride, double t)
 {
     const double s = 1.0 - t, ratio = t <= 0.5 ? t / s : s / t;
-    const double start = pow(t <= 0.5 ? s : t, degree);
+    const double start = taut_pow(t <= 0.5 ? s : t, degree);
     double sum = 0.0, term = start;
     for (int j = 0; j <= degree; j++) {
         sum += term * a[(t <= 0.5 ? j : degree - j) * stride];
@@ -306,7 +270,23 @@ static double largest_of(int degree, const double *a)
 {
     double most = 0.0;
     for (int j = 0; j <= degree; j++) {
-        most = fmax(most, fabs(a[j]));
+        most = taut_certify_max(most, fabs(a[j]));
+    }
+    return most;
+}
+
+/* By squares where they are far from the ends of the range: `slack` holds their rounding. */
+static double largest_length(int degree, const double *a)
+{
+    double square = 0.0, most = 0.0;
+    for (int j = 0; j <= degree; j++) {
+        square = taut_certify_max(square, taut_dot(a + 3 * j, a + 3 * j));
+    }
+    if (square > 1e-200 && square < 1e200) {
+        return sqrt(square);
+    }
+    for (int j = 0; j <= degree; j++) {
+        most = taut_certify_max(most, taut_norm(a + 3 * j));
     }
     return most;
 }
@@ -328,79 +308,118 @@ static double least_length(int degree, const double *a)
 long taut_identity_size(const taut_identity *identity)
 {
     const int *const g = identity->degree;
-    return (g[0] + 1) + 3L * (g[1] + 1) + 3L * (g[2] + 1) + (g[3] + 1);
+    return (g[0] + 1) + 3L * (g[1] + 1) + 3L * (g[2] + 1) + (g[3] + 1) + 3L * (g[4] + 1);
 }
 
-/* The four polynomials of a piece, one after the other. */
-static void places(const taut_identity *identity, double *from, double *out[4])
+/* The polynomials of a piece, one after the other. */
+static void places(const taut_identity *identity, double *from, double *out[PARTS])
 {
     out[0] = from;
     out[1] = out[0] + identity->degree[0] + 1;
     out[2] = out[1] + 3 * (identity->degree[1] + 1);
     out[3] = out[2] + 3 * (identity->degree[2] + 1);
+    out[4] = out[3] + (identity->degree[3] + 1);
 }
 
-static double piece_bound(const taut_identity *identity, double *const at[4])
+/* |k_n| at most, the sine, and the curvature; infinite where nothing is known. */
+typedef struct piece_bounds {
+    double flat, sine, bent;
+} piece_bounds;
+
+/* error[]: of each coefficient of the parts, from being halved. Those of the parts themselves are
+ * 2^-100 of sums of products of which the limits are 2^-53 at least, and left out. */
+static piece_bounds bounds_of(const taut_identity *identity, double *const at[PARTS],
+                              const double error[PARTS])
 {
     const int *const g = identity->degree;
-    const double w = largest_of(g[3], at[3]);
-    const double m = least_length(g[1], at[1]), p = least_length(g[2], at[2]);
-    return w * w * w * largest_of(g[0], at[0]) / (m * p * p);
+    const double d = largest_of(g[0], at[0]) + error[0];
+    const double w = largest_of(g[3], at[3]) + error[3];
+    const double p_most = largest_length(g[2], at[2]) + 2 * error[2];
+    const double q_most = largest_length(g[4], at[4]) + 2 * error[4];
+    const double m = fmax(least_length(g[1], at[1]) - 2 * error[1], 0);
+    const double p = fmax(least_length(g[2], at[2]) - 2 * error[2], 0);
+    const double q = fmax(least_length(g[4], at[4]) - 2 * error[4], 0);
+    return (piece_bounds){slack * w * w * w * d / (m * p * p), slack * d * p_most / (m * q),
+                          slack * w * w * w * q_most / (p * p * p)};
 }
 
-static const int dims[4] = {1, 3, 3, 1};
+static const int dims[PARTS] = {1, 3, 3, 1, 3};
 
 typedef struct run {
     const taut_identity *identity;
     const taut_bounding *how;
     long size;
     double least_m; /* pieces on which |M| may be less are left out */
-    double bound, covered;
+    double bound, covered, sine;
 } run;
+
+/* Counts the piece, if it can be left as it is. */
+static int is_done(run *b, int levels, double share, double *const here[PARTS],
+                   const double error[PARTS])
+{
+    const piece_bounds found = bounds_of(b->identity, here, error);
+    const int bends = !(found.bent <= b->how->bent);
+    if (!isfinite(found.flat) || !(least_length(b->identity->degree[1], here[1]) >= b->least_m) ||
+        (levels > -b->how->more &&
+         (!(found.flat <= b->how->target) || (bends && !(found.sine <= b->how->sine))))) {
+        return 0;
+    }
+    b->bound = taut_certify_max(b->bound, found.flat);
+    b->sine = bends ? taut_certify_max(b->sine, found.sine) : b->sine;
+    b->covered += share;
+    return 1;
+}
+
+/* Are all of M, or all of P, no more than their rounding? That of the halves is no less, and they are
+ * no larger: no bound comes of them. */
+static int is_hopeless(const run *b, double *const here[PARTS], const double error[PARTS])
+{
+    const int *const g = b->identity->degree;
+    return !(largest_length(g[1], here[1]) > 2 * error[1]) ||
+           !(largest_length(g[2], here[2]) > 2 * error[2]);
+}
 
 /* stack holds one piece per level: the piece at hand first, its left halves behind it; it is
  * `share` of the edge. */
-static void bound_below(run *b, int levels, double share, double *stack)
+static void bound_below(run *b, int levels, double share, double *stack, const double error[PARTS])
 {
-    double *here[4], *left[4];
+    double *here[PARTS], *left[PARTS], more[PARTS];
     places(b->identity, stack, here);
-    if (levels <= 0) {
-        const double bound = piece_bound(b->identity, here);
-        const int counts =
-            isfinite(bound) && least_length(b->identity->degree[1], here[1]) >= b->least_m;
-        if (counts && (bound <= b->how->target || levels <= -b->how->more)) {
-            b->bound = fmax(b->bound, bound);
-            b->covered += share;
-            return;
-        }
-        if (levels <= -b->how->more) {
-            return;
-        }
+    if (levels <= 0 && (is_done(b, levels, share, here, error) || levels <= -b->how->more ||
+                        is_hopeless(b, here, error) ||
+                        largest_length(b->identity->degree[1], here[1]) < b->least_m)) {
+        return;
     }
     places(b->identity, stack + b->size, left);
-    for (int k = 0; k < 4; k++) {
-        taut_certify_halve(b->identity->degree[k], dims[k], here[k], left[k], here[k]);
+    for (int k = 0; k < PARTS; k++) {
+        const int degree = b->identity->degree[k];
+        more[k] = error[k] +
+                  degree * TAUT_UNIT_ROUNDOFF * largest_of(dims[k] * (degree + 1) - 1, here[k]);
+        taut_certify_halve(degree, dims[k], here[k], left[k], here[k]);
     }
-    bound_below(b, levels - 1, 0.5 * share, stack + b->size);
+    bound_below(b, levels - 1, 0.5 * share, stack + b->size, more);
     memcpy(stack + b->size, stack, (size_t)b->size * sizeof *stack);
-    bound_below(b, levels - 1, 0.5 * share, stack + b->size);
+    bound_below(b, levels - 1, 0.5 * share, stack + b->size, more);
 }
 
 static void bound_edge(run *b, double *scratch)
 {
     const taut_identity *const identity = b->identity;
-    const double *const from[4] = {identity->d, identity->m, identity->p, identity->w};
-    double *at[4];
+    const double *const from[PARTS] = {identity->d, identity->m, identity->p, identity->w,
+                                       identity->q};
+    double *at[PARTS], error[PARTS];
     places(identity, scratch, at);
-    for (int k = 0; k < 4; k++) {
-        memcpy(at[k], from[k], (size_t)((identity->degree[k] + 1) * dims[k]) * sizeof **from);
+    for (int k = 0; k < PARTS; k++) {
+        const int count = (identity->degree[k] + 1) * dims[k];
+        memcpy(at[k], from[k], (size_t)count * sizeof **from);
+        error[k] = 4 * TAUT_UNIT_ROUNDOFF * largest_of(count - 1, from[k]);
     }
-    b->bound = b->covered = 0.0;
-    bound_below(b, b->how->levels, 1.0, scratch);
+    b->bound = b->covered = b->sine = 0.0;
+    bound_below(b, b->how->levels, 1.0, scratch, error);
 }
 
 double taut_identity_bound(const taut_identity *identity, const taut_bounding *bounding,
-                           double *scratch, double *covered)
+                           double *scratch, double *covered, double *sine)
 {
     run b = {.identity = identity, .how = bounding, .size = taut_identity_size(identity)};
     bound_edge(&b, scratch);
@@ -411,5 +430,6 @@ double taut_identity_bound(const taut_identity *identity, const taut_bounding *b
         bound_edge(&b, scratch);
     }
     *covered = b.covered;
+    *sine = b.covered > 0 ? b.sine : INFINITY;
     return b.covered > 0 ? b.bound : INFINITY;
 }

@@ -22,6 +22,7 @@ typedef struct taut_edge_proof {
     double covered;    /* 1 unless the edge is singular */
     double osculating; /* largest sine between N and b at the samples, inflections left out; -1 on
                         * a straight edge */
+    double sine_bound; /* that the sine between N and the edge's own b does not exceed there */
     double least_sine; /* between R_u and R_v at the samples */
     double noise;      /* k_n that rounding of the control points explains */
     double noise_sine; /* the same over the curvature there: of the sine */
@@ -46,14 +47,12 @@ double taut_edge_data_at(const taut_edge_data *data, int m, double t);
 /* TAUT_NO_MEMORY. */
 taut_status taut_edge_prove(const taut_asymptotic_model *model, int edge, taut_edge_proof *proof);
 
-/* The least sine between R_u and R_v over the closed patch, and where. TAUT_NO_MEMORY. */
-taut_status taut_regular_least(const taut_surface *patch, int threads, double *sine, double at[2]);
-
-/* Largest distance of the model from the given data, over its size, and what rounding explains of
- * it; with problem NULL only the patch is held against the model's curves. `where`: which datum. */
+/* Largest distance of the model from the given data, over its size, that is seen; a bound of it at
+ * every parameter; and what rounding explains of it. With problem NULL only the patch is held
+ * against the model's curves. `where`: which datum. */
 void taut_boundary_distance(const taut_asymptotic_model *model,
-                            const taut_asymptotic_problem *problem, double *distance, double *noise,
-                            char where[TAUT_PLACE_TEXT]);
+                            const taut_asymptotic_problem *problem, double *distance, double *bound,
+                            double *noise, char where[TAUT_PLACE_TEXT]);
 
 /* Parameters of sample k of an edge. */
 static inline void taut_edge_parameters(int edge, double t, double *u, double *v)

@@ -1,5 +1,6 @@
 #include "certify/biharmonic/bending.h"
 
+#include "certify/common/verdict.h"
 #include "core/constants.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
@@ -148,12 +149,12 @@ taut_bending_slope taut_bending_slope_of(const taut_surface *surface, taut_edge 
                 const double size = energy > 0 ? slope / sqrt(energy) : 0;
                 found.order = size > found.residual ? order : found.order;
                 found.power = size > found.residual ? power : found.power;
-                found.residual = fmax(found.residual, size);
+                found.residual = taut_certify_max(found.residual, size);
             }
         }
     }
     /* points rounded by 2^-53 reach move second derivatives by 4 n^2 / a^2 times that */
-    found.noise = energy > 0 ? 8 * TAUT_UNIT_ROUNDOFF * n * n * (1 / (a * a) + 1 / (b * b)) *
+    found.noise = energy > 0 ? 6 * TAUT_UNIT_ROUNDOFF * n * n * (1 / (a * a) + 1 / (b * b)) *
                                    reach * sqrt(a * b / energy)
                              : 0;
     return found;

@@ -2,33 +2,42 @@
  * bending?
  *
  *   biharmonic     the largest control point of the Laplacian of the Laplacian, each by relation
- *                  (2), over max(n^2/a^2, n^2/b^2)^2 and the size about the mean point; of several
- *                  surfaces the worst. Limit 8 (n + m) 2^-53 times the largest coordinate over the
- *                  size.
+ *                  (2) in twice the precision, over the largest of n^4/a^4, n^2 m^2/(a b)^2 and
+ *                  m^4/b^4 of which the degrees have a derivative, and the size about the
+ *                  mean point, which bounds it over the whole rectangle; of several surfaces the
+ *                  worst. Limit 4 (n + m) 2^-53 times the largest coordinate over the size.
  *   boundary       largest distance of a given point from the model's, over the size of those; 0.
- *   continuity     of a neighbour: differences across the edge ([NiWang2015] section 2.6 (3)),
+ *   continuity     of a neighbour: differences across the edge ([NiWang2015] section 2.6 (3)), the
+ *                  Bernstein coefficients of the derivatives along it but for a factor,
  *                      |Delta^k q_0 - h^k Delta^k p_(n-k)| / (2^k max(1, h)^k size of the nets),
- *                  k up to the contact; limit 8 (n + m) 2^-53 times coordinate over size.
- *   least-bending  certify/biharmonic/bending.h
+ *                  k up to the contact; limit 4 2^-53 times coordinate over size. The rectangles
+ *                  meet there.
+ *   least-bending  certify/biharmonic/bending.h: the quadrature is exact for these degrees, so that
+ *                  it is an identity to rounding
  */
 #include "taut/biharmonic.h"
 
 #include "certify/biharmonic/bending.h"
 #include "certify/certify_ops.h"
+#include "certify/common/unit.h"
+#include "certify/common/verdict.h"
 #include "certify/harmonic/claims.h"
 #include "certify/harmonic/residual.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "core/twice.h"
 #include "measure/integrate/near_zero.h"
 #include "taut/limits.h"
 #include "taut/measure.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static const double roundings = 8;
+static const double roundings = 4;
 
 static double width_of(const taut_basis *basis)
 {
@@ -41,36 +50,49 @@ static size_t count_of(const taut_surface *surface)
            (size_t)taut_basis_count(taut_surface_v(surface));
 }
 
-/* The scaled residual; *noise what rounding explains. */
+/* What the bilaplacian of a net of size 1 may be: of x_uuuu, x_uuvv and x_vvvv those that the degrees
+ * have. */
+static double largest_bilaplacian(int n, int m, const taut_twice w[2])
+{
+    const double along = w[0].high * n * n, across = w[1].high * m * m;
+    const double mixed = n > 1 && m > 1 ? along * across : 0;
+    return fmax(mixed, fmax(n > 3 ? along * along : 0, m > 3 ? across * across : 0));
+}
+
+/* The scaled residual, in twice the precision, at unit size; *noise what rounding explains. */
 static taut_status residual_of(const taut_surface *surface, double *residual, double *noise)
 {
     const int n = taut_basis_degree(taut_surface_u(surface));
     const int m = taut_basis_degree(taut_surface_v(surface));
-    const double a = width_of(taut_surface_u(surface)), b = width_of(taut_surface_v(surface));
-    const double most = fmax(n * n / (a * a), m * m / (b * b));
     const size_t count = count_of(surface), numbers = 3 * count;
-    double *net = taut_alloc(2 * numbers, sizeof *net), mean[3] = {0, 0, 0}, reach = 0, size = 0;
+    taut_twice *net = taut_alloc(2 * numbers, sizeof *net), w[2];
+    double mean[3] = {0, 0, 0}, reach = 0, size = 0;
+    int unit = 0;
 
     if (net == NULL) {
         return TAUT_NO_MEMORY;
     }
+    (void)taut_certify_extent(taut_surface_points(surface), NULL, count, &reach);
+    unit = reach > 0 && isfinite(reach) ? ilogb(reach) : 0;
     for (size_t k = 0; k < numbers; k++) {
-        mean[k % 3] += taut_surface_points(surface)[k] / (double)count;
+        net[k] = taut_twice_of(ldexp(taut_surface_points(surface)[k], -unit));
+        mean[k % 3] += net[k].high / (double)count;
     }
     for (size_t k = 0; k < numbers; k++) {
-        net[k] = taut_surface_points(surface)[k] - mean[k % 3];
-        size = fmax(size, fabs(net[k]));
-        reach = fmax(reach, fabs(taut_surface_points(surface)[k]));
+        size = taut_certify_max(size, fabs(net[k].high - mean[k % 3]));
     }
-    for (int pass = 0; pass < 2; pass++) {
-        taut_certify_laplacian(n, m, 1 / (a * a) / most, 1 / (b * b) / most,
-                               net + (pass == 0 ? 0 : numbers), net + (pass == 0 ? numbers : 0));
-    }
+    taut_certify_laplacian_weights(width_of(taut_surface_u(surface)),
+                                   width_of(taut_surface_v(surface)), w);
+    const double most = largest_bilaplacian(n, m, w);
+    taut_certify_laplacian(n, m, w, net, net + numbers);
+    taut_certify_laplacian(n, m, w, net + numbers, net);
     *residual = 0;
     for (size_t k = 0; k < numbers && size > 0; k++) {
-        *residual = fmax(*residual, fabs(net[k]) / size);
+        const double left = fabs(taut_twice_round(net[k]));
+        *residual = taut_certify_max(*residual, left == 0 ? 0 : left / (most * size));
     }
-    *noise = roundings * (n + m) * TAUT_UNIT_ROUNDOFF * (size > 0 ? fmax(1, reach / size) : 1);
+    *noise = roundings * (n + m) * TAUT_UNIT_ROUNDOFF *
+             (size > 0 ? taut_certify_max(1, ldexp(reach, -unit) / size) : 1);
     taut_free(net);
     return TAUT_OK;
 }
@@ -80,20 +102,23 @@ static taut_status add_biharmonic(const taut_model *model, taut_certificate *cer
     double worst = -1, residual = 0, limit = 0;
     char where[96] = "";
 
+    /* The worst by what a claim is held against: a large one that its own rounding explains must not
+     * stand behind a smaller one nearer to its rounding. */
     for (int k = 0; k < taut_model_surface_count(model); k++) {
-        double found = 0, noise = 0;
+        double found = 0, noise = 0, rank = 0;
         if (residual_of(taut_model_surface(model, k), &found, &noise) != TAUT_OK) {
             return TAUT_NO_MEMORY;
         }
-        if (!(found / noise <= worst)) {
-            worst = found / noise;
+        rank = taut_harmonic_rank(found, noise);
+        if (!(rank <= worst)) {
+            worst = rank;
             residual = found;
             limit = noise;
             snprintf(where, sizeof where, "surface %.40s, its own rectangle",
                      taut_surface_name(taut_model_surface(model, k)));
         }
     }
-    return taut_harmonic_add_claim("biharmonic", residual, limit, where, certificate);
+    return taut_harmonic_add_claim("biharmonic", TAUT_BOUND, residual, limit, where, certificate);
 }
 
 /* Given points against the model's first surface. */
@@ -112,15 +137,17 @@ static taut_status add_boundary(const taut_surface *found, const taut_basis *u, 
     }
     for (size_t k = 0; same && k < count; k++) {
         for (size_t c = 0; (known == NULL || known[k]) && c < 3; c++) {
-            const double apart = fabs(taut_surface_points(found)[3 * k + c] - points[3 * k + c]);
-            if (apart > most) {
+            const double x = taut_surface_points(found)[3 * k + c], given = points[3 * k + c];
+            const double apart = x != given ? fmax(fabs(x / 2 - given / 2), DBL_MIN) : 0;
+            if (!(apart <= most)) {
                 most = apart;
                 snprintf(where, sizeof where, "/surfaces/0/points, point %zu", k);
             }
         }
     }
-    return taut_harmonic_add_claim("boundary", size > 0 ? most / size : most, 0, where,
-                                   certificate);
+    return taut_harmonic_add_claim("boundary", TAUT_EXACT,
+                                   most == 0 ? 0 : fmax(most / (size / 2), TAUT_UNIT_ROUNDOFF), 0,
+                                   where, certificate);
 }
 
 static int is_along_v(taut_edge edge)
@@ -145,68 +172,111 @@ static taut_edge opposite(taut_edge edge)
     return others[edge];
 }
 
-/* Delta^k into the surface, and the largest coordinate that took part about the first. */
-static double difference(const taut_surface *surface, taut_edge edge, int k, int j, int c,
-                         double origin)
+/* Delta^k into the surface, of coordinates times 2^-unit, exactly but for twice the precision. */
+static taut_twice difference(const taut_surface *surface, taut_edge edge, int k, int j, int c,
+                             int unit)
 {
-    double sum = 0, binomial = k % 2 == 0 ? 1 : -1;
+    taut_twice sum = {0, 0};
+    double binomial = k % 2 == 0 ? 1 : -1;
     for (int i = 0; i <= k; i++) {
-        sum += binomial * (point_from(surface, edge, i, j)[c] - origin);
+        const double x = ldexp(point_from(surface, edge, i, j)[c], -unit);
+        sum = taut_twice_add(sum, taut_twice_product(binomial, x));
         binomial *= -(double)(k - i) / (i + 1);
     }
     return sum;
 }
 
+/* The largest difference of order k over its unit: Bernstein coefficients of the derivatives along
+ * the whole edge, up to a factor. */
+static double jump_of(const taut_surface *p, const taut_surface *q, taut_edge edge, int k,
+                      const taut_twice *h, double size, int unit)
+{
+    const int m = taut_basis_degree(is_along_v(edge) ? taut_surface_v(p) : taut_surface_u(p));
+    const double over = taut_pow(2 * fmax(1, h->high), k) * size;
+    double most = 0;
+    for (int j = 0; j <= m; j++) {
+        for (int c = 0; c < 3; c++) {
+            const taut_twice into = difference(q, opposite(edge), k, j, c, unit);
+            taut_twice out = difference(p, edge, k, j, c, unit);
+            for (int i = 0; i < k; i++) {
+                out = taut_twice_times((taut_twice){-h->high, -h->low}, out);
+            }
+            const double apart = fabs(taut_twice_round(taut_twice_less(into, out)));
+            most = taut_certify_max(most, apart == 0 ? 0 : apart / over);
+        }
+    }
+    return most;
+}
+
+/* Does q's rectangle begin at p's edge, and end along it as p's does? */
+static int is_beyond(const taut_surface *p, const taut_surface *q, taut_edge edge)
+{
+    const int u = is_along_v(edge);
+    const taut_basis *from = u ? taut_surface_u(p) : taut_surface_v(p);
+    const taut_basis *beyond = u ? taut_surface_u(q) : taut_surface_v(q);
+    const int high = edge == TAUT_EDGE_U1 || edge == TAUT_EDGE_V1;
+    return taut_basis_equal(u ? taut_surface_v(p) : taut_surface_u(p),
+                            u ? taut_surface_v(q) : taut_surface_u(q)) &&
+           (high ? taut_basis_hi(from) == taut_basis_lo(beyond)
+                 : taut_basis_lo(from) == taut_basis_hi(beyond));
+}
+
 static taut_status add_continuity(const taut_surface *p, const taut_surface *q, taut_edge edge,
                                   int contact, taut_certificate *certificate)
 {
-    const taut_basis *u[2] = {taut_surface_u(p), taut_surface_u(q)};
-    const taut_basis *v[2] = {taut_surface_v(p), taut_surface_v(q)};
-    const int across = is_along_v(edge), n = taut_basis_degree(across ? u[0] : v[0]);
-    const int m = taut_basis_degree(across ? v[0] : u[0]);
-    const double h = across ? width_of(u[1]) / width_of(u[0]) : width_of(v[1]) / width_of(v[0]);
+    const int u = is_along_v(edge), n = taut_basis_degree(taut_surface_u(p));
+    const double widths[2] = {width_of(u ? taut_surface_u(p) : taut_surface_v(p)),
+                              width_of(u ? taut_surface_u(q) : taut_surface_v(q))};
+    const taut_twice h = taut_twice_over(taut_twice_of(widths[1]), taut_twice_of(widths[0]));
     double reach[2], most = 0;
+    const double own = taut_certify_extent(taut_surface_points(p), NULL, count_of(p), &reach[0]);
     const double size =
-        fmax(taut_certify_extent(taut_surface_points(p), NULL, count_of(p), &reach[0]),
-             taut_certify_extent(taut_surface_points(q), NULL, count_of(q), &reach[1]));
+        fmax(own, taut_certify_extent(taut_surface_points(q), NULL, count_of(q), &reach[1]));
+    const double largest = taut_certify_max(reach[0], reach[1]);
+    const int unit = largest > 0 && isfinite(largest) ? ilogb(largest) : 0;
     int worst = 0;
     char where[64];
 
+    if (!is_beyond(p, q, edge)) {
+        return taut_harmonic_add_claim("continuity", TAUT_BOUND, 1, 0,
+                                       "the ranges of the two surfaces do not meet in the edge",
+                                       certificate);
+    }
     for (int k = 0; k <= contact && k <= n; k++) {
-        const double unit = pow(2 * fmax(1, h), k) * (size > 0 ? size : 1);
-        for (int j = 0; j <= m; j++) {
-            for (int c = 0; c < 3; c++) {
-                const double origin = point_from(p, edge, 0, j)[c];
-                const double into = difference(q, opposite(edge), k, j, c, origin);
-                const double out = difference(p, edge, k, j, c, origin) * pow(-h, k);
-                const double apart = fabs(into - out) / unit;
-                worst = apart > most ? k : worst;
-                most = fmax(most, apart);
-            }
-        }
+        /* the edge is p's, however far q goes */
+        const double jump = jump_of(p, q, edge, k, &h, ldexp(k == 0 ? own : size, -unit), unit);
+        worst = jump > most ? k : worst;
+        most = taut_certify_max(most, jump);
     }
     snprintf(where, sizeof where, "derivative %d across", worst);
-    return taut_harmonic_add_claim("continuity", most,
+    return taut_harmonic_add_claim("continuity", TAUT_BOUND, most,
                                    4 * TAUT_UNIT_ROUNDOFF *
-                                       fmax(1, size > 0 ? fmax(reach[0], reach[1]) / size : 1),
+                                       (size > 0 ? taut_certify_max(1, largest / size) : 1),
                                    where, certificate);
 }
 
+/* At unit size, as energies are squares. */
 static taut_status add_bending(const taut_surface *q, taut_edge edge, int contact,
                                taut_certificate *certificate)
 {
-    taut_surface *moved = NULL; /* second derivatives want parameters with all their digits */
+    taut_surface *unit = NULL, *moved = NULL; /* second derivatives want parameters with all their
+                                               * digits */
     taut_bending_slope slope;
     char where[96];
 
-    if (!taut_surface_near_zero(q, &moved)) {
+    if (taut_certify_scaled(q, taut_certify_unit_of(q), &unit) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    slope = taut_bending_slope_of(moved != NULL ? moved : q, opposite(edge), contact);
+    if (!taut_surface_near_zero(unit, &moved)) {
+        taut_surface_free(unit);
+        return TAUT_NO_MEMORY;
+    }
+    slope = taut_bending_slope_of(moved != NULL ? moved : unit, opposite(edge), contact);
     taut_surface_free(moved);
+    taut_surface_free(unit);
     snprintf(where, sizeof where, "along derivative %d across times power %d along", slope.order,
              slope.power);
-    return taut_harmonic_add_claim("least-bending", slope.residual, slope.noise, where,
+    return taut_harmonic_add_claim("least-bending", TAUT_EXACT, slope.residual, slope.noise, where,
                                    certificate);
 }
 
@@ -314,4 +384,27 @@ static taut_status certify(const taut_model *model, const void *data,
     return add_all(model, data, certificate) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
-const taut_certify_ops taut_certify_biharmonic = {.certify = certify};
+static void identify(const taut_model *model, const void *data, taut_identity *identity)
+{
+    const taut_biharmonic_problem *problem = data;
+    taut_expected_basis bezier = {.type = "bezier"}, u = bezier, v = bezier;
+
+    for (int i = 0; problem == NULL && i < taut_model_surface_count(model); i++) {
+        taut_identity_surface(identity, i, NULL, NULL, NULL);
+    }
+    if (problem != NULL && problem->given == TAUT_BIHARMONIC_ROWS) {
+        const taut_biharmonic_rows *rows = &problem->rows;
+        u.same = rows->u;
+        v.same = rows->v;
+        taut_identity_surface(identity, 0, rows->name != NULL ? rows->name : "biharmonic", &u, &v);
+    } else if (problem != NULL) {
+        const taut_surface *given = problem->neighbour.surface;
+        u.same = taut_surface_u(given);
+        v.same = taut_surface_v(given);
+        taut_identity_surface(identity, 0, taut_surface_name(given), &u, &v);
+        bezier.degree[0] = bezier.degree[1] = taut_basis_degree(u.same);
+        taut_identity_surface(identity, 1, "extension", &bezier, &bezier);
+    }
+}
+
+const taut_certify_ops taut_certify_biharmonic = {.certify = certify, .identify = identify};

@@ -18,9 +18,9 @@
 #include "certify/bonnet/parts.h"
 
 #include "core/constants.h"
+#include "core/elementary/complex.h"
 #include "core/vec3.h"
 
-#include <complex.h>
 #include <math.h>
 #include <string.h>
 
@@ -119,7 +119,7 @@ static triple join(const patch *p, const mode *re, double factor, const mode *im
     for (int c = 0; c < 3; c++) {
         t.value[c] = re->value[c] + I * factor * im->value[c];
     }
-    t.size = hypot(taut_length(re->value), factor * taut_length(im->value));
+    t.size = taut_hypot(taut_length(re->value), factor * taut_length(im->value));
     t.error += p->shift * t.size;
     return t;
 }
@@ -133,7 +133,7 @@ static double complex dot(const triple *a, const triple *b)
 static void orthogonal(const triple *a, const triple *b, const patch *p, taut_bonnet_finding *found)
 {
     const double size = a->size * b->size;
-    taut_bonnet_raise(found, cabs(dot(a, b)) / size, a->error / a->size + b->error / b->size,
+    taut_bonnet_raise(found, taut_cabs(dot(a, b)) / size, a->error / a->size + b->error / b->size,
                       p->lo[0], p->lo[1]);
 }
 
@@ -152,8 +152,8 @@ static void balance(const triple *a, double factor, const triple *b, const tripl
     const double size = a->size * a->size + factor * b->size * c->size;
     const double error =
         2 * a->size * a->error + factor * (b->size * c->error + c->size * b->error);
-    taut_bonnet_raise(found, cabs(dot(a, a) + factor * dot(b, c)) / size, error / size, p->lo[0],
-                      p->lo[1]);
+    taut_bonnet_raise(found, taut_cabs(dot(a, a) + factor * dot(b, c)) / size, error / size,
+                      p->lo[0], p->lo[1]);
 }
 
 static void judge_modes(const patch *p, const table *u, const table *v, taut_bonnet_finding *found)
@@ -181,7 +181,7 @@ static void judge_modes(const patch *p, const table *u, const table *v, taut_bon
     orthogonal(&a, &d, p, found);
     orthogonal(&b, &b, p, found);
     orthogonal(&d, &d, p, found);
-    balance(&a, 2 * exp(-height), &b, &d, p, found);
+    balance(&a, 2 * taut_exp(-height), &b, &d, p, found);
 }
 
 /* The v in which sum |P| (|N| + |N''| + |N'| + |N'''|) is least. */
@@ -245,7 +245,7 @@ static void judge_powers(const patch *p, const table *u, const table *v, taut_bo
     vanish(&k[0][3], h * h, size, p, found);
     for (int i = 1; i < 4; i++) {
         for (int j = 4 - i; j < 4; j++) {
-            vanish(&k[i][j], pow(h, i + j - 1), size, p, found);
+            vanish(&k[i][j], taut_pow(h, i + j - 1), size, p, found);
         }
     }
     orthogonal(&a, &a, p, found);

@@ -1,36 +1,48 @@
 /* bonnet.c -- is this a minimal surface in isothermal parameters, and the one that was asked for?
  * Claims, over all surfaces of the model:
  *
- *   isothermal, harmonic, minimal   largest residuals at samples (residuals.c)
+ *   isothermal, harmonic, minimal   bounds of |E-G|/E and |F|/E, of |r_uu + r_vv| over the second
+ *                 derivatives, of |H|/sqrt|K| over the whole of every span (proof.c); undecided on
+ *                 bases that no such surface is told in
+ *   smooth        the spans are one surface (smooth.c)
  *   algebraic     the relations that make a net on these bases minimal everywhere
  *                 (algebra.c); left out on other bases
- *   formula       with the problem: largest distance from its surface over the largest coordinate
+ *   formula       with the problem: a bound of the distance from its surface over the largest
+ *                 coordinate (closed.c)
  *   closed-form   with the problem: relative difference of area and total curvature, by quadrature,
  *                 from those in closed form (closed.c)
  *
- * Limit of each: min(c noise, 1e-6), c its number of `roundings`, noise what rounding explains
- * (parts.h). What lies between that limit and c noise is undecided; `algebraic` and
+ * Limit of each: min(c noise, 1e-6), c its number of `roundings` (4 of those in proof.c), noise what
+ * rounding explains (parts.h). What lies between that limit and c noise is undecided; `algebraic` and
  * `closed-form`, which rounding spoils first, are left out where they could not hold the surface to
- * 1e-6.
+ * 1e-6. All is judged at size 1: surfaces far from it are brought there by a power of two first.
  */
 #include "taut/bonnet.h"
 
 #include "certify/bonnet/parts.h"
+#include "certify/bonnet/proof.h"
 #include "certify/certify_ops.h"
+#include "certify/common/unit.h"
+#include "certify/common/verdict.h"
 #include "core/fail.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double largest_limit = 1e-6;
 
-enum { ISOTHERMAL, HARMONIC, MINIMAL, ALGEBRAIC, FORMULA, CLOSED_FORM, CLAIMS };
+enum { ALGEBRAIC, FORMULA, CLOSED_FORM, CLAIMS };
+enum { SMOOTH = TAUT_BONNET_PROVED, PROVED }; /* the claims with a proof each */
 
 /* How many roundings the sums of sixteen products of three, and of all terms of a point, may add up
  * to, claim by claim. Over random problems of the whole range at most 0.8 of each was seen
  * (tests/property/test_bonnet.c). */
-static const double roundings[CLAIMS] = {16, 16, 12, 6, 8, 5};
+static const double roundings[CLAIMS] = {6, 2, 5};
+
+/* Cuts of the integrals: of a surface that is none of these, few, as its area may have no end. */
+enum { CUTS = 4000, FEW_CUTS = 100 };
 
 /* A claim over several surfaces: the largest residual and noise, and where. */
 typedef struct gathered {
@@ -41,6 +53,8 @@ typedef struct gathered {
 } gathered;
 
 typedef struct report {
+    taut_bonnet_proof proofs[PROVED];
+    const char *told[PROVED]; /* the surface that each tells of */
     gathered claims[CLAIMS];
     taut_record *figures; /* lists area, total_gaussian_curvature */
     taut_record *area, *curvature;
@@ -91,44 +105,72 @@ static void compare_closed(const taut_bonnet_frame *frame, const taut_bonnet_int
     }
 }
 
-static taut_status measure(const taut_surface *surface, const taut_bonnet_scale *scale,
-                           taut_arena *arena, taut_bonnet_finding sampled[TAUT_BONNET_SAMPLED],
-                           taut_bonnet_integrals *integrals)
-{
-    const taut_status status =
-        arena != NULL ? taut_bonnet_sample(surface, scale, arena, sampled) : TAUT_NO_MEMORY;
-    return status == TAUT_OK ? taut_bonnet_integrate(surface, scale, arena, integrals) : status;
-}
-
-/* One surface for all claims; frame NULL: without the problem. */
-static taut_status gather_surface(const taut_surface *surface, const taut_bonnet_frame *frame,
-                                  int is_exact, report *r)
+/* The claims that are proved, of one surface; points times 2^-unit are about 1. */
+static void prove(const taut_surface *surface, const taut_bonnet_scale *scale, report *r)
 {
     const char *name = taut_surface_name(surface);
-    taut_bonnet_finding sampled[TAUT_BONNET_SAMPLED] = {{0, 0, {0, 0}}};
+    const taut_bonnet_proof before = r->proofs[SMOOTH];
+    const int told = taut_bonnet_prove(surface, scale, 0, r->proofs);
+    double sign = 0;
+
+    for (int k = 0; k < TAUT_BONNET_PROVED; k++) {
+        r->told[k] = r->told[k] == NULL || (told & 1 << k) ? name : r->told[k];
+    }
+    if (taut_bonnet_sign_of(taut_surface_u(surface), &sign) &&
+        taut_bonnet_sign_of(taut_surface_v(surface), &sign)) {
+        taut_bonnet_smooth(surface, scale, 0, &r->proofs[SMOOTH]);
+    }
+    if (r->told[SMOOTH] == NULL || before.holds != r->proofs[SMOOTH].holds ||
+        before.residual != r->proofs[SMOOTH].residual) {
+        r->told[SMOOTH] = name;
+    }
+}
+
+static int is_refuted(const report *r)
+{
+    int refuted = 0;
+    for (int k = 0; k < PROVED; k++) {
+        refuted |= r->proofs[k].holds != TAUT_TRUE;
+    }
+    return refuted;
+}
+
+/* Area and total curvature of a surface that was made 2^-unit times as large. */
+static taut_status measure(const taut_surface *surface, const taut_bonnet_scale *scale, int few,
+                           taut_bonnet_integrals *integrals)
+{
+    taut_arena *arena = taut_arena_new();
+    const taut_status status =
+        arena != NULL
+            ? taut_bonnet_integrate(surface, scale, arena, few ? FEW_CUTS : CUTS, integrals)
+            : TAUT_NO_MEMORY;
+    taut_arena_free(arena);
+    return status;
+}
+
+/* One surface for all claims, its points about 1 in size, 2^-unit of the model's; frame NULL:
+ * without the problem. */
+static taut_status gather_unit(const taut_surface *surface, int unit,
+                               const taut_bonnet_frame *frame, int is_exact, report *r)
+{
+    const char *name = taut_surface_name(surface);
     taut_bonnet_integrals integrals;
     taut_bonnet_finding other = {0, 0, {0, 0}};
     taut_bonnet_scale scale;
-    taut_arena *arena = taut_arena_new();
     taut_status status = TAUT_OK;
 
     taut_bonnet_scale_of(surface, is_exact, &scale);
-    status = measure(surface, &scale, arena, sampled, &integrals);
-    taut_arena_free(arena);
+    prove(surface, &scale, r);
+    status = measure(surface, &scale, is_refuted(r), &integrals);
     if (status != TAUT_OK) {
         return status;
-    }
-    for (int i = 0; i < TAUT_BONNET_SAMPLED; i++) {
-        gather(&r->claims[i], &sampled[i], name);
     }
     if (taut_bonnet_algebra(surface, &scale, &other) &&
         roundings[ALGEBRAIC] * other.noise <= largest_limit) {
         gather(&r->claims[ALGEBRAIC], &other, name);
     }
+    integrals.value[0] = ldexp(integrals.value[0], 2 * unit);
     if (frame != NULL) {
-        other = (taut_bonnet_finding){0, 0, {0, 0}};
-        taut_bonnet_against_formula(surface, frame, &other);
-        gather(&r->claims[FORMULA], &other, name);
         compare_closed(frame, &integrals, name, &r->claims[CLOSED_FORM]);
     }
     taut_record_add_number(r->area, NULL, integrals.value[0]);
@@ -136,12 +178,74 @@ static taut_status gather_surface(const taut_surface *surface, const taut_bonnet
     return status;
 }
 
-static taut_status add_claim(const gathered *all, double factor, taut_certificate *certificate)
+/* Squares of coordinates up to this size, and those of their derivatives, are in range. */
+enum { USUAL_UNIT = 256 };
+
+static taut_status gather_surface(const taut_surface *surface, const taut_bonnet_frame *frame,
+                                  int is_exact, report *r)
+{
+    const int unit = taut_certify_unit_of(surface);
+    taut_surface *scaled = NULL;
+    taut_status status = TAUT_OK;
+
+    if (frame != NULL) {
+        taut_bonnet_finding other = {0, 0, {0, 0}};
+        taut_bonnet_scale scale;
+        taut_bonnet_scale_of(surface, is_exact, &scale);
+        taut_bonnet_against_formula(surface, &scale, frame, &other);
+        gather(&r->claims[FORMULA], &other, taut_surface_name(surface));
+    }
+    if (abs(unit) <= USUAL_UNIT) {
+        return gather_unit(surface, 0, frame, is_exact, r);
+    }
+    status = taut_certify_scaled(surface, unit, &scaled);
+    if (status == TAUT_OK) {
+        status = gather_unit(scaled, unit, frame, is_exact, r);
+    }
+    for (int k = 0; status == TAUT_OK && k < PROVED; k++) { /* names live as long as the model */
+        r->told[k] =
+            r->told[k] == taut_surface_name(scaled) ? taut_surface_name(surface) : r->told[k];
+    }
+    for (int k = 0; status == TAUT_OK && k < CLAIMS; k++) {
+        gathered *all = &r->claims[k];
+        all->surface =
+            all->surface == taut_surface_name(scaled) ? taut_surface_name(surface) : all->surface;
+    }
+    taut_surface_free(scaled);
+    return status;
+}
+
+static taut_status add_proof(const char *name, const taut_bonnet_proof *proof, const char *surface,
+                             taut_certificate *certificate)
+{
+    char where[TAUT_NAME_MAX + 160];
+    const taut_claim claim = {.claim = name,
+                              .kind = TAUT_BOUND,
+                              .residual = proof->residual,
+                              .limit = proof->limit,
+                              .holds = proof->holds,
+                              .where = where};
+
+    snprintf(where, sizeof where, "%s at (%.6g, %.6g)", surface, proof->at[0], proof->at[1]);
+    if (proof->holds == TAUT_UNDECIDED) {
+        snprintf(where, sizeof where, "%s in %s", proof->why, surface);
+    } else if (strcmp(name, "smooth") == 0 && proof->residual == 0) {
+        where[0] = '\0';
+    }
+    return taut_certificate_add(certificate, &claim);
+}
+
+static taut_status add_claim(const gathered *all, taut_claim_kind kind, double factor,
+                             taut_certificate *certificate)
 {
     const double noise = factor * all->found.noise;
     char where[TAUT_NAME_MAX + 96];
-    taut_claim claim = {all->claim, all->found.residual, fmin(noise, largest_limit), TAUT_FALSE,
-                        where};
+    taut_claim claim = {.claim = all->claim,
+                        .kind = kind,
+                        .residual = all->found.residual,
+                        .limit = fmin(noise, largest_limit),
+                        .holds = TAUT_FALSE,
+                        .where = where};
 
     snprintf(where, sizeof where, "%s", all->surface);
     if (strcmp(all->claim, "closed-form") != 0) {
@@ -213,7 +317,7 @@ static taut_status gather_all(const taut_model *model, const taut_bonnet_problem
 
     for (int i = 0; i < count && status == TAUT_OK; i++) {
         const taut_bonnet_frame frame = {problem,
-                                         problem != NULL ? lambda_of(problem, i, count) : 0, 0};
+                                         problem != NULL ? lambda_of(problem, i, count) : 0};
         status = gather_surface(taut_model_surface(model, i), problem != NULL ? &frame : NULL,
                                 is_exact, r);
     }
@@ -223,21 +327,27 @@ static taut_status gather_all(const taut_model *model, const taut_bonnet_problem
 static taut_status add_all(const taut_model *model, const taut_bonnet_problem *problem,
                            taut_record *lists, taut_certificate *certificate)
 {
-    static const char *const names[CLAIMS] = {"isothermal", "harmonic", "minimal",
-                                              "algebraic",  "formula",  "closed-form"};
+    static const char *const proofs[PROVED] = {"isothermal", "harmonic", "minimal", "smooth"};
+    static const char *const names[CLAIMS] = {"algebraic", "formula", "closed-form"};
+    static const taut_claim_kind kinds[CLAIMS] = {TAUT_EXACT, TAUT_BOUND, TAUT_CHECK};
     report r;
     taut_status status = TAUT_OK;
 
     memset(&r, 0, sizeof r);
+    taut_bonnet_proof_init(r.proofs);
+    r.proofs[SMOOTH].holds = TAUT_TRUE;
     for (int i = 0; i < CLAIMS; i++) {
         r.claims[i].claim = names[i];
     }
     r.area = taut_record_add_list(lists, "area");
     r.curvature = taut_record_add_list(lists, "total_gaussian_curvature");
     status = gather_all(model, problem, &r);
+    for (int i = 0; i < PROVED && status == TAUT_OK; i++) {
+        status = add_proof(proofs[i], &r.proofs[i], r.told[i], certificate);
+    }
     for (int i = 0; i < CLAIMS && status == TAUT_OK; i++) {
-        status =
-            r.claims[i].seen > 0 ? add_claim(&r.claims[i], roundings[i], certificate) : TAUT_OK;
+        status = r.claims[i].seen > 0 ? add_claim(&r.claims[i], kinds[i], roundings[i], certificate)
+                                      : TAUT_OK;
     }
     if (status != TAUT_OK) {
         return status;
@@ -267,7 +377,42 @@ static taut_status certify(const taut_model *model, const void *data,
                      "a surface cannot be measured: %s", taut_status_text(status));
 }
 
-const taut_certify_ops taut_certify_bonnet = {.certify = certify};
+/* What the bases of frame i are to be. */
+static void expect_bases(const taut_bonnet_problem *problem, int i, int frames,
+                         taut_expected_basis expected[2])
+{
+    static const char *const types[2][2] = {{"c-bezier", "h-bezier"}, {"c-bspline", "h-bspline"}};
+    const double lambda = lambda_of(problem, i, frames);
+    for (int d = 0; d < 2; d++) {
+        const int is_cubic = problem->normalize && lambda == 1;
+        expected[d] =
+            (taut_expected_basis){.type = is_cubic ? "bezier" : types[problem->bspline != 0][d],
+                                  .degree = {is_cubic ? 3 : 0, is_cubic ? 3 : 0},
+                                  .spans = problem->segments[d] > 0 ? problem->segments[d] : 1};
+    }
+}
+
+static void identify(const taut_model *model, const void *data, taut_identity *identity)
+{
+    const taut_bonnet_problem *problem = data;
+    const int frames = problem == NULL       ? taut_model_surface_count(model)
+                       : problem->frames > 1 ? problem->frames
+                                             : 1;
+    for (int i = 0; i < frames; i++) {
+        taut_expected_basis expected[2] = {{.same = NULL}, {.same = NULL}};
+        char name[32] = "bonnet";
+        if (frames > 1) {
+            snprintf(name, sizeof name, "frame-%d", i);
+        }
+        if (problem != NULL) {
+            expect_bases(problem, i, frames, expected);
+        }
+        taut_identity_surface(identity, i, problem != NULL ? name : NULL, &expected[0],
+                              &expected[1]);
+    }
+}
+
+const taut_certify_ops taut_certify_bonnet = {.certify = certify, .identify = identify};
 
 taut_status taut_bonnet_certify(const taut_model *model, const taut_bonnet_problem *problem,
                                 const taut_certify_options *options, taut_certificate **certificate,

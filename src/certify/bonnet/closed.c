@@ -9,11 +9,20 @@
  *
  * The associate family is isometric; the normalised one is 2 / w^2 times as large.
  */
+#include "certify/bonnet/local.h"
 #include "certify/bonnet/parts.h"
 
+#include "certify/common/verdict.h"
 #include "core/constants.h"
+#include "core/elementary/complex.h"
 
 #include <math.h>
+
+/* The largest coordinate met, the largest distance and noise, and where. */
+typedef struct compared {
+    double size, apart, noise;
+    double at[2];
+} compared;
 
 static double w_of(double lambda)
 {
@@ -38,7 +47,7 @@ static double third_rest(double x, int sign)
 {
     double sum = 0;
     if (fabs(x) > 1) {
-        return sign > 0 ? sinh(x) - x : x - sin(x);
+        return sign > 0 ? taut_sinh(x) - x : x - taut_sin(x);
     }
     for (int n = 21; n >= 3; n -= 2) {
         sum = (1 + sign * sum) * x * x / (n * (n - 1));
@@ -62,38 +71,39 @@ static void enneper(double p, double q, double r[2][3], double *gross)
 static void normalised(double lambda, double u, double v, double r[2][3], double *gross)
 {
     const double w = w_of(lambda), f = 2 / (w * w);
-    const double su = sin(0.5 * u), sv = sinh(0.5 * v), gu = 2 * su * su, gv = 2 * sv * sv;
+    const double su = taut_sin(0.5 * u), sv = taut_sinh(0.5 * v), gu = 2 * su * su,
+                 gv = 2 * sv * sv;
     const double fu = third_rest(u, -1), fv = third_rest(v, 1);
-    r[0][0] = f / w * (fu - (1 - lambda) * u - sin(u) * gv);
-    r[0][1] = f / w * ((1 - lambda) * v - lambda * (fv - gu * sinh(v)));
-    r[0][2] = f * (gu * cosh(v) - gv);
-    r[1][0] = f / w * (gu * sinh(v) - fv - (1 - lambda) * v);
-    r[1][1] = f / w * (lambda * (sin(u) * gv - fu) - (1 - lambda) * u);
-    r[1][2] = f * sin(u) * sinh(v);
+    r[0][0] = f / w * (fu - (1 - lambda) * u - taut_sin(u) * gv);
+    r[0][1] = f / w * ((1 - lambda) * v - lambda * (fv - gu * taut_sinh(v)));
+    r[0][2] = f * (gu * taut_cosh(v) - gv);
+    r[1][0] = f / w * (gu * taut_sinh(v) - fv - (1 - lambda) * v);
+    r[1][1] = f / w * (lambda * (taut_sin(u) * gv - fu) - (1 - lambda) * u);
+    r[1][2] = f * taut_sin(u) * taut_sinh(v);
     *gross = 2 * f / w *
-                 (fabs(fu) + fabs(fv) + (1 - lambda) * (fabs(u) + fabs(v)) + fabs(sin(u)) * gv +
-                  gu * fabs(sinh(v))) +
-             2 * f * (gu * cosh(v) + gv + fabs(sin(u) * sinh(v)));
+                 (fabs(fu) + fabs(fv) + (1 - lambda) * (fabs(u) + fabs(v)) +
+                  fabs(taut_sin(u)) * gv + gu * fabs(taut_sinh(v))) +
+             2 * f * (gu * taut_cosh(v) + gv + fabs(taut_sin(u) * taut_sinh(v)));
 }
 
 /* A parameter is known to 2^-53 of itself, and so is what it moves: |u| |r_u| + |v| |r_v|. */
 static void plain(double lambda, double s, double u, double v, double r[2][3], double *gross)
 {
-    const double w = w_of(lambda), f0 = cosh(v) + s * lambda * cos(u);
-    r[0][0] = (lambda * u + s * sin(u) * cosh(v)) / w;
-    r[0][1] = (v + s * lambda * cos(u) * sinh(v)) / w;
-    r[0][2] = s * cos(u) * cosh(v);
-    r[1][0] = (lambda * v + s * cos(u) * sinh(v)) / w;
-    r[1][1] = -(u + s * lambda * sin(u) * cosh(v)) / w;
-    r[1][2] = -s * sin(u) * sinh(v);
-    *gross = (fabs(u) + fabs(v) + 2 * cosh(v) + (fabs(u) + fabs(v)) * f0) / w;
+    const double w = w_of(lambda), f0 = taut_cosh(v) + s * lambda * taut_cos(u);
+    r[0][0] = (lambda * u + s * taut_sin(u) * taut_cosh(v)) / w;
+    r[0][1] = (v + s * lambda * taut_cos(u) * taut_sinh(v)) / w;
+    r[0][2] = s * taut_cos(u) * taut_cosh(v);
+    r[1][0] = (lambda * v + s * taut_cos(u) * taut_sinh(v)) / w;
+    r[1][1] = -(u + s * lambda * taut_sin(u) * taut_cosh(v)) / w;
+    r[1][2] = -s * taut_sin(u) * taut_sinh(v);
+    *gross = (fabs(u) + fabs(v) + 2 * taut_cosh(v) + (fabs(u) + fabs(v)) * f0) / w;
 }
 
 static void exact_point(const taut_bonnet_frame *frame, double u, double v, double x[3],
                         double *gross)
 {
     const taut_bonnet_problem *p = frame->problem;
-    const double c = cos(p->theta), s = sin(p->theta);
+    const double c = taut_cos(p->theta), s = taut_sin(p->theta);
     double r[2][3];
     if (p->normalize && frame->lambda == 1) {
         enneper(u, v, r, gross);
@@ -107,49 +117,142 @@ static void exact_point(const taut_bonnet_frame *frame, double u, double v, doub
     }
 }
 
-/* The largest coordinate of the net: a quasi-B-spline's may be far outside of its surface. */
-static double net_size(const taut_surface *surface)
+/* Phi^(n) of r = Re Phi, n >= 1, zeta = u + i v; sizes of terms into *gross. */
+static void phi(const taut_bonnet_frame *frame, int n, double u, double v, double complex out[3],
+                double *gross)
 {
-    const long count =
-        3L * taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
-    double size = 0;
-    for (long i = 0; i < count; i++) {
-        size = fmax(size, fabs(taut_surface_points(surface)[i]));
+    const taut_bonnet_problem *p = frame->problem;
+    const double lambda = frame->lambda, s = p->normalize ? -1 : p->sign, w = w_of(lambda);
+    const double f = p->normalize ? 2 / (w * w) : 1;
+    const double complex zeta = u + I * v;
+    const double complex sine = taut_sin(u) * taut_cosh(v) + I * taut_cos(u) * taut_sinh(v);
+    const double complex cosine = taut_cos(u) * taut_cosh(v) - I * taut_sin(u) * taut_sinh(v);
+    const double complex half =
+        taut_sin(0.5 * u) * taut_cosh(0.5 * v) + I * taut_cos(0.5 * u) * taut_sinh(0.5 * v);
+
+    if (p->normalize && lambda == 1) { /* (zeta^3/3 - zeta, -i (zeta + zeta^3/3), zeta^2) */
+        const double complex cubic = n == 1 ? zeta * zeta : n == 2 ? 2 * zeta : n == 3 ? 2 : 0;
+        out[0] = cubic - (n == 1 ? 1 : 0);
+        out[1] = -I * (cubic + (n == 1 ? 1 : 0));
+        out[2] = n == 1 ? 2 * zeta : n == 2 ? 2 : 0;
+        *gross = 2 * (1 + taut_cabs(zeta)) * (1 + taut_cabs(zeta));
+        return;
     }
-    return size;
+    /* the n-th derivative of sin zeta and of cos zeta */
+    const double turn = n % 4 == 0 || n % 4 == 1 ? 1 : -1;
+    const double complex of_sine = turn * (n % 2 == 0 ? sine : cosine);
+    const double complex of_cosine = n % 2 == 0 ? turn * cosine : -turn * sine;
+    out[0] = f / w * s * of_sine;
+    out[1] = -I * (f / w * s * lambda * of_sine);
+    out[2] = f * s * of_cosine;
+    *gross = f / w * 2 * taut_cosh(v);
+    if (n == 1 && p->normalize) { /* 1 - cos zeta without cancellation */
+        const double complex less = 2 * half * half;
+        out[0] = f / w * (less - (1 - lambda));
+        out[1] = -I * (f / w * (lambda * less + (1 - lambda)));
+        *gross = f / w * (taut_cabs(less) + 1 - lambda) + f * taut_cabs(sine);
+    } else if (n == 1) {
+        out[0] += f / w * lambda;
+        out[1] -= I * f / w;
+        *gross += f / w;
+    }
 }
 
-void taut_bonnet_against_formula(const taut_surface *surface, const taut_bonnet_frame *frame,
-                                 taut_bonnet_finding *found)
+/* Of the formula, times L^(d+e), in the same way as those of a piece of the net: d^d/du^d d^e/dv^e
+ * Re Phi = Re i^e Phi^(d+e). error[d][e] of a coordinate. */
+static void formula_local(const taut_bonnet_frame *frame, const taut_bonnet_piece *piece,
+                          double length, double x[4][4][3], double error[4][4])
 {
-    enum { STEPS = 32 };
-    const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
-    double lo[2], hi[2], size = 0, apart = 0, noise = net_size(surface), at[2] = {0, 0};
+    static const double complex powers[4] = {1, I, -1, -I};
+    const double theta = frame->problem->theta;
+    const double complex turn = theta == 0 ? 1 : taut_cos(theta) - I * taut_sin(theta);
 
-    window_of(frame, lo, hi);
-    for (int k = 0; k < (STEPS + 1) * (STEPS + 1); k++) {
-        const int step[2] = {k / (STEPS + 1), k % (STEPS + 1)};
-        double t[2], x[3], exact[3], gross = 0, distance = 0;
-        for (int d = 0; d < 2; d++) {
-            const double a = taut_basis_lo(bases[d]), b = taut_basis_hi(bases[d]);
-            t[d] = step[d] == STEPS ? b : a + (b - a) * step[d] / STEPS;
-            distance = fmax(distance, fmax(fabs(a - lo[d]), fabs(b - hi[d])));
-        }
-        taut_surface_eval(surface, t[0], t[1], 0, x);
-        exact_point(frame, t[0], t[1], exact, &gross);
-        for (int c = 0; c < 3; c++) {
-            size = fmax(size, fabs(exact[c]));
-            distance = fmax(distance, fabs(x[c] - exact[c]));
-        }
-        noise = fmax(noise, gross);
-        if (distance > apart) {
-            apart = distance;
-            at[0] = t[0];
-            at[1] = t[1];
+    for (int n = 1; n <= 6; n++) {
+        double complex derivative[3];
+        double gross = 0;
+        phi(frame, n, piece->middle[0], piece->middle[1], derivative, &gross);
+        for (int d = n > 3 ? n - 3 : 0; d <= n && d < 4; d++) {
+            const double factor = taut_pow(length, n);
+            for (int c = 0; c < 3; c++) {
+                x[d][n - d][c] = factor * creal(powers[n - d] * turn * derivative[c]);
+            }
+            error[d][n - d] = 16 * TAUT_UNIT_ROUNDOFF * factor * gross;
         }
     }
-    taut_bonnet_raise(found, apart == 0 ? 0 : apart / size, 2 * TAUT_UNIT_ROUNDOFF * noise / size,
-                      at[0], at[1]);
+}
+
+/* How far the net is from the formula on one piece, over the whole of it, and what rounding
+ * explains of that. */
+static void compare_piece(const taut_surface *surface, const taut_bonnet_scale *scale,
+                          const taut_bonnet_frame *frame, const taut_bonnet_piece *piece,
+                          compared *all)
+{
+    taut_bonnet_local l;
+    double x[4][4][3], error[4][4], apart = 0, noise = 0, gross = 0;
+
+    taut_bonnet_local_of(surface, scale, 0, piece, &l);
+    formula_local(frame, piece, l.unit_length, x, error);
+    exact_point(frame, piece->middle[0], piece->middle[1], x[0][0], &gross);
+    error[0][0] = 4 * TAUT_UNIT_ROUNDOFF * gross;
+    for (int d = 0; d < 4; d++) {
+        for (int e = 0; e < 4; e++) {
+            double most = 0;
+            for (int c = 0; c < 3; c++) {
+                const double from = d + e == 0 ? l.origin[c] : 0;
+                most = taut_certify_max(most, fabs(l.x[d][e][c] + from - x[d][e][c]));
+            }
+            const double by = l.bound[0][d] * l.bound[1][e];
+            apart += by * (most + l.own[d][e] + error[d][e]);
+            noise += by * (l.points[d][e] + l.own[d][e] + error[d][e]);
+        }
+    }
+    for (int c = 0; c < 3; c++) {
+        all->size = fmax(all->size, fabs(x[0][0][c]));
+    }
+    noise += 16 * TAUT_UNIT_ROUNDOFF * gross;
+    all->noise = taut_certify_max(all->noise, noise);
+    if (!(apart <= all->apart)) {
+        all->apart = apart;
+        all->at[0] = piece->middle[0];
+        all->at[1] = piece->middle[1];
+    }
+}
+
+/* Are the bases those of the formula? */
+static int has_bases(const taut_surface *surface, const taut_bonnet_frame *frame)
+{
+    const double wanted = frame->problem->normalize && frame->lambda == 1 ? 0 : 1;
+    double sign[2] = {0, 0};
+    return taut_bonnet_sign_of(taut_surface_u(surface), &sign[0]) &&
+           taut_bonnet_sign_of(taut_surface_v(surface), &sign[1]) && sign[0] == -wanted &&
+           sign[1] == wanted;
+}
+
+void taut_bonnet_against_formula(const taut_surface *surface, const taut_bonnet_scale *scale,
+                                 const taut_bonnet_frame *frame, taut_bonnet_finding *found)
+{
+    const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
+    compared all = {0, 0, 0, {0, 0}};
+    double lo[2], hi[2], aside = 0;
+
+    if (!has_bases(surface, frame)) {
+        taut_bonnet_raise(found, 1, 0, 0, 0);
+        return;
+    }
+    window_of(frame, lo, hi);
+    for (int d = 0; d < 2; d++) {
+        aside = fmax(aside, fmax(fabs(taut_basis_lo(bases[d]) - lo[d]),
+                                 fabs(taut_basis_hi(bases[d]) - hi[d])));
+    }
+    const taut_bonnet_cuts cuts = taut_bonnet_cuts_of(surface);
+    for (int i = 0; i < cuts.count[0]; i++) {
+        for (int j = 0; j < cuts.count[1]; j++) {
+            const taut_bonnet_piece piece = taut_bonnet_piece_at(surface, &cuts, i, j);
+            compare_piece(surface, scale, frame, &piece, &all);
+        }
+    }
+    taut_bonnet_raise(found, taut_certify_max(aside, all.apart) / all.size, all.noise / all.size,
+                      all.at[0], all.at[1]);
 }
 
 /* A number and the sum of the absolute values of its terms. */
@@ -186,21 +289,22 @@ void taut_bonnet_closed_area(const taut_bonnet_frame *frame, double *area, doubl
     v = between(lo[1], hi[1]);
     if (frame->lambda == 1) { /* (1 + p^2 + q^2)^2 */
         const double x = lo[0], y = hi[0], p = lo[1], q = hi[1];
-        add_product(
-            &t, 1, v,
-            between(x + 2 * x * x * x / 3 + pow(x, 5) / 5, y + 2 * y * y * y / 3 + pow(y, 5) / 5));
+        add_product(&t, 1, v,
+                    between(x + 2 * x * x * x / 3 + taut_pow(x, 5) / 5,
+                            y + 2 * y * y * y / 3 + taut_pow(y, 5) / 5));
         add_product(&t, 2, between(p * p * p / 3, q * q * q / 3),
                     between(x + x * x * x / 3, y + y * y * y / 3));
-        add_product(&t, 1, u, between(pow(p, 5) / 5, pow(q, 5) / 5));
+        add_product(&t, 1, u, between(taut_pow(p, 5) / 5, taut_pow(q, 5) / 5));
         scale = 1;
     } else {
-        add_product(
-            &t, 1, u,
-            between(0.5 * lo[1] + 0.25 * sinh(2 * lo[1]), 0.5 * hi[1] + 0.25 * sinh(2 * hi[1])));
-        add_product(&t, 2 * a, between(sin(lo[0]), sin(hi[0])), between(sinh(lo[1]), sinh(hi[1])));
-        add_product(
-            &t, a * a, v,
-            between(0.5 * lo[0] + 0.25 * sin(2 * lo[0]), 0.5 * hi[0] + 0.25 * sin(2 * hi[0])));
+        add_product(&t, 1, u,
+                    between(0.5 * lo[1] + 0.25 * taut_sinh(2 * lo[1]),
+                            0.5 * hi[1] + 0.25 * taut_sinh(2 * hi[1])));
+        add_product(&t, 2 * a, between(taut_sin(lo[0]), taut_sin(hi[0])),
+                    between(taut_sinh(lo[1]), taut_sinh(hi[1])));
+        add_product(&t, a * a, v,
+                    between(0.5 * lo[0] + 0.25 * taut_sin(2 * lo[0]),
+                            0.5 * hi[0] + 0.25 * taut_sin(2 * hi[0])));
         scale = frame->problem->normalize ? 4 / (w * w * w * w * w * w) : 1 / (w * w);
     }
     *area = scale * t.value;
@@ -211,31 +315,31 @@ void taut_bonnet_closed_area(const taut_bonnet_frame *frame, double *area, doubl
  * ((q - 1) sin cos / (cos^2 + q sin^2)). */
 static double along_v(double lambda, double a, double u, double v)
 {
-    const double half = sinh(0.5 * v), low = 1 - lambda;
+    const double half = taut_sinh(0.5 * v), low = 1 - lambda;
     const double minus = 2 * half * half + (a > 0 ? low : 1 - a); /* cosh v - a */
     const double plus = 2 * half * half + (a > 0 ? 1 + a : low);
-    const double q = sqrt(minus / plus), s = sin(0.5 * u), c = cos(0.5 * u);
-    const double turn =
-        fabs(u) <= 3 ? atan2(q * s, c) : 0.5 * u + atan2((q - 1) * s * c, c * c + q * s * s);
-    return 2 * sinh(v) / sqrt(minus * plus) * turn;
+    const double q = sqrt(minus / plus), s = taut_sin(0.5 * u), c = taut_cos(0.5 * u);
+    const double turn = fabs(u) <= 3 ? taut_atan2(q * s, c)
+                                     : 0.5 * u + taut_atan2((q - 1) * s * c, c * c + q * s * s);
+    return 2 * taut_sinh(v) / sqrt(minus * plus) * turn;
 }
 
 /* -a sin u int dv / (cosh v + b) from 0, b = a cos u; 1 - |a| |cos u| = 1 - |a| + 2 |a| sin^2(u/2)
  * or the like. */
 static double along_u(double lambda, double a, double u, double v)
 {
-    const double s = sin(0.5 * u), c = cos(0.5 * u);
+    const double s = taut_sin(0.5 * u), c = taut_cos(0.5 * u);
     const double minus = 1 - lambda + 2 * lambda * s * s; /* 1 - lambda cos u */
     const double plus = 1 - lambda + 2 * lambda * c * c;
     const double ratio = a > 0 ? minus / plus : plus / minus;
-    return -2 * a * sin(u) / sqrt(minus * plus) * atan(sqrt(ratio) * tanh(0.5 * v));
+    return -2 * a * taut_sin(u) / sqrt(minus * plus) * taut_atan(sqrt(ratio) * taut_tanh(0.5 * v));
 }
 
 /* 2 q int dp / (1 + p^2 + q^2) from 0, of Enneper's surface. */
 static double along_enneper(double p, double q)
 {
     const double root = sqrt(1 + q * q);
-    return 2 * q / root * atan(p / root);
+    return 2 * q / root * taut_atan(p / root);
 }
 
 void taut_bonnet_closed_curvature(const taut_bonnet_frame *frame, double *sum, double *noise)

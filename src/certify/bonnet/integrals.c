@@ -16,7 +16,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { NODES = 10, BLOCKS = 8, DEPTH = 40, CELLS_MAX = 4000, ORDERS = TAUT_BONNET_ORDERS };
+enum { NODES = 10, BLOCKS = 8, DEPTH = 40, ORDERS = TAUT_BONNET_ORDERS };
 /* What is integrated: W, K W, and the noise of each. */
 enum { AREA, CURVATURE, NOISE, FIELDS = 4 };
 
@@ -36,6 +36,7 @@ typedef struct rule {
     const taut_basis *basis[2];
     taut_bonnet_line lines[2][NODES];
     double nodes[NODES], weights[NODES];
+    long most; /* cuts */
 } rule;
 
 static void fields_of(const taut_bonnet_spot *spot, double fields[FIELDS])
@@ -148,7 +149,7 @@ static void add_cell(rule *r, const cell *whole, const double allowed[2], long *
             sum[k] = parts[0].value[k] + parts[1].value[k] + parts[2].value[k] + parts[3].value[k];
         }
         if ((c.varied <= most_varied && agree(sum, c.value, allowed)) || c.depth >= DEPTH ||
-            *cut >= CELLS_MAX) {
+            *cut >= r->most) {
             for (int k = 0; k < FIELDS; k++) {
                 taut_sum_add(&total[k], sum[k]);
             }
@@ -197,7 +198,7 @@ static int blocks_of(rule *r, cell *cells)
 /* Two rounds: where nearly all lies in a peak, only the first tells how large the whole is, and so
  * how close the second must come. */
 taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet_scale *scale,
-                                  taut_arena *arena, taut_bonnet_integrals *integrals)
+                                  taut_arena *arena, long most, taut_bonnet_integrals *integrals)
 {
     static const double round_closeness[2] = {1e-3, 1e-13};
     cell cells[BLOCKS * BLOCKS];
@@ -211,6 +212,7 @@ taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet
     if (status != TAUT_OK) {
         return status;
     }
+    r.most = most;
     count = blocks_of(&r, cells);
     for (int i = 0; i < count; i++) {
         whole[0] += fabs(cells[i].value[0]);
@@ -231,7 +233,7 @@ taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet
         integrals->value[k] = taut_sum_total(&total[k]);
         integrals->noise[k] = taut_sum_total(&total[NOISE + k]) / fabs(integrals->value[k]) +
                               0.25 * TAUT_UNIT_ROUNDOFF * (double)cut;
-        if (cut >= CELLS_MAX) { /* not reached: by a test, for the 8 s so many cuts take; a net in
+        if (cut >= r.most) { /* not reached: by a test, for the 8 s so many cuts take; a net in
                                    one plane that folds over, W = 0 along lines, comes here */
             integrals->noise[k] = INFINITY;
         }

@@ -16,15 +16,6 @@ typedef struct taut_bonnet_finding {
 void taut_bonnet_raise(taut_bonnet_finding *largest, double residual, double noise, double u,
                        double v);
 
-/* Over a grid of parameters, from the net and the basis:
- *     [0] isothermal  max(|E - G|, |F|) / E
- *     [1] harmonic    |r_uu + r_vv| / max(|r_uu|, |r_uv|, |r_vv|)
- *     [2] minimal     |H| / sqrt |K|
- * TAUT_NO_MEMORY. */
-enum { TAUT_BONNET_SAMPLED = 3 };
-taut_status taut_bonnet_sample(const taut_surface *surface, const taut_bonnet_scale *scale,
-                               taut_arena *arena, taut_bonnet_finding found[TAUT_BONNET_SAMPLED]);
-
 /* The algebraic test, span by span; 0 where the bases are not those it is made for. */
 int taut_bonnet_algebra(const taut_surface *surface, const taut_bonnet_scale *scale,
                         taut_bonnet_finding *found);
@@ -33,23 +24,22 @@ int taut_bonnet_algebra(const taut_surface *surface, const taut_bonnet_scale *sc
 typedef struct taut_bonnet_frame {
     const taut_bonnet_problem *problem;
     double lambda;
-    double size; /* largest coordinate met */
 } taut_bonnet_frame;
 
-/* Largest distance of the surface from the formula, at the same parameters, over the largest
- * coordinate. */
-void taut_bonnet_against_formula(const taut_surface *surface, const taut_bonnet_frame *frame,
-                                 taut_bonnet_finding *found);
+/* A number that the distance of the surface from the formula, at the same parameters, exceeds
+ * nowhere, over the largest coordinate. */
+void taut_bonnet_against_formula(const taut_surface *surface, const taut_bonnet_scale *scale,
+                                 const taut_bonnet_frame *frame, taut_bonnet_finding *found);
 /* Area and total curvature in closed form, with the relative rounding of each. */
 void taut_bonnet_closed_area(const taut_bonnet_frame *frame, double *area, double *noise);
 void taut_bonnet_closed_curvature(const taut_bonnet_frame *frame, double *total, double *noise);
 
 /* iint dA and iint K dA by quadrature, to 1e-13 relative or to what rounding leaves, with the
- * relative noise of each. TAUT_NO_MEMORY. */
+ * relative noise of each, after `most` cuts at the latest. TAUT_NO_MEMORY. */
 typedef struct taut_bonnet_integrals {
     double value[2], noise[2];
 } taut_bonnet_integrals;
 taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet_scale *scale,
-                                  taut_arena *arena, taut_bonnet_integrals *integrals);
+                                  taut_arena *arena, long most, taut_bonnet_integrals *integrals);
 
 #endif /* TAUT_CERTIFY_BONNET_PARTS_H */

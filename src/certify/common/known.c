@@ -72,7 +72,7 @@ taut_status taut_certify_add_known(const taut_surface *surface,
     const double *points = taut_surface_points(surface);
     const double size = known_size(problem);
     char where[64] = "";
-    taut_claim claim = {"known", 0, 0, TAUT_TRUE, where};
+    taut_claim claim = {.claim = "known", .kind = TAUT_EXACT, .holds = TAUT_TRUE, .where = where};
 
     claim.residual = fmax(basis_difference(taut_surface_u(surface), problem->u),
                           basis_difference(taut_surface_v(surface), problem->v));

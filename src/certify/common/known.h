@@ -9,6 +9,11 @@
 #include "taut/certify.h"
 #include "taut/dirichlet.h"
 
+/* What `where` says when no point was unknown, so that nothing can be said to be at rest; and after a
+ * place, when the model alone says which points were known. */
+#define TAUT_KNOWN_ALL "nothing was unknown"
+#define TAUT_KNOWN_AS_TOLD " (known points as the model says)"
+
 /* Are the members there that every problem with a net needs? */
 static inline int taut_known_is_whole(const taut_dirichlet_problem *problem)
 {

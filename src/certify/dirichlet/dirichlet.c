@@ -13,24 +13,31 @@
  *   known       largest distance of a known point from the problem's, over their size; 0 exactly.
  *   aspect      where the aspect was searched for: |log(lambda^2 iint |x_u|^2 / iint |x_v|^2)|
  *               (section 7.3).
+ *   regular     where the problem asks (certify/common/regular.h).
  */
 #include "taut/dirichlet.h"
 
 #include "certify/certify_ops.h"
+#include "certify/common/figures.h"
 #include "certify/common/known.h"
+#include "certify/common/regular.h"
+#include "certify/common/verdict.h"
 #include "certify/dirichlet/gradient.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
+#include "geometry/exponent.h"
+#include "geometry/keep.h"
+#include "measure/integrate/integrals.h"
 #include "numeric/quadrature.h"
-#include "taut/measure.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { ROUNDINGS = 4 };
+enum { ROUNDINGS = 4, SLACK = 2 };
 static const double largest_limit = 1e-6;
 
 /* What is certified. */
@@ -126,59 +133,109 @@ static taut_status read_request(const taut_model *model, const taut_dirichlet_pr
 /* What a gradient says: the largest derivatives, and the rounding to be expected. */
 typedef struct finding {
     double residual, limit, noise;
+    double error; /* proved: the residual is at most that much more */
     int at_u, at_v;
+    int unknowns;
 } finding;
+
+/* How much more than its own gradient says the point does: moves of a point of little weight are as
+ * long as that is small, so that its homogeneous coordinates are what is compared. */
+static double reach_of(const double *weights, double heaviest, size_t at)
+{
+    return weights != NULL ? heaviest / weights[at] : 1;
+}
 
 static finding judge_gradient(const request *r, const taut_dirichlet_gradient *gradient)
 {
-    finding found = {0, 0, 0, 0, 0};
-    double unknown = 0, all = 0, gross = 0;
+    const double *weights = taut_surface_weights(r->surface);
+    finding found = {.residual = 0};
+    double unknown = 0, all = 0, gross = 0, longest = 1, heaviest = 0;
 
+    for (int k = 0; weights != NULL && k < r->nu * r->nv; k++) {
+        heaviest = fmax(heaviest, weights[k]);
+    }
     for (int i = 0; i < r->nu; i++) {
         for (int j = 0; j < r->nv; j++) {
             const size_t at = (size_t)i * (size_t)r->nv + (size_t)j;
             const double size = taut_largest_coordinate(gradient->values + 3 * at);
+            const double reach = reach_of(weights, heaviest, at);
             all = fmax(all, size);
             if (!is_known(r, i, j)) {
-                gross = fmax(gross, gradient->gross[at]);
-                if (size > unknown) {
-                    unknown = size;
+                found.unknowns++;
+                longest = taut_certify_max(longest, reach);
+                gross = taut_certify_max(gross, reach * gradient->gross[at]);
+                if (!(reach * size <= unknown)) {
+                    unknown = reach * size;
                     found.at_u = i;
                     found.at_v = j;
                 }
             }
         }
     }
-    found.residual = unknown > 0 ? unknown / all : 0;
-    found.noise = ROUNDINGS * TAUT_UNIT_ROUNDOFF * (all > 0 ? fmax(1, gross / all) : 1);
+    const double roundings = TAUT_UNIT_ROUNDOFF * (gradient->roundings + ROUNDINGS);
+    /* a net of any size that no derivative sees is out of range */
+    const double none =
+        taut_half_size(taut_point_count(r->surface), taut_surface_points(r->surface)) > 0 ? NAN : 0;
+    found.residual = all > 0 ? unknown / all : none;
+    found.error = all > 0 ? (roundings * gross + longest * gradient->remainder) / all : 0;
+    found.noise = SLACK * roundings * (all > 0 ? fmax(1, gross / all) : 1);
     found.limit = fmin(found.noise, largest_limit);
     return found;
 }
 
-/* The gradient, with enough nodes: on polynomials one more a span than exactness needs; otherwise
- * raised by half until its judgement stays: within the limit twice, or by a quarter of what is
- * found or allowed. *settled tells whether it did. */
-static taut_status find_gradient(const request *r, taut_dirichlet_gradient *gradient,
-                                 finding *found, int *settled)
+/* Does what is proved about the residual decide the claim? */
+static int is_decided(const finding *found)
+{
+    return found->residual + found->error <= found->limit ||
+           found->residual - found->error > found->limit;
+}
+
+/* The gradient by a rule whose remainder is bounded. *kind is TAUT_BOUND where that decides. */
+static taut_status find_bounded(const request *r, taut_dirichlet_gradient *gradient, finding *found,
+                                taut_claim_kind *kind)
+{
+    taut_gradient_rule rule = {.nodes = 0};
+    taut_status status = taut_gradient_plan(r->surface, 0, r->aspect, &rule);
+
+    if (status != TAUT_OK || rule.nodes == 0) {
+        return status;
+    }
+    status = taut_dirichlet_gradient_new(r->surface, r->aspect, &rule, gradient);
+    taut_gradient_rule_clear(&rule);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    *found = judge_gradient(r, gradient);
+    if (is_decided(found)) {
+        *kind = TAUT_BOUND;
+        found->residual += found->error;
+    } else {
+        taut_dirichlet_gradient_clear(gradient);
+    }
+    return TAUT_OK;
+}
+
+/* Where no bound decides: nodes raised by half until the judgement stays, within the limit twice, or
+ * by a quarter of what is found or allowed. *settled tells whether it did. */
+static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradient, finding *found,
+                                int *settled)
 {
     const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
     const int local =
         taut_basis_local(u) > taut_basis_local(v) ? taut_basis_local(u) : taut_basis_local(v);
-    const int is_exact = taut_surface_weights(r->surface) == NULL && taut_basis_degree(u) >= 0 &&
-                         taut_basis_degree(v) >= 0;
-    int nodes = is_exact ? local + 1 : local + 6;
-    taut_status status = taut_dirichlet_gradient_new(r->surface, r->aspect, nodes, gradient);
+    taut_gradient_rule rule = {.nodes = local + 6};
+    taut_status status = taut_dirichlet_gradient_new(r->surface, r->aspect, &rule, gradient);
 
     if (status != TAUT_OK) {
         return status;
     }
-    *settled = is_exact;
     *found = judge_gradient(r, gradient);
-    while (!*settled && nodes < TAUT_GAUSS_MAX) {
+    while (!*settled && isfinite(found->residual) && rule.nodes < TAUT_GAUSS_MAX) {
         const double before = found->residual;
-        nodes = nodes + nodes / 2 < TAUT_GAUSS_MAX ? nodes + nodes / 2 : TAUT_GAUSS_MAX;
+        const int more = rule.nodes + rule.nodes / 2;
+        rule.nodes = more < TAUT_GAUSS_MAX ? more : TAUT_GAUSS_MAX;
         taut_dirichlet_gradient_clear(gradient);
-        status = taut_dirichlet_gradient_new(r->surface, r->aspect, nodes, gradient);
+        status = taut_dirichlet_gradient_new(r->surface, r->aspect, &rule, gradient);
         if (status != TAUT_OK) {
             return status;
         }
@@ -190,15 +247,34 @@ static taut_status find_gradient(const request *r, taut_dirichlet_gradient *grad
     return TAUT_OK;
 }
 
-static taut_status add_stationary(const finding *found, int settled, taut_certificate *certificate)
+static taut_status find_gradient(const request *r, taut_dirichlet_gradient *gradient,
+                                 finding *found, taut_claim_kind *kind, int *settled)
+{
+    const taut_status status = find_bounded(r, gradient, found, kind);
+
+    if (status != TAUT_OK || *kind == TAUT_BOUND) {
+        *settled = 1;
+        return status;
+    }
+    return find_settled(r, gradient, found, settled);
+}
+
+static taut_status add_stationary(const request *r, const finding *found, taut_claim_kind kind,
+                                  int settled, taut_certificate *certificate)
 {
     char where[128];
-    taut_claim claim = {"stationary", found->residual, found->limit, TAUT_FALSE, where};
+    taut_claim claim = {.claim = "stationary",
+                        .kind = kind,
+                        .residual = found->residual,
+                        .limit = found->limit,
+                        .holds = taut_certify_below(found->residual, found->limit),
+                        .where = where};
 
-    snprintf(where, sizeof where, "/surfaces/0/points/%d/%d", found->at_u, found->at_v);
-    if (found->residual <= found->limit) {
-        claim.holds = TAUT_TRUE;
-    } else if (found->residual <= found->noise) {
+    snprintf(where, sizeof where, "/surfaces/0/points/%d/%d%s", found->at_u, found->at_v,
+             r->problem != NULL ? "" : TAUT_KNOWN_AS_TOLD);
+    if (claim.holds == TAUT_UNDECIDED) {
+        snprintf(where, sizeof where, TAUT_CERTIFY_OUT_OF_RANGE);
+    } else if (claim.holds == TAUT_FALSE && found->residual <= found->noise) {
         claim.holds = TAUT_UNDECIDED;
         snprintf(where, sizeof where, "the rounding of the points alone may leave %.3g",
                  found->noise);
@@ -206,6 +282,11 @@ static taut_status add_stationary(const finding *found, int settled, taut_certif
     if (!settled) {
         claim.holds = TAUT_UNDECIDED;
         snprintf(where, sizeof where, "%d Gauss nodes do not settle the integrals", TAUT_GAUSS_MAX);
+    }
+    if (found->unknowns == 0) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, "%s%s", TAUT_KNOWN_ALL,
+                 r->problem != NULL ? "" : TAUT_KNOWN_AS_TOLD);
     }
     return taut_certificate_add(certificate, &claim);
 }
@@ -219,9 +300,10 @@ static taut_status add_aspect(const request *r, const taut_dirichlet_gradient *g
     const double ratio =
         (taut_basis_hi(v) - taut_basis_lo(v)) / (taut_basis_hi(u) - taut_basis_lo(u)) * r->aspect;
     const double a = gradient->halves[0], b = gradient->halves[1];
-    taut_claim claim = {"aspect", 0, 0, TAUT_FALSE, ""};
+    taut_claim claim = {.claim = "aspect", .kind = TAUT_CHECK, .where = ""};
 
-    claim.residual = a == 0 && b == 0 ? 0 : fabs(2 * log(r->aspect) + log(a) - log(b));
+    claim.residual =
+        a == 0 && b == 0 ? 0 : fabs(2 * taut_log(r->aspect) + taut_log(a) - taut_log(b));
     claim.limit = fmin(found->noise * (1 + fmax(ratio, 1 / ratio)), largest_limit);
     claim.holds = claim.residual <= claim.limit ? TAUT_TRUE : TAUT_FALSE;
     return taut_certificate_add(certificate, &claim);
@@ -231,30 +313,27 @@ static taut_status add_figures(const request *r, const taut_dirichlet_gradient *
                                taut_certificate *certificate)
 {
     const double a = gradient->halves[0], b = gradient->halves[1];
-    double energy = 0, area = 0, isothermality = 0;
+    taut_surface_integrals found;
+    taut_status status = taut_surface_integrals_of(r->surface, 1, 1, &found);
     taut_record *figures = NULL;
-    taut_status status = taut_surface_dirichlet_energy(r->surface, &energy);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_surface_area(r->surface, &area, NULL);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_surface_isothermality(r->surface, &isothermality);
-    if (status != TAUT_OK) {
-        return status;
-    }
     figures = taut_record_new();
-    taut_record_add_number(figures, "dirichlet_energy", energy);
-    taut_record_add_number(figures, "area", area);
-    taut_record_add_number(figures, "isothermality", isothermality);
+    taut_certify_add_integrals(figures, "dirichlet_energy", 1, &found.dirichlet,
+                               &found.dirichlet_error);
+    taut_certify_add_integrals(figures, "area", 1, &found.area, &found.area_error);
+    taut_certify_add_integrals(figures, "isothermality", 1, &found.isothermality,
+                               &found.isothermality_error);
     if (r->has_aspect) {
         const double share = a + b > 0 ? (r->aspect * a + b / r->aspect) / (a + b) : 1;
-        taut_record_add_number(figures, "aspect_energy", energy * share);
+        taut_record_add_number(figures, "aspect_energy", found.dirichlet * share);
     }
-    status = taut_record_status(figures);
+    if (r->problem != NULL && r->problem->regular) {
+        status = taut_certify_add_regular_of(r->surface, certificate, figures);
+    }
+    status = status == TAUT_OK ? taut_record_status(figures) : status;
     taut_certificate_set_figures(certificate, figures);
     return status;
 }
@@ -262,14 +341,15 @@ static taut_status add_figures(const request *r, const taut_dirichlet_gradient *
 static taut_status add_claims(const request *r, taut_dirichlet_gradient *gradient,
                               taut_certificate *certificate)
 {
-    finding found = {0, 0, 0, 0, 0};
+    finding found = {.residual = 0};
+    taut_claim_kind kind = TAUT_CHECK;
     int settled = 0;
-    taut_status status = find_gradient(r, gradient, &found, &settled);
+    taut_status status = find_gradient(r, gradient, &found, &kind, &settled);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = add_stationary(&found, settled, certificate);
+    status = add_stationary(r, &found, kind, settled, certificate);
     if (status != TAUT_OK) {
         return status;
     }
@@ -292,7 +372,7 @@ static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
 {
-    taut_dirichlet_gradient gradient = {NULL, NULL, {0, 0}, 0, 0};
+    taut_dirichlet_gradient gradient = {.unit = 0};
     request r;
     taut_status status = read_request(model, data, &r, error);
 
@@ -305,7 +385,22 @@ static taut_status certify(const taut_model *model, const void *data,
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
-const taut_certify_ops taut_certify_dirichlet = {.certify = certify};
+static void identify(const taut_model *model, const void *data, taut_identity *identity)
+{
+    const taut_dirichlet_problem *problem = data;
+    taut_expected_basis u = {.same = NULL}, v = u;
+    const char *name = NULL;
+
+    (void)model;
+    if (problem != NULL) {
+        u.same = problem->u;
+        v.same = problem->v;
+        name = problem->name != NULL ? problem->name : "dirichlet";
+    }
+    taut_identity_surface(identity, 0, name, &u, &v);
+}
+
+const taut_certify_ops taut_certify_dirichlet = {.certify = certify, .identify = identify};
 
 taut_status taut_dirichlet_certify(const taut_model *model, const taut_dirichlet_problem *problem,
                                    const taut_certify_options *options,

@@ -9,6 +9,7 @@
  */
 #include "certify/dirichlet/gradient.h"
 
+#include "certify/dirichlet/remainder.h"
 #include "core/arena.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -24,8 +25,19 @@
 enum {
     VALUES = 9,   /* x, x_u, x_v of a point */
     CHANNELS = 4, /* three coordinates, and the gross */
-    LINES = 16    /* evaluated at once */
+    LINES = 16,   /* evaluated at once */
+    HALVINGS = 6, /* of cells, for the sake of a bound */
+    ROUNDS = 10,  /* of halvings, for the sake of fewer nodes */
+    FEW_NODES = 20
 };
+
+/* A remainder this small, of the integral of the absolute value, is no more than the rounding of the
+ * sum; the area is at rest to 1e-10 or so, and its bounds cost more. Gauss points, and terms of the
+ * cells' bounds, that a plan may cost. */
+static const double dirichlet_goal = 0x1p-50, area_goal = 0x1p-46, points_most = 4e6,
+                    pairs_most = 1e6;
+/* Of the goal: what is missed on a cell that is not to be halved. */
+static const double share_of_cell = 0x1p-4;
 
 /* Gauss nodes on every span of a direction; slopes in the table are over the unit interval. */
 typedef struct axis {
@@ -36,6 +48,7 @@ typedef struct axis {
     double length;
     double reach; /* max |t| / length */
     int count;
+    int alive; /* cells where one function is not 0, at most */
 } axis;
 
 typedef struct work {
@@ -48,9 +61,13 @@ typedef struct work {
     double fu, fv;         /* the larger one is 1 */
     int is_area;
     int unit;         /* its power of two */
+    double roundings; /* see gradient.h */
     double *lines;    /* [LINES][v.count][3][3] */
     double *polygons; /* [4][nv]: w and w_u; gross of values and of slopes in u */
     double *spread;   /* [2][nv][CHANNELS]: what goes back with N_i, and with N_i' */
+    int nodes;        /* a cell; sums are taken over cells first, so that few terms meet */
+    double *cell;     /* [2][local v][CHANNELS]: of the cell of v at hand */
+    double *rows;     /* [local u][nv][CHANNELS]: of the cell of u at hand */
 } work;
 
 static taut_status fill_axis(const taut_basis *basis, const taut_cells *cells, int nodes,
@@ -82,18 +99,78 @@ static taut_status fill_axis(const taut_basis *basis, const taut_cells *cells, i
     return TAUT_OK;
 }
 
-/* lines, step, next as in geometry/nurbs/cells.h. */
-static taut_status make_axis(const taut_basis *basis, int lines, const double *surface_weights,
-                             size_t step, size_t next, int nodes, taut_arena *arena, axis *a)
+/* Every cell in 2^halvings alike, in the arena. */
+static taut_status halve_cells(const taut_cells *cells, int halvings, taut_arena *arena,
+                               taut_cells *out)
 {
-    taut_cells *cells = NULL;
-    taut_status status = taut_cells_new(basis, lines, surface_weights, step, next, &cells);
+    const int parts = 1 << halvings;
+    const size_t count = (size_t)cells->count * (size_t)parts;
 
+    out->count = (int)count;
+    out->lo = taut_arena_take(arena, count, sizeof(double));
+    out->hi = taut_arena_take(arena, count, sizeof(double));
+    out->span = taut_arena_take(arena, count, sizeof(int));
+    for (size_t k = 0; k < count && taut_arena_status(arena) == TAUT_OK; k++) {
+        const size_t whole = k / (size_t)parts, part = k % (size_t)parts;
+        const double lo = cells->lo[whole], width = cells->hi[whole] - lo;
+        out->span[k] = cells->span[whole];
+        out->lo[k] = lo + ldexp(width, -halvings) * (double)part;
+        out->hi[k] = (int)part + 1 == parts ? cells->hi[whole]
+                                            : lo + ldexp(width, -halvings) * (double)(part + 1);
+    }
+    return taut_arena_status(arena);
+}
+
+/* The cells of direction d of a surface, in the arena. */
+static taut_status cut_direction(const taut_surface *surface, int d, int halvings,
+                                 taut_arena *arena, taut_cells *out)
+{
+    const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
+    const size_t nv = (size_t)taut_basis_count(basis[1]);
+    taut_cells *cells = NULL;
+    taut_status status =
+        taut_cells_new(basis[d], taut_basis_count(basis[1 - d]), taut_surface_weights(surface),
+                       d == 0 ? nv : 1, d == 0 ? 1 : nv, &cells);
+
+    if (status == TAUT_OK) {
+        status = halve_cells(cells, halvings, arena, out);
+        taut_cells_free(cells);
+    }
+    return status;
+}
+
+/* The largest number of cells on the spans of one function. */
+static int count_alive(const taut_basis *basis, const taut_cells *cells)
+{
+    const int local = taut_basis_local(basis);
+    int most = 0;
+    for (int from = 0, to = 0; from < cells->count; from++) {
+        while (to < cells->count && taut_basis_first(basis, cells->span[to]) <
+                                        taut_basis_first(basis, cells->span[from]) + local) {
+            to++;
+        }
+        most = to - from > most ? to - from : most;
+    }
+    return most;
+}
+
+static taut_status make_axis(const taut_surface *surface, int d, const taut_gradient_rule *rule,
+                             taut_arena *arena, axis *a)
+{
+    const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
+    const taut_cells *cells = rule->cells[d];
+    taut_cells halved;
+    taut_status status = TAUT_OK;
+
+    if (cells == NULL) {
+        status = cut_direction(surface, d, rule->halvings, arena, &halved);
+        cells = &halved;
+    }
     if (status != TAUT_OK) {
         return status;
     }
-    status = fill_axis(basis, cells, nodes, arena, a);
-    taut_cells_free(cells);
+    status = fill_axis(basis, cells, rule->nodes, arena, a);
+    a->alive = count_alive(basis, cells);
     if (status != TAUT_OK) {
         return status;
     }
@@ -160,22 +237,44 @@ static taut_status centre_surface(const taut_surface *surface, work *w)
     return taut_keep_surface(w->arena, w->centred) ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
+/* The factors of |x_u|^2 and |x_v|^2 over the unit square. */
+static void find_form_factors(const taut_surface *surface, double aspect, double *fu, double *fv)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const double f =
+        aspect * ((taut_basis_hi(v) - taut_basis_lo(v)) / (taut_basis_hi(u) - taut_basis_lo(u)));
+    *fu = f >= 1 ? 1 : f * f;
+    *fv = f >= 1 ? 1 / f / f : 1;
+}
+
+/* Terms that meet in one sum, of a cell and of the cells where a function is not 0, line by line; and
+ * what each of them went through: values of functions, sums over the net, the form. */
+static double count_roundings(const work *w, int nodes)
+{
+    double roundings = 24;
+    for (int d = 0; d < 2; d++) {
+        const axis *a = d == 0 ? &w->u : &w->v;
+        roundings += nodes + a->alive + 8.0 * a->table->local;
+    }
+    return roundings;
+}
+
 /* w->arena is there, or NULL. */
-static taut_status prepare(const taut_surface *surface, double aspect, int nodes, work *w)
+static taut_status prepare(const taut_surface *surface, double aspect,
+                           const taut_gradient_rule *rule, work *w)
 {
     const size_t nu = (size_t)taut_basis_count(taut_surface_u(surface));
     const size_t nv = (size_t)taut_basis_count(taut_surface_v(surface));
     taut_status status = TAUT_OK;
-    double f = 0;
 
     w->nu = (int)nu;
     w->nv = (int)nv;
     w->weights = taut_surface_weights(surface);
-    status = make_axis(taut_surface_u(surface), w->nv, w->weights, nv, 1, nodes, w->arena, &w->u);
+    status = make_axis(surface, 0, rule, w->arena, &w->u);
     if (status != TAUT_OK) {
         return status;
     }
-    status = make_axis(taut_surface_v(surface), w->nu, w->weights, 1, nv, nodes, w->arena, &w->v);
+    status = make_axis(surface, 1, rule, w->arena, &w->v);
     if (status != TAUT_OK) {
         return status;
     }
@@ -186,9 +285,15 @@ static taut_status prepare(const taut_surface *surface, double aspect, int nodes
     w->lines = taut_arena_take(w->arena, LINES * VALUES * (size_t)w->v.count, sizeof(double));
     w->polygons = taut_arena_take(w->arena, 4 * nv, sizeof(double));
     w->spread = taut_arena_take(w->arena, 2 * CHANNELS * nv, sizeof(double));
-    f = aspect * (w->v.length / w->u.length);
-    w->fu = f >= 1 ? 1 : f * f;
-    w->fv = f >= 1 ? 1 / f / f : 1;
+    w->nodes = rule->nodes;
+    w->cell = taut_arena_take(w->arena, 2 * CHANNELS * (size_t)w->v.table->local, sizeof(double));
+    w->rows = taut_arena_take(w->arena, CHANNELS * (size_t)w->u.table->local * nv, sizeof(double));
+    if (taut_arena_status(w->arena) == TAUT_OK) {
+        memset(w->cell, 0, 2 * CHANNELS * (size_t)w->v.table->local * sizeof(double));
+        memset(w->rows, 0, CHANNELS * (size_t)w->u.table->local * nv * sizeof(double));
+    }
+    find_form_factors(surface, aspect, &w->fu, &w->fv);
+    w->roundings = count_roundings(w, rule->nodes);
     return taut_arena_status(w->arena);
 }
 
@@ -255,8 +360,8 @@ static double find_form(const work *w, const double *x, double form[3])
     form[2] = w->fv;
     if (w->is_area) {
         taut_cross(xu, xv, normal);
-        element = taut_norm(normal) * u * v;
-        const double inverse = element > 0x1p-500 ? 1 / element : 0;
+        element = taut_length(normal) * u * v;
+        const double inverse = element > 0x1p-400 ? 1 / element : 0;
         form[0] = taut_dot(xv, xv) * v * v * inverse;
         form[1] = -taut_dot(xu, xv) * u * v * inverse;
         form[2] = taut_dot(xu, xu) * u * u * inverse;
@@ -293,13 +398,12 @@ static void find_integrands(const work *w, double weight, double roundings, cons
     out[2][3] = -(out[0][3] * fabs(wu) + out[1][3] * fabs(wv));
 }
 
-/* spread[0] += N_j' V - N_j Z,   spread[1] += N_j U. */
+/* cell[0] += N_j' V - N_j Z,   cell[1] += N_j U. */
 static void gather_point(const work *w, int k, double out[3][CHANNELS])
 {
     const taut_table *table = w->v.table;
     const double *n = taut_table_row(table, k, 0), *d = taut_table_row(table, k, 1);
-    double *still = w->spread + CHANNELS * (size_t)table->first[k];
-    double *along = still + CHANNELS * (size_t)w->nv;
+    double *still = w->cell, *along = still + CHANNELS * (size_t)table->local;
 
     for (int b = 0; b < table->local; b++) {
         const double slopes[CHANNELS] = {d[b], d[b], d[b], fabs(d[b])};
@@ -315,23 +419,53 @@ static void gather_point(const work *w, int k, double out[3][CHANNELS])
     }
 }
 
-/* values and gross of the rows alive on the line += w_ij (N_i spread[0] + N_i' spread[1]). */
-static void add_line(const work *w, int line, taut_dirichlet_gradient *g)
+/* The cell of v that point k ends goes to the spread. */
+static void end_cell(const work *w, int k)
+{
+    const size_t length = CHANNELS * (size_t)w->v.table->local;
+    double *still = w->spread + CHANNELS * (size_t)w->v.table->first[k];
+    double *along = still + CHANNELS * (size_t)w->nv;
+
+    for (size_t c = 0; c < length; c++) {
+        still[c] += w->cell[c];
+        along[c] += w->cell[length + c];
+    }
+    memset(w->cell, 0, 2 * length * sizeof(double));
+}
+
+/* rows of the functions alive on the line += w_ij (N_i spread[0] + N_i' spread[1]). */
+static void add_line(const work *w, int line)
 {
     const taut_table *table = w->u.table;
     const size_t nv = (size_t)w->nv;
     for (int a = 0; a < table->local; a++) {
         const double n = taut_table_row(table, line, 0)[a], d = taut_table_row(table, line, 1)[a];
         const size_t row = (size_t)(table->first[line] + a) * nv;
+        double *out = w->rows + CHANNELS * (size_t)a * nv;
         for (size_t t = 0; t < nv; t++) {
             const double *still = w->spread + CHANNELS * t, *along = still + CHANNELS * nv;
             const double weight = w->weights != NULL ? w->weights[row + t] : 1;
             for (size_t c = 0; c < 3; c++) {
-                g->values[3 * (row + t) + c] += weight * (n * still[c] + d * along[c]);
+                out[CHANNELS * t + c] += weight * (n * still[c] + d * along[c]);
             }
-            g->gross[row + t] += weight * (n * still[3] + fabs(d) * along[3]);
+            out[CHANNELS * t + 3] += weight * (n * still[3] + fabs(d) * along[3]);
         }
     }
+}
+
+/* The cell of u that the line ends goes to values and gross. */
+static void end_rows(const work *w, int line, taut_dirichlet_gradient *g)
+{
+    const size_t count = (size_t)w->u.table->local * (size_t)w->nv;
+    const size_t first = (size_t)w->u.table->first[line] * (size_t)w->nv;
+
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < 3; c++) {
+            g->values[3 * (first + i) + c] += w->rows[CHANNELS * i + c];
+        }
+        g->gross[first + i] += w->rows[CHANNELS * i + 3];
+    }
+    memset(w->rows, 0, CHANNELS * count * sizeof(double));
 }
 
 static double square(const double *x)
@@ -354,10 +488,16 @@ static void integrate_line(work *w, int line, const double *values, taut_dirichl
         g->area += weight * find_form(w, x, form);
         find_integrands(w, weight, w->u.roundings[line] + w->v.roundings[k], x, sums, form, out);
         gather_point(w, k, out);
+        if ((k + 1) % w->nodes == 0) {
+            end_cell(w, k);
+        }
         g->halves[0] += weight * square(x + 3 * TAUT_XU) * area;
         g->halves[1] += weight * square(x + 3 * TAUT_XV) * area;
     }
-    add_line(w, line, g);
+    add_line(w, line);
+    if ((line + 1) % w->nodes == 0) {
+        end_rows(w, line, g);
+    }
 }
 
 static taut_status integrate_surface(work *w, taut_dirichlet_gradient *g)
@@ -376,10 +516,11 @@ static taut_status integrate_surface(work *w, taut_dirichlet_gradient *g)
     return TAUT_OK;
 }
 
-static taut_status find_gradient(const taut_surface *surface, double aspect, int nodes, work *w,
+static taut_status find_gradient(const taut_surface *surface, double aspect,
+                                 const taut_gradient_rule *rule, work *w,
                                  taut_dirichlet_gradient *made)
 {
-    const taut_status status = prepare(surface, aspect, nodes, w);
+    const taut_status status = prepare(surface, aspect, rule, w);
     const size_t count = (size_t)w->nu * (size_t)w->nv;
 
     if (status != TAUT_OK) {
@@ -394,32 +535,240 @@ static taut_status find_gradient(const taut_surface *surface, double aspect, int
     return integrate_surface(w, made);
 }
 
-static taut_status gradient_new(const taut_surface *surface, int is_area, double aspect, int nodes,
-                                taut_dirichlet_gradient *gradient)
+static taut_status gradient_new(const taut_surface *surface, int is_area, double aspect,
+                                const taut_gradient_rule *rule, taut_dirichlet_gradient *gradient)
 {
-    taut_dirichlet_gradient made = {NULL, NULL, {0, 0}, 0, 0};
+    taut_dirichlet_gradient made = {.unit = 0};
     work w = {.arena = taut_arena_new(), .is_area = is_area};
-    const taut_status status = find_gradient(surface, aspect, nodes, &w, &made);
+    const taut_status status = find_gradient(surface, aspect, rule, &w, &made);
 
     taut_arena_free(w.arena);
     if (status != TAUT_OK) {
         taut_dirichlet_gradient_clear(&made);
         return status;
     }
+    made.roundings = w.roundings;
+    made.remainder = rule->remainder;
     *gradient = made;
     return TAUT_OK;
 }
 
-taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect, int nodes,
+taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect,
+                                        const taut_gradient_rule *rule,
                                         taut_dirichlet_gradient *gradient)
 {
-    return gradient_new(surface, 0, aspect, nodes, gradient);
+    return gradient_new(surface, 0, aspect, rule, gradient);
 }
 
-taut_status taut_area_gradient_new(const taut_surface *surface, int nodes,
+taut_status taut_area_gradient_new(const taut_surface *surface, const taut_gradient_rule *rule,
                                    taut_dirichlet_gradient *gradient)
 {
-    return gradient_new(surface, 1, 1, nodes, gradient);
+    return gradient_new(surface, 1, 1, rule, gradient);
+}
+
+/* ---- where to halve: the rows and columns of cells that need it ---- */
+
+typedef struct plan {
+    taut_arena *arena;
+    taut_remainder_request in;
+    taut_cells cells[2];
+    double goal; /* of the remainder: INFINITY where a cell has no bound */
+    int is_enough;
+    double cost; /* Gauss points of the best rule so far */
+    taut_gradient_rule best;
+    taut_cells taken[2]; /* its cells */
+} plan;
+
+/* Takes the cheapest rule on these cells whose remainder is below the noise, and else the best. */
+static void take_rule(plan *p, const double remainder[TAUT_REMAINDER_RULES])
+{
+    for (int k = 0; k < TAUT_REMAINDER_RULES; k++) {
+        const int nodes = taut_remainder_nodes[k];
+        const double points = (double)p->cells[0].count * p->cells[1].count * nodes * nodes;
+        const int enough = remainder[k] <= p->goal;
+        if (points <= points_most && isfinite(remainder[k]) &&
+            (enough ? !p->is_enough || points < p->cost
+                    : !p->is_enough && remainder[k] < p->best.remainder)) {
+            p->best = (taut_gradient_rule){.nodes = nodes, .remainder = remainder[k]};
+            memcpy(p->taken, p->cells, sizeof p->taken);
+            p->cost = points;
+            p->is_enough = enough;
+        }
+    }
+}
+
+/* marks[d][k]: cell k of direction d is to be halved; returns how many. Cells without a bound come
+ * first, in both directions; once all have one, those that miss too much, in the direction that
+ * does. */
+static int mark_cells(const plan *p, char *const marks[2])
+{
+    const double most = share_of_cell * p->goal;
+    const size_t nv = (size_t)p->cells[1].count, pairs = (size_t)p->cells[0].count * nv;
+    int count = 0;
+
+    for (size_t k = 0; k < pairs; k++) {
+        const double *missed = p->in.missed + 2 * k;
+        const int is_unbounded = !isfinite(missed[0] + missed[1]);
+        for (int d = 0; d < 2; d++) {
+            char *mark = marks[d] + (d == 0 ? k / nv : k % nv);
+            const int is_marked = is_unbounded || missed[d] > most;
+            count += is_marked && !*mark;
+            *mark = *mark || is_marked;
+        }
+    }
+    return count;
+}
+
+static taut_status halve_marked(const taut_cells *cells, const char *marks, taut_arena *arena,
+                                taut_cells *out)
+{
+    const size_t most = 2 * (size_t)cells->count;
+
+    out->count = 0;
+    out->lo = taut_arena_take(arena, most, sizeof(double));
+    out->hi = taut_arena_take(arena, most, sizeof(double));
+    out->span = taut_arena_take(arena, most, sizeof(int));
+    for (int k = 0; k < cells->count && taut_arena_status(arena) == TAUT_OK; k++) {
+        const double lo = cells->lo[k], hi = cells->hi[k], middle = lo + 0.5 * (hi - lo);
+        const int parts = marks[k] && middle > lo && middle < hi ? 2 : 1;
+        for (int part = 0; part < parts; part++) {
+            out->lo[out->count] = part == 0 ? lo : middle;
+            out->hi[out->count] = part + 1 == parts ? hi : middle;
+            out->span[out->count++] = cells->span[k];
+        }
+    }
+    return taut_arena_status(arena);
+}
+
+/* Bounds the rules on the cells at hand, and takes the best. */
+static taut_status try_cells(plan *p)
+{
+    const size_t pairs = (size_t)p->cells[0].count * (size_t)p->cells[1].count;
+    double remainder[TAUT_REMAINDER_RULES], scale = INFINITY;
+
+    p->in.cells[0] = &p->cells[0];
+    p->in.cells[1] = &p->cells[1];
+    p->in.missed = taut_arena_take(p->arena, pairs, 2 * sizeof(double));
+    if (p->in.missed == NULL ||
+        taut_gradient_remainder(&p->in, p->arena, remainder, &scale) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    p->goal = (p->in.is_area ? area_goal : dirichlet_goal) * scale;
+    take_rule(p, remainder);
+    return TAUT_OK;
+}
+
+/* Halves what needs it. *is_done: nothing does, or it cannot be afforded. */
+static taut_status refine_cells(plan *p, int *is_done)
+{
+    const double work_of_pair =
+        (double)taut_basis_local(p->in.basis[0]) * taut_basis_local(p->in.basis[1]);
+    taut_cells finer[2];
+    char *marks[2];
+
+    for (int d = 0; d < 2; d++) {
+        marks[d] = taut_arena_take(p->arena, (size_t)p->cells[d].count, 1);
+    }
+    if (taut_arena_status(p->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    *is_done = mark_cells(p, marks) == 0;
+    for (int d = 0; d < 2; d++) {
+        if (halve_marked(&p->cells[d], marks[d], p->arena, &finer[d]) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    *is_done |= (double)finer[0].count * finer[1].count * work_of_pair > pairs_most;
+    memcpy(p->cells, finer, sizeof finer);
+    return TAUT_OK;
+}
+
+static taut_status search_rule(plan *p)
+{
+    int is_done = 0;
+
+    for (int round = 0; !is_done; round++) {
+        taut_status status = try_cells(p);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        if ((p->is_enough && p->best.nodes <= FEW_NODES) ||
+            round == (isfinite(p->goal) ? ROUNDS : HALVINGS)) {
+            return TAUT_OK; /* half the nodes on half the cells will not do */
+        }
+        status = refine_cells(p, &is_done);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status plan_rule(const taut_surface *surface, int is_area, double aspect,
+                             taut_arena *arena, taut_gradient_rule *rule)
+{
+    plan p = {
+        .arena = arena,
+        .in = {.basis = {taut_surface_u(surface), taut_surface_v(surface)},
+               .weights = taut_surface_weights(surface),
+               .is_area = is_area},
+        .cost = INFINITY,
+        .best = {.remainder = INFINITY},
+    };
+    work w = {.arena = arena, .weights = p.in.weights};
+    taut_status status = TAUT_OK;
+
+    w.nu = taut_basis_count(p.in.basis[0]);
+    w.nv = taut_basis_count(p.in.basis[1]);
+    status = centre_surface(surface, &w);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    p.in.points = taut_surface_points(w.centred);
+    find_form_factors(surface, aspect, &p.in.fu, &p.in.fv);
+    for (int d = 0; d < 2; d++) {
+        if (cut_direction(surface, d, 0, arena, &p.cells[d]) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    status = search_rule(&p);
+    *rule = p.best;
+    for (int d = 0; d < 2 && status == TAUT_OK && rule->nodes > 0; d++) {
+        status = taut_cells_copy(&p.taken[d], &rule->cells[d]);
+    }
+    return status;
+}
+
+taut_status taut_gradient_plan(const taut_surface *surface, int is_area, double aspect,
+                               taut_gradient_rule *rule)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const int local =
+        taut_basis_local(u) > taut_basis_local(v) ? taut_basis_local(u) : taut_basis_local(v);
+    taut_gradient_rule made = {.remainder = INFINITY};
+
+    if (!is_area && taut_surface_weights(surface) == NULL && taut_basis_degree(u) >= 0 &&
+        taut_basis_degree(v) >= 0) {
+        *rule = (taut_gradient_rule){.nodes = local + 1}; /* exact with one node less */
+        return TAUT_OK;
+    }
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = plan_rule(surface, is_area, aspect, arena, &made);
+
+    taut_arena_free(arena);
+    if (status == TAUT_OK) {
+        *rule = made;
+    } else {
+        taut_gradient_rule_clear(&made);
+    }
+    return status;
+}
+
+void taut_gradient_rule_clear(taut_gradient_rule *rule)
+{
+    taut_cells_free(rule->cells[0]);
+    taut_cells_free(rule->cells[1]);
+    memset(rule, 0, sizeof *rule);
 }
 
 void taut_dirichlet_gradient_clear(taut_dirichlet_gradient *gradient)

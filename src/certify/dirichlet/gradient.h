@@ -10,6 +10,7 @@
 #ifndef TAUT_CERTIFY_DIRICHLET_GRADIENT_H
 #define TAUT_CERTIFY_DIRICHLET_GRADIENT_H
 
+#include "geometry/nurbs/cells.h"
 #include "taut/surface.h"
 
 typedef struct taut_dirichlet_gradient {
@@ -21,16 +22,33 @@ typedef struct taut_dirichlet_gradient {
                     * points as stored, not centred; k, h functions alive, du, dv widths of spans
                     * (at most 1 on hyperbolic bases, whose layers are as wide) */
     double halves[2]; /* iint |x_u|^2, iint |x_v|^2, in squares of the unit */
+    double roundings; /* so many of 2^-53 gross the sums themselves may be off by */
+    double remainder; /* of the rule: what quadrature may be off by in any derivative */
     double area;      /* in squares of the unit; 0 of the Dirichlet energy's gradient */
     int unit;         /* the unit is 2 to this power */
 } taut_dirichlet_gradient;
 
-/* `nodes` Gauss nodes a cell (geometry/nurbs/cells.h), 1..TAUT_GAUSS_MAX. TAUT_NO_MEMORY. */
-taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect, int nodes,
+/* Where the nodes are: so many Gauss nodes (1..TAUT_GAUSS_MAX) a cell. */
+typedef struct taut_gradient_rule {
+    int nodes;
+    int halvings;         /* of every cell (geometry/nurbs/cells.h), unless they are told: */
+    double remainder;     /* no derivative is off by more, rounding aside; INFINITY: not known */
+    taut_cells *cells[2]; /* of u and of v, or NULL */
+} taut_gradient_rule;
+
+/* A rule whose remainder is below the rounding of the sums, or else the best that can be afforded,
+ * with nodes 0 where there is none (certify/dirichlet/remainder.h); to be cleared. TAUT_NO_MEMORY. */
+taut_status taut_gradient_plan(const taut_surface *surface, int is_area, double aspect,
+                               taut_gradient_rule *rule);
+void taut_gradient_rule_clear(taut_gradient_rule *rule);
+
+/* TAUT_NO_MEMORY. */
+taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect,
+                                        const taut_gradient_rule *rule,
                                         taut_dirichlet_gradient *gradient);
 /* The gradient of the area instead, from the form (G, -F, E) / W in place of (lambda, 0, 1/lambda)
  * ([WuWang2011] 7.1: at the surface itself it has the area's gradient). */
-taut_status taut_area_gradient_new(const taut_surface *surface, int nodes,
+taut_status taut_area_gradient_new(const taut_surface *surface, const taut_gradient_rule *rule,
                                    taut_dirichlet_gradient *gradient);
 void taut_dirichlet_gradient_clear(taut_dirichlet_gradient *gradient);
 

@@ -1,7 +1,9 @@
 #include "certify/harmonic/claims.h"
 
+#include "certify/common/verdict.h"
 #include "certify/harmonic/residual.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/exact.h"
 #include "core/fail.h"
 #include "taut/measure.h"
@@ -9,8 +11,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static const double largest_limit = 1e-6;
 
 taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_error *error)
 {
@@ -34,18 +34,35 @@ taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_e
     return TAUT_OK;
 }
 
-taut_status taut_harmonic_add_claim(const char *name, double residual, double limit,
-                                    const char *where, taut_certificate *certificate)
+taut_status taut_harmonic_add_claim(const char *name, taut_claim_kind kind, double residual,
+                                    double limit, const char *where, taut_certificate *certificate)
 {
-    const double held = fmin(limit, largest_limit);
-    const int open = residual > held && residual <= limit;
-    const taut_claim claim = {name, residual, held,
-                              residual <= held ? TAUT_TRUE
-                              : open           ? TAUT_UNDECIDED
-                                               : TAUT_FALSE,
-                              open ? "the rounding of points so far from the origin hides it"
-                                   : where};
+    const double held = fmin(limit, TAUT_HARMONIC_LIMIT);
+    const taut_verdict below = isnan(limit) ? TAUT_UNDECIDED : taut_certify_below(residual, held);
+    const int open = below == TAUT_FALSE && residual <= limit;
+    const taut_claim claim = {.claim = name,
+                              .kind = kind,
+                              .residual = residual,
+                              .limit = held,
+                              .holds = open ? TAUT_UNDECIDED : below,
+                              .where =
+                                  below == TAUT_UNDECIDED ? TAUT_CERTIFY_OUT_OF_RANGE
+                                  : open ? "the rounding of points so far from the origin hides it"
+                                         : where};
     return taut_certificate_add(certificate, &claim);
+}
+
+double taut_harmonic_rank(double residual, double limit)
+{
+    const double held = fmin(limit, TAUT_HARMONIC_LIMIT);
+
+    if (isnan(residual) || isnan(limit)) {
+        return INFINITY; /* nothing stands before what is no number */
+    }
+    if (residual > limit) { /* false: before all that is open */
+        return 0x1p300 * (residual / limit);
+    }
+    return held > 0 ? residual / held : residual; /* above 1: open */
 }
 
 /* The largest residual of the exact points, scaled as the other is. */
@@ -75,8 +92,9 @@ static taut_status add_exact(const taut_model *model, taut_certificate *certific
                      taut_surface_name(surface));
         }
     }
-    return status == TAUT_OK ? taut_harmonic_add_claim("harmonic", worst, 0, where, certificate)
-                             : status;
+    return status == TAUT_OK
+               ? taut_harmonic_add_claim("harmonic", TAUT_EXACT, worst, 0, where, certificate)
+               : status;
 }
 
 /* How far two opposite edges of even degree miss the condition of harmonic patches of bidegree
@@ -104,6 +122,16 @@ static double defect_of(const taut_surface *surface, int direction)
     return most;
 }
 
+/* n!, rounded up to n times: infinite from 171 on. */
+static double factorial(int n)
+{
+    double product = 1;
+    for (int k = 2; k <= n; k++) {
+        product *= k;
+    }
+    return product;
+}
+
 /* What such a d leaves of the Laplacian at least, scaled as the residual is: with k = n/2 - 1
  *     w_v mu^k (n! d / 2) |Lambda_k(u) - Lambda_k(1 - u)|,   mu = w_v / w_u,
  * where the difference is at most 1 for k = 0 and 4 zeta(3) / (2 pi)^(2k+1) else (its sine series);
@@ -119,11 +147,12 @@ static double forced_residual(const taut_surface *surface, const taut_harmonic_r
     double most = 0;
     for (int d = 0; d < 2 && size > 0 && k >= 0; d++) {
         const double across = width[d], along = width[1 - d];
-        const double lambda = k == 0 ? 1 : 16 * 1.2020569 * exp(-(2 * k + 1) * log(2 * 3.14159265));
+        const double lambda =
+            k == 0 ? 1 : 16 * 1.2020569 * taut_exp(-(2 * k + 1) * taut_log(2 * 3.14159265));
         const double miss = defect_of(surface, d);
         if (miss > 0 && miss <= 1e-10 * found->size) {
-            most = fmax(most, pow(across / along, 2.0 * k) / (along * along) * 0.5 * miss *
-                                  tgamma(n + 1.0) * lambda / size);
+            most = fmax(most, taut_pow(across / along, 2.0 * k) / (along * along) * 0.5 * miss *
+                                  factorial(n) * lambda / size);
         }
     }
     return most;
@@ -139,11 +168,16 @@ static taut_status add_missed(double residual, double limit, const taut_surface 
         "two edges of even degree miss the condition of a harmonic patch by %.3g, which leaves "
         "so much; \"even\" can repair them",
         fmax(defect_of(surface, 0), defect_of(surface, 1)));
-    const taut_claim claim = {"harmonic", residual, limit, TAUT_UNDECIDED, where};
+    const taut_claim claim = {.claim = "harmonic",
+                              .kind = TAUT_BOUND,
+                              .residual = residual,
+                              .limit = limit,
+                              .holds = TAUT_UNDECIDED,
+                              .where = where};
     return taut_certificate_add(certificate, &claim);
 }
 
-taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, double growth,
+taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, double carried,
                                        taut_certificate *certificate, taut_error *error)
 {
     if (exact) {
@@ -151,7 +185,7 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
     }
 
     char where[96] = "";
-    double worst = -1, residual = 0, limit = 0, carried = 0, spared = 0;
+    double worst = -1, residual = 0, limit = 0, spared = 0;
     const taut_surface *worst_surface = NULL;
 
     for (int k = 0; k < taut_model_surface_count(model); k++) {
@@ -159,11 +193,11 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
         const taut_harmonic_residual found = taut_harmonic_residual_of(surface, 0);
         const int degrees =
             taut_basis_degree(taut_surface_u(surface)) + taut_basis_degree(taut_surface_v(surface));
-        const double noise = found.size > 0 && k > 0 ? carried / found.size : 0;
+        const double noise = found.size > 0 && k > 0 ? 2 * carried / found.size : 0;
         const double allowed = 2 * degrees * TAUT_UNIT_ROUNDOFF * fmax(found.reach, noise);
-        carried = k == 0 ? growth * found.reach * found.size : carried;
-        if (!(found.scaled / allowed <= worst)) {
-            worst = found.scaled / allowed;
+        const double rank = taut_harmonic_rank(found.scaled, allowed);
+        if (!(rank <= worst)) {
+            worst = rank;
             residual = found.scaled;
             limit = allowed;
             spared = forced_residual(surface, &found);
@@ -175,7 +209,7 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
     if (residual > limit && residual <= limit + spared) {
         return add_missed(residual, limit, worst_surface, certificate);
     }
-    return taut_harmonic_add_claim("harmonic", residual, limit, where, certificate);
+    return taut_harmonic_add_claim("harmonic", TAUT_BOUND, residual, limit, where, certificate);
 }
 
 taut_status taut_harmonic_add_figures(const taut_model *model, taut_record *figures)

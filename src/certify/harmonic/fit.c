@@ -2,8 +2,10 @@
  * space of surfaces the nearest is the one whose distance to the rows is orthogonal to the space,
  * on the boundary: here to the powers of z themselves, Re and Im of ((z - z0) / rho)^k, one after
  * the other ([NiWang2015] sections 2.3, 8.3). */
+#include "certify/common/verdict.h"
 #include "certify/harmonic/claims.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "numeric/quadrature.h"
 #include "taut/limits.h"
 
@@ -86,12 +88,12 @@ static double power_product(const fit *f, int k, int nodes, const double *t, con
             const double end = side % 2 == 0 ? -1 : 1;
             const double x = f->half[0] * (side < 2 ? end : t[s]);
             const double y = f->half[1] * (side < 2 ? t[s] : end);
-            const double size = pow(hypot(x, y) / hypot(f->half[0], f->half[1]), k);
-            const double angle = k * atan2(y, x);
+            const double size = taut_pow(taut_hypot(x, y) / taut_hypot(f->half[0], f->half[1]), k);
+            const double angle = k * taut_atan2(y, x);
             double d[3];
             apart_at(f, side, 0.5 + 0.5 * t[s], d);
-            add_node(&re, w[s], size * cos(angle), d);
-            add_node(&im, w[s], size * sin(angle), d);
+            add_node(&re, w[s], size * taut_cos(angle), d);
+            add_node(&im, w[s], size * taut_sin(angle), d);
         }
     }
     return fmax(real ? share(&re) : 0, imaginary ? share(&im) : 0);
@@ -132,7 +134,7 @@ void taut_harmonic_fit_gap(const taut_surface *surface, const taut_harmonic_prob
             const double t = s / (SAMPLES - 1.0);
             double d[3];
             apart_at(&f, side, t, d);
-            const double apart = hypot(hypot(d[0], d[1]), d[2]);
+            const double apart = taut_hypot(taut_hypot(d[0], d[1]), d[2]);
             if (apart > *gap) {
                 const int along = side < 2 ? 1 : 0;
                 *gap = apart;
@@ -165,12 +167,12 @@ taut_status taut_harmonic_add_nearest(const taut_surface *surface,
     for (int k = 0; k <= least + 1; k++) {
         const double found = power_product(&f, k, nodes, t, w) / size;
         worst = found > most ? k : worst;
-        most = fmax(most, found);
+        most = taut_certify_max(most, found);
     }
     for (int k = 0; k < 3 * (f.n + 1) * (f.m + 1); k++) {
         reach = fmax(reach, fabs(taut_surface_points(surface)[k]));
     }
     const double limit = 8 * (f.n + f.m) * TAUT_UNIT_ROUNDOFF * fmax(1, reach / size);
     snprintf(where, sizeof where, "against the power %d of z", worst);
-    return taut_harmonic_add_claim("nearest", most, limit, where, certificate);
+    return taut_harmonic_add_claim("nearest", TAUT_EXACT, most, limit, where, certificate);
 }

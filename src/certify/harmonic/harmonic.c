@@ -1,17 +1,20 @@
 /* harmonic.c -- is this the harmonic surface with the given edges? Claims:
  *
  *   harmonic   claims.h
- *   boundary   largest distance of a given point from the model's over the size of the data; 0
- *              where nothing was moved. After "corner" the last point of the second row is left out,
- *              after "project" the rows are compared with the projected ones, worked out here. With
- *              a derivative: its Bernstein coefficients n (P_1 - P_0) / a too; limit 8 n 2^-53, the
- *              rounding of that difference.
+ *   boundary   largest distance of a given point from the model's over the size of the data, an
+ *              identity of coefficients: the edges have the degrees and ranges that were given. 0
+ *              where nothing was moved. Where the problem asks for it, and only then: after "corner"
+ *              the last point of the second row may be the one that the others ask for, after
+ *              "project" the rows the projected ones, both worked out here; after "raise" the
+ *              degree across is one higher. With a derivative: its Bernstein coefficients n (P_1 -
+ *              P_0) / a too; limit 8 n 2^-53, the rounding of that difference.
  *   nearest    of four boundary rows, in place of boundary: claims.h. Figures boundary_gap, the
  *              largest distance of the edges from the given rows, and boundary_gap_at.
  */
 #include "taut/harmonic.h"
 
 #include "certify/certify_ops.h"
+#include "certify/common/bernstein.h"
 #include "certify/harmonic/claims.h"
 #include "certify/harmonic/residual.h"
 #include "core/constants.h"
@@ -19,7 +22,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* What the boundary claim gathers. */
 typedef struct boundary {
@@ -31,7 +33,7 @@ static void compare(boundary *b, const double *found, const double *given, int i
 {
     for (int c = 0; c < 3; c++) {
         const double apart = fabs(found[c] - given[c]);
-        if (apart > b->largest) {
+        if (!(apart <= b->largest)) {
             b->largest = apart;
             b->i = i;
             b->j = j;
@@ -47,20 +49,13 @@ static double size_of(const double *points, const unsigned char *known, int coun
     return size > 0 ? size : 1;
 }
 
-static const char *repair_of(const taut_model *model)
-{
-    return taut_record_text(
-        taut_record_get(taut_record_get(taut_model_details(model), "repair"), "kind"));
-}
-
 /* How much a "project" moved point j of the rows of even degree m:
  *     (-1)^(m-j) C(m,j) / (2 C(2m,m)) times the defect
  * ([NiWang2015] section 3, B.1). Row 0 moves by +, row 1 by -. */
 static double project_weight(int m, int j)
 {
     const double sign = (m - j) % 2 == 0 ? 1 : -1;
-    return 0.5 * sign *
-           exp(3 * lgamma(m + 1.0) - lgamma(j + 1.0) - lgamma(m - j + 1.0) - lgamma(2 * m + 1.0));
+    return 0.5 * sign * taut_certify_binomial(m, j) / taut_certify_binomial(2 * m, m);
 }
 
 /* Point j of line `side` (0 or 1) of the problem, turned so that the known lines are rows. */
@@ -84,42 +79,112 @@ static void project_defect(const taut_harmonic_problem *p, int turned, int m, do
     }
 }
 
-/* Two lines against the model's. */
-static void compare_lines(const taut_model *model, const taut_harmonic_problem *p, boundary *b)
+/* The two known lines of a problem, and what may have been made of them. */
+typedef struct lines {
+    int turned;                /* columns are known, not rows */
+    int m;                     /* degree along */
+    taut_harmonic_even repair; /* TAUT_EVEN_REFUSE: none can be needed */
+    double defect[3];
+} lines;
+
+static void find_lines(const taut_harmonic_problem *p, lines *l)
 {
-    const taut_surface *surface = taut_model_surface(model, 0);
-    const double *points = taut_surface_points(surface);
+    const int nu = taut_basis_count(p->u), nv = taut_basis_count(p->v);
+    l->turned = nu > 2 && p->rows.known[nv]; /* point (1, 0) is not known where rows are */
+    l->m = l->turned ? nu - 1 : nv - 1;
+    const int is_whole =
+        p->rows.known[nu * nv - 1]; /* without its corner nothing is to be repaired */
+    l->repair = nu == nv && l->m % 2 == 0 && is_whole ? p->rows.even : TAUT_EVEN_REFUSE;
+    l->defect[0] = l->defect[1] = l->defect[2] = 0;
+    if (l->repair != TAUT_EVEN_REFUSE) {
+        project_defect(p, l->turned, l->m, l->defect);
+    }
+}
+
+/* Point j of line `side` as a repair leaves it. */
+static void repaired_point(const taut_harmonic_problem *p, const lines *l, int side, int j,
+                           double wanted[3])
+{
+    const double w = l->repair == TAUT_EVEN_PROJECT ? (side == 0 ? 1 : -1) * project_weight(l->m, j)
+                     : l->repair == TAUT_EVEN_CORNER && side == 1 && j == l->m ? -1
+                                                                               : 0;
+    for (int c = 0; c < 3; c++) {
+        wanted[c] = given_point(p, l->turned, side, j)[c] + w * l->defect[c];
+    }
+}
+
+/* Two lines against the model's: as they were given, and as a repair leaves them. */
+static void compare_lines(const taut_surface *surface, const taut_harmonic_problem *p,
+                          const lines *l, boundary *given, boundary *repaired)
+{
     const int nu = taut_basis_count(p->u), nv = taut_basis_count(p->v);
     const int rows = taut_basis_count(taut_surface_u(surface));
     const int columns = taut_basis_count(taut_surface_v(surface));
-    const int turned = nu > 2 && !p->rows.known[nv]; /* point (1, 0) is not known where rows are */
-    const int columns_known = nu > 2 && p->rows.known[nv];
-    const int is_turned = turned ? 0 : columns_known;
-    const int m = is_turned ? nu - 1 : nv - 1;
-    const char *repair = repair_of(model);
-    double defect[3] = {0, 0, 0};
 
-    if (strcmp(repair, "project") == 0) {
-        project_defect(p, is_turned, m, defect);
-    }
     for (int side = 0; side < 2; side++) {
-        for (int j = 0; j <= m; j++) {
-            const int i = is_turned ? j : side * (rows - 1),
-                      k = is_turned ? side * (columns - 1) : j;
-            const int given_i = is_turned ? j : side * (nu - 1);
-            const int given_j = is_turned ? side * (nv - 1) : j;
-            const double w = (side == 0 ? 1 : -1) * project_weight(m, j);
+        for (int j = 0; j <= l->m; j++) {
+            const int i = l->turned ? j : side * (rows - 1),
+                      k = l->turned ? side * (columns - 1) : j;
+            const int given_i = l->turned ? j : side * (nu - 1);
+            const int given_j = l->turned ? side * (nv - 1) : j;
+            const double *found = taut_surface_points(surface) + 3 * (i * columns + k);
             double wanted[3];
-            if (!p->rows.known[given_i * nv + given_j] ||
-                (side == 1 && j == m && strcmp(repair, "corner") == 0)) {
+            if (!p->rows.known[given_i * nv + given_j]) {
                 continue;
             }
-            for (int c = 0; c < 3; c++) {
-                wanted[c] = given_point(p, is_turned, side, j)[c] + w * defect[c];
-            }
-            compare(b, points + 3 * (i * columns + k), wanted, i, k);
+            compare(given, found, given_point(p, l->turned, side, j), i, k);
+            repaired_point(p, l, side, j, wanted);
+            compare(repaired, found, wanted, i, k);
         }
     }
+}
+
+/* The lines as given, or where the problem lets them be repaired as repaired, whichever is nearer:
+ * a defect that rounding explains is let be. *limit is 0 for lines as given. The corner is 2^m times
+ * as uncertain as the others. */
+static void judge_lines(const taut_surface *surface, const taut_harmonic_problem *p, boundary *b,
+                        double *limit)
+{
+    boundary repaired = *b;
+    double reach = 0;
+    lines l;
+
+    find_lines(p, &l);
+    compare_lines(surface, p, &l, b, &repaired);
+    if ((l.repair == TAUT_EVEN_PROJECT || l.repair == TAUT_EVEN_CORNER) &&
+        !(b->largest <= repaired.largest)) {
+        (void)taut_certify_extent(p->rows.points, p->rows.known,
+                                  (size_t)taut_basis_count(p->u) * (size_t)taut_basis_count(p->v),
+                                  &reach);
+        *b = repaired;
+        *limit = 8 * l.m * TAUT_UNIT_ROUNDOFF * fmax(1, reach / b->size) *
+                 (l.repair == TAUT_EVEN_CORNER ? ldexp(1, l.m) : 1);
+    }
+}
+
+/* Has the model the degrees and ranges that the problem leads to? */
+static int has_bases(const taut_surface *surface, const taut_harmonic_problem *p)
+{
+    const taut_basis *asked[2] = {p->u, p->v};
+    const taut_basis *found[2] = {taut_surface_u(surface), taut_surface_v(surface)};
+    int raised = -1; /* the direction that may be one degree higher */
+
+    if (p->given == TAUT_HARMONIC_ROWS) {
+        lines l;
+        find_lines(p, &l);
+        raised = l.repair == TAUT_EVEN_RAISE ? l.turned : -1;
+    } else if (p->given == TAUT_HARMONIC_DERIVATIVE && p->derivative.raise) {
+        raised = 0;
+    }
+    for (int d = 0; d < 2; d++) {
+        const int more = taut_basis_degree(found[d]) - taut_basis_degree(asked[d]);
+        if (more < 0 || more > (raised == d) ||
+            taut_basis_lo(found[d]) != taut_basis_lo(asked[d]) ||
+            taut_basis_hi(found[d]) != taut_basis_hi(asked[d])) {
+            return 0;
+        }
+    }
+    return 1;
 }
 
 /* The edge, and n (P_1 - P_0) / a. */
@@ -152,11 +217,7 @@ static taut_status add_boundary(const taut_model *model, const taut_harmonic_pro
     char where[64] = "";
     double limit = 0;
 
-    if (taut_basis_count(taut_surface_v(surface)) < nv ||
-        taut_basis_count(taut_surface_u(surface)) < nu ||
-        (p->given == TAUT_HARMONIC_BOUNDARY &&
-         (!taut_basis_equal(taut_surface_u(surface), p->u) ||
-          !taut_basis_equal(taut_surface_v(surface), p->v)))) {
+    if (!has_bases(surface, p)) {
         return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces/0", taut_none, taut_none,
                          "the model and the problem do not belong together");
     }
@@ -172,15 +233,13 @@ static taut_status add_boundary(const taut_model *model, const taut_harmonic_pro
         }
     } else {
         b.size = size_of(p->rows.points, p->rows.known, nu * nv);
-        compare_lines(model, p, &b);
-        limit = repair_of(model)[0] != '\0' && strcmp(repair_of(model), "project") == 0
-                    ? 8 * n * TAUT_UNIT_ROUNDOFF
-                    : 0;
+        judge_lines(surface, p, &b, &limit);
     }
     if (b.largest > 0) {
         snprintf(where, sizeof where, "/surfaces/0/points/%d/%d", b.i, b.j);
     }
-    return taut_harmonic_add_claim("boundary", b.largest / b.size, limit, where, certificate);
+    return taut_harmonic_add_claim("boundary", TAUT_EXACT, b.largest / b.size, limit, where,
+                                   certificate);
 }
 
 /* Of four boundary rows: how far the edges are from what was given. */
@@ -228,4 +287,31 @@ static taut_status certify(const taut_model *model, const void *data,
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
 
-const taut_certify_ops taut_certify_harmonic = {.certify = certify, .exact = 1};
+/* A bezier basis over the range given, of the degree given or, raised, of one more. */
+static taut_expected_basis expected_basis(const taut_basis *basis, double range[2])
+{
+    const int degree = taut_basis_degree(basis);
+    range[0] = taut_basis_lo(basis);
+    range[1] = taut_basis_hi(basis);
+    return (taut_expected_basis){.type = "bezier", .degree = {degree, degree + 1}, .range = range};
+}
+
+/* Without the problem every surface of the model is judged. */
+static void identify(const taut_model *model, const void *data, taut_identity *identity)
+{
+    const taut_harmonic_problem *problem = data;
+    double ranges[2][2];
+
+    for (int i = 0; problem == NULL && i < taut_model_surface_count(model); i++) {
+        taut_identity_surface(identity, i, NULL, NULL, NULL);
+    }
+    if (problem != NULL) {
+        const taut_expected_basis u = expected_basis(problem->u, ranges[0]);
+        const taut_expected_basis v = expected_basis(problem->v, ranges[1]);
+        taut_identity_surface(identity, 0, problem->name != NULL ? problem->name : "harmonic", &u,
+                              &v);
+    }
+}
+
+const taut_certify_ops taut_certify_harmonic = {
+    .certify = certify, .identify = identify, .exact = 1};

@@ -1,5 +1,7 @@
 #include "certify/harmonic/residual.h"
 
+#include "certify/common/verdict.h"
+
 #include <float.h>
 #include <math.h>
 
@@ -16,16 +18,18 @@ static void fill_factors(int n, int i, double f[5])
     f[4] = a2;
 }
 
-/* sum_k f[k] (p[i + 2 - k] s - mean), s = 2^-unit, points outside the net left out; p strides
- * `stride` points. */
-static double apply_factors(const double f[5], int n, int i, const double *points, long first,
-                            long stride, int c, int unit, double mean)
+/* sum_k f[k] p[i + 2 - k] 2^-unit, points outside the net left out; p strides `stride` points. In
+ * twice the precision: the factors sum to 0, and what is left of points far from the origin is the
+ * difference that they stand for. */
+static taut_twice apply_factors(const double f[5], int n, int i, const double *points, long first,
+                                long stride, int c, int unit)
 {
-    double sum = 0;
+    taut_twice sum = {0, 0};
     for (int k = 0; k < 5; k++) {
         const int at = i + 2 - k;
         if (at >= 0 && at <= n && f[k] != 0) {
-            sum += f[k] * (ldexp(points[3 * (first + at * stride) + c], -unit) - mean);
+            const double x = ldexp(points[3 * (first + at * stride) + c], -unit);
+            sum = taut_twice_add(sum, taut_twice_product(f[k], x));
         }
     }
     return sum;
@@ -88,8 +92,8 @@ taut_edge taut_certify_shared_edge(const taut_surface *p, const taut_surface *q)
                                                                                 : TAUT_EDGE_V0;
 }
 
-void taut_certify_laplacian(int n, int m, double wu, double wv, const double *net,
-                            double *laplacian)
+void taut_certify_laplacian(int n, int m, const taut_twice w[2], const taut_twice *net,
+                            taut_twice *laplacian)
 {
     for (int i = 0; i <= n; i++) {
         double fu[5];
@@ -98,12 +102,33 @@ void taut_certify_laplacian(int n, int m, double wu, double wv, const double *ne
             double fv[5];
             fill_factors(m, j, fv);
             for (int c = 0; c < 3; c++) {
+                taut_twice u = {0, 0}, v = {0, 0};
+                for (int k = 0; k < 5; k++) {
+                    const int row = i + 2 - k, column = j + 2 - k;
+                    if (row >= 0 && row <= n) {
+                        const taut_twice x = net[3 * (row * (m + 1) + j) + c];
+                        u = taut_twice_add(u, taut_twice_scale(fu[k], x));
+                    }
+                    if (column >= 0 && column <= m) {
+                        const taut_twice x = net[3 * (i * (m + 1) + column) + c];
+                        v = taut_twice_add(v, taut_twice_scale(fv[k], x));
+                    }
+                }
                 laplacian[3 * (i * (m + 1) + j) + c] =
-                    wu * apply_factors(fu, n, i, net, j, m + 1, c, 0, 0) +
-                    wv * apply_factors(fv, m, j, net, (long)i * (m + 1), 1, c, 0, 0);
+                    taut_twice_add(taut_twice_times(w[0], u), taut_twice_times(w[1], v));
             }
         }
     }
+}
+
+void taut_certify_laplacian_weights(double a, double b, taut_twice w[2])
+{
+    const int unit = ilogb(fmax(a, b));
+    const double x = ldexp(a, -unit), y = ldexp(b, -unit);
+    const taut_twice aa = taut_twice_product(x, x), bb = taut_twice_product(y, y);
+    const taut_twice one = taut_twice_of(1);
+    w[0] = a <= b ? one : taut_twice_over(bb, aa);
+    w[1] = a <= b ? taut_twice_over(aa, bb) : one;
 }
 
 taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, int square)
@@ -112,13 +137,14 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
     const int n = taut_basis_degree(u), m = taut_basis_degree(v);
     const double a = square ? 1 : taut_basis_hi(u) - taut_basis_lo(u);
     const double b = square ? 1 : taut_basis_hi(v) - taut_basis_lo(v);
-    const double wu = 1 / (a * a), wv = 1 / (b * b);
     const double *points = taut_surface_points(surface);
     taut_harmonic_residual found = {0, 0, 0, 1, 0, 0};
     double mean[3];
     const int unit = unit_of(points, (long)(n + 1) * (m + 1));
     const double size = size_about_mean(points, (long)(n + 1) * (m + 1), unit, mean);
+    taut_twice w[2];
 
+    taut_certify_laplacian_weights(a, b, w);
     for (int i = 0; i <= n; i++) {
         double fu[5];
         fill_factors(n, i, fu);
@@ -126,10 +152,11 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
             double fv[5];
             fill_factors(m, j, fv);
             for (int c = 0; c < 3; c++) {
-                const double along_u = apply_factors(fu, n, i, points, j, m + 1, c, unit, mean[c]);
-                const double along_v =
-                    apply_factors(fv, m, j, points, (long)i * (m + 1), 1, c, unit, mean[c]);
-                const double r = fabs(wu * along_u + wv * along_v);
+                const taut_twice along_u = apply_factors(fu, n, i, points, j, m + 1, c, unit);
+                const taut_twice along_v =
+                    apply_factors(fv, m, j, points, (long)i * (m + 1), 1, c, unit);
+                const double r = fabs(taut_twice_round(taut_twice_add(
+                    taut_twice_times(w[0], along_u), taut_twice_times(w[1], along_v))));
                 if (!(r <= found.largest)) {
                     found.largest = r;
                     found.i = i;
@@ -139,10 +166,13 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
         }
     }
     for (long k = 0; size > 0 && k < 3L * (n + 1) * (m + 1); k++) {
-        found.reach = fmax(found.reach, ldexp(fmax(fabs(points[k]), DBL_MIN), -unit) / size);
+        found.reach =
+            taut_certify_max(found.reach, ldexp(fmax(fabs(points[k]), DBL_MIN), -unit) / size);
     }
-    found.scaled = size > 0 ? found.largest / (fmax(wu * n * n, wv * m * m) * size) : 0;
+    /* what the Laplacian of a net of this size may be: of degree 1 a direction has no part in it */
+    const double most = fmax(n > 1 ? w[0].high * n * n : 0, m > 1 ? w[1].high * m * m : 0);
+    found.scaled = size > 0 && found.largest > 0 ? found.largest / (most * size) : 0;
     found.size = ldexp(size, unit);
-    found.largest = ldexp(found.largest, unit);
+    found.largest = ldexp(found.largest / (fmin(a, b) * fmin(a, b)), unit);
     return found;
 }

@@ -2,6 +2,7 @@
 #ifndef TAUT_CERTIFY_HARMONIC_RESIDUAL_H
 #define TAUT_CERTIFY_HARMONIC_RESIDUAL_H
 
+#include "core/twice.h"
 #include "taut/join.h"
 #include "taut/surface.h"
 
@@ -18,14 +19,19 @@ typedef struct taut_harmonic_residual {
 } taut_harmonic_residual;
 
 /* By relation (2) of [NiWang2015] section 2.2 with weights 1/a^2, 1/b^2, a and b the widths of the
- * ranges; `square` nonzero: with weights 1, as over the unit square. Bezier bases without weights.
+ * ranges as doubles, in twice the precision: of the points as they are stored, nothing is lost. A
+ * polynomial is nowhere larger than its largest control point, so that |x_uu + x_vv|, each
+ * coordinate, is at most `largest` on the whole rectangle. `square` nonzero: with weights 1, as over the unit square. Bezier bases without weights.
  */
 taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, int square);
 
-/* The control points of w_u x_uu + w_v x_vv, in the bidegree of the net double[n+1][m+1][3], by
+/* 1/a^2 and 1/b^2 over the larger of them, to twice the precision: a and b are doubles. */
+void taut_certify_laplacian_weights(double a, double b, taut_twice w[2]);
+
+/* The control points of w[0] x_uu + w[1] x_vv, in the bidegree of the net [n+1][m+1][3], by
  * relation (2). Not in place. */
-void taut_certify_laplacian(int n, int m, double wu, double wv, const double *net,
-                            double *laplacian);
+void taut_certify_laplacian(int n, int m, const taut_twice w[2], const taut_twice *net,
+                            taut_twice *laplacian);
 
 /* Half the largest extent of double[count][3], and the largest coordinate, of points where `known`
  * (NULL: all). */

@@ -1,5 +1,6 @@
 #include "certify/pipe/axis.h"
 
+#include "certify/common/bernstein.h"
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -134,6 +135,23 @@ static taut_status take_only_piece(const taut_model *pieces, int i, taut_pipe_li
     return status;
 }
 
+/* Has the axis no curvature at an end, by what it is made of and not by its rounding? A "ce-bezier"
+ * has none where beta is 3 or -3, and at both ends where V_1 = V_2; a quintic has three points on
+ * either end edge. */
+static void mark_flat(const taut_curve *curve, int flat[2])
+{
+    const double *v = taut_curve_points(curve);
+    taut_basis_spec spec;
+    taut_basis_spec_of(taut_curve_t(curve), &spec);
+    if (strcmp(taut_basis_type(taut_curve_t(curve)), "ce-bezier") == 0) {
+        const int is_elbow = memcmp(v + 3, v + 6, 3 * sizeof *v) == 0;
+        flat[0] = is_elbow || spec.beta == 3;
+        flat[1] = is_elbow || spec.beta == -3;
+    } else if (taut_basis_degree(taut_curve_t(curve)) == 5) {
+        flat[0] = flat[1] = 1;
+    }
+}
+
 /* Unit tangents at both ends. */
 static taut_status find_tangents(taut_pipe_line *line, taut_error *error)
 {
@@ -170,6 +188,7 @@ taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, ta
             return status;
         }
         status = take_only_piece(pieces, i, line, error);
+        mark_flat(curves[i], line->pieces[i].flat);
         taut_model_free(pieces);
         if (status != TAUT_OK) {
             return status;
@@ -191,38 +210,78 @@ taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_p
     }
     status = take_pieces(pieces, line, error);
     taut_model_free(pieces);
+    if (status == TAUT_OK && line->count == 1) {
+        mark_flat(curve, line->pieces[0].flat);
+    }
     return status == TAUT_OK ? find_tangents(line, error) : status;
 }
 
-/* K = P' x P'' of a quintic without curvature at its ends is t (1 - t) C(t), C of degree 4:
- *     C_i = K_{i+1} (6 over i+1) / (4 over i),
- *     K_k = sum over i + j = k of (4 i-th by j-th) binomials p'_i x p'_{j+1} / (6 over k) */
-static void binormal_of(const taut_pipe_piece *piece, double c[5][3])
+enum { BINORMAL_DEGREE = 2 * TAUT_PIPE_PIECE_DEGREE };
+
+/* A binormal of any length, without the factors t and 1 - t that it has where the curvature vanishes
+ * at an end; degree -1: there is none. */
+typedef struct binormal {
+    int degree;
+    double c[BINORMAL_DEGREE + 1][3];
+} binormal;
+
+/* K = P' x P'' of a curve of degree n with legs E_i is n^2 (n - 1) A x B, A of the legs E_0, ..,
+ * E_{n-2} and B of E_1, .., E_{n-1}, as P' = (1 - t) A + t B and P'' = (n - 1) (B - A); of degree
+ * m = 2 n - 4, with (m over k) K_k = sum over i + j = k of (n-2 over i) (n-2 over j) E_i x E_{j+1}.
+ * What a factor t is taken from begins with the next coefficient, and so at the other end. */
+static void binormal_of(const taut_pipe_piece *piece, binormal *b)
 {
-    static const double three[4] = {1, 3, 3, 1}, four[5] = {1, 4, 6, 4, 1};
-    double legs[5][3];
-    memset(c, 0, 15 * sizeof(double));
-    for (int i = 0; i < 5; i++) {
+    const int n = piece->degree, m = 2 * n - 4;
+    double legs[TAUT_PIPE_PIECE_DEGREE][3], k[BINORMAL_DEGREE + 1][3];
+    int first = piece->flat[0] != 0, last = m - (piece->flat[1] != 0);
+    memset(k, 0, sizeof k);
+    for (int i = 0; i < n; i++) {
         taut_difference(piece->points[i + 1], piece->points[i], legs[i]);
     }
-    for (int i = 0; i < 4; i++) {
-        for (int j = 0; j < 4; j++) {
+    for (int i = 0; i + 1 < n; i++) {
+        for (int j = 0; j + 1 < n; j++) {
             double product[3];
             taut_cross(legs[i], legs[j + 1], product);
-            if (i + j > 0 && i + j < 6) {
-                taut_add_scaled(100 * three[i] * three[j] / four[i + j - 1], product, c[i + j - 1]);
-            }
+            taut_add_scaled(taut_certify_binomial(n - 2, i) * taut_certify_binomial(n - 2, j),
+                            product, k[i + j]);
+        }
+    }
+    while (first <= last && taut_dot(k[first], k[first]) == 0) {
+        first++;
+    }
+    while (last > first && taut_dot(k[last], k[last]) == 0) {
+        last--;
+    }
+    b->degree = n < 2 ? -1 : last - first;
+    for (int i = 0; i <= b->degree; i++) {
+        for (int c = 0; c < 3; c++) {
+            b->c[i][c] = k[first + i][c] / taut_certify_binomial(b->degree, i);
         }
     }
 }
 
-/* Torsion from a binormal C(t) of any length: -det(C', C, T) / C . C, which needs no division by
- * what vanishes at the ends. */
-static double flat_torsion(const double (*c)[3], double t, const double tangent[3])
+/* Does rounding leave the binormal no direction at an end? The torsion there is anybody's then. */
+static int is_lost_at_end(const taut_pipe_line *line, const taut_pipe_piece *piece,
+                          const binormal *b)
 {
-    double b[5][3], slope[3], square = 0;
-    memcpy(b, c, sizeof b);
-    for (int level = 4; level > 1; level--) {
+    double longest = 0;
+    for (int i = 0; i < piece->degree; i++) {
+        longest = fmax(longest, taut_distance(piece->points[i + 1], piece->points[i]));
+    }
+    const double noise = 64 * line->noise * longest;
+    return b->degree >= 0 && (taut_norm(b->c[0]) <= noise || taut_norm(b->c[b->degree]) <= noise);
+}
+
+/* Torsion from a binormal C(t): -det(C', C, T) / C . C, which needs no division by what vanishes at
+ * the ends. */
+static double flat_torsion(const binormal *from, double t, const double tangent[3])
+{
+    double b[BINORMAL_DEGREE + 1][3], slope[3], square = 0;
+    if (from->degree < 1) {
+        return 0;
+    }
+    memcpy(b, from->c, sizeof b);
+    for (int level = from->degree; level > 1; level--) {
         for (int i = 0; i < level; i++) {
             for (int k = 0; k < 3; k++) {
                 b[i][k] += t * (b[i + 1][k] - b[i][k]);
@@ -230,7 +289,7 @@ static double flat_torsion(const double (*c)[3], double t, const double tangent[
         }
     }
     for (int k = 0; k < 3; k++) {
-        slope[k] = 4 * (b[1][k] - b[0][k]);
+        slope[k] = from->degree * (b[1][k] - b[0][k]);
         b[0][k] += t * (b[1][k] - b[0][k]);
     }
     square = taut_dot(b[0], b[0]);
@@ -238,8 +297,8 @@ static double flat_torsion(const double (*c)[3], double t, const double tangent[
 }
 
 /* Length, turning, torsion and bending per unit of parameter. */
-static void evaluate_integrands(const taut_pipe_piece *piece, int planar,
-                                const double (*binormal)[3], double t, double out[INTEGRALS])
+static void evaluate_integrands(const taut_pipe_piece *piece, int planar, const binormal *flat,
+                                double t, double out[INTEGRALS])
 {
     double d[4][3], cross[3], speed = 0, square = 0;
     taut_pipe_piece_eval(piece, t, 3, d);
@@ -253,11 +312,11 @@ static void evaluate_integrands(const taut_pipe_piece *piece, int planar,
         out[1] = curvature * speed;
         out[3] = curvature * curvature * speed;
     }
-    if (binormal != NULL && speed > 0 && !planar) {
+    if (flat != NULL && speed > 0 && !planar) {
         for (int k = 0; k < 3; k++) {
             d[1][k] /= speed;
         }
-        out[2] = flat_torsion(binormal, t, d[1]);
+        out[2] = flat_torsion(flat, t, d[1]);
     } else if (square > 0 && !planar) {
         out[2] = taut_dot(cross, d[3]) / square * speed;
     }
@@ -268,7 +327,7 @@ typedef struct quadrature {
     double tolerance;
     const taut_pipe_piece *piece;
     int planar, flat;
-    double binormal[5][3]; /* of a flat one */
+    binormal binormal; /* of a flat one */
     double nodes[GAUSS], weights[GAUSS];
     double size[INTEGRALS]; /* what errors are measured against */
     taut_sum sums[INTEGRALS];
@@ -280,7 +339,7 @@ static void integrate_interval(const quadrature *q, double lo, double hi, double
     memset(out, 0, INTEGRALS * sizeof *out);
     for (int i = 0; i < GAUSS; i++) {
         double value[INTEGRALS];
-        evaluate_integrands(q->piece, q->planar, q->flat ? (const double(*)[3])q->binormal : NULL,
+        evaluate_integrands(q->piece, q->planar, q->flat ? &q->binormal : NULL,
                             0.5 * (lo + hi) + 0.5 * (hi - lo) * q->nodes[i], value);
         for (int k = 0; k < INTEGRALS; k++) {
             out[k] += 0.5 * (hi - lo) * q->weights[i] * value[k];
@@ -367,9 +426,10 @@ void taut_pipe_integrate(const taut_pipe_line *line, taut_pipe_figures *figures)
     for (int i = 0; i < line->count; i++) {
         q.piece = &line->pieces[i];
         q.planar = is_planar(line, q.piece);
-        q.flat = line->flat && q.piece->degree == 5;
-        if (q.flat) {
-            binormal_of(q.piece, q.binormal);
+        q.flat = q.piece->flat[0] || q.piece->flat[1];
+        binormal_of(q.piece, &q.binormal);
+        if (!q.planar && is_lost_at_end(line, q.piece, &q.binormal)) {
+            figures->torsion = NAN; /* and stays so */
         }
         integrate_piece(&q, figures);
     }

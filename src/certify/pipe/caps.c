@@ -2,9 +2,11 @@
  * u1 of the last; that edge is u1 of cap1 and u0 of cap2, as u runs along the flow everywhere, and
  * all of a cap lies in the plane across it.
  *
- * The larger of the distance of the rims and that from the plane of three points of the rim, over
- * the radius.
+ * A cap is ruled from one point inside the ring to the ring, with the ring's own functions around.
+ * So it is no farther from the ring, and from a plane through three points of it, than its control
+ * points are: the larger of both, over the radius, is a bound of the whole cap.
  */
+#include "certify/common/verdict.h"
 #include "certify/pipe/parts.h"
 #include "core/vec3.h"
 
@@ -12,32 +14,69 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { AROUND = 48, ALONG = 4 };
+/* A row of control points and weights (NULL: 1). */
+typedef struct ring {
+    const double (*points)[3];
+    const double *weights;
+} ring;
 
+static ring ring_of(const taut_surface *s, int last)
+{
+    const size_t nu = (size_t)taut_basis_count(taut_surface_u(s));
+    const size_t nv = (size_t)taut_basis_count(taut_surface_v(s)), row = last ? (nu - 1) * nv : 0;
+    const double *weights = taut_surface_weights(s);
+    return (ring){(const double(*)[3])(const void *)(taut_surface_points(s) + 3 * row),
+                  weights != NULL ? weights + row : NULL};
+}
+
+static double weight_of(const ring *r, int j)
+{
+    return r->weights != NULL ? r->weights[j] : 1;
+}
+
+/* The unit normal of the plane through three points of a ring; 0 where there is none. */
+static void find_normal(const ring *r, int count, double normal[3])
+{
+    double a[3], b[3], across[3];
+    taut_difference(r->points[count / 3], r->points[0], a);
+    taut_difference(r->points[2 * count / 3], r->points[0], b);
+    taut_cross(a, b, across);
+    taut_pipe_unit(across, normal);
+}
+
+/* INFINITY for what is no disc in the way said above. */
 static double miss_of(const taut_surface *cap, const taut_surface *end, int side)
 {
-    const taut_basis *u = taut_surface_u(end), *v = taut_surface_v(end);
-    const double edge = side == 0 ? taut_basis_lo(u) : taut_basis_hi(u);
-    const double rim = 1 - side;
-    double corner[3][3], a[3], b[3], normal[3], size = 0, worst = 0;
-    for (int k = 0; k < 3; k++) {
-        taut_surface_eval(cap, rim, k / 3.0, 0, corner[k]);
+    const taut_basis *u = taut_surface_u(cap), *v = taut_surface_v(cap);
+    const int count = taut_basis_count(v);
+    const ring rim = ring_of(cap, side == 0), hub = ring_of(cap, side == 1);
+    const ring edge = ring_of(end, side == 1);
+    double normal[3], middle[3] = {0, 0, 0}, worst = 0;
+    if (taut_basis_degree(u) != 1 || taut_basis_span_count(u) != 1 ||
+        !taut_basis_equal(v, taut_surface_v(end))) {
+        return INFINITY;
     }
-    taut_difference(corner[1], corner[0], a);
-    taut_difference(corner[2], corner[0], b);
-    taut_cross(a, b, normal);
-    size = taut_norm(normal);
-    for (int n = 0; n <= ALONG * AROUND; n++) {
-        const double part = (double)(n % AROUND) / AROUND;
-        double x[3], y[3], d[3];
-        taut_surface_eval(cap, (double)(n / AROUND) / ALONG, part, 0, x);
-        taut_difference(x, corner[0], d);
-        worst = fmax(worst, size > 0 ? fabs(taut_dot(d, normal)) / size : INFINITY);
-        if (n < AROUND) {
-            taut_surface_eval(cap, rim, part, 0, x);
-            taut_surface_eval(
-                end, edge, taut_basis_lo(v) + (taut_basis_hi(v) - taut_basis_lo(v)) * part, 0, y);
-            worst = fmax(worst, taut_distance(x, y));
+    find_normal(&edge, count, normal);
+    if (!(taut_norm(normal) > 0.5)) {
+        return INFINITY;
+    }
+    for (int j = 0; j < count; j++) {
+        double away[3];
+        taut_difference(hub.points[j], edge.points[0], away);
+        worst = taut_certify_max(worst, taut_distance(rim.points[j], edge.points[j]));
+        worst = taut_certify_max(worst, taut_distance(hub.points[j], hub.points[0]));
+        worst = taut_certify_max(worst, fabs(taut_dot(away, normal)));
+        taut_difference(edge.points[j], edge.points[0], away);
+        worst = taut_certify_max(worst, fabs(taut_dot(away, normal)));
+        taut_add_scaled(1.0 / count, edge.points[j], middle);
+        if (weight_of(&rim, j) != weight_of(&edge, j) || weight_of(&hub, j) != weight_of(&rim, j)) {
+            return INFINITY;
+        }
+    }
+    /* half way to the nearest point of the ring, so that rays from the hub meet it once */
+    for (int j = 0; j < count; j++) {
+        if (!(2 * taut_distance(hub.points[0], middle) < taut_distance(middle, edge.points[j]))) {
+            return INFINITY;
         }
     }
     return worst;
@@ -53,7 +92,7 @@ taut_status taut_pipe_claim_caps(const taut_model *model, const taut_pipe_parts 
         const taut_surface *cap = taut_pipe_find_surface(model, side == 0 ? "cap1" : "cap2");
         const double miss = cap != NULL ? miss_of(cap, ends[side], side) : 0;
         found += cap != NULL;
-        if (!(miss <= worst)) {
+        if (!(miss <= worst) && !isnan(worst)) {
             worst = miss;
             snprintf(where, sizeof where, "cap%d", side + 1);
         }
@@ -61,7 +100,10 @@ taut_status taut_pipe_claim_caps(const taut_model *model, const taut_pipe_parts 
     if (found == 0) {
         return TAUT_OK;
     }
-    return taut_pipe_add_claim("caps", found == 2 ? worst / parts->radius : 1, 0,
+    if (found != 2 || isinf(worst)) { /* what is no disc misses it by a radius */
+        worst = parts->radius;
+    }
+    return taut_pipe_add_claim("caps", TAUT_BOUND, worst / parts->radius, 0,
                                (8 * DBL_EPSILON * parts->size / parts->radius + 16 * DBL_EPSILON) *
                                    parts->flatness,
                                where, certificate);

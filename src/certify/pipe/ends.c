@@ -102,7 +102,8 @@ static double ends_noise(const taut_pipe_parts *parts)
 
 taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate *certificate)
 {
-    return taut_pipe_add_claim("ends", ends_residual(parts), 0, ends_noise(parts), "", certificate);
+    return taut_pipe_add_claim("ends", TAUT_EXACT, ends_residual(parts), 0, ends_noise(parts), "",
+                               certificate);
 }
 
 /* The goal about a curve, and whether the pipe has room there: asked only where the goal is below
@@ -204,6 +205,6 @@ taut_status taut_pipe_claim_optimal(const taut_pipe_parts *parts, taut_certifica
     if (status != TAUT_OK) {
         return status;
     }
-    return taut_pipe_add_claim("optimal", isfinite(saved) ? saved : 1, limit, limit, where,
-                               certificate);
+    return taut_pipe_add_claim("optimal", TAUT_CHECK, isfinite(saved) ? saved : 1, limit, limit,
+                               where, certificate);
 }

@@ -20,7 +20,9 @@
  * whose rounding is that of differences of points that are near each other: summed with the points
  * themselves it would be that of their coordinates, over a first ring that may be very near.
  */
-#include "certify/pipe/parts.h"
+#include "certify/common/verdict.h"
+#include "certify/pipe/sweep.h"
+#include "core/memory.h"
 #include "core/vec3.h"
 
 #include <float.h>
@@ -29,6 +31,7 @@
 #include <string.h>
 
 enum { AROUND = 96, LOCAL = 10 /* functions alive on a span, at most */ };
+static const double gap_most = 1e-6; /* over the radius: no limit is larger */
 
 /* R_j and R_j' on the span of v. */
 typedef struct ring_functions {
@@ -110,93 +113,238 @@ void taut_pipe_edge_eval(const taut_surface *s, int last, double v, int order, d
     }
 }
 
-/* The sine between two unit normals; 1 where they look apart or one is missing. */
-static double sine_between(const double a[3], const double b[3])
-{
-    double across[3];
-    taut_cross(a, b, across);
-    return taut_dot(a, b) > 0.5 ? taut_norm(across) : 1;
-}
-
-/* An edge u0 (edge 0) or u1 of a surface, and what rounding does to its tangents across. */
+/* The ring at an edge u0 (last 0) or u1 of a surface, and the ways along the flow from it to the
+ * next one, or from that to it: x_u at the edge is a multiple of sum R_j way_j. */
 typedef struct joint_edge {
     const taut_surface *surface;
-    int last;
-    double sideways; /* of control points */
-    double leg;      /* times |x_u|: the distance to the next ring that makes it up */
+    const double *ring, *weights; /* weights may be NULL */
+    double (*ways)[3];
+    int count;
+    int exponent;    /* 2^exponent is about the radius: coordinates are of unit size over it */
+    double sideways; /* what rounding of control points moves them by across the axis */
 } joint_edge;
 
-static joint_edge edge_of(const taut_pipe_parts *parts, int side, const taut_surface *surface,
-                          int last)
+static int edge_of(const taut_pipe_parts *parts, int side, const taut_surface *surface, int last,
+                   taut_arena *arena, joint_edge *edge)
 {
-    const taut_basis *u = taut_surface_u(surface);
-    const int nu = taut_basis_count(u), nv = taut_basis_count(taut_surface_v(surface));
-    const int spans = taut_basis_span_count(u);
-    const double *breaks = taut_basis_breaks(u), *points = taut_surface_points(surface);
-    const double *ring = points + (size_t)(last ? nu - 1 : 0) * 3 * (size_t)nv;
-    const double *next = points + (size_t)(last ? nu - 2 : 1) * 3 * (size_t)nv;
+    const int nu = taut_basis_count(taut_surface_u(surface));
+    const int nv = taut_basis_count(taut_surface_v(surface)), row = last ? nu - 1 : 0;
+    const double *points = taut_surface_points(surface), *weights = taut_surface_weights(surface);
+    const double *ring = points + (size_t)row * 3 * (size_t)nv;
+    const double *next = ring + (last ? -3 * nv : 3 * nv);
     double changes[3] = {0, 0, 0};
+    *edge = (joint_edge){.surface = surface,
+                         .ring = ring,
+                         .weights = weights != NULL ? weights + (size_t)row * (size_t)nv : NULL,
+                         .ways = taut_arena_take(arena, (size_t)nv, sizeof *edge->ways),
+                         .count = nv,
+                         .exponent = ilogb(parts->radius)};
+    if (edge->ways == NULL) {
+        return 0;
+    }
     for (int j = 0; j < 3 * nv; j++) {
-        changes[j % 3] = fmax(changes[j % 3], fabs(ring[j] - next[j]));
+        const double way = last ? ring[j] - next[j] : next[j] - ring[j];
+        edge->ways[j / 3][j % 3] = way;
+        changes[j % 3] = fmax(changes[j % 3], fabs(way));
     }
-    return (joint_edge){
-        .surface = surface,
-        .last = last,
-        .sideways = taut_pipe_sideways(parts, side, changes),
-        .leg = (last ? breaks[spans] - breaks[spans - 1] : breaks[1] - breaks[0]) /
-               fmax(1, taut_basis_degree(u)),
-    };
+    edge->sideways = taut_pipe_sideways(parts, side, changes);
+    return have_same_weights(surface, row, last ? nu - 2 : 1);
 }
 
-/* The point and the unit normal at v; returns what rounding turns the normal by: only the part of
- * x_u at right angles to the ring holds it. */
-static double evaluate_edge(const joint_edge *e, double v, double x[3], double normal[3])
+/* Do both rings have the same functions around? */
+static int are_alike(const joint_edge *a, const joint_edge *b)
 {
-    double d[3][3], around[3], across[3], length = 0;
-    taut_pipe_edge_eval(e->surface, e->last, v, 1, d);
-    memcpy(x, d[0], sizeof d[0]);
-    taut_pipe_unit_normal(d[TAUT_XU], d[TAUT_XV], normal);
-    length = taut_norm(d[TAUT_XV]);
-    for (int k = 0; k < 3; k++) {
-        around[k] = length > 0 ? d[TAUT_XV][k] / length : 0;
+    const taut_basis *v = taut_surface_v(a->surface), *w = taut_surface_v(b->surface);
+    if (!taut_basis_equal(v, w)) {
+        return 0;
     }
-    taut_cross(d[TAUT_XU], around, across);
-    length = taut_norm(across) * e->leg;
-    return e->sideways > 0 || !(length > 0) ? e->sideways / length : 0;
-}
-
-void taut_pipe_measure_joint(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting)
-{
-    const joint_edge blend = edge_of(parts, side, parts->blend, side == 1);
-    const joint_edge pipe = edge_of(parts, side, parts->pipes[side], side == 0);
-    const taut_basis *v = taut_surface_v(blend.surface), *w = taut_surface_v(pipe.surface);
-    double turned = 0;
-
-    *meeting = (taut_pipe_meeting){.where = ""};
-    for (int k = 0; k <= AROUND; k++) {
-        double a[3], b[3], normal_a[3], normal_b[3], residual = 0;
-        turned =
-            fmax(turned, evaluate_edge(&blend, taut_pipe_parameter(v, k, AROUND), a, normal_a) +
-                             evaluate_edge(&pipe, taut_pipe_parameter(w, k, AROUND), b, normal_b));
-        residual = fmax(taut_distance(a, b) / parts->radius, sine_between(normal_a, normal_b));
-        if (!(residual <= meeting->residual)) {
-            meeting->residual = residual;
-            snprintf(meeting->where, sizeof meeting->where, "v = %.6g",
-                     taut_pipe_parameter(v, k, AROUND));
+    for (int j = 0; j < a->count; j++) {
+        if ((a->weights != NULL ? a->weights[j] : 1) != (b->weights != NULL ? b->weights[j] : 1)) {
+            return 0;
         }
     }
-    meeting->noise = (4 * DBL_EPSILON + DBL_EPSILON * parts->size / parts->radius) *
-                         parts->flatness * parts->flatness +
-                     turned;
+    return 1;
+}
+
+/* Numerators of a curve's value and derivative, w P and w (w P)' - w' w P, on span j of v; the
+ * curve's points are vectors around. */
+static void ring_fields(taut_arena *arena, const joint_edge *e, const double (*points)[3],
+                        const double origin[3], int j, taut_field value[4], taut_field slope[3])
+{
+    static const double none[3] = {0, 0, 0};
+    taut_curve *curve = NULL;
+    taut_field w_slope;
+    memset(value, 0, 4 * sizeof *value);
+    memset(slope, 0, 3 * sizeof *slope);
+    const taut_status status =
+        taut_curve_new("", taut_surface_v(e->surface), &points[0][0], e->weights, &curve, NULL);
+    if (status == TAUT_OK) {
+        (void)taut_field_of_curve(arena, curve, j, origin != NULL ? origin : none, e->exponent,
+                                  value, NULL);
+    } else if (status == TAUT_NO_MEMORY) {
+        (void)taut_arena_keep(arena, NULL, taut_free); /* so that its status tells */
+    }
+    taut_curve_free(curve);
+    w_slope = taut_field_du(arena, &value[3]);
+    for (int k = 0; k < 3; k++) {
+        const taut_field du = taut_field_du(arena, &value[k]);
+        const taut_field x = taut_field_product(arena, &du, &value[3]);
+        const taut_field y = taut_field_product(arena, &value[k], &w_slope);
+        slope[k] = taut_field_difference(arena, &x, &y);
+    }
+}
+
+/* The least length of a vector of fields. */
+static double shortest(taut_arena *arena, const taut_field f[3])
+{
+    const taut_field square = taut_field_dot(arena, f, f);
+    const double least = taut_field_low(&square);
+    return least > 0 ? sqrt(least) : 0;
+}
+
+/* What is bounded along a joint. */
+typedef struct joint_bound {
+    double upright; /* the least sine between ring and axis */
+    double turned;  /* the largest angle between tangents of both rings */
+    double lean[2]; /* the largest sine between each normal and that of the cylinder there, */
+} joint_bound;
+
+/* The largest | det(A, d, T) | |T| over |A x T| |d x T|: how far the normal A x T leans from
+ * d x T. */
+static double lean_on_span(taut_arena *arena, const joint_edge *e, int j, const taut_field axis[3],
+                           const taut_field slope[3])
+{
+    taut_field way[4], unused[3], normal[3], upright[3], twice[3];
+    ring_fields(arena, e, (const double(*)[3])e->ways, NULL, j, way, unused);
+    taut_field_cross(arena, way, slope, normal);
+    taut_field_cross(arena, axis, slope, upright);
+    taut_field_cross(arena, normal, upright, twice);
+    return taut_pipe_longest(twice) / (shortest(arena, normal) * shortest(arena, upright));
+}
+
+static void bound_on_span(taut_arena *arena, const joint_edge edges[2], const double (*gaps)[3],
+                          const double d[3], int j, joint_bound *b)
+{
+    taut_field value[4], slope[3], gap[4], gap_slope[3], axis[3], along;
+    ring_fields(arena, &edges[0], (const double(*)[3])(const void *)edges[0].ring, edges[0].ring, j,
+                value, slope);
+    ring_fields(arena, &edges[0], gaps, NULL, j, gap, gap_slope);
+    for (int k = 0; k < 3; k++) {
+        axis[k] = taut_field_constant(arena, d[k]);
+    }
+    along = taut_field_dot(arena, axis, slope);
+    const double length = shortest(arena, slope), part = taut_field_largest(&along) / length;
+    b->upright = taut_certify_min(b->upright, sqrt(fmax(1 - part * part, 0)));
+    b->turned = taut_certify_max(b->turned, taut_pipe_longest(gap_slope) / length);
+    for (int i = 0; i < 2; i++) {
+        b->lean[i] = taut_certify_max(b->lean[i], lean_on_span(arena, &edges[i], j, axis, slope));
+    }
+}
+
+/* What the ways lean from the axis by, at most: the largest part across it over the least along it.
+ */
+static double lean_of_ways(const joint_edge *e, const double d[3], double *least)
+{
+    double most = 0;
+    *least = INFINITY;
+    for (int j = 0; j < e->count; j++) {
+        double across[3];
+        taut_cross(e->ways[j], d, across);
+        most = fmax(most, taut_norm(across));
+        *least = fmin(*least, taut_dot(e->ways[j], d));
+    }
+    return *least > 0 ? most / *least : INFINITY;
+}
+
+/* The rings' convex combinations are no farther apart than their points; and each normal leans from
+ * that of the cylinder by no more than the ways to the next ring do from the axis, over the sine
+ * between ring and axis, or (where a frame turns about the axis) by what the coefficients of the
+ * triple product show. */
+static double bound_joint(const taut_pipe_parts *parts, int side, taut_arena *arena,
+                          const joint_edge edges[2], double *noise)
+{
+    const double *d = parts->line.tangent[side];
+    const int spans = taut_basis_span_count(taut_surface_v(edges[0].surface));
+    joint_bound b = {.upright = 1};
+    double gap = 0, sine = 0;
+    double(*gaps)[3] = taut_arena_take(arena, (size_t)edges[0].count, sizeof *gaps);
+    if (gaps == NULL) {
+        return NAN;
+    }
+    for (int j = 0; j < edges[0].count; j++) {
+        taut_difference(edges[0].ring + 3 * j, edges[1].ring + 3 * j, gaps[j]);
+        gap = taut_certify_max(gap, taut_norm(gaps[j]));
+    }
+    for (int j = 0; j < spans; j++) {
+        bound_on_span(arena, edges, (const double(*)[3])gaps, d, j, &b);
+    }
+    for (int i = 0; i < 2; i++) {
+        double least = 0;
+        const double lean = lean_of_ways(&edges[i], d, &least) / (b.upright * b.upright);
+        sine += lean < b.lean[i] ? lean : b.lean[i];
+        *noise += edges[i].sideways > 0 ? edges[i].sideways / fmax(least, 0) : 0;
+    }
+    if (gap > gap_most * parts->radius) {
+        *noise = 0; /* of normals: it explains no gap */
+    }
+    return taut_certify_max(gap / parts->radius, sine + b.turned / b.upright);
+}
+
+/* The largest distance of two edges over the radius that places show, at equal parts of what goes
+ * around: enough to refuse rings that no proof compares, never to accept them. */
+static double seen_gap(const taut_pipe_parts *parts, int side)
+{
+    const taut_surface *const surfaces[2] = {parts->blend, parts->pipes[side]};
+    const int lasts[2] = {side == 1, side == 0};
+    double gap = 0;
+    for (int k = 0; k <= AROUND; k++) {
+        double x[2][3];
+        for (int i = 0; i < 2; i++) {
+            const taut_basis *u = taut_surface_u(surfaces[i]), *v = taut_surface_v(surfaces[i]);
+            const double lo = taut_basis_lo(v), hi = taut_basis_hi(v);
+            taut_surface_eval(surfaces[i], lasts[i] ? taut_basis_hi(u) : taut_basis_lo(u),
+                              k == AROUND ? hi : lo + (hi - lo) * k / AROUND, 0, x[i]);
+        }
+        gap = taut_certify_max(gap, taut_distance(x[0], x[1]) / parts->radius);
+    }
+    return gap;
+}
+
+taut_status taut_pipe_measure_joint(const taut_pipe_parts *parts, int side,
+                                    taut_pipe_meeting *meeting)
+{
+    taut_arena *const arena = taut_arena_new();
+    joint_edge edges[2];
+    taut_status status = TAUT_OK;
+    *meeting = (taut_pipe_meeting){.where = ""};
+    const int is_known = edge_of(parts, side, parts->blend, side == 1, arena, &edges[0]) &&
+                         edge_of(parts, side, parts->pipes[side], side == 0, arena, &edges[1]);
+    if (is_known && are_alike(&edges[0], &edges[1])) {
+        meeting->residual = bound_joint(parts, side, arena, edges, &meeting->noise);
+    } else {
+        meeting->residual = NAN;
+        snprintf(meeting->where, sizeof meeting->where,
+                 "the rings there have unlike functions around");
+    }
+    if (!isfinite(meeting->residual)) { /* no bound: what is seen may refuse it still */
+        const double gap = seen_gap(parts, side);
+        meeting->residual = gap > gap_most ? gap : meeting->residual;
+    }
+    meeting->noise += (8 * DBL_EPSILON + DBL_EPSILON * parts->size / parts->radius) *
+                      parts->flatness * parts->flatness;
+    status = taut_arena_status(arena);
+    taut_arena_free(arena);
+    return status;
 }
 
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
                                   taut_certificate *certificate)
 {
     taut_pipe_meeting m;
-    taut_pipe_measure_joint(parts, side, &m);
-    return taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", m.residual, 0, m.noise, m.where,
-                               certificate);
+    const taut_status status = taut_pipe_measure_joint(parts, side, &m);
+    return status != TAUT_OK ? status
+                             : taut_pipe_add_claim(side == 0 ? "joint1" : "joint2", TAUT_BOUND,
+                                                   m.residual, 0, m.noise, m.where, certificate);
 }
 
 /* Both principal curvatures, the larger first, in units of 1 / radius; the sign is that of the
@@ -248,8 +396,8 @@ static double noise_of(const taut_pipe_parts *parts, int side)
            parts->flatness;
 }
 
-void taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
-                                  taut_pipe_meeting *meeting)
+taut_status taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
+                                         taut_pipe_meeting *meeting)
 {
     const taut_basis *v = taut_surface_v(parts->blend), *w = taut_surface_v(parts->pipes[side]);
 
@@ -262,18 +410,19 @@ void taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
         find_principal(parts->blend, side == 1, at, parts->radius, a);
         find_principal(parts->pipes[side], side == 0, too, parts->radius, b);
         jump = fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1]));
-        if (!(jump <= meeting->residual)) {
+        if (!(jump <= meeting->residual) && !isnan(meeting->residual)) {
             meeting->residual = jump;
             snprintf(meeting->where, sizeof meeting->where, "v = %.6g", at);
         }
     }
+    return TAUT_OK;
 }
 
 taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
                                       taut_certificate *certificate)
 {
     taut_pipe_meeting m;
-    taut_pipe_measure_curvatures(parts, side, &m);
-    return taut_pipe_add_claim(side == 0 ? "curvature1" : "curvature2", m.residual, 0, m.noise,
-                               m.where, certificate);
+    (void)taut_pipe_measure_curvatures(parts, side, &m);
+    return taut_pipe_add_claim(side == 0 ? "curvature1" : "curvature2", TAUT_CHECK, m.residual, 0,
+                               m.noise, m.where, certificate);
 }

@@ -3,6 +3,9 @@
  * feet on it; and how a claim is made that rounding may leave open.
  */
 #include "certify/pipe/parts.h"
+#include "certify/common/verdict.h"
+#include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -73,18 +76,27 @@ taut_status taut_pipe_axis_with(const taut_pipe_parts *parts, const double shape
     return status;
 }
 
-taut_status taut_pipe_add_claim(const char *name, double residual, double limit, double noise,
-                                const char *where, taut_certificate *certificate)
+double taut_pipe_held(double noise)
 {
-    const double held = limit > 0 ? limit : fmin(noise, limit_most);
+    return fmin(noise, limit_most);
+}
+
+taut_status taut_pipe_add_claim(const char *name, taut_claim_kind kind, double residual,
+                                double limit, double noise, const char *where,
+                                taut_certificate *certificate)
+{
+    const double held = limit > 0 ? limit : taut_pipe_held(noise);
+    const taut_verdict holds = taut_certify_below(residual, held);
+    const int is_noise = holds == TAUT_FALSE && residual <= noise;
     const taut_claim claim = {
         .claim = name,
+        .kind = kind,
         .residual = residual,
         .limit = held,
-        .holds = residual <= held    ? TAUT_TRUE
-                 : residual <= noise ? TAUT_UNDECIDED
-                                     : TAUT_FALSE,
-        .where = residual <= held || residual > noise ? where : "rounding of the coordinates",
+        .holds = is_noise ? TAUT_UNDECIDED : holds,
+        .where = is_noise                                   ? "rounding of the coordinates"
+                 : holds == TAUT_UNDECIDED && where[0] == 0 ? TAUT_CERTIFY_OUT_OF_RANGE
+                                                            : where,
     };
     return taut_certificate_add(certificate, &claim);
 }
@@ -125,11 +137,48 @@ double taut_pipe_radius_told(const taut_model *model, double seen)
     return told > 0 ? told : seen;
 }
 
+/* What is left of the proof that parts are far enough from each other is a pair of points like any
+ * other, where it is far enough along the axis to count. */
+static void offer_left(taut_pipe_parts *parts)
+{
+    const taut_pipe_apart *left = &parts->apart;
+    taut_pipe_figures *const f = &parts->figures;
+    const double around = parts->line.closed ? f->length - left->way : INFINITY;
+    if (!left->proved && fmin(left->way, around) * f->curvature >= TAUT_PI * (1 - 1e-9) &&
+        0.5 * left->distance < f->rho) {
+        f->rho = 0.5 * left->distance;
+        f->by_distance = 1;
+        f->binding[0] = left->from;
+        f->binding[1] = left->from + left->way;
+    }
+}
+
 taut_status taut_pipe_find_figures(taut_pipe_parts *parts)
 {
+    const double radius = parts->radius / parts->line.scale;
+    taut_status status = TAUT_OK;
     taut_pipe_integrate(&parts->line, &parts->figures);
     taut_pipe_bound_curvature(&parts->line, &parts->figures);
-    return taut_pipe_bound_reach(&parts->line, &parts->figures);
+    status = taut_pipe_bound_reach(&parts->line, &parts->figures);
+    parts->apart = (taut_pipe_apart){.proved = 1};
+    parts->is_bent_little = 1;
+    if (status == TAUT_OK && isfinite(parts->figures.rho)) {
+        status = taut_pipe_prove_apart(&parts->line, radius, &parts->apart);
+        offer_left(parts);
+    }
+    if (status == TAUT_OK && isfinite(parts->figures.rho)) {
+        status = taut_pipe_prove_bend(parts, 1 / (radius * (1 + 1e-11)), &parts->is_bent_little);
+    }
+    return status;
+}
+
+void taut_pipe_add_torsion(taut_record *figures, double torsion)
+{
+    taut_record_add_number(figures, "total_torsion", torsion);
+    if (isnan(torsion)) {
+        taut_record_add_text(figures, "total_torsion_open",
+                             "the curvature at an end of the axis cannot be told from none");
+    }
 }
 
 taut_status taut_pipe_claim_embedded(const taut_pipe_parts *parts, const char *where,
@@ -139,26 +188,34 @@ taut_status taut_pipe_claim_embedded(const taut_pipe_parts *parts, const char *w
     const double residual = isfinite(rho) ? parts->radius / (rho * scale) : 0;
     /* about the wider of both: an axis that meets itself is not in doubt */
     const double open = 1e-11 + 8 * parts->line.noise * (1 + 1 / fmax(rho, parts->radius / scale));
-    const taut_claim claim = {.claim = "embedded",
-                              .residual = residual,
-                              .limit = 1,
-                              .holds = fabs(residual - 1) <= open ? TAUT_UNDECIDED
-                                       : residual < 1             ? TAUT_TRUE
-                                                                  : TAUT_FALSE,
-                              .where = where};
+    const int is_open = fabs(residual - 1) <= open || !(residual >= 0);
+    const int is_proved = residual == 0 || (parts->apart.proved && parts->is_bent_little);
+    const taut_claim claim = {
+        .claim = "embedded",
+        .kind = TAUT_BOUND,
+        .residual = residual,
+        .limit = 1,
+        .holds = is_open        ? TAUT_UNDECIDED
+                 : residual > 1 ? TAUT_FALSE
+                 : is_proved    ? TAUT_TRUE
+                                : TAUT_UNDECIDED,
+        .where = is_open || residual > 1 || is_proved ? where
+                 : !parts->is_bent_little             ? "how sharply the axis bends is not bounded"
+                                          : "how near the axis comes to itself is not bounded",
+    };
     return taut_certificate_add(certificate, &claim);
 }
 
 double taut_pipe_sideways(const taut_pipe_parts *parts, int side, const double changes[3])
 {
     const double *tangent = parts->line.tangent[side];
-    double square = 0;
+    double most = 0;
     for (int k = 0; k < 3; k++) {
         const double rounding =
             tangent[k] != 0 || changes[k] != 0 ? 2 * DBL_EPSILON * parts->sizes[k] : 0;
-        square += rounding * rounding * (1 - tangent[k]) * (1 + tangent[k]);
+        most = taut_hypot(most, rounding * sqrt(fmax((1 - tangent[k]) * (1 + tangent[k]), 0)));
     }
-    return sqrt(square);
+    return most;
 }
 
 void taut_pipe_find_foot(const taut_pipe_line *line, const double x[3], double t, int *at_piece,

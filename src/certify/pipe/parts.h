@@ -12,15 +12,20 @@ typedef struct taut_pipe_parts {
     int quintic;                      /* nonzero: a quintic with three points on either end edge */
     double polygon[4][3];             /* V_0 .. V_3 of the axis, */
     double shape[3];                  /* and its shape numbers */
+    const taut_curve *const *axes;    /* of all pieces, */
+    int axis_count;                   /* straight pipes of a single one aside */
     taut_pipe_line line;
     taut_pipe_figures figures;
-    double radius; /* the user's unit; of ellipses, that of the circle around the larger */
+    taut_pipe_apart apart;
+    int is_bent_little; /* nonzero: the curvature is proved to leave room for the radius */
+    double radius;      /* the user's unit; of ellipses, that of the circle around the larger */
     taut_pipe_ellipse ellipses[2]; /* a of the first 0: round */
     double flatness;               /* the largest semi-axis over the smallest; 1 for round ones */
     int unlike;                    /* nonzero: they are circles of unlike radii */
     int canal;                     /* nonzero: they are of a canal surface, a = b = r */
     double turn;                   /* psi at the end */
     double (*frames)[3];           /* U along the pieces (section.c) */
+    double drawn[2];               /* how long the straight pipes should be, local */
     double size;                   /* the largest coordinate of any control point, */
     double sizes[3];               /* and the largest x, y, z */
 } taut_pipe_parts;
@@ -67,10 +72,12 @@ typedef struct taut_pipe_meeting {
     char where[64];
 } taut_pipe_meeting;
 
-/* The larger of gap over radius and sine between the normals; jumps of principal curvatures. */
-void taut_pipe_measure_joint(const taut_pipe_parts *parts, int side, taut_pipe_meeting *meeting);
-void taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
-                                  taut_pipe_meeting *meeting);
+/* The larger of gap over radius and sine between the normals, bounded all along; jumps of principal
+ * curvatures, sampled. TAUT_NO_MEMORY. */
+taut_status taut_pipe_measure_joint(const taut_pipe_parts *parts, int side,
+                                    taut_pipe_meeting *meeting);
+taut_status taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
+                                         taut_pipe_meeting *meeting);
 
 /* The foot of a local point on the axis, sought from parameter `t` of the curve, and the way from
  * it. */
@@ -97,8 +104,12 @@ int taut_pipe_is_run(const taut_model *model);
 taut_status taut_pipe_claim_run(const taut_model *model, const taut_pipe_run_problem *problem,
                                 const taut_certify_options *options, taut_certificate *certificate,
                                 taut_error *error);
+/* The figure total_torsion, null with the reason where it is not to be had. */
+void taut_pipe_add_torsion(taut_record *figures, double torsion);
 /* All figures of the axis. TAUT_NO_MEMORY. */
 taut_status taut_pipe_find_figures(taut_pipe_parts *parts);
+/* Is the curvature proved to be below a limit (local) everywhere (bent.c)? TAUT_NO_MEMORY. */
+taut_status taut_pipe_prove_bend(const taut_pipe_parts *parts, double limit, int *proved);
 /* The claim `embedded`, which holds where the radius is below the largest: rounding of the axis
  * moves that by a part of itself, within which the verdict is open. */
 taut_status taut_pipe_claim_embedded(const taut_pipe_parts *parts, const char *where,
@@ -111,6 +122,10 @@ taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
                                       taut_certificate *certificate);
 taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
                                  taut_certificate *certificate);
+taut_status taut_pipe_claim_run_tube(const taut_pipe_parts *parts, int count,
+                                     const taut_surface *const *surfaces,
+                                     const taut_curve *const *curves, double tolerance,
+                                     double *fit_error, taut_certificate *certificate);
 /* `caps`, where there are any, over the free ends of the first and the last surface. */
 taut_status taut_pipe_claim_caps(const taut_model *model, const taut_pipe_parts *parts,
                                  const taut_surface *const ends[2], taut_certificate *certificate);
@@ -118,10 +133,14 @@ taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate 
 taut_status taut_pipe_claim_optimal(const taut_pipe_parts *parts, taut_certificate *certificate,
                                     taut_error *error);
 
+/* What rounding by `noise` lets a residual be: at most 1e-6. */
+double taut_pipe_held(double noise);
+
 /* A claim about a residual that rounding makes uncertain by `noise`: it holds up to the limit, is
  * open up to the noise, and else is false. The limit is `noise`, at most 1e-6, where `limit` is 0.
  */
-taut_status taut_pipe_add_claim(const char *name, double residual, double limit, double noise,
-                                const char *where, taut_certificate *certificate);
+taut_status taut_pipe_add_claim(const char *name, taut_claim_kind kind, double residual,
+                                double limit, double noise, const char *where,
+                                taut_certificate *certificate);
 
 #endif /* TAUT_CERTIFY_PIPE_PARTS_H */

@@ -26,6 +26,7 @@
 #include <string.h>
 
 static const double tolerance_default = 1e-6;
+static const double radii_drawn = 3; /* of a straight pipe without a length */
 
 static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, taut_error *error)
 {
@@ -42,11 +43,45 @@ static taut_status find_parts(const taut_model *model, taut_pipe_parts *parts, t
     return taut_pipe_read_axis(parts, error);
 }
 
+/* How far the first point of the far ring of a straight pipe is from the joint, along it; local. */
+static double length_shown(const taut_pipe_parts *parts, int side)
+{
+    const taut_pipe_line *line = &parts->line;
+    const taut_surface *pipe = parts->pipes[side];
+    const int rows = taut_basis_count(taut_surface_u(pipe));
+    const size_t around = (size_t)taut_basis_count(taut_surface_v(pipe));
+    const double *far =
+        taut_surface_points(pipe) + (side == 0 ? 0 : 3 * around * (size_t)(rows - 1));
+    const taut_pipe_piece *piece = &line->pieces[side == 0 ? 0 : line->count - 1];
+    double x[3], way[3];
+    taut_pipe_to_local(line, far, x);
+    taut_difference(x, piece->points[side == 0 ? 0 : piece->degree], way);
+    return fabs(taut_dot(way, line->tangent[side]));
+}
+
+/* The lengths of the straight pipes: the problem's; without it those that their rings show, as half
+ * lines where they are drawn as half lines are and the model does not say that they are not. */
+static void find_lengths(const taut_model *model, taut_pipe_parts *parts)
+{
+    const taut_record *told = taut_record_get(taut_model_details(model), "pipe_lengths");
+    const taut_pipe_problem *problem = parts->problem;
+    const double radius = parts->radius / parts->line.scale, half_line = radii_drawn * radius;
+    for (int side = 0; side < 2; side++) {
+        const double shown = length_shown(parts, side);
+        const double asked = problem != NULL ? problem->lengths[side] / parts->line.scale : shown;
+        const int is_endless =
+            problem != NULL ? !(asked > 0)
+                            : !(taut_record_number(taut_record_at(told, (size_t)side)) > 0) &&
+                                  fabs(shown - half_line) <= tolerance_default * radius;
+        parts->line.lengths[side] = is_endless ? INFINITY : asked;
+        parts->drawn[side] = is_endless ? half_line : asked;
+    }
+}
+
 /* The lengths of the straight pipes, the radius of a round one: the problem's, or what the model
  * shows. */
 static taut_status find_data(const taut_model *model, taut_pipe_parts *parts, taut_error *error)
 {
-    const taut_record *lengths = taut_record_get(taut_model_details(model), "pipe_lengths");
     const taut_pipe_problem *problem = parts->problem;
     double x[3];
     taut_status status = TAUT_OK;
@@ -58,10 +93,6 @@ static taut_status find_data(const taut_model *model, taut_pipe_parts *parts, ta
         : problem->section.kind == TAUT_PIPE_ROUND ? problem->section.radius
                                                    : 0;
     for (int side = 0; side < 2; side++) {
-        const double length = problem != NULL
-                                  ? problem->lengths[side]
-                                  : taut_record_number(taut_record_at(lengths, (size_t)side));
-        parts->line.lengths[side] = length > 0 ? length / parts->line.scale : INFINITY;
         taut_pipe_add_sizes(parts->pipes[side], parts);
     }
     taut_pipe_add_sizes(parts->blend, parts);
@@ -70,6 +101,7 @@ static taut_status find_data(const taut_model *model, taut_pipe_parts *parts, ta
         return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces/0", parts->radius, 0,
                          "the blend begins on its own axis: it has no radius");
     }
+    find_lengths(model, parts);
     return status;
 }
 
@@ -100,7 +132,7 @@ static taut_record *figures_of(const taut_pipe_parts *parts, double fit_error)
     taut_record_add_number(figures, "max_curvature", f->curvature / scale);
     taut_record_add_number(figures, "max_curvature_at", f->curvature_at);
     taut_record_add_number(figures, "total_curvature", f->turning);
-    taut_record_add_number(figures, "total_torsion", f->torsion);
+    taut_pipe_add_torsion(figures, f->torsion);
     taut_record_add_number(figures, "bending", f->bending / scale);
     taut_record_add_number(figures, "largest_radius", f->rho * scale);
     if (parts->canal) {
@@ -181,7 +213,8 @@ static taut_status claim_blend(const taut_model *model, taut_pipe_parts *parts, 
     if (status != TAUT_OK) {
         return status;
     }
-    parts->line.flat = parts->quintic;
+    parts->axes = &parts->axis;
+    parts->axis_count = 1;
     status = find_data(model, parts, error);
     if (status != TAUT_OK) {
         return status;
@@ -226,6 +259,41 @@ static taut_status certify_run(const taut_model *model, const taut_pipe_request 
     return taut_pipe_claim_run(model, asked, options, certificate, error);
 }
 
+/* The largest coordinate of a surface or curve. */
+static double largest_of(const double *points, int count)
+{
+    double largest = 0;
+    for (int i = 0; i < 3 * count; i++) {
+        largest = fmax(largest, fabs(points[i]));
+    }
+    return largest;
+}
+
+/* Models are looked at in units of their own size, of which the inverse must be a number too. */
+static taut_status check_range(const taut_model *model, taut_error *error)
+{
+    static const double least = 0x1p-1000, most = 0x1p1000;
+    double size = 0;
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        const taut_surface *s = taut_model_surface(model, i);
+        size =
+            fmax(size, largest_of(taut_surface_points(s), taut_basis_count(taut_surface_u(s)) *
+                                                              taut_basis_count(taut_surface_v(s))));
+    }
+    for (int i = 0; i < taut_model_curve_count(model); i++) {
+        const taut_curve *c = taut_model_curve(model, i);
+        size = fmax(size, largest_of(taut_curve_points(c), taut_basis_count(taut_curve_t(c))));
+    }
+    if (size > 0 && (size < least || size > most)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/surfaces", size,
+                         size < least ? least : most,
+                         "the largest coordinate of the model is %g; pipes are judged from %.1e to "
+                         "%.1e",
+                         size, least, most);
+    }
+    return TAUT_OK;
+}
+
 static taut_status certify(const taut_model *model, const void *data,
                            const taut_certify_options *options, taut_certificate *certificate,
                            taut_error *error)
@@ -234,8 +302,11 @@ static taut_status certify(const taut_model *model, const void *data,
     taut_pipe_problem asked;
     taut_pipe_parts parts = {.size = 0};
     taut_arena *arena = NULL;
-    taut_status status = TAUT_OK;
+    taut_status status = check_range(model, error);
 
+    if (status != TAUT_OK) {
+        return status;
+    }
     if (taut_pipe_is_run(model)) {
         return certify_run(model, request, options, certificate, error);
     }
@@ -253,7 +324,74 @@ static taut_status certify(const taut_model *model, const void *data,
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
 
-const taut_certify_ops taut_certify_pipe = {.certify = certify};
+/* Along a straight pipe, along a blend, around either; the axis of a blend. */
+static const taut_expected_basis along_pipe = {.type = "bezier", .degree = {1, 1}};
+static const taut_expected_basis along_blend = {.type = "bspline"};
+static const taut_expected_basis around = {.type = "bspline"};
+
+static taut_expected_basis axis_with(taut_pipe_joint joint)
+{
+    return joint == TAUT_PIPE_G2 ? (taut_expected_basis){.type = "bezier", .degree = {5, 5}}
+                                 : (taut_expected_basis){.type = "ce-bezier"};
+}
+
+/* In the order of flow: straight pipe i, where it has a length, is before blend i. */
+static void identify_run(const taut_pipe_run_problem *problem, taut_identity *identity)
+{
+    const taut_expected_basis bent = axis_with(problem != NULL ? problem->joint : TAUT_PIPE_G1);
+    int blends = 0;
+    for (int i = 0; i < taut_model_surface_count(identity->model); i++) {
+        const char *name = taut_surface_name(taut_model_surface(identity->model, i));
+        const int is_blend = strncmp(name, "blend", 5) == 0;
+        char piece[32], axis[64];
+        if (!is_blend && strncmp(name, "pipe", 4) != 0) {
+            continue;
+        }
+        snprintf(piece, sizeof piece, "%s%d", is_blend ? "blend" : "pipe", blends + 1);
+        snprintf(axis, sizeof axis, "axis-%s", name);
+        taut_identity_surface(identity, i, piece, is_blend ? &along_blend : &along_pipe, &around);
+        taut_identity_curve(identity, taut_identity_find_curve(identity, axis), axis,
+                            is_blend ? &bent : &along_pipe);
+        blends += is_blend;
+    }
+}
+
+static void identify_blend(const taut_pipe_problem *problem, taut_identity *identity)
+{
+    static const char *const names[3] = {"blend", "pipe1", "pipe2"};
+    const taut_expected_basis axis = axis_with(problem != NULL ? problem->joint : TAUT_PIPE_G1);
+
+    for (int k = 0; k < 3; k++) {
+        taut_identity_surface(identity, taut_identity_find_surface(identity, names[k]), names[k],
+                              k == 0 ? &along_blend : &along_pipe, &around);
+    }
+    taut_identity_curve(identity, taut_identity_find_curve(identity, "axis"), "axis", &axis);
+}
+
+static void identify(const taut_model *model, const void *data, taut_identity *identity)
+{
+    static const char *const caps[2] = {"cap1", "cap2"};
+    const taut_pipe_request *request = data;
+    int has_caps = 0;
+
+    if (request != NULL ? request->is_run : taut_pipe_is_run(model)) {
+        identify_run(request != NULL ? &request->run : NULL, identity);
+    } else {
+        identify_blend(request != NULL ? &request->blend : NULL, identity);
+    }
+    if (request != NULL) {
+        has_caps =
+            request->is_run ? request->run.caps && !request->run.route.closed : request->blend.caps;
+    }
+    for (int side = 0; side < 2; side++) {
+        const int at = taut_identity_find_surface(identity, caps[side]);
+        if (has_caps || (request == NULL && at >= 0)) {
+            taut_identity_surface(identity, at, caps[side], &along_pipe, &around);
+        }
+    }
+}
+
+const taut_certify_ops taut_certify_pipe = {.certify = certify, .identify = identify};
 
 taut_status taut_pipe_certify(const taut_model *model, const taut_pipe_problem *problem,
                               const taut_certify_options *options, taut_certificate **certificate,

@@ -13,6 +13,7 @@
 #include "certify/common/bernstein.h"
 #include "certify/pipe/axis.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
@@ -78,7 +79,7 @@ static void enclose_points(node *n, int degree, const double (*points)[3])
         double e[3], across[3];
         taut_difference(points[i + 1], points[i], e);
         taut_cross(e, n->mean, across);
-        n->cone = fmax(n->cone, atan2(taut_norm(across), taut_dot(e, n->mean)));
+        n->cone = fmax(n->cone, taut_atan2(taut_norm(across), taut_dot(e, n->mean)));
     }
     n->cone = length > 0 ? n->cone : TAUT_PI;
 }
@@ -127,7 +128,7 @@ static double angle_between(const double a[3], const double b[3])
 {
     double across[3];
     taut_cross(a, b, across);
-    return atan2(taut_norm(across), taut_dot(a, b));
+    return taut_atan2(taut_norm(across), taut_dot(a, b));
 }
 
 /* Can a chord within `spread` of `chord` be at right angles to a tangent of the node? */
@@ -149,7 +150,7 @@ static int may_bind(const finder *f, const node *a, const node *b, int a_is_free
     if (a->radius + b->radius >= distance) {
         return 1;
     }
-    spread = asin((a->radius + b->radius) / distance);
+    spread = taut_asin((a->radius + b->radius) / distance);
     return (a_is_free || may_be_normal(a, chord, spread)) && may_be_normal(b, chord, spread);
 }
 
@@ -159,10 +160,8 @@ static double arc_length(const tree *t, double at)
     return t->nodes[LEAVES + i].from + length_of(t, (double)i / LEAVES, at);
 }
 
-/* Steps down |p - q|^2 / 2 from the middles of two leaves, kept near them: Newton's where that is
- * convex, else those of the tangent lines. What it ends at is a pair of points like any other, so
- * no harm is done where it goes astray. */
-static void find_step(const double p[3][3], const double q[3][3], double move[2])
+/* Newton's step where |p - q|^2 / 2 is convex, else that of the tangent lines. */
+void taut_pipe_pair_step(const double p[3][3], const double q[3][3], double move[2])
 {
     double d[3];
     taut_difference(p[0], q[0], d);
@@ -179,6 +178,8 @@ static void find_step(const double p[3][3], const double q[3][3], double move[2]
     move[1] = -(h00 * g1 - h01 * g0) / det;
 }
 
+/* Steps down |p - q|^2 / 2 from the middles of two leaves, kept near them. What it ends at is a
+ * pair of points like any other, so no harm is done where it goes astray. */
 static void solve_pair(finder *f, const tree *a, int i, const tree *b, int j)
 {
     const double width = 1.0 / LEAVES;
@@ -190,7 +191,7 @@ static void solve_pair(finder *f, const tree *a, int i, const tree *b, int j)
         double move[2];
         taut_pipe_piece_eval(&a->piece, x[0], 2, p);
         taut_pipe_piece_eval(&b->piece, x[1], 2, q);
-        find_step((const double(*)[3])p, (const double(*)[3])q, move);
+        taut_pipe_pair_step((const double(*)[3])p, (const double(*)[3])q, move);
         moved = 0;
         for (int k = 0; k < 2 && isfinite(move[k]); k++) {
             const double low = fmax(0, start[k] - 2 * width), high = fmin(1, start[k] + 2 * width);
@@ -362,10 +363,6 @@ taut_status taut_pipe_bound_reach(const taut_pipe_line *line, taut_pipe_figures 
     }
     f.apart = TAUT_PI / figures->curvature;
     f.best = 2 / figures->curvature;
-    if (f.apart < slack) { /* arc lengths do not tell such pairs apart: the bend alone decides */
-        figures->rho = 1 / figures->curvature;
-        return TAUT_OK;
-    }
     f.trees = taut_arena_take(line->arena, (size_t)f.count, sizeof *f.trees);
     if (f.trees == NULL) {
         return TAUT_NO_MEMORY;

@@ -12,6 +12,7 @@
  *                  them, and the corners that turn are as many as the blends. An open run begins
  *                  and ends where the first and last are.
  */
+#include "certify/common/verdict.h"
 #include "certify/pipe/parts.h"
 #include "core/constants.h"
 #include "core/fail.h"
@@ -21,8 +22,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-enum { RING = 32, PER_SPAN = 8 };
 
 static const double tolerance_default = 1e-6, bend_of_corners = 3;
 static const double turns_not = 1e-9; /* sine */
@@ -116,13 +115,14 @@ static void find_data(taut_pipe_run_parts *run)
                            ? bend_of_corners * problem->radius
                            : 0;
     run->parts.flatness = 1;
+    run->parts.axes = run->curves;
+    run->parts.axis_count = run->count;
     for (int i = 0; i < run->count; i++) {
         taut_pipe_add_sizes(run->surfaces[i], &run->parts);
         if (is_blend(run, i)) {
             run->parts.quintic = taut_basis_degree(taut_curve_t(run->curves[i])) == 5;
         }
     }
-    run->parts.line.flat = run->parts.quintic;
 }
 
 /* Does the last piece end where the first begins, in its direction? */
@@ -164,11 +164,12 @@ static double noise_of_other(const taut_pipe_run_parts *run, int i, int next)
     joint.blend = run->surfaces[next];
     joint.pipes[0] = run->surfaces[i];
     find_tangent(run, next, 0, joint.line.tangent[0]);
-    taut_pipe_measure_curvatures(&joint, 0, &m);
+    (void)taut_pipe_measure_curvatures(&joint, 0, &m);
     return m.noise;
 }
 
-/* The joint that is worst against what rounding explains. */
+/* The joint that is worst against its limit: where rounding explains everything, that is no more
+ * than it ever is. */
 static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
                                 taut_certificate *certificate)
 {
@@ -183,22 +184,27 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
         taut_pipe_meeting m;
         int side = 0;
         const taut_pipe_parts joint = joint_of(run, i, &side);
-        (curved ? taut_pipe_measure_curvatures : taut_pipe_measure_joint)(&joint, side, &m);
+        const taut_status status =
+            (curved ? taut_pipe_measure_curvatures : taut_pipe_measure_joint)(&joint, side, &m);
+        if (status != TAUT_OK) {
+            return status;
+        }
         if (curved && side == 1 && is_blend(run, next)) { /* both are rounded */
             m.noise += noise_of_other(run, i, next);
         }
         if (!curved) {
-            m.residual = fmax(m.residual, gap * line->scale / run->parts.radius);
+            m.residual = taut_certify_max(m.residual, gap * line->scale / run->parts.radius);
         }
-        if (i == 0 || !(m.residual * worst.noise <= worst.residual * m.noise)) {
+        if (i == 0 || (!isnan(worst.residual) && !(m.residual * taut_pipe_held(worst.noise) <=
+                                                   worst.residual * taut_pipe_held(m.noise)))) {
             worst = m;
             snprintf(where, sizeof where, "%.32s.u1, %.32s.u0, %s",
                      taut_surface_name(run->surfaces[i]), taut_surface_name(run->surfaces[next]),
                      m.where);
         }
     }
-    return taut_pipe_add_claim(curved ? "curvatures" : "joints", worst.residual, 0, worst.noise,
-                               where, certificate);
+    return taut_pipe_add_claim(curved ? "curvatures" : "joints", curved ? TAUT_CHECK : TAUT_BOUND,
+                               worst.residual, 0, worst.noise, where, certificate);
 }
 
 /* The piece at an arc length from the start of the run, and how far along it. */
@@ -210,7 +216,6 @@ static void describe_place(const taut_pipe_run_parts *run, double at, char *text
     for (;; i++) {
         const taut_pipe_line one = {.count = 1,
                                     .pieces = &line->pieces[i],
-                                    .flat = line->flat,
                                     .noise = line->noise}; /* else rounding is torsion */
         taut_pipe_figures f = {.length = 0};
         taut_pipe_integrate(&one, &f);
@@ -253,56 +258,24 @@ static taut_status claim_bend(const taut_pipe_run_parts *run, taut_certificate *
     const double open = 8 * line->noise * (1 + run->parts.figures.curvature);
     char where[80];
     describe_curvature_place(run, where, sizeof where);
-    return taut_pipe_add_claim("bend_radius",
-                               run->bend_radius * run->parts.figures.curvature / line->scale, 1,
-                               1 + open, where, certificate);
-}
-
-/* The largest distance of a piece from its tube, over the radius. */
-static double miss_of(const taut_pipe_run_parts *run, int i, double at[2])
-{
-    const taut_pipe_line *line = &run->parts.line;
-    const taut_basis *u = taut_surface_u(run->surfaces[i]), *v = taut_surface_v(run->surfaces[i]);
-    const double *breaks = taut_basis_breaks(u);
-    double worst = -1;
-    for (int n = 0; n < taut_basis_span_count(u) * (PER_SPAN + 1) * RING; n++) {
-        const int span = n / ((PER_SPAN + 1) * RING), k = n / RING % (PER_SPAN + 1);
-        const double s = k == PER_SPAN
-                             ? breaks[span + 1]
-                             : breaks[span] + (breaks[span + 1] - breaks[span]) * k / PER_SPAN;
-        double x[3], local[3], offset[3], foot = 0, miss = 0;
-        int piece = 0;
-        taut_surface_eval(run->surfaces[i], s, taut_pipe_parameter(v, n % RING, RING), 0, x);
-        taut_pipe_to_local(line, x, local);
-        taut_pipe_find_foot(line, local, i + s, &piece, &foot, offset);
-        miss = fabs(taut_norm(offset) * line->scale - run->parts.radius) / run->parts.radius;
-        if (!(miss <= worst)) {
-            worst = miss;
-            at[0] = s;
-            at[1] = taut_pipe_parameter(v, n % RING, RING);
-        }
+    const double residual = run->bend_radius * run->parts.figures.curvature / line->scale;
+    int proved = 0;
+    const taut_status status =
+        taut_pipe_prove_bend(&run->parts, line->scale / run->bend_radius, &proved);
+    if (status != TAUT_OK) {
+        return status;
     }
-    return worst;
-}
-
-static taut_status claim_tube(const taut_pipe_run_parts *run, double tolerance, double *fit_error,
-                              taut_certificate *certificate)
-{
-    const double noise = 8 * DBL_EPSILON * run->parts.size / run->parts.radius;
-    double worst = -1;
-    char where[96] = "";
-    *fit_error = 0;
-    for (int i = 0; i < run->count; i++) {
-        double at[2] = {0, 0};
-        const double miss = miss_of(run, i, at);
-        *fit_error = is_blend(run, i) ? fmax(*fit_error, miss) : *fit_error;
-        if (!(miss <= worst)) {
-            worst = miss;
-            snprintf(where, sizeof where, "%.32s, u = %.6g, v = %.6g",
-                     taut_surface_name(run->surfaces[i]), at[0], at[1]);
-        }
-    }
-    return taut_pipe_add_claim("tube", worst, tolerance, tolerance + noise, where, certificate);
+    const taut_claim claim = {
+        .claim = "bend_radius",
+        .kind = TAUT_BOUND,
+        .residual = residual,
+        .limit = 1,
+        .holds = residual <= 1 && proved ? TAUT_TRUE
+                 : residual > 1 + open   ? TAUT_FALSE
+                                         : TAUT_UNDECIDED,
+        .where = residual > 1 + open || proved ? where : "how sharply the run bends is not bounded",
+    };
+    return taut_certificate_add(certificate, &claim);
 }
 
 /* One straight pipe asked for: a line, and where on it, if that is said. */
@@ -426,7 +399,7 @@ static taut_status claim_ends(const taut_pipe_run_parts *run, taut_certificate *
     /* rounding of each coordinate, over the radius and over the legs that make the tangents */
     const double noise = 4 * DBL_EPSILON + 4 * DBL_EPSILON * run->parts.size / run->parts.radius +
                          8 * DBL_EPSILON * run->parts.size / (shortest * run->parts.line.scale);
-    return taut_pipe_add_claim("ends", worst, 0, noise, where, certificate);
+    return taut_pipe_add_claim("ends", TAUT_EXACT, worst, 0, noise, where, certificate);
 }
 
 static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
@@ -442,7 +415,7 @@ static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
     taut_record_add_text(figures, "max_curvature_at", where);
     taut_record_add_number(figures, "least_bend_radius", scale / f->curvature);
     taut_record_add_number(figures, "total_curvature", f->turning);
-    taut_record_add_number(figures, "total_torsion", f->torsion);
+    taut_pipe_add_torsion(figures, f->torsion);
     taut_record_add_number(figures, "bending", f->bending / scale);
     taut_record_add_number(figures, "largest_radius", f->rho * scale);
     taut_record_add_number(figures, "area", 2 * TAUT_PI * a * f->length * scale);
@@ -475,7 +448,8 @@ static taut_status add_claims(const taut_pipe_run_parts *run, double tolerance,
     if (status != TAUT_OK) {
         return status;
     }
-    status = claim_tube(run, tolerance, &fit_error, certificate);
+    status = taut_pipe_claim_run_tube(&run->parts, run->count, run->surfaces, run->curves,
+                                      tolerance, &fit_error, certificate);
     if (status != TAUT_OK) {
         return status;
     }

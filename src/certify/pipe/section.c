@@ -7,6 +7,7 @@
  */
 #include "certify/pipe/parts.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
@@ -152,7 +153,7 @@ taut_status taut_pipe_read_sections(const taut_model *model, taut_pipe_parts *pa
     }
     make_across(s[1].direction, line->tangent[1], wanted);
     taut_cross(line->tangent[1], u, w);
-    angle = atan2(taut_dot(wanted, w), taut_dot(wanted, u));
+    angle = taut_atan2(taut_dot(wanted, w), taut_dot(wanted, u));
     parts->turn = parts->unlike           ? 0 /* of circles */
                   : angle > TAUT_PI / 2   ? angle - TAUT_PI
                   : angle <= -TAUT_PI / 2 ? angle + TAUT_PI
@@ -194,11 +195,11 @@ double taut_pipe_section_miss(const taut_pipe_parts *parts, int piece, double s,
     taut_pipe_section_frame(parts, piece, s, u, w, turn);
     const double x0 = parts->line.scale * taut_dot(offset, u);
     const double y0 = parts->line.scale * taut_dot(offset, w);
-    const double x = (cos(angle) * x0 + sin(angle) * y0) / a;
-    const double y = (cos(angle) * y0 - sin(angle) * x0) / b;
-    q = hypot(x, y);
+    const double x = (taut_cos(angle) * x0 + taut_sin(angle) * y0) / a;
+    const double y = (taut_cos(angle) * y0 - taut_sin(angle) * x0) / b;
+    q = taut_hypot(x, y);
     /* |q - 1| over the length of its gradient, over the radius: the distance to first order */
-    return q > 0 ? fabs(q - 1) * q / hypot(x / a, y / b) / parts->radius : 1;
+    return q > 0 ? fabs(q - 1) * q / taut_hypot(x / a, y / b) / parts->radius : 1;
 }
 
 double taut_pipe_section_volume(const taut_pipe_parts *parts)
@@ -237,10 +238,10 @@ static double ring_area(const taut_pipe_parts *parts, int piece, double s, int p
     taut_pipe_section_frame(parts, piece, s, u, w, turn);
     taut_pipe_piece_eval(&parts->line.pieces[piece], s, 1, d);
     const double speed = taut_norm(d[1]), x = taut_dot(u, turn), y = taut_dot(w, turn);
-    const double k1 = a * (cos(angle) * x + sin(angle) * y);
-    const double k2 = b * (cos(angle) * y - sin(angle) * x);
+    const double k1 = a * (taut_cos(angle) * x + taut_sin(angle) * y);
+    const double k2 = b * (taut_cos(angle) * y - taut_sin(angle) * x);
     for (int k = 0; k < points; k++) {
-        const double c = cos(2 * TAUT_PI * k / points), z = sin(2 * TAUT_PI * k / points);
+        const double c = taut_cos(2 * TAUT_PI * k / points), z = taut_sin(2 * TAUT_PI * k / points);
         const double along = speed - c * k1 - z * k2;
         const double p = da * rate_of * c - twist * b * z, q = db * rate_of * z + twist * a * c;
         const double side = p * b * c + q * a * z;

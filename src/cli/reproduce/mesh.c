@@ -2,6 +2,8 @@
  * formulas of [XuWang2006] miss the surface where they are taken as they are printed. */
 #include "cli/reproduce/reproduce.h"
 
+#include "core/elementary/elementary.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -37,7 +39,7 @@ static double length_of(const taut_basis *basis)
 double cli_basis_m(const taut_basis *basis)
 {
     const double x = length_of(basis);
-    const double f = taut_basis_type(basis)[0] == 'c' ? x - sin(x) : sinh(x) - x;
+    const double f = taut_basis_type(basis)[0] == 'c' ? x - taut_sin(x) : taut_sinh(x) - x;
     double values[3][4];
     functions(basis, 0, values);
     return values[2][2] * f / cli_basis_k(basis);
@@ -75,9 +77,9 @@ double cli_literal_h42(const taut_surface *surface, double lambda)
         double values[3][4];
         functions(v, i, values);
         along = fmax(along, values[0][2]);
-        around = fmax(around, hypot(sin(t) / w, cos(t)));
+        around = fmax(around, taut_hypot(taut_sin(t) / w, taut_cos(t)));
     }
-    return 2 * cli_basis_k(v) * sinh(length_of(v)) * along * around;
+    return 2 * cli_basis_k(v) * taut_sinh(length_of(v)) * along * around;
 }
 
 /* |E - G| / E when the second component of r_v lacks its 1/w, the largest on a grid. */

@@ -8,6 +8,8 @@
 #include "cli/embedded_files.h"
 #include "cli/reproduce/reproduce.h"
 
+#include "core/elementary/elementary.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,8 +27,8 @@ static const char *text(const taut_record *row, const char *key)
 /* A number to the place of its tolerance, or to ten digits; no zeros at the end, no -0. */
 static void shown(double value, double tolerance, char room[NUMBER_ROOM])
 {
-    const int whole = value != 0 && isfinite(value) ? (int)floor(log10(fabs(value))) : 0;
-    int places = tolerance > 0 ? (int)ceil(-log10(tolerance)) : DIGITS_MAX;
+    const int whole = value != 0 && isfinite(value) ? (int)floor(taut_log10(fabs(value))) : 0;
+    int places = tolerance > 0 ? (int)ceil(-taut_log10(tolerance)) : DIGITS_MAX;
     char *end = NULL;
     if (!isfinite(value)) {
         snprintf(room, NUMBER_ROOM, "-");

@@ -1,5 +1,6 @@
 #include "construct/asymptotic/conditions.h"
 
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/dense.h"
@@ -151,7 +152,7 @@ static int nearest_weights(const taut_quad *quad, double factors[4][TAUT_QUAD_PO
         if (!(torsion[0] * torsion[1] < 0)) {
             return 0;
         }
-        b[rows++] = log(-torsion[1] / torsion[0]);
+        b[rows++] = taut_log(-torsion[1] / torsion[0]);
     }
     (void)taut_least_norm(4, 4 * per_edge, a, b, 1e-9, x, NULL);
     for (int row = 0; row < 4; row++) {
@@ -165,7 +166,7 @@ static int nearest_weights(const taut_quad *quad, double factors[4][TAUT_QUAD_PO
     }
     for (int e = 0; e < 4; e++) {
         for (int j = 0; j < per_edge; j++) {
-            factors[e][j] = exp(x[e * per_edge + j]);
+            factors[e][j] = taut_exp(x[e * per_edge + j]);
         }
     }
     return 1;

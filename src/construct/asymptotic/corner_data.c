@@ -1,6 +1,7 @@
 #include "construct/asymptotic/corner_data.h"
 
 #include "construct/asymptotic/end_weights.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -168,9 +169,9 @@ static taut_status fill_edge(const taut_asymptotic_corners *corners, int e, doub
                              taut_asymptotic_corner_name(f->corner));
         }
         /* a logarithm of numbers without unit: far from 1 it would keep fewer digits of them */
-        edge->bend[k] = log((n - 1.0) / n * edge->weight[k] *
-                            (taut_norm(edge->normal[k]) / taut_dot(leg, leg)) /
-                            (edge->curvature[k] * taut_norm(leg)));
+        edge->bend[k] = taut_log((n - 1.0) / n * edge->weight[k] *
+                                 (taut_norm(edge->normal[k]) / taut_dot(leg, leg)) /
+                                 (edge->curvature[k] * taut_norm(leg)));
     }
     edge->straight = edge->curvature[0] == 0.0;
     return edge->straight ? check_straight(edge, e, rounding, error) : TAUT_OK;

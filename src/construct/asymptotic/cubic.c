@@ -10,6 +10,7 @@
 #include "construct/asymptotic/conditions.h"
 #include "construct/asymptotic/corner_data.h"
 #include "construct/asymptotic/family.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -161,7 +162,7 @@ static void propagate(cubic *c)
         if (c->linked[k] && !used[k]) {
             const double ratio =
                 -(e->torsion[m[0].end] / e->scale) / (f->torsion[m[1].end] / f->scale);
-            c->closing = log(ratio); /* positive: an edge's two torsions have one sign */
+            c->closing = taut_log(ratio); /* positive: an edge's two torsions have one sign */
         }
     }
 }
@@ -227,14 +228,14 @@ static taut_status fail_closing(cubic *c, taut_error *error)
                          "the torsions cannot close around the four corners: they miss it by a "
                          "factor of %.9g, which no weights and no free length mend; change the "
                          "legs",
-                         exp(gap));
+                         taut_exp(gap));
     }
     return taut_fail(
         error, TAUT_NO_SOLUTION, "closing", "/edges", gap, closing_cut,
         "the torsions miss closing around the corners by a factor of %.12g; nearest "
         "legs: v0 [%.15g,%.15g,%.15g] v1 [%.15g,%.15g,%.15g] u0 [%.15g,%.15g,%.15g] u1 "
         "[%.15g,%.15g,%.15g]",
-        exp(gap), c->legs[0][0], c->legs[0][1], c->legs[0][2], c->legs[2][0], c->legs[2][1],
+        taut_exp(gap), c->legs[0][0], c->legs[0][1], c->legs[0][2], c->legs[2][0], c->legs[2][1],
         c->legs[2][2], c->legs[1][0], c->legs[1][1], c->legs[1][2], c->legs[3][0], c->legs[3][1],
         c->legs[3][2]);
 }

@@ -1,5 +1,6 @@
 #include "construct/asymptotic/end_weights.h"
 
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 
 #include <math.h>
@@ -87,7 +88,7 @@ taut_status taut_end_weights_of_curves(const taut_quad *quad, const int degrees[
         const double first = nearest[e][0] / ends[e][0], last = nearest[e][1] / ends[e][1];
         used += (size_t)snprintf(text + used, sizeof text - used, "%s %s c = %.17g, q = %.17g",
                                  k > 0 ? ";" : "", taut_asymptotic_edge_name(e), first,
-                                 exp((log(last) - log(first)) / degrees[e]));
+                                 taut_exp((taut_log(last) - taut_log(first)) / degrees[e]));
     }
     return c < 0 ? TAUT_OK : fail_at(c, "/curves", ends, text, error);
 }

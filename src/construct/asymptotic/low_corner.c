@@ -1,6 +1,7 @@
 #include "construct/asymptotic/low.h"
 
 #include "construct/asymptotic/conditions.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/dense.h"
@@ -225,7 +226,7 @@ static void normalise_corner(taut_low *l, int c)
             }
         }
         for (int k = 0; k < count; k++) {
-            length = hypot(length, along[j][k]);
+            length = taut_hypot(length, along[j][k]);
         }
         for (int k = 0; k < count; k++) {
             along[j][k] /= length;

@@ -2,6 +2,7 @@
  * quartic_minimise.c. Docs page section 4.1. */
 #include "construct/asymptotic/quartic.h"
 
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/dense.h"
@@ -90,10 +91,10 @@ static taut_status fill_links(taut_quartic *quartic, taut_error *error)
 /* log |tau(0) / tau(1)| of an edge less 2 log(nu / mu), from (4.5) with the weights of (4.2). */
 static double torsion_ratio(const taut_corner_edge *edge, const taut_quartic_line *line)
 {
-    const double h0 =
-        log(edge->weight[0]) + log(fabs(line->torsion[0])) - 2 * log(taut_norm(edge->normal[0]));
-    const double h1 =
-        log(edge->weight[1]) + log(fabs(line->torsion[1])) - 2 * log(taut_norm(edge->normal[1]));
+    const double h0 = taut_log(edge->weight[0]) + taut_log(fabs(line->torsion[0])) -
+                      2 * taut_log(taut_norm(edge->normal[0]));
+    const double h1 = taut_log(edge->weight[1]) + taut_log(fabs(line->torsion[1])) -
+                      2 * taut_log(taut_norm(edge->normal[1]));
     return edge->bend[1] - edge->bend[0] + h0 - h1;
 }
 
@@ -106,7 +107,7 @@ taut_status taut_closing_fail(const taut_corner_data *data, double gap, int is_o
     size_t used = 0;
     for (int k = 0; k < 4 && used < sizeof text; k++) {
         const int e = order[k];
-        const double factor = exp(epsilon[e] * gap / 8);
+        const double factor = taut_exp(epsilon[e] * gap / 8);
         used += (size_t)snprintf(text + used, sizeof text - used, " %s [%.17g,%.17g]",
                                  taut_asymptotic_edge_name(e), data->edges[e].curvature[0] / factor,
                                  data->edges[e].curvature[1] * factor);
@@ -114,8 +115,8 @@ taut_status taut_closing_fail(const taut_corner_data *data, double gap, int is_o
     return taut_fail(error, TAUT_NO_SOLUTION, "closing", "/edges", gap, closing_cut,
                      "the torsions cannot close around the four corners: the curvatures miss it "
                      "by %sa factor of %.12g; %s curvatures, each %.6g times more or less:%s",
-                     is_open ? "more than " : "", exp(gap),
-                     is_open ? "needed beyond these" : "nearest", exp(fabs(gap) / 8), text);
+                     is_open ? "more than " : "", taut_exp(gap),
+                     is_open ? "needed beyond these" : "nearest", taut_exp(fabs(gap) / 8), text);
 }
 
 /* What rounding of the corners leaves of the closing condition: each torsion has the height of a
@@ -149,7 +150,7 @@ static taut_status fill_closing(taut_quartic *quartic, taut_error *error)
         noise += closing_noise(&quartic->data->edges[e], line, quartic->data->rounding);
         constant += epsilon[e] * ratio;
         varies = varies || !line->same_ratio;
-        total += line->same_ratio ? epsilon[e] * 2 * log(fabs(nu / mu)) : 0.0;
+        total += line->same_ratio ? epsilon[e] * 2 * taut_log(fabs(nu / mu)) : 0.0;
     }
     quartic->closing_constant = constant;
     quartic->closing = varies ? TAUT_CLOSING_CONSTRAINT : TAUT_CLOSING_IDENTITY;
@@ -195,7 +196,7 @@ static double log_ratio(const taut_quartic_line *line, double p)
     if (fabs(nu) <= small * (fabs(line->at[2]) + fabs(isinf(p) ? 0.0 : p * line->along[2]))) {
         return -INFINITY;
     }
-    return log(fabs(nu / mu));
+    return taut_log(fabs(nu / mu));
 }
 
 void taut_quartic_ratios(const taut_quartic_line *line, const double range[2], double ratios[2])
@@ -204,7 +205,7 @@ void taut_quartic_ratios(const taut_quartic_line *line, const double range[2], d
     if (line->same_ratio) {
         const int k = line->along[1] != 0.0 || line->along[2] != 0.0;
         const double *const from = k ? line->along : line->at;
-        ratios[0] = ratios[1] = log(fabs(from[2] / from[1]));
+        ratios[0] = ratios[1] = taut_log(fabs(from[2] / from[1]));
         return;
     }
     a = log_ratio(line, range[0]);

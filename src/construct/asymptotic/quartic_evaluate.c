@@ -1,6 +1,7 @@
 /* quartic_evaluate.c -- the curve energy of one branch and its gradient, forwards and backwards. */
 #include "construct/asymptotic/quartic_search.h"
 
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
 #include <string.h>
@@ -11,7 +12,7 @@ double taut_quartic_p_of(const taut_quartic_search *s, int e, double x)
 {
     const taut_quartic_line *const line = &s->quartic->lines[e];
     const int k = s->kind[e];
-    return k == TAUT_BY_P ? x : (s->signs[e] * exp(x) - line->at[k]) / line->along[k];
+    return k == TAUT_BY_P ? x : (s->signs[e] * taut_exp(x) - line->at[k]) / line->along[k];
 }
 
 /* Fills the numbers that follow from p; 0 if mu or nu has the wrong sign. Where nu / mu is asked
@@ -29,8 +30,8 @@ static int edge_at(const taut_quartic_search *s, int e, double p, const double *
     if (!(s->signs[e] * at->mu > 0) || !(s->signs[e] * at->nu > 0) || !isfinite(p)) {
         return 0;
     }
-    at->log_mu = log(fabs(at->mu));
-    at->log_nu = log(fabs(at->nu));
+    at->log_mu = taut_log(fabs(at->mu));
+    at->log_nu = taut_log(fabs(at->nu));
     if (log_ratio != NULL && *log_ratio < 0) {
         at->log_nu = at->log_mu + *log_ratio;
     } else if (log_ratio != NULL) {
@@ -41,9 +42,9 @@ static int edge_at(const taut_quartic_search *s, int e, double p, const double *
         const double own = k == 0 ? at->log_mu : at->log_nu;
         const double other = k == 0 ? at->log_nu : at->log_mu;
         const double numerator = fabs(line->torsion[k]);
-        at->torsion[k] = (k == 0 ? base : -base) + 0.5 * other - 1.5 * own +
-                         log(0.5 * edge->weight[k]) + (numerator > 0 ? log(numerator) : 0.0) -
-                         2 * log(taut_norm(edge->normal[k]));
+        at->torsion[k] =
+            (k == 0 ? base : -base) + 0.5 * other - 1.5 * own + taut_log(0.5 * edge->weight[k]) +
+            (numerator > 0 ? taut_log(numerator) : 0.0) - 2 * taut_log(taut_norm(edge->normal[k]));
     }
     return 1;
 }
@@ -85,7 +86,7 @@ int taut_quartic_forwards(const taut_quartic_search *s, const double *x, taut_qu
     if (s->closer >= 0) {
         const double log_ratio = closing_ratio(s, at);
         if (!edge_at(s, s->closer,
-                     taut_quartic_p_of_ratio(&s->quartic->lines[s->closer], exp(log_ratio)),
+                     taut_quartic_p_of_ratio(&s->quartic->lines[s->closer], taut_exp(log_ratio)),
                      &log_ratio, &at[s->closer])) {
             return 0;
         }
@@ -124,9 +125,9 @@ static int place_edge(const taut_quartic_search *s, int e, const taut_quartic_st
         made->points[4][k] = edge->point[1][k];
     }
     made->weights[0] = edge->weight[0];
-    made->weights[1] = exp(log_w1);
-    made->weights[2] = exp(at->log_w2);
-    made->weights[3] = exp(log_w3);
+    made->weights[1] = taut_exp(log_w1);
+    made->weights[2] = taut_exp(at->log_w2);
+    made->weights[3] = taut_exp(log_w3);
     made->weights[4] = edge->weight[1];
     return 1;
 }

@@ -2,6 +2,7 @@
 #include "construct/asymptotic/quartic_search.h"
 
 #include "construct/asymptotic/starts.h"
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
 #include <string.h>
@@ -83,7 +84,7 @@ static double unknown_of_p(const taut_quartic_search *s, int e, double p)
 {
     const taut_quartic_line *const line = &s->quartic->lines[e];
     const int k = s->kind[e];
-    return k == TAUT_BY_P ? p : log(fabs(line->at[k] + p * line->along[k]));
+    return k == TAUT_BY_P ? p : taut_log(fabs(line->at[k] + p * line->along[k]));
 }
 
 /* A p inside the interval: the mean of those that make the side weights near the geometric means
@@ -96,7 +97,7 @@ static double first_p(const taut_quartic_search *s, int e)
     double sum = 0.0;
     int count = 0;
     for (int k = 1; k <= 2; k++) {
-        const double guess = exp(log(edge->weight[k - 1]) - edge->bend[k - 1]);
+        const double guess = taut_exp(taut_log(edge->weight[k - 1]) - edge->bend[k - 1]);
         const double p = (s->signs[e] * guess - line->at[k]) / line->along[k];
         if (line->along[k] != 0.0 && p > range[0] && p < range[1]) {
             sum += p;
@@ -133,7 +134,7 @@ static int close_start(const taut_quartic_search *s, double p[4])
     for (int e = 0; e < 4; e++) {
         const taut_quartic_line *const line = &s->quartic->lines[e];
         from[e] =
-            log((line->at[2] + p[e] * line->along[2]) / (line->at[1] + p[e] * line->along[1]));
+            taut_log((line->at[2] + p[e] * line->along[2]) / (line->at[1] + p[e] * line->along[1]));
         sum += 2 * sign[e] * from[e];
     }
     for (int e = 0; e < 4; e++) {
@@ -160,7 +161,7 @@ static int close_start(const taut_quartic_search *s, double p[4])
     for (int e = 0; e < 4 && high < 1.0; e++) {
         if (to[e] != from[e]) {
             p[e] = taut_quartic_p_of_ratio(&s->quartic->lines[e],
-                                           exp((1.0 - high) * from[e] + high * to[e]));
+                                           taut_exp((1.0 - high) * from[e] + high * to[e]));
         }
     }
     return high < 1.0;

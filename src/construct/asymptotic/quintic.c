@@ -11,6 +11,7 @@
 #include "construct/asymptotic/corner_data.h"
 #include "construct/asymptotic/family.h"
 #include "construct/asymptotic/starts.h"
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
 #include <string.h>
@@ -68,9 +69,9 @@ static void place_points(const search *s, int e, const double *y, taut_quad_edge
     for (int k = 0; k < 3; k++) {
         p[0][k] = edge->point[0][k];
         p[2][k] = edge->point[0][k] + y[LAMBDA] * edge->leg[0][k] +
-                  s->signs[e] * exp(y[LOG_MU]) * edge->partner[0][k];
+                  s->signs[e] * taut_exp(y[LOG_MU]) * edge->partner[0][k];
         p[3][k] = edge->point[1][k] + y[RHO] * edge->leg[1][k] +
-                  s->signs[e] * exp(y[LOG_NU]) * edge->partner[1][k];
+                  s->signs[e] * taut_exp(y[LOG_NU]) * edge->partner[1][k];
         p[5][k] = edge->point[1][k];
     }
 }
@@ -87,8 +88,8 @@ static double torsion_numerator(const search *s, int e, int end, const taut_quad
 static double torsion_rest(const search *s, int e, int end, const double *y, double numerator)
 {
     const taut_corner_edge *const edge = &s->data->edges[e];
-    return log((N - 2.0) / N * edge->weight[end]) + log(fabs(numerator)) -
-           2 * log(taut_norm(edge->normal[end])) - 1.5 * y[end == 0 ? LOG_MU : LOG_NU] -
+    return taut_log((N - 2.0) / N * edge->weight[end]) + taut_log(fabs(numerator)) -
+           2 * taut_log(taut_norm(edge->normal[end])) - 1.5 * y[end == 0 ? LOG_MU : LOG_NU] -
            0.5 * edge->bend[end];
 }
 
@@ -116,7 +117,7 @@ static int place_weights(const search *s, int e, const double *x, const double n
         if (!(fabs(l[j]) < longest_log)) {
             return 0;
         }
-        made->weights[j] = exp(l[j]);
+        made->weights[j] = taut_exp(l[j]);
     }
     made->weights[0] = edge->weight[0];
     made->weights[N] = edge->weight[1];
@@ -162,8 +163,8 @@ static void backwards(const search *s, int e, const double *x, const double nume
     }
     g[LAMBDA] = taut_dot(by_point[2], edge->leg[0]);
     g[RHO] = taut_dot(by_point[3], edge->leg[1]);
-    g[LOG_MU] += s->signs[e] * exp(y[LOG_MU]) * taut_dot(by_point[2], edge->partner[0]);
-    g[LOG_NU] += s->signs[e] * exp(y[LOG_NU]) * taut_dot(by_point[3], edge->partner[1]);
+    g[LOG_MU] += s->signs[e] * taut_exp(y[LOG_MU]) * taut_dot(by_point[2], edge->partner[0]);
+    g[LOG_NU] += s->signs[e] * taut_exp(y[LOG_NU]) * taut_dot(by_point[3], edge->partner[1]);
 }
 
 static int objective(void *context, const double *x, double *value, double *gradient)
@@ -223,11 +224,11 @@ static int set_signs(search *s, const double *x)
 static void guess_edge(const search *s, int e, double size, uint64_t *noise, double *y)
 {
     const taut_corner_edge *const edge = &s->data->edges[e];
-    const double raise = 2 * log((double)s->data->raised / N);
+    const double raise = 2 * taut_log((double)s->data->raised / N);
     y[LAMBDA] = 2.0 + size * taut_noise(noise);
     y[RHO] = -2.0 + size * taut_noise(noise);
-    y[LOG_MU] = log(edge->weight[0]) - edge->bend[0] + raise + size * taut_noise(noise);
-    y[LOG_NU] = log(edge->weight[1]) - edge->bend[1] + raise + size * taut_noise(noise);
+    y[LOG_MU] = taut_log(edge->weight[0]) - edge->bend[0] + raise + size * taut_noise(noise);
+    y[LOG_NU] = taut_log(edge->weight[1]) - edge->bend[1] + raise + size * taut_noise(noise);
 }
 
 /* A start whose torsions can match; 0 if none is drawn. Torsions begin as the mean of what

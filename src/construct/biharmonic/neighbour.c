@@ -12,6 +12,7 @@
 #include "construct/common/build.h"
 #include "construct/harmonic/space.h"
 #include "construct/harmonic/wide_solve.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "numeric/quadrature.h"
 
@@ -283,7 +284,7 @@ static taut_status check_digits(const neighbour *b, double amplification, double
 {
     /* rows of a neighbour h times as wide are up to h^k as large */
     const double limit = meeting_limit * fmax(1, taut_unit_map_reach(&b->given.map)) *
-                         pow(fmax(1, b->given.ratio), b->contact);
+                         taut_pow(fmax(1, b->given.ratio), b->contact);
 
     if (!(amplification <= amplification_limit)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "ill-conditioned", "/surface", amplification,

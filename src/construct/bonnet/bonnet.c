@@ -6,6 +6,7 @@
 #include "construct/common/build.h"
 #include "construct/construct_ops.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 
 #include <assert.h>
@@ -268,7 +269,7 @@ static taut_record *details_of(const taut_bonnet_problem *problem)
         taut_record_add_number(details, "lambda", problem->lambda[0]);
     }
     taut_record_add_number(details, "amplitude",
-                           problem->bspline ? problem->alpha / sin(problem->alpha) : 1);
+                           problem->bspline ? problem->alpha / taut_sin(problem->alpha) : 1);
     if (problem->normalize) {
         taut_record_add_bool(details, "normalize", 1);
     }

@@ -1,6 +1,7 @@
 #include "construct/bonnet/net.h"
 
 #include "basis/quasi_kernel.h"
+#include "core/elementary/elementary.h"
 
 #include <math.h>
 
@@ -10,7 +11,7 @@ static double cubic_rest(int hyperbolic, double x)
     const double sign = hyperbolic ? 1 : -1;
     double term = x * x * x / 6, sum = term;
     if (fabs(x) > 1) {
-        return hyperbolic ? sinh(x) - x : x - sin(x);
+        return hyperbolic ? taut_sinh(x) - x : x - taut_sin(x);
     }
     for (int n = 4; fabs(term) > 1e-18 * fabs(sum); n += 2) {
         term *= sign * x * x / ((double)n * (n + 1));
@@ -22,7 +23,7 @@ static double cubic_rest(int hyperbolic, double x)
 /* 1 - cos x or cosh x - 1 */
 static double square_rest(int hyperbolic, double x)
 {
-    const double half = hyperbolic ? sinh(0.5 * x) : sin(0.5 * x);
+    const double half = hyperbolic ? taut_sinh(0.5 * x) : taut_sin(0.5 * x);
     return 2 * half * half;
 }
 
@@ -43,16 +44,16 @@ static void hyperbolic_inner(const taut_quasi_segment *segment, double x0, doubl
 {
     const double k = segment->k, q = segment->q;
     if (x1 > 0) {
-        rows->c[2] = q * cosh(x1) + k * exp(-x1);
-        rows->s[2] = q * sinh(x1) - k * exp(-x1);
+        rows->c[2] = q * taut_cosh(x1) + k * taut_exp(-x1);
+        rows->s[2] = q * taut_sinh(x1) - k * taut_exp(-x1);
     }
     if (x1 > 1) { /* nearer to zero f and g are smaller than what they come from */
         rows->f[2] = rows->s[2] - rows->t[2];
         rows->g[2] = rows->c[2] - 1;
     }
     if (x0 < 0) {
-        rows->c[1] = q * cosh(x0) + k * exp(x0);
-        rows->s[1] = q * sinh(x0) + k * exp(x0);
+        rows->c[1] = q * taut_cosh(x0) + k * taut_exp(x0);
+        rows->s[1] = q * taut_sinh(x0) + k * taut_exp(x0);
     }
     if (x0 < -1) {
         rows->f[1] = rows->s[1] - rows->t[1];
@@ -64,8 +65,10 @@ void taut_bonnet_bezier_rows(int hyperbolic, double start, double length, taut_b
 {
     const taut_quasi_kernel *kernel = hyperbolic ? &taut_quasi_hyperbolic : &taut_quasi_circular;
     const double x0 = start, x1 = start + length;
-    const double s0 = hyperbolic ? sinh(x0) : sin(x0), c0 = hyperbolic ? cosh(x0) : cos(x0);
-    const double s1 = hyperbolic ? sinh(x1) : sin(x1), c1 = hyperbolic ? cosh(x1) : cos(x1);
+    const double s0 = hyperbolic ? taut_sinh(x0) : taut_sin(x0),
+                 c0 = hyperbolic ? taut_cosh(x0) : taut_cos(x0);
+    const double s1 = hyperbolic ? taut_sinh(x1) : taut_sin(x1),
+                 c1 = hyperbolic ? taut_cosh(x1) : taut_cos(x1);
     taut_quasi_segment segment;
 
     kernel->prepare(length, &segment);
@@ -81,7 +84,7 @@ void taut_bonnet_bezier_rows(int hyperbolic, double start, double length, taut_b
         hyperbolic_inner(&segment, x0, x1, rows);
     }
     if (start == 0) { /* f vanishes threefold at 0: exact zeros instead of cancellation */
-        const double h = 0.5 * length, sh = hyperbolic ? sinh(h) : sin(h);
+        const double h = 0.5 * length, sh = hyperbolic ? taut_sinh(h) : taut_sin(h);
         rows->f[1] = rows->f[2] = rows->g[1] = 0;
         /* 2 (sin h - h cos h) / sin h, 2 (h cosh h - sinh h) / sinh h, by m / f = c of the segment:
          * m = sin^3 h / (sin h - h cos h), so the quotient is 2 sin^2 h / m */
@@ -94,12 +97,12 @@ void taut_bonnet_bezier_rows(int hyperbolic, double start, double length, taut_b
 void taut_bonnet_bspline_rows(int hyperbolic, double start, double length, int segments,
                               taut_bonnet_rows *rows)
 {
-    const double amplitude = length / (hyperbolic ? sinh(length) : sin(length));
+    const double amplitude = length / (hyperbolic ? taut_sinh(length) : taut_sin(length));
     rows->count = segments + 3;
     for (int i = 0; i < rows->count; i++) {
         const double x = start + (i - 1) * length;
         rows->t[i] = x;
-        rows->s[i] = amplitude * (hyperbolic ? sinh(x) : sin(x));
-        rows->c[i] = amplitude * (hyperbolic ? cosh(x) : cos(x));
+        rows->s[i] = amplitude * (hyperbolic ? taut_sinh(x) : taut_sin(x));
+        rows->c[i] = amplitude * (hyperbolic ? taut_cosh(x) : taut_cos(x));
     }
 }

@@ -1,5 +1,7 @@
 #include "construct/bonnet/net.h"
 
+#include "core/elementary/elementary.h"
+
 #include <math.h>
 
 double taut_bonnet_frame_lambda(const taut_bonnet_problem *problem, int i)
@@ -12,7 +14,7 @@ double taut_bonnet_frame_lambda(const taut_bonnet_problem *problem, int i)
 /* points = cos(theta) r + sin(theta) r*; theta = 0 leaves r as it is. */
 static void turn_point(double theta, const double r[3], const double adjoint[3], double *point)
 {
-    const double c = theta == 0 ? 1 : cos(theta), s = theta == 0 ? 0 : sin(theta);
+    const double c = theta == 0 ? 1 : taut_cos(theta), s = theta == 0 ? 0 : taut_sin(theta);
     for (int i = 0; i < 3; i++) {
         point[i] = c * r[i] + s * adjoint[i];
     }

@@ -9,6 +9,7 @@
  */
 #include "construct/dirichlet/system.h"
 
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 
 #include <math.h>
@@ -30,7 +31,7 @@ static const double slope_flat = 0x1p-50;
 static taut_status find_sample(taut_dirichlet_system *system, double log_aspect, double *net,
                                sample *s, taut_error *error)
 {
-    const double aspect = exp(log_aspect);
+    const double aspect = taut_exp(log_aspect);
     double halves[2] = {0, 0};
     const taut_status status = taut_dirichlet_system_solve(system, aspect, net, error);
 
@@ -40,8 +41,9 @@ static taut_status find_sample(taut_dirichlet_system *system, double log_aspect,
     taut_dirichlet_system_energies(system, net, halves);
     s->log_aspect = log_aspect;
     s->energy = aspect * halves[0] + halves[1] / aspect;
-    s->slope = halves[0] > 0 && halves[1] > 0 ? 2 * log_aspect + log(halves[0]) - log(halves[1])
-                                              : (halves[0] > halves[1] ? INFINITY : -INFINITY);
+    s->slope = halves[0] > 0 && halves[1] > 0
+                   ? 2 * log_aspect + taut_log(halves[0]) - taut_log(halves[1])
+                   : (halves[0] > halves[1] ? INFINITY : -INFINITY);
     return TAUT_OK;
 }
 
@@ -58,7 +60,7 @@ static taut_status refuse_aspect(int towards_infinity, taut_error *error)
 static taut_status scan_aspects(taut_dirichlet_system *system, double middle, double *net,
                                 sample best[3], taut_error *error)
 {
-    const double step = log(4.0);
+    const double step = taut_log(4.0);
     sample s[2 * REACH + 1];
     int from = REACH - SCAN, to = REACH + SCAN, lowest = from;
 
@@ -140,7 +142,7 @@ static taut_status close_in(taut_dirichlet_system *system, sample low, sample hi
 static taut_status find_least(taut_dirichlet_system *system, double *net, double *log_aspect,
                               int *is_point, taut_error *error)
 {
-    const double natural = log(taut_dirichlet_system_natural_aspect(system));
+    const double natural = taut_log(taut_dirichlet_system_natural_aspect(system));
     sample first, best[3];
     taut_status status = find_sample(system, natural, net, &first, error);
 
@@ -175,6 +177,6 @@ taut_status taut_dirichlet_system_aspect(taut_dirichlet_system *system, double *
     if (status != TAUT_OK) {
         return status;
     }
-    *aspect = is_point ? 1 : exp(log_aspect); /* of a point every aspect is as good */
+    *aspect = is_point ? 1 : taut_exp(log_aspect); /* of a point every aspect is as good */
     return is_point ? TAUT_OK : taut_dirichlet_system_solve(system, *aspect, net, error);
 }

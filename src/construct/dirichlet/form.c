@@ -2,6 +2,7 @@
 
 #include "core/arena.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "numeric/sum.h"
@@ -46,17 +47,17 @@ static void geometric_means(int nu, int nv, const double *w, double *u, double *
     memset(v, 0, (size_t)nv * sizeof *v);
     for (int i = 0; i < nu; i++) {
         for (int j = 0; j < nv; j++) {
-            const double x = log(w[(size_t)i * (size_t)nv + (size_t)j]);
+            const double x = taut_log(w[(size_t)i * (size_t)nv + (size_t)j]);
             u[i] += x / nv;
             v[j] += x / nu;
         }
         mean += u[i] / nu;
     }
     for (int i = 0; i < nu; i++) {
-        u[i] = exp(u[i]);
+        u[i] = taut_exp(u[i]);
     }
     for (int j = 0; j < nv; j++) {
-        v[j] = exp(v[j] - mean);
+        v[j] = taut_exp(v[j] - mean);
     }
 }
 

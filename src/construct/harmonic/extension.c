@@ -11,6 +11,7 @@
 #include "construct/harmonic/lidstone.h"
 #include "construct/harmonic/neighbour.h"
 #include "core/arena.h"
+#include "core/elementary/elementary.h"
 #include "core/exact.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -293,7 +294,7 @@ static taut_status fill_model(void *context, taut_arena *arena, taut_model *mode
     if (status != TAUT_OK) {
         return status;
     }
-    amplification = pow(1 + 2 * e.ratio, e.n);
+    amplification = taut_pow(1 + 2 * e.ratio, e.n);
     status = add_given(e.surface, asked->exact, model, error);
     if (status != TAUT_OK) {
         return status;

@@ -1,6 +1,7 @@
 /* merge.c -- are a harmonic surface and another given one pieces of one? Their polynomial is that
  * of the first, so the second must be what it is carried on to ([NiWang2015] section 3, G). */
 #include "construct/harmonic/neighbour.h"
+#include "core/elementary/elementary.h"
 #include "core/exact.h"
 #include "core/fail.h"
 
@@ -67,7 +68,7 @@ taut_status taut_neighbour_compare(const taut_neighbour *e, const taut_surface *
 {
     const double *a = taut_surface_points(beyond), *b = taut_surface_points(e->other);
     const double growth =
-        4 * DBL_EPSILON * taut_unit_map_reach(&e->map) * pow(1 + 2 * e->ratio, e->n);
+        4 * DBL_EPSILON * taut_unit_map_reach(&e->map) * taut_pow(1 + 2 * e->ratio, e->n);
     double gap = 0, size = e->map.size, limit = 0;
     int apart = 0;
     const taut_status status = exact ? differ(e, beyond, &apart, error) : TAUT_OK;

@@ -6,6 +6,7 @@
 #include "construct/common/build.h"
 #include "construct/panels/vertices.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "problem/problem.h"
@@ -56,7 +57,7 @@ static taut_status check_options(const taut_panels_options *options, taut_error 
 /* theta must be a multiple of pi, within the rounding of a recognised one. */
 static taut_status check_theta(double theta, taut_error *error)
 {
-    if (fabs(sin(theta)) <= 1e-9) {
+    if (fabs(taut_sin(theta)) <= 1e-9) {
         return TAUT_OK;
     }
     return taut_fail(error, TAUT_NO_SOLUTION, "theta", "/theta", theta, 0,
@@ -80,7 +81,7 @@ static double angle_at(const double *at, const double *a, const double *b)
     taut_difference(a, at, p);
     taut_difference(b, at, q);
     taut_cross(p, q, n);
-    return atan2(taut_length(n), taut_dot(p, q));
+    return taut_atan2(taut_length(n), taut_dot(p, q));
 }
 
 static void raise_largest(double *largest, double value)
@@ -172,8 +173,8 @@ static taut_status fill_vertices(const making *m, const taut_panels_window *wind
             taut_panels_surface(window, a, b, on);
             taut_panels_place(window, x, vertex);
             taut_panels_place(window, on, placed);
-            const double apart =
-                hypot(vertex[0] - placed[0], hypot(vertex[1] - placed[1], vertex[2] - placed[2]));
+            const double apart = taut_hypot(
+                vertex[0] - placed[0], taut_hypot(vertex[1] - placed[1], vertex[2] - placed[2]));
             *distance = fmax(*distance, apart);
         }
     }
@@ -252,7 +253,7 @@ static taut_status add_asked(making *m, int i, taut_error *error)
     const taut_bonnet_problem *p = m->problem;
     const double lambda = taut_bonnet_frame_lambda(p, i);
     const char *name = taut_surface_name(taut_model_surface(m->source, i));
-    const double w = sqrt((1 - lambda) * (1 + lambda)), side = cos(p->theta) < 0 ? -1 : 1;
+    const double w = sqrt((1 - lambda) * (1 + lambda)), side = taut_cos(p->theta) < 0 ? -1 : 1;
     const double length[2] = {p->alpha * (p->segments[0] > 0 ? p->segments[0] : 1),
                               p->beta * (p->segments[1] > 0 ? p->segments[1] : 1)};
     double lo[2] = {p->start[0], p->start[1]}, hi[2] = {lo[0] + length[0], lo[1] + length[1]};
@@ -309,7 +310,7 @@ static taut_status add_recognised(making *m, int i, taut_error *error)
         .lambda = f.lambda, .w = sqrt((1 - f.lambda) * (1 + f.lambda)), .lift = -f.scale};
     window.factor = 0.5 * f.scale * window.w * window.w;
     memcpy(window.matrix, f.motion, sizeof window.matrix);
-    for (int k = 0; k < 9 && cos(f.theta) < 0; k++) {
+    for (int k = 0; k < 9 && taut_cos(f.theta) < 0; k++) {
         window.matrix[k / 3][k % 3] = -window.matrix[k / 3][k % 3];
     }
     cut_window(m, lo, hi, window.w, f.turned, &window);

@@ -18,6 +18,7 @@
 #include "construct/panels/vertices.h"
 
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 
 #include <math.h>
 
@@ -28,7 +29,7 @@ typedef struct kernel {
     double (*cosine)(double);
 } kernel;
 
-static const kernel circular = {-1, sin, cos}, hyperbolic = {1, sinh, cosh};
+static const kernel circular = {-1, taut_sin, taut_cos}, hyperbolic = {1, taut_sinh, taut_cosh};
 
 /* sum_j (2 j + 2)^weighted / (2 j + first)! (sign x^2)^j, |x| <= 1 */
 static double series(const kernel *k, double x, int first, int weighted)
@@ -139,7 +140,7 @@ void taut_panels_surface(const taut_panels_window *window, int i, int j, double 
     const double u2 = p * p * c2(&circular, w * p), v2 = q * q * c2(&hyperbolic, w * q);
     x[0] = 2 * (-e * p + p * p * p * f3(&circular, w * p) - p * s1(&circular, w * p) * v2);
     x[1] = 2 * (e * q + l * (u2 * q * s1(&hyperbolic, w * q) - q * q * q * f3(&hyperbolic, w * q)));
-    x[2] = 2 * (u2 * cosh(w * q) - v2);
+    x[2] = 2 * (u2 * taut_cosh(w * q) - v2);
 }
 
 /* The surface, but with n sin a for the parameter n a and m sinh b for m b. */

@@ -2,6 +2,7 @@
 
 #include "construct/pipe/bend.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/keep.h"
@@ -135,7 +136,7 @@ static double round_deviation(const blend_maker *m, double t0, const taut_pipe_n
     taut_bernstein_point(degree, 3, &polygon_u[0][0], s, u, NULL);
     taut_bernstein_point(degree, 3, &polygon_w[0][0], s, w, NULL);
     for (int k = 0; k < ANGLES; k++) {
-        const double c = cos(2 * TAUT_PI * k / ANGLES), z = sin(2 * TAUT_PI * k / ANGLES);
+        const double c = taut_cos(2 * TAUT_PI * k / ANGLES), z = taut_sin(2 * TAUT_PI * k / ANGLES);
         double g[3], e = 0, turn = 0, square = 0;
         for (int i = 0; i < 3; i++) {
             g[i] = c * u[i] + z * w[i];
@@ -172,7 +173,7 @@ static double profile_deviation(const blend_maker *m, double t0, const double ca
         taut_difference(back, exact.c, back);
     }
     for (int k = 0; k < ANGLES; k++) {
-        const double c = cos(2 * TAUT_PI * k / ANGLES), z = sin(2 * TAUT_PI * k / ANGLES);
+        const double c = taut_cos(2 * TAUT_PI * k / ANGLES), z = taut_sin(2 * TAUT_PI * k / ANGLES);
         double apart[3] = {back[0], back[1], back[2]};
         taut_add_scaled(c, u, apart);
         taut_add_scaled(z, w, apart);

@@ -10,6 +10,7 @@
 #include "construct/pipe/search.h"
 #include "construct/pipe/task.h"
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -102,10 +103,10 @@ static double handle_merit(void *context, const double *x)
     search *s = context;
     double handles[2] = {s->task->handles[0], s->task->handles[1]}, edges[3][3];
     if (s->side == 2) {
-        handles[0] = exp(x[0]);
-        handles[1] = exp(x[1]);
+        handles[0] = taut_exp(x[0]);
+        handles[1] = taut_exp(x[1]);
     } else {
-        handles[s->side] = exp(x[0]);
+        handles[s->side] = taut_exp(x[0]);
     }
     taut_pipe_edges(s->task, handles, edges);
     return lower_bound(
@@ -294,16 +295,17 @@ static void choose_feet(taut_pipe_task *task)
 static void choose_ends(taut_pipe_task *task, int side)
 {
     const double size = fmax(taut_norm(task->across), task->radius);
-    const double lo[2] = {log(size / 64), log(size / 64)}, hi[2] = {log(4 * size), log(4 * size)};
-    const double plain[2] = {log(size / 3), log(size / 3)};
+    const double lo[2] = {taut_log(size / 64), taut_log(size / 64)},
+                 hi[2] = {taut_log(4 * size), taut_log(4 * size)};
+    const double plain[2] = {taut_log(size / 3), taut_log(size / 3)};
     search s = {.task = task, .goal = GOAL_FAIRNESS, .side = side};
     double x[2] = {0, 0};
     search_from_grid(side == 2 ? 2 : 1, lo, hi, plain, handle_merit, &s, x);
     if (side == 2) {
-        task->handles[0] = exp(x[0]);
-        task->handles[1] = exp(x[1]);
+        task->handles[0] = taut_exp(x[0]);
+        task->handles[1] = taut_exp(x[1]);
     } else {
-        task->handles[side] = exp(x[0]);
+        task->handles[side] = taut_exp(x[0]);
     }
 }
 

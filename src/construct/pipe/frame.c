@@ -1,6 +1,7 @@
 #include "construct/pipe/frame.h"
 
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 #include "numeric/bernstein.h"
 
@@ -293,7 +294,7 @@ void taut_pipe_profile_at(const taut_pipe_profile *profile, const taut_pipe_arc 
         evaluate_canal(profile, &jet, s, frame, section);
         return;
     }
-    const double c = cos(profile->turn * s[0]), z = sin(profile->turn * s[0]);
+    const double c = taut_cos(profile->turn * s[0]), z = taut_sin(profile->turn * s[0]);
     const double rate[2] = {profile->turn * s[1], -profile->turn * s[1]};
     const double rate1[2] = {profile->turn * s[2], -profile->turn * s[2]};
     for (int k = 0; k < 3; k++) {
@@ -354,7 +355,7 @@ int taut_pipe_profile_turn(const taut_pipe_arc *arc, const double *const directi
     memcpy(carried, profile->first, sizeof carried);
     taut_pipe_carry(arc, 0, 1, CARRY_STEPS, carried);
     taut_cross(jet.tangent, carried, w);
-    angle = atan2(taut_dot(wanted, w), taut_dot(wanted, carried));
+    angle = taut_atan2(taut_dot(wanted, w), taut_dot(wanted, carried));
     profile->turn = angle > TAUT_PI / 2     ? angle - TAUT_PI
                     : angle <= -TAUT_PI / 2 ? angle + TAUT_PI
                                             : angle;

@@ -6,6 +6,7 @@
  */
 #include "construct/pipe/frame.h"
 #include "construct/pipe/run.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -46,7 +47,7 @@ static void close_frame(taut_pipe_run *run)
     make_normal(start, 0, u);
     taut_pipe_arc_jet(&start->task.arc, 0, &jet);
     taut_cross(jet.tangent, u, w);
-    run->holonomy = atan2(taut_dot(start->first, w), taut_dot(start->first, u));
+    run->holonomy = taut_atan2(taut_dot(start->first, w), taut_dot(start->first, u));
     for (int i = 0; i < run->elbow_count; i++) {
         taut_pipe_elbow *const e = &run->elbows[i];
         e->turn = run->holonomy * e->task.bend.length * e->task.scale / total;

@@ -1,5 +1,4 @@
-/* area_avx2.c -- the kernels of the area for AVX2 and FMA (this file is compiled for them, with
- * contraction). */
+/* area_avx2.c -- the kernels of the area for AVX2 (this file is compiled for it). */
 #if defined(__x86_64__)
 #include <immintrin.h>
 

@@ -1,5 +1,4 @@
-/* area_avx512.c -- the kernels of the area for AVX-512F (this file is compiled for it, with
- * contraction). */
+/* area_avx512.c -- the kernels of the area for AVX-512F (this file is compiled for it). */
 #if defined(__x86_64__)
 #include <immintrin.h>
 

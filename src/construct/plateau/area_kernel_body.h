@@ -1,8 +1,8 @@
 /* area_kernel_body.h -- the loops behind area_kernel.h, compiled once per instruction set.
  *
- * The including file defines AREA_LANES (doubles in a vector), AREA_SQRT(vector), and may let a*b+c
- * contract: what is summed has few terms, so results of different sets agree to rounding. Vectors
- * are gcc's and clang's vector extension.
+ * The including file defines AREA_LANES (doubles in a vector) and AREA_SQRT(vector). A lane is one
+ * point or one function, and its sums run in one order: results are the same bit for bit at every
+ * width. Vectors are gcc's and clang's vector extension.
  */
 #include "construct/plateau/area_kernel.h"
 

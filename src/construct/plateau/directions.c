@@ -61,6 +61,21 @@ static void fill_gaps(int nu, int nv, double *directions)
     }
 }
 
+/* Slopes of about unit size, by a power of two: products of them neither overflow nor vanish. */
+static void scale_slopes(size_t count, double *jets)
+{
+    double largest = 0;
+    int exponent = 0;
+
+    for (size_t k = 0; k < 9 * count; k++) {
+        largest = fmax(largest, k % 9 >= 3 ? fabs(jets[k]) : 0);
+    }
+    (void)frexp(largest, &exponent);
+    for (size_t k = 0; k < 9 * count; k++) {
+        jets[k] = ldexp(jets[k], -exponent);
+    }
+}
+
 static taut_status find_normals(const taut_surface *surface, taut_arena *arena, double *directions)
 {
     const taut_basis *basis_u = taut_surface_u(surface), *basis_v = taut_surface_v(surface);
@@ -81,6 +96,7 @@ static taut_status find_normals(const taut_surface *surface, taut_arena *arena, 
     if (status != TAUT_OK) {
         return status;
     }
+    scale_slopes(count, jets);
     for (size_t i = 0; i < count; i++) {
         taut_cross(jets + 9 * i + 3, jets + 9 * i + 6, directions + 3 * i);
         largest = fmax(largest, taut_norm(directions + 3 * i));

@@ -13,6 +13,7 @@
 #include "construct/plateau/refine.h"
 #include "construct/plateau/solve.h"
 #include "construct/plateau/space.h"
+#include "construct/plateau/witness.h"
 #include "core/fail.h"
 
 #include <math.h>
@@ -64,6 +65,17 @@ static taut_status check_spaces(const taut_plateau_problem *problem, taut_error 
                          "tolerance_area cannot put knots into a net of %d by %d points, expected "
                          "at most %d: take fewer, or refine",
                          nu, nv, TAUT_PLATEAU_ADAPTED_MAX);
+    }
+    if (problem->gap != 0 && !(problem->gap > TAUT_PLATEAU_GAP_MIN && problem->gap < 1)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/gap", problem->gap, TAUT_PLATEAU_GAP_MIN,
+                         "gap is %.17g, expected a number above %g and below 1", problem->gap,
+                         TAUT_PLATEAU_GAP_MIN);
+    }
+    if (problem->gap != 0 && (problem->refine > 0 || tolerance != 0 || problem->start != NULL ||
+                              problem->without_least)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/gap", taut_none, taut_none,
+                         "gap finds its own spaces and needs a witness: expected none of refine, "
+                         "tolerance_area, start, and not least false");
     }
     if (problem->curves[0] != NULL && problem->start != NULL) {
         return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/start", taut_none, taut_none,
@@ -151,7 +163,23 @@ static taut_status make_model(taut_plateau_solution *solution, taut_model **mode
 typedef struct parts {
     taut_plateau_space *space;
     taut_plateau_solution solution;
+    taut_plateau_witness *witness; /* or NULL */
 } parts;
+
+/* The member `least` of details, where the boundary is all that is known. */
+static taut_status add_witness(const taut_plateau_problem *problem, parts *p, taut_error *error)
+{
+    const int is_fit = problem->curves[0] != NULL || taut_plateau_knows_boundary(&problem->net);
+
+    if (p->witness == NULL && is_fit && !problem->without_least &&
+        taut_plateau_witness_new(p->solution.surface, &p->witness) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    if (p->witness != NULL) {
+        taut_plateau_witness_describe(p->witness, p->solution.details);
+    }
+    return TAUT_OK;
+}
 
 static taut_status make_parts(const taut_plateau_problem *problem, const taut_make_options *options,
                               parts *p, taut_error *error)
@@ -169,19 +197,22 @@ static taut_status make_parts(const taut_plateau_problem *problem, const taut_ma
         status = taut_plateau_estimate(problem, options, &p->solution, error);
     } else if (problem->tolerance_area > 0) {
         status = taut_plateau_adapt(problem, options, &p->space, &p->solution, error);
+    } else if (problem->gap > 0) {
+        status =
+            taut_plateau_close_gap(problem, options, &p->space, &p->solution, &p->witness, error);
     }
     if (status != TAUT_OK) {
         return status;
     }
     taut_plateau_space_describe(p->space, p->solution.details);
-    return TAUT_OK;
+    return add_witness(problem, p, error);
 }
 
 taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_make_options *options,
                               taut_model **model, taut_error *error)
 {
     static const taut_make_options none;
-    parts p = {NULL, {NULL, NULL, 0}};
+    parts p = {NULL, {NULL, NULL, 0}, NULL};
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL) {
@@ -196,6 +227,7 @@ taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_ma
     if (status == TAUT_OK) {
         status = make_model(&p.solution, model, error);
     }
+    taut_plateau_witness_free(p.witness);
     taut_plateau_solution_clear(&p.solution);
     taut_plateau_space_free(p.space);
     return status;

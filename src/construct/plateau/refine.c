@@ -20,8 +20,8 @@
 #include <string.h>
 
 enum {
-    ROUNDS_MAX = 24,
-    NODES = 4, /* on a span, to measure how it bends */
+    ROUNDS_MAX = 24, /* of knots that are put in */
+    NODES = 4,       /* on a span, to measure how it bends */
 };
 
 /* What decides. */
@@ -34,6 +34,7 @@ static const struct {
     double rate_first;    /* taken after one step */
     double bending_share; /* of int |H|^2 W, in the spans that are cut */
     double normal_least;  /* of |x_u| |x_v|: less is no normal */
+    double gap_share;     /* of the gap asked for: what the proof may find more */
     int points_along_normals; /* from which an estimate goes along normals: little above */
     int spans_over_chosen;    /* all spans are cut where fewer times those chosen are there */
 } limits = {
@@ -45,6 +46,7 @@ static const struct {
     .rate_first = 0.25,
     .bending_share = 0.7,
     .normal_least = 1e-12,
+    .gap_share = 0.85,
     .points_along_normals = 700,
     .spans_over_chosen = 4,
 };
@@ -205,28 +207,43 @@ static taut_status cut_spans(const taut_basis *basis, line *l, int direction,
     return TAUT_OK;
 }
 
-static taut_status cut_where_bent(const taut_surface *surface, taut_arena *arena,
-                                  taut_surface **finer, taut_error *error)
+/* Sums of the density over rows and columns. */
+static void sum_density(const double *density, line *u, line *v)
+{
+    for (int i = 0; i < u->spans; i++) {
+        for (int j = 0; j < v->spans; j++) {
+            const double part = density[(size_t)i * (size_t)v->spans + (size_t)j];
+            u->bending[i] += part;
+            v->bending[j] += part;
+        }
+    }
+}
+
+static taut_status cut_where_bent(const taut_surface *surface, const double *density,
+                                  taut_arena *arena, taut_surface **finer, taut_error *error)
 {
     const taut_basis *basis_u = taut_surface_u(surface), *basis_v = taut_surface_v(surface);
     line u, v;
     taut_status status = TAUT_OK;
 
     if (line_init(basis_u, arena, &u) != TAUT_OK || line_init(basis_v, arena, &v) != TAUT_OK ||
-        measure_bending(surface, arena, &u, &v) != TAUT_OK ||
+        (density == NULL && measure_bending(surface, arena, &u, &v) != TAUT_OK) ||
         taut_surface_copy(surface, finer) != TAUT_OK) {
         return taut_fail_memory(error);
+    }
+    if (density != NULL) {
+        sum_density(density, &u, &v);
     }
     status = cut_spans(basis_u, &u, TAUT_ALONG_U, finer, error);
     return status == TAUT_OK ? cut_spans(basis_v, &v, TAUT_ALONG_V, finer, error) : status;
 }
 
-taut_status taut_plateau_insert_knots(const taut_surface *surface, taut_surface **finer,
-                                      taut_error *error)
+taut_status taut_plateau_insert_knots(const taut_surface *surface, const double *density,
+                                      taut_surface **finer, taut_error *error)
 {
     taut_arena *arena = taut_arena_new();
     taut_surface *made = NULL;
-    const taut_status status = cut_where_bent(surface, arena, &made, error);
+    const taut_status status = cut_where_bent(surface, density, arena, &made, error);
 
     taut_arena_free(arena);
     if (status != TAUT_OK) {
@@ -382,13 +399,13 @@ static void name_space(const taut_plateau_space *space, taut_error *error)
 
 /* Knots where the solution bends, and the solution in that space in place of the one there is. */
 static taut_status solve_next(const taut_plateau_problem *problem, const taut_make_options *options,
-                              taut_plateau_space **space, taut_plateau_solution *solution,
-                              taut_error *error)
+                              const double *density, taut_plateau_space **space,
+                              taut_plateau_solution *solution, taut_error *error)
 {
     taut_plateau_solution next = {NULL, NULL, 0};
     taut_plateau_space *finer_space = NULL;
     taut_surface *finer = NULL;
-    taut_status status = taut_plateau_insert_knots(solution->surface, &finer, error);
+    taut_status status = taut_plateau_insert_knots(solution->surface, density, &finer, error);
 
     if (status != TAUT_OK) {
         return status;
@@ -435,10 +452,84 @@ taut_status taut_plateau_adapt(const taut_plateau_problem *problem,
             r.points[last][0] * r.points[last][1] > TAUT_PLATEAU_ADAPTED_MAX) {
             return refuse_gap(&r, tolerance, error);
         }
-        status = solve_next(problem, options, space, solution, error);
+        status = solve_next(problem, options, NULL, space, solution, error);
         if (status != TAUT_OK) {
             return status;
         }
         add_round(&r, solution, limits.rate_adapted);
+    }
+}
+
+/* ---- until the gap is closed ---- */
+
+/* The member `refinement`: how the gap fell. */
+static void describe_gaps(const rounds *r, taut_record *details)
+{
+    taut_record *list =
+        taut_record_add_list(taut_record_add_object(details, "refinement"), "rounds");
+
+    for (int k = 0; k < r->count; k++) {
+        taut_record *one = taut_record_add_object(list, NULL);
+        const double points[2] = {r->points[k][0], r->points[k][1]};
+        taut_record_add_numbers(one, "points", 2, points);
+        taut_record_add_number(one, "area", r->areas[k]);
+        taut_record_add_number(one, "gap", r->limits[k]);
+    }
+}
+
+static taut_status refuse_least(const rounds *r, double gap, taut_error *error)
+{
+    const int last = r->count - 1;
+    return taut_fail(error, TAUT_NOT_CONVERGED, "gap", "/gap", r->limits[last], gap,
+                     "with %d by %d points the area is shown to be within %.2g of the least, "
+                     "expected %.2g: raise the degree, or the gap",
+                     r->points[last][0], r->points[last][1], r->limits[last], gap);
+}
+
+/* The witness of the solution in place of the one there is. */
+static taut_status find_witness(const taut_plateau_solution *solution, double gap,
+                                taut_plateau_witness **witness, taut_error *error)
+{
+    taut_plateau_witness_free(*witness);
+    *witness = NULL;
+    if (taut_basis_degree(taut_surface_u(solution->surface)) >= 0 &&
+        taut_basis_degree(taut_surface_v(solution->surface)) >= 0 &&
+        taut_plateau_witness_new(solution->surface, witness) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    if (*witness == NULL) {
+        return taut_fail(error, TAUT_NOT_CONVERGED, "not-convex", "/gap", taut_none, gap,
+                         "no direction is found along which the film is a graph over a convex "
+                         "domain, on polynomial bases: a gap can not be proved");
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_plateau_close_gap(const taut_plateau_problem *problem,
+                                   const taut_make_options *options, taut_plateau_space **space,
+                                   taut_plateau_solution *solution, taut_plateau_witness **witness,
+                                   taut_error *error)
+{
+    rounds r = {.count = 0};
+
+    for (;;) {
+        taut_status status = find_witness(solution, problem->gap, witness, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        add_round(&r, solution, limits.rate_adapted);
+        r.limits[r.count - 1] = (*witness)->gap;
+        if ((*witness)->gap <= limits.gap_share * problem->gap) {
+            describe_gaps(&r, solution->details);
+            return TAUT_OK;
+        }
+        if (r.count > ROUNDS_MAX ||
+            r.points[r.count - 1][0] * r.points[r.count - 1][1] > TAUT_PLATEAU_LEAST_MAX / 2) {
+            return refuse_least(&r, problem->gap, error);
+        }
+        status = solve_next(problem, options, (*witness)->density, space, solution, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
 }

@@ -506,14 +506,16 @@ static taut_status keep_points(work *w, taut_error *error)
     return find_rule(w, &w->dirichlet_area, error);
 }
 
-static void add_directions(const work *w, taut_record *details)
+/* A list of rows of vectors, one for each point. */
+static void add_vectors(const work *w, taut_record *details, const char *name,
+                        const double *vectors)
 {
-    taut_record *rows = taut_record_add_list(details, "directions");
+    taut_record *rows = taut_record_add_list(details, name);
     for (int i = 0; i < w->mask.nu; i++) {
         taut_record *row = taut_record_add_list(rows, NULL);
         for (int j = 0; j < w->mask.nv; j++) {
             const size_t at = (size_t)i * (size_t)w->mask.nv + (size_t)j;
-            taut_record_add_numbers(row, NULL, 3, w->directions + 3 * at);
+            taut_record_add_numbers(row, NULL, 3, vectors + 3 * at);
         }
     }
 }
@@ -539,7 +541,8 @@ static taut_record *details_of(const work *w)
     taut_record_add_number(details, "residual", w->region.residual);
     taut_record_add_number(details, "tolerance", w->region.tolerance);
     if (is_normal && p->unknowns > 0) {
-        add_directions(w, details);
+        add_vectors(w, details, "dirichlet", taut_surface_points(w->surface));
+        add_vectors(w, details, "directions", w->directions);
     }
     taut_record *areas = taut_record_add_list(details, "areas");
     for (int k = 0; k < w->region.areas_count; k++) {

@@ -35,8 +35,7 @@ static taut_status own_basis(taut_plateau_space *space, const taut_basis *basis,
     return TAUT_OK;
 }
 
-/* Is exactly the boundary known? */
-static int knows_boundary_only(const taut_dirichlet_problem *net)
+int taut_plateau_knows_boundary(const taut_dirichlet_problem *net)
 {
     const int nu = taut_basis_count(net->u), nv = taut_basis_count(net->v);
     int is_so = 1;
@@ -235,7 +234,8 @@ static taut_status take_bases(taut_plateau_space *space, const taut_surface *fin
 static taut_status make_space(taut_plateau_space *space, const taut_plateau_problem *given,
                               const taut_surface *finer, taut_error *error)
 {
-    const int is_refined = finer != NULL || given->refine > 0 || given->tolerance_area > 0;
+    const int is_refined =
+        finer != NULL || given->refine > 0 || given->tolerance_area > 0 || given->gap > 0;
 
     if (space->arena == NULL) {
         return taut_fail_memory(error);
@@ -244,10 +244,10 @@ static taut_status make_space(taut_plateau_space *space, const taut_plateau_prob
         return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/weights", taut_none, taut_none,
                          "found weights beside curves, expected none: curves are fitted without");
     }
-    if (is_refined && !space->has_curves && !knows_boundary_only(&given->net)) {
+    if (is_refined && !space->has_curves && !taut_plateau_knows_boundary(&given->net)) {
         return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/points", taut_none, taut_none,
                          "finer spaces need a net whose boundary is known and whose inside is "
-                         "not: leave refine and tolerance_area out");
+                         "not: leave refine, tolerance_area and gap out");
     }
     if (finer == NULL && !space->has_curves) {
         return TAUT_OK;

@@ -21,6 +21,9 @@ taut_status taut_plateau_space_new(const taut_plateau_problem *given, const taut
                                    taut_plateau_space **space, taut_error *error);
 void taut_plateau_space_free(taut_plateau_space *space); /* NULL is fine */
 
+/* Is exactly the boundary of the net known? */
+int taut_plateau_knows_boundary(const taut_dirichlet_problem *net);
+
 /* Adds the member `deviation` where there are curves. */
 void taut_plateau_space_describe(const taut_plateau_space *space, taut_record *details);
 

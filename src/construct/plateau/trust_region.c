@@ -22,6 +22,7 @@
 #include "construct/plateau/trust_region.h"
 
 #include "core/arena.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 
 #include <math.h>
@@ -668,7 +669,7 @@ static taut_status give_up(const state *s, ending why, taut_error *error)
                          "it, since the net slides within the surface: take the method \"normal\", "
                          "or a tolerance of %.0e",
                          why.sentence, region->iterations, lost,
-                         pow(10, ceil(log10(lost / limits.loss_slow))));
+                         taut_pow(10, ceil(taut_log10(lost / limits.loss_slow))));
     }
     return taut_fail(
         error, TAUT_NOT_CONVERGED, why.reason, NULL, s->here.residual, region->tolerance,

@@ -1,6 +1,7 @@
 /* boundary.c -- the order of four curves around a surface, and the net that they bound. */
 #include "geometry/boundary/boundary.h"
 
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -247,14 +248,14 @@ static double weight_at(const taut_curve *curve, int i)
 static double blend_weight(taut_curve *const sides[TAUT_SIDES], int i, int nu, int j, int nv)
 {
     const double s = (double)i / (nu - 1), t = (double)j / (nv - 1);
-    const double a = log(weight_at(sides[TAUT_SIDE_U0], j));
-    const double b = log(weight_at(sides[TAUT_SIDE_U1], j));
-    const double c = log(weight_at(sides[TAUT_SIDE_V0], i));
-    const double d = log(weight_at(sides[TAUT_SIDE_V1], i));
-    const double low = (1 - s) * log(weight_at(sides[TAUT_SIDE_V0], 0)) +
-                       s * log(weight_at(sides[TAUT_SIDE_V0], nu - 1));
-    const double high = (1 - s) * log(weight_at(sides[TAUT_SIDE_V1], 0)) +
-                        s * log(weight_at(sides[TAUT_SIDE_V1], nu - 1));
+    const double a = taut_log(weight_at(sides[TAUT_SIDE_U0], j));
+    const double b = taut_log(weight_at(sides[TAUT_SIDE_U1], j));
+    const double c = taut_log(weight_at(sides[TAUT_SIDE_V0], i));
+    const double d = taut_log(weight_at(sides[TAUT_SIDE_V1], i));
+    const double low = (1 - s) * taut_log(weight_at(sides[TAUT_SIDE_V0], 0)) +
+                       s * taut_log(weight_at(sides[TAUT_SIDE_V0], nu - 1));
+    const double high = (1 - s) * taut_log(weight_at(sides[TAUT_SIDE_V1], 0)) +
+                        s * taut_log(weight_at(sides[TAUT_SIDE_V1], nu - 1));
     return (1 - s) * a + s * b + (1 - t) * c + t * d - (1 - t) * low - t * high;
 }
 
@@ -277,7 +278,7 @@ void taut_boundary_net(taut_curve *const fitted[TAUT_SIDES], double *points, uns
             }
             if (weights != NULL) {
                 weights[at] = known[at] ? weight_at(fitted[side], k)
-                                        : exp(blend_weight(fitted, i, nu, j, nv));
+                                        : taut_exp(blend_weight(fitted, i, nu, j, nv));
             }
         }
     }

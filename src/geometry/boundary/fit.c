@@ -2,6 +2,7 @@
  * agree at the corners they share. */
 #include "geometry/boundary/boundary.h"
 
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "taut/operations.h"
@@ -39,7 +40,7 @@ static taut_status scale_weights(taut_curve **side, double factor, double ratio,
         return taut_fail_memory(error);
     }
     for (int i = 0; i < count; i++) {
-        weights[i] = (old != NULL ? old[i] : 1) * factor * pow(ratio, i);
+        weights[i] = (old != NULL ? old[i] : 1) * factor * taut_pow(ratio, i);
     }
     status =
         taut_curve_new(taut_curve_name(*side), t, taut_curve_points(*side), weights, &next, error);
@@ -73,7 +74,7 @@ static taut_status close_weights(taut_curve *sides[TAUT_SIDES], taut_error *erro
         const taut_basis *t = taut_curve_t(*side);
         if (taut_basis_degree(t) >= 1 && taut_basis_span_count(t) == 1) {
             return scale_weights(
-                side, 1, pow(off, (double)takers[i].power / (taut_basis_count(t) - 1)), error);
+                side, 1, taut_pow(off, (double)takers[i].power / (taut_basis_count(t) - 1)), error);
         }
     }
     if (fabs(off - 1) <= near_ratio) {

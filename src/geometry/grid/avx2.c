@@ -1,5 +1,4 @@
-/* avx2.c -- grid kernels for AVX2 and FMA (this file is compiled for them, with contraction).
- */
+/* avx2.c -- grid kernels for AVX2 (this file is compiled for it). */
 #if defined(__x86_64__)
 #include <immintrin.h>
 

@@ -1,4 +1,4 @@
-/* avx512.c -- grid kernels for AVX-512F (this file is compiled for it, with contraction). */
+/* avx512.c -- grid kernels for AVX-512F (this file is compiled for it). */
 #if defined(__x86_64__)
 #include <immintrin.h>
 

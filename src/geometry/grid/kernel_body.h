@@ -1,9 +1,9 @@
 /* kernel_body.h -- the loops behind kernel.h, compiled once per instruction set.
  *
  * The including file defines GRID_LANES (doubles in a vector), GRID_STREAM(pointer, four) for a
- * store past the caches, GRID_FENCE(), and may let a*b+c contract to one fused operation: sums of
- * four to a few dozen terms, so results of different sets agree to rounding. Vectors are gcc's and
- * clang's vector extension, which both lower to whatever the target has.
+ * store past the caches, and GRID_FENCE(). A lane is one point, and its sums run in one order:
+ * results are the same bit for bit at every width. Vectors are gcc's and clang's vector extension,
+ * which both lower to whatever the target has.
  */
 #include "geometry/grid/kernel.h"
 #include "taut/surface.h"

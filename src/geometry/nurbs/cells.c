@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { DEPTH_MAX = 24 }; /* a pole nearer than 2^-24 of its span is no longer resolved */
+enum { DEPTH_MAX = 48 }; /* a pole nearer than 2^-48 of its span is no longer resolved */
 static const double layer_width = 4;
 
 /* What is asked about, and the cells so far; `room` of them fit. */
@@ -28,6 +28,29 @@ void taut_cells_free(taut_cells *cells)
         taut_free(cells->span);
         taut_free(cells);
     }
+}
+
+taut_status taut_cells_copy(const taut_cells *cells, taut_cells **copy)
+{
+    const size_t count = (size_t)cells->count;
+    taut_cells *made = taut_alloc_zero(1, sizeof *made);
+
+    if (made == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    made->count = cells->count;
+    made->lo = taut_alloc(count, sizeof(double));
+    made->hi = taut_alloc(count, sizeof(double));
+    made->span = taut_alloc(count, sizeof(int));
+    if (made->lo == NULL || made->hi == NULL || made->span == NULL) {
+        taut_cells_free(made);
+        return TAUT_NO_MEMORY;
+    }
+    memcpy(made->lo, cells->lo, count * sizeof(double));
+    memcpy(made->hi, cells->hi, count * sizeof(double));
+    memcpy(made->span, cells->span, count * sizeof(int));
+    *copy = made;
+    return TAUT_OK;
 }
 
 /* Does w on some line vary by more than 4 among `local` + 1 places from lo to hi? As many as w has

@@ -27,7 +27,8 @@ typedef struct taut_cells {
  * TAUT_NO_MEMORY. */
 taut_status taut_cells_new(const taut_basis *basis, int lines, const double *weights, size_t step,
                            size_t next, taut_cells **cells);
-void taut_cells_free(taut_cells *cells); /* NULL is fine */
+taut_status taut_cells_copy(const taut_cells *cells, taut_cells **copy); /* TAUT_NO_MEMORY */
+void taut_cells_free(taut_cells *cells);                                 /* NULL is fine */
 
 /* The length over which the functions of a span change: what a rounding of t is to be held against.
  */

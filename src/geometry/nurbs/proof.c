@@ -19,6 +19,7 @@
  */
 #include "geometry/nurbs/proof.h"
 
+#include "core/elementary/elementary.h"
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "taut/operations.h"
@@ -51,7 +52,7 @@ taut_status taut_nurbs_side_begin(const taut_basis *basis, taut_nurbs_side *s, t
 taut_nurbs_span taut_nurbs_span_of(const taut_nurbs_side *s, int p, double lo, double hi)
 {
     const taut_basis *piece = s->pieces.items[p]->to;
-    const double h = hi - lo, factor = pow(h, 6) / 46080;
+    const double h = hi - lo, factor = taut_pow(h, 6) / 46080;
     double at = 0, slope = 0, u[4 * 4];
     taut_nurbs_span span;
 

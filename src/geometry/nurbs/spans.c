@@ -8,6 +8,7 @@
  */
 #include "geometry/nurbs/proof.h"
 
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "taut/operations.h"
@@ -123,7 +124,7 @@ static taut_status cut_piece(cutting *c, double share, taut_error *error)
     for (int step = 0; status == TAUT_OK && step < 30 && last < share / 64; step++) {
         const double middle = (low + high) / 2;
         c->count = first;
-        status = march_spans(c, lo, hi, share * pow(middle, 6), &last, error);
+        status = march_spans(c, lo, hi, share * taut_pow(middle, 6), &last, error);
         if (c->count > count) {
             low = middle;
             last = 0;
@@ -135,7 +136,7 @@ static taut_status cut_piece(cutting *c, double share, taut_error *error)
         /* the halvings ended on too many: by the steps of `widest` the last span does not always
          * grow steadily as the others shrink */
         c->count = first;
-        status = march_spans(c, lo, hi, share * pow(high, 6), &last, error);
+        status = march_spans(c, lo, hi, share * taut_pow(high, 6), &last, error);
     }
     return status;
 }

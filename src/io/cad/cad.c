@@ -1,42 +1,16 @@
-/* cad.c -- the formats step, stp, igs and iges: models to NURBS and on to the module, and back.
- *
- * What is polynomial or rational goes out exactly as it is; c- and h- directions within the
- * tolerance, by conversions whose bound is proved (taut/operations.h). The bound stands in the
- * file's header. */
+/* cad.c -- what OpenCASCADE does: STEP and IGES read, IGES written. */
+#include "io/cad/cad.h"
 #include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "io/cad/child.h"
-#include "io/cad/format_nurbs.h"
+#include "io/cad/prepare.h"
 #include "io/cad/scan.h"
 #include "io/file/in.h"
 #include "io/format.h"
-#include "taut/operations.h"
-#include "taut/version.h"
 
 #include <errno.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
-#include <time.h>
-
-static const double default_tolerance = 1e-6;
-static const double precision_of_size = 1e-7; /* what CAD systems take for one point */
-
-/* The seconds that SOURCE_DATE_EPOCH says, else 0: same model, same bytes. */
-static void write_date(char text[32])
-{
-    const char *found = getenv("SOURCE_DATE_EPOCH");
-    const long long seconds = found != NULL ? strtoll(found, NULL, 10) : 0;
-    const time_t date = seconds >= 0 && seconds <= 253402300799LL ? (time_t)seconds : 0;
-    struct tm parts;
-    if (gmtime_r(&date, &parts) == NULL || strftime(text, 32, "%Y-%m-%dT%H:%M:%S", &parts) == 0) {
-        /* not reached: up to the year 9999 every second has a date, of 19 characters */
-        text[0] = '\0';
-    }
-}
 
 static void set_direction(taut_cad_item *item, int d, const taut_basis *basis)
 {
@@ -69,110 +43,48 @@ static void list_items(const taut_model *nurbs, taut_cad_item *items)
     }
 }
 
-/* The diagonal of the box around all control points. */
-static double size_of(const taut_cad_item *items, int count)
-{
-    double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY};
-    double sum = 0;
-    for (int i = 0; i < count; i++) {
-        const size_t n =
-            (size_t)items[i].count[0] * (items[i].count[1] > 0 ? (size_t)items[i].count[1] : 1);
-        for (size_t k = 0; k < 3 * n; k++) {
-            lo[k % 3] = fmin(lo[k % 3], items[i].points[k]);
-            hi[k % 3] = fmax(hi[k % 3], items[i].points[k]);
-        }
-    }
-    for (int c = 0; c < 3; c++) {
-        sum += (hi[c] - lo[c]) * (hi[c] - lo[c]);
-    }
-    return sqrt(sum);
-}
-
-/* A face that is a single point has no edges: STEP's readers leave it out without a word. */
-static taut_status check_faces(const taut_cad_item *items, int count, taut_error *error)
-{
-    for (int i = 0; i < count; i++) {
-        if (items[i].count[1] > 0 && size_of(&items[i], 1) == 0) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "single-point", NULL, 0, taut_none,
-                             "surface \"%s\" is a single point, which no STEP file gives back: "
-                             "leave it out (--surface), or write IGES or JSON",
-                             items[i].name);
-        }
-    }
-    return TAUT_OK;
-}
-
-static taut_status send_items(taut_cad_kind kind, const taut_model *nurbs, double bound,
+static taut_status send_items(const taut_model *nurbs, const taut_cad_facts *facts,
                               const char *path, taut_arena *arena, taut_error *error)
 {
     const int count = taut_model_surface_count(nurbs) + taut_model_curve_count(nurbs);
     taut_cad_item *items = taut_arena_take(arena, (size_t)count, sizeof *items);
     taut_cad_result result = {NULL, NULL, 0, TAUT_OK};
-    char date[32], made[64], exact[128];
-    const char *const notes[] = {made, exact};
+    const char *const notes[] = {facts->made, facts->exact};
 
     if (items == NULL) {
         return taut_fail_memory(error);
     }
     list_items(nurbs, items);
-    write_date(date);
-    snprintf(made, sizeof made, "NURBS by taut %s", TAUT_VERSION);
-    if (bound > 0) {
-        snprintf(exact, sizeof exact, "proved to lie within %.3g %s of the exact model", bound,
-                 taut_model_unit(nurbs));
-    } else {
-        snprintf(exact, sizeof exact, "the exact model");
-    }
-    const taut_cad_job job = {
-        .kind = kind,
-        .path = path,
-        .unit = taut_model_unit(nurbs),
-        .name = "taut",
-        .notes = notes,
-        .note_count = 2,
-        .date = date,
-        .precision = fmax(fmax(bound, precision_of_size * size_of(items, count)), 1e-290)};
-    if (kind == TAUT_CAD_STEP) {
-        const taut_status status = check_faces(items, count, error);
-        if (status != TAUT_OK) {
-            return status;
-        }
-    }
+    const taut_cad_job job = {.kind = TAUT_CAD_IGES,
+                              .path = path,
+                              .unit = taut_model_unit(nurbs),
+                              .name = "taut",
+                              .notes = notes,
+                              .note_count = 2,
+                              .date = facts->date,
+                              .precision = facts->precision};
     return taut_cad_run(&job, count, items, &result, error);
-}
-
-static taut_status write_cad(taut_cad_kind kind, const taut_model *model,
-                             const taut_write_options *options, const char *path, taut_error *error)
-{
-    const double tolerance = options->tolerance > 0 ? options->tolerance : default_tolerance;
-    taut_arena *arena = NULL;
-    taut_model *nurbs = NULL;
-    double bound = 0;
-    taut_status status = taut_format_nurbs(model, options, tolerance, &nurbs, &bound, error);
-
-    if (status != TAUT_OK) {
-        return status;
-    }
-    arena = taut_arena_new();
-    status = send_items(kind, nurbs, bound, path, arena, error);
-    taut_arena_free(arena);
-    taut_model_free(nurbs);
-    if (status == TAUT_OK && options->bound != NULL) {
-        *options->bound = bound;
-    }
-    return status;
-}
-
-static taut_status write_step(const taut_model *model, const taut_write_options *options,
-                              const char *path, taut_error *error)
-{
-    return write_cad(TAUT_CAD_STEP, model, options, path, error);
 }
 
 static taut_status write_iges(const taut_model *model, const taut_write_options *options,
                               const char *path, taut_error *error)
 {
-    return write_cad(TAUT_CAD_IGES, model, options, path, error);
+    taut_arena *arena = NULL;
+    taut_model *nurbs = NULL;
+    taut_cad_facts facts;
+    taut_status status = taut_cad_prepare(model, options, &nurbs, &facts, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    arena = taut_arena_new();
+    status = send_items(nurbs, &facts, path, arena, error);
+    taut_arena_free(arena);
+    taut_model_free(nurbs);
+    if (status == TAUT_OK && options->bound != NULL) {
+        *options->bound = facts.bound;
+    }
+    return status;
 }
 
 /* A file that is there, and nothing else than a file. */
@@ -255,7 +167,7 @@ static taut_status read_cad(taut_cad_kind kind, const char *path, taut_model **m
     return TAUT_OK;
 }
 
-static taut_status read_step(const char *path, taut_model **model, taut_error *error)
+taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error *error)
 {
     return read_cad(TAUT_CAD_STEP, path, model, error);
 }
@@ -265,5 +177,4 @@ static taut_status read_iges(const char *path, taut_model **model, taut_error *e
     return read_cad(TAUT_CAD_IGES, path, model, error);
 }
 
-const taut_format_ops taut_format_step = {.write_path = write_step, .read = read_step};
 const taut_format_ops taut_format_iges = {.write_path = write_iges, .read = read_iges};

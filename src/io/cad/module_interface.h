@@ -1,5 +1,5 @@
-/* module_interface.h -- what the module `occt` does for CAD formats: NURBS to and from STEP and
- * IGES files.
+/* module_interface.h -- what the module `occt` does for CAD formats: NURBS from STEP and IGES files,
+ * and to IGES files.
  *
  * Its functions run in a process of their own (io/cad/child.h), so that a file that brings the
  * library down, or makes it take all memory, costs no more than a message. Nothing of taut is
@@ -33,9 +33,9 @@ typedef enum taut_cad_kind { TAUT_CAD_STEP, TAUT_CAD_IGES } taut_cad_kind;
 typedef struct taut_cad_job {
     taut_cad_kind kind;
     const char *path;
-    /* writing */
+    /* writing, IGES only */
     const char *unit;         /* mm, m, cm, in, ft */
-    const char *name;         /* of the product */
+    const char *name;         /* of the file */
     const char *const *notes; /* [note_count] lines for the file's header, plain ASCII */
     int note_count;
     const char *date; /* "2026-03-01T12:00:00" */
@@ -51,7 +51,7 @@ typedef struct taut_cad_sink {
 
 /* No C++ exception leaves them; *error is filled on failure. */
 typedef struct taut_cad_ops {
-    /* TAUT_NO_SOLUTION: a degree above 25, the most that OpenCASCADE has; TAUT_IO. */
+    /* Degrees are at most 25, the most that OpenCASCADE has; IGES. TAUT_IO. */
     taut_status (*write)(const taut_cad_job *job, int count, const taut_cad_item *items,
                          taut_error *error);
     /* TAUT_BAD_INPUT: not a file of this kind, or nothing in it. */

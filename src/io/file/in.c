@@ -3,13 +3,10 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
+#include "platform/system.h"
 #include "taut/limits.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 enum { FIRST_ROOM = 1 << 16 }; /* bytes taken at first where the size is not known */
 
@@ -31,18 +28,12 @@ static void show_path(const char *path, char *shown, size_t size)
     shown[n] = '\0';
 }
 
-/* strerror without its shared buffer. */
-static const char *reason_text(int number, char *text, size_t size)
-{
-    return strerror_r(number, text, size) == 0 ? text : "unknown reason";
-}
-
 taut_status taut_fail_file(taut_error *error, const char *path, const char *reason, int number)
 {
     char shown[160], text[96];
     show_path(strcmp(path, "-") == 0 ? "standard input or output" : path, shown, sizeof shown);
     return taut_fail(error, TAUT_IO, reason, NULL, taut_none, taut_none, "cannot %s %s: %s", reason,
-                     shown, reason_text(number, text, sizeof text));
+                     shown, taut_system_reason(number, text, sizeof text));
 }
 
 static taut_status refuse_size(const char *path, double size, taut_error *error)
@@ -56,13 +47,13 @@ static taut_status refuse_size(const char *path, double size, taut_error *error)
 
 /* All bytes up to the end, into a block that doubles. One byte more than the file says it has is
  * asked for, so that its end is seen without growing. */
-static taut_status read_all(int file, const char *path, size_t room, char **text, size_t *length,
-                            taut_error *error)
+static taut_status read_all(taut_source *source, const char *path, size_t room, char **text,
+                            size_t *length, taut_error *error)
 {
     taut_status status = TAUT_OK;
     char *block = taut_alloc(room, 1);
     size_t filled = 0;
-    ssize_t got = 1;
+    size_t got = 1;
 
     if (block == NULL) {
         return taut_fail_memory(error);
@@ -74,11 +65,11 @@ static taut_status read_all(int file, const char *path, size_t room, char **text
             block = larger != NULL ? larger : block;
             room *= larger != NULL ? 2 : 1;
         } else {
-            got = read(file, block + filled, room - filled);
-            if (got < 0 && errno != EINTR) {
-                status = taut_fail_file(error, path, "read", errno);
+            const int reason = taut_system_read(source, block + filled, room - filled, &got);
+            if (reason != 0) {
+                status = taut_fail_file(error, path, "read", reason);
             }
-            filled += got > 0 ? (size_t)got : 0;
+            filled += got;
             if (status == TAUT_OK && (double)filled > TAUT_FILE_MAX) {
                 /* not reached: an endless file fills 4 GB of memory before it is too large */
                 status = refuse_size(path, (double)filled, error);
@@ -94,43 +85,25 @@ static taut_status read_all(int file, const char *path, size_t room, char **text
     return TAUT_OK;
 }
 
-/* Room for the file and one byte, from what the system says of it. */
-static taut_status find_room(int file, const char *path, size_t *room, taut_error *error)
-{
-    struct stat about;
-    if (fstat(file, &about) != 0) {
-        return taut_fail_file(error, path, "read", errno);
-    }
-    if (S_ISDIR(about.st_mode)) {
-        return taut_fail_file(error, path, "read", EISDIR);
-    }
-    if (S_ISREG(about.st_mode) && (double)about.st_size > TAUT_FILE_MAX) {
-        return refuse_size(path, (double)about.st_size, error);
-    }
-    *room = S_ISREG(about.st_mode) && about.st_size > 0 ? (size_t)about.st_size + 1 : FIRST_ROOM;
-    return TAUT_OK;
-}
-
-static taut_status read_open(int file, const char *path, char **text, size_t *length,
+static taut_status read_open(taut_source *source, const char *path, char **text, size_t *length,
                              taut_error *error)
 {
-    size_t room = 0;
-    const taut_status status = find_room(file, path, &room, error);
-    return status == TAUT_OK ? read_all(file, path, room, text, length, error) : status;
+    if (source->size > TAUT_FILE_MAX) {
+        return refuse_size(path, source->size, error);
+    }
+    const size_t room = source->size > 0 ? (size_t)source->size + 1 : FIRST_ROOM;
+    return read_all(source, path, room, text, length, error);
 }
 
 taut_status taut_file_read(const char *path, char **text, size_t *length, taut_error *error)
 {
-    const int standard = strcmp(path, "-") == 0;
-    const int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
-    taut_status status = TAUT_OK;
+    taut_source source;
+    const int reason = taut_system_open(path, &source);
 
-    if (file < 0) {
-        return taut_fail_file(error, path, "read", errno);
+    if (reason != 0) {
+        return taut_fail_file(error, path, "read", reason);
     }
-    status = read_open(file, path, text, length, error);
-    if (!standard) {
-        close(file);
-    }
+    const taut_status status = read_open(&source, path, text, length, error);
+    taut_system_close(&source);
     return status;
 }

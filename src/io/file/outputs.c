@@ -10,7 +10,6 @@
 #include <errno.h>
 #include <stdatomic.h>
 #include <string.h>
-#include <unistd.h>
 
 /* The list only grows until it is freed, and an item is whole before it is in it: so a signal
  * handler may walk it at any time. */
@@ -55,9 +54,7 @@ void taut_outputs_abandon(const taut_outputs *outputs)
         return;
     }
     for (staged = atomic_load(&outputs->first); staged != NULL; staged = staged->next) {
-        if (staged->pending) {
-            unlink(staged->temporary);
-        }
+        taut_system_remove(&staged->made);
     }
 }
 
@@ -116,7 +113,7 @@ static taut_status write_by_path(taut_staged *staged, const taut_format_ops *ops
                                  const taut_model *model, const taut_write_options *options,
                                  taut_error *error)
 {
-    char own[TAUT_STAGED_ROOM];
+    char own[TAUT_OWN_ROOM];
     if (staged->kind != TAUT_TARGET_FILE) {
         return taut_fail(error, TAUT_IO, "not-a-file", NULL, taut_none, taut_none,
                          "%.200s is no regular file: this format can be written to nothing else",

@@ -9,25 +9,18 @@
 #ifndef TAUT_IO_FILE_STAGED_H
 #define TAUT_IO_FILE_STAGED_H
 
-#include "io/file/target.h"
-
-#include <signal.h>
-#include <stddef.h>
-#include <stdio.h>
-
-enum { TAUT_STAGED_ROOM = 32 };
+#include "platform/system.h"
+#include "taut/status.h"
 
 typedef struct taut_staged {
     struct taut_staged *next;
     taut_target_kind kind;
-    char *path;                    /* as given, for messages */
-    char *target;                  /* links resolved; "" for standard output */
-    char *temporary;               /* of a file; else NULL */
-    volatile sig_atomic_t pending; /* nonzero: `temporary` may be there and is to be removed */
-    int is_ready;                  /* nonzero: written whole, not yet in place */
-    int nameless;                  /* descriptor that keeps a file without a name; 0: none */
-    FILE *file;                    /* while it is written */
-    char *spool;                   /* what is to be sent; from open_memstream */
+    char *path;         /* as given, for messages */
+    char *target;       /* links resolved; "" for standard output */
+    taut_new_file made; /* of a file */
+    int is_ready;       /* nonzero: written whole, not yet in place */
+    FILE *file;         /* while it is written */
+    char *spool;        /* what is to be sent; malloc's */
     size_t spool_length;
 } taut_staged;
 
@@ -37,7 +30,7 @@ taut_status taut_staged_new(const char *path, taut_staged **staged, taut_error *
 taut_status taut_staged_open(taut_staged *staged, taut_error *error);
 /* Where somebody else may open the new file of a TAUT_TARGET_FILE to write it, in this process or a
  * child of it: its temporary name, or a path in `own` while it has none. */
-const char *taut_staged_path(const taut_staged *staged, char own[TAUT_STAGED_ROOM]);
+const char *taut_staged_path(const taut_staged *staged, char own[TAUT_OWN_ROOM]);
 /* Closes it; from here on it is ready. Errors of writing are seen here at the latest. */
 taut_status taut_staged_close(taut_staged *staged, taut_error *error);
 /* Puts it in its place. */

@@ -14,7 +14,9 @@
 #include "io/json/number_value.h"
 
 #include "core/memory.h"
+#include "core/twice.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -200,19 +202,24 @@ static const char *read_whole(const char *text, whole *number)
     return text > first ? text : NULL;
 }
 
-/* x 10^power: 10^27 is exact in the wider format. */
-static long double scaled(long double x, long power)
+static taut_twice twice_of(uint64_t digits)
 {
-    while (power != 0 && x != 0 && isfinite(x)) {
-        const long part = power > 27 ? 27 : power < -27 ? -27 : power;
-        long double ten = 1;
-        for (long k = 0; k < (part < 0 ? -part : part); k++) {
-            ten *= 10;
+    return taut_twice_sum((double)(digits >> 32) * 0x1p32, (double)(digits & 0xffffffffu));
+}
+
+/* x 10^power, x > 0, rounded; infinite where that is. */
+static double scaled(taut_twice x, long power)
+{
+    while (power != 0 && x.high > 0) {
+        const long part = power > 22 ? 22 : power < -22 ? -22 : power;
+        const double ten = power_of_10[part < 0 ? -part : part];
+        if (part > 0 && x.high > DBL_MAX / ten) {
+            return HUGE_VAL;
         }
-        x = part < 0 ? x / ten : x * ten;
+        x = part < 0 ? taut_twice_over_number(x, ten) : taut_twice_scale(ten, x);
         power -= part;
     }
-    return x;
+    return taut_twice_round(x);
 }
 
 int taut_rational_value(const char *text, double *value)
@@ -227,8 +234,8 @@ int taut_rational_value(const char *text, double *value)
     if (rest == NULL || *rest != '\0' || rest - text > TAUT_RATIONAL_MAX || bottom.digits == 0) {
         return 0;
     }
-    const long double size =
-        scaled((long double)top.digits / (long double)bottom.digits, top.power - bottom.power);
-    *value = negative ? -(double)size : (double)size;
+    const double size = scaled(taut_twice_over(twice_of(top.digits), twice_of(bottom.digits)),
+                               top.power - bottom.power);
+    *value = negative ? -size : size;
     return 1;
 }

@@ -1,5 +1,6 @@
 #include "io/mesh/fields.h"
 
+#include "core/elementary/elementary.h"
 #include "core/memory.h"
 #include "taut/measure.h"
 
@@ -13,7 +14,7 @@ void taut_fields_of(const double *vectors, double fields[TAUT_FIELDS])
     fields[TAUT_FIELD_K] = forms.regular ? forms.gaussian : nan("");
     fields[TAUT_FIELD_E_MINUS_G] = forms.e - forms.g;
     fields[TAUT_FIELD_F] = forms.f;
-    fields[TAUT_FIELD_I] = hypot(forms.e - forms.g, 2 * forms.f) / (forms.e + forms.g);
+    fields[TAUT_FIELD_I] = taut_hypot(forms.e - forms.g, 2 * forms.f) / (forms.e + forms.g);
 }
 
 taut_status taut_mesh_fields(const taut_surface *surface, const taut_mesh *mesh,

@@ -9,6 +9,7 @@
  * node scales, turns (x, y, z) to (x, z, -y) and, where a model lies far from the origin and single
  * precision would show, shifts back what was taken off the positions. */
 #include "core/arena.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "io/format.h"
@@ -65,7 +66,7 @@ static double metres_of(const char *unit)
 static double linear_share(unsigned char byte)
 {
     const double x = byte / 255.0;
-    return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4);
+    return x <= 0.04045 ? x / 12.92 : taut_pow((x + 0.055) / 1.055, 2.4);
 }
 
 /* Buffer views: positions, normals, colours if there are any, indices. Accessors: as many for each
@@ -469,8 +470,15 @@ static taut_status write_planned(glb_plan *plan, const taut_model *model,
 static taut_status write_glb(const taut_model *model, const taut_write_options *options, FILE *out,
                              taut_error *error)
 {
-    glb_plan plan = {.arena = taut_arena_new(), .colour = options->colour};
-    const taut_status status = write_planned(&plan, model, options, out, error);
+    glb_plan plan = {.arena = NULL, .colour = options->colour};
+    taut_status status = TAUT_OK;
+
+    if (plan.colour == TAUT_COLOUR_GAP) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "glb files show H, K or I; the gap is for figures");
+    }
+    plan.arena = taut_arena_new();
+    status = write_planned(&plan, model, options, out, error);
     taut_arena_free(plan.arena);
     return status;
 }

@@ -5,9 +5,11 @@
 #include "taut/limits.h"
 
 #include <math.h>
+#include <string.h>
 
 static const char *const certificate_members[] = {"construct", "holds", "claims", "figures", NULL};
-static const char *const claim_members[] = {"claim", "residual", "limit", "holds", "where", NULL};
+static const char *const claim_members[] = {"claim", "kind",  "residual", "limit",
+                                            "holds", "where", NULL};
 
 /* A number, or null for one that is not finite. */
 static taut_status read_residual(const taut_json *at, void *value, taut_error *error)
@@ -31,6 +33,22 @@ static taut_status read_verdict(const taut_json *at, void *verdict, taut_error *
     return TAUT_OK;
 }
 
+static taut_status read_kind(const taut_json *at, void *kind, taut_error *error)
+{
+    const char *name = "";
+    const taut_status status = taut_json_text(at, &name, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int k = TAUT_CHECK; k <= TAUT_EXACT; k++) {
+        if (strcmp(name, taut_claim_kind_name((taut_claim_kind)k)) == 0) {
+            *(taut_claim_kind *)kind = (taut_claim_kind)k;
+            return TAUT_OK;
+        }
+    }
+    return taut_json_refuse(at, error, "value", "\"exact\", \"bound\" or \"check\"");
+}
+
 static taut_status read_place(const taut_json *at, void *where, taut_error *error)
 {
     return taut_json_text(at, where, error);
@@ -38,10 +56,11 @@ static taut_status read_place(const taut_json *at, void *where, taut_error *erro
 
 static taut_status read_claim(const taut_json *at, void *certificate, taut_error *error)
 {
-    taut_claim claim = {"", 0, 0, TAUT_FALSE, ""};
+    taut_claim claim = {.claim = "", .where = ""};
     taut_reader in = taut_reader_of(at, claim_members, error);
 
     taut_reader_text(&in, "claim", &claim.claim);
+    taut_reader_optional(&in, "kind", read_kind, &claim.kind);
     taut_reader_member(&in, "residual", read_residual, &claim.residual);
     taut_reader_member(&in, "limit", read_residual, &claim.limit);
     taut_reader_member(&in, "holds", read_verdict, &claim.holds);
@@ -98,6 +117,7 @@ static void write_claim(taut_json_out *out, const taut_claim *claim)
 {
     taut_json_open_inline(out, '{');
     taut_json_pair_text(out, "claim", claim->claim);
+    taut_json_pair_text(out, "kind", taut_claim_kind_name(claim->kind));
     taut_json_pair_number(out, "residual", claim->residual);
     taut_json_pair_number(out, "limit", claim->limit);
     taut_json_pair_verdict(out, "holds", claim->holds);

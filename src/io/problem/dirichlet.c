@@ -8,7 +8,7 @@
 #include <string.h>
 
 static const char *const members[] = {
-    "name", "u", "v", "points", "weights", "aspect", TAUT_BOUNDARY_MEMBERS, NULL};
+    "name", "u", "v", "points", "weights", "aspect", "regular", TAUT_BOUNDARY_MEMBERS, NULL};
 
 /* A positive number, or "auto". */
 static taut_status read_aspect(const taut_json *at, void *into, taut_error *error)
@@ -30,6 +30,7 @@ static void dirichlet_read(taut_reader *document, taut_problem *problem, void *i
 
     taut_member_name(document, problem->arena, &data->name);
     taut_reader_optional(document, "aspect", read_aspect, data);
+    taut_member_regular(document, &data->regular);
     taut_boundary_document_net(document, problem, data);
     taut_net_document_check_bases(document, data->u, data->v);
 }

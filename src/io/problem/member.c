@@ -105,3 +105,8 @@ void taut_member_allow_ill_conditioned(taut_reader *document, int *value)
     }
     taut_reader_flag(document, old.value != NULL ? "insist" : now, value);
 }
+
+void taut_member_regular(taut_reader *document, int *value)
+{
+    taut_reader_flag(document, "regular", value);
+}

@@ -29,5 +29,7 @@ void taut_member_refuse(taut_reader *document, const char *const *strangers, con
 /* "allow_ill_conditioned", or "insist", as it was called: true, or false, or not there, which is
  * false too. */
 void taut_member_allow_ill_conditioned(taut_reader *document, int *value);
+/* "regular": true, or false, or not there, which is false too: is the claim `regular` asked for? */
+void taut_member_regular(taut_reader *document, int *value);
 
 #endif /* TAUT_IO_PROBLEM_MEMBER_H */

@@ -14,7 +14,8 @@
 static const char *const members[] = {"name",           "u",      "v",      "points",
                                       "weights",        "curves", "start",  "tolerance",
                                       "max_iterations", "method", "refine", "tolerance_area",
-                                      "boundary",       "degree", NULL};
+                                      "boundary",       "degree", "least",  "gap",
+                                      "regular",        NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 
 static taut_status read_tolerance(const taut_json *at, void *tolerance, taut_error *error)
@@ -35,10 +36,19 @@ static taut_status read_tolerance_area(const taut_json *at, void *tolerance, tau
                : status;
 }
 
+static taut_status read_gap(const taut_json *at, void *gap, taut_error *error)
+{
+    const taut_status status = taut_json_number(at, gap, error);
+    const double found = *(double *)gap;
+    return status == TAUT_OK && !(found > TAUT_PLATEAU_GAP_MIN && found < 1)
+               ? taut_json_expected(at, error, "a number above 1e-12 and below 1")
+               : status;
+}
+
 static void read_options(taut_reader *document, taut_plateau_problem *data)
 {
     static const char *const methods[] = {"full", "normal", NULL};
-    int word = 0;
+    int word = 0, least = 1;
 
     taut_reader_optional(document, "tolerance", read_tolerance, &data->tolerance);
     taut_reader_optional_integer(document, "max_iterations", 1, INT_MAX, &data->max_iterations);
@@ -48,6 +58,12 @@ static void read_options(taut_reader *document, taut_plateau_problem *data)
         taut_reader_optional_integer(document, "refine", 0, TAUT_PLATEAU_REFINE_MAX, &data->refine);
     }
     taut_reader_optional(document, "tolerance_area", read_tolerance_area, &data->tolerance_area);
+    taut_reader_optional(document, "gap", read_gap, &data->gap);
+    if (taut_reader_has(document, "least")) {
+        taut_reader_flag(document, "least", &least);
+    }
+    data->without_least = !least;
+    taut_member_regular(document, &data->net.regular);
 }
 
 /* The points of `start`, which must be a surface of the same net. */

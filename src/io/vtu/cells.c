@@ -8,6 +8,7 @@
  * so that the f_ij are found such that this equals f at the Chebyshev points of the cell, which lie
  * inside, away from edges that may be collapsed: with A_ki = B_i(t_k) and W = sum w_ij B_i B_j,
  *     w_ij f_ij = sum_kl inv(A_u)_ik inv(A_v)_jl (f W)(s_k, t_l). */
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "geometry/keep.h"
 #include "io/vtu/grid.h"
@@ -84,7 +85,7 @@ static void make_rule(int degree, node_rule *rule)
 {
     rule->order = degree + 1;
     for (int k = 0; k <= degree; k++) {
-        rule->nodes[k] = (1 - cos(acos(-1) * (2 * k + 1) / (2 * degree + 2))) / 2;
+        rule->nodes[k] = (1 - taut_cos(taut_acos(-1) * (2 * k + 1) / (2 * degree + 2))) / 2;
         taut_bernstein_eval(degree, 0, rule->nodes[k], rule->values[k]);
     }
     invert(rule);

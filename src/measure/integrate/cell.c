@@ -39,6 +39,7 @@ void taut_nodes_fill(const taut_scaled_surface *scaled, int direction, int span,
 
     nodes->count = count;
     memset(nodes->largest, 0, sizeof nodes->largest);
+    memset(nodes->most, 0, (size_t)(order + 1) * (size_t)local * sizeof(double));
     for (int i = 0; i < count; i++) {
         double *values = nodes->values + (size_t)i * (size_t)(order + 1) * (size_t)local;
         nodes->weights[i] = ldexp(half, -shift) * rule_weights[i];
@@ -50,7 +51,9 @@ void taut_nodes_fill(const taut_scaled_surface *scaled, int direction, int span,
             double sum = 0;
             for (int a = 0; a < local; a++) {
                 values[k * local + a] *= factor;
-                sum += fabs(values[k * local + a]);
+                const double size = fabs(values[k * local + a]);
+                nodes->most[k * local + a] = fmax(nodes->most[k * local + a], size);
+                sum += size;
             }
             nodes->largest[k] = fmax(nodes->largest[k], sum);
         }
@@ -84,7 +87,7 @@ void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell
     const double *origin = scaled->points + 3 * first;
     const double factor = taut_half_factor(scaled->scale);
     const double unit = scaled->dim == 4 ? scaled->weights[first] : 1;
-    double *out = work->net, least = 1, most = 1;
+    double *out = work->net;
 
     work->size = 0;
     for (int a = 0; a < scaled->local[0]; a++) {
@@ -92,8 +95,6 @@ void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell
         for (int b = 0; b < scaled->local[1]; b++) {
             const double *x = scaled->points + 3 * (row + (size_t)b);
             const double w = scaled->dim == 4 ? scaled->weights[row + (size_t)b] / unit : 1;
-            least = fmin(least, w);
-            most = fmax(most, w);
             for (int c = 0; c < 3; c++) {
                 const double value = (x[c] / 2 - origin[c] / 2) * factor;
                 work->size = fmax(work->size, fabs(value));
@@ -105,7 +106,6 @@ void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell
             out += scaled->dim;
         }
     }
-    work->size *= most / least;
 }
 
 /* polygons[k][b][c] = sum_a N_a^(k)(u_i) net[a][b][c]. */
@@ -182,10 +182,62 @@ static void project_batch(int order, int count, int stride, double *field)
     }
 }
 
-static taut_bounds bounds_of(const taut_nodes *u, const taut_nodes *v, int order,
-                             const taut_cell_work *work)
+/* The lesser of sum_ab w_ab max |N_a^(k)| max |N_b^(l)| and max w_ab max sum_a |N_a^(k)| max sum_b
+ * |N_b^(l)| over the nodes, the first for weights that are far apart, the second for those that are
+ * not: no derivative of w is larger, nor any of wx over the size. */
+static double gross_weight(const taut_scaled_surface *scaled, const taut_nodes *u,
+                           const taut_nodes *v, int k, int l, const taut_cell_work *work)
+{
+    const int local_u = scaled->local[0], local_v = scaled->local[1];
+    const double *net = work->net;
+    double sum = 0, most = 0;
+    for (int a = 0; a < local_u; a++) {
+        double row = 0;
+        for (int b = 0; b < local_v; b++, net += 4) {
+            row += v->most[l * local_v + b] * net[3];
+            most = fmax(most, net[3]);
+        }
+        sum += u->most[k * local_u + a] * row;
+    }
+    return fmin(sum, most * u->largest[k] * v->largest[l]);
+}
+
+/* With weights, from the quotient rule
+ *     w x_uv = (wx)_uv - w_u x_v - w_v x_u - w_uv x    and so on,
+ * and the least w at the nodes of the batch: w varies little over a cell, whatever the weights of
+ * its span do. */
+static taut_bounds rational_bounds(const taut_scaled_surface *scaled, const taut_nodes *u,
+                                   const taut_nodes *v, int order, int count,
+                                   const taut_cell_work *work)
+{
+    const double *w = work->field + 3 * (size_t)work->stride;
+    taut_bounds bounds = {{work->size}};
+    double least = INFINITY, r[6] = {0};
+
+    for (int j = 0; j < count; j++) {
+        least = fmin(least, w[j]);
+    }
+    for (int k = 1; k < TAUT_SURFACE_VECTORS(order); k++) {
+        r[k] = gross_weight(scaled, u, v, order_u[k], order_v[k], work) / least;
+        bounds.of[k] = 2 * work->size * r[k];
+    }
+    if (order > 1) {
+        const double ru = r[TAUT_XU], rv = r[TAUT_XV], *of = bounds.of;
+        bounds.of[TAUT_XUU] += 2 * ru * of[TAUT_XU];
+        bounds.of[TAUT_XUV] += ru * of[TAUT_XV] + rv * of[TAUT_XU];
+        bounds.of[TAUT_XVV] += 2 * rv * of[TAUT_XV];
+    }
+    return bounds;
+}
+
+/* Of the first `count` nodes in the work's field, before weights are divided out. */
+static taut_bounds bounds_of(const taut_scaled_surface *scaled, const taut_nodes *u,
+                             const taut_nodes *v, int order, int count, const taut_cell_work *work)
 {
     taut_bounds bounds = {{0}};
+    if (scaled->dim == 4) {
+        return rational_bounds(scaled, u, v, order, count, work);
+    }
     for (int k = 0; k < TAUT_SURFACE_VECTORS(order); k++) {
         bounds.of[k] = work->size * u->largest[order_u[k]] * v->largest[order_v[k]];
     }
@@ -197,12 +249,12 @@ static void evaluate_rows(const taut_scaled_surface *scaled, const taut_nodes *u
                           int rows, const taut_nodes *v, int order, taut_fields *fields,
                           taut_cell_work *work)
 {
-    const taut_bounds bounds = bounds_of(u, v, order, work);
     const double ratio = ldexp(1, scaled->shift[1] - scaled->shift[0]);
     for (int r = 0; r < rows; r++) {
         contract_u(scaled, u, first + r, order, work);
         contract_v(scaled, v, order, r * v->count, work);
     }
+    const taut_bounds bounds = bounds_of(scaled, u, v, order, rows * v->count, work);
     if (scaled->dim == 4) {
         project_batch(order, rows * v->count, work->stride, work->field);
     }

@@ -23,7 +23,8 @@ static int is_good(const taut_integrand *integrand, int f, const double *value, 
 {
     const taut_goal *goal = &integrand->goals[f / 2];
     const double limit = 0.1 * goal->relative * fabs(value[f]) + goal->floor * fabs(value[f + 1]);
-    return error[f] <= limit || (allowed != NULL && error[f] <= allowed[f]);
+    return isinf(goal->relative) || error[f] <= limit ||
+           (allowed != NULL && error[f] <= allowed[f]);
 }
 
 /* What to do after a rule: take the cell, try more nodes, or give up since the error of some field

@@ -1,7 +1,7 @@
 /* integrals.c -- area, Dirichlet energy, bending energy, isothermality, mean |H|.
  *
  *     A = iint W,   D = 1/2 iint E + G,   B = iint |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2,
- *     iota = sqrt(iint (E-G)^2 + 4 F^2) / iint E + G,   mean |H| = iint |H| W / A
+ *     iota = sqrt(iint (E-G)^2 + 4 F^2) / iint E + G,   mean |H| = iint |H| W / A,   mean H^2 alike
  * ([WuWang2011] sections 2.3, 2.6; [NiWang2015] section 8.7). B is the sum over the spans: a crease
  * (a knot where x_u jumps) adds nothing.
  *
@@ -17,13 +17,15 @@
 
 /* Tolerances. A derivative is good to a few roundings of its bound b, so W to 1e-15 b_u b_v; a
  * square s^2 whose root has the error d to 2 s d + d^2 <= t s^2 + (1 + 1/t) d^2 for any t: with d =
- * 1e-15 b and t = 1e-12, to 1e-18 b^2; |H| W like W, with the second derivatives' bounds. */
+ * 1e-15 b and t = 1e-12, to 1e-18 b^2; |H| W like W, with the second derivatives' bounds. H^2 W is
+ * as good as the cells of the others make it: beside a point without normal it need not have an
+ * integral, and no cell would be small enough. */
 static const taut_goal area_goals[] = {{1e-11, 1e-15}};
 static const taut_goal square_goals[] = {{1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18}};
 static const taut_goal all_goals[] = {{1e-11, 1e-15}, {1e-11, 1e-18}, {1e-11, 1e-18},
                                       {1e-11, 1e-18}, {1e-11, 1e-18}, {1e-11, 1e-18},
-                                      {1e-11, 1e-18}, {2e-7, 1e-12}};
-static const taut_goal mean_goals[] = {{1e-11, 1e-15}, {2e-7, 1e-12}};
+                                      {1e-11, 1e-18}, {INFINITY, 0},  {2e-7, 1e-12}};
+static const taut_goal mean_goals[] = {{1e-11, 1e-15}, {INFINITY, 0}, {2e-7, 1e-12}};
 
 /* The vectors at node j of a batch. */
 #define AT(k, c) (x[(3 * (k) + (c)) * stride + j])
@@ -96,9 +98,10 @@ static void isothermality_fields(int count, int stride, const double *x, const t
 }
 
 /* s = H W = (l G - 2 m F + n E) / (2 W^2), l = x_uu . (x_u x x_v) and so on, 0 where there is no
- * normal; pair[0] = |s|. The reference has the bounds in place of the second derivatives. */
+ * normal; square[0] = s^2 / W, pair[0] = |s|. The references have the bounds in place of the second
+ * derivatives. */
 static void mean_fields(int count, int stride, const double *x, const taut_bounds *bounds,
-                        const double *normal, double *pair, double *s)
+                        const double *normal, double *square, double *pair, double *s)
 {
     for (int j = 0; j < count; j++) {
         const double n0 = normal[j], n1 = normal[stride + j], n2 = normal[2 * stride + j];
@@ -110,36 +113,42 @@ static void mean_fields(int count, int stride, const double *x, const taut_bound
         const double bound = bounds->of[TAUT_XUU] * g + 2 * bounds->of[TAUT_XUV] * fabs(f) +
                              bounds->of[TAUT_XVV] * e;
         const int regular = w2 > 0x1p-80 * e * g;
+        const double w = sqrt(w2);
         s[j] = regular ? (l * g - 2 * m * f + n * e) / (2 * w2) : 0;
         pair[j] = fabs(s[j]);
-        pair[stride + j] = regular ? bound / (2 * sqrt(w2)) : 0;
+        pair[stride + j] = regular ? bound / (2 * w) : 0;
+        square[j] = regular ? s[j] * s[j] / w : 0;
+        square[stride + j] = regular ? pair[stride + j] * pair[stride + j] / w : 0;
     }
 }
 
-/* Pairs: W; (r E - G/r)^2 + 4 F^2, E, G; |x_uu|^2, |x_uv|^2, |x_vv|^2; |s|. Then x_u x x_v, s. */
+/* Pairs: W; (r E - G/r)^2 + 4 F^2, E, G; |x_uu|^2, |x_uv|^2, |x_vv|^2; s^2 / W; |s|. Then
+ * x_u x x_v, s. */
 static void all_fields(int count, int stride, const double *x, const taut_bounds *bounds,
                        double ratio, double *out)
 {
-    normal_fields(count, stride, x, bounds, out, out + stride, out + 16 * stride);
+    normal_fields(count, stride, x, bounds, out, out + stride, out + 18 * stride);
     isothermality_fields(count, stride, x, bounds, ratio, out + 2 * stride);
     bending_fields(count, stride, x, bounds, ratio, out + 8 * stride);
-    mean_fields(count, stride, x, bounds, out + 16 * stride, out + 14 * stride, out + 19 * stride);
+    mean_fields(count, stride, x, bounds, out + 18 * stride, out + 14 * stride, out + 16 * stride,
+                out + 21 * stride);
 }
 
-/* Pairs: W; |s|. Then x_u x x_v, s. */
+/* Pairs: W; s^2 / W; |s|. Then x_u x x_v, s. */
 static void bent_fields(int count, int stride, const double *x, const taut_bounds *bounds,
                         double ratio, double *out)
 {
     (void)ratio;
-    normal_fields(count, stride, x, bounds, out, out + stride, out + 4 * stride);
-    mean_fields(count, stride, x, bounds, out + 4 * stride, out + 2 * stride, out + 7 * stride);
+    normal_fields(count, stride, x, bounds, out, out + stride, out + 6 * stride);
+    mean_fields(count, stride, x, bounds, out + 6 * stride, out + 2 * stride, out + 4 * stride,
+                out + 9 * stride);
 }
 
 /* Figures from the integrals; the pointers are at the fields of each. */
 
-static double area_of(const taut_integrals *in, double value)
+static double area_of(const taut_integrals *in, const double *w)
 {
-    return ldexp(value, 2 * in->scale);
+    return ldexp(w[0], 2 * in->scale);
 }
 
 static double dirichlet_of(const taut_integrals *in, const double *eg)
@@ -155,29 +164,87 @@ static double bending_of(const taut_integrals *in, const double *second)
            ldexp(second[4], l + u - 3 * v);
 }
 
-/* The square root of the integral has dimension length^2 (u v)^-1/2. */
-static double isothermality_of(const taut_integrals *in, const double *iso)
+/* iint (E-G)^2 + 4 F^2 and iint E + G, of scaled points; the root of the first over the second is
+ * to be brought back by isothermality_scaled. */
+static double isothermal_square(const taut_integrals *in, const double *iso)
+{
+    return ldexp(iso[0], -((in->shift[0] + in->shift[1]) & 1));
+}
+
+static double isothermal_sum(const taut_integrals *in, const double *iso)
 {
     const int ratio = in->shift[1] - in->shift[0];
-    const double both = ldexp(iso[2], ratio) + ldexp(iso[4], -ratio);
-    const double root = sqrt(ldexp(iso[0], -((in->shift[0] + in->shift[1]) & 1)));
+    return ldexp(iso[2], ratio) + ldexp(iso[4], -ratio);
+}
+
+/* The square root of the integral has dimension length^2 (u v)^-1/2. */
+static double isothermality_scaled(const taut_integrals *in, double root, double both)
+{
     return both > 0 ? ldexp(root / both, -((in->shift[0] + in->shift[1]) >> 1)) : 0;
 }
 
-/* The estimate is that of the last but one rule: far above the error unless the cells were cut
- * until the limits of integrate.c. Within 1e-10 it is not worth a word. */
-static double area_error_of(const taut_integrals *in)
+static double isothermality_of(const taut_integrals *in, const double *iso)
 {
-    const int good = in->error[0] <= 1e-10 * in->value[0] || in->error[0] <= 1e-15 * in->value[1];
-    return good ? 0 : area_of(in, in->error[0]);
+    return isothermality_scaled(in, sqrt(isothermal_square(in, iso)), isothermal_sum(in, iso));
 }
 
-/* of: the integral of |s| in in->value. Where x_u x x_v vanishes but for rounding there is none. */
-static double mean_of(const taut_integrals *in, int of)
+/* What is worth a word: an error above 1e-10 of its figure. */
+static double told_error(double error, double figure)
+{
+    return error <= 1e-10 * figure ? 0 : error;
+}
+
+/* error[f] becomes what rules differed by, and what rounding may do. The difference is that of the
+ * last but one rule: far above the error unless the cells were cut until the limits of integrate.c.
+ * W is off by d = 1e-15 b_u b_v; squares s^2 whose roots are off by 1e-15 b by 2 s d + d^2, where
+ * iint s d <= sqrt(iint s^2 iint d^2). */
+static void add_square_rounding(const taut_integrand *integrand, int from, taut_integrals *in)
+{
+    const double d = area_goals[0].floor;
+    for (int f = 2 * from; f < 2 * integrand->count; f += 2) {
+        const double value = in->value[f], reference = in->value[f + 1];
+        in->error[f] += 2 * d * sqrt(value * reference) + d * d * reference;
+    }
+}
+
+/* The same where the first field is W. */
+static void add_rounding(const taut_integrand *integrand, taut_integrals *in)
+{
+    in->error[0] += area_goals[0].floor * in->value[1];
+    add_square_rounding(integrand, 1, in);
+}
+
+/* d sqrt(s) / sum: where s is smaller than its error, the root of that. */
+static double isothermality_error_of(const taut_integrals *in, int at)
+{
+    const double *iso = in->value + at, *error = in->error + at;
+    const double square = isothermal_square(in, iso), apart = isothermal_square(in, error);
+    const double both = isothermal_sum(in, iso), root = sqrt(square);
+    const double step = fmin(sqrt(apart), root > 0 ? apart / root : INFINITY);
+    const double share = both > 0 ? isothermal_sum(in, error) / both : 0;
+    return isothermality_scaled(in, step + root * share, both);
+}
+
+/* The mean over the area of the integral at `of`, in the unit of the points to the power `length`;
+ * NaN where x_u x x_v vanishes but for rounding. */
+static double mean_of(const taut_integrals *in, int of, int length)
 {
     /* as for single normals: an area of 2^-40 of what the net allows is rounding */
     const int has_normal = in->value[0] > 0x1p-40 * in->value[1];
-    return has_normal ? ldexp(in->value[of] / in->value[0], -in->scale) : nan("");
+    return has_normal ? ldexp(in->value[of] / in->value[0], length * in->scale) : nan("");
+}
+
+/* NaN where rules do not agree to four digits of the root. */
+static double mean_square_of(const taut_integrals *in, int of)
+{
+    const int is_found =
+        in->error[of] <= 1e-4 * in->value[of] || in->error[of] <= 1e-18 * in->value[of + 1];
+    return is_found ? mean_of(in, of, -2) : nan("");
+}
+
+static double finite_or_none(double x)
+{
+    return isfinite(x) ? x : nan("");
 }
 
 static int is_polynomial(const taut_surface *surface)
@@ -198,9 +265,10 @@ taut_status taut_surface_area(const taut_surface *surface, double *area, double 
     if (status != TAUT_OK) {
         return status;
     }
-    *area = area_of(&in, in.value[0]);
+    *area = finite_or_none(area_of(&in, in.value));
     if (error_estimate != NULL) {
-        *error_estimate = area_error_of(&in);
+        add_rounding(&integrand, &in);
+        *error_estimate = finite_or_none(told_error(area_of(&in, in.error), *area));
     }
     return TAUT_OK;
 }
@@ -215,7 +283,7 @@ static taut_status integrate_to(const taut_surface *surface, const taut_integran
     if (status != TAUT_OK) {
         return status;
     }
-    *figure = to_figure(&in, in.value);
+    *figure = finite_or_none(to_figure(&in, in.value));
     return TAUT_OK;
 }
 
@@ -239,6 +307,22 @@ taut_status taut_surface_bending_energy(const taut_surface *surface, double *ene
     return integrate_to(surface, &integrand, bending_of, energy);
 }
 
+taut_status taut_surface_bending_of(const taut_surface *surface, double *energy, double *error)
+{
+    const taut_integrand integrand = {bending_fields, 3, 2, is_polynomial(surface),
+                                      square_goals,   0};
+    taut_integrals in;
+    const taut_status status = taut_integrate(surface, &integrand, 1, &in);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    add_square_rounding(&integrand, 0, &in);
+    *energy = finite_or_none(bending_of(&in, in.value));
+    *error = finite_or_none(told_error(bending_of(&in, in.error), *energy));
+    return TAUT_OK;
+}
+
 taut_status taut_surface_isothermality(const taut_surface *surface, double *isothermality)
 {
     const taut_integrand integrand = {isothermality_fields, 3, 1, 0, square_goals, 0};
@@ -248,38 +332,98 @@ taut_status taut_surface_isothermality(const taut_surface *surface, double *isot
     return integrate_to(surface, &integrand, isothermality_of, isothermality);
 }
 
-taut_status taut_surface_integrals_of(const taut_surface *surface, int threads,
-                                      taut_surface_integrals *integrals)
+static void take_area(const taut_integrals *in, taut_surface_integrals *made)
 {
-    const taut_integrand integrand = {all_fields, 8, 2, 0, all_goals, 2};
+    const double area = area_of(in, in->value);
+    made->area = finite_or_none(area);
+    made->area_error = finite_or_none(told_error(area_of(in, in->error), area));
+}
+
+/* From the pairs (r E - G/r)^2 + 4 F^2, E, G at value + at, error + at. */
+static void take_stretch(const taut_integrals *in, int at, taut_surface_integrals *made)
+{
+    const double energy = dirichlet_of(in, in->value + at + 2);
+    const double isothermality = isothermality_of(in, in->value + at);
+
+    made->dirichlet = finite_or_none(energy);
+    made->dirichlet_error =
+        finite_or_none(told_error(dirichlet_of(in, in->error + at + 2), energy));
+    made->isothermality = finite_or_none(isothermality);
+    made->isothermality_error =
+        finite_or_none(told_error(isothermality_error_of(in, at), isothermality));
+}
+
+/* Apart, as cells that W is hard on need not be cut for the others. */
+static taut_status integrate_first(const taut_surface *surface, int threads,
+                                   taut_surface_integrals *made)
+{
+    const taut_integrand area = {area_fields, 1, 1, 0, area_goals, 1};
+    const taut_integrand stretch = {isothermality_fields, 3, 1, 0, square_goals, 0};
     taut_integrals in;
-    const taut_status status = taut_integrate(surface, &integrand, threads, &in);
+    taut_status status = taut_integrate(surface, &area, threads, &in);
 
     if (status != TAUT_OK) {
         return status;
     }
-    *integrals = (taut_surface_integrals){
-        .area = area_of(&in, in.value[0]),
-        .area_error = area_error_of(&in),
-        .isothermality = isothermality_of(&in, in.value + 2),
-        .dirichlet = dirichlet_of(&in, in.value + 4),
-        .bending = bending_of(&in, in.value + 8),
-        .mean_abs = mean_of(&in, 14),
-    };
+    add_rounding(&area, &in);
+    take_area(&in, made);
+    status = taut_integrate(surface, &stretch, threads, &in);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    add_square_rounding(&stretch, 0, &in);
+    take_stretch(&in, 0, made);
     return TAUT_OK;
 }
 
-taut_status taut_surface_mean(const taut_surface *surface, int threads, double *area,
-                              double *mean_abs)
+static taut_status integrate_all(const taut_surface *surface, int threads,
+                                 taut_surface_integrals *made)
 {
-    const taut_integrand integrand = {bent_fields, 2, 2, 0, mean_goals, 2};
+    const taut_integrand all = {all_fields, 9, 2, 0, all_goals, 2};
+    taut_integrals in;
+    const taut_status status = taut_integrate(surface, &all, threads, &in);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    add_rounding(&all, &in);
+    take_area(&in, made);
+    take_stretch(&in, 2, made);
+    const double bending = bending_of(&in, in.value + 8);
+    made->bending = finite_or_none(bending);
+    made->bending_error = finite_or_none(told_error(bending_of(&in, in.error + 8), bending));
+    made->mean_abs = finite_or_none(mean_of(&in, 16, -1));
+    made->mean_square = finite_or_none(mean_square_of(&in, 14));
+    return TAUT_OK;
+}
+
+taut_status taut_surface_integrals_of(const taut_surface *surface, int order, int threads,
+                                      taut_surface_integrals *integrals)
+{
+    taut_surface_integrals made = {.bending = 0};
+    const taut_status status = order > 1 ? integrate_all(surface, threads, &made)
+                                         : integrate_first(surface, threads, &made);
+    if (status == TAUT_OK) {
+        *integrals = made;
+    }
+    return status;
+}
+
+taut_status taut_surface_mean(const taut_surface *surface, int threads,
+                              taut_surface_integrals *integrals)
+{
+    const taut_integrand integrand = {bent_fields, 3, 2, 0, mean_goals, 2};
     taut_integrals in;
     const taut_status status = taut_integrate(surface, &integrand, threads, &in);
 
     if (status != TAUT_OK) {
         return status;
     }
-    *area = area_of(&in, in.value[0]);
-    *mean_abs = mean_of(&in, 2);
+    add_rounding(&integrand, &in);
+    *integrals = (taut_surface_integrals){
+        .mean_abs = finite_or_none(mean_of(&in, 4, -1)),
+        .mean_square = finite_or_none(mean_square_of(&in, 2)),
+    };
+    take_area(&in, integrals);
     return TAUT_OK;
 }

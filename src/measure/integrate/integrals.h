@@ -4,24 +4,35 @@
 
 #include "taut/surface.h"
 
+/* A number beyond the range of doubles is NaN. Errors are 0 where they are below 1e-10 of the
+ * figure; else they are those of quadrature and of rounding together. */
 typedef struct taut_surface_integrals {
     double area, area_error;
-    double dirichlet, bending, isothermality;
-    double mean_abs; /* of H over the area; NaN where the area is 0 */
+    double dirichlet, dirichlet_error;
+    double isothermality, isothermality_error;
+    double bending, bending_error; /* order 2; else 0 */
+    double mean_abs;               /* order 2: of |H| over the area; NaN where the area is 0 */
+    double
+        mean_square; /* order 2: of H^2 over the area; NaN where that is 0 or no integral is found */
 } taut_surface_integrals;
 
-taut_status taut_surface_integrals_of(const taut_surface *surface, int threads,
+/* order 1: those of first derivatives; 2: all. TAUT_NO_MEMORY. */
+taut_status taut_surface_integrals_of(const taut_surface *surface, int order, int threads,
                                       taut_surface_integrals *integrals);
 
-/* Of these only the area, and mean_abs. */
-taut_status taut_surface_mean(const taut_surface *surface, int threads, double *area,
-                              double *mean_abs);
+/* The bending energy alone. TAUT_NO_MEMORY. */
+taut_status taut_surface_bending_of(const taut_surface *surface, double *energy, double *error);
+
+/* Of these only the area and those of H; the others 0. */
+taut_status taut_surface_mean(const taut_surface *surface, int threads,
+                              taut_surface_integrals *integrals);
 
 /* What a certificate of least area tells of the mean curvature, and no more: the same numbers as
  * taut_measure_surface, without its other figures. */
 typedef struct taut_mean_figures {
-    double area;
+    double area, area_error;
     double mean_abs; /* of H over the area; NaN where the area is 0 */
+    double rms;      /* root of the mean of H^2 over the area; NaN where there is none */
     double max_abs;  /* of H over the closed uniform grid; NaN where no point has a normal */
 } taut_mean_figures;
 

@@ -98,14 +98,15 @@ static void first_task(void *context, int index, long task)
 static size_t place_nodes(const taut_job *job, int direction, int count, taut_nodes *nodes,
                           double **at)
 {
-    const size_t values =
-        (size_t)count * ((size_t)job->integrand->order + 1) * (size_t)job->scaled.local[direction];
+    const size_t one = ((size_t)job->integrand->order + 1) * (size_t)job->scaled.local[direction];
+    const size_t values = (size_t)count * one, total = values + one + (size_t)count;
     if (*at != NULL) {
         nodes->values = *at;
-        nodes->weights = *at + values;
-        *at += values + (size_t)count;
+        nodes->most = *at + values;
+        nodes->weights = *at + values + one;
+        *at += total;
     }
-    return values + (size_t)count;
+    return total;
 }
 
 /* All memory of one worker in one piece: counted first, then dealt out. */
@@ -130,6 +131,17 @@ static size_t place_worker(const taut_job *job, taut_worker *worker, double *at)
     return total;
 }
 
+/* The cells of one direction, graded by the weights of all lines along it: rules that see nothing
+ * of a layer agree about it. */
+static taut_status cut_direction(const taut_scaled_surface *scaled, int direction,
+                                 taut_cells **cells)
+{
+    const int lines = taut_basis_count(scaled->basis[1 - direction]);
+    const size_t columns = (size_t)taut_basis_count(scaled->basis[1]);
+    const size_t step = direction == 0 ? columns : 1, next = direction == 0 ? 1 : columns;
+    return taut_cells_new(scaled->basis[direction], lines, scaled->weights, step, next, cells);
+}
+
 /* What the first pass needs; the scratch of all workers lies in the arena. */
 static taut_status begin_job(const taut_surface *surface, int threads, taut_job *job)
 {
@@ -148,7 +160,7 @@ static taut_status begin_job(const taut_surface *surface, int threads, taut_job 
     job->side = 256 / (job->scaled.local[0] * job->scaled.local[1]);
     job->side = job->side > TAUT_BLOCK ? TAUT_BLOCK : job->side < 1 ? 1 : job->side;
     for (int d = 0; d < 2; d++) {
-        if (taut_cells_new(job->scaled.basis[d], 1, NULL, 1, 0, &job->cells[d]) != TAUT_OK) {
+        if (cut_direction(&job->scaled, d, &job->cells[d]) != TAUT_OK) {
             return TAUT_NO_MEMORY;
         }
         job->blocks[d] = (job->cells[d]->count + job->side - 1) / job->side;

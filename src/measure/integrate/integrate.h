@@ -15,7 +15,7 @@
 
 #include "taut/surface.h"
 
-enum { TAUT_FIELDS_MAX = 20 };
+enum { TAUT_FIELDS_MAX = 22 };
 
 /* What a cell's rounding is judged by: bounds of |x_u|, |x_v|, |x_uu|, |x_uv|, |x_vv| in the order
  * of the vectors, from the size of its net and the sums of |basis functions|; [TAUT_X] is the size
@@ -32,7 +32,8 @@ typedef void taut_fields(int count, int stride, const double *x, const taut_boun
 
 /* When the integral of a field is good: error <= relative * |integral| + floor * |integral of its
  * reference|. The reference, the odd field that follows it, is what the rounding of the integrand
- * is proportional to. Single cells are judged against a tenth of `relative`. */
+ * is proportional to. Single cells are judged against a tenth of `relative`. INFINITY: not judged, as good as the
+ * others make it. */
 typedef struct taut_goal {
     double relative, floor;
 } taut_goal;

@@ -32,6 +32,7 @@ typedef struct taut_nodes {
     int count;
     double *values;    /* [count][order+1][local] */
     double *weights;   /* [count] */
+    double *most;      /* [order+1][local]: over the nodes, of |N_a^(k)| */
     double largest[3]; /* over the nodes, of sum_a |N_a^(k)| */
 } taut_nodes;
 

@@ -100,11 +100,15 @@ static taut_status find_largest(taut_arena *arena, const taut_surface *surface, 
 taut_status taut_mean_figures_of(const taut_surface *surface, int grid, int threads,
                                  taut_mean_figures *figures)
 {
-    taut_mean_figures made = {0, 0, 0};
-    taut_status status = taut_surface_mean(surface, threads, &made.area, &made.mean_abs);
+    taut_surface_integrals integrals;
+    taut_status status = taut_surface_mean(surface, threads, &integrals);
     if (status != TAUT_OK) {
         return status;
     }
+    taut_mean_figures made = {.area = integrals.area,
+                              .area_error = integrals.area_error,
+                              .mean_abs = integrals.mean_abs,
+                              .rms = sqrt(integrals.mean_square)};
     taut_arena *arena = taut_arena_new();
     status = find_largest(arena, surface, grid, &made.max_abs);
     taut_arena_free(arena);

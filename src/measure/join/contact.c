@@ -8,6 +8,7 @@
  */
 #include "measure/join/side.h"
 
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
 #include <float.h>
@@ -19,7 +20,7 @@ static double angle_between(const double *a, const double *b)
 {
     double c[3];
     taut_cross(a, b, c);
-    return atan2(taut_length(c), taut_dot(a, b));
+    return taut_atan2(taut_length(c), taut_dot(a, b));
 }
 
 static void vector_at(const taut_spot *spot, int k, double *x)
@@ -63,14 +64,14 @@ static void height_bounds(const taut_spot *spot, const tangents *d, double bound
     for (int k = 1; k <= 3; k++) {
         bound[k] = 0;
         for (int i = k * (k + 1) / 2; i < (k + 1) * (k + 2) / 2; i++) {
-            const double speeds =
-                pow(d->length_s, taut_jet_power[i][0]) * pow(d->length_t, taut_jet_power[i][1]);
+            const double speeds = taut_pow(d->length_s, taut_jet_power[i][0]) *
+                                  taut_pow(d->length_t, taut_jet_power[i][1]);
             double x[3];
             vector_at(spot, i, x);
             bound[k] += spot->bound[i] / speeds;
             second += k == 2 ? taut_length(x) / speeds : 0;
         }
-        bound[k] /= pow(d->sine, k);
+        bound[k] /= taut_pow(d->sine, k);
     }
     bound[3] += 4 * bound[2] * second / (d->sine * d->sine);
 }

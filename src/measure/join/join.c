@@ -1,11 +1,12 @@
 /* join.c -- matching the two edges, and the worst of what is found along them.
  *
  * The edge of the first surface is cut at its own knots and at those of the second; each piece is
- * sampled closed, seen from inside, at more points than the degree: what agrees at these agrees
- * everywhere, if both are polynomials of one parameter.
+ * sampled closed, seen from inside; where both edges are polynomials of one parameter, gap and
+ * parametric order are then proved all along (proof.c).
  */
 #include "taut/join.h"
 
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
 #include "geometry/exponent.h"
@@ -48,6 +49,19 @@ static taut_join_side side_of(const taut_surface *surface, taut_edge edge, int l
         taut_exponent(taut_half_size(taut_point_count(surface), taut_surface_points(surface))) + 1;
     side.shift_across = taut_range_exponent(side.across);
     return side;
+}
+
+/* Both sides at the scale of the larger one. */
+static void share_scales(taut_join_side sides[2])
+{
+    for (int s = 0; s < 2; s++) {
+        if (sides[s].scale < sides[1 - s].scale) {
+            sides[s].scale = sides[1 - s].scale;
+        }
+        if (sides[s].shift_across < sides[1 - s].shift_across) {
+            sides[s].shift_across = sides[1 - s].shift_across;
+        }
+    }
 }
 
 static int compare_numbers(const void *a, const void *b)
@@ -125,7 +139,7 @@ static double compare_pair(const taut_join_side *a, const taut_join_side *b, con
     join->g_order = contact.g < join->g_order ? contact.g : join->g_order;
     join->max_tangent_angle = fmax(join->max_tangent_angle, contact.tangent_angle);
     join->max_normal_angle = fmax(join->max_normal_angle, contact.normal_angle);
-    return hypot(hypot(x[0] - sb.x[0].c[0], x[1] - sb.x[1].c[0]), x[2] - sb.x[2].c[0]);
+    return taut_hypot(taut_hypot(x[0] - sb.x[0].c[0], x[1] - sb.x[1].c[0]), x[2] - sb.x[2].c[0]);
 }
 
 /* Along the whole edge; angles and orders go to *join, the largest gap is returned. */
@@ -215,8 +229,13 @@ static taut_status judge_join(taut_join_side *a, taut_join_side *b, taut_join *j
     } else if (isnan(join->max_normal_angle)) {
         join->g_order = 0; /* no normals to tell more */
     }
+    join->kind = TAUT_JOIN_CHECK;
+    join->gap_bound = nan("");
+    const taut_status status = is_affine && join->c_order >= 0
+                                   ? taut_join_prove(a, b, break_count, breaks, limit, join)
+                                   : TAUT_OK;
     taut_free(breaks);
-    return TAUT_OK;
+    return status;
 }
 
 taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a, const taut_surface *b,
@@ -232,21 +251,35 @@ taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a, const tau
     }
     sides[0] = side_of(a, edge_a, 1);
     sides[1] = side_of(b, edge_b, 0);
-    for (int s = 0; s < 2; s++) {
-        if (sides[s].scale < sides[1 - s].scale) {
-            sides[s].scale = sides[1 - s].scale;
-        }
-        if (sides[s].shift_across < sides[1 - s].shift_across) {
-            sides[s].shift_across = sides[1 - s].shift_across;
-        }
-    }
+    share_scales(sides);
     if (judge_join(&sides[0], &sides[1], &made) != TAUT_OK ||
         taut_join_is_one_surface(&sides[0], &sides[1], &made.one_surface) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     made.max_gap = ldexp(made.max_gap, sides[0].scale);
+    made.gap_bound = ldexp(made.gap_bound, sides[0].scale);
     *join = made;
     return TAUT_OK;
+}
+
+taut_status taut_join_gap(const taut_surface *a, taut_edge edge_a, const taut_surface *b,
+                          taut_edge edge_b, int reversed, double *gap)
+{
+    taut_join_side sides[2] = {side_of(a, edge_a, 1), side_of(b, edge_b, 0)};
+    taut_join join = {.c_order = 0, .gap_bound = nan("")};
+    int break_count = 0;
+
+    share_scales(sides);
+    sides[1].sign_along = reversed ? -1 : 1;
+    double *breaks = common_breaks(&sides[0], &sides[1], &break_count);
+    if (breaks == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    const taut_status status =
+        taut_join_prove(&sides[0], &sides[1], break_count, breaks, INFINITY, &join);
+    taut_free(breaks);
+    *gap = ldexp(join.gap_bound, sides[0].scale);
+    return status;
 }
 
 void taut_join_record(const taut_join *join, taut_record *record)
@@ -256,6 +289,10 @@ void taut_join_record(const taut_join *join, taut_record *record)
     taut_record_add_number(record, "max_normal_angle", join->max_normal_angle);
     taut_record_add_number(record, "c_order", join->c_order);
     taut_record_add_number(record, "g_order", join->g_order);
+    taut_record_add_text(record, "kind", join->kind == TAUT_JOIN_BOUND ? "bound" : "check");
+    if (join->kind == TAUT_JOIN_BOUND) {
+        taut_record_add_number(record, "gap_bound", join->gap_bound);
+    }
     taut_record_add_bool(record, "reversed", join->reversed);
     if (join->one_surface >= 0) {
         taut_record_add_bool(record, "one_surface", join->one_surface);

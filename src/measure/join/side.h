@@ -45,6 +45,16 @@ taut_join_contact taut_join_contact_of(const taut_spot *a, const taut_spot *b);
 /* taut_join.one_surface. TAUT_NO_MEMORY. */
 taut_status taut_join_is_one_surface(const taut_join_side *a, const taut_join_side *b, int *one);
 
+/* Proves the gap and c_order of a join that is matched by the affine map of the sides: join->kind
+ * and join->gap_bound, in the sides' scale; left alone where no proof is known. TAUT_NO_MEMORY. */
+taut_status taut_join_prove(const taut_join_side *a, const taut_join_side *b, int break_count,
+                            const double *breaks, double gap_limit, taut_join *join);
+
+/* Only the gap, proved, of two edges matched by the affine map of one range to the other, `reversed`
+ * or not: a length, rounding counted, however large; NaN where no proof is known. TAUT_NO_MEMORY. */
+taut_status taut_join_gap(const taut_surface *a, taut_edge edge_a, const taut_surface *b,
+                          taut_edge edge_b, int reversed, double *gap);
+
 /* See taut/join.h: of what a derivative could be. */
 static const double taut_join_tolerance = 1e-9;
 

@@ -18,11 +18,11 @@
 #include "taut/recognise.h"
 
 #include "core/constants.h"
+#include "core/elementary/complex.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "taut/measure.h"
 
-#include <complex.h>
 #include <math.h>
 #include <string.h>
 
@@ -81,11 +81,11 @@ static void phi_of(const taut_surface *surface, int turned, const double at[2],
 /* r_theta of sign - at zeta; lambda in (0, 1) or 0, w with it. */
 static void family_point(const taut_family_member *m, double w, double x, double y, double r[3])
 {
-    const double l = m->lambda, c = cos(m->theta), s = sin(m->theta);
-    const double one[3] = {(l * x - sin(x) * cosh(y)) / w, (y - l * cos(x) * sinh(y)) / w,
-                           -cos(x) * cosh(y)};
-    const double two[3] = {(l * y - cos(x) * sinh(y)) / w, -(x - l * sin(x) * cosh(y)) / w,
-                           sin(x) * sinh(y)};
+    const double l = m->lambda, c = taut_cos(m->theta), s = taut_sin(m->theta);
+    const double one[3] = {(l * x - taut_sin(x) * taut_cosh(y)) / w,
+                           (y - l * taut_cos(x) * taut_sinh(y)) / w, -taut_cos(x) * taut_cosh(y)};
+    const double two[3] = {(l * y - taut_cos(x) * taut_sinh(y)) / w,
+                           -(x - l * taut_sin(x) * taut_cosh(y)) / w, taut_sin(x) * taut_sinh(y)};
     for (int k = 0; k < 3; k++) {
         r[k] = c * one[k] + s * two[k];
     }
@@ -106,12 +106,13 @@ static void move_point(const taut_family_member *m, double w, const double at[2]
 static int rotation_of(const vector a, const vector b, const vector d, double w,
                        taut_family_member *m)
 {
-    const double complex turn = cexp(I * m->theta) / m->scale;
-    const double complex shift = cexp(I * (m->shift[0] + I * m->shift[1]));
+    const double complex turn = taut_cexp(I * m->theta) / m->scale;
+    const double complex shift = taut_cexp(I * (m->shift[0] + I * m->shift[1]));
+    const double complex back = taut_cexp(-I * (m->shift[0] + I * m->shift[1]));
     double column[3][3], defect = 0, volume = 0;
 
     for (int k = 0; k < 3; k++) {
-        const double complex bk = turn * b[k] / shift, dk = turn * d[k] * shift;
+        const double complex bk = turn * b[k] * back, dk = turn * d[k] * shift;
         column[0][k] = w * cimag(bk - dk);
         column[1][k] = -w * cimag(turn * a[k]);
         column[2][k] = -creal(bk + dk);
@@ -147,25 +148,26 @@ static int describe_at(const taut_surface *surface, const double at[2], double *
     }
     const double product = length(b) * length(d);
     const double complex ab = dot_conjugate(a, b), aa = dot(a, a);
-    if (!(product > 0) || !(cabs(aa) > 0) || !isfinite(product)) {
+    if (!(product > 0) || !(taut_cabs(aa) > 0) || !isfinite(product)) {
         return 0;
     }
-    const double w2 = cabs(dot(b, d)) / product;
-    const double along = sqrt(cabs(ab) * cabs(dot_conjugate(a, d))) / (2 * product);
+    const double w2 = taut_cabs(dot(b, d)) / product;
+    const double along = sqrt(taut_cabs(ab) * taut_cabs(dot_conjugate(a, d))) / (2 * product);
     if (!(w2 > 0) || !(w2 <= 1 + 1e-6)) {
         return 0;
     }
     m->lambda = w2 < 0.5 ? sqrt(1 - w2) : along;
     *w = w2 < 0.5 ? sqrt(w2) : sqrt((1 - along) * (1 + along));
-    m->scale = sqrt(cabs(aa));
-    m->theta = -0.5 * carg(-aa);
-    m->shift[0] = cabs(ab) > 0 ? -carg(I * ab) - at[0] : 0;
-    m->shift[1] = -0.5 * log(length(b) / length(d)) - at[1];
+    m->scale = sqrt(taut_cabs(aa));
+    m->theta = -0.5 * taut_carg(-aa);
+    m->shift[0] = taut_cabs(ab) > 0 ? -taut_carg(I * ab) - at[0] : 0;
+    m->shift[1] = -0.5 * taut_log(length(b) / length(d)) - at[1];
     /* the phases of B and D are those at `at`: bring them to zeta - shift = 0 */
-    const double complex back = cexp(-I * (at[0] + I * at[1]));
+    const double complex back = taut_cexp(-I * (at[0] + I * at[1]));
+    const double complex on = taut_cexp(I * (at[0] + I * at[1]));
     for (int k = 0; k < 3; k++) {
         b[k] *= back;
-        d[k] /= back;
+        d[k] *= on;
     }
     return isfinite(m->shift[1]) && rotation_of(a, b, d, *w, m);
 }
@@ -202,8 +204,8 @@ static void compare_with_net(const taut_surface *surface, const double at[2], do
             }
         }
     }
-    m->residual =
-        apart / hypot(box[1][0] - box[0][0], hypot(box[1][1] - box[0][1], box[1][2] - box[0][2]));
+    m->residual = apart / taut_hypot(box[1][0] - box[0][0],
+                                     taut_hypot(box[1][1] - box[0][1], box[1][2] - box[0][2]));
 }
 
 static const char *name_of(const taut_family_member *m)
@@ -211,7 +213,7 @@ static const char *name_of(const taut_family_member *m)
     static const char *const names[2][3] = {
         {"catenoid", "helicoid", "associate of the catenoid"},
         {"Bonnet's surface", "Thomsen's surface", "associate of Bonnet's surface"}};
-    const double c = fabs(cos(m->theta)), s = fabs(sin(m->theta));
+    const double c = fabs(taut_cos(m->theta)), s = fabs(taut_sin(m->theta));
     return names[m->lambda > close_enough][s <= close_enough ? 0 : c <= close_enough ? 1 : 2];
 }
 
@@ -295,10 +297,10 @@ static void recognise_enneper(const taut_surface *surface, taut_family_member *m
         cc += 0.25 * creal(phi[2][k] * conj(phi[2][k]));
     }
     /* a plane conformally mapped has b.b = 0 */
-    if (!(cabs(bb) > 1e-6 * b2) || !(cc > 0)) {
+    if (!(taut_cabs(bb) > 1e-6 * b2) || !(cc > 0)) {
         return;
     }
-    const double second = 0.5 * sqrt(cabs(bb)), third = sqrt(0.5 * cc), unit = second / third;
+    const double second = 0.5 * sqrt(taut_cabs(bb)), third = sqrt(0.5 * cc), unit = second / third;
     member->name = "Enneper's surface";
     member->scale = second * unit * unit;
     member->lambda = 1;

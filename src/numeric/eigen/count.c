@@ -1,5 +1,6 @@
 /* By Sylvester's law the number of eigenvalues of (K, M) below s is the number of negative pivots
  * of K - s M ([Parlett1998] 3.3.1); the product of the pivots is its determinant. */
+#include "core/elementary/elementary.h"
 #include "numeric/eigen/internal.h"
 
 #include <math.h>
@@ -9,7 +10,7 @@ enum { CHUNK = 48 }; /* rows of factors kept: they fit the first-level cache */
 
 taut_counter taut_counter_of(const taut_pencil *pencil, taut_arena *arena)
 {
-    const size_t w = (size_t)pencil->k.width, lanes = (size_t)pencil->kernel->lanes;
+    const size_t w = (size_t)pencil->k.width, lanes = TAUT_LANES;
     return (taut_counter){pencil,
                           taut_arena_take(arena, (CHUNK + w) * (w + 1), lanes * sizeof(double))};
 }
@@ -19,10 +20,10 @@ static void count_lanes(const taut_counter *counter, const double *minus, double
                         double *log)
 {
     const taut_pencil *p = counter->pencil;
-    const int n = p->k.n, w = p->k.width, lanes = p->kernel->lanes;
+    const int n = p->k.n, w = p->k.width, lanes = TAUT_LANES;
     const size_t row = ((size_t)w + 1) * (size_t)lanes, carried = (size_t)w * row;
-    double mantissa[TAUT_LANES_MAX];
-    long long exponent[TAUT_LANES_MAX] = {0};
+    double mantissa[TAUT_LANES];
+    long long exponent[TAUT_LANES] = {0};
 
     for (int l = 0; l < lanes; l++) {
         mantissa[l] = 1.0;
@@ -39,16 +40,16 @@ static void count_lanes(const taut_counter *counter, const double *minus, double
         p->kernel->lane_product(end - first, row, counter->factor + carried, mantissa, exponent);
     }
     for (int l = 0; l < lanes; l++) { /* slot 0 of a factor is 1/D */
-        log[l] = -(double)exponent[l] - log2(fabs(mantissa[l]));
+        log[l] = -(double)exponent[l] - taut_log2(fabs(mantissa[l]));
     }
 }
 
 void taut_counter_run(const taut_counter *counter, int shifts, const double *shift, int *count,
                       double *log)
 {
-    const int lanes = counter->pencil->kernel->lanes;
+    const int lanes = TAUT_LANES;
     for (int start = 0; start < shifts; start += lanes) {
-        double minus[TAUT_LANES_MAX], negative[TAUT_LANES_MAX], logs[TAUT_LANES_MAX];
+        double minus[TAUT_LANES], negative[TAUT_LANES], logs[TAUT_LANES];
         for (int l = 0; l < lanes; l++) {
             minus[l] = -shift[start + l < shifts ? start + l : shifts - 1];
         }

@@ -1,5 +1,6 @@
 /* dense.c -- all eigenpairs by the methods for full matrices: slow, and sure. */
 #include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "numeric/eigen/internal.h"
 
 #include <math.h>
@@ -52,7 +53,7 @@ static void tridiagonalise(int n, double *a, double *d, double *e, double *v, do
         double norm = 0.0;
         for (int i = k + 1; i < n; i++) {
             v[i] = *entry_at(a, n, k, i);
-            norm = hypot(norm, v[i]);
+            norm = taut_hypot(norm, v[i]);
         }
         const double alpha = v[k + 1] > 0.0 ? -norm : norm;
         d[k] = *entry_at(a, n, k, k);
@@ -106,10 +107,10 @@ static void tridiagonalise(int n, double *a, double *d, double *e, double *v, do
 static void ql_sweep(int n, int l, int m, double *d, double *e, double *q)
 {
     double g = (d[l + 1] - d[l]) / (2.0 * e[l]);
-    g = d[m] - d[l] + e[l] / (g + copysign(hypot(g, 1.0), g));
+    g = d[m] - d[l] + e[l] / (g + copysign(taut_hypot(g, 1.0), g));
     double s = 1.0, c = 1.0, p = 0.0;
     for (int i = m - 1; i >= l; i--) {
-        const double f = s * e[i], b = c * e[i], r = hypot(f, g);
+        const double f = s * e[i], b = c * e[i], r = taut_hypot(f, g);
         e[i + 1] = r;
         if (!(r > 0.0)) {
             d[i + 1] -= p;

@@ -62,13 +62,13 @@ taut_status taut_eigen_sharpen(const taut_pencil *pencil, taut_arena *arena, tau
 /* The distance of guess j to its neighbours; the length of its bracket when it has none. */
 double taut_eigen_gap(int n, const taut_bracket *bracket, int j);
 
-/* kernel->lanes pairs at work. */
+/* TAUT_LANES pairs at work. */
 typedef struct taut_eigen_block {
     const taut_pencil *pencil;
     double *factor;    /* double[width + n][width + 1][lanes], the first rows zero; then scratch */
     double *x, *r, *m; /* double[n][lanes]: x, (K - lambda M) x, M x */
-    double lambda[TAUT_LANES_MAX];
-    double gap[TAUT_LANES_MAX]; /* about the distance of lambda to the next eigenvalue */
+    double lambda[TAUT_LANES];
+    double gap[TAUT_LANES]; /* about the distance of lambda to the next eigenvalue */
 } taut_eigen_block;
 
 /* Takes the scratch; the arena's status tells whether it is there. */

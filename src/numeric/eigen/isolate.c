@@ -1,5 +1,6 @@
 /* Bisection: intervals that hold more than one eigenvalue are cut until they hold one, or are too
  * short to cut; the cuts of one round are counted side by side. */
+#include "core/elementary/elementary.h"
 #include "numeric/eigen/internal.h"
 
 #include <math.h>
@@ -21,13 +22,13 @@ double taut_eigen_place(const taut_bracket *interval, int j, int parts)
     const double a = interval->low, b = interval->high, t = (double)j / parts;
     if (a > 0.0) {
         if (b > 64.0 * a) {
-            return a * pow(b / a, t);
+            return a * taut_pow(b / a, t);
         }
         const double root = (1.0 - t) * sqrt(a) + t * sqrt(b);
         return root * root;
     }
     if (b > 64.0 * fabs(a)) {
-        return b * pow(1.0 / 64.0, 1.0 - t);
+        return b * taut_pow(1.0 / 64.0, 1.0 - t);
     }
     return (1.0 - t) * a + t * b;
 }
@@ -36,12 +37,12 @@ double taut_eigen_place(const taut_bracket *interval, int j, int parts)
  * outside. Returns 0 when they would overflow first. */
 static int enclose_all(const taut_counter *counter, taut_bracket *all)
 {
-    const int n = counter->pencil->k.n, steps = counter->pencil->kernel->lanes / 2;
+    const int n = counter->pencil->k.n, steps = TAUT_LANES / 2;
     double high = counter->pencil->norm, low = -0x1p-40 * high;
 
     for (int i = 0; i < 100; i++) {
-        double shift[TAUT_LANES_MAX], log[TAUT_LANES_MAX];
-        int below[TAUT_LANES_MAX], up = 0, down = 0;
+        double shift[TAUT_LANES], log[TAUT_LANES];
+        int below[TAUT_LANES], up = 0, down = 0;
         for (int l = 0; l < steps; l++) {
             shift[l] = ldexp(high, 2 * l);
             shift[steps + l] = ldexp(low, 2 * l);
@@ -109,7 +110,7 @@ static int divide_bracket(const taut_bracket *old, const struct cuts *cuts, int 
 
 taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_arena *arena, taut_bracket *bracket)
 {
-    const int lanes = pencil->kernel->lanes;
+    const int lanes = TAUT_LANES;
     const size_t most = (size_t)pencil->k.n + (size_t)lanes; /* cuts in a round */
     const taut_counter counter = taut_counter_of(pencil, arena);
     taut_bracket *list = taut_arena_take(arena, most, sizeof *list);

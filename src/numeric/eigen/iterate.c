@@ -1,4 +1,4 @@
-/* Rayleigh quotient iteration, kernel->lanes eigenpairs at a time:
+/* Rayleigh quotient iteration, TAUT_LANES eigenpairs at a time:
  *     (K - s M) y = M x,    s' = s + y.(M x) / y.(M y),    x' = y / sqrt(y.(M y))
  * converges cubically ([Parlett1998] 4.6). Each factorisation also counts the eigenvalues below s,
  * so a step that would leave the bracket of its eigenvalue is replaced by bisection of the bracket.
@@ -49,8 +49,8 @@ double taut_eigen_scatter(unsigned long long seed)
 /* Random right-hand sides, a different one for each eigenvalue. */
 static void scatter_start(const taut_eigen_block *block, const struct lane *lane)
 {
-    const size_t n = (size_t)block->pencil->k.n, lanes = (size_t)block->pencil->kernel->lanes;
-    uint64_t own[TAUT_LANES_MAX];
+    const size_t n = (size_t)block->pencil->k.n, lanes = TAUT_LANES;
+    uint64_t own[TAUT_LANES];
     for (size_t l = 0; l < lanes; l++) {
         own[l] = mix_bits((uint64_t)lane[l].index + n);
     }
@@ -94,10 +94,10 @@ static int step_lanes(const taut_eigen_block *block, struct lane *lane)
 {
     const taut_pencil *p = block->pencil;
     const taut_kernel *kernel = p->kernel;
-    const int n = p->k.n, w = p->k.width, lanes = kernel->lanes;
+    const int n = p->k.n, w = p->k.width, lanes = TAUT_LANES;
     const size_t entries = (size_t)n * (size_t)lanes;
-    double shift[TAUT_LANES_MAX], minus[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
-    double dot[3 * TAUT_LANES_MAX], scale[TAUT_LANES_MAX];
+    double shift[TAUT_LANES], minus[TAUT_LANES], negative[TAUT_LANES] = {0};
+    double dot[3 * TAUT_LANES], scale[TAUT_LANES];
 
     for (int l = 0; l < lanes; l++) {
         shift[l] = lane[l].shift;
@@ -128,8 +128,8 @@ static int step_lanes(const taut_eigen_block *block, struct lane *lane)
 static void iterate_block(taut_eigen_block *block, int first, const taut_bracket *bracket,
                           taut_eigenpairs *pairs)
 {
-    const int n = pairs->n, lanes = block->pencil->kernel->lanes;
-    struct lane lane[TAUT_LANES_MAX];
+    const int n = pairs->n, lanes = TAUT_LANES;
+    struct lane lane[TAUT_LANES];
 
     for (int l = 0; l < lanes; l++) {
         const int j = first + l < n ? first + l : n - 1;
@@ -154,7 +154,7 @@ taut_status taut_eigen_iterate(const taut_pencil *pencil, taut_arena *arena,
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    for (int first = 0; first < pairs->n; first += pencil->kernel->lanes) {
+    for (int first = 0; first < pairs->n; first += TAUT_LANES) {
         iterate_block(&block, first, bracket, pairs);
     }
     return TAUT_OK;

@@ -19,7 +19,7 @@ static const double small_error = 0x1p-54;
 taut_eigen_block taut_eigen_block_of(const taut_pencil *pencil, taut_arena *arena)
 {
     const size_t n = (size_t)pencil->k.n, w = (size_t)pencil->k.width;
-    const size_t lane_bytes = (size_t)pencil->kernel->lanes * sizeof(double);
+    const size_t lane_bytes = TAUT_LANES * sizeof(double);
     return (taut_eigen_block){
         .pencil = pencil,
         .factor = taut_arena_take(arena, (n + w) * (w + 1) + n, lane_bytes),
@@ -32,15 +32,15 @@ taut_eigen_block taut_eigen_block_of(const taut_pencil *pencil, taut_arena *aren
 /* What band_pencil tells of x: x . M x, and the move of lambda to its Rayleigh quotient; the square
  * of the residual, all for x of length 1. */
 struct quotient {
-    double length[TAUT_LANES_MAX], move[TAUT_LANES_MAX], square[TAUT_LANES_MAX];
+    double length[TAUT_LANES], move[TAUT_LANES], square[TAUT_LANES];
 };
 
 /* Fills r, for lambda as it is, and m; then moves lambda. */
 static void find_residual(taut_eigen_block *block, struct quotient *quotient)
 {
     const taut_pencil *p = block->pencil;
-    const int lanes = p->kernel->lanes;
-    double dot[3 * TAUT_LANES_MAX];
+    const int lanes = TAUT_LANES;
+    double dot[3 * TAUT_LANES];
 
     p->kernel->band_pencil(p->k.n, p->k.width, p->k.a, p->m.a, block->lambda, block->x, block->r,
                            block->m, dot);
@@ -57,8 +57,8 @@ static void find_residual(taut_eigen_block *block, struct quotient *quotient)
 static void factor_shifted(taut_eigen_block *block, const double *square, double *share)
 {
     const taut_pencil *p = block->pencil;
-    double minus[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
-    for (int l = 0; l < p->kernel->lanes; l++) {
+    double minus[TAUT_LANES], negative[TAUT_LANES] = {0};
+    for (int l = 0; l < TAUT_LANES; l++) {
         const double lambda = block->lambda[l], gap = block->gap[l];
         const double away = fmax(offset * gap, least_offset * fabs(lambda));
         const double distance = fmax(away, fmin(64.0 * square[l] / gap, 0x1p-4 * gap));
@@ -75,8 +75,8 @@ static void correct_vectors(taut_eigen_block *block, double *size)
 {
     const taut_kernel *kernel = block->pencil->kernel;
     const int n = block->pencil->k.n;
-    const size_t entries = (size_t)n * (size_t)kernel->lanes;
-    double along[TAUT_LANES_MAX], zz[TAUT_LANES_MAX], xz[TAUT_LANES_MAX], xx[TAUT_LANES_MAX];
+    const size_t entries = (size_t)n * (size_t)TAUT_LANES;
+    double along[TAUT_LANES], zz[TAUT_LANES], xz[TAUT_LANES], xx[TAUT_LANES];
     double *z = block->r;
 
     kernel->band_substitute(n, block->pencil->k.width, 1, block->factor, z);
@@ -85,7 +85,7 @@ static void correct_vectors(taut_eigen_block *block, double *size)
     for (size_t i = 0; i < entries; i++) {
         block->x[i] -= z[i];
     }
-    for (int l = 0; l < kernel->lanes; l++) {
+    for (int l = 0; l < TAUT_LANES; l++) {
         size[l] = sqrt(fmax(zz[l] / xx[l] - along[l] / xx[l] * (along[l] / xx[l]), 0.0));
     }
 }
@@ -94,8 +94,8 @@ static void correct_vectors(taut_eigen_block *block, double *size)
  * its correction left little, or no longer shrank, being rounding. */
 static int correct_few(taut_eigen_block *block, struct quotient *quotient)
 {
-    const int lanes = block->pencil->kernel->lanes;
-    double before[TAUT_LANES_MAX], size[TAUT_LANES_MAX], share[TAUT_LANES_MAX];
+    const int lanes = TAUT_LANES;
+    double before[TAUT_LANES], size[TAUT_LANES], share[TAUT_LANES];
     int done = 0;
     for (int l = 0; l < lanes; l++) {
         before[l] = INFINITY;
@@ -120,8 +120,8 @@ static void store_pairs(taut_eigen_block *block, const struct quotient *quotient
                         int used, taut_eigenpairs *pairs)
 {
     const taut_pencil *p = block->pencil;
-    const size_t n = (size_t)p->k.n, w = (size_t)p->k.width, lanes = (size_t)p->kernel->lanes;
-    double minus[TAUT_LANES_MAX], dot[3 * TAUT_LANES_MAX], rm[TAUT_LANES_MAX], mm[TAUT_LANES_MAX];
+    const size_t n = (size_t)p->k.n, w = (size_t)p->k.width, lanes = TAUT_LANES;
+    double minus[TAUT_LANES], dot[3 * TAUT_LANES], rm[TAUT_LANES], mm[TAUT_LANES];
     double *absolute = block->factor + w * (w + 1) * lanes;
 
     /* r is for lambda before its last move */
@@ -150,7 +150,7 @@ static void store_pairs(taut_eigen_block *block, const struct quotient *quotient
 
 void taut_eigen_block_polish(taut_eigen_block *block, int first, int used, taut_eigenpairs *pairs)
 {
-    const int lanes = block->pencil->kernel->lanes;
+    const int lanes = TAUT_LANES;
     const size_t entries = (size_t)block->pencil->k.n * (size_t)lanes;
     struct quotient quotient;
 
@@ -169,7 +169,7 @@ void taut_eigen_block_polish(taut_eigen_block *block, int first, int used, taut_
 taut_status taut_eigen_polish(const taut_pencil *pencil, taut_arena *arena, taut_eigenpairs *pairs)
 {
     const size_t n = (size_t)pairs->n;
-    const int lanes = pencil->kernel->lanes;
+    const int lanes = TAUT_LANES;
     taut_eigen_block block = taut_eigen_block_of(pencil, arena);
     /* the values before any was polished */
     const double *old = taut_arena_copy(arena, pairs->values, n, sizeof *old);

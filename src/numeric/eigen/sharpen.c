@@ -2,6 +2,7 @@
  * counts costs a quarter of a step of inverse iteration and gains as many digits while the vector
  * is still unknown. An end that stays twice running is made to weigh less ([AndersonBjorck1973]),
  * so that both ends close in. */
+#include "core/elementary/elementary.h"
 #include "numeric/eigen/internal.h"
 
 #include <math.h>
@@ -18,7 +19,7 @@ static const double good_enough = 0x1p-9;
 /* Where the chord through the ends crosses zero; the logarithms give |f(high)| / |f(low)|. */
 static double crossing_of(const taut_bracket *bracket)
 {
-    const double ratio = exp2(fmin(fmax(bracket->high_log - bracket->low_log, -60.0), 60.0));
+    const double ratio = taut_exp2(fmin(fmax(bracket->high_log - bracket->low_log, -60.0), 60.0));
     double t = 1.0 / (1.0 + ratio);
     t = t > margin ? t < 1.0 - margin ? t : 1.0 - margin : margin; /* margin when not a number */
     return bracket->low + t * (bracket->high - bracket->low);
@@ -27,8 +28,8 @@ static double crossing_of(const taut_bracket *bracket)
 /* log2 of the weight of the end that stays while f at the other moved from 2^before to 2^now. */
 static double staying_weight(double before, double now)
 {
-    const double m = 1.0 - exp2(fmin(now - before, 60.0));
-    return m > 0x1p-10 ? log2(m) : -1.0;
+    const double m = 1.0 - taut_exp2(fmin(now - before, 60.0));
+    return m > 0x1p-10 ? taut_log2(m) : -1.0;
 }
 
 /* The guess becomes an end, and a new one is made; `side` remembers which end moved last: -1 low, 1

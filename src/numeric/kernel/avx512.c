@@ -1,18 +1,14 @@
-/* avx512.c -- eight doubles at a time, fused multiply-add. */
+/* avx512.c -- eight doubles at a time. */
 #if defined(__x86_64__)
 #include <immintrin.h>
 
-#define TARGET __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma")))
+#define TARGET __attribute__((target("avx512f,avx512dq,avx512vl,avx2")))
 #define SUFFIX avx512
 enum { V_SIZE = 8, GROUPS = 3, TILE_ROWS = 8, TILE_GROUPS = 3 };
 typedef double v_double __attribute__((vector_size(64)));
 
-#define v_fma(a, b, c) _mm512_fmadd_pd((a), (b), (c))
-#define v_fnma(a, b, c) _mm512_fnmadd_pd((a), (b), (c))
 #define v_max(a, b) _mm512_max_pd((a), (b))
 #define v_all(x) _mm512_set1_pd(x)
-/* the rounding error of p = a b */
-#define v_product_error(a, b, p) _mm512_fmsub_pd((a), (b), (p))
 
 #include "numeric/kernel/kernel_body.h"
 #else

@@ -1,5 +1,5 @@
-/* band_body.h -- banded L D L^T and products, LANES problems at once, GROUPS vectors of V_SIZE
- * lanes.
+/* band_body.h -- banded L D L^T and products, LANES problems at once, a BLOCK of GROUPS vectors of
+ * V_SIZE lanes after the other.
  *
  * The chain pivot -> 1/pivot -> next pivot is long; GROUPS independent ones run side by side to
  * fill it. The loops are inlined once per small width with the width a constant, so that the
@@ -28,18 +28,18 @@ INLINE void factor_rows(int first, int end, const int width, const double *k, co
         double *row = factor + (ptrdiff_t)(i - first + width) * slots * LANES;
         v_double u[WIDTH_FIXED + 1][GROUPS], pivot[GROUPS];
         for (int g = 0; g < GROUPS; g++) {
-            pivot[g] = v_fma(sigma[g], v_all(mi[0]), v_all(scale * ki[0]));
+            pivot[g] = v_add_product(sigma[g], v_all(mi[0]), v_all(scale * ki[0]));
         }
 #pragma GCC unroll 8
         for (int d = width; d >= 1; d--) {
             const double *upper = row - d * slots * LANES;
             const v_double kd = v_all(scale * ki[d]), md = v_all(mi[d]);
             for (int g = 0; g < GROUPS; g++) {
-                u[d][g] = v_fma(sigma[g], md, kd);
+                u[d][g] = v_add_product(sigma[g], md, kd);
 #pragma GCC unroll 8
                 for (int e = width; e > d; e--) {
-                    u[d][g] =
-                        v_fnma(u[e][g], v_load(upper + (e - d) * LANES + g * V_SIZE), u[d][g]);
+                    u[d][g] = v_less_product(u[e][g], v_load(upper + (e - d) * LANES + g * V_SIZE),
+                                             u[d][g]);
                 }
             }
         }
@@ -49,7 +49,7 @@ INLINE void factor_rows(int first, int end, const int width, const double *k, co
                 const v_double over =
                     d == 1 ? last[g] : v_load(row - d * slots * LANES + g * V_SIZE);
                 v_store(row + d * LANES + g * V_SIZE, u[d][g] * over);
-                pivot[g] = v_fnma(u[d][g] * u[d][g], over, pivot[g]);
+                pivot[g] = v_less_product(u[d][g] * u[d][g], over, pivot[g]);
             }
         }
         for (int g = 0; g < GROUPS; g++) {
@@ -75,19 +75,20 @@ INLINE void factor_any(int first, int end, int width, const double *k, const dou
         double *row = factor + (i - first + width) * slots * LANES;
         v_double pivot[GROUPS];
         for (int g = 0; g < GROUPS; g++) {
-            pivot[g] = v_fma(v_load(shift + g * V_SIZE), v_all(mi[0]), v_all(scale * ki[0]));
+            pivot[g] =
+                v_add_product(v_load(shift + g * V_SIZE), v_all(mi[0]), v_all(scale * ki[0]));
         }
         for (int d = width; d >= 1; d--) {
             const double *upper = row - d * slots * LANES;
             const v_double kd = v_all(scale * ki[d]), md = v_all(mi[d]);
             v_double u[GROUPS];
             for (int g = 0; g < GROUPS; g++) {
-                u[g] = v_fma(v_load(shift + g * V_SIZE), md, kd);
+                u[g] = v_add_product(v_load(shift + g * V_SIZE), md, kd);
             }
             for (int e = width; e > d; e--) {
                 for (int g = 0; g < GROUPS; g++) {
-                    u[g] = v_fnma(v_load(row + e * LANES + g * V_SIZE),
-                                  v_load(upper + (e - d) * LANES + g * V_SIZE), u[g]);
+                    u[g] = v_less_product(v_load(row + e * LANES + g * V_SIZE),
+                                          v_load(upper + (e - d) * LANES + g * V_SIZE), u[g]);
                 }
             }
             for (int g = 0; g < GROUPS; g++) {
@@ -99,7 +100,7 @@ INLINE void factor_any(int first, int end, int width, const double *k, const dou
                 double *at = row + d * LANES + g * V_SIZE;
                 const v_double over = v_load(row - d * slots * LANES + g * V_SIZE), u = v_load(at);
                 v_store(at, u * over);
-                pivot[g] = v_fnma(u * u, over, pivot[g]);
+                pivot[g] = v_less_product(u * u, over, pivot[g]);
             }
         }
         for (int g = 0; g < GROUPS; g++) {
@@ -131,7 +132,7 @@ INLINE void substitute_column(int n, const int width, int count, const double *f
             v_double z = v_load(xi + g * V_SIZE);
 #pragma GCC unroll 8
             for (int d = width; d >= 1; d--) {
-                z = v_fnma(v_load(row + d * LANES + g * V_SIZE), near[d - 1][g], z);
+                z = v_less_product(v_load(row + d * LANES + g * V_SIZE), near[d - 1][g], z);
             }
 #pragma GCC unroll 8
             for (int d = width - 1; d >= 1; d--) {
@@ -156,12 +157,14 @@ INLINE void substitute_column(int n, const int width, int count, const double *f
             v_store(xi + g * V_SIZE, y);
 #pragma GCC unroll 8
             for (int d = 1; d < width; d++) {
-                near[d - 1][g] = v_fnma(v_load(row + d * LANES + g * V_SIZE), y, near[d][g]);
+                near[d - 1][g] =
+                    v_less_product(v_load(row + d * LANES + g * V_SIZE), y, near[d][g]);
             }
             if (i >= width) {
                 const v_double far = v_load(xi - width * step + g * V_SIZE) *
                                      v_load(row - width * slots * LANES + g * V_SIZE);
-                near[width - 1][g] = v_fnma(v_load(row + width * LANES + g * V_SIZE), y, far);
+                near[width - 1][g] =
+                    v_less_product(v_load(row + width * LANES + g * V_SIZE), y, far);
             }
         }
     }
@@ -181,12 +184,12 @@ INLINE void substitute_any(int n, int width, int count, const double *factor, do
     for (int i = 1; i < n; i++) {
         const double *row = factor + (width + i) * slots * LANES;
         const int reach = i < width ? i : width;
-        for (int c = 0; c < count * GROUPS; c++) {
+        for (int c = 0; c < count * (LANES / V_SIZE); c++) {
             double *xi = x + i * step + c * V_SIZE;
-            const double *l = row + c % GROUPS * V_SIZE;
+            const double *l = row + c % (LANES / V_SIZE) * V_SIZE;
             v_double z = v_load(xi);
             for (int d = reach; d >= 1; d--) {
-                z = v_fnma(v_load(l + d * LANES), v_load(xi - d * step), z);
+                z = v_less_product(v_load(l + d * LANES), v_load(xi - d * step), z);
             }
             v_store(xi, z);
         }
@@ -194,12 +197,12 @@ INLINE void substitute_any(int n, int width, int count, const double *factor, do
     for (int i = n - 1; i >= 0; i--) {
         const double *row = factor + (width + i) * slots * LANES;
         const int reach = n - 1 - i < width ? n - 1 - i : width;
-        for (int c = 0; c < count * GROUPS; c++) {
+        for (int c = 0; c < count * (LANES / V_SIZE); c++) {
             double *xi = x + i * step + c * V_SIZE;
-            const double *l = row + c % GROUPS * V_SIZE;
+            const double *l = row + c % (LANES / V_SIZE) * V_SIZE;
             v_double y = v_load(l) * v_load(xi);
             for (int d = reach; d >= 1; d--) {
-                y = v_fnma(v_load(l + (d * slots + d) * LANES), v_load(xi + d * step), y);
+                y = v_less_product(v_load(l + (d * slots + d) * LANES), v_load(xi + d * step), y);
             }
             v_store(xi, y);
         }
@@ -226,8 +229,8 @@ INLINE void pencil_rows(int first, int end, int width, int up, int down, const d
             const v_double kd = v_all(ki[d]), md = v_all(mi[d]);
             for (int g = 0; g < GROUPS; g++) {
                 const v_double above = v_load(xi - d * LANES + g * V_SIZE);
-                by_k[g] = v_fma(kd, above, by_k[g]);
-                by_m[g] = v_fma(md, above, by_m[g]);
+                by_k[g] = v_add_product(kd, above, by_k[g]);
+                by_m[g] = v_add_product(md, above, by_m[g]);
             }
         }
 #pragma GCC unroll 8
@@ -235,18 +238,18 @@ INLINE void pencil_rows(int first, int end, int width, int up, int down, const d
             const v_double kd = v_all(ki[d * slots + d]), md = v_all(mi[d * slots + d]);
             for (int g = 0; g < GROUPS; g++) {
                 const v_double below = v_load(xi + d * LANES + g * V_SIZE);
-                by_k[g] = v_fma(kd, below, by_k[g]);
-                by_m[g] = v_fma(md, below, by_m[g]);
+                by_k[g] = v_add_product(kd, below, by_k[g]);
+                by_m[g] = v_add_product(md, below, by_m[g]);
             }
         }
         for (int g = 0; g < GROUPS; g++) {
             const v_double here = v_load(xi + g * V_SIZE);
-            by_k[g] = v_fnma(v_load(lambda + g * V_SIZE), by_m[g], by_k[g]);
+            by_k[g] = v_less_product(v_load(lambda + g * V_SIZE), by_m[g], by_k[g]);
             v_store(r + (ptrdiff_t)i * LANES + g * V_SIZE, by_k[g]);
             v_store(mx + (ptrdiff_t)i * LANES + g * V_SIZE, by_m[g]);
-            dots[0][g] = v_fma(here, by_m[g], dots[0][g]);
-            dots[1][g] = v_fma(here, by_k[g], dots[1][g]);
-            dots[2][g] = v_fma(by_k[g], by_k[g], dots[2][g]);
+            dots[0][g] = v_add_product(here, by_m[g], dots[0][g]);
+            dots[1][g] = v_add_product(here, by_k[g], dots[1][g]);
+            dots[2][g] = v_add_product(by_k[g], by_k[g], dots[2][g]);
         }
     }
 }
@@ -268,7 +271,7 @@ INLINE void pencil_all(int n, const int width, const double *k, const double *m,
         pencil_rows(i, i + 1, width, width, n - 1 - i, k, m, lambda, x, r, mx, dots);
     }
     for (int g = 0; g < 3 * GROUPS; g++) {
-        v_store(dot + g * V_SIZE, dots[g / GROUPS][g % GROUPS]);
+        v_store(dot + g / GROUPS * LANES + g % GROUPS * V_SIZE, dots[g / GROUPS][g % GROUPS]);
     }
 }
 
@@ -312,19 +315,25 @@ TARGET static void band_factor(int first, int end, int width, const double *k, c
                                double scale, const double *shift, double tiny, double *factor,
                                double *negative)
 {
-    if (width >= 1 && width <= WIDTH_FIXED) {
-        fixed_width[width - 1].factor(first, end, k, m, scale, shift, tiny, factor, negative);
-    } else {
-        factor_any(first, end, width, k, m, scale, shift, tiny, factor, negative);
+    const int is_fixed = width >= 1 && width <= WIDTH_FIXED;
+    for (int b = 0; b < LANES; b += BLOCK) {
+        if (is_fixed) {
+            fixed_width[width - 1].factor(first, end, k, m, scale, shift + b, tiny, factor + b,
+                                          negative + b);
+        } else {
+            factor_any(first, end, width, k, m, scale, shift + b, tiny, factor + b, negative + b);
+        }
     }
 }
 
 TARGET static void band_substitute(int n, int width, int count, const double *factor, double *x)
 {
-    if (width >= 1 && width <= WIDTH_FIXED) {
-        fixed_width[width - 1].substitute(n, count, factor, x);
-    } else {
+    if (width < 1 || width > WIDTH_FIXED) {
         substitute_any(n, width, count, factor, x);
+        return;
+    }
+    for (int b = 0; b < LANES; b += BLOCK) {
+        fixed_width[width - 1].substitute(n, count, factor + b, x + b);
     }
 }
 
@@ -332,21 +341,24 @@ TARGET static void band_pencil(int n, int width, const double *k, const double *
                                const double *lambda, const double *x, double *r, double *mx,
                                double *dot)
 {
-    if (width >= 1 && width <= WIDTH_FIXED) {
-        fixed_width[width - 1].pencil(n, k, m, lambda, x, r, mx, dot);
-    } else {
-        pencil_all(n, width, k, m, lambda, x, r, mx, dot);
+    const int is_fixed = width >= 1 && width <= WIDTH_FIXED;
+    for (int b = 0; b < LANES; b += BLOCK) {
+        if (is_fixed) {
+            fixed_width[width - 1].pencil(n, k, m, lambda + b, x + b, r + b, mx + b, dot + b);
+        } else {
+            pencil_all(n, width, k, m, lambda + b, x + b, r + b, mx + b, dot + b);
+        }
     }
 }
 
 TARGET static void lane_dot(int n, const double *x, const double *y, double *xy, double *xx)
 {
-    for (int g = 0; g < GROUPS; g++) {
+    for (int g = 0; g < LANES / V_SIZE; g++) {
         v_double s = v_all(0.0), t = v_all(0.0);
         for (int i = 0; i < n; i++) {
             const v_double xi = v_load(x + (ptrdiff_t)i * LANES + g * V_SIZE);
-            s = v_fma(xi, v_load(y + (ptrdiff_t)i * LANES + g * V_SIZE), s);
-            t = v_fma(xi, xi, t);
+            s = v_add_product(xi, v_load(y + (ptrdiff_t)i * LANES + g * V_SIZE), s);
+            t = v_add_product(xi, xi, t);
         }
         v_store(xy + g * V_SIZE, s);
         v_store(xx + g * V_SIZE, t);

@@ -10,7 +10,7 @@ extern const taut_kernel taut_kernel_avx512;
 
 static int has_avx2(void)
 {
-    return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+    return __builtin_cpu_supports("avx2") != 0;
 }
 
 static int has_avx512(void)

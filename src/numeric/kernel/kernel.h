@@ -1,8 +1,8 @@
 /* kernel.h -- the innermost loops, once per instruction set, chosen when the program runs.
  *
  * Every set is compiled from the same loops (*_body.h), with the vectors that baseline.c, avx2.c and
- * avx512.c give, and fills one const table. The sets differ in the order of their sums and in fused multiply-adds
- * only: results agree to rounding, not bit for bit. To add a kernel: a member here, its loop in a
+ * avx512.c give, and fills one const table. Results are the same bit for bit: no set fuses a product with a sum,
+ * and what a sum takes in which order does not depend on the width of the vectors. To add a kernel: a member here, its loop in a
  * *_body.h, its line in the table of kernel_body.h, its test in test_kernel.c.
  */
 #ifndef TAUT_NUMERIC_KERNEL_H
@@ -11,19 +11,18 @@
 #include <stddef.h>
 
 enum {
-    TAUT_LANES_MAX = 32, /* bounds of the members below, for arrays on the stack */
-    TAUT_TILE_ROWS_MAX = 8,
+    TAUT_LANES = 24,        /* of every set, or what is solved side by side would tell them apart */
+    TAUT_TILE_ROWS_MAX = 8, /* bounds of the members below, for arrays on the stack */
     TAUT_TILE_COLUMNS_MAX = 32
 };
 
-/* "Lanes" are independent problems solved side by side: lane l of an array double[...][lanes]
+/* TAUT_LANES independent problems are solved side by side: lane l of an array double[...][lanes]
  * belongs to problem l. All arrays are aligned to 64 bytes where a row is double[lanes]. */
 typedef struct taut_kernel {
     const char *name;
-    int lanes;
     int tile_rows, tile_columns;
 
-    /* c[r][q] += sum_k a[k][r] b[k][q],    k < depth, r < tile_rows, q < tile_columns
+    /* c[r][q] += a[k][r] b[k][q], k = 0, 1, ..., depth - 1,    r < tile_rows, q < tile_columns
      *
      *     a  double[depth][tile_rows]
      *     b  double[depth][tile_columns], aligned to 64
@@ -64,7 +63,7 @@ typedef struct taut_kernel {
     void (*lane_product)(int n, size_t stride, const double *x, double *mantissa,
                          long long *exponent);
 
-    /* x . y over `count` entries. Any alignment, here and below. */
+    /* x . y over `count` entries, in 16 sums. Any alignment, here and below. */
     double (*dot)(size_t count, const double *x, const double *y);
 
     /* y = A x, x and y double[n] and apart; A symmetric by diagonals, a[d*n + i] = A(i, i - d), d

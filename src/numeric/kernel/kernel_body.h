@@ -11,7 +11,8 @@
 #include <string.h>
 
 enum {
-    LANES = V_SIZE * GROUPS,
+    LANES = TAUT_LANES,
+    BLOCK = V_SIZE * GROUPS, /* lanes in registers together; a whole number of them are LANES */
     TILE_COLUMNS = V_SIZE * TILE_GROUPS,
     WIDTH_FIXED = 5 /* half-widths that have loops of their own */
 };
@@ -28,6 +29,26 @@ INLINE v_double v_load(const double *from)
 INLINE void v_store(double *to, v_double v)
 {
     memcpy(to, &v, sizeof v);
+}
+
+/* a b + c and c - a b, rounded twice: a fused operation would round once, where the set has one. */
+INLINE v_double v_add_product(v_double a, v_double b, v_double c)
+{
+    return a * b + c;
+}
+
+INLINE v_double v_less_product(v_double a, v_double b, v_double c)
+{
+    return c - a * b;
+}
+
+/* The rounding error of p = a b, by splitting both factors in halves ([Dekker1971]). */
+INLINE v_double v_product_error(v_double a, v_double b, v_double p)
+{
+    const v_double split = v_all(0x1p27 + 1.0);
+    const v_double a_high = split * a - (split * a - a), b_high = split * b - (split * b - b);
+    const v_double a_low = a - a_high, b_low = b - b_high;
+    return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low;
 }
 
 /* Where `mask` is all ones a, where it is all zeros b. */
@@ -64,7 +85,7 @@ TARGET static void tile(size_t depth, const double *a, const double *b, double *
     for (int r = 0; r < TILE_ROWS; r++) {
 #pragma GCC unroll 8
         for (int g = 0; g < TILE_GROUPS; g++) {
-            sum[r][g] = v_all(0.0);
+            sum[r][g] = v_load(c + (size_t)r * c_stride + (size_t)g * V_SIZE);
         }
     }
     for (size_t k = 0; k < depth; k++) {
@@ -78,7 +99,7 @@ TARGET static void tile(size_t depth, const double *a, const double *b, double *
             const v_double ar = v_all(a[r]);
 #pragma GCC unroll 8
             for (int g = 0; g < TILE_GROUPS; g++) {
-                sum[r][g] = v_fma(ar, bk[g], sum[r][g]);
+                sum[r][g] = v_add_product(ar, bk[g], sum[r][g]);
             }
         }
         a += TILE_ROWS;
@@ -89,7 +110,7 @@ TARGET static void tile(size_t depth, const double *a, const double *b, double *
         double *row = c + (size_t)r * c_stride;
 #pragma GCC unroll 8
         for (int g = 0; g < TILE_GROUPS; g++) {
-            v_store(row + g * V_SIZE, v_load(row + g * V_SIZE) + sum[r][g]);
+            v_store(row + g * V_SIZE, sum[r][g]);
         }
     }
 }
@@ -118,36 +139,50 @@ INLINE void v_store_some(double *to, v_double v, size_t count)
     memcpy(to, &v, count * sizeof *to);
 }
 
+/* Term i goes to sum i % DOT_LANES, at every width of vectors; halves are added to halves. */
+enum { DOT_LANES = 16, DOT_GROUPS = DOT_LANES / V_SIZE };
+
 TARGET static double dot(size_t count, const double *x, const double *y)
 {
-    v_double sum[4] = {v_all(0.0), v_all(0.0), v_all(0.0), v_all(0.0)};
+    v_double sum[DOT_GROUPS];
     size_t i = 0;
-    for (; i + 4 * V_SIZE <= count; i += 4 * V_SIZE) {
-        for (int g = 0; g < 4; g++) {
-            sum[g] = v_fma(v_load(x + i + g * V_SIZE), v_load(y + i + g * V_SIZE), sum[g]);
+#pragma GCC unroll 8
+    for (int g = 0; g < DOT_GROUPS; g++) {
+        sum[g] = v_all(0.0);
+    }
+    for (; i + DOT_LANES <= count; i += DOT_LANES) {
+#pragma GCC unroll 8
+        for (int g = 0; g < DOT_GROUPS; g++) {
+            sum[g] = v_add_product(v_load(x + i + g * V_SIZE), v_load(y + i + g * V_SIZE), sum[g]);
         }
     }
-    for (; i < count; i += V_SIZE) {
-        const size_t some = count - i < V_SIZE ? count - i : V_SIZE;
-        sum[0] = v_fma(v_load_some(x + i, some), v_load_some(y + i, some), sum[0]);
+#pragma GCC unroll 8
+    for (int g = 0; g < DOT_GROUPS; g++) {
+        const size_t at = i + (size_t)g * V_SIZE;
+        if (at < count) {
+            const size_t some = count - at < V_SIZE ? count - at : V_SIZE;
+            sum[g] = v_add_product(v_load_some(x + at, some), v_load_some(y + at, some), sum[g]);
+        }
     }
-    double part[V_SIZE], total = 0.0;
-    v_store(part, (sum[0] + sum[1]) + (sum[2] + sum[3]));
-    for (int l = 0; l < V_SIZE; l++) {
-        total += part[l];
+    double part[DOT_LANES];
+    for (int g = 0; g < DOT_GROUPS; g++) {
+        v_store(part + g * V_SIZE, sum[g]);
     }
-    return total;
+    for (int half = DOT_LANES / 2; half > 0; half /= 2) {
+        for (int l = 0; l < half; l++) {
+            part[l] += part[half + l];
+        }
+    }
+    return part[0];
 }
 
 /* Row i of the product; what lies outside the matrix is left out. */
 INLINE double diagonals_row(size_t n, size_t width, const double *a, const double *x, size_t i)
 {
     double sum = a[i] * x[i];
-    for (size_t d = 1; d <= width && d <= i; d++) {
-        sum += a[d * n + i] * x[i - d];
-    }
-    for (size_t d = 1; d <= width && d < n - i; d++) {
-        sum += a[d * n + i + d] * x[i + d];
+    for (size_t d = 1; d <= width; d++) {
+        sum += d <= i ? a[d * n + i] * x[i - d] : 0.0;
+        sum += d < n - i ? a[d * n + i + d] * x[i + d] : 0.0;
     }
     return sum;
 }
@@ -162,8 +197,8 @@ TARGET static void diagonals_multiply(size_t n, size_t width, const double *a, c
     for (; i + V_SIZE + width <= n; i += V_SIZE) {
         v_double sum = v_load(a + i) * v_load(x + i);
         for (size_t d = 1; d <= width; d++) {
-            sum = v_fma(v_load(a + d * n + i), v_load(x + i - d), sum);
-            sum = v_fma(v_load(a + d * n + i + d), v_load(x + i + d), sum);
+            sum = v_add_product(v_load(a + d * n + i), v_load(x + i - d), sum);
+            sum = v_add_product(v_load(a + d * n + i + d), v_load(x + i + d), sum);
         }
         v_store(y + i, sum);
     }
@@ -177,9 +212,10 @@ TARGET static void add_scaled(size_t count, double factor, const double *x, doub
     const v_double f = v_all(factor);
     size_t i = 0;
     for (; i + V_SIZE <= count; i += V_SIZE) {
-        v_store(y + i, v_fma(f, v_load(x + i), v_load(y + i)));
+        v_store(y + i, v_add_product(f, v_load(x + i), v_load(y + i)));
     }
-    const v_double last = v_fma(f, v_load_some(x + i, count - i), v_load_some(y + i, count - i));
+    const v_double last =
+        v_add_product(f, v_load_some(x + i, count - i), v_load_some(y + i, count - i));
     v_store_some(y + i, last, count - i);
 }
 
@@ -187,10 +223,11 @@ TARGET static void add_products(size_t count, const double *c, const double *x, 
 {
     size_t i = 0;
     for (; i + V_SIZE <= count; i += V_SIZE) {
-        v_store(y + i, v_fma(v_load(c + i), v_load(x + i), v_load(y + i)));
+        v_store(y + i, v_add_product(v_load(c + i), v_load(x + i), v_load(y + i)));
     }
-    const v_double last = v_fma(v_load_some(c + i, count - i), v_load_some(x + i, count - i),
-                                v_load_some(y + i, count - i));
+    const v_double last =
+        v_add_product(v_load_some(c + i, count - i), v_load_some(x + i, count - i),
+                      v_load_some(y + i, count - i));
     v_store_some(y + i, last, count - i);
 }
 
@@ -249,7 +286,6 @@ TARGET static void add_products_exactly(size_t count, const double *c, const dou
 extern const taut_kernel JOIN(taut_kernel_, SUFFIX);
 const taut_kernel JOIN(taut_kernel_, SUFFIX) = {
     .name = TEXT(SUFFIX),
-    .lanes = LANES,
     .tile_rows = TILE_ROWS,
     .tile_columns = TILE_COLUMNS,
     .tile = tile,

@@ -295,7 +295,7 @@ void taut_contract_modes(const taut_contraction *work, const taut_unfolding *unf
 
 taut_tails taut_tails_of(const taut_modes *modes, size_t points, size_t rhs, taut_arena *arena)
 {
-    const size_t lanes = (size_t)modes->kernel->lanes;
+    const size_t lanes = TAUT_LANES;
     taut_tails tails = {{0, 0}, {NULL, NULL}, points, rhs};
     for (int p = 0; p < modes->parts; p++) {
         tails.blocks[p] = ((size_t)modes->part[p].count + lanes - 1) / lanes;

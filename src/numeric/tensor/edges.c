@@ -85,8 +85,7 @@ struct side {
  * first rows, those at the end (end 1) as its last of `rows`. */
 static void place_end(const struct side *side, int first, int used, int end, size_t rows)
 {
-    const size_t lanes =
-        (size_t)side->systems.solver->direction[side->systems.d].modes->kernel->lanes;
+    const size_t lanes = TAUT_LANES;
     const size_t count = side->f * side->rhs, at = end == 0 ? 0 : rows * side->rhs - count;
     for (size_t l = 0; l < (size_t)used; l++) {
         const double *from = side->edges + ((size_t)first + l) * 2 * count + (end == 0 ? 0 : count);
@@ -102,7 +101,7 @@ static int is_negligible(const struct side *side, int last, int i, size_t at)
 {
     const taut_direction *diagonal = &side->systems.solver->direction[side->systems.d];
     const taut_direction *banded = &side->systems.solver->direction[1 - side->systems.d];
-    const size_t lanes = (size_t)diagonal->modes->kernel->lanes, count = side->rhs * lanes;
+    const size_t lanes = TAUT_LANES, count = side->rhs * lanes;
     const double *y = side->systems.x + at * count;
     const double size =
         diagonal->weight * diagonal->modes->values[last] * taut_band_row(&banded->m, i)[0] +
@@ -117,8 +116,7 @@ static int is_negligible(const struct side *side, int last, int i, size_t at)
 /* Solves rows from..upto-1 with the right-hand side at `ends` (bit 0: start, bit 1: end). */
 static void solve_range(const struct side *side, int first, int used, int from, int upto, int ends)
 {
-    const size_t lanes =
-        (size_t)side->systems.solver->direction[side->systems.d].modes->kernel->lanes;
+    const size_t lanes = TAUT_LANES;
     const size_t rows = (size_t)(upto - from);
     memset(side->systems.x, 0, rows * side->rhs * lanes * sizeof(double));
     for (int end = 0; end < 2; end++) {
@@ -150,8 +148,7 @@ static int solve_end(const struct side *side, int first, int used, int end, int 
 /* Keeps `keep` rows of systems->x, from row `at` on, as one end of the block. */
 static void keep_rows(const struct side *side, int end, int keep, int at, taut_tail_block *block)
 {
-    const size_t lanes =
-        (size_t)side->systems.solver->direction[side->systems.d].modes->kernel->lanes;
+    const size_t lanes = TAUT_LANES;
     const size_t count = (size_t)keep * side->rhs, start = (size_t)at * side->rhs;
     double *values = taut_arena_take_raw(side->arena, (size_t)block->used * count, sizeof *values);
     if (values == NULL) {

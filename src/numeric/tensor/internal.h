@@ -21,7 +21,7 @@ struct taut_tensor_solver {
     int has_shared; /* both directions have the same modes, owned by the first */
 };
 
-/* kernel->lanes banded systems  weight_d lambda M + weight_e K,  lambda the values of modes of
+/* TAUT_LANES banded systems  weight_d lambda M + weight_e K,  lambda the values of modes of
  * direction d, M and K of direction e = 1 - d, over a range of rows of e. */
 typedef struct taut_systems {
     const taut_tensor_solver *solver;
@@ -73,7 +73,7 @@ void taut_contract_points(const taut_contraction *work, const taut_unfolding *un
 /* x becomes V x. */
 void taut_contract_modes(const taut_contraction *work, const taut_unfolding *unfolding, double *x);
 
-/* Rows of modes that are zero but at their ends: those of up to kernel->lanes modes of one part,
+/* Rows of modes that are zero but at their ends: those of up to TAUT_LANES modes of one part,
  * the same ends for all of them. */
 typedef struct taut_tail_block {
     int first, used;   /* modes */

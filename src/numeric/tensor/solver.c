@@ -218,7 +218,7 @@ static void scatter_modes(const struct layout *at, size_t first, size_t used, si
 static void solve_rows(const taut_systems *systems, const struct layout *at, double *x)
 {
     const taut_modes *modes = systems->solver->direction[systems->d].modes;
-    const size_t lanes = (size_t)modes->kernel->lanes, count = (size_t)modes->n;
+    const size_t lanes = TAUT_LANES, count = (size_t)modes->n;
 
     for (size_t first = 0; first < count; first += lanes) {
         const size_t used = count - first < lanes ? count - first : lanes;

@@ -5,7 +5,7 @@ taut_systems taut_systems_of(const taut_tensor_solver *solver, int d, int nrhs, 
 {
     const taut_direction *banded = &solver->direction[1 - d];
     const size_t n = (size_t)banded->k.n, w = (size_t)banded->k.width;
-    const size_t lane_bytes = (size_t)solver->direction[d].modes->kernel->lanes * sizeof(double);
+    const size_t lane_bytes = TAUT_LANES * sizeof(double);
     return (taut_systems){solver, d, taut_arena_take(arena, (n + w) * (w + 1), lane_bytes),
                           taut_arena_take(arena, n * (size_t)nrhs, lane_bytes)};
 }
@@ -16,9 +16,9 @@ void taut_systems_solve(const taut_systems *systems, int first, int used, int fr
     const taut_direction *diagonal = &systems->solver->direction[systems->d];
     const taut_direction *banded = &systems->solver->direction[1 - systems->d];
     const taut_kernel *kernel = diagonal->modes->kernel;
-    double shift[TAUT_LANES_MAX], negative[TAUT_LANES_MAX] = {0};
+    double shift[TAUT_LANES], negative[TAUT_LANES] = {0};
 
-    for (int l = 0; l < kernel->lanes; l++) {
+    for (int l = 0; l < TAUT_LANES; l++) {
         shift[l] = diagonal->weight * diagonal->modes->values[first + (l < used ? l : used - 1)];
     }
     kernel->band_factor(from, upto, banded->k.width, banded->k.a, banded->m.a, banded->weight,

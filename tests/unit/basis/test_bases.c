@@ -5,6 +5,7 @@
 #include "core/constants.h"
 #include "taut/basis.h"
 
+#include <limits.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -145,6 +146,8 @@ static void test_refusals(void)
                              .knots = far, /* not read */
                              .knot_count = TAUT_COUNT_MAX + 2 * TAUT_DEGREE_MAX + 1},
            0, "/knots");
+    refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = far, .knot_count = 6},
+           INT_MAX, "");
     refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = narrow, .knot_count = 7}, 4,
            "/knots");
     refuse((taut_basis_spec){.type = "bspline", .degree = 2, .knots = far, .knot_count = 6}, 3,

@@ -10,7 +10,12 @@ static taut_certificate *certificate_of(int count, const taut_verdict *verdicts)
     taut_certificate *certificate = NULL;
     CHECK(taut_certificate_new("name", &certificate) == TAUT_OK, "new");
     for (int i = 0; i < count; i++) {
-        const taut_claim claim = {"claim", i, 2.0 * i, verdicts[i], NULL};
+        const taut_claim claim = {.claim = "claim",
+                                  .kind = TAUT_EXACT,
+                                  .residual = i,
+                                  .limit = 2.0 * i,
+                                  .holds = verdicts[i],
+                                  .where = NULL};
         CHECK(taut_certificate_add(certificate, &claim) == TAUT_OK, "i=%d", i);
     }
     return certificate;

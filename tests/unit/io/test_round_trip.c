@@ -56,9 +56,10 @@ static int same_record(const taut_record *a, const taut_record *b)
 
 static taut_certificate *any_certificate(void)
 {
-    const taut_claim claims[] = {{"stationary", any_number(), 1e-12, TAUT_TRUE, "/points/1/2"},
-                                 {"minimal", nan(""), any_number(), TAUT_UNDECIDED, ""},
-                                 {"boundary", 3, 0.1, TAUT_FALSE, "u0"}};
+    const taut_claim claims[] = {
+        {"stationary", TAUT_BOUND, any_number(), 1e-12, TAUT_TRUE, "/points/1/2"},
+        {"minimal", TAUT_EXACT, nan(""), any_number(), TAUT_UNDECIDED, ""},
+        {"boundary", TAUT_CHECK, 3, 0.1, TAUT_FALSE, "u0"}};
     taut_certificate *certificate = NULL;
     CHECK(taut_certificate_new("dirichlet", &certificate) == TAUT_OK, "certificate");
     for (int i = random_int(0, 3); i < 3; i++) {
@@ -73,7 +74,8 @@ static int same_claim(const taut_claim *a, const taut_claim *b)
     const int same_residual = memcmp(&a->residual, &b->residual, sizeof(double)) == 0 ||
                               (isnan(a->residual) && isnan(b->residual));
     return strcmp(a->claim, b->claim) == 0 && strcmp(a->where, b->where) == 0 && same_residual &&
-           memcmp(&a->limit, &b->limit, sizeof(double)) == 0 && a->holds == b->holds;
+           memcmp(&a->limit, &b->limit, sizeof(double)) == 0 && a->holds == b->holds &&
+           a->kind == b->kind;
 }
 
 static int same_certificate(const taut_certificate *a, const taut_certificate *b)

@@ -65,7 +65,7 @@ function fillCertificate() {
             const line = element('tr');
             const head = element('th', claim.claim);
             head.scope = 'row';
-            line.append(head, element('td', show(claim.residual)), element('td', show(claim.limit)),
+            line.append(head, element('td', claim.kind || ''), element('td', show(claim.residual)), element('td', show(claim.limit)),
                 element('td', verdictText(claim.holds), claim.holds === false ? 'no' : 'yes'));
             line.title = claim.where || '';
             body.append(line);
@@ -73,7 +73,7 @@ function fillCertificate() {
         if (claims.length > SHOWN_MOST) {
             const cell = element('td', '… ' + claims.length + ' claims in all; the model’s file has them.');
             const line = element('tr');
-            cell.colSpan = 4;
+            cell.colSpan = 5;
             line.append(cell);
             body.append(line);
         }

@@ -4,7 +4,8 @@ const byId = (id) => document.getElementById(id);
 const headings = {
     H: ['Mean curvature H', '1/', ''],
     K: ['Gaussian curvature K', '1/', '²'],
-    I: ['Isothermality, 0 where isothermal', '', '']
+    I: ['Isothermality, 0 where isothermal', '', ''],
+    G: ['Gap to the least area, 0 where none', '', '']
 };
 
 /* A round step of 1, 2 or 5 that gives two to five ticks to the limit. */
@@ -22,7 +23,7 @@ function fillLegend() {
     }
     const k = fieldNames.indexOf(shown.colour);
     const limit = model.limits[k];
-    const from = shown.colour === 'I' ? 0 : -1;
+    const from = shown.colour === 'I' || shown.colour === 'G' ? 0 : -1;
     const [name, over, power] = headings[shown.colour];
     const colours = model.map.slice(from === 0 ? 16 : 0).map(css).reverse();
     const title = name + (over ? ', ' + over + model.unit + power : '') + (model.cut[k] ? '; ends: beyond' : '');
@@ -99,7 +100,8 @@ function step(by) {
     }
 }
 
-const colours = ['plain', 'H', 'K', 'I'];
+const hasGap = model.surfaces.some((s) => s.G !== undefined);
+const colours = ['plain', 'H', 'K', 'I'].concat(hasGap ? ['G'] : []);
 const keys = {
     ArrowLeft: () => turn(-6, 0),
     ArrowRight: () => turn(6, 0),
@@ -167,5 +169,6 @@ function setControls() {
             event.preventDefault();
         }
     });
+    byId('gap-choice').hidden = !hasGap;
     fillParts();
 }

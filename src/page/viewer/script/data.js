@@ -1,6 +1,6 @@
-/* data.js -- the model out of the page: html_sample.h says how its numbers are packed. */
+/* data.js -- the model out of the page: html_page.h says how its numbers are packed. */
 const model = JSON.parse(document.getElementById('model').textContent);
-const fieldNames = ['H', 'K', 'I'];
+const fieldNames = ['H', 'K', 'I', 'G'];
 
 /* 16-bit numbers out of base64, low byte first whatever the machine. */
 function shorts(text) {
@@ -51,7 +51,9 @@ function unpackSurface(packed) {
     if (packed.grid === undefined) {
         const fields = {};
         for (const name of fieldNames) {
-            fields[name] = unpackValues(packed[name]);
+            if (packed[name] !== undefined) {
+                fields[name] = unpackValues(packed[name]);
+            }
         }
         packed.grid = {
             nu: packed.u.count,
@@ -62,7 +64,7 @@ function unpackSurface(packed) {
             normals: unpackNormals(packed.normals),
             fields: fields
         };
-        packed.points = packed.normals = packed.H = packed.K = packed.I = null;
+        packed.points = packed.normals = packed.H = packed.K = packed.I = packed.G = null;
     }
     return packed.grid;
 }

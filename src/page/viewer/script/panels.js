@@ -37,7 +37,7 @@ function bend(p) {
 /* Panels of one surface, each with one normal and one value: { object, worst }. */
 function panelObject(packed, index, count, colour) {
     const grid = unpackSurface(packed);
-    const field = colour === 'plain' ? null : grid.fields[colour];
+    const field = colour === 'plain' ? null : grid.fields[colour] || missing(packed);
     const positions = [];
     const normals = [];
     const values = [];

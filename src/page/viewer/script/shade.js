@@ -1,4 +1,4 @@
-/* shade.js -- how a surface looks: the colours, the light, isolines and reflections of the figures (src/draw/colour.c,
+/* shade.js -- how a surface looks: the colours, the light, isolines and reflections of the figures (src/mesh/colour.c,
  * sheet_corners.c), in a shader. */
 const plainColours = [0xa6c6e6, 0xeece96, 0xaed8b6, 0xe4aeac, 0xc8bae4, 0x9ed6d8, 0xded69e, 0xd2c2b4];
 const curveColours = [0xb02a30, 0x164e8c, 0x1e7040, 0x96540c, 0x683088, 0x146e76];

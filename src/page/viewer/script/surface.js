@@ -41,8 +41,13 @@ function surfaceMesh(packed, index) {
     return new THREE.Mesh(geometry, surfaceMaterial(index));
 }
 
+/* No value anywhere: of a field that another surface has. */
+function missing(packed) {
+    return new Float32Array(packed.u.count * packed.v.count).fill(9);
+}
+
 function colourMesh(mesh, packed, colour) {
     if (colour !== 'plain') {
-        mesh.geometry.setAttribute('value', new THREE.BufferAttribute(unpackSurface(packed).fields[colour], 1));
+        mesh.geometry.setAttribute('value', new THREE.BufferAttribute(unpackSurface(packed).fields[colour] || missing(packed), 1));
     }
 }

@@ -4,7 +4,9 @@
 #include "asymptotic.h"
 #include "certificates.h"
 #include "check.h"
+#include "edit.h"
 
+#include "certify/asymptotic/apart.h"
 #include "certify/asymptotic/identity.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -46,6 +48,17 @@ static double normal_curvature(const taut_surface *surface, int edge, double t)
     return taut_dot(second, normal) / taut_norm(normal) / taut_dot(first, first);
 }
 
+/* k = |R_t x R_tt| / |R_t|^3. */
+static double edge_curvature(const taut_surface *surface, int edge, double t)
+{
+    const double u = edge % 2 == 0 ? t : edge / 2, v = edge % 2 == 0 ? edge / 2 : t;
+    double x[6][3], binormal[3];
+    const double *first = edge % 2 == 0 ? x[TAUT_XU] : x[TAUT_XV];
+    CHECK(taut_surface_eval(surface, u, v, 2, &x[0][0]) == TAUT_OK, "eval");
+    taut_cross(first, edge % 2 == 0 ? x[TAUT_XUU] : x[TAUT_XVV], binormal);
+    return taut_norm(binormal) / pow(taut_norm(first), 3);
+}
+
 /* On surfaces that are nowhere asymptotic: the polynomials give k_n, and the bound is one, within a
  * quarter of the largest value. */
 static void test_identity(void)
@@ -55,27 +68,70 @@ static void test_identity(void)
         taut_surface *surface = random_surface(m, n);
         taut_arena *arena = taut_arena_new();
         taut_identity identity;
-        const taut_bounding bounding = {6, 10, 0.0, 0.05};
-        double most = 0.0, covered = 0.0, bound = 0.0, *scratch = NULL;
+        const taut_bounding bounding = {6, 10, 0.0, 0.05, INFINITY, INFINITY};
+        double most = 0.0, covered = 0.0, bound = 0.0, sine = 0.0, steepest = 0.0;
+        double *scratch = NULL;
         CHECK(taut_identity_fill(surface, edge, arena, &identity) == TAUT_OK, "fill");
         for (int k = 0; k <= 400; k++) {
             const double t = k / 400.0, exact = normal_curvature(surface, edge, t);
             CHECK_NEAR(fabs(taut_identity_at(&identity, t)), fabs(exact), 1e-10 * (1 + fabs(exact)),
                        "trial %d t=%g", trial, t);
             most = fmax(most, fabs(exact));
+            steepest = fmax(steepest, fabs(exact) / edge_curvature(surface, edge, t));
         }
         scratch =
             taut_arena_take(arena, (size_t)taut_identity_size(&identity) * 17, sizeof(double));
         {
             taut_bounding how = bounding;
             how.target = 1.25 * most;
-            bound = taut_identity_bound(&identity, &how, scratch, &covered);
+            how.sine = 1.25 * steepest;
+            how.bent = 0.0;
+            bound = taut_identity_bound(&identity, &how, scratch, &covered, &sine);
         }
         CHECK(covered == 1.0, "trial %d covers %g", trial, covered);
         CHECK(bound >= most * (1 - 1e-12), "trial %d: bound %g below %g", trial, bound, most);
         CHECK(bound <= 1.3 * most, "trial %d: bound %g far above %g", trial, bound, most);
+        CHECK(sine >= steepest * (1 - 1e-12), "trial %d: sine %g below %g", trial, sine, steepest);
+        CHECK(sine <= 1.3 * steepest, "trial %d: sine %g far above %g", trial, sine, steepest);
         taut_arena_free(arena);
         taut_surface_free(surface);
+    }
+}
+
+/* Two rational curves: the bound of their distance is one, and near it; and of a curve and itself
+ * it is 0. */
+static void test_apart(void)
+{
+    for (int trial = 0; trial < 200; trial++) {
+        const int m = random_int(1, 12), n = random_int(1, 8);
+        const double amount = random_log(1e-14, 1);
+        double points[2][13][3], weights[2][13], most = 0, bound = 0;
+        taut_curve *curves[2];
+        taut_bezier_row rows[2];
+        for (int c = 0; c < 2; c++) {
+            const int degree = c == 0 ? m : n;
+            for (int j = 0; j <= degree; j++) { /* a line, moved */
+                for (int k = 0; k < 3; k++) {
+                    points[c][j][k] = (double)j / degree + amount * random_in(-1, 1);
+                }
+                weights[c][j] = 1 + amount * random_in(-0.3, 0.3);
+            }
+            curves[c] = asymptotic_curve("", degree, &points[c][0][0], weights[c]);
+            rows[c] = (taut_bezier_row){degree, 1, &points[c][0][0], weights[c]};
+        }
+        for (int k = 0; k <= 1000; k++) {
+            double x[2][3];
+            CHECK(taut_curve_eval(curves[0], k / 1000.0, 0, x[0]) == TAUT_OK, "eval");
+            CHECK(taut_curve_eval(curves[1], k / 1000.0, 0, x[1]) == TAUT_OK, "eval");
+            most = fmax(most, taut_distance(x[0], x[1]));
+        }
+        bound = taut_curves_apart(&rows[0], &rows[1], most);
+        CHECK(bound >= most * (1 - 1e-4) - 1e-15 && bound <= 1.3 * most + 1e-15,
+              "trial %d, degrees %d %d: %g, seen %g", trial, m, n, bound, most);
+        bound = taut_curves_apart(&rows[0], &rows[0], 0);
+        CHECK(bound <= 1e-30, "the same: %g", bound);
+        taut_curve_free(curves[0]);
+        taut_curve_free(curves[1]);
     }
 }
 
@@ -215,6 +271,25 @@ static void test_far_claims_fail(void)
     taut_model_free(model);
 }
 
+/* At 2e9 from the origin rounding explains more than the largest limit: that is undecided. */
+static void test_very_far(void)
+{
+    taut_asymptotic_problem problem = asymptotic_example(1, "-+-+");
+    taut_certificate *certificate = NULL;
+    taut_model *model = NULL;
+    const taut_claim *claim = NULL;
+    for (int k = 0; k < 12; k++) {
+        problem.corners.points[k / 3][k % 3] += 2e9;
+    }
+    model = asymptotic_make(&problem, "example 1, very far");
+    certificate = asymptotic_certify(model, &problem, "very far");
+    claim = claim_of(certificate, "asymptotic");
+    CHECK(claim->holds == TAUT_UNDECIDED && claim->limit <= 1e-6 && claim->residual > claim->limit,
+          "%d: %g, limit %g, %s", claim->holds, claim->residual, claim->limit, claim->where);
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+}
+
 /* The curves of example 1 with points and weights given to twelve to fourteen digits only: planes
  * and torsions agree to as many, and no patch between them is better. That is undecided, and what
  * is wrong beyond it is false. */
@@ -266,6 +341,83 @@ static void test_inexact_data(void)
     taut_model_free(source);
 }
 
+/* The model times 2^exponent, patch weights times 2^light, and one of its inner points moved by `by`
+ * of its size of 1. */
+static taut_model *at_size(const taut_model *model, int exponent, int light, double by)
+{
+    const change what = {1, 7, 2, by};
+    taut_model *moved = changed(model, &what), *made = NULL;
+    const taut_surface *const patch = taut_model_surface(moved, 0);
+    const int count =
+        taut_basis_count(taut_surface_u(patch)) * taut_basis_count(taut_surface_v(patch));
+    double *points = taut_alloc((size_t)count, 3 * sizeof *points);
+    double *weights = taut_alloc((size_t)count, sizeof *weights);
+    taut_surface *surface = NULL;
+    CHECK(taut_model_new(&made) == TAUT_OK, "model");
+    for (int k = 0; k < 3 * count; k++) {
+        points[k] = ldexp(taut_surface_points(patch)[k], exponent);
+        weights[k / 3] = ldexp(taut_surface_weights(patch)[k / 3], light);
+    }
+    CHECK(taut_surface_new("patch", taut_surface_u(patch), taut_surface_v(patch), points, weights,
+                           &surface, NULL) == TAUT_OK,
+          "surface");
+    CHECK(taut_model_add_surface(made, surface) == TAUT_OK, "add");
+    for (int k = 0; k < taut_model_curve_count(moved); k++) {
+        const taut_curve *const from = taut_model_curve(moved, k);
+        const int n = taut_basis_count(taut_curve_t(from)) - 1;
+        for (int j = 0; j < 3 * (n + 1); j++) {
+            points[j] = ldexp(taut_curve_points(from)[j], exponent);
+        }
+        CHECK(taut_model_add_curve(made, asymptotic_curve(taut_curve_name(from), n, points,
+                                                          taut_curve_weights(from))) == TAUT_OK,
+              "add");
+    }
+    taut_free(points);
+    taut_free(weights);
+    taut_model_free(moved);
+    return made;
+}
+
+/* From 1e-300 to 1e300 a model is judged as at size 1: what holds there holds, what a point beside
+ * an edge moved by a thousandth makes false is false, and curvatures go with the size. */
+static void test_sizes(void)
+{
+    static const int exponents[] = {-997, -500, -300, -150, 0, 150, 256, 299, 332, 465, 510, 997};
+    const taut_asymptotic_problem problem = asymptotic_example(1, "-+-+");
+    taut_model *model = asymptotic_make(&problem, "example 1");
+    taut_certificate *plain[2];
+    for (int wrong = 0; wrong < 2; wrong++) {
+        taut_model *at_one = at_size(model, 0, 0, wrong * 1e-3);
+        plain[wrong] = asymptotic_certify(at_one, NULL, "at size 1");
+        taut_model_free(at_one);
+    }
+    for (size_t k = 0; k < 2 * sizeof exponents / sizeof *exponents; k++) {
+        const int exponent = exponents[k / 2], wrong = k % 2;
+        taut_model *sized = at_size(model, exponent, k % 3 == 0 ? -7 : 0, wrong * 1e-3);
+        taut_certificate *certificate = asymptotic_certify(sized, NULL, "sized");
+        for (int c = 0; c < taut_certificate_claim_count(certificate) - 1; c++) { /* no weights */
+            const taut_claim *const claim = taut_certificate_claim(certificate, c);
+            const taut_claim *const at_one = claim_of(plain[wrong], claim->claim);
+            const int unit = strcmp(claim->claim, "asymptotic") == 0 ? -exponent : 0;
+            if (strcmp(claim->claim, "positive-weights") == 0) {
+                continue;
+            }
+            CHECK(claim->holds == at_one->holds, "2^%d, wrong %d: %s %d: %s", exponent, wrong,
+                  claim->claim, claim->holds, claim->where);
+            CHECK_NEAR(ldexp(claim->residual, -unit), at_one->residual,
+                       (exponent > 990 ? 1e-3 : 1e-9) * at_one->residual, "2^%d %s", exponent,
+                       claim->claim);
+        }
+        CHECK(claim_of(certificate, "asymptotic")->holds == (wrong ? TAUT_FALSE : TAUT_TRUE),
+              "2^%d, wrong %d", exponent, wrong);
+        taut_certificate_free(certificate);
+        taut_model_free(sized);
+    }
+    taut_certificate_free(plain[0]);
+    taut_certificate_free(plain[1]);
+    taut_model_free(model);
+}
+
 /* The problem's data wrong, each by ten times the limit: `boundary` tells. */
 static void test_boundary_reads_the_problem(void)
 {
@@ -309,6 +461,65 @@ static void test_singular(void)
     }
     taut_certificate_free(certificate);
     taut_model_free(model);
+}
+
+/* Weights c^i: the same surface, but a normal M that is nothing but rounding on most of two edges.
+ * What is proved of the rest is not said of all. */
+static void test_covers_little(void)
+{
+    static edit_model edit;
+    forge_pool pool = {malloc((size_t)1 << 20), (size_t)1 << 20, 0};
+    taut_asymptotic_problem problem = asymptotic_example(1, NULL);
+    taut_model *model = asymptotic_make(&problem, "example 1");
+    for (int k = 0; k < 2 && model != NULL; k++) {
+        taut_certificate *certificate = NULL;
+        edit_surface *s = &edit.surface[0];
+        const double c = k == 0 ? 1.5 : 1000;
+        pool.used = 0;
+        edit_open(model, "asymptotic", &pool, &edit);
+        for (int i = 0; i < s->nu * s->nv; i++) {
+            s->weights[i] *= pow(c, i / s->nv);
+        }
+        for (int i = 0; i < edit.curves; i++) { /* those along u */
+            edit_curve *curve = &edit.curve[i];
+            for (int j = 0; j < curve->n && curve->name[0] == 'v'; j++) {
+                curve->weights[j] *= pow(c, j);
+            }
+        }
+        taut_model *other = edit_close(&edit);
+        certificate = asymptotic_certify(other, NULL, "weights c^i");
+        const taut_verdict expected = k == 0 ? TAUT_TRUE : TAUT_UNDECIDED;
+        CHECK(claim_of(certificate, "asymptotic")->holds == expected, "weights %d", k);
+        CHECK(claim_of(certificate, "osculating")->holds == expected, "weights %d", k);
+        taut_certificate_free(certificate);
+        taut_model_free(other);
+    }
+    taut_model_free(model);
+    free(pool.bytes);
+}
+
+/* A patch twice as large as its curves: N is still at right angles to their b, which is not that of
+ * its edges. */
+static void test_edges_elsewhere(void)
+{
+    static edit_model edit;
+    forge_pool pool = {malloc((size_t)1 << 20), (size_t)1 << 20, 0};
+    taut_asymptotic_problem problem = asymptotic_example(1, NULL);
+    taut_model *model = asymptotic_make(&problem, "example 1"), *other = NULL;
+    taut_certificate *certificate = NULL;
+    edit_open(model, "asymptotic", &pool, &edit);
+    for (int i = 0; i < 3 * edit.surface[0].nu * edit.surface[0].nv; i++) {
+        edit.surface[0].points[i] *= 2;
+    }
+    other = edit_close(&edit);
+    certificate = asymptotic_certify(other, NULL, "twice as large");
+    CHECK(claim_of(certificate, "boundary")->holds == TAUT_FALSE, "boundary");
+    CHECK(claim_of(certificate, "asymptotic")->holds == TAUT_TRUE, "of the patch alone");
+    CHECK(claim_of(certificate, "osculating")->holds == TAUT_UNDECIDED, "of patch and curves");
+    taut_certificate_free(certificate);
+    taut_model_free(other);
+    taut_model_free(model);
+    free(pool.bytes);
 }
 
 /* Limits on the worked examples: none above 1e-6, none more than 100 times what is seen. */
@@ -357,12 +568,17 @@ int main(void)
 {
     random_seed(7);
     test_identity();
+    test_apart();
     test_claims_fail();
     test_straight_explains_nothing();
     test_far_claims_fail();
+    test_very_far();
     test_inexact_data();
     test_boundary_reads_the_problem();
+    test_sizes();
     test_singular();
+    test_covers_little();
+    test_edges_elsewhere();
     test_limits();
     test_refuses();
     return check_failures != 0;

@@ -268,8 +268,8 @@ static double stretched_energy(const taut_model *model, double aspect)
     double energy = 0, a = 0, b = 0;
     CHECK(taut_surface_dirichlet_energy(taut_model_surface(model, 0), &energy) == TAUT_OK,
           "energy");
-    CHECK(taut_dirichlet_gradient_new(taut_model_surface(model, 0), aspect, 24, &gradient) ==
-              TAUT_OK,
+    CHECK(taut_dirichlet_gradient_new(taut_model_surface(model, 0), aspect,
+                                      &(taut_gradient_rule){.nodes = 24}, &gradient) == TAUT_OK,
           "gradient");
     a = gradient.halves[0];
     b = gradient.halves[1];
@@ -293,8 +293,8 @@ static void test_gradient(void)
             problem_random_weights(&problem, 2);
         }
         model = problem_make(&problem, NULL);
-        CHECK(taut_dirichlet_gradient_new(taut_model_surface(model, 0), aspect, 24, &gradient) ==
-                  TAUT_OK,
+        CHECK(taut_dirichlet_gradient_new(taut_model_surface(model, 0), aspect,
+                                          &(taut_gradient_rule){.nodes = 24}, &gradient) == TAUT_OK,
               "gradient");
         for (size_t i = 0; i < 60; i++) {
             taut_model *up = perturbed(model, i / 3, i % 3, step);
@@ -337,8 +337,8 @@ static void test_layers(void)
               claim_of(certificate, "stationary")->limit);
         CHECK(taut_surface_dirichlet_energy(taut_model_surface(model, 0), &energy) == TAUT_OK,
               "beta=%g", beta);
-        CHECK(taut_dirichlet_gradient_new(taut_model_surface(model, 0), 1, 40, &gradient) ==
-                  TAUT_OK,
+        CHECK(taut_dirichlet_gradient_new(taut_model_surface(model, 0), 1,
+                                          &(taut_gradient_rule){.nodes = 40}, &gradient) == TAUT_OK,
               "beta=%g", beta);
         CHECK_NEAR(ldexp(gradient.halves[0] + gradient.halves[1], 2 * gradient.unit) / 2, energy,
                    1e-10 * energy, "beta=%g", beta);

@@ -3,6 +3,7 @@
 #include "certificates.h"
 #include "check.h"
 
+#include "certify/pipe/parts.h"
 #include "core/vec3.h"
 #include "taut/taut.h"
 
@@ -144,6 +145,145 @@ static void test_embedded(void)
     taut_model_free(model);
 }
 
+/* Total torsion from the closed forms of docs/papers/pipe.md section 2.3 in rational arithmetic, at
+ * Gauss's points: where beta = 3 (-3) there is no curvature at the start (end), and the general one
+ * beside them. Nearly none is nobody's: the figure is null. */
+static void test_torsion(void)
+{
+    static const struct {
+        taut_pipe_end ends[2];
+        double shape[3], torsion;
+    } cases[] = {
+        {{{{1, -2, 0.5}, {1, 2, 2}, 3}, {{6, 3, 4}, {2, -3, 6}, 3.5}},
+         {0.5, 3, -0.2},
+         -2.447570080025},
+        {{{{-3, 1, 2 / 3.0}, {2, -1, 2}, 2.5}, {{4, 3.5, -5}, {6, 2, 3}, 2.25}},
+         {-0.25, -3, 0.6},
+         2.617270228535},
+        {{{{1 / 3.0, 5, -2}, {4, 4, 7}, 2}, {{3, -1 / 7.0, 6}, {-2, 6, 9}, 3}},
+         {0.4, 3, 1 / 3.0},
+         -2.560755023637},
+        {{{{1 / 3.0, 5, -2}, {4, 4, 7}, 2}, {{3, -1 / 7.0, 6}, {-2, 6, 9}, 3}},
+         {0.4, 0.5, 1 / 3.0},
+         -2.574447178305},
+        {{{{1 / 3.0, 5, -2}, {4, 4, 7}, 2}, {{3, -1 / 7.0, 6}, {-2, 6, 9}, 3}},
+         {0.4, 3 - 4.5e-16, 1 / 3.0},
+         NAN},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const double *shape = cases[i].shape;
+        taut_pipe_problem problem = {
+            .axis = {.kind = TAUT_PIPE_ENDS},
+            .section = {.radius = 0.01},
+            .shape = {.alpha = shape[0], .beta = shape[1], .gamma = shape[2]}};
+        memcpy(problem.axis.ends, cases[i].ends, sizeof cases[i].ends);
+        taut_model *model = NULL;
+        taut_certificate *certificate = NULL;
+        const taut_make_options coarse = {.tolerance = 1e-2};
+        CHECK(taut_pipe_make(&problem, &coarse, &model, NULL) == TAUT_OK, "case %zu", i);
+        CHECK(taut_pipe_certify(model, &problem, NULL, &certificate, NULL) == TAUT_OK, "proved");
+        const double torsion = figure_of(certificate, "total_torsion");
+        CHECK(isnan(cases[i].torsion) ? isnan(torsion) : fabs(torsion - cases[i].torsion) < 1e-11,
+              "case %zu: %.15g", i, torsion);
+        CHECK(isnan(torsion) == (taut_record_get(taut_certificate_figures(certificate),
+                                                 "total_torsion_open") != NULL),
+              "case %zu: the reason", i);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+}
+
+/* The proofs turn where the figures say: the curvature of a blend, the distance of loops from
+ * themselves, between the straight pipes and inside the blend. */
+static void test_proofs(void)
+{
+    static const double axes[3][4][3] = {{{0, 0, 0}, {3, 0, 0}, {3, 2, 1}, {1, 4, 2}},
+                                         {{0, 0, 0}, {5, 0, 0}, {0, 5, 0.3}, {0, 0, 0.3}},
+                                         {{0, 0, 0}, {10, 10, 0}, {-6, 10, 0.1}, {4, 0, 0.3}}};
+    for (int i = 0; i < 3; i++) {
+        const taut_basis_spec spec = {.type = "ce-bezier", .alpha = 0.5, .gamma = 0.5};
+        taut_arena *arena = taut_arena_new();
+        taut_basis *basis = NULL;
+        taut_curve *curve = NULL;
+        taut_pipe_parts parts = {.axis_count = 1};
+        taut_pipe_apart apart = {.proved = 0};
+        CHECK(taut_basis_new(&spec, 4, &basis, NULL) == TAUT_OK &&
+                  taut_curve_new("axis", basis, &axes[i][0][0], NULL, &curve, NULL) == TAUT_OK &&
+                  taut_pipe_line_of(curve, arena, &parts.line, NULL) == TAUT_OK,
+              "the axis");
+        const taut_curve *axis = curve;
+        parts.axes = &axis;
+        taut_pipe_bound_curvature(&parts.line, &parts.figures);
+        CHECK(taut_pipe_bound_reach(&parts.line, &parts.figures) == TAUT_OK, "the reach");
+        for (int above = 0; above < 2; above++) {
+            const double part = above ? 1 + 1e-6 : 1 - 1e-6;
+            int proved = 0;
+            CHECK(taut_pipe_prove_bend(&parts, part * parts.figures.curvature, &proved) ==
+                          TAUT_OK &&
+                      proved == above,
+                  "curve %d, bend: %d", i, proved);
+            CHECK(i == 0 || (taut_pipe_prove_apart(&parts.line, part * parts.figures.rho, &apart) ==
+                                 TAUT_OK &&
+                             apart.proved == !above),
+                  "curve %d, distance: %d", i, apart.proved);
+        }
+        CHECK(i == 0 || parts.figures.by_distance, "the loop is bound by distance");
+        taut_curve_free(curve);
+        taut_basis_free(basis);
+        taut_arena_free(arena);
+    }
+}
+
+/* The model, `factor` times as large; its radius is told by nothing but itself. */
+static taut_model *scaled(const taut_model *model, double factor)
+{
+    const double matrix[12] = {factor, 0, 0, 0, 0, factor, 0, 0, 0, 0, factor, 0};
+    taut_model *out = NULL;
+    CHECK(taut_model_new(&out) == TAUT_OK, "a model");
+    for (int i = 0; i < 3; i++) {
+        taut_surface *s = NULL;
+        CHECK(taut_surface_transform(taut_model_surface(model, i), matrix, &s, NULL) == TAUT_OK &&
+                  taut_model_add_surface(out, s) == TAUT_OK,
+              "a surface");
+    }
+    taut_curve *axis = NULL;
+    CHECK(taut_curve_transform(taut_model_curve(model, 0), matrix, &axis, NULL) == TAUT_OK &&
+              taut_model_add_curve(out, axis) == TAUT_OK,
+          "the axis");
+    return out;
+}
+
+/* At any size that has an inverse the same; beyond, a document that is wrong. */
+static void test_sizes(void)
+{
+    static const double sizes[] = {0x1p-990, 0x1p-500, 0x1p-1, 0x1p500, 0x1p990, 0x1p-1040};
+    taut_pipe_problem problem = skew();
+    taut_model *model = NULL;
+    problem.shape.kind = TAUT_PIPE_SHAPE_GIVEN;
+    CHECK(taut_pipe_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        taut_model *other = scaled(model, sizes[i]);
+        taut_certificate *certificate = NULL;
+        taut_error error = {.where = ""};
+        const taut_status status = taut_pipe_certify(other, NULL, NULL, &certificate, &error);
+        if (sizes[i] < 0x1p-1000) {
+            CHECK(status == TAUT_BAD_INPUT && strcmp(error.where, "/surfaces") == 0 &&
+                      strcmp(error.reason, "value") == 0,
+                  "%s %s", error.where, error.message);
+        } else {
+            CHECK(status == TAUT_OK, "size %g: %s", sizes[i], error.message);
+            for (int k = 0; k < taut_certificate_claim_count(certificate); k++) {
+                const taut_claim *claim = taut_certificate_claim(certificate, k);
+                CHECK(claim->holds == TAUT_TRUE, "size %g: %s, %d, %g, limit %g, %s", sizes[i],
+                      claim->claim, (int)claim->holds, claim->residual, claim->limit, claim->where);
+            }
+        }
+        taut_certificate_free(certificate);
+        taut_model_free(other);
+    }
+    taut_model_free(model);
+}
+
 static void test_refusals(void)
 {
     taut_model *model = NULL;
@@ -159,6 +299,9 @@ int main(void)
 {
     test_claims();
     test_embedded();
+    test_torsion();
+    test_proofs();
+    test_sizes();
     test_refusals();
     return check_failures != 0;
 }

@@ -86,7 +86,7 @@ static void test_few_spans(void)
     lay(&net, flat);
     net.points[3 * (11 * 23 + 6) + 2] += 0.05;
     surface = surface_of(&net);
-    CHECK(taut_plateau_insert_knots(surface, &finer, &error) == TAUT_OK, "%s", error.message);
+    CHECK(taut_plateau_insert_knots(surface, NULL, &finer, &error) == TAUT_OK, "%s", error.message);
     for (int d = 0; finer != NULL && d < 2; d++) {
         const taut_basis *old = d == 0 ? net.u : net.v;
         const taut_basis *made = d == 0 ? taut_surface_u(finer) : taut_surface_v(finer);

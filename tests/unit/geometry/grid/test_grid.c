@@ -119,6 +119,31 @@ static void test_kernels(void)
     unsetenv("TAUT_KERNEL");
 }
 
+/* Every kernel gives the same numbers, bit for bit. */
+static void test_same_kernels(void)
+{
+    static const char *const kernels[] = {"baseline", "avx2", "avx512"};
+    static double u[NU], v[NV], first[ROOM], other[ROOM];
+    for (int trial = 0; trial < 12; trial++) {
+        taut_surface *surface = random_surface(trial % 2);
+        const int order = trial % 3;
+        const size_t size =
+            (size_t)NU * NV * (size_t)TAUT_SURFACE_VECTORS(order) * 3 * sizeof(double);
+        parameters(taut_surface_u(surface), NU, u);
+        parameters(taut_surface_v(surface), NV, v);
+        for (int k = 0; k < 3; k++) {
+            double *values = k == 0 ? first : other;
+            setenv("TAUT_KERNEL", kernels[k], 1);
+            CHECK(taut_surface_eval_grid(surface, NU, u, NV, v, order, 1, values) == TAUT_OK,
+                  "grid");
+            CHECK(memcmp(first, values, size) == 0, "%s: trial %d, order %d", kernels[k], trial,
+                  order);
+        }
+        taut_surface_free(surface);
+    }
+    unsetenv("TAUT_KERNEL");
+}
+
 /* Any number of threads gives the same numbers, bit for bit. */
 static void test_threads(void)
 {
@@ -167,6 +192,7 @@ int main(void)
 {
     random_seed(20260103);
     test_kernels();
+    test_same_kernels();
     test_threads();
     test_streaming();
     return check_failures != 0;

@@ -3,6 +3,8 @@
 #include "folder.h"
 #include "models.h"
 
+#include "taut/certify.h"
+#include "taut/construct.h"
 #include "taut/read.h"
 #include "taut/write.h"
 
@@ -54,6 +56,84 @@ static void test_together(void)
     folder_empty();
 }
 
+/* A pipe of a cubic axis, with details, curves and certificate. */
+static taut_model *new_pipe(void)
+{
+    static const char text[] = "{\"taut\": 1, \"construct\": \"pipe\", \"radius\": 1,"
+                               " \"polygon\": [[5, 0, 0], [5, 2, 0], [0, 6, 0], [0, 6, 3]],"
+                               " \"shape\": {\"alpha\": 0, \"beta\": 0, \"gamma\": 0}}";
+    taut_error error = {.message = ""};
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+    taut_certificate *certificate = NULL;
+    CHECK(taut_problem_read_text(text, strlen(text), "pipe", &problem, &error) == TAUT_OK, "%s",
+          error.message);
+    CHECK(taut_make(problem, NULL, &model, &error) == TAUT_OK, "%s", error.message);
+    CHECK(taut_certify(model, problem, NULL, &certificate, &error) == TAUT_OK, "%s", error.message);
+    taut_model_set_certificate(model, certificate);
+    taut_problem_free(problem);
+    return model;
+}
+
+/* What is written to memory is what is written to a file. */
+static void test_text(void)
+{
+    taut_model *model = new_pipe();
+    taut_error error = {.message = ""};
+    const char *const formats[] = {"json", "svg", "obj", "stl", "vtu"};
+    for (int i = 0; i < 5; i++) {
+        char name[16], *text = NULL, *bytes = NULL;
+        size_t length = 0, size = 0;
+        snprintf(name, sizeof name, "a.%s", formats[i]);
+        CHECK(taut_model_write(model, in_folder(name), NULL, &error) == TAUT_OK, "%s",
+              error.message);
+        CHECK(taut_model_write_text(model, formats[i], NULL, &text, &length, &error) == TAUT_OK,
+              "%s", error.message);
+        bytes = file_bytes(in_folder(name), &size);
+        CHECK(bytes != NULL && text != NULL && size == length && text[length] == '\0' &&
+                  memcmp(bytes, text, size) == 0,
+              "%s: %zu bytes, %zu in memory", formats[i], size, length);
+        free(bytes);
+        taut_text_free(text);
+    }
+    char *text = NULL;
+    size_t length = 0;
+    CHECK(taut_model_write_text(model, "nonsense", NULL, &text, &length, &error) ==
+              TAUT_BAD_ARGUMENT,
+          "no such format");
+    CHECK(taut_model_write_text(model, "igs", NULL, &text, &length, &error) == TAUT_BAD_ARGUMENT &&
+              strcmp(error.reason, "not-a-file") == 0,
+          "%s", error.message);
+    CHECK(taut_model_write_text(NULL, "json", NULL, &text, &length, &error) == TAUT_BAD_ARGUMENT,
+          "no model");
+    CHECK(taut_model_write_text(model, "obj", &(taut_write_options){.surface = "none"}, &text,
+                                &length, &error) == TAUT_BAD_ARGUMENT &&
+              text == NULL,
+          "no such surface");
+    taut_model_free(model);
+    folder_empty();
+}
+
+/* A copy says the same, and lives on without what it was copied from. */
+static void test_copy(void)
+{
+    taut_model *model = new_pipe(), *copy = NULL;
+    char *before = NULL, *after = NULL;
+    size_t length = 0;
+    CHECK(taut_model_copy(NULL, &copy) == TAUT_BAD_ARGUMENT &&
+              taut_model_copy(model, NULL) == TAUT_BAD_ARGUMENT,
+          "arguments");
+    CHECK(taut_model_set_unit(model, "ft") == TAUT_OK, "unit");
+    CHECK(taut_model_write_text(model, "json", NULL, &before, &length, NULL) == TAUT_OK, "before");
+    CHECK(taut_model_copy(model, &copy) == TAUT_OK, "copy");
+    taut_model_free(model);
+    CHECK(taut_model_write_text(copy, "json", NULL, &after, &length, NULL) == TAUT_OK, "after");
+    CHECK(strcmp(before, after) == 0, "a copy differs");
+    taut_text_free(before);
+    taut_text_free(after);
+    taut_model_free(copy);
+}
+
 static void test_never_committed(void)
 {
     taut_outputs *outputs = new_outputs();
@@ -96,11 +176,11 @@ static void test_passing_name(void)
     folder_empty();
 }
 
-/* The model as STEP where files without a name cannot be had, nor a pipe to a process: refused, and
+/* The model as IGES where files without a name cannot be had, nor a pipe to a process: refused, and
  * nothing is left of the passing name. */
-static taut_status write_step(const taut_model *model, taut_error *error)
+static taut_status write_iges(const taut_model *model, taut_error *error)
 {
-    return taut_model_write(model, in_folder("a.step"), NULL, error);
+    return taut_model_write(model, in_folder("a.igs"), NULL, error);
 }
 
 static taut_status write_text(const taut_model *model, taut_error *error)
@@ -137,8 +217,8 @@ static void check_descriptors(const char *what, int few,
 static void test_no_descriptor(void)
 {
     check_descriptors("text", 0, write_text);
-    check_descriptors("step, one descriptor", 1, write_step);
-    check_descriptors("step, two descriptors", 2, write_step);
+    check_descriptors("iges, one descriptor", 1, write_iges);
+    check_descriptors("iges, two descriptors", 2, write_iges);
 }
 
 /* A target that turned into a folder cannot be replaced: the file has its passing name by then, and
@@ -374,6 +454,8 @@ int main(void)
 {
     folder = folder_make();
     test_together();
+    test_text();
+    test_copy();
     test_never_committed();
     test_passing_name();
     test_no_descriptor();

@@ -157,7 +157,7 @@ static void test_many_cells(void)
 static void test_kinds(const taut_model *model)
 {
     const taut_model *many[MANY];
-    const taut_write_options step = {.format = "step"};
+    const taut_write_options iges = {.format = "iges"};
     taut_outputs *outputs = NULL;
     taut_error e = {.status = TAUT_OK};
     CHECK(taut_outputs_new(&outputs) == TAUT_OK, "outputs");
@@ -171,7 +171,7 @@ static void test_kinds(const taut_model *model)
     check_told("obj", taut_outputs_models(outputs, 2, many, "m.obj", NULL, &e), TAUT_BAD_ARGUMENT,
                &e);
     CHECK(strcmp(e.reason, "several") == 0 && e.limit == 1, "%s", e.message);
-    check_told("step", taut_outputs_model(outputs, model, "-", &step, &e), TAUT_IO, &e);
+    check_told("iges", taut_outputs_model(outputs, model, "-", &iges, &e), TAUT_IO, &e);
     CHECK(strcmp(e.reason, "not-a-file") == 0, "\"%s\"", e.message);
     CHECK(taut_outputs_commit(outputs, &e) == TAUT_OK, "nothing is to be put in place");
     taut_outputs_free(outputs);

@@ -201,7 +201,8 @@ static void test_degenerate(void)
     m = measured(s);
     CHECK_NEAR(m.area, 0, 1e-13, "segment");
     CHECK(isnan(m.mean_abs_mean) && m.singular_points == 101 * 101, "segment");
-    CHECK(m.area_error == 0 && m.dirichlet_energy > 0, "segment");
+    /* what rounding may leave of an area of 0 is more than 1e-10 of it */
+    CHECK(m.area_error < 1e-11 && m.dirichlet_energy > 0, "segment: %g", m.area_error);
     taut_surface_free(s);
 }
 

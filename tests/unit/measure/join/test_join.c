@@ -64,6 +64,11 @@ static void test_orders(void)
             CHECK_NEAR(j[i].max_normal_angle, slope, 1e-10, "k=%d i=%d", k, i);
             CHECK_NEAR(j[i].max_tangent_angle, slope, 1e-10, "k=%d i=%d", k, i);
             CHECK(!j[i].reversed, "k=%d i=%d", k, i);
+            /* one map of the parameters: proved; point by point: compared */
+            CHECK(j[i].kind == (i < 3 ? TAUT_JOIN_BOUND : TAUT_JOIN_CHECK), "k=%d i=%d", k, i);
+            CHECK(i == 3 ? isnan(j[i].gap_bound)
+                         : j[i].gap_bound >= j[i].max_gap && j[i].gap_bound < 1e-11,
+                  "k=%d i=%d: %g", k, i, j[i].gap_bound);
             CHECK(j[i].one_surface == 0, "k=%d i=%d: %d", k, i, j[i].one_surface);
         }
         taut_surface_free(same);
@@ -172,6 +177,8 @@ static void test_quadrics(void)
     CHECK(j.c_order == 1 && j.g_order == 3, "seam of a sphere: c %d g %d", j.c_order, j.g_order);
     j = joined(torus, TAUT_EDGE_V1, torus, TAUT_EDGE_V0);
     CHECK(j.c_order == 1 && j.g_order == 3, "seam of a torus: c %d g %d", j.c_order, j.g_order);
+    CHECK(j.kind == TAUT_JOIN_BOUND && j.gap_bound < 1e-10, "a torus, weights cleared: %g",
+          j.gap_bound);
     j = joined(a, TAUT_EDGE_V0, b, TAUT_EDGE_V0);
     CHECK(j.c_order == 0 && j.g_order == 1, "bowl and tube: c %d g %d", j.c_order, j.g_order);
     CHECK_NEAR(j.max_normal_angle, 0, 1e-14, "bowl and tube");
@@ -270,10 +277,25 @@ static void test_names_and_record(void)
     CHECK(taut_record_number(taut_record_get(record, "max_gap")) == j.max_gap, "max_gap");
     CHECK(taut_record_get(record, "max_tangent_angle") != NULL, "max_tangent_angle");
     CHECK(taut_record_get(record, "max_normal_angle") != NULL, "max_normal_angle");
+    CHECK(strcmp(taut_record_text(taut_record_get(record, "kind")), "bound") == 0, "kind");
+    CHECK(taut_record_number(taut_record_get(record, "gap_bound")) == j.gap_bound, "gap_bound");
     CHECK(taut_record_bool(taut_record_get(record, "one_surface")), "one_surface");
     taut_record_free(record);
     taut_surface_free(a);
     taut_surface_free(b);
+}
+
+/* Edges that lie beside each other all along: the bound is that distance, but for rounding. */
+static void test_beside(void)
+{
+    const double apart = 0x1p-34;
+    taut_surface *plane = strip(0, 1, 0, 0, 0, 1), *beside = strip(1 + apart, 1, 0, 0, 0, 1);
+    const taut_join j = joined(plane, TAUT_EDGE_U1, beside, TAUT_EDGE_U0);
+    CHECK(j.kind == TAUT_JOIN_BOUND, "kind %d", (int)j.kind);
+    CHECK_NEAR(j.gap_bound, apart, 1e-11, "of a gap all along");
+    CHECK(j.gap_bound >= apart, "%g below the gap", j.gap_bound);
+    taut_surface_free(plane);
+    taut_surface_free(beside);
 }
 
 int main(void)
@@ -286,6 +308,7 @@ int main(void)
     test_quadrics();
     test_dihedral();
     test_gaps_and_sizes();
+    test_beside();
     test_splines();
     test_names_and_record();
     return check_failures != 0;

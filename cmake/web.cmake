@@ -1,0 +1,26 @@
+# taut.wasm: the library as a WebAssembly module without a start (a reactor), and the calls of src/web/web.c.
+find_program(WASM_OPT wasm-opt REQUIRED)
+file(GLOB_RECURSE web_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
+list(FILTER web_sources EXCLUDE REGEX "/src/(cli|modules|page)/|/io/cad/(cad|child|scan)|avx2|avx512|/platform/posix")
+add_executable(taut_web ${web_sources})
+target_link_libraries(taut_web PRIVATE taut_flags)
+target_compile_options(taut_web PRIVATE -D_WASI_EMULATED_SIGNAL)
+file(STRINGS ${CMAKE_SOURCE_DIR}/src/web/web.c exported REGEX "^[a-z].*[ *]taut_web_[a-z]+\\(.*\\);$")
+list(TRANSFORM exported REPLACE ".*[ *](taut_web_[a-z]+)\\(.*" "-Wl,--export=\\1")
+target_link_options(taut_web PRIVATE -mexec-model=reactor ${exported} -Wl,--gc-sections -Wl,--strip-all
+  -Wl,-z,stack-size=1048576
+  -O0) # no wasm-opt by the driver, which does not name the features: see below
+target_link_libraries(taut_web PRIVATE wasi-emulated-signal m)
+set_target_properties(taut_web PROPERTIES OUTPUT_NAME taut SUFFIX .wasm)
+add_custom_command(TARGET taut_web POST_BUILD
+  COMMAND ${WASM_OPT} -O3 --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext
+          $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
+# Documents and pictures are small work: small code for them.
+set(small_sources ${web_sources})
+list(FILTER small_sources INCLUDE REGEX "/src/(io|draw|mesh|web)/")
+set_source_files_properties(${small_sources} PROPERTIES COMPILE_OPTIONS "-Os")
+# Vectors where loops over numbers are. Not elsewhere, and not out of straight code: of that clang 14 makes wrong code with
+# them (a choice between two structs of two doubles, in certify/bonnet/proof.c, took the second where it was to take the first).
+set(vector_sources ${web_sources})
+list(FILTER vector_sources INCLUDE REGEX "/src/(numeric|geometry/grid)/|/plateau/area_baseline.c")
+set_source_files_properties(${vector_sources} PROPERTIES COMPILE_OPTIONS "-msimd128;-fno-slp-vectorize")

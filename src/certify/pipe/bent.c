@@ -1,0 +1,59 @@
+/* bent.c -- proof that an axis is nowhere more curved than a limit k.
+ *
+ * On each Bezier piece
+ *
+ *     k^2 (P' . P')^3 - |P' x P''|^2 > 0,   P' . P' > 0
+ *
+ * by Bernstein coefficients, halved until they are all positive. One polynomial, so that what both
+ * terms have in common cancels, and a largest curvature just below the limit is told from it.
+ */
+#include "certify/pipe/sweep.h"
+
+enum { DEPTH = 40, VISITS = 4000 };
+
+/* Is f positive everywhere? */
+static int is_positive(taut_arena *arena, const taut_field *f, int depth, int *left)
+{
+    taut_field halves[2];
+    if (taut_field_low(f) > 0) {
+        return 1;
+    }
+    if (depth == DEPTH || --*left <= 0 || f->a == NULL || !(f->a[0] + f->e[0] > 0)) {
+        return 0;
+    }
+    taut_field_halve(arena, f, 0, &halves[0], &halves[1]);
+    return is_positive(arena, &halves[0], depth + 1, left) &&
+           is_positive(arena, &halves[1], depth + 1, left);
+}
+
+static int prove_curve(taut_arena *arena, const taut_pipe_parts *parts, const taut_curve *curve,
+                       double limit)
+{
+    taut_pipe_sweep sweep = {.parts = parts};
+    taut_field across[3];
+    int left = VISITS;
+    taut_pipe_sweep_curve(arena, curve, &sweep);
+    if (!taut_pipe_sweep_derive(arena, &sweep)) {
+        return 0;
+    }
+    taut_field_cross(arena, sweep.axis[1], sweep.axis[2], across);
+    const taut_field speed = taut_field_dot(arena, sweep.axis[1], sweep.axis[1]);
+    const taut_field square = taut_field_product(arena, &speed, &speed);
+    const taut_field cube = taut_field_product(arena, &square, &speed);
+    const taut_field bend = taut_field_dot(arena, across, across);
+    const taut_field room = taut_field_combine(arena, limit * limit, &cube, -1, &bend);
+    return is_positive(arena, &speed, 0, &left) && is_positive(arena, &room, 0, &left);
+}
+
+taut_status taut_pipe_prove_bend(const taut_pipe_parts *parts, double limit, int *proved)
+{
+    taut_status status = TAUT_OK;
+    *proved = 1;
+    for (int i = 0; i < parts->axis_count && *proved && status == TAUT_OK; i++) {
+        taut_arena *const arena = taut_arena_new();
+        *proved = prove_curve(arena, parts, parts->axes[i], limit);
+        status = taut_arena_status(arena);
+        taut_arena_free(arena);
+    }
+    return status;
+}

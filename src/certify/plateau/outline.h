@@ -1,0 +1,29 @@
+/* outline.h -- does the boundary of a film project onto a convex curve, run through once?
+ *
+ * With c the projection of the boundary, run through with the film on its left, c = (X, Y) / w and
+ * a = w (X, Y)' - w' (X, Y), which is w^2 c':
+ *
+ *     turned back = sum over edges of int max(0, -a x a') / |a|^2 dt
+ *                 + sum over knots of max(0, -angle between the tangents before and after)
+ *
+ * bounded from above by Bernstein coefficients. J of one sign makes the corners turn left by less
+ * than pi, and the film an immersed disc, whose boundary turns by 2 pi in all. If it turns back by
+ * no more than theta, and encloses more than 6 theta (its length)^2, it is simple, and so the
+ * projection is one to one; and two points of the domain are joined inside it by a path at most
+ * 1 / cos(theta / 2) times as long as the line between them (docs/least.md). theta = 0 is a convex
+ * curve; what straight edges leave in rounding is counted, not forgiven.
+ */
+#ifndef TAUT_CERTIFY_PLATEAU_OUTLINE_H
+#define TAUT_CERTIFY_PLATEAU_OUTLINE_H
+
+#include "certify/plateau/flux.h"
+
+typedef struct taut_outline_bound {
+    double turned_back; /* theta is no more; INFINITY or NaN where nothing is proved */
+    double length;      /* of the projected boundary, no more, in units of 2^exponent */
+} taut_outline_bound;
+
+/* task->sign is that of J. TAUT_NO_MEMORY. */
+taut_status taut_certify_outline(const taut_flux_task *task, taut_outline_bound *bound);
+
+#endif /* TAUT_CERTIFY_PLATEAU_OUTLINE_H */

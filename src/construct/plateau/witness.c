@@ -1,0 +1,326 @@
+/* witness.c -- the function that shows how near a film is to the least area of all.
+ *
+ *     surface = scaled to about unit size (construct/common/scaling.h)
+ *     e       = a direction in which it is a graph (construct/plateau/direction.h)
+ *     psi     = the one whose field is next to the film's normals (construct/plateau/dual.h), made
+ *               smaller if it is too steep
+ *     while it is cheap and worth it: Newton's step, halved until it is not too steep and the gap
+ *               falls
+ *     psi     = rounded to as many decimals as count
+ *
+ * The gap is of second order in the error of grad psi. So the start is good to about the root of
+ * the gap, and films whose gap is small need no step; and decimals that move grad psi by a thousandth
+ * of the root of the gap are told in vain.
+ */
+#include "construct/plateau/witness.h"
+
+#include "construct/common/scaling.h"
+#include "construct/plateau/direction.h"
+#include "construct/plateau/dual.h"
+#include "core/arena.h"
+#include "core/memory.h"
+#include "taut/plateau.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    POINTS_LARGE = 40 * 40, /* from here on psi is one degree above it, not two */
+    DEGREE_MAX = 24,        /* of a film: the certificate multiplies polynomials of many degrees */
+    STEPS = 8,
+    HALVINGS = 12,
+};
+
+static const struct {
+    double steepest;   /* |grad psi| that the start is brought down to */
+    double gap_rough;  /* share of the area: below, the start is as good as a step makes it */
+    double gain_least; /* of a step, over the gap: less and it was the last */
+    double flops;      /* of all steps */
+    double decimals;   /* share of the root of the gap that a decimal may move grad psi by */
+} limits = {
+    .steepest = 0.9999,
+    .gap_rough = 1e-8,
+    .gain_least = 1e-3,
+    .flops = 1e10,
+    .decimals = 3e-3,
+};
+
+/* On the way. */
+typedef struct work {
+    taut_arena *arena;
+    taut_scaling scaling;
+    taut_surface *scaled;
+    taut_dual dual;
+    taut_dual_value value;
+    double *psi, *next;
+    taut_plateau_witness *made;
+} work;
+
+void taut_plateau_witness_free(taut_plateau_witness *witness)
+{
+    if (witness != NULL) {
+        taut_basis_free(witness->u);
+        taut_basis_free(witness->v);
+        taut_free(witness->coefficients);
+        taut_free(witness->density);
+        taut_free(witness);
+    }
+}
+
+/* Is it a film that a witness is looked for? */
+static int is_fit(const taut_surface *surface)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    return taut_basis_local(u) <= DEGREE_MAX + 1 && taut_basis_local(v) <= DEGREE_MAX + 1 &&
+           (double)taut_basis_count(u) * taut_basis_count(v) <= TAUT_PLATEAU_LEAST_MAX;
+}
+
+/* On the breaks of a c- or h- basis: so many degrees above cubics, as smooth as they are. */
+static taut_status raise_quasi(const taut_basis *basis, int more, taut_basis **raised)
+{
+    const int spans = taut_basis_span_count(basis), degree = 3 + more;
+    const double *breaks = taut_basis_breaks(basis);
+    double *knots = taut_alloc((size_t)(spans + 1) * (size_t)(degree + 1), sizeof(double));
+    int count = 0;
+
+    if (knots == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k <= spans; k++) {
+        for (int m = 0; m < (k == 0 || k == spans ? degree + 1 : 1 + more); m++) {
+            knots[count++] = breaks[k];
+        }
+    }
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = degree, .knot_count = count, .knots = knots};
+    const taut_status status = taut_basis_new(&spec, 0, raised, NULL);
+    taut_free(knots);
+    return status;
+}
+
+/* The same breaks and continuity, so many degrees up: each knot repeated so many times more. */
+static taut_status raise_basis(const taut_basis *basis, int more, taut_basis **raised)
+{
+    taut_basis_spec spec;
+    double *knots = NULL;
+    int count = 0;
+    taut_status status = TAUT_OK;
+
+    if (taut_basis_degree(basis) < 0) {
+        return raise_quasi(basis, more, raised);
+    }
+    taut_basis_spec_of(basis, &spec);
+    if (spec.knots == NULL) {
+        spec.degree += more;
+        return taut_basis_new(&spec, 0, raised, NULL);
+    }
+    knots = taut_alloc((size_t)spec.knot_count * (size_t)(1 + more), sizeof(double));
+    if (knots == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < spec.knot_count; k++) {
+        knots[count++] = spec.knots[k];
+        for (int m = 0; m < more && (k + 1 == spec.knot_count || spec.knots[k + 1] > spec.knots[k]);
+             m++) {
+            knots[count++] = spec.knots[k];
+        }
+    }
+    spec = (taut_basis_spec){
+        .type = "bspline", .degree = spec.degree + more, .knot_count = count, .knots = knots};
+    status = taut_basis_new(&spec, 0, raised, NULL);
+    taut_free(knots);
+    return status;
+}
+
+static taut_status scale_surface(const taut_surface *surface, work *w)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const size_t count = (size_t)taut_basis_count(u) * (size_t)taut_basis_count(v);
+    const double *given = taut_surface_points(surface);
+    double *points = taut_arena_take(w->arena, count, 3 * sizeof(double));
+    unsigned char *known = taut_arena_take(w->arena, count, 1);
+
+    if (known == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    memset(known, 1, count);
+    w->scaling = taut_scaling_of(count, given, known);
+    taut_scaling_apply(&w->scaling, count, given, NULL, points);
+    return taut_surface_new("", u, v, points, taut_surface_weights(surface), &w->scaled, NULL);
+}
+
+static taut_status prepare(const taut_surface *surface, work *w)
+{
+    taut_plateau_witness *made = w->made;
+    const int points =
+        taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
+    const int more = points < POINTS_LARGE ? 2 : 1;
+    double frame[3][3];
+    taut_status status = scale_surface(surface, w);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_plateau_direction(w->scaled, made->direction);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_plateau_frame(made->direction, frame);
+    status = raise_basis(taut_surface_u(surface), more, &made->u);
+    if (status == TAUT_OK) {
+        status = raise_basis(taut_surface_v(surface), more, &made->v);
+    }
+    if (status == TAUT_OK) {
+        status = taut_dual_new(w->scaled, made->u, made->v, frame, w->arena, &w->dual);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const size_t count = (size_t)w->dual.u.count * (size_t)w->dual.v.count;
+    w->psi = taut_arena_take(w->arena, count, sizeof(double));
+    w->next = taut_arena_take(w->arena, count, sizeof(double));
+    made->coefficients = taut_alloc(count, sizeof(double));
+    made->density = taut_alloc((size_t)w->dual.u.spans * (size_t)w->dual.v.spans, sizeof(double));
+    return w->next != NULL && made->coefficients != NULL && made->density != NULL ? TAUT_OK
+                                                                                  : TAUT_NO_MEMORY;
+}
+
+/* Newton's step from psi, as much of it as makes the gap fall; *gain over the gap, 0 for none. */
+static taut_status make_step(work *w, double *gain)
+{
+    const size_t count = (size_t)w->dual.matrix.n;
+    double share = 1;
+    const taut_status status = taut_dual_newton(&w->dual, w->psi);
+
+    *gain = 0;
+    for (int k = 0; status == TAUT_OK && k < HALVINGS && *gain == 0; k++, share *= 0.5) {
+        taut_dual_value value;
+        for (size_t i = 0; i < count; i++) {
+            w->next[i] = w->psi[i] + share * w->dual.step[i];
+        }
+        value = taut_dual_evaluate(&w->dual, w->next, NULL);
+        if (value.steepest < 1 && value.gap < w->value.gap) {
+            *gain = 1 - value.gap / w->value.gap;
+            w->value = value;
+            memcpy(w->psi, w->next, count * sizeof(double));
+        }
+    }
+    return status;
+}
+
+static taut_status find_psi(work *w)
+{
+    double gain = 1, flops = 0;
+    taut_status status = taut_dual_start(&w->dual, w->psi);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    w->value = taut_dual_evaluate(&w->dual, w->psi, NULL);
+    if (!(w->value.steepest < limits.steepest)) {
+        for (size_t i = 0; i < (size_t)w->dual.matrix.n; i++) {
+            w->psi[i] *= limits.steepest / w->value.steepest;
+        }
+        w->value = taut_dual_evaluate(&w->dual, w->psi, NULL);
+    }
+    for (int k = 0; k < STEPS && gain > limits.gain_least &&
+                    w->value.gap > limits.gap_rough * w->dual.area && flops <= limits.flops;
+         k++) {
+        status = make_step(w, &gain);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        flops += taut_dual_cost(&w->dual);
+    }
+    return w->value.steepest < 1 ? TAUT_OK : TAUT_NO_SOLUTION;
+}
+
+/* 10^k for the k decimals that count: where spans are short a step of the last is steep. 0: all. */
+static double decimals_of(const work *w)
+{
+    const double steep = fmax(w->dual.u.spans * w->dual.u.local, w->dual.v.spans * w->dual.v.local);
+    const double rough = fmax(w->value.gap / w->dual.area, 1e-20);
+    const double unit =
+        ldexp(limits.decimals * sqrt(rough) / steep, w->scaling.outer + w->scaling.inner);
+    double power = 1;
+
+    while (unit * power < 1 && power < 1e22) {
+        power *= 10;
+    }
+    return power < 1e22 ? power : 0;
+}
+
+/* The coefficients in the surface's unit, to the decimals that count. */
+static int tell(work *w)
+{
+    const size_t count = (size_t)w->dual.matrix.n;
+    const int exponent = w->scaling.outer + w->scaling.inner;
+    const double power = decimals_of(w);
+
+    for (size_t i = 0; i < count; i++) {
+        const double x = ldexp(w->psi[i], exponent), rounded = round(x * power) / power;
+        w->made->coefficients[i] = power > 0 && isfinite(rounded) ? rounded : x;
+        w->next[i] = ldexp(w->made->coefficients[i], -exponent);
+        if (!isfinite(w->made->coefficients[i])) {
+            return 0;
+        }
+    }
+    w->value = taut_dual_evaluate(&w->dual, w->next, w->made->density);
+    w->made->gap = w->value.gap / w->dual.area;
+    return w->value.steepest < 1 && isfinite(w->made->gap);
+}
+
+taut_status taut_plateau_witness_new(const taut_surface *surface, taut_plateau_witness **witness)
+{
+    work w = {.arena = NULL};
+    taut_status status = TAUT_OK;
+
+    *witness = NULL;
+    if (!is_fit(surface)) {
+        return TAUT_OK;
+    }
+    w.arena = taut_arena_new();
+    w.made = taut_alloc_zero(1, sizeof *w.made);
+    status = w.arena != NULL && w.made != NULL ? prepare(surface, &w) : TAUT_NO_MEMORY;
+    if (status == TAUT_OK) {
+        status = find_psi(&w);
+    }
+    if (status == TAUT_OK && tell(&w)) {
+        *witness = w.made;
+        w.made = NULL;
+    }
+    taut_dual_clear(&w.dual);
+    taut_surface_free(w.scaled);
+    taut_arena_free(w.arena);
+    taut_plateau_witness_free(w.made);
+    return status == TAUT_NO_MEMORY ? status : TAUT_OK;
+}
+
+static void describe_basis(const taut_basis *basis, const char *key, taut_record *least)
+{
+    taut_basis_spec spec;
+    taut_record *one = taut_record_add_object(least, key);
+
+    taut_basis_spec_of(basis, &spec);
+    taut_record_add_text(one, "type", spec.type);
+    taut_record_add_number(one, "degree", spec.degree);
+    if (spec.knots != NULL) {
+        taut_record_add_numbers(one, "knots", spec.knot_count, spec.knots);
+    } else if (spec.has_range) {
+        taut_record_add_numbers(one, "range", 2, spec.range);
+    }
+}
+
+void taut_plateau_witness_describe(const taut_plateau_witness *witness, taut_record *details)
+{
+    taut_record *least = taut_record_add_object(details, "least");
+    const int nu = taut_basis_count(witness->u), nv = taut_basis_count(witness->v);
+
+    taut_record_add_numbers(least, "direction", 3, witness->direction);
+    describe_basis(witness->u, "u", least);
+    describe_basis(witness->v, "v", least);
+    taut_record *rows = taut_record_add_list(least, "coefficients");
+    for (int i = 0; i < nu; i++) {
+        taut_record_add_numbers(rows, NULL, nv, witness->coefficients + (size_t)i * (size_t)nv);
+    }
+}

@@ -1,0 +1,119 @@
+#include "io/cad/prepare.h"
+
+#include "core/fail.h"
+#include "core/vec3.h"
+#include "geometry/exponent.h"
+#include "io/cad/format_nurbs.h"
+#include "taut/version.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+enum { DEGREE_MAX = 25 };
+static const double default_tolerance = 1e-6;
+static const double precision_of_size = 1e-7; /* what CAD systems take for one point */
+static const double least_precision = 1e-290, largest_precision = 1e290;
+
+static void write_date(char text[32])
+{
+    const char *found = getenv("SOURCE_DATE_EPOCH");
+    const long long seconds = found != NULL ? strtoll(found, NULL, 10) : 0;
+    const time_t date = seconds >= 0 && seconds <= 253402300799LL ? (time_t)seconds : 0;
+    struct tm parts;
+    if (gmtime_r(&date, &parts) == NULL || strftime(text, 32, "%Y-%m-%dT%H:%M:%S", &parts) == 0) {
+        /* not reached: up to the year 9999 every second has a date, of 19 characters */
+        text[0] = '\0';
+    }
+}
+
+/* A box of halved coordinates, as a whole one may be twice what a double holds. */
+typedef struct box {
+    double lo[3], hi[3];
+} box;
+
+static void grow_box(box *b, size_t count, const double *points)
+{
+    for (size_t k = 0; k < 3 * count; k++) {
+        b->lo[k % 3] = fmin(b->lo[k % 3], points[k] / 2);
+        b->hi[k % 3] = fmax(b->hi[k % 3], points[k] / 2);
+    }
+}
+
+/* The diagonal of the box around all control points. */
+static double size_of(const taut_model *nurbs)
+{
+    box b = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (int i = 0; i < taut_model_surface_count(nurbs); i++) {
+        const taut_surface *surface = taut_model_surface(nurbs, i);
+        grow_box(&b, taut_point_count(surface), taut_surface_points(surface));
+    }
+    for (int i = 0; i < taut_model_curve_count(nurbs); i++) {
+        const taut_curve *curve = taut_model_curve(nurbs, i);
+        grow_box(&b, (size_t)taut_basis_count(taut_curve_t(curve)), taut_curve_points(curve));
+    }
+    return 2 * taut_distance(b.lo, b.hi);
+}
+
+static taut_status check_degree(const char *name, const taut_basis *basis, taut_error *error)
+{
+    const int degree = taut_basis_degree(basis);
+    return degree <= DEGREE_MAX
+               ? TAUT_OK
+               : taut_fail(error, TAUT_NO_SOLUTION, "degree", NULL, degree, DEGREE_MAX,
+                           "\"%.100s\" has degree %d, and OpenCASCADE reads none above %d", name,
+                           degree, DEGREE_MAX);
+}
+
+static taut_status check_degrees(const taut_model *nurbs, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    for (int i = 0; i < taut_model_surface_count(nurbs) && status == TAUT_OK; i++) {
+        const taut_surface *surface = taut_model_surface(nurbs, i);
+        const char *name = taut_surface_name(surface);
+        status = check_degree(name, taut_surface_u(surface), error);
+        status = status == TAUT_OK ? check_degree(name, taut_surface_v(surface), error) : status;
+    }
+    for (int i = 0; i < taut_model_curve_count(nurbs) && status == TAUT_OK; i++) {
+        const taut_curve *curve = taut_model_curve(nurbs, i);
+        status = check_degree(taut_curve_name(curve), taut_curve_t(curve), error);
+    }
+    return status;
+}
+
+static void fill_facts(const taut_model *nurbs, taut_cad_facts *facts)
+{
+    write_date(facts->date);
+    snprintf(facts->made, sizeof facts->made, "NURBS by taut %s", TAUT_VERSION);
+    if (facts->bound > 0) {
+        snprintf(facts->exact, sizeof facts->exact,
+                 "proved to lie within %.3g %s of the exact model", facts->bound,
+                 taut_model_unit(nurbs));
+    } else {
+        snprintf(facts->exact, sizeof facts->exact, "the exact model");
+    }
+    facts->precision =
+        fmin(largest_precision,
+             fmax(fmax(facts->bound, precision_of_size * size_of(nurbs)), least_precision));
+}
+
+taut_status taut_cad_prepare(const taut_model *model, const taut_write_options *options,
+                             taut_model **nurbs, taut_cad_facts *facts, taut_error *error)
+{
+    const double tolerance = options->tolerance > 0 ? options->tolerance : default_tolerance;
+    taut_model *made = NULL;
+    taut_status status = taut_format_nurbs(model, options, tolerance, &made, &facts->bound, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = check_degrees(made, error);
+    if (status != TAUT_OK) {
+        taut_model_free(made);
+        return status;
+    }
+    fill_facts(made, facts);
+    *nurbs = made;
+    return TAUT_OK;
+}

@@ -1,0 +1,21 @@
+/* prepare.h -- what STEP and IGES begin with: NURBS, and what the file's header says of them. */
+#ifndef TAUT_IO_CAD_PREPARE_H
+#define TAUT_IO_CAD_PREPARE_H
+
+#include "taut/write.h"
+
+typedef struct taut_cad_facts {
+    double bound;     /* how far the NURBS may be from the model: a length, proved */
+    double precision; /* what the file states as its uncertainty, above 0 */
+    char date[32]; /* "2026-03-01T12:00:00": SOURCE_DATE_EPOCH, else 1970: same model, same bytes */
+    char made[64], exact[128]; /* lines for people */
+} taut_cad_facts;
+
+/* The surfaces and curves that options ask for as NURBS, the caller's. What is polynomial or
+ * rational stays exactly as it is; c- and h- directions come within the tolerance, with a proved
+ * bound (taut/operations.h). TAUT_NO_SOLUTION: nothing, or a degree above 25, the most that
+ * OpenCASCADE and what is made of it have; else as taut_model_to_nurbs. */
+taut_status taut_cad_prepare(const taut_model *model, const taut_write_options *options,
+                             taut_model **nurbs, taut_cad_facts *facts, taut_error *error);
+
+#endif /* TAUT_IO_CAD_PREPARE_H */

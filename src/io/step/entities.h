@@ -1,0 +1,49 @@
+/* entities.h -- what the parts of a STEP file hand to each other: numbers of instances. */
+#ifndef TAUT_IO_STEP_ENTITIES_H
+#define TAUT_IO_STEP_ENTITIES_H
+
+#include "core/arena.h"
+#include "io/step/part21.h"
+#include "shell/shell.h"
+#include "taut/model.h"
+
+/* product.c: unit, uncertainty and spaces, which all else refers to; and the product at the end. */
+typedef struct taut_step_spaces {
+    size_t space;     /* of three dimensions, in the unit, with the uncertainty */
+    size_t plane;     /* of parameters */
+    size_t along[2];  /* unit vectors of parameters: u, v */
+    size_t placement; /* the origin */
+} taut_step_spaces;
+
+/* What there is: numbers of solids, surface models, curve sets, each `counts` long. */
+enum { TAUT_STEP_SOLIDS, TAUT_STEP_SHELLS, TAUT_STEP_CURVES, TAUT_STEP_KINDS };
+typedef struct taut_step_content {
+    size_t counts[TAUT_STEP_KINDS];
+    size_t *items[TAUT_STEP_KINDS]; /* with room for one more in front */
+    size_t style_count, *styles;
+} taut_step_content;
+
+void taut_step_put_spaces(taut_part21 *out, const char *unit, double precision,
+                          taut_step_spaces *spaces);
+void taut_step_put_product(taut_part21 *out, const char *name, const taut_step_spaces *spaces,
+                           taut_step_content *content);
+
+/* geometry.c: a surface, whose points have numbers from *points on, u slowest; a curve of its own;
+ * the curve that is edge 0..3 of a surface, on the surface's points. */
+size_t taut_step_put_surface(taut_part21 *out, const taut_surface *surface, size_t *points);
+size_t taut_step_put_curve(taut_part21 *out, const taut_curve *curve);
+size_t taut_step_put_edge(taut_part21 *out, const taut_surface *surface, size_t points, int edge);
+
+/* topology.c: all faces as solids and surface models, which enter `content` with their styles.
+ * TAUT_NO_MEMORY. */
+taut_status taut_step_put_faces(taut_part21 *out, const taut_model *model,
+                                const taut_shells *shells, const taut_step_spaces *spaces,
+                                taut_arena *arena, taut_step_content *content);
+
+/* style.c: what gives an item the i-th colour of surfaces or of curves, as figures and pages have
+ * them; style[i % TAUT_STEP_COLOURS] keeps the number of what was written, at first 0. */
+enum { TAUT_STEP_COLOURS = 24 };
+size_t taut_step_style_face(taut_part21 *out, size_t item, int i, size_t *style);
+size_t taut_step_style_curve(taut_part21 *out, size_t item, int i, size_t *style);
+
+#endif /* TAUT_IO_STEP_ENTITIES_H */

@@ -1,0 +1,121 @@
+/* geometry.c -- B-splines of ISO 10303-42, with the numbers that the model has. */
+#include "io/step/entities.h"
+
+#include <string.h>
+
+/* One direction: degree and knots, clamped. */
+typedef struct direction {
+    int degree;
+    size_t count, knot_count;
+    const double *knots;
+} direction;
+
+static direction direction_of(const taut_basis *basis)
+{
+    taut_basis_spec spec;
+    taut_basis_spec_of(basis, &spec);
+    return (direction){spec.degree, (size_t)taut_basis_count(basis), (size_t)spec.knot_count,
+                       spec.knots};
+}
+
+static size_t put_points(taut_part21 *out, size_t count, const double *points)
+{
+    const size_t first = out->count + 1;
+    for (size_t i = 0; i < count; i++) {
+        TAUT_NEW(out, "CARTESIAN_POINT('',%)", TAUT_REALS(3, points + 3 * i, 1));
+    }
+    return first;
+}
+
+/* Are `count` points, `step` apart, each the same as the one `across` further? */
+static int are_equal(const double *points, size_t count, size_t step, size_t across)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (memcmp(points + 3 * i * step, points + 3 * (i * step + across), 3 * sizeof *points) !=
+            0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+size_t taut_step_put_surface(taut_part21 *out, const taut_surface *surface, size_t *points)
+{
+    const direction u = direction_of(taut_surface_u(surface));
+    const direction v = direction_of(taut_surface_v(surface));
+    const double *net = taut_surface_points(surface), *weights = taut_surface_weights(surface);
+    const int closed_u = are_equal(net, v.count, 1, (u.count - 1) * v.count);
+    const int closed_v = are_equal(net, u.count, v.count, v.count - 1);
+
+    *points = put_points(out, u.count * v.count, net);
+    const taut_part21_value grid = {
+        .kind = PART21_GRID, .ref = *points, .count = u.count, .across = v.count};
+    if (weights == NULL) {
+        return TAUT_NEW(out,
+                        "B_SPLINE_SURFACE_WITH_KNOTS('',%,%,%,.UNSPECIFIED.,%,%,.U.,%,%,%,%,"
+                        ".UNSPECIFIED.)",
+                        TAUT_NUMBER(u.degree), TAUT_NUMBER(v.degree), grid, TAUT_TRUTH(closed_u),
+                        TAUT_TRUTH(closed_v), TAUT_TIMES(u.knot_count, u.knots),
+                        TAUT_TIMES(v.knot_count, v.knots), TAUT_KNOTS(u.knot_count, u.knots),
+                        TAUT_KNOTS(v.knot_count, v.knots));
+    }
+    const taut_part21_value table = {
+        .kind = PART21_TABLE, .reals = weights, .count = u.count, .across = v.count};
+    return TAUT_NEW(out,
+                    "(BOUNDED_SURFACE()B_SPLINE_SURFACE(%,%,%,.UNSPECIFIED.,%,%,.U.)"
+                    "\nB_SPLINE_SURFACE_WITH_KNOTS(%,%,%,%,.UNSPECIFIED.)"
+                    "\nGEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_SURFACE(%)"
+                    "REPRESENTATION_ITEM('')SURFACE())",
+                    TAUT_NUMBER(u.degree), TAUT_NUMBER(v.degree), grid, TAUT_TRUTH(closed_u),
+                    TAUT_TRUTH(closed_v), TAUT_TIMES(u.knot_count, u.knots),
+                    TAUT_TIMES(v.knot_count, v.knots), TAUT_KNOTS(u.knot_count, u.knots),
+                    TAUT_KNOTS(v.knot_count, v.knots), table);
+}
+
+/* A curve on points with numbers from `first` on by `step`, with every step-th weight. */
+static size_t put_spline(taut_part21 *out, const char *name, const direction *t, size_t first,
+                         size_t step, int closed, const double *weights)
+{
+    const taut_part21_value run = {
+        .kind = PART21_RUN, .ref = first, .step = step, .count = t->count};
+    if (weights == NULL) {
+        return TAUT_NEW(out,
+                        "B_SPLINE_CURVE_WITH_KNOTS(%,%,%,.UNSPECIFIED.,%,.U.,%,%,.UNSPECIFIED.)",
+                        TAUT_TEXT(name), TAUT_NUMBER(t->degree), run, TAUT_TRUTH(closed),
+                        TAUT_TIMES(t->knot_count, t->knots), TAUT_KNOTS(t->knot_count, t->knots));
+    }
+    return TAUT_NEW(out,
+                    "(BOUNDED_CURVE()B_SPLINE_CURVE(%,%,.UNSPECIFIED.,%,.U.)"
+                    "\nB_SPLINE_CURVE_WITH_KNOTS(%,%,.UNSPECIFIED.)CURVE()"
+                    "\nGEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE(%)"
+                    "REPRESENTATION_ITEM(%))",
+                    TAUT_NUMBER(t->degree), run, TAUT_TRUTH(closed),
+                    TAUT_TIMES(t->knot_count, t->knots), TAUT_KNOTS(t->knot_count, t->knots),
+                    TAUT_REALS(t->count, weights, step), TAUT_TEXT(name));
+}
+
+size_t taut_step_put_curve(taut_part21 *out, const taut_curve *curve)
+{
+    const direction t = direction_of(taut_curve_t(curve));
+    const double *points = taut_curve_points(curve);
+    const size_t first = put_points(out, t.count, points);
+    return put_spline(out, taut_curve_name(curve), &t, first, 1,
+                      are_equal(points, 1, 1, t.count - 1), taut_curve_weights(curve));
+}
+
+size_t taut_step_put_edge(taut_part21 *out, const taut_surface *surface, size_t points, int edge)
+{
+    const int along_v = edge == TAUT_EDGE_U0 || edge == TAUT_EDGE_U1;
+    const direction u = direction_of(taut_surface_u(surface));
+    const direction v = direction_of(taut_surface_v(surface));
+    const size_t step = along_v ? 1 : v.count;
+    const size_t first = edge == TAUT_EDGE_U1   ? (u.count - 1) * v.count
+                         : edge == TAUT_EDGE_V1 ? v.count - 1
+                                                : 0;
+    const double *weights = taut_surface_weights(surface);
+    const direction *t = along_v ? &v : &u;
+    return put_spline(
+        out, "", t, points + first, step,
+        are_equal(taut_surface_points(surface) + 3 * first, 1, 1, (t->count - 1) * step),
+        weights != NULL ? weights + first : NULL);
+}

@@ -1,0 +1,159 @@
+/* step.c -- the format step: ISO 10303-21, application protocol 242, written without a CAD kernel.
+ *
+ *     NURBS of all surfaces and curves               (io/cad/prepare)
+ *     shells: which edges are one, what is a body    (shell)
+ *     units and spaces; faces; curves; the product   (product.c, topology.c, geometry.c, style.c)
+ *
+ * All of it is known before the first byte is written, but for the numbers of instances, which are
+ * counted on the way: nothing refers to what comes later, so that nothing is kept but numbers.
+ * Reading is OpenCASCADE's (io/cad).
+ */
+#include "core/fail.h"
+#include "geometry/exponent.h"
+#include "io/cad/cad.h"
+#include "io/cad/prepare.h"
+#include "io/format.h"
+#include "io/step/entities.h"
+#include "taut/version.h"
+
+#include <math.h>
+
+/* What the product is called: its construction, else its first part. */
+static const char *name_of(const taut_model *model, const taut_model *nurbs)
+{
+    const taut_certificate *certificate = taut_model_certificate(model);
+    const char *name = certificate != NULL ? taut_certificate_construct(certificate) : "";
+    if (name[0] == '\0') {
+        name = taut_model_surface_count(nurbs) > 0 ? taut_surface_name(taut_model_surface(nurbs, 0))
+                                                   : taut_curve_name(taut_model_curve(nurbs, 0));
+    }
+    return name[0] != '\0' ? name : "taut";
+}
+
+/* A face that is a single point has no edges: STEP's readers leave it out without a word. */
+static taut_status check_faces(const taut_model *nurbs, taut_error *error)
+{
+    for (int i = 0; i < taut_model_surface_count(nurbs); i++) {
+        const taut_surface *surface = taut_model_surface(nurbs, i);
+        if (taut_half_size(taut_point_count(surface), taut_surface_points(surface)) == 0) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "single-point", NULL, 0, taut_none,
+                             "surface \"%s\" is a single point, which no STEP file gives back: "
+                             "leave it out (--surface), or write IGES or JSON",
+                             taut_surface_name(surface));
+        }
+    }
+    return TAUT_OK;
+}
+
+static void put_header(taut_part21 *out, const taut_cad_facts *facts, const char *name)
+{
+    const taut_part21_value values[] = {TAUT_TEXT(facts->made), TAUT_TEXT(facts->exact),
+                                        TAUT_TEXT(name), TAUT_TEXT(facts->date),
+                                        TAUT_TEXT("taut " TAUT_VERSION)};
+    taut_part21_put(out,
+                    "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((%,%),'2;1');\n"
+                    "FILE_NAME(%,%,(''),(''),%,'taut','');\n"
+                    "FILE_SCHEMA(('AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF "
+                    "{ 1 0 10303 442 1 1 4 }'));\nENDSEC;\nDATA;\n",
+                    values);
+}
+
+static void put_curves(taut_part21 *out, const taut_model *nurbs, taut_step_content *content)
+{
+    size_t styles[TAUT_STEP_COLOURS] = {0};
+    for (int i = 0; i < taut_model_curve_count(nurbs); i++) {
+        const taut_curve *curve = taut_model_curve(nurbs, i);
+        const size_t made = taut_step_put_curve(out, curve);
+        content->items[TAUT_STEP_CURVES][++content->counts[TAUT_STEP_CURVES]] = TAUT_NEW(
+            out, "GEOMETRIC_CURVE_SET(%,(%))", TAUT_TEXT(taut_curve_name(curve)), TAUT_REF(made));
+        content->styles[content->style_count++] = taut_step_style_curve(out, made, i, styles);
+    }
+}
+
+static taut_status find_shells(const taut_model *nurbs, double moved, taut_arena *arena,
+                               taut_shells *shells)
+{
+    const int count = taut_model_surface_count(nurbs);
+    const taut_surface **surfaces = taut_arena_take(arena, (size_t)count, sizeof(taut_surface *));
+    if (surfaces == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < count; i++) {
+        surfaces[i] = taut_model_surface(nurbs, i);
+    }
+    return taut_shells_find(surfaces, count, moved, arena, shells);
+}
+
+static taut_status take_content(const taut_model *nurbs, taut_arena *arena,
+                                taut_step_content *content)
+{
+    const size_t faces = (size_t)taut_model_surface_count(nurbs);
+    const size_t curves = (size_t)taut_model_curve_count(nurbs);
+    *content = (taut_step_content){.style_count = 0};
+    for (int kind = 0; kind < TAUT_STEP_KINDS; kind++) {
+        content->items[kind] =
+            taut_arena_take(arena, (kind == TAUT_STEP_CURVES ? curves : faces) + 1, sizeof(size_t));
+    }
+    content->styles = taut_arena_take(arena, faces + curves, sizeof(size_t));
+    return taut_arena_status(arena);
+}
+
+/* All between the header and the end. */
+static taut_status put_data(taut_part21 *out, const taut_model *nurbs, const taut_cad_facts *facts,
+                            const char *name, taut_arena *arena)
+{
+    taut_shells shells;
+    taut_step_content content;
+    taut_step_spaces spaces;
+    taut_status status = take_content(nurbs, arena, &content);
+
+    if (status == TAUT_OK) {
+        status = find_shells(nurbs, facts->bound, arena, &shells);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    put_header(out, facts, name);
+    taut_step_put_spaces(out, taut_model_unit(nurbs), fmax(facts->precision, shells.gap), &spaces);
+    status = taut_step_put_faces(out, nurbs, &shells, &spaces, arena, &content);
+    put_curves(out, nurbs, &content);
+    taut_step_put_product(out, name, &spaces, &content);
+    taut_part21_put(out, "ENDSEC;\nEND-ISO-10303-21;\n", NULL);
+    return status;
+}
+
+static taut_status put_file(const taut_model *nurbs, const taut_cad_facts *facts, const char *name,
+                            FILE *file, taut_error *error)
+{
+    taut_part21 out = {.sink = taut_sink_to(file)};
+    taut_arena *arena = taut_arena_new();
+    const taut_status put = put_data(&out, nurbs, facts, name, arena);
+    const taut_status sent = taut_sink_finish(&out.sink);
+    taut_arena_free(arena);
+    return put != TAUT_OK           ? taut_fail_status(error, put)
+           : sent == TAUT_NO_MEMORY ? taut_fail_memory(error)
+                                    : sent;
+}
+
+static taut_status write_step(const taut_model *model, const taut_write_options *options,
+                              FILE *file, taut_error *error)
+{
+    taut_model *nurbs = NULL;
+    taut_cad_facts facts;
+    taut_status status = taut_cad_prepare(model, options, &nurbs, &facts, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = check_faces(nurbs, error);
+    if (status == TAUT_OK) {
+        status = put_file(nurbs, &facts, name_of(model, nurbs), file, error);
+    }
+    taut_model_free(nurbs);
+    if (status == TAUT_OK && options->bound != NULL) {
+        *options->bound = facts.bound;
+    }
+    return status;
+}
+
+const taut_format_ops taut_format_step = {.write = write_step, .read = taut_cad_read_step};

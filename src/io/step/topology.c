@@ -1,0 +1,188 @@
+/* topology.c -- shells as ISO 10303-42 has them: each vertex and each edge once, whatever shares it.
+ *
+ *     vertex    on a control point of a surface
+ *     edge      a spline on the control points of its first face; for each use a curve in that
+ *               face's parameters, a straight one
+ *     face      one loop, the inside on the left; what is one point is left out of it, as readers
+ *               expect; all of it one point: that vertex
+ *     shell     with a volume a MANIFOLD_SOLID_BREP, turned outwards; else in a surface model
+ */
+#include "core/fail.h"
+#include "io/step/entities.h"
+#include "shell/shell.h"
+
+/* Numbers of instances, by face, edge and vertex. */
+typedef struct placing {
+    taut_part21 *out;
+    const taut_model *model;
+    const taut_shells *shells;
+    const taut_step_spaces *spaces;
+    size_t *points, *surfaces, *faces; /* [faces]; points: the first of each net */
+    size_t *edges, *vertices;
+} placing;
+
+static const taut_basis *basis_along(const taut_surface *surface, int edge)
+{
+    return edge % 4 < 2 ? taut_surface_v(surface) : taut_surface_u(surface);
+}
+
+/* The parameters at t along edge 4 f + e. */
+static size_t put_parameters(const placing *p, int edge, double t)
+{
+    const taut_surface *surface = taut_model_surface(p->model, edge / 4);
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const double at[2] = {edge % 4 == TAUT_EDGE_U0   ? taut_basis_lo(u)
+                          : edge % 4 == TAUT_EDGE_U1 ? taut_basis_hi(u)
+                                                     : t,
+                          edge % 4 == TAUT_EDGE_V0   ? taut_basis_lo(v)
+                          : edge % 4 == TAUT_EDGE_V1 ? taut_basis_hi(v)
+                                                     : t};
+    return TAUT_NEW(p->out, "CARTESIAN_POINT('',%)", TAUT_REALS(2, at, 1));
+}
+
+/* The edge in the parameters of the face of `side`: at the curve's own parameter where it is that of
+ * the face, else by the affine map. */
+static size_t put_trace(const placing *p, const taut_shell_edge *edge, int side)
+{
+    const taut_basis *own =
+        basis_along(taut_model_surface(p->model, edge->side[0] / 4), edge->side[0]);
+    const taut_basis *here = basis_along(taut_model_surface(p->model, side / 4), side);
+    const double lo = taut_basis_lo(own), hi = taut_basis_hi(own);
+    const double begin = taut_basis_lo(here), end = taut_basis_hi(here);
+    const int against = side == edge->side[1] && edge->reversed;
+    size_t line = 0;
+
+    if (begin == lo && end == hi && !against) {
+        const size_t from = put_parameters(p, side, 0);
+        line = TAUT_NEW(p->out, "LINE('',%,%)", TAUT_REF(from),
+                        TAUT_REF(p->spaces->along[side % 4 < 2]));
+    } else {
+        const double knots[4] = {lo, lo, hi, hi};
+        const size_t from = put_parameters(p, side, against ? end : begin);
+        const size_t to = put_parameters(p, side, against ? begin : end);
+        line = TAUT_NEW(
+            p->out, "B_SPLINE_CURVE_WITH_KNOTS('',1,(%,%),.UNSPECIFIED.,.F.,.F.,%,%,.UNSPECIFIED.)",
+            TAUT_REF(from), TAUT_REF(to), TAUT_TIMES(4, knots), TAUT_KNOTS(4, knots));
+    }
+    const size_t whole = TAUT_NEW(p->out, "DEFINITIONAL_REPRESENTATION('',(%),%)", TAUT_REF(line),
+                                  TAUT_REF(p->spaces->plane));
+    return TAUT_NEW(p->out, "PCURVE('',%,%)", TAUT_REF(p->surfaces[side / 4]), TAUT_REF(whole));
+}
+
+/* Does the way round the unturned face of a side go along the edge's curve? */
+static int is_along(const taut_shell_edge *edge, int side)
+{
+    return taut_shell_is_along(side) != (side == edge->side[1] && edge->reversed);
+}
+
+static size_t put_edge(const placing *p, const taut_shell_edge *edge)
+{
+    const int face = edge->side[0] / 4, uses = edge->side[1] >= 0 ? 2 : 1;
+    const int is_seam = uses == 2 && edge->side[1] / 4 == face;
+    /* of a seam the use along the curve is told first */
+    const int first = is_seam && !is_along(edge, edge->side[0]);
+    const size_t curve = taut_step_put_edge(p->out, taut_model_surface(p->model, face),
+                                            p->points[face], edge->side[0] % 4);
+    size_t traces[2] = {0, 0};
+    for (int k = 0; k < uses; k++) {
+        traces[k] = put_trace(p, edge, edge->side[first ? 1 - k : k]);
+    }
+    const size_t bound = TAUT_NEW(p->out, "%('',%,%,.CURVE_3D.)",
+                                  TAUT_WORD(is_seam ? "SEAM_CURVE" : "SURFACE_CURVE"),
+                                  TAUT_REF(curve), TAUT_REFS((size_t)uses, traces));
+    return TAUT_NEW(p->out, "EDGE_CURVE('',%,%,%,.T.)", TAUT_REF(p->vertices[edge->vertex[0]]),
+                    TAUT_REF(p->vertices[edge->vertex[1]]), TAUT_REF(bound));
+}
+
+static size_t put_vertex(const placing *p, int corner)
+{
+    const taut_surface *surface = taut_model_surface(p->model, corner / 4);
+    const size_t nu = (size_t)taut_basis_count(taut_surface_u(surface));
+    const size_t nv = (size_t)taut_basis_count(taut_surface_v(surface));
+    const size_t point = (corner % 4 >= 2 ? (nu - 1) * nv : 0) + (corner % 2 == 1 ? nv - 1 : 0);
+    return TAUT_NEW(p->out, "VERTEX_POINT('',%)", TAUT_REF(p->points[corner / 4] + point));
+}
+
+static size_t put_loop(const placing *p, int face)
+{
+    static const int round[4] = {TAUT_EDGE_V0, TAUT_EDGE_U1, TAUT_EDGE_V1, TAUT_EDGE_U0};
+    const taut_shell_face *f = &p->shells->faces[face];
+    size_t uses[4] = {0}, count = 0;
+    for (int k = 0; k < 4; k++) {
+        const int e = round[f->turned ? 3 - k : k];
+        if (f->edge[e] >= 0) {
+            const int along = is_along(&p->shells->edges[f->edge[e]], 4 * face + e);
+            uses[count++] =
+                TAUT_NEW(p->out, "ORIENTED_EDGE('',*,*,%,%)", TAUT_REF(p->edges[f->edge[e]]),
+                         TAUT_TRUTH(along != f->turned));
+        }
+    }
+    return count > 0 ? TAUT_NEW(p->out, "EDGE_LOOP('',%)", TAUT_REFS(count, uses))
+                     : TAUT_NEW(p->out, "VERTEX_LOOP('',%)", TAUT_REF(p->vertices[f->pole]));
+}
+
+static size_t put_face(const placing *p, int face)
+{
+    const size_t loop = put_loop(p, face);
+    const size_t bound = TAUT_NEW(p->out, "FACE_OUTER_BOUND('',%,.T.)", TAUT_REF(loop));
+    return TAUT_NEW(p->out, "ADVANCED_FACE(%,(%),%,%)",
+                    TAUT_TEXT(taut_surface_name(taut_model_surface(p->model, face))),
+                    TAUT_REF(bound), TAUT_REF(p->surfaces[face]),
+                    TAUT_TRUTH(!p->shells->faces[face].turned));
+}
+
+/* A shell's item; a body that is one face bears its name. `list` is room for its faces. */
+static void put_shell(const placing *p, const taut_shell *shell, size_t *list,
+                      taut_step_content *content)
+{
+    const int kind = shell->solid ? TAUT_STEP_SOLIDS : TAUT_STEP_SHELLS;
+    const char *name = shell->face_count == 1
+                           ? taut_surface_name(taut_model_surface(p->model, shell->faces[0]))
+                           : "";
+    for (int k = 0; k < shell->face_count; k++) {
+        list[k] = p->faces[shell->faces[k]];
+    }
+    const size_t made =
+        TAUT_NEW(p->out, "%('',%)", TAUT_WORD(shell->closed ? "CLOSED_SHELL" : "OPEN_SHELL"),
+                 TAUT_REFS((size_t)shell->face_count, list));
+    content->items[kind][++content->counts[kind]] =
+        shell->solid
+            ? TAUT_NEW(p->out, "MANIFOLD_SOLID_BREP(%,%)", TAUT_TEXT(name), TAUT_REF(made))
+            : TAUT_NEW(p->out, "SHELL_BASED_SURFACE_MODEL(%,(%))", TAUT_TEXT(name), TAUT_REF(made));
+}
+
+taut_status taut_step_put_faces(taut_part21 *out, const taut_model *model,
+                                const taut_shells *shells, const taut_step_spaces *spaces,
+                                taut_arena *arena, taut_step_content *content)
+{
+    const size_t count = (size_t)shells->face_count;
+    placing p = {.out = out, .model = model, .shells = shells, .spaces = spaces};
+    size_t styles[TAUT_STEP_COLOURS] = {0};
+
+    p.points = taut_arena_take(arena, count, sizeof *p.points);
+    p.surfaces = taut_arena_take(arena, count, sizeof *p.surfaces);
+    p.faces = taut_arena_take(arena, count, sizeof *p.faces);
+    p.edges = taut_arena_take(arena, (size_t)shells->edge_count, sizeof *p.edges);
+    p.vertices = taut_arena_take(arena, (size_t)shells->vertex_count, sizeof *p.vertices);
+    size_t *list = taut_arena_take(arena, count, sizeof *list);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int f = 0; f < shells->face_count; f++) {
+        p.surfaces[f] = taut_step_put_surface(out, taut_model_surface(model, f), &p.points[f]);
+    }
+    for (int v = 0; v < shells->vertex_count; v++) {
+        p.vertices[v] = put_vertex(&p, shells->vertices[v]);
+    }
+    for (int e = 0; e < shells->edge_count; e++) {
+        p.edges[e] = put_edge(&p, &shells->edges[e]);
+    }
+    for (int f = 0; f < shells->face_count; f++) {
+        p.faces[f] = put_face(&p, f);
+        content->styles[content->style_count++] = taut_step_style_face(out, p.faces[f], f, styles);
+    }
+    for (int s = 0; s < shells->shell_count; s++) {
+        put_shell(&p, &shells->shells[s], list, content);
+    }
+    return TAUT_OK;
+}

@@ -1,0 +1,455 @@
+#define _GNU_SOURCE /* O_TMPFILE, dladdr */
+/* posix.c -- taut on POSIX systems; files without a name, and modules, as Linux has them.
+ *
+ * A new file has no name until it is whole, where the system allows that, and else one that nobody
+ * can guess; then it is renamed over what was there.
+ */
+#include "platform/system.h"
+
+#include "taut/limits.h"
+
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { TRIES = 64, LINKS_MAX = 40 };
+
+/* strerror_r, whichever of its two kinds the C library has. */
+static const char *text_filled(int failed, const char *text)
+{
+    return failed == 0 ? text : "unknown reason";
+}
+
+static const char *text_returned(const char *returned, const char *text)
+{
+    (void)text;
+    return returned;
+}
+
+const char *taut_system_reason(int number, char *text, size_t size)
+{
+    return _Generic(strerror_r(number, text, size), int: text_filled, char *: text_returned)(
+        strerror_r(number, text, size), text);
+}
+
+/* ---- threads and modules ---- */
+
+typedef struct job {
+    void (*run)(void *context, int part);
+    void *context;
+    int part;
+} job;
+
+static void *run_job(void *argument)
+{
+    const job *j = argument;
+    j->run(j->context, j->part);
+    return NULL;
+}
+
+void taut_system_threads(int count, void (*run)(void *context, int part), void *context)
+{
+    job jobs[TAUT_THREADS_MAX];
+    pthread_t handles[TAUT_THREADS_MAX];
+    int started[TAUT_THREADS_MAX];
+
+    for (int p = count - 1; p >= 0; p--) {
+        jobs[p] = (job){run, context, p};
+        started[p] = p > 0 && pthread_create(&handles[p], NULL, run_job, &jobs[p]) == 0;
+        if (!started[p]) {
+            run_job(&jobs[p]);
+        }
+    }
+    for (int p = 1; p < count; p++) {
+        if (started[p]) {
+            pthread_join(handles[p], NULL);
+        }
+    }
+}
+
+/* The folder of the object this code is in, "" if unknown. */
+static void own_folder(char *folder, size_t size)
+{
+    static const char here;
+    Dl_info info;
+    folder[0] = '\0';
+    if (dladdr(&here, &info) != 0 && info.dli_fname != NULL) {
+        char *slash = NULL;
+        snprintf(folder, size, "%s", info.dli_fname);
+        slash = strrchr(folder, '/');
+        if (slash != NULL) {
+            *slash = '\0';
+        } else {
+            folder[0] = '\0';
+        }
+    }
+}
+
+const void *taut_system_module(const char *name)
+{
+    static const char *const places[] = {"taut", "../lib/taut", "../modules"};
+    static const char *const others[] = {TAUT_MODULE_INSTALL_DIR, TAUT_MODULE_BUILD_DIR};
+    char folder[1024];
+    char path[1280];
+    void *handle = NULL;
+
+    own_folder(folder, sizeof folder);
+    for (size_t i = 0; handle == NULL && folder[0] != '\0' && i < 3; i++) {
+        snprintf(path, sizeof path, "%s/%s/taut-%s.so", folder, places[i], name);
+        handle = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    }
+    for (size_t i = 0; handle == NULL && i < 2; i++) {
+        snprintf(path, sizeof path, "%s/taut-%s.so", others[i], name);
+        handle = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    }
+    return handle != NULL ? dlsym(handle, "taut_module_table") : NULL;
+}
+
+/* ---- reading ---- */
+
+/* What the system says of a source that is open. */
+static int look_at(taut_source *source)
+{
+    struct stat about;
+    if (fstat(source->file, &about) != 0) {
+        return errno;
+    }
+    source->size = S_ISREG(about.st_mode) ? (double)about.st_size : -1;
+    return S_ISDIR(about.st_mode) ? EISDIR : 0;
+}
+
+int taut_system_open(const char *path, taut_source *source)
+{
+    const int is_standard = strcmp(path, "-") == 0;
+    int reason = 0;
+
+    source->file = is_standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
+    if (source->file < 0) {
+        return errno;
+    }
+    reason = look_at(source);
+    if (reason != 0) {
+        taut_system_close(source);
+    }
+    return reason;
+}
+
+int taut_system_read(taut_source *source, char *to, size_t room, size_t *count)
+{
+    ssize_t got = -1;
+
+    do {
+        got = read(source->file, to, room);
+    } while (got < 0 && errno == EINTR);
+    *count = got > 0 ? (size_t)got : 0;
+    return got < 0 ? errno : 0;
+}
+
+void taut_system_close(taut_source *source)
+{
+    if (source->file != STDIN_FILENO) {
+        close(source->file);
+    }
+}
+
+/* ---- what is there ---- */
+
+taut_place taut_system_place_of(const char *path)
+{
+    struct stat about;
+    if (stat(path, &about) != 0) {
+        return TAUT_PLACE_NONE;
+    }
+    return S_ISREG(about.st_mode)   ? TAUT_PLACE_FILE
+           : S_ISDIR(about.st_mode) ? TAUT_PLACE_FOLDER
+                                    : TAUT_PLACE_OTHER;
+}
+
+static int is_standard_output(const char *path)
+{
+    return strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0 ||
+           strcmp(path, "/dev/fd/1") == 0 || strcmp(path, "/proc/self/fd/1") == 0;
+}
+
+/* Joins the folder of `path` and a name: "a/b" and "c" give "a/c". 0 if it does not fit. */
+static int join_path(const char *path, const char *name, char joined[TAUT_PATH_ROOM])
+{
+    const char *slash = strrchr(path, '/');
+    const size_t folder = slash != NULL ? (size_t)(slash - path) + 1 : 0;
+    if (folder + strlen(name) >= TAUT_PATH_ROOM) {
+        return 0;
+    }
+    memmove(joined, path, folder);
+    memmove(joined + folder, name, strlen(name) + 1);
+    return 1;
+}
+
+/* Follows the links of the last part, also one that leads nowhere yet. */
+static int follow_links(char path[TAUT_PATH_ROOM])
+{
+    char link[TAUT_PATH_ROOM];
+    char joined[TAUT_PATH_ROOM];
+    for (int i = 0; i < LINKS_MAX; i++) {
+        const ssize_t length = readlink(path, link, sizeof link - 1);
+        if (length < 0) {
+            return 0; /* not a link: other troubles are found when it is used */
+        }
+        link[length] = '\0';
+        if (!join_path(link[0] == '/' ? "" : path, link, joined)) {
+            return ENAMETOOLONG;
+        }
+        memcpy(path, joined, strlen(joined) + 1);
+    }
+    return ELOOP;
+}
+
+/* Spells the folder in full, so that two names of one file are told to be one. */
+static int spell_folder(char path[TAUT_PATH_ROOM])
+{
+    char folder[TAUT_PATH_ROOM];
+    char full[TAUT_PATH_ROOM];
+    const char *slash = strrchr(path, '/');
+    const char *name = slash != NULL ? slash + 1 : path;
+    const size_t length = strlen(name);
+    size_t used = 0;
+
+    if (slash == NULL) {
+        memcpy(folder, ".", 2);
+    } else {
+        memcpy(folder, path, (size_t)(slash - path) + 1);
+        folder[slash - path + 1] = '\0';
+    }
+    if (realpath(folder, full) == NULL) {
+        return errno;
+    }
+    used = strlen(full);
+    if (used + 1 + length >= TAUT_PATH_ROOM) {
+        return ENAMETOOLONG;
+    }
+    memmove(path + used + 1, name, length + 1);
+    memcpy(path, full, used);
+    path[used] = '/';
+    return length > 0 ? 0 : ENOENT;
+}
+
+/* A file that is there must be one that may be written: renaming over it would not ask. */
+static int check_file(const char *target, taut_place place)
+{
+    if (place == TAUT_PLACE_FOLDER) {
+        return EISDIR;
+    }
+    return faccessat(AT_FDCWD, target, W_OK, AT_EACCESS) == 0 ? 0 : errno;
+}
+
+int taut_system_target(const char *path, taut_target_kind *kind, char target[TAUT_PATH_ROOM])
+{
+    taut_place place = TAUT_PLACE_NONE;
+    int reason = 0;
+
+    if (is_standard_output(path)) {
+        *kind = TAUT_TARGET_STANDARD;
+        target[0] = '\0';
+        return 0;
+    }
+    if (path[0] == '\0' || strlen(path) >= TAUT_PATH_ROOM) {
+        return path[0] == '\0' ? ENOENT : ENAMETOOLONG;
+    }
+    memcpy(target, path, strlen(path) + 1);
+    place = taut_system_place_of(path);
+    if (strncmp(path, "/dev/fd/", 8) == 0 || strncmp(path, "/proc/", 6) == 0 ||
+        strcmp(path, "/dev/stderr") == 0 || place == TAUT_PLACE_OTHER) {
+        *kind = TAUT_TARGET_DEVICE;
+        return 0;
+    }
+    *kind = TAUT_TARGET_FILE;
+    reason = follow_links(target);
+    if (reason == 0) {
+        reason = spell_folder(target);
+    }
+    if (reason == 0 && place != TAUT_PLACE_NONE) {
+        reason = check_file(target, place);
+    }
+    return reason;
+}
+
+/* ---- writing ---- */
+
+/* A name in the same folder that nobody can guess: ".taut-" and 16 hexadecimal digits. */
+static int name_temporary(char *temporary)
+{
+    static const char hex[] = "0123456789abcdef";
+    char *name = strrchr(temporary, '/') + 1; /* the target is spelled in full */
+    unsigned char random[8];
+
+    if (getrandom(random, sizeof random, 0) != (ssize_t)sizeof random) {
+        return errno;
+    }
+    memcpy(name, ".taut-", 6);
+    for (size_t i = 0; i < sizeof random; i++) {
+        name[6 + 2 * i] = hex[random[i] >> 4];
+        name[7 + 2 * i] = hex[random[i] & 15];
+    }
+    name[6 + 2 * sizeof random] = '\0';
+    return 0;
+}
+
+/* The new file gets what the old one had, as far as that is allowed. */
+static void take_mode(int file, const char *target)
+{
+    struct stat old;
+    if (stat(target, &old) == 0) {
+        if (fchown(file, old.st_uid, old.st_gid) != 0) {
+            errno = 0; /* somebody else's file, written by its group: it becomes ours */
+        }
+        if (fchmod(file, old.st_mode & 0777) != 0) {
+            errno = 0;
+        }
+    }
+}
+
+/* A file without a name in the folder of `temporary`; -1 where there is no such thing. It gets its
+ * name through /proc. */
+static int open_nameless(char *temporary)
+{
+    char *slash = strrchr(temporary, '/');
+    const char first = slash[1];
+    int file = -1;
+    if (access("/proc/self/fd", X_OK) == 0) {
+        slash[1] = '\0';
+        file = open(temporary, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+        slash[1] = first;
+    }
+    return file;
+}
+
+/* A new file named `temporary`. Returns it, or -1 with *reason set. */
+static int open_named(taut_new_file *made, int *reason)
+{
+    int file = -1;
+    *reason = EEXIST;
+    for (int i = 0; i < TRIES && file < 0 && *reason == EEXIST; i++) {
+        *reason = name_temporary(made->temporary);
+        if (*reason == 0) {
+            made->pending = 1; /* first, so that a signal never finds a file not known */
+            file = open(made->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            *reason = file < 0 ? errno : 0;
+            made->pending = file >= 0;
+        }
+    }
+    return file;
+}
+
+int taut_system_create(taut_new_file *made)
+{
+    int reason = 0;
+    int file = open_nameless(made->temporary);
+    /* kept open past the stream, as without a name nothing else holds the file */
+    const int kept = file >= 0 ? fcntl(file, F_DUPFD_CLOEXEC, 3) : -1;
+
+    if (kept >= 0) {
+        made->nameless = kept;
+    } else {
+        if (file >= 0) {
+            close(file);
+        }
+        file = open_named(made, &reason);
+    }
+    if (file < 0) {
+        return reason;
+    }
+    take_mode(file, made->target);
+    made->stream = fdopen(file, "wb");
+    if (made->stream == NULL) {
+        close(file);
+        taut_system_discard(made);
+        return ENOMEM;
+    }
+    return 0;
+}
+
+const char *taut_system_own_path(const taut_new_file *file, char own[TAUT_OWN_ROOM])
+{
+    if (file->nameless <= 0) {
+        return file->temporary;
+    }
+    snprintf(own, TAUT_OWN_ROOM, "/proc/self/fd/%d", file->nameless);
+    return own;
+}
+
+/* Names the file that has none `temporary`. */
+static int give_name(taut_new_file *file)
+{
+    char room[TAUT_OWN_ROOM];
+    const char *own = taut_system_own_path(file, room);
+    int reason = EEXIST;
+    for (int i = 0; i < TRIES && reason == EEXIST; i++) {
+        reason = name_temporary(file->temporary);
+        if (reason == 0) {
+            file->pending = 1;
+            reason = linkat(AT_FDCWD, own, AT_FDCWD, file->temporary, AT_SYMLINK_FOLLOW) == 0
+                         ? 0
+                         : errno;
+            file->pending = reason == 0;
+        }
+    }
+    return reason;
+}
+
+int taut_system_place(taut_new_file *file)
+{
+    int reason = file->nameless > 0 ? give_name(file) : 0;
+    if (reason == 0) {
+        reason = rename(file->temporary, file->target) == 0 ? 0 : errno;
+        file->pending = reason != 0;
+    }
+    return reason;
+}
+
+void taut_system_discard(taut_new_file *file)
+{
+    if (file->stream != NULL) {
+        fclose(file->stream);
+        file->stream = NULL;
+    }
+    if (file->nameless > 0) {
+        close(file->nameless);
+        file->nameless = 0;
+    }
+    if (file->pending) {
+        unlink(file->temporary);
+        file->pending = 0;
+    }
+}
+
+void taut_system_remove(const taut_new_file *file)
+{
+    if (file->pending) {
+        unlink(file->temporary);
+    }
+}
+
+int taut_system_open_device(const char *target, FILE **stream)
+{
+    const int file = open(target, O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY);
+    int reason = 0;
+
+    *stream = file >= 0 ? fdopen(file, "wb") : NULL;
+    if (*stream == NULL) {
+        reason = errno;
+        if (file >= 0) {
+            close(file);
+        }
+    }
+    return reason;
+}
+
+FILE *taut_system_spool(char **text, size_t *length)
+{
+    return open_memstream(text, length);
+}

@@ -1,0 +1,93 @@
+/* system.h -- all that taut asks of an operating system: nothing else in the library does. One file
+ * for each: posix.c, wasi.c.
+ *
+ * Functions that return a reason return a number of errno.h, 0 where all went well. Paths are as the
+ * user wrote them unless they are said to be spelled in full. A stream and a descriptor that are
+ * opened here stay with this process.
+ */
+#ifndef TAUT_PLATFORM_SYSTEM_H
+#define TAUT_PLATFORM_SYSTEM_H
+
+#include <signal.h>
+#include <stddef.h>
+#include <stdio.h>
+
+enum { TAUT_PATH_ROOM = 4096, TAUT_OWN_ROOM = 32, TAUT_SUFFIX_ROOM = 32 };
+
+/* What a number of errno.h means, in `text`. */
+const char *taut_system_reason(int number, char *text, size_t size);
+
+/* ---- threads and modules ---- */
+
+/* Calls run(context, 0 .. count-1), each on a thread of its own, part 0 on this one; a part whose
+ * thread the system does not grant is done here. Returns when all are done. count is at most
+ * TAUT_THREADS_MAX. */
+void taut_system_threads(int count, void (*run)(void *context, int part), void *context);
+
+/* The symbol `taut_module_table` of the module `taut-<name>` (platform/module.h), which stays loaded;
+ * NULL where there is none. */
+const void *taut_system_module(const char *name);
+
+/* ---- reading ---- */
+
+typedef struct taut_source {
+    int file;
+    double size; /* bytes that a regular file has; else -1 */
+} taut_source;
+
+/* "-" is standard input. A folder is none: EISDIR. */
+int taut_system_open(const char *path, taut_source *source);
+/* Reads at most `room` bytes: *count, 0 at the end. */
+int taut_system_read(taut_source *source, char *to, size_t room, size_t *count);
+void taut_system_close(taut_source *source); /* standard input stays open */
+
+/* ---- what is there ---- */
+
+typedef enum taut_target_kind {
+    TAUT_TARGET_FILE,
+    TAUT_TARGET_DEVICE,
+    TAUT_TARGET_STANDARD
+} taut_target_kind;
+
+/* What kind of place `path` names, and its full name with links resolved ("" for standard output),
+ * so that two names of one file are told to be one. EISDIR, EACCES, ENOENT (the folder) ...: nothing
+ * can be written there. */
+int taut_system_target(const char *path, taut_target_kind *kind, char target[TAUT_PATH_ROOM]);
+
+typedef enum taut_place {
+    TAUT_PLACE_NONE,
+    TAUT_PLACE_FILE,
+    TAUT_PLACE_FOLDER,
+    TAUT_PLACE_OTHER
+} taut_place;
+taut_place taut_system_place_of(const char *path);
+
+/* ---- writing: a new file is whole before it is seen ---- */
+
+typedef struct taut_new_file {
+    const char *target;            /* a regular file, there or not, spelled in full */
+    char *temporary;               /* the target's name with TAUT_SUFFIX_ROOM bytes of room */
+    volatile sig_atomic_t pending; /* nonzero: `temporary` may be there and is to be removed */
+    int nameless;                  /* descriptor that keeps a file without a name; 0: none */
+    FILE *stream;                  /* while it is written: closed by whoever writes */
+} taut_new_file;
+
+/* A new file in the target's folder, without a name where the system has such files (nothing is left
+ * of it even when the process is killed); `stream` is open. ENOMEM where there is none for it. */
+int taut_system_create(taut_new_file *file);
+/* Where somebody else may open the new file: its temporary name, or a path in `own`. */
+const char *taut_system_own_path(const taut_new_file *file, char own[TAUT_OWN_ROOM]);
+/* Puts the file, closed, in the target's place, with what it allowed whom. */
+int taut_system_place(taut_new_file *file);
+/* Closes and removes what is not in its place. */
+void taut_system_discard(taut_new_file *file);
+/* The same in a signal handler, of a file with a name. */
+void taut_system_remove(const taut_new_file *file);
+
+/* A stream that appends to a device. */
+int taut_system_open_device(const char *target, FILE **stream);
+
+/* A stream into memory, malloc's: *text and *length are there when it is closed. NULL: no memory. */
+FILE *taut_system_spool(char **text, size_t *length);
+
+#endif /* TAUT_PLATFORM_SYSTEM_H */

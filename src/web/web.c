@@ -1,0 +1,240 @@
+/* web.c -- taut for a host that has it as a WebAssembly module: documents and flat arrays.
+ *
+ *     room = taut_web_alloc(n); write a document's n bytes there; w = taut_web_open(room, n)
+ *     taut_web_make(w); taut_web_certify(w)          unless the document is a model
+ *     taut_web_grid(w, s, nu, nv)                    positions and normals to draw
+ *     taut_web_write(w, "json"), taut_web_length(w)  the model with its certificate
+ *     taut_web_close(w); taut_web_free(room)
+ *
+ * What goes wrong is a status above 0, and a sentence in taut_web_error. Nothing here is kept between
+ * two documents but that sentence.
+ */
+#include "taut/taut.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct taut_web {
+    taut_problem *problem; /* or NULL: a model was opened */
+    taut_model *model;
+    float *grid;
+    char *text;
+    size_t length;
+} taut_web;
+
+static taut_error last;
+
+enum { LINES_MAX = 4096 };
+
+void *taut_web_alloc(size_t size);
+void taut_web_free(void *room);
+taut_web *taut_web_open(const char *text, size_t length);
+void taut_web_close(taut_web *web);
+int taut_web_make(taut_web *web);
+int taut_web_certify(taut_web *web);
+int taut_web_holds(const taut_web *web);
+int taut_web_surfaces(const taut_web *web);
+const char *taut_web_name(const taut_web *web, int s);
+const float *taut_web_grid(taut_web *web, int s, int nu, int nv);
+int taut_web_count(const taut_web *web, int s, int direction);
+const double *taut_web_points(const taut_web *web, int s);
+const char *taut_web_write(taut_web *web, const char *format);
+size_t taut_web_length(const taut_web *web);
+const char *taut_web_error(void);
+const char *taut_web_where(void);
+
+void *taut_web_alloc(size_t size)
+{
+    return malloc(size > 0 ? size : 1);
+}
+
+void taut_web_free(void *room)
+{
+    free(room);
+}
+
+/* The document of a problem or of a model; NULL: see taut_web_error. */
+taut_web *taut_web_open(const char *text, size_t length)
+{
+    taut_web *web = calloc(1, sizeof *web);
+
+    if (web == NULL) {
+        return NULL;
+    }
+    taut_status status = taut_problem_read_text(text, length, "document", &web->problem, &last);
+    if (status != TAUT_OK && status != TAUT_NO_MEMORY) {
+        taut_error second;
+        if (taut_model_read_text(text, length, "document", &web->model, &second) == TAUT_OK) {
+            return web;
+        }
+    }
+    if (status != TAUT_OK) {
+        taut_web_close(web);
+        return NULL;
+    }
+    return web;
+}
+
+void taut_web_close(taut_web *web)
+{
+    if (web != NULL) {
+        taut_problem_free(web->problem);
+        taut_model_free(web->model);
+        free(web->grid);
+        taut_text_free(web->text);
+        free(web);
+    }
+}
+
+/* Makes the model of a problem. */
+int taut_web_make(taut_web *web)
+{
+    taut_model *made = NULL;
+    const taut_status status = taut_make(web->problem, NULL, &made, &last);
+
+    if (status == TAUT_OK) {
+        taut_model_free(web->model);
+        web->model = made;
+    }
+    return (int)status;
+}
+
+/* Proves the model, with its problem where that was opened. */
+int taut_web_certify(taut_web *web)
+{
+    taut_certificate *certificate = NULL;
+    const taut_status status = taut_certify(web->model, web->problem, NULL, &certificate, &last);
+
+    if (status == TAUT_OK) {
+        taut_model_set_certificate(web->model, certificate);
+    }
+    return (int)status;
+}
+
+/* 1: all claims hold; 0: one does not; -1: undecided, or none was made. */
+int taut_web_holds(const taut_web *web)
+{
+    const taut_certificate *certificate =
+        web->model != NULL ? taut_model_certificate(web->model) : NULL;
+    const taut_verdict verdict =
+        certificate != NULL ? taut_certificate_holds(certificate) : TAUT_UNDECIDED;
+    return verdict == TAUT_TRUE ? 1 : verdict == TAUT_FALSE ? 0 : -1;
+}
+
+int taut_web_surfaces(const taut_web *web)
+{
+    return web->model != NULL ? taut_model_surface_count(web->model) : 0;
+}
+
+/* Surface s, or NULL. */
+static const taut_surface *surface_at(const taut_web *web, int s)
+{
+    return web->model != NULL ? taut_model_surface(web->model, s) : NULL;
+}
+
+const char *taut_web_name(const taut_web *web, int s)
+{
+    const taut_surface *surface = surface_at(web, s);
+    return surface != NULL ? taut_surface_name(surface) : NULL;
+}
+
+/* Control points of surface s along u (0) or v (1). */
+int taut_web_count(const taut_web *web, int s, int direction)
+{
+    const taut_surface *surface = surface_at(web, s);
+    return surface == NULL  ? 0
+           : direction == 0 ? taut_basis_count(taut_surface_u(surface))
+                            : taut_basis_count(taut_surface_v(surface));
+}
+
+/* double[count of u][count of v][3], borrowed. */
+const double *taut_web_points(const taut_web *web, int s)
+{
+    const taut_surface *surface = surface_at(web, s);
+    return surface != NULL ? taut_surface_points(surface) : NULL;
+}
+
+static void fill_parameters(const taut_basis *basis, int count, double *t)
+{
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    for (int i = 0; i < count; i++) {
+        const double part = (double)i / (count - 1);
+        t[i] = i == 0 ? lo : i + 1 == count ? hi : fmin(hi, lo + part * (hi - lo));
+    }
+}
+
+/* x, x_u, x_v to the position and the unit normal, 0 where there is none. */
+static void take_point(const double x[9], float position[3], float normal[3])
+{
+    double n[3], length = 0;
+    for (int c = 0; c < 3; c++) {
+        const int a = (c + 1) % 3, b = (c + 2) % 3;
+        n[c] = x[3 + a] * x[6 + b] - x[3 + b] * x[6 + a];
+    }
+    length = hypot(hypot(n[0], n[1]), n[2]);
+    for (int c = 0; c < 3; c++) {
+        position[c] = (float)x[c];
+        normal[c] = length > 0 ? (float)(n[c] / length) : 0;
+    }
+}
+
+/* float[2][nu][nv][3]: positions, then unit normals, at nu by nv parameters from end to end;
+ * borrowed until the next call. NULL: no such surface, fewer than 2 lines or more than 4096, or no
+ * memory. */
+const float *taut_web_grid(taut_web *web, int s, int nu, int nv)
+{
+    const taut_surface *surface = surface_at(web, s);
+    if (surface == NULL || nu < 2 || nv < 2 || nu > LINES_MAX || nv > LINES_MAX) {
+        return NULL;
+    }
+    const size_t count = (size_t)nu * (size_t)nv;
+    double *room = malloc((9 * count + (size_t)nu + (size_t)nv) * sizeof *room);
+    float *grid = realloc(web->grid, 6 * count * sizeof *grid);
+    web->grid = grid != NULL ? grid : web->grid;
+    if (room == NULL || grid == NULL) {
+        free(room);
+        return NULL;
+    }
+    double *u = room + 9 * count, *v = u + nu;
+    fill_parameters(taut_surface_u(surface), nu, u);
+    fill_parameters(taut_surface_v(surface), nv, v);
+    const taut_status status = taut_surface_eval_grid(surface, nu, u, nv, v, 1, 1, room);
+    for (size_t k = 0; status == TAUT_OK && k < count; k++) {
+        take_point(room + 9 * k, grid + 3 * k, grid + 3 * (count + k));
+    }
+    free(room);
+    return status == TAUT_OK ? grid : NULL;
+}
+
+/* The model in the format of an ending, ended by a 0; borrowed until the next call. */
+const char *taut_web_write(taut_web *web, const char *format)
+{
+    char *text = NULL;
+    size_t length = 0;
+
+    if (web->model == NULL ||
+        taut_model_write_text(web->model, format, NULL, &text, &length, &last) != TAUT_OK) {
+        return NULL;
+    }
+    taut_text_free(web->text);
+    web->text = text;
+    web->length = length;
+    return text;
+}
+
+size_t taut_web_length(const taut_web *web)
+{
+    return web->length;
+}
+
+/* What went wrong last, and where in the document (a JSON pointer). */
+const char *taut_web_error(void)
+{
+    return last.message;
+}
+
+const char *taut_web_where(void)
+{
+    return last.where;
+}

@@ -1,0 +1,22 @@
+#!/bin/sh
+# test_forged.sh -- models that no construction made, each of which passed a claim that it does not meet: by a point of little
+# weight, by a derivative that the degree does not have, by a surface so large that a gap beside it seems small, by a film
+# whose measured area is worth nothing.
+. "$(dirname "$0")/cli.sh"
+# model: claim that must not hold
+while read -r name claim; do
+    "$TAUT" certify "$SOURCE/tests/cli/forged/$name.model.json" "$SOURCE/tests/cli/forged/$name.problem.json" \
+        > out.txt 2> err.txt
+    if grep -Eq "^  $claim +holds" out.txt err.txt; then
+        complain "$name: \"$claim\" holds"
+    fi
+    grep -Eq "^  $claim +(DOES NOT HOLD|undecided)" out.txt err.txt || complain "$name: nothing is said of \"$claim\""
+done <<'LIST'
+dirichlet-light-point stationary
+harmonic-degree-1 harmonic
+biharmonic-cubic biharmonic
+harmonic-extension-lifted continuity
+plateau-light-point least
+plateau-light-point stationary
+LIST
+finish

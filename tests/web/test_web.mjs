@@ -1,0 +1,104 @@
+// test_web.mjs -- the WebAssembly module against the program: every example, made and certified by both.
+//
+//     TAUT=build/release/bin/taut TAUT_WASM=build/wasm/bin/taut.wasm node --test tests/web/
+//
+// @ts-check
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import zlib from "node:zlib";
+import { load } from "../../web/taut.mjs";
+
+const root = path.join(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), "../..");
+const program = process.env.TAUT ?? path.join(root, "build/release/bin/taut");
+const bytes = fs.readFileSync(process.env.TAUT_WASM ?? path.join(root, "build/wasm/bin/taut.wasm"));
+const taut = await load(bytes);
+const examples = fs.readdirSync(path.join(root, "examples")).filter((name) => name.endsWith(".json")).sort();
+const read = (/** @type {string} */ name) => fs.readFileSync(path.join(root, "examples", name), "utf8");
+const native = (/** @type {string} */ text) =>
+  spawnSync(program, ["make", "-", "--quiet"], { input: text, encoding: "utf8", maxBuffer: 1 << 28 });
+
+/** Largest difference of two models' points, over the size of the first. */
+function distance(/** @type {any} */ a, /** @type {any} */ b) {
+  let apart = 0, size = 0;
+  a.surfaces.forEach((/** @type {any} */ surface, /** @type {number} */ s) => {
+    const one = surface.points.flat(Infinity), other = b.surfaces[s].points.flat(Infinity);
+    assert.equal(one.length, other.length);
+    one.forEach((/** @type {number} */ x, /** @type {number} */ k) => {
+      apart = Math.max(apart, Math.abs(x - other[k]));
+      size = Math.max(size, Math.abs(x));
+    });
+  });
+  return apart / size;
+}
+
+test("the module is small", () => {
+  assert.ok(bytes.length <= 1.25e6, `${bytes.length} bytes`);
+  assert.ok(zlib.brotliCompressSync(bytes).length <= 420e3, `${zlib.brotliCompressSync(bytes).length} bytes by brotli`);
+});
+
+// Made with long double, which is another type there (docs/platforms.md); all others have the program's bytes.
+const wide = /^(harmonic|biharmonic)/;
+for (const name of examples) {
+  test(name, () => {
+    const text = read(name), theirs = native(text);
+    const surface = taut.open(text);
+    surface.make();
+    const holds = surface.certify();
+    const written = surface.write("json");
+    const ours = JSON.parse(written), model = JSON.parse(theirs.stdout);
+    assert.equal(holds, model.certificate.holds);
+    assert.deepEqual(
+      ours.certificate.claims.map((/** @type {any} */ c) => [c.claim, c.kind, c.holds]),
+      model.certificate.claims.map((/** @type {any} */ c) => [c.claim, c.kind, c.holds]),
+    );
+    if (!wide.test(name)) assert.ok(written === theirs.stdout, `points differ by ${distance(model, ours)} of the size`);
+    else assert.ok(distance(model, ours) <= 1e-15, `points differ by ${distance(model, ours)} of the size`);
+    // a model is opened as well, and certified without its problem
+    const again = taut.open(written);
+    assert.equal(again.count, ours.surfaces.length);
+    again.close();
+    surface.close();
+  });
+}
+
+test("a grid lies on the surface", () => {
+  const surface = taut.open(read("dirichlet-tent.json"));
+  surface.make();
+  const { positions, normals } = surface.grid(0, 9, 5);
+  const { nu, nv, points } = surface.points(0);
+  assert.equal(positions.length, 135);
+  for (let c = 0; c < 3; c++) { // the corners of the net are on it
+    assert.equal(positions[c], Math.fround(points[c]));
+    assert.equal(positions[132 + c], Math.fround(points[3 * (nu * nv - 1) + c]));
+  }
+  for (let k = 0; k < normals.length; k += 3) {
+    assert.ok(Math.abs(Math.hypot(normals[k], normals[k + 1], normals[k + 2]) - 1) < 1e-6);
+  }
+  assert.throws(() => surface.grid(0, 1, 5));
+  assert.throws(() => surface.grid(7, 5, 5));
+  surface.close();
+});
+
+test("formats", () => {
+  const surface = taut.open(read("dirichlet-tent.json"));
+  surface.make();
+  assert.match(surface.write("svg"), /^<\?xml[\s\S]*<svg/);
+  assert.match(surface.write("obj"), /^#|\nv /);
+  assert.match(surface.write("step"), /^ISO-10303-21;[\s\S]*END-ISO-10303-21;\s*$/);
+  assert.throws(() => surface.write("iges"), /not written in the browser/);
+  assert.throws(() => surface.write("png"), /not installed/);
+  assert.throws(() => surface.write("nonsense"), /ending/);
+  surface.close();
+});
+
+test("what is wrong is told as the program tells it", () => {
+  assert.throws(() => taut.open("{"), /./);
+  assert.throws(() => taut.open('{"taut": 1, "construct": "dirichlt"}'), (/** @type {any} */ error) => error.where === "/construct");
+  for (let k = 0; k < 1000; k++) { // nothing is kept
+    assert.throws(() => taut.open("[1,"));
+  }
+  assert.ok(taut.raw.memory.buffer.byteLength < 1 << 28);
+});
