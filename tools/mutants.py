@@ -3,6 +3,7 @@
 
     tools/mutants.sh [PATTERN]        tries every row of tests/mutants/*.json, or those whose name matches PATTERN
     tools/mutants.sh --check [ROOT]   builds nothing: each row fits its file, each table is in order
+    tools/mutants.sh --compile BUILD  tries nothing: each row compiles without a warning, as this build of its tree would
     tools/mutants.sh --tidy           brings the rows to their tables and in order, after files have moved
 
     MUTANTS_COUNT    try so many; each commit takes others (default: all are tried)
@@ -24,6 +25,7 @@ import signal
 import subprocess
 import sys
 
+import mutant_compile
 import mutant_table
 from mutant_table import Wrong
 
@@ -125,6 +127,14 @@ def check(root):
     return 1 if found else 0
 
 
+def check_compiled(build):
+    """The check that runs the compiler's front end alone."""
+    rows = mutant_table.load(build.resolve().parent.parent)
+    found = mutant_compile.complaints(rows, build)
+    print("\n".join(found or [f"{len(rows)} mutants, each compiles without a warning"]))
+    return 1 if found else 0
+
+
 def chosen(pattern, count):
     """The rows whose name matches; so many of them, in an order of each commit's own, so that all have a turn."""
     rows = [row for row in mutant_table.load(ROOT) if fnmatch.fnmatchcase(row.name, f"*{pattern}*")]
@@ -187,6 +197,8 @@ def main(arguments):
     try:
         if arguments[:1] == ["--check"] and len(arguments) <= 2:
             return check(pathlib.Path(arguments[1] if len(arguments) > 1 else ROOT))
+        if arguments[:1] == ["--compile"] and len(arguments) == 2:
+            return check_compiled(pathlib.Path(arguments[1]))
         if arguments == ["--tidy"]:
             mutant_table.write(ROOT, mutant_table.load(ROOT))
             return 0
