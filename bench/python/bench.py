@@ -1,0 +1,88 @@
+"""What the package costs over the library, and what sweeps gain by threads; peers beside it where they are installed.
+
+    tools/python.sh bench [--films N]
+"""
+import argparse
+import concurrent.futures
+import os
+import time
+import timeit
+
+import numpy as np
+
+import taut
+
+
+def best(function, number, repeat=7):
+    """Microseconds of the quickest of some runs."""
+    return min(timeit.repeat(function, number=number, repeat=repeat)) / number * 1e6
+
+
+def film(seed, n=12):
+    """A problem of n x n points on a random boundary."""
+    random = np.random.default_rng(seed)
+    x, y = np.meshgrid(np.linspace(0, 1, n), np.linspace(0, 1, n), indexing="ij")
+    a, b, c = random.uniform(-0.3, 0.3, 3)
+    points = np.stack([x, y, a * np.sin(3 * x) + b * x * y + c * np.cos(2 * y)], axis=-1)
+    points[1:-1, 1:-1] = np.nan
+    basis = {"type": "bspline", "degree": 3, "count": n}
+    return {"construct": "plateau", "method": "normal", "least": False, "u": basis, "v": basis, "points": points}
+
+
+def over_c():
+    """A construction by Python's function, and by the same calls of C with everything ready."""
+    points = np.array(film(0, 4)["points"])
+    u = taut.bezier(3)
+    from ctypes import byref, c_void_p
+    from taut import _library as c
+    known = np.ascontiguousarray(~np.isnan(points).any(axis=-1), dtype=np.uint8)
+    problem = c.DirichletProblem(u=u._pointer, v=u._pointer, points=points.ctypes.data, known=known.ctypes.data)
+    model, certificate, error = c_void_p(), c_void_p(), c.ErrorStruct()
+
+    def bare():
+        c.library.taut_dirichlet_make(byref(problem), None, byref(model), byref(error))
+        c.library.taut_dirichlet_certify(model, byref(problem), None, byref(certificate), byref(error))
+        c.library.taut_model_set_certificate(model, certificate)
+        c.library.taut_model_free(model)
+    return best(lambda: taut.dirichlet(points, u=u, v=u), 500), best(bare, 500)
+
+
+def main():
+    """Prints the table."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--films", type=int, default=1000)
+    films = parser.parse_args().films
+    points = np.random.default_rng(1).standard_normal((12, 12, 3))
+    surface = taut.Surface(taut.bspline(3, count=12), taut.bspline(3, count=12), points)
+    few, million, out = np.linspace(0, 1, 5), np.linspace(0, 1, 1000), np.empty((1000, 1000, 3))
+    with_python, bare = over_c()
+    rows = [("s(u, v), one point", best(lambda: surface(0.3, 0.4), 5000), "us"), ("s(u, v), five points", best(lambda: surface(few, few), 2000), "us"),
+            ("dirichlet 4 x 4, over C", with_python - bare, f"us of {with_python:.0f}"),
+            ("a million points, out=", best(lambda: surface.grid(million, million, 0, out=out), 3) / 1000, "ms")]
+    try:
+        from scipy.interpolate import bisplev
+        knots = np.array(surface.u.knots)
+        spline = (knots, knots, np.ascontiguousarray(points[..., 0]).ravel(), 3, 3)
+        rows.append(("scipy's bisplev, one coordinate", best(lambda: bisplev(million, million, spline), 3) / 1000, "ms"))
+    except ImportError:
+        rows.append(("scipy's bisplev", float("nan"), "(python3-scipy is not installed)"))
+    documents = [film(seed) for seed in range(films)]
+    alone = None
+    for workers in (1, 2):
+        begin = time.perf_counter()
+        failed = sum(isinstance(result, taut.Error) for _, result in taut.map(documents, threads=workers))
+        seconds = time.perf_counter() - begin
+        alone = alone or seconds
+        rows.append((f"{films} films of 12 x 12, {workers} thread{'s' * (workers > 1)}", seconds, f"s, efficiency {alone / seconds / workers:.2f}, {failed} failed"))
+    with concurrent.futures.ProcessPoolExecutor(2) as executor:
+        begin = time.perf_counter()
+        list(taut.map(documents, client=executor))
+        seconds = time.perf_counter() - begin
+        rows.append((f"{films} films of 12 x 12, 2 processes", seconds, f"s, efficiency {alone / seconds / 2:.2f}"))
+    for name, value, unit in rows:
+        print(f"{name:<40} {value:10.2f} {unit}")
+    print(f"python {os.sys.version.split()[0]}, numpy {np.__version__}, taut {taut.__version__}")
+
+
+if __name__ == "__main__":
+    main()

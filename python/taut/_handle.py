@@ -1,0 +1,84 @@
+"""Objects of C that Python owns, and views of their memory."""
+from __future__ import annotations
+
+import ctypes
+import weakref
+from ctypes import byref, c_char_p, c_double, c_size_t, c_uint32, c_void_p
+from functools import lru_cache
+from typing import Any, Callable
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _library as c
+from .errors import raise_for
+
+Array = npt.NDArray[np.float64]
+library = c.library
+
+
+class Handle:
+    """A pointer that is freed when nothing needs it any more: neither an object nor a view of its memory."""
+
+    __slots__ = ("pointer", "__weakref__")
+
+    def __init__(self, pointer: int, free: Callable[[int], None]) -> None:
+        self.pointer = pointer
+        weakref.finalize(self, free, pointer).atexit = False  # at the end the system takes it all; views may still be read
+
+
+def made(function: Any, free: Callable[[int], None], *arguments: Any) -> Handle:
+    """The object that function(*arguments, &object, &error) makes."""
+    error, pointer = c.ErrorStruct(), c_void_p()
+    status = function(*arguments, byref(pointer), byref(error))
+    if status != c.OK:
+        raise_for(status, error)
+    assert pointer.value is not None
+    return Handle(pointer.value, free)
+
+
+@lru_cache(maxsize=256)
+def _array_type(kind: Any, count: int) -> Any:
+    return kind * count
+
+
+def view(owner: object, address: int, shape: tuple[int, ...], kind: Any = c_double) -> npt.NDArray[Any]:
+    """Numbers that C holds, read-only and without a copy; `owner` lives as long as the view."""
+    count = 1
+    for length in shape:
+        count *= length
+    memory = _array_type(kind, count).from_address(address)
+    memory.owner = owner
+    array = np.frombuffer(memory, dtype=np.uint32 if kind is c_uint32 else np.float64).reshape(shape)
+    array.flags.writeable = False
+    return array
+
+
+def numbers(values: Any, shape: tuple[int, ...] | None = None) -> Array:
+    """values as doubles side by side."""
+    array = np.ascontiguousarray(values, dtype=np.float64)
+    if shape is not None and array.shape != shape:
+        array = np.ascontiguousarray(np.broadcast_to(array, shape))
+    return array
+
+
+def text_of(function: Any, *arguments: Any) -> bytes:
+    """The text that function(*arguments, &text, &length, [&error]) writes; freed here."""
+    error, pointer, length = c.ErrorStruct(), c_void_p(), c_size_t()
+    extra = [byref(error)] if len(function.argtypes) == len(arguments) + 3 else []
+    status = function(*arguments, byref(pointer), byref(length), *extra)
+    if status != c.OK:
+        raise_for(status, error if extra else None)
+    try:
+        return ctypes.string_at(pointer, length.value)
+    finally:
+        library.taut_text_free(pointer)
+
+
+def encoded(text: str | None) -> c_char_p | bytes | None:
+    """A text for C; one with a NUL inside would be cut there, and is refused."""
+    if text is None:
+        return None
+    if "\0" in text:
+        raise ValueError("a text with a NUL in it")
+    return text.encode("utf-8", "surrogateescape")

@@ -1,0 +1,156 @@
+"""The C library: where it is found, what its functions take, what its structs look like.
+
+Found in this order: $TAUT_LIBRARY (a path), the copy that the wheel carries, the system's. Structs that are laid out
+otherwise than here mean another version: it is refused at import, not crashed into.
+"""
+from __future__ import annotations
+
+import ctypes
+import os
+import pathlib
+import sys
+from ctypes import POINTER, Structure, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p
+from typing import Any
+
+VERSION = "0.1.0"
+PROGRESS = ctypes.CFUNCTYPE(c_int, c_void_p, c_double, c_char_p)
+
+OK, NOT_CONVERGED, CHECK_FAILED, BAD_ARGUMENT, BAD_INPUT, NO_SOLUTION, IO, NO_MEMORY, INTERNAL, INTERRUPTED = range(10)
+
+
+class ErrorStruct(Structure):
+    _fields_ = [("status", c_int), ("reason", c_char * 32), ("found", c_double), ("limit", c_double),
+                ("expected", c_char * 192), ("where", c_char * 192), ("message", c_char * 768)]
+
+
+class MonitorStruct(Structure):
+    _fields_ = [("progress", PROGRESS), ("context", c_void_p)]
+
+
+class MakeOptions(Structure):
+    _fields_ = [("tolerance", c_double), ("threads", c_int), ("monitor", MonitorStruct), ("exact", c_int)]
+
+
+class CertifyOptions(Structure):
+    _fields_ = [("threads", c_int), ("tolerance", c_double), ("exact", c_int)]
+
+
+class MeasureOptions(Structure):
+    _fields_ = [("grid", c_int), ("threads", c_int)]
+
+
+class WriteOptions(Structure):
+    _fields_ = [("tolerance", c_double), ("divide", c_int), ("threads", c_int), ("format", c_char_p), ("surface", c_char_p),
+                ("short_knots", c_int), ("colour", c_int), ("no_net", c_int), ("has_view", c_int), ("view", c_double * 2),
+                ("title", c_char_p), ("isolines", c_int), ("reflections", c_int), ("combs", c_int), ("side_by_side", c_int),
+                ("width", c_int), ("labels", POINTER(c_char_p)), ("monitor", MonitorStruct), ("bound", POINTER(c_double))]
+
+
+class MeshOptions(Structure):
+    _fields_ = [("tolerance", c_double), ("divide", c_int), ("threads", c_int), ("surface", c_char_p), ("monitor", MonitorStruct)]
+
+
+class MeshGroup(Structure):
+    _fields_ = [("name", c_char_p), ("surface", c_int), ("nu", c_int), ("nv", c_int), ("turned", c_int),
+                ("first_vertex", c_size_t), ("first_quad", c_size_t)]
+
+
+class BasisSpec(Structure):
+    _fields_ = [("type", c_char_p), ("degree", c_int), ("count", c_int), ("knot_count", c_int), ("knots", c_void_p),
+                ("alpha", c_double), ("beta", c_double), ("gamma", c_double), ("segments", c_int), ("has_range", c_int),
+                ("range", c_double * 2)]
+
+
+class ClaimStruct(Structure):
+    _fields_ = [("claim", c_char_p), ("kind", c_int), ("residual", c_double), ("limit", c_double), ("holds", c_int),
+                ("where", c_char_p)]
+
+
+class DirichletProblem(Structure):
+    _fields_ = [("name", c_char_p), ("u", c_void_p), ("v", c_void_p), ("points", c_void_p), ("known", c_void_p),
+                ("weights", c_void_p), ("aspect", c_double), ("aspect_auto", c_int), ("regular", c_int)]
+
+
+# Function: what it gives and what it takes: p a pointer of any kind, s a text, i an int, d a double, z a size, - nothing.
+SIGNATURES = {
+    "taut_version": "s:", "taut_kernel_in_use": "s:", "taut_status_text": "s:i",
+    "taut_basis_new": "i:pipp", "taut_basis_copy": "i:pp", "taut_basis_free": "-:p", "taut_basis_spec_of": "-:pp",
+    "taut_basis_count": "i:p", "taut_basis_local": "i:p", "taut_basis_span_count": "i:p", "taut_basis_breaks": "p:p",
+    "taut_basis_degree": "i:p", "taut_basis_span": "i:pd", "taut_basis_first": "i:pi", "taut_basis_eval": "i:pidip",
+    "taut_surface_new": "i:spppppp", "taut_surface_free": "-:p", "taut_surface_name": "s:p", "taut_surface_u": "p:p",
+    "taut_surface_v": "p:p", "taut_surface_points": "p:p", "taut_surface_weights": "p:p", "taut_surface_copy": "i:pp",
+    "taut_surface_eval": "i:pddip", "taut_surface_eval_grid": "i:pipipiip",
+    "taut_curve_new": "i:sppppp", "taut_curve_free": "-:p", "taut_curve_name": "s:p", "taut_curve_t": "p:p",
+    "taut_curve_points": "p:p", "taut_curve_weights": "p:p", "taut_curve_copy": "i:pp", "taut_curve_eval": "i:pdip",
+    "taut_model_new": "i:p", "taut_model_copy": "i:pp", "taut_model_free": "-:p", "taut_model_add_surface": "i:pp",
+    "taut_model_add_curve": "i:pp", "taut_model_set_unit": "i:ps", "taut_model_set_certificate": "-:pp",
+    "taut_model_surface_count": "i:p", "taut_model_surface": "p:pi", "taut_model_curve_count": "i:p",
+    "taut_model_curve": "p:pi", "taut_model_details": "p:p", "taut_model_certificate": "p:p", "taut_model_unit": "s:p",
+    "taut_problem_read": "i:spp", "taut_problem_read_text": "i:szspp", "taut_problem_free": "-:p",
+    "taut_problem_or_model_read": "i:sppp", "taut_model_read": "i:spp", "taut_model_read_text": "i:szspp",
+    "taut_problem_list_read": "i:spp", "taut_problem_list_read_text": "i:szspp", "taut_problem_list_free": "-:p",
+    "taut_problem_list_count": "i:p", "taut_problem_list_at": "p:pi", "taut_problem_list_is_list": "i:p",
+    "taut_construct_count": "i:", "taut_construct_name": "s:i", "taut_make": "i:pppp", "taut_certify": "i:ppppp",
+    "taut_certificate_free": "-:p", "taut_certificate_construct": "s:p", "taut_certificate_holds": "i:p",
+    "taut_certificate_claim_count": "i:p", "taut_certificate_claim": "p:pi", "taut_certificate_figures": "p:p",
+    "taut_claim_kind_name": "s:i", "taut_record_new": "p:", "taut_record_free": "-:p", "taut_record_status": "i:p",
+    "taut_record_write": "i:ppp", "taut_text_free": "-:p", "taut_model_write": "i:pspp", "taut_model_write_text": "i:pspppp",
+    "taut_measure_surface": "i:pppp", "taut_measure_curve": "i:pppp", "taut_measure_surface_record": "-:ppp",
+    "taut_measure_curve_record": "-:ppp", "taut_join_measure": "i:pipipp", "taut_join_record": "-:pp",
+    "taut_model_split": "i:psidpp", "taut_model_refine": "i:psiipp", "taut_model_pieces": "i:pspp",
+    "taut_model_to_nurbs": "i:pdppp", "taut_surface_transform": "i:pppp", "taut_curve_transform": "i:pppp",
+    "taut_surface_reverse": "i:pipp", "taut_surface_transpose": "i:ppp", "taut_curve_reverse": "i:ppp",
+    "taut_surface_elevate": "i:piipp", "taut_curve_elevate": "i:pipp", "taut_surface_insert": "i:pidipp",
+    "taut_curve_insert": "i:pdipp", "taut_surface_to_nurbs": "i:pdppp", "taut_curve_to_nurbs": "i:pdppp",
+    "taut_mesh_new": "i:pppp", "taut_mesh_free": "-:p", "taut_mesh_vertex_count": "z:p", "taut_mesh_positions": "p:p",
+    "taut_mesh_normals": "p:p", "taut_mesh_parameters": "p:p", "taut_mesh_quad_count": "z:p", "taut_mesh_quads": "p:p",
+    "taut_mesh_triangles": "p:p", "taut_mesh_welded": "p:p", "taut_mesh_group_count": "i:p", "taut_mesh_group_at": "p:pi",
+    "taut_dirichlet_make": "i:pppp", "taut_dirichlet_certify": "i:ppppp",
+}
+_TYPES = {"p": c_void_p, "s": c_char_p, "i": c_int, "d": c_double, "z": c_size_t, "-": None}
+
+
+class LibraryError(ImportError):
+    """There is no libtaut, or one that this package does not know."""
+
+
+def _places() -> list[str]:
+    """Where the library may be, the likeliest first."""
+    if "TAUT_LIBRARY" in os.environ:
+        return [os.environ["TAUT_LIBRARY"]]
+    name = "libtaut-0.dll" if sys.platform == "win32" else "libtaut.0.dylib" if sys.platform == "darwin" else "libtaut.so.0"
+    carried = pathlib.Path(__file__).parent / "lib" / name
+    return [str(carried), name] if carried.exists() else [name]
+
+
+def _load() -> ctypes.CDLL:
+    problems = []
+    for place in _places():
+        try:
+            return ctypes.CDLL(place)
+        except OSError as error:
+            problems.append(str(error))
+    raise LibraryError("taut: the library was not found: " + "; ".join(problems) +
+                       " (set TAUT_LIBRARY to the path of libtaut)")
+
+
+def _declare(library: ctypes.CDLL) -> None:
+    for name, signature in SIGNATURES.items():
+        try:
+            function = getattr(library, name)
+        except AttributeError:
+            raise LibraryError(f"taut: {library._name} has no {name}: it is of another version than this package") from None
+        gives, takes = signature.split(":")
+        function.restype = _TYPES[gives]
+        function.argtypes = [_TYPES[kind] for kind in takes]
+
+
+def _check(library: ctypes.CDLL) -> None:
+    version = library.taut_version().decode()
+    if version.split(".")[:2] != VERSION.split(".")[:2]:
+        raise LibraryError(f"taut: {library._name} is version {version}; this package is for {VERSION}")
+
+
+library: Any = _load()
+_declare(library)
+_check(library)

@@ -1,0 +1,269 @@
+"""A function for each construction, its arguments the members of its document: written by tools/python_constructions.py from
+docs/schema/problem.json. Arguments that are None are left out of the document. What all take besides:
+
+    threads    how many; the result is the same
+    progress   called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict     a claim that does not hold raises CheckFailed
+    tolerance  largest distance from the exact surface over its size, where a construction approximates; None: 1e-6
+"""
+from __future__ import annotations
+
+from typing import Any, Literal, Mapping, Sequence, Union
+
+import numpy.typing as npt
+
+from ._direct import made_of, take_words
+from .bases import BasisLike
+from .geometry import Curve, Surface
+from .making import Progress
+from .model import Model
+
+CurveLike = Union[Curve, Mapping[str, Any]]
+SurfaceLike = Union[Surface, Mapping[str, Any]]
+
+
+def asymptotic(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, degree: int | None = None,
+        corners: Mapping[str, npt.ArrayLike] | None = None, edges: Mapping[str, Mapping[str, npt.ArrayLike]] | None = None,
+        curves: Mapping[str, CurveLike] | None = None, branch: str | None = None,
+        surface: Literal["5n-7", "n+3"] | None = None, singular: Literal["refuse", "report"] | None = None,
+        free: Literal["points", "all"] | None = None, boundary: str | None = None, tolerance: float | None = None,
+        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+    """A patch whose four edges are asymptotic curves: corner data, or the four curves.
+
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    degree                 of the edges; at least 3
+    corners                as in docs/format.md
+    edges                  as in docs/format.md
+    curves                 as in docs/format.md
+    branch                 or four signs such as +-+-; "lowest" if not given
+    surface                one of "5n-7", "n+3"; "5n-7" if not given
+    singular               one of "refuse", "report"; "refuse" if not given
+    free                   one of "points", "all"; "points" if not given
+    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net
+    """
+    said: dict[str, Any] = {"unit": unit, "degree": degree, "corners": corners, "edges": edges, "curves": curves,
+        "branch": branch, "surface": surface, "singular": singular, "free": free, "boundary": boundary}
+    return made_of("asymptotic", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
+
+
+def biharmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: BasisLike | None = None,
+        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
+        surface: SurfaceLike | None = None, edge: Literal["u0", "u1", "v0", "v1"] | None = None,
+        width: float | None = None, contact: Literal["c1", "c2"] | None = None, allow_ill_conditioned: bool | None = None,
+        known: npt.ArrayLike | None = None, tolerance: float | None = None, threads: int | None = None,
+        progress: Progress | None = None, strict: bool = False, **members: Any) -> Model:
+    """The biharmonic Bezier surface with four given rows, or the neighbour of one across an edge.
+
+    points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; the four boundary
+                           rows; null inside
+    u                      A function basis on a parameter range; its functions are as many as the points along it.
+    v                      A function basis on a parameter range; its functions are as many as the points along it.
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    name                   at most 255 bytes of UTF-8
+    surface                as in docs/format.md
+    edge                   one of "u0", "u1", "v0", "v1"
+    width                  default: that of the surface; above 0
+    contact                one of "c1", "c2"; "c1" if not given
+    allow_ill_conditioned  build a neighbour also where rounding leaves nothing of least bending; false if not given
+    known                  (nu, nv) of truth values: which points are given
+    members                also as the document spells them: insist
+    """
+    said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "surface": surface, "edge": edge,
+        "width": width, "contact": contact, "allow_ill_conditioned": allow_ill_conditioned}
+    take_words(said, members, ["insist"])
+    return made_of("biharmonic", said, known, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
+
+
+def bonnet(*, sign: Literal["+", "-"], alpha: float, beta: float, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None,
+        lambda_: Union[float, npt.ArrayLike] | None = None, mesh: Literal["bezier", "bspline"] | None = None,
+        segments: npt.ArrayLike | None = None, theta: float | None = None, normalize: bool | None = None,
+        start: npt.ArrayLike | None = None, frames: int | None = None, tolerance: float | None = None,
+        threads: int | None = None, progress: Progress | None = None, strict: bool = False, **members: Any) -> Model:
+    """Minimal surfaces with planar curvature lines, from the catenoid to Enneper's surface.
+
+    sign                   one of "+", "-"
+    alpha                  length of a segment in u; above 0
+    beta                   length of a segment in v; above 0
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    lambda_                below 1, or with normalize also 1; with frames the first and the last
+    mesh                   one of "bezier", "bspline"; "bezier" if not given
+    segments               [1, 1] if not given
+    theta                  angle of the associate family; 0 if not given
+    normalize              the family that ends in Enneper's surface; false if not given
+    start                  [0, 0] if not given
+    frames                 at least 2
+    members                also as the document spells them: lambda
+    """
+    said: dict[str, Any] = {"sign": sign, "alpha": alpha, "beta": beta, "unit": unit, "lambda": lambda_, "mesh": mesh,
+        "segments": segments, "theta": theta, "normalize": normalize, "start": start, "frames": frames}
+    take_words(said, members, ["lambda"])
+    return made_of("bonnet", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
+
+
+def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: BasisLike | None = None,
+        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
+        weights: npt.ArrayLike | None = None, aspect: Union[float, Literal["auto"]] | None = None,
+        boundary: str | None = None, degree: npt.ArrayLike | None = None, refine: npt.ArrayLike | None = None,
+        regular: bool | None = None, known: npt.ArrayLike | None = None, tolerance: float | None = None,
+        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+    """The surface of least Dirichlet energy through the known points of a net; any bases but ce-bezier.
+
+    points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; points[i][j];
+                           null is to be found
+    u                      A function basis on a parameter range; its functions are as many as the points along it.
+    v                      A function basis on a parameter range; its functions are as many as the points along it.
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    name                   at most 255 bytes of UTF-8
+    weights                weights[i][j], the shape of points
+    aspect                 1 if not given
+    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net
+    degree                 at least these along u and v
+    refine                 how often the spans along u and v are halved
+    regular                true: the certificate claims `regular`, the surface has a tangent plane everywhere; false if
+                           not given
+    known                  (nu, nv) of truth values: which points are given
+    """
+    said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "weights": weights,
+        "aspect": aspect, "boundary": boundary, "degree": degree, "refine": refine, "regular": regular}
+    return made_of("dirichlet", said, known, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
+
+
+def harmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: BasisLike | None = None,
+        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
+        from_: Literal["derivative"] | None = None, edge: npt.ArrayLike | None = None,
+        cross_derivative: npt.ArrayLike | None = None, even: Literal["refuse", "corner", "project", "raise"] | None = None,
+        allow_ill_conditioned: bool | None = None, fit: bool | None = None, boundary: str | None = None,
+        known: Literal["u", "v"] | None = None, widths: npt.ArrayLike | None = None, tolerance: float | None = None,
+        threads: int | None = None, progress: Progress | None = None, strict: bool = False, exact: bool = False,
+        **members: Any) -> Model:
+    """The harmonic Bezier surface through two opposite edges, or from one edge and the derivative across it.
+
+    points                 (nu, nv, 3); a point with a NaN is to be found; two opposite boundary rows or columns; null
+                           elsewhere
+    u                      A function basis on a parameter range; its functions are as many as the points along it.
+    v                      A function basis on a parameter range; its functions are as many as the points along it.
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    name                   at most 255 bytes of UTF-8
+    from_                  complete from edge and cross_derivative; one of "derivative"
+    edge                   as in docs/format.md
+    cross_derivative       as in docs/format.md
+    even                   one of "refuse", "corner", "project", "raise"; "refuse" if not given
+    allow_ill_conditioned  build also where rounding grows past 1e15; false if not given
+    fit                    the harmonic surface nearest to four boundary rows; false if not given
+    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net
+    known                  with boundary: edges u0 and u1, or v0 and v1, are kept; one of "u", "v"; "v" if not given
+    widths                 with boundary: of the parameter rectangle; [1, 1] if not given
+    members                also as the document spells them: from, insist
+    """
+    said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "from": from_, "edge": edge,
+        "cross_derivative": cross_derivative, "even": even, "allow_ill_conditioned": allow_ill_conditioned, "fit": fit,
+        "boundary": boundary, "known": known, "widths": widths}
+    take_words(said, members, ["from", "insist"])
+    return made_of("harmonic", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict, exact=exact)
+
+
+def harmonic_extension(*, surface: SurfaceLike, edge: Literal["u0", "u1", "v0", "v1"],
+        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, neighbour: SurfaceLike | None = None,
+        width: float | None = None, contact: Literal["c1", "g1"] | None = None, c: float | None = None,
+        alpha: float | None = None, beta: float | None = None, tolerance: float | None = None, threads: int | None = None,
+        progress: Progress | None = None, strict: bool = False, exact: bool = False) -> Model:
+    """The harmonic neighbour of a harmonic surface across an edge.
+
+    surface                as in docs/format.md
+    edge                   one of "u0", "u1", "v0", "v1"
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    neighbour              the other piece, to be merged; without width and contact g1
+    width                  default: that of the surface; above 0
+    contact                one of "c1", "g1"; "c1" if not given
+    c                      1 if not given
+    alpha                  0 if not given
+    beta                   0 if not given
+    """
+    said: dict[str, Any] = {"surface": surface, "edge": edge, "unit": unit, "neighbour": neighbour, "width": width,
+        "contact": contact, "c": c, "alpha": alpha, "beta": beta}
+    return made_of("harmonic-extension", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict, exact=exact)
+
+
+def pipe(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, radius: float | None = None,
+        radii: npt.ArrayLike | None = None, surface: Literal["canal", "naive-sweep"] | None = None,
+        sections: Sequence[Any] | None = None, polygon: npt.ArrayLike | None = None,
+        from_: Mapping[str, Any] | None = None, to: Mapping[str, Any] | None = None,
+        run: Union[npt.ArrayLike, Sequence[Any]] | None = None, closed: bool | None = None,
+        bend_radius: float | None = None, caps: bool | None = None, axes: Sequence[Any] | None = None,
+        shape: Union[Literal["auto"], Mapping[str, Literal["bending", "curvature"]], Mapping[str, float]] | None = None,
+        joint: Literal["g1", "g2"] | None = None, domain: Literal["strict", "extended"] | None = None,
+        frame: Literal["rotation-minimizing", "frenet"] | None = None, pipe_lengths: Sequence[Any] | None = None,
+        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False,
+        **members: Any) -> Model:
+    """Curved pipes between straight ones: from four points, two directed ends, two lines, or a run of many.
+
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    radius                 this, radii or sections; above 0
+    radii                  of pipe 1 and pipe 2
+    surface                with radii: envelope of spheres, or circles swept across the axis; one of "canal", "naive-
+                           sweep"; "canal" if not given
+    sections               elliptic pipes: semi-axes of pipe 1 and pipe 2
+    polygon                V_0, V_1 on axis 1, V_2, V_3 on axis 2
+    from_                  as in docs/format.md
+    to                     as in docs/format.md
+    run                    a chain of pipes: corners, or straight pipes in order of flow
+    closed                 the run comes round to where it begins; false if not given
+    bend_radius            least radius of curvature of the axis; of corners three radii unless said; above 0
+    caps                   discs over the free ends; false if not given
+    axes                   two lines: V_1 and V_2 are the feet of their common perpendicular
+    shape                  "auto" if not given
+    joint                  equal tangent planes, or equal curvatures too; one of "g1", "g2"; "g1" if not given
+    domain                 one of "strict", "extended"; "strict" if not given
+    frame                  one of "rotation-minimizing", "frenet"; "rotation-minimizing" if not given
+    pipe_lengths           of the straight pipes; null: a half line
+    members                also as the document spells them: from
+    """
+    said: dict[str, Any] = {"unit": unit, "radius": radius, "radii": radii, "surface": surface, "sections": sections,
+        "polygon": polygon, "from": from_, "to": to, "run": run, "closed": closed, "bend_radius": bend_radius,
+        "caps": caps, "axes": axes, "shape": shape, "joint": joint, "domain": domain, "frame": frame,
+        "pipe_lengths": pipe_lengths}
+    take_words(said, members, ["from"])
+    return made_of("pipe", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
+
+
+def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: BasisLike | None = None,
+        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
+        weights: npt.ArrayLike | None = None, start: SurfaceLike | None = None, tolerance: float | None = None,
+        max_iterations: int | None = None, method: Literal["full", "normal"] | None = None,
+        curves: Mapping[str, CurveLike] | None = None, boundary: str | None = None, degree: npt.ArrayLike | None = None,
+        refine: Union[int, npt.ArrayLike] | None = None, tolerance_area: float | None = None, least: bool | None = None,
+        gap: float | None = None, regular: bool | None = None, known: npt.ArrayLike | None = None,
+        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+    """The surface of least area through the known points of a net; any bases but ce-bezier.
+
+    points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; points[i][j];
+                           null is to be found
+    u                      A function basis on a parameter range; its functions are as many as the points along it.
+    v                      A function basis on a parameter range; its functions are as many as the points along it.
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    name                   at most 255 bytes of UTF-8
+    weights                weights[i][j], the shape of points
+    start                  where to begin, in place of the Dirichlet surface: the same bases and known points
+    tolerance              above 0; 1e-10 if not given
+    max_iterations         at least 1; 500 if not given
+    method                 one of "full", "normal"; "full" if not given
+    curves                 the boundary, in place of points: fitted to u and v
+    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net
+    degree                 with boundary: at least these along u and v
+    refine                 how many finer spaces tell of the least area; with boundary: how often its spans are halved
+    tolerance_area         at least 1e-11
+    least                  false: no witness for the claim `least` is looked for
+    gap                    put knots in until the area is proved to be within so much of itself from the least of all;
+                           above 1e-12
+    regular                true: the certificate claims `regular`, the surface has a tangent plane everywhere; false if
+                           not given
+    known                  (nu, nv) of truth values: which points are given
+    """
+    said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "weights": weights,
+        "start": start, "tolerance": tolerance, "max_iterations": max_iterations, "method": method, "curves": curves,
+        "boundary": boundary, "degree": degree, "refine": refine, "tolerance_area": tolerance_area, "least": least,
+        "gap": gap, "regular": regular}
+    return made_of("plateau", said, known, threads=threads, progress=progress, strict=strict)
+
+
+__all__ = ["asymptotic", "biharmonic", "bonnet", "dirichlet", "harmonic", "harmonic_extension", "pipe", "plateau"]

@@ -1,0 +1,306 @@
+"""Curves and surfaces: immutable, evaluated on arrays of parameters of any shape."""
+from __future__ import annotations
+
+from ctypes import byref, c_double, c_int
+from typing import Any, Callable
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _library as c
+from ._handle import Array, Handle, encoded, library, made, numbers, view
+from .bases import Basis, BasisLike, basis_of
+from .errors import InputError, raise_for
+
+_three = c_double * 3
+_surface_eval = library.taut_surface_eval
+_curve_eval = library.taut_curve_eval
+_frombuffer: Callable[..., Array] = np.frombuffer
+
+
+def _net(points: npt.ArrayLike, weights: npt.ArrayLike | None, dimensions: int) -> tuple[Array, Array | None]:
+    """Points and weights as C wants them; shapes are checked here, numbers there."""
+    net = np.ascontiguousarray(points, dtype=np.float64)
+    if net.ndim != dimensions + 1 or net.shape[-1] != 3:
+        raise InputError(f"points have the shape {net.shape}; expected {'(nu, nv, 3)' if dimensions == 2 else '(n, 3)'}", "/points",
+                         "size")
+    factors = None if weights is None else np.ascontiguousarray(weights, dtype=np.float64)
+    if factors is not None and factors.shape != net.shape[:-1]:
+        raise InputError(f"weights have the shape {factors.shape}; expected {net.shape[:-1]}", "/weights", "size")
+    return net, factors
+
+
+def _outside(message: str) -> InputError:
+    return InputError(message, "", "parameter")
+
+
+class _Geometry:
+    """What curves and surfaces share."""
+
+    __slots__ = ("_pointer", "_owner", "_points", "_weights")
+    _pointer: int
+    _owner: Any
+    _points: Array | None
+    _weights: Array | None
+
+    def _is_same(self, other: Any) -> bool:
+        raise NotImplementedError
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and (self._pointer == other._pointer or self._is_same(other))  # type: ignore[attr-defined]
+
+    def __copy__(self) -> Any:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Any:
+        return self
+
+
+def _same_arrays(a: Array | None, b: Array | None) -> bool:
+    return (a is None) == (b is None) and (a is None or b is None or (a.shape == b.shape and a.tobytes() == b.tobytes()))
+
+
+class Curve(_Geometry):
+    """x(t) = sum of weights, points and functions; `curve(t)` evaluates.
+
+    t        its basis
+    points   (n, 3): control points, Euclidean
+    weights  (n,), positive, or None
+    """
+
+    __slots__ = ()
+
+    def __init__(self, t: BasisLike, points: npt.ArrayLike, weights: npt.ArrayLike | None = None, name: str = "") -> None:
+        net, factors = _net(points, weights, 1)
+        basis = basis_of(t, len(net))
+        if basis.count != len(net):
+            raise InputError(f"found {len(net)} points; expected {basis.count}, as many as functions", "/points", "size", len(net), basis.count)
+        self._owner = made(library.taut_curve_new, library.taut_curve_free, encoded(name), basis._pointer, net.ctypes.data,
+                           None if factors is None else factors.ctypes.data)
+        self._pointer, self._points, self._weights = self._owner.pointer, None, None
+
+    @classmethod
+    def _borrowed(cls, pointer: int, owner: object) -> Curve:
+        curve = object.__new__(cls)
+        curve._pointer, curve._owner, curve._points, curve._weights = pointer, owner, None, None
+        return curve
+
+    @property
+    def name(self) -> str:
+        return str(library.taut_curve_name(self._pointer).decode("utf-8", "surrogateescape"))
+
+    @property
+    def t(self) -> Basis:
+        return Basis._borrowed(library.taut_curve_t(self._pointer), self._owner)
+
+    @property
+    def points(self) -> Array:
+        """(n, 3), read-only, without a copy."""
+        if self._points is None:
+            self._points = view(self._owner, library.taut_curve_points(self._pointer), (self.t.count, 3))
+        return self._points
+
+    @property
+    def weights(self) -> Array | None:
+        """(n,), read-only, or None."""
+        address = library.taut_curve_weights(self._pointer)
+        return view(self._owner, address, (self.t.count,)) if address else None
+
+    def __call__(self, t: npt.ArrayLike, derivatives: int = 0) -> Array:
+        """Points at t: t.shape + (3,). With derivatives 1 to 3: (derivatives + 1,) + that, positions first."""
+        if derivatives == 0 and t.__class__ is float:
+            buffer = _three()
+            if _curve_eval(self._pointer, t, 0, buffer) == 0:
+                return _frombuffer(buffer)
+        parameters = np.asarray(t, dtype=np.float64)
+        values = np.empty((parameters.size, derivatives + 1, 3)) if 0 <= derivatives <= 3 else np.empty((1, 1, 3))
+        address = values.ctypes.data
+        for i, one in enumerate(parameters.ravel().tolist()):
+            if _curve_eval(self._pointer, one, derivatives, address + i * 24 * (derivatives + 1)) != 0:
+                raise _outside(f"t is {one!r}, derivatives {derivatives}; expected t in {list(self.t.range)}, derivatives 0 to 3")
+        if derivatives == 0:
+            return values.reshape(parameters.shape + (3,))
+        return np.ascontiguousarray(values.transpose(1, 0, 2)).reshape((derivatives + 1,) + parameters.shape + (3,))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The document's object."""
+        weights = self.weights
+        return {"name": self.name, "t": self.t.to_dict(), "points": self.points.tolist(),
+                **({} if weights is None else {"weights": weights.tolist()})}
+
+    def _is_same(self, other: Any) -> bool:
+        return bool(self.name == other.name and self.t == other.t and _same_arrays(self.points, other.points)
+                    and _same_arrays(self.weights, other.weights))
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.points.tobytes()))
+
+    def __repr__(self) -> str:
+        return f"<taut.Curve {self.name!r}: {self.t.count} points on {self.t.type}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Curve, (self.t, np.array(self.points), None if self.weights is None else np.array(self.weights), self.name)
+
+
+class Surface(_Geometry):
+    """x(u, v) = sum of weights, points and functions; `surface(u, v)` evaluates, `surface.grid` on a grid.
+
+    u, v     its bases
+    points   (nu, nv, 3): control points, Euclidean, u slowest
+    weights  (nu, nv), positive, or None
+    """
+
+    __slots__ = ()
+
+    def __init__(self, u: BasisLike, v: BasisLike, points: npt.ArrayLike, weights: npt.ArrayLike | None = None,
+                 name: str = "") -> None:
+        net, factors = _net(points, weights, 2)
+        along_u, along_v = basis_of(u, net.shape[0]), basis_of(v, net.shape[1])
+        if (along_u.count, along_v.count) != net.shape[:2]:
+            raise InputError(f"points have the shape {net.shape}; expected ({along_u.count}, {along_v.count}, 3), as many as functions",
+                             "/points", "size")
+        self._owner = made(library.taut_surface_new, library.taut_surface_free, encoded(name), along_u._pointer, along_v._pointer,
+                           net.ctypes.data, None if factors is None else factors.ctypes.data)
+        self._pointer, self._points, self._weights = self._owner.pointer, None, None
+
+    @classmethod
+    def _borrowed(cls, pointer: int, owner: object) -> Surface:
+        surface = object.__new__(cls)
+        surface._pointer, surface._owner, surface._points, surface._weights = pointer, owner, None, None
+        return surface
+
+    @property
+    def name(self) -> str:
+        return str(library.taut_surface_name(self._pointer).decode("utf-8", "surrogateescape"))
+
+    @property
+    def u(self) -> Basis:
+        return Basis._borrowed(library.taut_surface_u(self._pointer), self._owner)
+
+    @property
+    def v(self) -> Basis:
+        return Basis._borrowed(library.taut_surface_v(self._pointer), self._owner)
+
+    @property
+    def points(self) -> Array:
+        """(nu, nv, 3), read-only, without a copy; lives as long as it is used, also when the model is gone."""
+        if self._points is None:
+            self._points = view(self._owner, library.taut_surface_points(self._pointer), (self.u.count, self.v.count, 3))
+        return self._points
+
+    @property
+    def weights(self) -> Array | None:
+        """(nu, nv), read-only, or None."""
+        address = library.taut_surface_weights(self._pointer)
+        return view(self._owner, address, (self.u.count, self.v.count)) if address else None
+
+    def __call__(self, u: npt.ArrayLike, v: npt.ArrayLike, derivatives: int = 0) -> Array:
+        """Points at pairs (u, v), broadcast against each other: shape + (3,).
+
+        derivatives 1 or 2: (3 or 6,) + that: S, S_u, S_v, S_uu, S_uv, S_vv. From the right at inner knots.
+        """
+        if derivatives == 0 and u.__class__ is float and v.__class__ is float:
+            buffer = _three()
+            if _surface_eval(self._pointer, u, v, 0, buffer) == 0:
+                return _frombuffer(buffer)
+        along_u, along_v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
+        vectors = (derivatives + 1) * (derivatives + 2) // 2
+        values = np.empty((along_u.size, vectors, 3)) if 0 <= derivatives <= 2 else np.empty((1, 1, 3))
+        self._pairs(along_u, along_v, derivatives, values)
+        if derivatives == 0:
+            return values.reshape(along_u.shape + (3,))
+        return np.ascontiguousarray(values.transpose(1, 0, 2)).reshape((vectors,) + along_u.shape + (3,))
+
+    def _pairs(self, u: Array, v: Array, derivatives: int, values: Array) -> None:
+        address, step = values.ctypes.data, 12 * (derivatives + 1) * (derivatives + 2)
+        for i, (a, b) in enumerate(zip(u.ravel().tolist(), v.ravel().tolist())):
+            if _surface_eval(self._pointer, a, b, derivatives, address + i * step) != 0:
+                raise _outside(f"(u, v) is ({a!r}, {b!r}), derivatives {derivatives}; expected u in {list(self.u.range)}, "
+                               f"v in {list(self.v.range)}, derivatives 0 to 2")
+
+    def grid(self, u: npt.ArrayLike, v: npt.ArrayLike, derivatives: int = 2, out: Array | None = None,
+             threads: int | None = None) -> Array:
+        """All pairs of parameters: (k, len(u), len(v), 3), k = 1, 3 or 6 for derivatives 0, 1 or 2: S, S_u, S_v, S_uu, S_uv, S_vv.
+
+        out      an array to fill in place of a new one: float64, C order, of that shape; for derivatives 0 also without the 1
+        threads  how many; the numbers are the same
+        """
+        along_u, along_v = numbers(u), numbers(v)
+        if along_u.ndim != 1 or along_v.ndim != 1:
+            raise InputError("grid: u and v are not lists of numbers", "", "argument")
+        vectors = (derivatives + 1) * (derivatives + 2) // 2
+        shape = (vectors, len(along_u), len(along_v), 3)
+        if out is not None and (out.dtype != np.float64 or not out.flags.c_contiguous or not out.flags.writeable
+                                or out.shape not in ((shape, shape[1:]) if derivatives == 0 else (shape,))):
+            raise InputError(f"out is {out.dtype} of shape {out.shape}; expected float64 of shape {shape}, C order, writeable", "",
+                             "argument")
+        is_direct = out is not None and derivatives == 0
+        values = out if is_direct else np.empty((len(along_u), len(along_v), vectors, 3))
+        assert values is not None
+        if 0 not in shape:
+            status = library.taut_surface_eval_grid(self._pointer, len(along_u), along_u.ctypes.data, len(along_v),
+                                                    along_v.ctypes.data, derivatives, threads or 1, values.ctypes.data)
+            if status == c.NO_MEMORY:
+                raise MemoryError("taut: memory ran out")
+            if status != c.OK:
+                raise _outside(f"grid: expected u in {list(self.u.range)}, v in {list(self.v.range)}, derivatives 0 to 2")
+        if is_direct:
+            return values
+        result = values.transpose(2, 0, 1, 3)
+        if out is not None:
+            np.copyto(out, result)
+        return result if out is None else out
+
+    def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Unit normals S_u x S_v at pairs (u, v): shape + (3,); NaN where it vanishes."""
+        _, along_u, along_v = self(u, v, derivatives=1)
+        normal = np.cross(along_u, along_v)
+        length = np.linalg.norm(normal, axis=-1, keepdims=True)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.asarray(normal / length)
+
+    def _new(self, function: Any, *arguments: Any) -> Surface:
+        handle = made(function, library.taut_surface_free, self._pointer, *arguments)
+        return Surface._borrowed(handle.pointer, handle)
+
+    def transposed(self) -> Surface:
+        """u and v change places."""
+        return self._new(library.taut_surface_transpose)
+
+    def reversed(self, direction: str) -> Surface:
+        """"u" or "v" runs the other way."""
+        return self._new(library.taut_surface_reverse, "uv".index(direction))
+
+    def elevated(self, direction: str, times: int = 1) -> Surface:
+        """The degree along "u" or "v" raised, the same surface."""
+        return self._new(library.taut_surface_elevate, "uv".index(direction), times)
+
+    def inserted(self, direction: str, knot: float, times: int = 1) -> Surface:
+        """A knot more along "u" or "v", the same surface."""
+        return self._new(library.taut_surface_insert, "uv".index(direction), knot, times)
+
+    def transformed(self, matrix: npt.ArrayLike) -> Surface:
+        """A x + b for matrix = (A | b), shape (3, 4)."""
+        return self._new(library.taut_surface_transform, numbers(matrix, (3, 4)).ctypes.data)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The document's object."""
+        weights = self.weights
+        return {"name": self.name, "u": self.u.to_dict(), "v": self.v.to_dict(), "points": self.points.tolist(),
+                **({} if weights is None else {"weights": weights.tolist()})}
+
+    def _is_same(self, other: Any) -> bool:
+        return bool(self.name == other.name and self.u == other.u and self.v == other.v and _same_arrays(self.points, other.points)
+                    and _same_arrays(self.weights, other.weights))
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.points.tobytes()))
+
+    def __repr__(self) -> str:
+        return f"<taut.Surface {self.name!r}: {self.u.count} x {self.v.count} points on {self.u.type} x {self.v.type}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Surface, (self.u, self.v, np.array(self.points), None if self.weights is None else np.array(self.weights), self.name)
+
+
+__all__ = ["Curve", "Surface"]

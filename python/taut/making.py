@@ -1,0 +1,218 @@
+"""From a problem to a model with its certificate."""
+from __future__ import annotations
+
+import json
+import math
+import os
+import signal
+import threading
+from ctypes import byref, c_void_p
+from typing import Any, Callable, Mapping, Sequence, Union
+
+import numpy as np
+
+from . import _library as c
+from ._handle import Handle, encoded, library, made
+from .bases import Basis
+from .errors import CheckFailed, InputError, raise_for
+from .geometry import Curve, Surface
+from .model import Certificate, Model, certificate_of
+
+Progress = Callable[[float, str], object]
+Document = Union[Mapping[str, Any], Sequence[Any], str, "os.PathLike[str]"]
+
+# --- Documents -------------------------------------------------------------------------------------------------------
+
+
+def plain(value: Any, where: str = "") -> Any:
+    """value with JSON's types alone: arrays become lists (rows with a NaN become null), bases, curves, surfaces objects."""
+    if value is None or isinstance(value, (str, bool, int)):
+        return value
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            raise InputError(f"{where or 'the document'}: found {value}, expected a finite number", where, "value", value)
+        return value
+    if isinstance(value, np.ndarray):
+        return _plain_array(value, where)
+    if isinstance(value, (Basis, Curve, Surface)):
+        return value.to_dict()
+    if isinstance(value, Mapping):
+        return {str(key): plain(one, f"{where}/{key}") for key, one in value.items()}
+    if isinstance(value, np.generic):
+        return plain(value.item(), where)
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, Sequence):
+        items = [plain(one, f"{where}/{i}") if not _is_unknown(one) else None for i, one in enumerate(value)]
+        return items
+    raise InputError(f"{where or 'the document'}: found {type(value).__name__}, expected what JSON holds", where, "type")
+
+
+def _is_unknown(value: Any) -> bool:
+    """A point [x, y, z] with a NaN: one to be found."""
+    return isinstance(value, (list, tuple)) and len(value) == 3 and any(isinstance(x, float) and math.isnan(x) for x in value)
+
+
+def _plain_array(array: Any, where: str) -> Any:
+    if array.dtype == object:
+        return plain(array.tolist(), where)
+    if array.dtype.kind not in "fiub":
+        raise InputError(f"{where}: found an array of {array.dtype}, expected numbers", where, "type")
+    if array.dtype.kind != "f":
+        return array.tolist()
+    finite = np.isfinite(array)
+    if finite.all():
+        return array.tolist()
+    if array.ndim > 1 and array.shape[-1] == 3 and not np.isinf(array).any():
+        unknown = ~finite.all(axis=-1)
+        points = np.empty(array.shape[:-1], dtype=object)
+        flat, rows = points.reshape(-1), array.reshape(-1, 3).tolist()
+        for i, row in enumerate(rows):
+            flat[i] = None if unknown.reshape(-1)[i] else row
+        return points.tolist()
+    place = "".join(f"/{i}" for i in np.argwhere(~finite)[0])
+    raise InputError(f"{where}{place}: found a number that is not finite", where + place, "value")
+
+
+# --- Calls that take long --------------------------------------------------------------------------------------------
+
+
+class Watch:
+    """Progress and Ctrl-C for a call of C. While it is entered SIGINT is noted (in the main thread) and stops the call; the
+    handler that was there is called afterwards."""
+
+    def __init__(self, progress: Progress | None = None) -> None:
+        self._progress = progress
+        self._raised: BaseException | None = None
+        self._signals: list[Any] = []
+        self._previous: Any = None
+        self.monitor = c.MonitorStruct()
+
+    def __enter__(self) -> Watch:
+        if threading.current_thread() is threading.main_thread():
+            self._previous = signal.getsignal(signal.SIGINT)
+            if callable(self._previous):
+                signal.signal(signal.SIGINT, lambda number, frame: self._signals.append((number, frame)))
+        if callable(self._previous) or self._progress is not None:
+            self.monitor.progress = c.PROGRESS(self._told)
+        return self
+
+    def _told(self, _: Any, done: float, what: bytes) -> int:
+        if self._progress is not None and self._raised is None and not self._signals:
+            try:
+                self._progress(done, what.decode("utf-8", "replace"))
+            except BaseException as error:  # carried over C, and raised again behind it
+                self._raised = error
+        return int(bool(self._signals) or self._raised is not None)
+
+    def __exit__(self, *_: Any) -> None:
+        if callable(self._previous):
+            signal.signal(signal.SIGINT, self._previous)
+        for number, frame in self._signals[:1]:
+            self._previous(number, frame)
+        if self._raised is not None:
+            raise self._raised
+
+
+def _made(problem: Any, options: c.MakeOptions, proof: c.CertifyOptions, make: Any, certify: Any) -> Model:
+    error, pointer = c.ErrorStruct(), c_void_p()
+    status = make(problem, byref(options), byref(pointer), byref(error))
+    if status != c.OK:
+        raise_for(status, error)
+    handle = Handle(pointer.value or 0, library.taut_model_free)
+    status = certify(pointer, problem, byref(proof), byref(pointer), byref(error))
+    if status != c.OK:
+        raise_for(status, error)
+    library.taut_model_set_certificate(handle.pointer, pointer)
+    return Model._of(handle)
+
+
+def _strict(model: Model, strict: bool) -> Model:
+    certificate = model.certificate
+    if strict and certificate is not None and certificate.holds is False:
+        names = ", ".join(one.claim for one in certificate.claims if one.holds is False)
+        failure = CheckFailed(f"{certificate.construct}: a claim does not hold: {names}", "", "claim")
+        failure.model = model
+        raise failure
+    return model
+
+
+def _options(tolerance: float | None, threads: int | None, exact: bool) -> tuple[c.MakeOptions, c.CertifyOptions]:
+    return (c.MakeOptions(tolerance=tolerance or 0.0, threads=threads or 0, exact=int(exact)),
+            c.CertifyOptions(tolerance=tolerance or 0.0, threads=threads or 0, exact=int(exact)))
+
+
+def _is_text(document: str) -> bool:
+    return document.lstrip()[:1] in ("{", "[")
+
+
+def _problems(document: Document) -> Handle:
+    """The problems of a document, which is a list of C's."""
+    if isinstance(document, os.PathLike) or (isinstance(document, str) and not _is_text(document)):
+        return made(library.taut_problem_list_read, library.taut_problem_list_free, encoded(os.fspath(document)))
+    text = document if isinstance(document, str) else json.dumps(with_version(plain(document)))
+    data = text.encode()
+    return made(library.taut_problem_list_read_text, library.taut_problem_list_free, data, len(data), b"<document>")
+
+
+def with_version(document: Any) -> Any:
+    """A document that need not say the version of the format."""
+    if isinstance(document, list):
+        return [with_version(one) for one in document]
+    return {"taut": 1, **document} if isinstance(document, dict) else document
+
+
+def make(document: Document, tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None,
+         strict: bool = False, exact: bool = False) -> Any:
+    """The model of a problem, proved: document is a dict (arrays, bases, curves and surfaces may stand in it), a JSON text, or a
+    path. A list of problems gives a list of models.
+
+    tolerance   largest distance from the exact surface over its size, where a construction approximates; None: 1e-6
+    threads     how many; the result is the same
+    progress    called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict      a claim that does not hold raises CheckFailed
+    exact       in rational arithmetic (harmonic and harmonic-extension)
+    """
+    problems = _problems(document)
+    options, proof = _options(tolerance, threads, exact)
+    models = []
+    with Watch(progress) as watch:
+        options.monitor = watch.monitor
+        for i in range(library.taut_problem_list_count(problems.pointer)):
+            models.append(_made(library.taut_problem_list_at(problems.pointer, i), options, proof, library.taut_make,
+                                library.taut_certify))
+    for model in models:
+        _strict(model, strict)
+    return models if library.taut_problem_list_is_list(problems.pointer) else models[0]
+
+
+def read(path: str | os.PathLike[str]) -> Model:
+    """A model from a file: .json, .step, .iges, and what else `taut convert` reads."""
+    return Model._of(made(library.taut_model_read, library.taut_model_free, encoded(os.fspath(path))))
+
+
+def certify(model: Model, problem: Document | None = None, tolerance: float | None = None, threads: int | None = None,
+            exact: bool = False) -> Certificate:
+    """Proves a model again from its numbers alone, against its problem where that is given."""
+    options = _options(tolerance, threads, exact)[1]
+    problems = None if problem is None else _problems(problem)
+    one = None if problems is None else library.taut_problem_list_at(problems.pointer, 0)
+    certificate = made(library.taut_certify, library.taut_certificate_free, model._pointer, one, byref(options))
+    return certificate_of(certificate.pointer)
+
+
+def dirichlet_direct(points: Any, u: Basis, v: Basis, known: Any, weights: Any, aspect: Any, regular: bool, name: str | None,
+                     tolerance: float | None, threads: int | None, progress: Progress | None, strict: bool) -> Model:
+    """The surface of least Dirichlet energy, from arrays without a document between: tens of microseconds less."""
+    problem = c.DirichletProblem(name=encoded(name), u=u._pointer, v=v._pointer, points=points.ctypes.data,
+                                 known=known.ctypes.data, weights=None if weights is None else weights.ctypes.data,
+                                 aspect=0.0 if aspect == "auto" else float(aspect), aspect_auto=int(aspect == "auto"),
+                                 regular=int(regular))
+    options, proof = _options(tolerance, threads, False)
+    with Watch(progress) as watch:
+        options.monitor = watch.monitor
+        model = _made(byref(problem), options, proof, library.taut_dirichlet_make, library.taut_dirichlet_certify)
+    return _strict(model, strict)
+
+
+__all__ = ["certify", "make", "read"]

@@ -1,0 +1,101 @@
+"""Measures, joints, and operations that keep the points of a surface."""
+from __future__ import annotations
+
+import json
+from ctypes import byref, c_double, c_void_p, create_string_buffer
+from typing import Any, Union
+
+from . import _library as c
+from ._handle import Handle, encoded, library, made, text_of
+from .errors import InputError, raise_for
+from .geometry import Curve, Surface
+from .model import Model
+
+_ROOM = 2048  # bytes: more than any of C's structs of measures
+_EDGES = ("u0", "u1", "v0", "v1")
+
+
+def _record(fill: Any) -> Any:
+    """What fill(record) puts into a record."""
+    pointer = library.taut_record_new()
+    if not pointer:
+        raise MemoryError("taut: memory ran out")
+    try:
+        fill(pointer)
+        if library.taut_record_status(pointer) != c.OK:
+            raise_for(library.taut_record_status(pointer))
+        return json.loads(text_of(library.taut_record_write, pointer))
+    finally:
+        library.taut_record_free(pointer)
+
+
+def _measured(one: Surface | Curve, options: c.MeasureOptions) -> dict[str, Any]:
+    is_surface = isinstance(one, Surface)
+    function = library.taut_measure_surface if is_surface else library.taut_measure_curve
+    record = library.taut_measure_surface_record if is_surface else library.taut_measure_curve_record
+    room, error = create_string_buffer(_ROOM), c.ErrorStruct()
+    status = function(one._pointer, byref(options), room, byref(error))
+    if status != c.OK:
+        raise_for(status, error)
+    return dict(_record(lambda pointer: record(one._pointer, room, pointer)))
+
+
+def measure(what: Union[Model, Surface, Curve], grid: int = 101, threads: int | None = None) -> dict[str, Any]:
+    """Areas, energies, curvatures, lengths: as `taut measure --json` says them.
+
+    A model gives {"surfaces": [...], "curves": [...]}; a surface or curve its own object. Extremes are over grid x grid
+    parameters; integrals are good to 1e-10 relative, or come with their error.
+    """
+    options = c.MeasureOptions(grid=grid, threads=threads or 0)
+    if isinstance(what, Model):
+        return {"surfaces": [_measured(one, options) for one in what.surfaces],
+                "curves": [_measured(one, options) for one in what.curves]}
+    return _measured(what, options)
+
+
+def join(a: Surface, edge_a: str, b: Surface, edge_b: str) -> dict[str, Any]:
+    """How two surfaces meet along an edge each ("u0", "u1", "v0", "v1"): max_gap, angles, c_order, g_order, kind."""
+    for edge in (edge_a, edge_b):
+        if edge not in _EDGES:
+            raise InputError(f"the edge is {edge!r}; expected one of {', '.join(_EDGES)}", "", "name")
+    room, error = create_string_buffer(_ROOM), c.ErrorStruct()
+    status = library.taut_join_measure(a._pointer, _EDGES.index(edge_a), b._pointer, _EDGES.index(edge_b), room, byref(error))
+    if status != c.OK:
+        raise_for(status, error)
+    return dict(_record(lambda pointer: library.taut_join_record(room, pointer)))
+
+
+def _changed(function: Any, model: Model, *arguments: Any) -> Model:
+    return Model._of(made(function, library.taut_model_free, model._pointer, *arguments))
+
+
+def split(model: Model, u: float | None = None, v: float | None = None, name: str | None = None) -> Model:
+    """Every surface, or the one named, cut at u or at v: the same points, without details and certificate."""
+    if (u is None) == (v is None):
+        raise InputError("split: give u or v, one of them", "", "conflict")
+    at = u if v is None else v
+    return _changed(library.taut_model_split, model, encoded(name), int(u is None), float(at or 0.0))
+
+
+def refine(model: Model, along: str = "uv", name: str | None = None) -> Model:
+    """Every span halved along "u", "v" or "uv": the same points on a finer net."""
+    if along not in ("u", "v", "uv"):
+        raise InputError(f"along is {along!r}; expected 'u', 'v' or 'uv'", "", "value")
+    return _changed(library.taut_model_refine, model, encoded(name), int("u" in along), int("v" in along))
+
+
+def pieces(model: Model, name: str | None = None) -> Model:
+    """Every span on its own, on Bezier bases."""
+    return _changed(library.taut_model_pieces, model, encoded(name))
+
+
+def to_nurbs(model: Model, tolerance: float = 1e-6) -> tuple[Model, float]:
+    """Every surface and curve as NURBS within tolerance times its size, and the distance that is proved, a length."""
+    bound, error, pointer = c_double(), c.ErrorStruct(), c_void_p()
+    status = library.taut_model_to_nurbs(model._pointer, tolerance, byref(pointer), byref(bound), byref(error))
+    if status != c.OK:
+        raise_for(status, error)
+    return Model._of(Handle(pointer.value or 0, library.taut_model_free)), bound.value
+
+
+__all__ = ["join", "measure", "pieces", "refine", "split", "to_nurbs"]

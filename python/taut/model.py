@@ -1,0 +1,311 @@
+"""Models: surfaces, curves, what was decided, and the certificate."""
+from __future__ import annotations
+
+import ctypes
+import json
+import os
+from ctypes import POINTER, byref, c_size_t, c_void_p, cast
+from typing import Any, Iterator, Mapping, NamedTuple, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _library as c
+from ._handle import Array, Handle, encoded, library, made, text_of, view
+from .errors import InputError, raise_for
+from .geometry import Curve, Surface
+
+_HOLDS = {0: False, 1: True, 2: None}
+
+
+class Claim(NamedTuple):
+    """One claim of a certificate.
+
+    claim     its name, such as "stationary"
+    kind      "exact", "bound" (both are proofs) or "check"
+    residual  what was found
+    limit     what it was held against
+    holds     True, False, or None where it is undecided
+    where     the place of the largest residual, or why it is undecided, or ""
+    """
+
+    claim: str
+    kind: str
+    residual: float
+    limit: float
+    holds: bool | None
+    where: str
+
+
+class Certificate:
+    """What was proved of a model: immutable, compares by value."""
+
+    __slots__ = ("construct", "claims", "figures", "holds")
+    construct: str
+    claims: tuple[Claim, ...]
+    figures: dict[str, Any]
+    holds: bool | None
+
+    def __init__(self, construct: str, claims: Sequence[Claim], figures: Mapping[str, Any], holds: bool | None) -> None:
+        for name, value in (("construct", construct), ("claims", tuple(claims)), ("figures", dict(figures)), ("holds", holds)):
+            object.__setattr__(self, name, value)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a certificate is immutable: {name}")
+
+    def __getitem__(self, claim: str) -> Claim:
+        """The claim of that name."""
+        for one in self.claims:
+            if one.claim == claim:
+                return one
+        raise KeyError(claim)
+
+    def __iter__(self) -> Iterator[Claim]:
+        return iter(self.claims)
+
+    def _key(self) -> tuple[Any, ...]:
+        return (self.construct, repr(self.claims), json.dumps(self.figures, sort_keys=True), self.holds)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Certificate) and self._key() == other._key()
+
+    def __hash__(self) -> int:
+        return hash(self._key())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Certificate, (self.construct, self.claims, self.figures, self.holds)
+
+    def __repr__(self) -> str:
+        words = {True: "holds", False: "does not hold", None: "is undecided"}
+        return f"<taut.Certificate of {self.construct}: {words[self.holds]}; " + ", ".join(
+            f"{one.claim} {words[one.holds]} ({one.kind})" for one in self.claims) + ">"
+
+    def _repr_html_(self) -> str:
+        from .notebook import certificate_table
+        return certificate_table(self)
+
+
+def record_of(pointer: int | None) -> Any:
+    """A record of C as Python's dicts, lists and numbers."""
+    return None if not pointer else json.loads(text_of(library.taut_record_write, pointer))
+
+
+def certificate_of(pointer: int) -> Certificate:
+    """A certificate of C."""
+    claims = []
+    for i in range(library.taut_certificate_claim_count(pointer)):
+        one = cast(library.taut_certificate_claim(pointer, i), POINTER(c.ClaimStruct)).contents
+        claims.append(Claim(one.claim.decode(), library.taut_claim_kind_name(one.kind).decode(), one.residual, one.limit,
+                            _HOLDS[one.holds], one.where.decode("utf-8", "replace")))
+    return Certificate(library.taut_certificate_construct(pointer).decode(), claims,
+                       record_of(library.taut_certificate_figures(pointer)) or {}, _HOLDS[library.taut_certificate_holds(pointer)])
+
+
+class _Items(Sequence[Any]):
+    """Surfaces or curves of a model, by number."""
+
+    def __init__(self, items: Sequence[Any]) -> None:
+        self._items = tuple(items)
+
+    def __getitem__(self, i: Any) -> Any:
+        return self._items[i]
+
+    def __len__(self) -> int:
+        return len(self._items)
+
+    def __repr__(self) -> str:
+        return repr(list(self._items))
+
+
+class Model:
+    """Surfaces and curves with a certificate; immutable. `model["name"]` is a surface or curve by its name.
+
+    Compares by value, hashes, pickles (as its document, bit for bit) and copies.
+    """
+
+    def __init__(self, surfaces: Sequence[Surface] = (), curves: Sequence[Curve] = (), unit: str = "mm") -> None:
+        """A model of your own surfaces and curves, without a certificate."""
+        pointer = c_void_p()
+        status = library.taut_model_new(byref(pointer))
+        if status != c.OK:
+            raise_for(status)
+        handle = Handle(pointer.value or 0, library.taut_model_free)
+        if library.taut_model_set_unit(handle.pointer, encoded(unit)) != c.OK:
+            raise InputError(f"unit is {unit!r}; expected mm, m, cm, in or ft", "/unit", "value")
+        for objects, copy, add, free in ((surfaces, library.taut_surface_copy, library.taut_model_add_surface, library.taut_surface_free),
+                                         (curves, library.taut_curve_copy, library.taut_model_add_curve, library.taut_curve_free)):
+            for one in objects:
+                status = copy(one._pointer, byref(pointer))
+                if status == c.OK:
+                    status = add(handle.pointer, pointer)
+                    if status != c.OK:
+                        free(pointer)
+                if status != c.OK:
+                    raise_for(status)
+        self._take(handle)
+
+    def _take(self, handle: Handle) -> None:
+        self._handle, self._pointer = handle, handle.pointer
+        self._surfaces: _Items | None = None
+        self._curves: _Items | None = None
+        self._certificate: Certificate | None = None
+        self._text: bytes | None = None
+
+    @classmethod
+    def _of(cls, handle: Handle) -> Model:
+        model = object.__new__(cls)
+        model._take(handle)
+        return model
+
+    @classmethod
+    def from_json(cls, text: str | bytes) -> Model:
+        """The model that a document holds."""
+        data = text.encode() if isinstance(text, str) else bytes(text)
+        return cls._of(made(library.taut_model_read_text, library.taut_model_free, data, len(data), b"<model>"))
+
+    @property
+    def surfaces(self) -> Sequence[Surface]:
+        if self._surfaces is None:
+            self._surfaces = _Items([Surface._borrowed(library.taut_model_surface(self._pointer, i), self._handle)
+                                     for i in range(library.taut_model_surface_count(self._pointer))])
+        return self._surfaces
+
+    @property
+    def curves(self) -> Sequence[Curve]:
+        if self._curves is None:
+            self._curves = _Items([Curve._borrowed(library.taut_model_curve(self._pointer, i), self._handle)
+                                   for i in range(library.taut_model_curve_count(self._pointer))])
+        return self._curves
+
+    def __getitem__(self, name: str) -> Union[Surface, Curve]:
+        every: list[Union[Surface, Curve]] = [*self.surfaces, *self.curves]
+        found = [one for one in every if one.name == name]
+        if len(found) == 1:
+            return found[0]
+        raise KeyError(name if not found else f"{name!r} is the name of {len(found)} surfaces and curves")
+
+    @property
+    def unit(self) -> str:
+        """"mm", "m", "cm", "in" or "ft"."""
+        return str(library.taut_model_unit(self._pointer).decode())
+
+    @property
+    def details(self) -> dict[str, Any]:
+        """What the construction decided, in its own words."""
+        return record_of(library.taut_model_details(self._pointer)) or {}
+
+    @property
+    def certificate(self) -> Certificate | None:
+        if self._certificate is None:
+            pointer = library.taut_model_certificate(self._pointer)
+            self._certificate = certificate_of(pointer) if pointer else None
+        return self._certificate
+
+    def to_json(self) -> str:
+        """The document, byte for byte what the program writes."""
+        return self._bytes().decode()
+
+    def _bytes(self) -> bytes:
+        if self._text is None:
+            self._text = text_of(library.taut_model_write_text, self._pointer, b"json", None)
+        return self._text
+
+    def write(self, path: str | os.PathLike[str], tolerance: float = 0.0, threads: int | None = None, **options: Any) -> None:
+        """To a file whose ending says the format: .json, .step, .iges, .obj, .stl, .ply, .glb, .vtu, .svg, .pdf, .png, .html.
+
+        tolerance   0: the format's own (1e-3 of the size for meshes)
+        options     divide, surface (name), colour ("plain", "mean", "gaussian", "isothermality", "gap"), no_net, view (azimuth,
+                    elevation in degrees), title, isolines, reflections, combs, side_by_side, width
+        """
+        error, chosen = c.ErrorStruct(), write_options(tolerance, threads, options)
+        status = library.taut_model_write(self._pointer, encoded(os.fspath(path)), byref(chosen), byref(error))
+        if status != c.OK:
+            raise_for(status, error)
+
+    def to_text(self, format: str, tolerance: float = 0.0, threads: int | None = None, **options: Any) -> bytes:
+        """The bytes that `write` would put into a file of this ending, such as "svg"."""
+        return text_of(library.taut_model_write_text, self._pointer, encoded(format), byref(write_options(tolerance, threads, options)))
+
+    def mesh(self, tolerance: float = 0.0, divide: int = 0, surface: str | None = None, threads: int | None = None) -> Mesh:
+        """Vertices, normals and faces of all surfaces, or of the one named; closed where the surfaces are.
+
+        tolerance   largest chord error over the size of the model; 0: 1e-3
+        divide      cells for each knot span, in place of a tolerance
+        """
+        options = c.MeshOptions(tolerance=tolerance, divide=divide, threads=threads or 0, surface=encoded(surface))
+        return Mesh(made(library.taut_mesh_new, library.taut_mesh_free, self._pointer, byref(options)))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Model) and (self._pointer == other._pointer or self._bytes() == other._bytes())
+
+    def __hash__(self) -> int:
+        return hash(self._bytes())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Model.from_json, (self._bytes(),)
+
+    def __copy__(self) -> Model:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Model:
+        return self
+
+    def __repr__(self) -> str:
+        every: list[Union[Surface, Curve]] = [*self.surfaces, *self.curves]
+        names = ", ".join(repr(one.name) for one in every) or "nothing"
+        certificate = self.certificate
+        return f"<taut.Model of {names}{'' if certificate is None else '; ' + repr(certificate)[1:-1]}>"
+
+    def _repr_html_(self) -> str:
+        from .notebook import model_page
+        return model_page(self)
+
+
+class Mesh:
+    """Triangles and quads; all arrays are read-only and without a copy.
+
+    vertices    (n, 3)          normals   (n, 3)        parameters   (n, 2): u, v
+    triangles   (m, 3) uint32   quads     (k, 4) uint32
+    faces       the triangles
+    welded      (n,) uint32: the first vertex in the same place
+    """
+
+    def __init__(self, handle: Handle) -> None:
+        p, n, k = handle.pointer, library.taut_mesh_vertex_count(handle.pointer), library.taut_mesh_quad_count(handle.pointer)
+        self.vertices: Array = view(handle, library.taut_mesh_positions(p), (n, 3))
+        self.normals: Array = view(handle, library.taut_mesh_normals(p), (n, 3))
+        self.parameters: Array = view(handle, library.taut_mesh_parameters(p), (n, 2))
+        self.quads: npt.NDArray[np.uint32] = view(handle, library.taut_mesh_quads(p), (k, 4), ctypes.c_uint32)
+        self.triangles: npt.NDArray[np.uint32] = view(handle, library.taut_mesh_triangles(p), (2 * k, 3), ctypes.c_uint32)
+        self.welded: npt.NDArray[np.uint32] = view(handle, library.taut_mesh_welded(p), (n,), ctypes.c_uint32)
+        self.faces = self.triangles
+
+    def __repr__(self) -> str:
+        return f"<taut.Mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
+
+
+_COLOURS = ("plain", "mean", "gaussian", "isothermality", "gap")
+
+
+def write_options(tolerance: float, threads: int | None, options: Mapping[str, Any]) -> c.WriteOptions:
+    """C's struct of what a person says."""
+    chosen = c.WriteOptions(tolerance=tolerance, threads=threads or 0)
+    for name, value in options.items():
+        if name == "colour":
+            if value not in _COLOURS:
+                raise InputError(f"colour is {value!r}; expected one of {', '.join(_COLOURS)}", "", "name")
+            chosen.colour = _COLOURS.index(value)
+        elif name == "view":
+            chosen.has_view, (chosen.view[0], chosen.view[1]) = 1, (float(x) for x in value)
+        elif name in ("surface", "title"):
+            setattr(chosen, name, encoded(value))
+        elif name in ("divide", "isolines", "reflections", "width"):
+            setattr(chosen, name, int(value))
+        elif name in ("no_net", "combs", "side_by_side", "short_knots"):
+            setattr(chosen, name, int(bool(value)))
+        else:
+            raise TypeError(f"there is no option {name!r}")
+    return chosen
+
+
+__all__ = ["Certificate", "Claim", "Mesh", "Model"]

@@ -1,0 +1,49 @@
+"""Every example through Python is byte for byte what the program makes."""
+import os
+import pickle
+import subprocess
+
+import pytest
+from conftest import ROOT, document, names
+
+import taut
+
+
+def made_by(program, path):
+    """What the program prints; a claim that does not hold is exit 1."""
+    return subprocess.run([program, "make", "--quiet", str(path)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False).stdout
+
+
+@pytest.mark.parametrize("name", names())
+def test_example_is_the_programs(name, program, examples, monkeypatch):
+    monkeypatch.chdir(ROOT / "examples")
+    path = examples[name]
+    expected = made_by(program, path)
+    model = taut.make(path)
+    assert model.to_json().encode() == expected
+    members = {key: value for key, value in document(path).items() if key not in ("taut", "construct")}
+    function = getattr(taut, document(path)["construct"].replace("-", "_"))
+    assert function(**members) == model
+    assert taut.make(document(path)) == model
+    copy = pickle.loads(pickle.dumps(model))
+    assert copy == model and hash(copy) == hash(model) and copy.certificate == model.certificate
+    proof = taut.certify(model, path)
+    assert [(one.claim, one.holds) for one in proof] == [(one.claim, one.holds) for one in model.certificate]
+
+
+def test_all_constructions_have_a_function():
+    library = taut._library.library
+    listed = {library.taut_construct_name(i).decode().replace("-", "_") for i in range(library.taut_construct_count())}
+    assert listed == set(taut.constructions.__all__)
+
+
+def test_functions_are_current():
+    assert subprocess.run(["/usr/bin/env", "python3", str(ROOT / "tools/python_constructions.py"), "--check"], check=False).returncode == 0
+
+
+def test_boundary_is_beside_its_document(examples, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    for name, path in examples.items():
+        if "boundary" in document(path):
+            assert taut.make(path).certificate.holds, name
+            assert not os.listdir(tmp_path)

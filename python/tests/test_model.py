@@ -1,0 +1,251 @@
+"""Models, certificates, files, errors."""
+import copy
+import json
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import taut
+
+
+def test_dirichlet_from_arrays(net):
+    u, v = taut.bspline(2, count=5), taut.bspline(3, count=6)
+    model = taut.dirichlet(net, u=u, v=v)
+    assert model.certificate.holds and model.certificate["stationary"].kind == "bound"
+    known = ~np.isnan(net).any(axis=-1)
+    filled = np.where(known[..., None], net, 1e9)
+    assert taut.dirichlet(filled, u=u, v=v, known=known) == model
+    assert taut.dirichlet(net.tolist(), u=u.to_dict(), v=v.to_dict()) == model  # through a document
+    assert taut.make({"construct": "dirichlet", "points": net, "u": u, "v": v}) == model
+    assert (model.surfaces[0].points[known] == net[known]).all()
+    assert copy.deepcopy(model) == model and model["dirichlet"] == model.surfaces[0]
+    with pytest.raises(KeyError):
+        model["roof"]
+
+
+def test_dirichlet_is_a_minimum(net):
+    """Moving any unknown point raises the energy: a second method."""
+    model = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))
+    surface = model.surfaces[0]
+    least = taut.measure(surface)["dirichlet_energy"]
+    for i, j in ((1, 1), (2, 3), (3, 4)):
+        points = np.array(surface.points)
+        points[i, j, 2] += 1e-3
+        assert taut.measure(taut.Surface(surface.u, surface.v, points))["dirichlet_energy"] > least
+
+
+def test_certificate(net):
+    model = taut.plateau(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))
+    certificate = model.certificate
+    document = json.loads(model.to_json())["certificate"]
+    assert [one["claim"] for one in document["claims"]] == [one.claim for one in certificate]
+    assert certificate.figures == document["figures"] and certificate.construct == "plateau"
+    assert certificate["stationary"] == certificate.claims[[one.claim for one in certificate].index("stationary")]
+    with pytest.raises(AttributeError):
+        certificate.holds = True
+    assert "<table>" in certificate._repr_html_()
+
+
+def test_changed_model_fails(net):
+    u, v = taut.bspline(2, count=5), taut.bspline(3, count=6)
+    problem = {"construct": "dirichlet", "points": net, "u": u, "v": v}
+    model = taut.make(problem)
+    points = np.array(model.surfaces[0].points)
+    points[2, 2] += 1e-3
+    forged = taut.Model([taut.Surface(u, v, points, name="dirichlet")])
+    certificate = taut.certify(forged, problem)
+    assert certificate.holds is False and certificate["stationary"].holds is False
+
+
+def test_strict():
+    path = ROOT / "examples/asymptotic-3.json"
+    model = taut.make(path)
+    assert model.certificate.holds is False
+    with pytest.raises(taut.CheckFailed) as caught:
+        taut.make(path, strict=True)
+    assert caught.value.model == model
+
+
+ERRORS = [({"construct": "dirichlet"}, taut.InputError, ""),
+          ({"construct": "drichlet"}, taut.InputError, "/construct"),
+          ({"construct": "dirichlet", "u": taut.bezier(1), "v": taut.bezier(1), "points": [[[0, 0], [0, 0, 0]], [[0, 0, 0]] * 2]},
+           taut.InputError, "/points/0/0"),
+          ({"construct": "dirichlet", "u": taut.bezier(1), "v": taut.bezier(1), "points": [[None, None], [None, None]]},
+           taut.NoSolution, "/points"),
+          ({"construct": "bonnet", "lambda": float("inf"), "sign": "+", "alpha": 1, "beta": 1}, taut.InputError, "/lambda"),
+          ({"construct": "bonnet", "lambda": np.array([0.1, np.nan]), "sign": "+", "alpha": 1, "beta": 1}, taut.InputError, "/lambda/1"),
+          ({"construct": "bonnet", "lambda": object(), "sign": "+", "alpha": 1, "beta": 1}, taut.InputError, "/lambda"),
+          ("/nonexistent/problem.json", taut.FileError, ""), ('{"taut": 1', taut.InputError, "<document>")]
+
+
+@pytest.mark.parametrize("document, kind, where", ERRORS)
+def test_errors_are_data(document, kind, where):
+    with pytest.raises(kind) as caught:
+        taut.make(document)
+    error = caught.value
+    assert isinstance(error, taut.Error) and error.reason and error.where.startswith(where), vars(error)
+    assert str(error) == error.message
+    import pickle
+    again = pickle.loads(pickle.dumps(error))
+    assert type(again) is type(error) and again.__dict__ == error.__dict__
+
+
+def test_files(tmp_path, net):
+    model = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))
+    for ending in ("json", "step", "obj", "stl", "ply", "glb", "vtu", "svg"):
+        path = tmp_path / f"m.{ending}"
+        model.write(path)
+        assert path.stat().st_size > 100
+    assert taut.read(tmp_path / "m.json") == model
+    assert model.to_text("obj") == (tmp_path / "m.obj").read_bytes()
+    with pytest.raises(taut.InputError):
+        model.write(tmp_path / "m.doc")
+    with pytest.raises(taut.FileError):
+        model.write(tmp_path / "no/m.json")
+    with pytest.raises(TypeError):
+        model.write(tmp_path / "m.svg", color="mean")
+    with pytest.raises(taut.Error):
+        taut.read(tmp_path / "m.svg")
+
+
+def test_mesh(net):
+    model = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))
+    mesh = model.mesh(divide=3)
+    assert mesh.triangles.max() < len(mesh.vertices) and len(mesh.triangles) == 2 * len(mesh.quads)
+    assert np.abs(model.surfaces[0](*mesh.parameters.T) - mesh.vertices).max() < 1e-13
+    assert np.abs(np.linalg.norm(mesh.normals, axis=1) - 1).max() < 1e-12
+    corners = mesh.vertices[mesh.triangles]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
+    assert abs(area - taut.measure(model.surfaces[0])["area"]) < 0.05 * area
+    vertices = mesh.vertices
+    del mesh, model
+    assert np.isfinite(vertices).all()
+
+
+def test_measure_is_the_programs(program, tmp_path, net):
+    model = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))
+    model.write(tmp_path / "m.json")
+    said = json.loads(subprocess.run([program, "measure", str(tmp_path / "m.json"), "--json", "--grid", "31"], check=True,
+                                     stdout=subprocess.PIPE).stdout)
+    assert taut.measure(model, grid=31)["surfaces"] == said["surfaces"]
+
+
+def test_operations_of_models(net):
+    model = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))
+    halves = taut.split(model, u=0.4)
+    assert len(halves.surfaces) == 2 and halves.certificate is None
+    joined = taut.join(halves.surfaces[0], "u1", halves.surfaces[1], "u0")
+    assert joined["c_order"] >= 1 and joined["kind"] == "bound"
+    assert taut.refine(model).surfaces[0].u.count > 5
+    nurbs, bound = taut.to_nurbs(taut.make(ROOT / "examples/bonnet-helicoid.json"), 1e-8)
+    assert nurbs.surfaces[0].u.type == "bspline" and 0 < bound < 1e-6
+    with pytest.raises(taut.InputError):
+        taut.split(model)
+    with pytest.raises(taut.Error):
+        taut.split(model, u=7.0)
+
+
+def test_progress_and_what_it_raises():
+    path = ROOT / "examples/plateau-curves.json"
+    told = []
+    model = taut.make(path, progress=lambda done, what: told.append((done, what)))
+    assert told and all(what for _, what in told) and model.certificate.holds
+
+    def stop(done, what):
+        raise RuntimeError("enough")
+    with pytest.raises(RuntimeError, match="enough"):
+        taut.make(path, progress=stop)
+    assert taut.make(path) == model
+
+
+SLOW = '''
+import signal, sys
+import taut, numpy as np
+n = 70
+x, y = np.meshgrid(np.linspace(0, 1, n), np.linspace(0, 1, n), indexing="ij")
+points = np.stack([x, y, 0.3 * np.sin(9 * x) * np.cos(11 * y)], axis=-1)
+points[1:-1, 1:-1] = np.nan
+print("begun", flush=True)
+try:
+    taut.plateau(points, u=taut.bspline(3, count=n), v=taut.bspline(3, count=n), gap=1e-9)
+except KeyboardInterrupt:
+    print("interrupted", signal.getsignal(signal.SIGINT) is signal.default_int_handler)
+'''
+
+
+def test_ctrl_c():
+    import os
+    process = subprocess.Popen([sys.executable, "-c", SLOW], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+                               env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    assert process.stdout.readline() == "begun\n"
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    out, errors = process.communicate(timeout=60)
+    assert out == "interrupted True\n", errors
+    assert errors == ""
+
+
+def test_threads_at_once(net):
+    """The interpreter's lock is released, and objects may be used from any thread."""
+    u, v = taut.bspline(2, count=5), taut.bspline(3, count=6)
+    expected = taut.dirichlet(net, u=u, v=v)
+    failures = []
+
+    def work():
+        for _ in range(50):
+            if taut.dirichlet(net, u=u, v=v) != expected or not np.isfinite(expected.surfaces[0](0.5, 0.5)).all():
+                failures.append(1)
+    threads = [threading.Thread(target=work) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not failures
+
+
+def test_nothing_leaks(net):
+    """Errors and objects by the thousand leave the process as large as it was."""
+    import resource
+    u, v = taut.bspline(2, count=5), taut.bspline(3, count=6)
+
+    def work(count):
+        for _ in range(count):
+            taut.dirichlet(net, u=u, v=v).surfaces[0].points.sum()
+            with pytest.raises(taut.InputError):
+                taut.make({"construct": "dirichlet", "points": net.tolist()})
+            with pytest.raises(taut.InputError):
+                taut.bspline(3, knots=[0.0] * 1000)
+    work(300)
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    work(3000)
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 4000  # kB
+
+
+def test_layouts_are_those_of_the_headers():
+    """Every function that is called is in the headers, with as many arguments."""
+    import re
+    text = "".join(path.read_text() for path in sorted((ROOT / "include/taut").glob("*.h")))
+    for name, signature in taut._library.SIGNATURES.items():
+        found = re.search(rf"TAUT_API [^;]*?\b{name}\((.*?)\);", text, re.S)
+        assert found, name
+        arguments = 0 if found[1].strip() == "void" else found[1].count(",") + 1
+        assert arguments == len(signature.split(":")[1]), name
+
+
+def test_other_library_is_refused(tmp_path):
+    import os
+    for library, said in (("/nonexistent/libtaut.so", "not found"), (np.core._multiarray_umath.__file__, "has no taut_")):
+        result = subprocess.run([sys.executable, "-c", "import taut"], stderr=subprocess.PIPE, universal_newlines=True, check=False,
+                                env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "TAUT_LIBRARY": library})
+        assert result.returncode == 1 and said in result.stderr
+
+
+def test_shows_itself(net):
+    page = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))._repr_html_()
+    assert "<iframe" in page and "<noscript><img" in page and "stationary" in page

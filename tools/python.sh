@@ -1,0 +1,59 @@
+#!/bin/sh
+# python.sh test|wheel|bench [ARGUMENT...] -- the Python package: its tests (pytest, types by mypy) against the library of
+# build/release, its wheel (build/python/*.whl; what is tested is then installed from it), its figures. By $PYTHON, or the first python3
+# that has numpy and pytest.
+set -eu
+cd "$(dirname "$0")/.."
+export TAUT_BUILD=${TAUT_BUILD:-$PWD/build/release} PYTHONDONTWRITEBYTECODE=1
+wheels=build/python
+
+has() { # has PYTHON MODULE...
+    python=$1
+    shift
+    for module in "$@"; do
+        "$python" -c "import $module" 2>/dev/null || return 1
+    done
+}
+if [ -z "${PYTHON:-}" ]; then
+    for PYTHON in python3 /usr/bin/python3; do
+        if has "$PYTHON" numpy pytest; then break; fi
+    done
+fi
+if ! has "$PYTHON" numpy pytest; then
+    echo "python.sh: no python3 with numpy and pytest: tools/deps.sh test" >&2
+    exit 1
+fi
+
+make_wheel() {
+    rm -rf "$wheels"
+    mkdir -p "$wheels/src"
+    cp -R python/taut python/setup.py python/pyproject.toml python/README.md "$wheels/src"
+    "$PYTHON" -m pip --quiet wheel --no-build-isolation --no-deps -w "$wheels" "$wheels/src"
+    ls "$wheels"/*.whl
+}
+
+case ${1:-} in
+test)
+    shift
+    "$PYTHON" -m pytest -q -p no:cacheprovider python/tests "$@"
+    if has "$PYTHON" mypy; then
+        (cd python && "$PYTHON" -m mypy --strict --cache-dir "../$wheels/mypy" taut)
+    else
+        echo "left out: types are not checked (Debian: mypy)"
+    fi
+    ;;
+wheel)
+    shift
+    make_wheel
+    "$PYTHON" -m pip --quiet install --no-deps --no-index --target "$wheels/installed" "$wheels"/*.whl
+    TAUT_WHEEL=1 PYTHONPATH=$PWD/$wheels/installed "$PYTHON" -m pytest -q -p no:cacheprovider python/tests "$@"
+    ;;
+bench)
+    shift
+    TAUT_LIBRARY=${TAUT_LIBRARY:-$TAUT_BUILD/libtaut.so.0} PYTHONPATH=$PWD/python "$PYTHON" bench/python/bench.py "$@"
+    ;;
+*)
+    sed -n 's/^# \{0,1\}//p' "$0" | sed -n 2,4p >&2
+    exit 2
+    ;;
+esac
