@@ -3,7 +3,7 @@
 TAUT = build/release/bin/taut
 
 .PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-evaluate bench-plateau format check mutants reproduction reference install deb wasm \
-  clean help
+  python bench-python clean help
 
 demo: build
 	@mkdir -p out
@@ -20,6 +20,7 @@ test:
 	@cmake --preset release
 	@cmake --build --preset release
 	@ctest --preset release -j "$$(nproc)"
+	@tools/python.sh test
 	@tools/left_out.sh build/release
 
 build:
@@ -46,6 +47,13 @@ wasm: build
 	@cmake --preset wasm
 	@cmake --build --preset wasm
 	@node --test tests/web/test_web.mjs
+
+python: build
+	@tools/deps.sh test
+	@tools/python.sh wheel
+
+bench-python: build
+	@tools/python.sh bench
 
 format:
 	@tools/check_format.sh --fix

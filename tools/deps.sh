@@ -29,6 +29,13 @@ test  cmd:rsvg-convert               librsvg2-bin           reads the SVG figure
 test  header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev reads STEP and IGES, writes IGES
 test  cmd:python3                    python3                changes documents, one member at a time
 test  py:jsonschema                  python3-jsonschema     reads the schemas
+test  py:numpy                       python3-numpy          what the Python package gives and takes
+test  py:pytest                      python3-pytest         runs its tests
+test  py:hypothesis                  python3-hypothesis     draws their inputs
+test  py:mypy                        mypy                   checks its types
+test  py:wheel                       python3-wheel          packs it
+test  py:setuptools                  python3-setuptools     packs it
+test  py:pip                         python3-pip            packs and installs it
 browser cmd:node                     nodejs                 drives the browser that looks at the pages of `taut view`
 browser cmd:chromium                 chromium               that browser
 check cmd:clang                      clang                  a second compiler, the sanitizers, the fuzzer

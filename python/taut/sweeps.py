@@ -18,7 +18,7 @@ _AHEAD = 4  # problems handed out for each worker before the first result is wai
 def _one(text: str) -> bytes:
     """A model as its document in one line, or an error as one; runs anywhere."""
     try:
-        return re.sub(rb"\n *", b"", make(text)._bytes())  # no text in JSON holds an end of line
+        return re.sub(rb"\n *", b" ", make(text)._bytes().strip())  # no text in JSON holds an end of line
     except Error as error:
         return _line_of(error)
 
@@ -30,9 +30,9 @@ def _line_of(error: Error) -> bytes:
 
 def _result(line: bytes) -> Model | Error:
     """What a line of results holds."""
-    if not line.startswith(b'{"error"'):
+    error = json.loads(line).get("error")
+    if error is None:
         return Model.from_json(line)
-    error = json.loads(line)["error"]
     kind = {3: InputError, 2: InputError, 4: NoSolution, 1: NotConverged, 5: FileError}.get(error["exit"], Error)
     return kind(error["message"], error["where"], error["reason"], error["found"], error["expected"])
 

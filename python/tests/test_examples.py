@@ -1,6 +1,7 @@
 """Every example through Python is byte for byte what the program makes."""
 import os
 import pickle
+import re
 import subprocess
 
 import pytest
@@ -47,3 +48,21 @@ def test_boundary_is_beside_its_document(examples, monkeypatch, tmp_path):
         if "boundary" in document(path):
             assert taut.make(path).certificate.holds, name
             assert not os.listdir(tmp_path)
+
+
+def test_readme(program, tmp_path, monkeypatch, capsys):
+    """The README's problem by the README's lines of Python."""
+    text = (ROOT / "README.md").read_text()
+    (tmp_path / "tent.json").write_text(re.search(r"```json\n(.*?)```", text, re.S)[1])
+    monkeypatch.chdir(tmp_path)
+    exec(re.search(r"```python\n(.*?)```", text, re.S)[1], {})
+    said = re.fullmatch(r"\[(.*)\] True (4\.199715535\d*)\n", capsys.readouterr().out)
+    assert said and [float(x) for x in said[1].split()] == [0, 0, 0.375]  # 4 x 1/8 - 1/2 x 1/4
+
+
+def test_page(tmp_path, monkeypatch):
+    """The page's lines run as they stand."""
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    exec(re.search(r"```python\n(.*?)```", (ROOT / "docs/python.md").read_text(), re.S)[1], names)
+    assert names["model"].certificate["stationary"].holds and os.path.getsize("roof.step") > 1000

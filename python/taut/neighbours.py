@@ -1,0 +1,80 @@
+"""To and from the curves and surfaces of other packages; each is imported only where it is used.
+
+    scipy      BSpline and NdBSpline: to_scipy, from_scipy
+    geomdl     BSpline and NURBS curves and surfaces: from_geomdl, to_geomdl
+"""
+from __future__ import annotations
+
+from typing import Any, Union
+
+import numpy as np
+
+from .bases import bspline
+from .errors import InputError
+from .geometry import Curve, Surface
+from .model import Model
+
+
+def _nurbs(what: Union[Curve, Surface], tolerance: float) -> Any:
+    """what on bspline bases; exact where its bases are polynomial."""
+    from .measuring import to_nurbs
+    model = Model([what]) if isinstance(what, Surface) else Model(curves=[what])
+    nurbs = to_nurbs(model, tolerance)[0]
+    return (nurbs.surfaces if isinstance(what, Surface) else nurbs.curves)[0]
+
+
+def to_scipy(what: Union[Curve, Surface], tolerance: float = 1e-9) -> Any:
+    """A curve as scipy.interpolate.BSpline, a surface as NdBSpline (scipy 1.12 or later), whose values are points.
+
+    Weights have no place there: a rational curve or surface is an InputError."""
+    from scipy import interpolate
+    if what.weights is not None:
+        raise InputError("scipy's splines have no weights", "/weights", "value")
+    spline = _nurbs(what, tolerance)
+    if isinstance(what, Curve):
+        return interpolate.BSpline(np.array(spline.t.knots), np.array(spline.points), spline.t.degree)
+    return interpolate.NdBSpline((np.array(spline.u.knots), np.array(spline.v.knots)), np.array(spline.points),
+                                 (spline.u.degree, spline.v.degree))
+
+
+def from_scipy(spline: Any, name: str = "") -> Union[Curve, Surface]:
+    """The curve of a BSpline, the surface of an NdBSpline, whose values are points in space and whose knots are clamped."""
+    if isinstance(spline.t, tuple):
+        points = np.asarray(spline.c)
+        degrees = np.broadcast_to(np.asarray(spline.k), (2,))
+        return Surface(bspline(int(degrees[0]), knots=spline.t[0]), bspline(int(degrees[1]), knots=spline.t[1]), points, name=name)
+    return Curve(bspline(int(spline.k), knots=spline.t), np.asarray(spline.c)[:len(spline.t) - spline.k - 1], name=name)
+
+
+def from_geomdl(shape: Any, name: str = "") -> Union[Curve, Surface]:
+    """The curve or surface of geomdl's BSpline and NURBS classes."""
+    weights = np.asarray(shape.weights, dtype=float) if getattr(shape, "rational", False) else None
+    points = np.asarray(shape.ctrlpts, dtype=float)
+    if points.shape[-1] == 2:
+        points = np.hstack([points, np.zeros((len(points), 1))])
+    if hasattr(shape, "degree_u"):
+        size = (shape.ctrlpts_size_u, shape.ctrlpts_size_v)
+        return Surface(bspline(shape.degree_u, knots=shape.knotvector_u), bspline(shape.degree_v, knots=shape.knotvector_v),
+                       points.reshape(*size, 3), None if weights is None else weights.reshape(size), name or shape.name)
+    return Curve(bspline(shape.degree, knots=shape.knotvector), points, weights, name or shape.name)
+
+
+def to_geomdl(what: Union[Curve, Surface], tolerance: float = 1e-9) -> Any:
+    """As geomdl's NURBS.Curve or NURBS.Surface."""
+    from geomdl import NURBS
+    spline = _nurbs(what, tolerance)
+    weights = np.ones(spline.points.shape[:-1]) if spline.weights is None else spline.weights
+    homogeneous = np.concatenate([spline.points * weights[..., None], weights[..., None]], axis=-1)
+    if isinstance(what, Curve):
+        curve = NURBS.Curve(normalize_kv=False)
+        curve.degree, curve.ctrlptsw, curve.knotvector = spline.t.degree, homogeneous.tolist(), spline.t.knots.tolist()
+        return curve
+    surface = NURBS.Surface(normalize_kv=False)
+    surface.degree_u, surface.degree_v = spline.u.degree, spline.v.degree
+    surface.ctrlpts_size_u, surface.ctrlpts_size_v = spline.points.shape[:2]
+    surface.ctrlptsw = homogeneous.reshape(-1, 4).tolist()
+    surface.knotvector_u, surface.knotvector_v = spline.u.knots.tolist(), spline.v.knots.tolist()
+    return surface
+
+
+__all__ = ["from_geomdl", "from_scipy", "to_geomdl", "to_scipy"]

@@ -1,0 +1,48 @@
+"""Other packages' curves and surfaces. What is not installed is stood for by the members that are used."""
+import types
+
+import numpy as np
+import pytest
+
+import taut
+from taut import neighbours
+
+
+def curve_of(seed):
+    return taut.Curve(taut.bspline(3, knots=[0, 0, 0, 0, .4, 1, 1, 1, 1]), np.random.default_rng(seed).standard_normal((5, 3)), name="c")
+
+
+def test_scipy_curve():
+    interpolate = pytest.importorskip("scipy.interpolate", reason="needs python3-scipy")
+    curve, t = curve_of(1), np.linspace(0, 1, 41)
+    spline = neighbours.to_scipy(curve)
+    assert isinstance(spline, interpolate.BSpline) and np.abs(spline(t) - curve(t)).max() < 1e-15
+    assert neighbours.from_scipy(spline, "c") == curve
+    with pytest.raises(taut.InputError):
+        neighbours.to_scipy(taut.Curve(taut.bezier(1), np.eye(3)[:2], [1, 2]))
+
+
+def test_scipy_surface():
+    interpolate = pytest.importorskip("scipy.interpolate", reason="needs python3-scipy")
+    if not hasattr(interpolate, "NdBSpline"):
+        pytest.skip("needs scipy 1.12")
+    surface = taut.Surface(taut.bspline(3, count=5), taut.bspline(2, count=4), np.random.default_rng(2).standard_normal((5, 4, 3)))
+    spline = neighbours.to_scipy(surface)
+    uv = np.random.default_rng(3).uniform(0, 1, (20, 2))
+    assert np.abs(spline(uv) - surface(*uv.T)).max() < 1e-14
+    assert neighbours.from_scipy(spline) == surface
+
+
+def test_geomdl():
+    """geomdl's objects by the members that its documentation names."""
+    curve = curve_of(4)
+    shape = types.SimpleNamespace(degree=3, knotvector=curve.t.knots.tolist(), ctrlpts=curve.points.tolist(), rational=False, name="c")
+    assert neighbours.from_geomdl(shape) == curve
+    points, weights = np.random.default_rng(5).standard_normal((3, 4, 3)), np.random.default_rng(6).uniform(1, 2, (3, 4))
+    shape = types.SimpleNamespace(degree_u=2, degree_v=3, knotvector_u=[0] * 3 + [1] * 3, knotvector_v=[0] * 4 + [1] * 4,
+                                  ctrlpts=points.reshape(-1, 3).tolist(), weights=weights.ravel().tolist(), rational=True, name="s",
+                                  ctrlpts_size_u=3, ctrlpts_size_v=4)
+    surface = neighbours.from_geomdl(shape)
+    assert (surface.points == points).all() and (surface.weights == weights).all() and surface.name == "s"
+    if pytest.importorskip("geomdl", reason="needs geomdl"):
+        assert neighbours.from_geomdl(neighbours.to_geomdl(curve)) == curve
