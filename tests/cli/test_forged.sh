@@ -1,7 +1,8 @@
 #!/bin/sh
 # test_forged.sh -- models that no construction made, each of which passed a claim that it does not meet: by a point of little
 # weight, by a derivative that the degree does not have, by a surface so large that a gap beside it seems small, by a film
-# whose measured area is worth nothing.
+# whose measured area is worth nothing, by coordinates so far away that rounding is all there is, by one frame of several that
+# rounding hides.
 . "$(dirname "$0")/cli.sh"
 # model: claim that must not hold
 while read -r name claim; do
@@ -16,6 +17,8 @@ dirichlet-light-point stationary
 harmonic-degree-1 harmonic
 biharmonic-cubic biharmonic
 harmonic-extension-lifted continuity
+dirichlet-far stationary
+bonnet-flattened algebraic
 plateau-light-point least
 plateau-light-point stationary
 LIST

@@ -49,7 +49,8 @@ typedef struct gathered {
     const char *claim;
     taut_bonnet_finding found;
     const char *surface;
-    int seen; /* surfaces that it was judged on */
+    int seen;           /* surfaces that it was judged on */
+    const char *hidden; /* one that rounding hides, or NULL */
 } gathered;
 
 typedef struct report {
@@ -165,9 +166,12 @@ static taut_status gather_unit(const taut_surface *surface, int unit,
     if (status != TAUT_OK) {
         return status;
     }
-    if (taut_bonnet_algebra(surface, &scale, &other) &&
-        roundings[ALGEBRAIC] * other.noise <= largest_limit) {
-        gather(&r->claims[ALGEBRAIC], &other, name);
+    if (taut_bonnet_algebra(surface, &scale, &other)) {
+        if (roundings[ALGEBRAIC] * other.noise <= largest_limit) {
+            gather(&r->claims[ALGEBRAIC], &other, name);
+        } else {
+            r->claims[ALGEBRAIC].hidden = name;
+        }
     }
     integrals.value[0] = ldexp(integrals.value[0], 2 * unit);
     if (frame != NULL) {
@@ -210,6 +214,8 @@ static taut_status gather_surface(const taut_surface *surface, const taut_bonnet
         gathered *all = &r->claims[k];
         all->surface =
             all->surface == taut_surface_name(scaled) ? taut_surface_name(surface) : all->surface;
+        all->hidden =
+            all->hidden == taut_surface_name(scaled) ? taut_surface_name(surface) : all->hidden;
     }
     taut_surface_free(scaled);
     return status;
@@ -258,6 +264,10 @@ static taut_status add_claim(const gathered *all, taut_claim_kind kind, double f
         claim.holds = TAUT_UNDECIDED;
         snprintf(where, sizeof where, "warning: rounding alone may leave %.3g in %s", noise,
                  all->surface);
+    }
+    if (claim.holds == TAUT_TRUE && all->hidden != NULL) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, "warning: rounding hides it in %s", all->hidden);
     }
     return taut_certificate_add(certificate, &claim);
 }

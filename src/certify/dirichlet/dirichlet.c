@@ -133,7 +133,8 @@ static taut_status read_request(const taut_model *model, const taut_dirichlet_pr
 /* What a gradient says: the largest derivatives, and the rounding to be expected. */
 typedef struct finding {
     double residual, limit, noise;
-    double error; /* proved: the residual is at most that much more */
+    double rounding; /* the residual may be that much more for rounding */
+    double error;    /* proved: it is at most that much more for all that is not exact */
     int at_u, at_v;
     int unknowns;
 } finding;
@@ -177,7 +178,8 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
     const double none =
         taut_half_size(taut_point_count(r->surface), taut_surface_points(r->surface)) > 0 ? NAN : 0;
     found.residual = all > 0 ? unknown / all : none;
-    found.error = all > 0 ? (roundings * gross + longest * gradient->remainder) / all : 0;
+    found.rounding = all > 0 ? roundings * gross / all : 0;
+    found.error = found.rounding + (all > 0 ? longest * gradient->remainder / all : 0);
     found.noise = SLACK * roundings * (all > 0 ? fmax(1, gross / all) : 1);
     found.limit = fmin(found.noise, largest_limit);
     return found;
@@ -278,6 +280,11 @@ static taut_status add_stationary(const request *r, const finding *found, taut_c
         claim.holds = TAUT_UNDECIDED;
         snprintf(where, sizeof where, "the rounding of the points alone may leave %.3g",
                  found->noise);
+    }
+    if (kind == TAUT_CHECK && claim.holds == TAUT_TRUE &&
+        !(found->residual + found->rounding <= found->limit)) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, "rounding may hide %.3g", found->rounding);
     }
     if (!settled) {
         claim.holds = TAUT_UNDECIDED;

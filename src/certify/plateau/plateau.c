@@ -74,8 +74,9 @@ typedef struct request {
 
 typedef struct finding {
     double residual, noise;
-    double error;   /* proved: the residual is at most that much more */
-    double largest; /* derivative of any point */
+    double rounding; /* the residual may be that much more for rounding */
+    double error;    /* proved: it is at most that much more for all that is not exact */
+    double largest;  /* derivative of any point */
     int at_u, at_v;
     int unknowns;
 } finding;
@@ -238,7 +239,8 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
     const double none =
         taut_half_size(taut_point_count(r->surface), taut_surface_points(r->surface)) > 0 ? NAN : 0;
     found.residual = all > 0 ? unknown / all : none;
-    found.error = all > 0 ? parts * (roundings * gross + longest * gradient->remainder) / all : 0;
+    found.rounding = all > 0 ? parts * roundings * gross / all : 0;
+    found.error = found.rounding + (all > 0 ? parts * longest * gradient->remainder / all : 0);
     found.noise = SLACK * parts * roundings * (all > 0 ? fmax(1, gross / all) : 1);
     return found;
 }
@@ -522,6 +524,11 @@ static taut_status add_stationary(const request *r, const finding *found, int is
         claim.holds = TAUT_UNDECIDED;
         snprintf(where, sizeof where, "the rounding of the points alone may leave %.3g",
                  found->noise);
+    }
+    if (kind == TAUT_CHECK && !is_flat && claim.holds == TAUT_TRUE &&
+        !(found->residual + found->rounding <= claim.limit)) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, "rounding may hide %.3g", found->rounding);
     }
     if (r->unproved != NULL) {
         claim.holds = TAUT_UNDECIDED;

@@ -10,6 +10,7 @@
  */
 #include "oracle/oracle.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -393,7 +394,8 @@ double oracle_smallest_weight(const oracle_case *about)
     return least;
 }
 
-/* The sine, or how small a derivative is against the net: where one vanishes there is no normal. */
+/* The sine; 0 where a derivative vanishes: there is no normal. Of weights far apart derivatives may be as
+ * small as their quotient, so that rounding alone counts as nothing. */
 static oracle_real sine_of(const oracle_sheet *sheet, const oracle_row *u, const oracle_row *v)
 {
     const oracle_real a = (oracle_real)sheet->u.hi - sheet->u.lo,
@@ -403,7 +405,8 @@ static oracle_real sine_of(const oracle_sheet *sheet, const oracle_row *u, const
     oracle_sheet_at(sheet, u, v, 1, x);
     oracle_cross(x[1], x[2], n);
     const oracle_real lu = oracle_norm(x[1]), lv = oracle_norm(x[2]);
-    if (!(lu > 1e-15L * sheet->size / a) || !(lv > 1e-15L * sheet->size / b)) {
+    const oracle_real nothing = 64 * LDBL_EPSILON * sheet->size;
+    if (!(lu > nothing / a) || !(lv > nothing / b)) {
         return 0;
     }
     return oracle_norm(n) / (lu * lv);
