@@ -12,6 +12,8 @@
 #include "taut/model.h"
 #include "taut/monitor.h"
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -21,6 +23,10 @@ typedef struct taut_problem taut_problem;
 TAUT_API void taut_problem_free(taut_problem *problem); /* NULL is fine */
 /* The construction's name, such as "dirichlet". */
 TAUT_API const char *taut_problem_construction(const taut_problem *problem);
+/* The document that it was read from (of a list, its item alone), byte for byte and with a 0 behind
+ * it; *length may be NULL. Borrowed: it lives as long as the problem. Read again it is the same
+ * problem, but for paths in it, which are relative to where the first one was read from. */
+TAUT_API const char *taut_problem_text(const taut_problem *problem, size_t *length);
 
 /* The names of all constructions, i = 0 .. count-1; NULL beyond. */
 TAUT_API int taut_construct_count(void);
