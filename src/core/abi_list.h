@@ -237,7 +237,8 @@
     X(taut_make_options, tolerance, "double") \
     X(taut_make_options, threads, "int") \
     X(taut_make_options, monitor, "taut_monitor") \
-    X(taut_make_options, exact, "int")
+    X(taut_make_options, exact, "int") \
+    X(taut_make_options, time_limit, "double")
 
 #define TAUT_ABI_MEMBERS_taut_measure_options(X) \
     X(taut_measure_options, grid, "int") \
@@ -604,6 +605,9 @@
     X(TAUT_ISOLINES_MAX, "TAUT_ISOLINES_MAX") \
     X(TAUT_LIGHTS_MAX, "TAUT_LIGHTS_MAX") \
     X(TAUT_WIDTH_MAX, "TAUT_WIDTH_MAX") \
+    X(TAUT_GO_ON, "TAUT_GO_ON") \
+    X(TAUT_STOP, "TAUT_STOP") \
+    X(TAUT_ENOUGH, "TAUT_ENOUGH") \
     X(TAUT_ALONG_U, "TAUT_ALONG_U") \
     X(TAUT_ALONG_V, "TAUT_ALONG_V") \
     X(TAUT_PLATEAU_REFINE_MAX, "TAUT_PLATEAU_REFINE_MAX") \
