@@ -2,7 +2,7 @@
 # check_all.sh -- every check that needs no build, one after the other; fails if any does.
 cd "$(dirname "$0")" || exit 1
 bad=0
-for check in layers words citations docs reasons faults mutants format; do
+for check in layers words citations docs reasons faults abi mutants format; do
     if ./check_$check.sh; then
         echo "$check: ok"
     else

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { N = 20, ROUNDS = 5, ROWS = 5, GRIDS = 6 };
+enum { N = 20, ROUNDS = 5, ROWS = 6, GRIDS = 6 };
 
 typedef struct row {
     const char *name;
@@ -64,6 +64,21 @@ static double taut_point(const taut_surface *surface, const peer_task *task, int
     return bench_cpu_seconds() - start;
 }
 
+/* The same places as one list of pairs. */
+static double taut_places(const taut_surface *surface, const peer_task *task, int order,
+                          double *values)
+{
+    static double u[1000000], v[1000000];
+    const int count = task->grid * task->grid;
+    for (int i = 0; i < count; i++) {
+        u[i] = task->t[i / task->grid];
+        v[i] = task->t[i % task->grid];
+    }
+    const double start = bench_cpu_seconds();
+    taut_surface_eval_points(surface, count, u, v, order, 1, values);
+    return bench_cpu_seconds() - start;
+}
+
 static double difference(const double *a, const double *b, size_t count)
 {
     double most = 0, size = 0;
@@ -109,7 +124,8 @@ int main(int argc, char **argv)
                       {.name = "taut point by point"},
                       {.name = "SISL s1506 grid"},
                       {.name = "SISL s1421 point by point, with hint"},
-                      {.name = "OpenCASCADE GeomAdaptor, span cache"}};
+                      {.name = "OpenCASCADE GeomAdaptor, span cache"},
+                      {.name = "taut list of places"}};
     double two_threads = 1e30, one_thread = 1e30, wall = 0;
     peer_task task;
     fill_task(&task);
@@ -137,6 +153,7 @@ int main(int argc, char **argv)
             }
             keep(&rows[1], o, taut_point(surface, &task, order, theirs), ours, theirs, count);
             keep(&rows[3], o, peer_sisl_point(&task, order, theirs), ours, theirs, count);
+            keep(&rows[5], o, taut_places(surface, &task, order, theirs), ours, theirs, count);
             keep(&rows[4], o, peer_occt_cached(&task, order, theirs), ours, theirs, count);
         }
     }

@@ -12,6 +12,8 @@
 #include "taut/model.h"
 #include "taut/monitor.h"
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -21,6 +23,10 @@ typedef struct taut_problem taut_problem;
 TAUT_API void taut_problem_free(taut_problem *problem); /* NULL is fine */
 /* The construction's name, such as "dirichlet". */
 TAUT_API const char *taut_problem_construction(const taut_problem *problem);
+/* The document that it was read from (of a list, its item alone), byte for byte and with a 0 behind
+ * it; *length may be NULL. Borrowed: it lives as long as the problem. Read again it is the same
+ * problem, but for paths in it, which are relative to where the first one was read from. */
+TAUT_API const char *taut_problem_text(const taut_problem *problem, size_t *length);
 
 /* The names of all constructions, i = 0 .. count-1; NULL beyond. */
 TAUT_API int taut_construct_count(void);
@@ -35,9 +41,17 @@ typedef struct taut_make_options {
     int exact; /* nonzero: in rational arithmetic (harmonic and harmonic-extension): surfaces come
                 * with their exact points. TAUT_BAD_ARGUMENT from taut_make for other
                 * constructions, TAUT_IO without FLINT */
+    double time_limit; /* seconds by the clock on the wall, above 0: then it ends with the best so
+                        * far, as TAUT_ENOUGH of a monitor does; 0: none. Only taut_make and
+                        * taut_plateau_make look at it, between reports. What comes out depends on
+                        * the machine */
 } taut_make_options;
 
 /* Makes the model: surfaces, curves and `details`, no certificate yet. options may be NULL.
+ * Ended early (a time limit, TAUT_ENOUGH), `plateau` gives the surface as far as it came, with
+ * `details.stopped` ("time" or "request"), and leaves it to the certificate to say what does not hold
+ * of it; other constructions, and `plateau` before its first surface, are TAUT_NOT_CONVERGED, reason
+ * "time".
  * TAUT_BAD_ARGUMENT: NULL, or an option out of its range; TAUT_BAD_INPUT: data that is,
  * error->where the member; TAUT_NO_SOLUTION: well formed, but what it asks for does not exist;
  * TAUT_NOT_CONVERGED; TAUT_NO_MEMORY; TAUT_INTERRUPTED. *model is the caller's on success,

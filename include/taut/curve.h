@@ -35,6 +35,12 @@ TAUT_API const double *taut_curve_weights(const taut_curve *curve); /* borrowed,
  * closed range, else TAUT_BAD_ARGUMENT. No allocation. */
 TAUT_API taut_status taut_curve_eval(const taut_curve *curve, double t, int order, double *values);
 
+/* The same at t[0] .. t[count-1], in any order: values double[count][order+1][3]. A parameter out of
+ * range is TAUT_BAD_ARGUMENT, and nothing is written. threads 0 or 1: this thread; more: so many; the
+ * result is the same for any number. No allocation. */
+TAUT_API taut_status taut_curve_eval_points(const taut_curve *curve, int count, const double *t,
+                                            int order, int threads, double *values);
+
 #ifdef __cplusplus
 }
 #endif

@@ -44,6 +44,13 @@ TAUT_API taut_status taut_surface_forms_grid(const taut_surface *surface, int nu
                                              int nv, const double *v, int threads,
                                              taut_forms *forms);
 
+/* The forms at `count` places in no order, forms[count] at (u[i], v[i]): normals and curvatures where
+ * rays hit, say. Arguments and statuses as taut_surface_eval_points; digits as
+ * taut_surface_forms_grid, though not the same bits. No allocation. */
+TAUT_API taut_status taut_surface_forms_points(const taut_surface *surface, int count,
+                                               const double *u, const double *v, int threads,
+                                               taut_forms *forms);
+
 /* Zero means default everywhere. */
 typedef struct taut_measure_options {
     int grid;    /* extremes over grid x grid parameters; 0: 101; 2..TAUT_GRID_MAX */

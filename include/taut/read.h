@@ -53,6 +53,18 @@ TAUT_API taut_status taut_problem_read_text(const char *text, size_t length, con
 TAUT_API taut_status taut_model_read_text(const char *text, size_t length, const char *name,
                                           taut_model **model, taut_error *error);
 
+/* The problem with another value in one place of its document: a point that was dragged, a number that
+ * was typed.
+ * pointer   a JSON pointer, such as "/points/0/3": what it leads to is there, or is a member that an
+ *           object lacks, which is put in; "" is the whole document
+ * value     JSON text of `length` bytes
+ * *changed  the caller's; `problem` stays as it was
+ * Refused as by taut_problem_read_text; TAUT_BAD_INPUT, reason "missing", at a pointer that leads
+ * nowhere. Cost: that of reading the document. */
+TAUT_API taut_status taut_problem_change(const taut_problem *problem, const char *pointer,
+                                         const char *value, size_t length, taut_problem **changed,
+                                         taut_error *error);
+
 /* A document that is one problem, or a list of 1 .. TAUT_OBJECTS_MAX of them; in a list the
  * pointers of errors begin with the item, as "/2/points". */
 typedef struct taut_problem_list taut_problem_list;

@@ -46,6 +46,7 @@ typedef enum taut_status {
     X("memory", "memory ran out", "take fewer points, or give the process more memory")            \
     X("interrupted", "the caller, or the person at the keyboard, asked it to stop",                \
       "start it again")                                                                            \
+    X("time", "the time allowed was over before there was anything to show", "allow more time")    \
     X("not-installed", "a part of taut that needs a library on demand is not there",               \
       "install the package that the message names and build taut again")                           \
     X("fault", "a fault of taut's own", "report it, with the document")

@@ -115,6 +115,18 @@ TAUT_API taut_status taut_surface_eval_grid(const taut_surface *surface, int nu,
 TAUT_API taut_status taut_surface_eval(const taut_surface *surface, double u, double v, int order,
                                        double *values);
 
+/* Evaluates at `count` places in no order: what taut_surface_eval gives at (u[i], v[i]), bit for
+ * bit,
+ *     values[i][k][3],  k = TAUT_X .. as many as the order gives
+ * u, v     double[count]; in the closed ranges (TAUT_BAD_ARGUMENT otherwise, nothing written)
+ * values   double[count][TAUT_SURFACE_VECTORS(order)][3], the caller's
+ * threads  as of taut_surface_eval_grid
+ * No allocation. Where the places are a grid, taut_surface_eval_grid is several times as fast.
+ * Normals and curvatures: taut_surface_forms_points (taut/measure.h). */
+TAUT_API taut_status taut_surface_eval_points(const taut_surface *surface, int count,
+                                              const double *u, const double *v, int order,
+                                              int threads, double *values);
+
 #ifdef __cplusplus
 }
 #endif

@@ -37,6 +37,7 @@
 #include "taut/write.h"
 
 /* For every call */
+#include "taut/abi.h"
 #include "taut/export.h"
 #include "taut/limits.h"
 #include "taut/monitor.h"

@@ -28,6 +28,7 @@ typedef struct cli_options {
     const char *kind;   /* panels --kind */
     const char *panels; /* panels --divide NU,NV */
     double tolerance;
+    double time_limit;
     int threads;
     int grid;
     int divide;

@@ -113,6 +113,8 @@ static const cli_option options_of_make[] = {
     {"--report", CLI_TEXT, offsetof(cli_options, report), 0, 0, 0, "FILE",
      "write the report as JSON"},
     CLI_TOLERANCE,
+    {"--time-limit", CLI_NUMBER, offsetof(cli_options, time_limit), 0, 1e-6, 1e9, "S",
+     "end each making after S seconds with the best so far, which need not pass its proof"},
     CLI_DIVIDE,
     CLI_THREADS,
     CLI_FIGURE,

@@ -10,7 +10,8 @@ int cli_make_model(const taut_problem *problem, const cli_options *options, cons
     const taut_make_options chosen = {.tolerance = options->tolerance,
                                       .threads = options->threads,
                                       .monitor = cli_monitor(options->quiet || options->json),
-                                      .exact = options->exact};
+                                      .exact = options->exact,
+                                      .time_limit = options->time_limit};
     const taut_certify_options proof = {
         .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};
     cli_report *report = &made->report;

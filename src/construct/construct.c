@@ -1,6 +1,7 @@
 /* construct.c -- from a problem to its construction. */
 #include "construct/construct_ops.h"
 #include "core/fail.h"
+#include "core/pace.h"
 #include "problem/problem.h"
 
 #include <math.h>
@@ -11,6 +12,18 @@ static const taut_construct_ops *const ops_table[] = {
 #undef TAUT_CONSTRUCT_ROW
 };
 
+/* Of a construction that has nothing to show before it is done, an end is no result. */
+static taut_status make(const taut_construct_ops *ops, const void *data,
+                        const taut_make_options *options, taut_model **model, taut_error *error)
+{
+    taut_pace pace;
+    if (ops->ends_early) {
+        return ops->make(data, options, model, error);
+    }
+    const taut_make_options own = taut_pace_options(&pace, options);
+    return taut_pace_end(&pace, ops->make(data, &own, model, error), error);
+}
+
 taut_status taut_make(const taut_problem *problem, const taut_make_options *options,
                       taut_model **model, taut_error *error)
 {
@@ -20,7 +33,7 @@ taut_status taut_make(const taut_problem *problem, const taut_make_options *opti
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL || !(chosen->tolerance >= 0) || isinf(chosen->tolerance) ||
-        chosen->threads < 0 || chosen->threads > TAUT_THREADS_MAX) {
+        chosen->threads < 0 || chosen->threads > TAUT_THREADS_MAX || !(chosen->time_limit >= 0)) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an argument of taut_make is out of its range");
     }
@@ -29,7 +42,7 @@ taut_status taut_make(const taut_problem *problem, const taut_make_options *opti
                          "rational arithmetic is for harmonic and harmonic-extension, not for %s",
                          taut_construct_name(problem->construct));
     }
-    status = ops_table[problem->construct]->make(problem->data, chosen, &made, error);
+    status = make(ops_table[problem->construct], problem->data, chosen, &made, error);
     if (status != TAUT_OK) {
         return status;
     }

@@ -10,7 +10,8 @@ typedef struct taut_construct_ops {
      * curves and details. */
     taut_status (*make)(const void *data, const taut_make_options *options, taut_model **model,
                         taut_error *error);
-    int exact; /* nonzero: knows options->exact */
+    int exact;      /* nonzero: knows options->exact */
+    int ends_early; /* nonzero: has its own pace (core/pace.h), and a best so far to show */
 } taut_construct_ops;
 
 #define TAUT_CONSTRUCT_DECLARE(identifier, name)                                                   \

@@ -16,6 +16,7 @@
 #include <string.h>
 #include <sys/random.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { TRIES = 64, LINKS_MAX = 40 };
@@ -36,6 +37,14 @@ const char *taut_system_reason(int number, char *text, size_t size)
 {
     return _Generic(strerror_r(number, text, size), int: text_filled, char *: text_returned)(
         strerror_r(number, text, size), text);
+}
+
+double taut_system_seconds(void)
+{
+    struct timespec now;
+    return clock_gettime(CLOCK_MONOTONIC, &now) == 0
+               ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec
+               : 0;
 }
 
 /* ---- threads and modules ---- */

@@ -17,6 +17,9 @@ enum { TAUT_PATH_ROOM = 4096, TAUT_OWN_ROOM = 32, TAUT_SUFFIX_ROOM = 32 };
 /* What a number of errno.h means, in `text`. */
 const char *taut_system_reason(int number, char *text, size_t size);
 
+/* Seconds of a clock that only goes forward, from anywhere. */
+double taut_system_seconds(void);
+
 /* ---- threads and modules ---- */
 
 /* Calls run(context, 0 .. count-1), each on a thread of its own, part 0 on this one; a part whose

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { TRIES = 64 };
@@ -18,6 +19,14 @@ enum { TRIES = 64 };
 const char *taut_system_reason(int number, char *text, size_t size)
 {
     return strerror_r(number, text, size) == 0 ? text : "unknown reason";
+}
+
+double taut_system_seconds(void)
+{
+    struct timespec now;
+    return clock_gettime(CLOCK_MONOTONIC, &now) == 0
+               ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec
+               : 0;
 }
 
 /* ---- threads and modules ---- */

@@ -52,6 +52,7 @@ void taut_problem_free(taut_problem *problem)
 {
     if (problem != NULL) {
         taut_arena_free(problem->arena);
+        taut_free(problem->text);
         taut_free(problem);
     }
 }
@@ -59,4 +60,12 @@ void taut_problem_free(taut_problem *problem)
 const char *taut_problem_construction(const taut_problem *problem)
 {
     return names[problem->construct];
+}
+
+const char *taut_problem_text(const taut_problem *problem, size_t *length)
+{
+    if (length != NULL) {
+        *length = problem->length;
+    }
+    return problem->text;
 }

@@ -21,6 +21,8 @@ struct taut_problem {
     const void *data;   /* the construction's struct, such as taut_dirichlet_problem */
     char unit[4];       /* "mm" unless the document says otherwise */
     const char *folder; /* of its document, with a slash at the end, "" if it came from no file */
+    char *text;         /* its document, ended by a 0 behind its bytes; the problem's */
+    size_t length;
 };
 
 /* An empty problem with its arena; data is set by the reader. */

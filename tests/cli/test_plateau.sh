@@ -24,6 +24,15 @@ refused 3 'conflict /tolerance_area' make both.json --quiet
 sed 's/"refine": 2/"tolerance_area": 0/' refine.json > zero.json
 refused 3 'value /tolerance_area found 0 expected a number from 1e-11 .*' make zero.json --quiet
 
+# A time that is over before there is anything, and one that never is: no file, or the same bytes.
+"$TAUT" example plateau-bicubic > timed.json
+refused 1 'time timed.json found null expected 1e-6' make timed.json --time-limit 1e-6 -o timed-film.json --quiet
+absent timed-film.json
+run 0 make timed.json --time-limit 1e6 -o timed-film.json --quiet
+run 0 make timed.json -o film.json --quiet
+cmp timed-film.json film.json || complain "a limit that is not reached changes the model"
+run 2 make timed.json --time-limit 0
+
 # A film proved least, with the witness that the model carries; asked for, it is proved or exit 1.
 "$TAUT" example plateau-skew > skew.json
 run 0 make skew.json -o film.json

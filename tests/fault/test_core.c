@@ -5,6 +5,7 @@
 
 #include "core/arena.h"
 #include "core/memory.h"
+#include "taut/abi.h"
 #include "taut/certify.h"
 #include "taut/record.h"
 
@@ -74,6 +75,18 @@ static taut_status copy_record(const void *context, void **result, taut_error *e
         return TAUT_NO_MEMORY;
     }
     *result = copy;
+    return TAUT_OK;
+}
+
+static taut_status make_layouts(const void *context, void **result, taut_error *error)
+{
+    taut_record *record = taut_abi_record();
+    (void)context;
+    (void)error;
+    if (record == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    *result = record;
     return TAUT_OK;
 }
 
@@ -168,6 +181,9 @@ int main(void)
     record = filled_record();
     allocations = fault_loop(&(fault_call){"record copy", copy_record, release_record, record});
     CHECK(allocations > 20, "found %ld", allocations);
+    allocations =
+        fault_loop_some(&(fault_call){"layouts", make_layouts, release_record, NULL}, 200);
+    CHECK(allocations > 1000, "found %ld", allocations);
     fault_loop(&(fault_call){"certificate", make_certificate, release_certificate, NULL});
     CHECK(make_certificate(NULL, &certificate, NULL) == TAUT_OK, "certificate");
     fault_loop(

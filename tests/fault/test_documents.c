@@ -75,6 +75,25 @@ static const char *const problems[] = {
 static char path[64]; /* a file with the model in it */
 static char out[64];  /* where outputs go */
 
+static taut_status change_problem(const void *context, void **result, taut_error *error)
+{
+    taut_problem *changed = *result;
+    const taut_status status =
+        taut_problem_change(context, "/points/0/0", "[0, 1, 2]", 9, &changed, error);
+    *result = changed;
+    return status;
+}
+
+static void test_change(void)
+{
+    taut_problem *problem = NULL;
+    CHECK(taut_problem_read_text(problem_text, strlen(problem_text), "text", &problem, NULL) ==
+              TAUT_OK,
+          "problem");
+    fault_check("taut_problem_change", change_problem, release_problem, problem, 20);
+    taut_problem_free(problem);
+}
+
 static taut_status new_mesh(const void *context, void **result, taut_error *error)
 {
     const taut_mesh_options options = {.divide = 2};
@@ -149,6 +168,7 @@ int main(void)
     fault_check("taut_model_read_text", read_model_text, release_model, model_text, 50);
     fault_check("taut_model_read_text, exact", read_model_text, release_model, exact_text, 30);
     fault_check("taut_model_read", read_model, release_model, path, 50);
+    test_change();
     fault_check("taut_problem_read_text", read_problem_text, release_problem, problem_text, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
         fault_check(problems[i], read_problem_text, release_problem, problems[i], 10);

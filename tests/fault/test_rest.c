@@ -5,6 +5,7 @@
 #include "folder.h"
 #include "shapes.h"
 
+#include "taut/abi.h"
 #include "taut/join.h"
 #include "taut/measure.h"
 #include "taut/operations.h"
@@ -227,11 +228,18 @@ static void test_no_memory(const taut_surface *surface, const taut_curve *curve,
     double values[6 * 8];
     taut_family_member member;
     taut_edge edge = TAUT_EDGE_U0;
+    taut_forms forms;
+    const double half = 0.5;
+    int word = 0;
     fault_arm(1000, 0);
     CHECK(taut_basis_eval(taut_curve_t(curve), 0, 0.5, 2, values) == TAUT_OK, "basis");
     CHECK(taut_curve_eval(curve, 0.5, 2, values) == TAUT_OK, "curve");
     CHECK(taut_surface_eval(surface, 0.5, 0.5, 2, values) == TAUT_OK, "surface");
+    CHECK(taut_curve_eval_points(curve, 1, &half, 2, 1, values) == TAUT_OK, "curve, places");
+    CHECK(taut_surface_eval_points(surface, 1, &half, &half, 2, 1, values) == TAUT_OK, "places");
+    CHECK(taut_surface_forms_points(surface, 1, &half, &half, 1, &forms) == TAUT_OK, "forms");
     CHECK(taut_edge_of_name("v1", &edge) == TAUT_OK, "edge");
+    CHECK(taut_enum_value("taut_edge", "v1", &word) == TAUT_OK, "word");
     CHECK(taut_model_set_unit(model, "in") == TAUT_OK, "unit");
     (void)taut_surface_recognise(surface, &member, NULL); /* whatever it finds */
     CHECK(fault_counted() == 0, "%ld allocations", fault_counted());

@@ -36,6 +36,23 @@ static void make_and_certify(const taut_problem *problem)
     taut_model_free(model);
 }
 
+/* Wherever a pointer leads in a document that was read, the changed one is read or refused whole. */
+static void change_places(const taut_problem *problem)
+{
+    static const char *const pointers[] = {
+        "", "/points/0/0", "/u/degree", "/name", "/from/point/2", "/curves/v0/points/1", "/1"};
+    for (size_t i = 0; i < sizeof pointers / sizeof pointers[0]; i++) {
+        taut_problem *changed = NULL;
+        taut_error error = {.status = TAUT_OK};
+        const taut_status status =
+            taut_problem_change(problem, pointers[i], "[1, 2, 3]", 9, &changed, &error);
+        if (status != TAUT_OK) {
+            require_error(status, &error);
+        }
+        taut_problem_free(changed);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     const char *text = (const char *)data;
@@ -48,6 +65,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         require_error(status, &error);
     } else if (size <= SMALL) {
         make_and_certify(problem);
+        change_places(problem);
     }
     taut_problem_free(problem);
     error.status = TAUT_OK;

@@ -130,6 +130,25 @@ catches faults include/taut/x.h 'taut_x: no test' '/* x.h */\nTAUT_API void taut
 catches faults tests/fault/no_memory.txt 'is no public function' 'taut_exempt it takes none\ntaut_gone too\n'
 catches faults tests/fault/no_memory.txt 'the reason is missing' 'taut_exempt \n'
 
+# The table of layouts, where a header gains a member, a constant, or what no table can hold.
+layout() { # layout MEMBERS CONSTANTS: a header, and the table as it stands
+    printf '/* x.h */\ntypedef struct taut_x {\n%b\n} taut_x;\ntypedef enum taut_y { %s } taut_y;\n' "$1" "$2" > "$tree/include/taut/x.h"
+}
+fresh
+layout 'int a; /* int b; */ double c[2];\nunion { int d; const double *e, *f; };' 'TAUT_Y_A = 0, TAUT_Y_B'
+said=$("$SOURCE/tools/check_abi.sh" "$tree" 2>&1) && fail "check_abi does not miss the table"
+"$SOURCE/tools/abi.py" --update "$tree" || fail "abi.py cannot read a header"
+passes abi
+for row in 'X(taut_x, a, "int")' 'X(taut_x, c, "double[2]")' 'X(taut_x, d, "int")' 'X(taut_x, f, "const double *")' 'X(TAUT_Y_B, "b")'; do
+    grep -qF "$row" "$tree/src/core/abi_list.h" || fail "the table lacks $row"
+done
+layout 'int a, b; double c[2];\nunion { int d; const double *e, *f; };' 'TAUT_Y_A = 0, TAUT_Y_B'
+said=$("$SOURCE/tools/check_abi.sh" "$tree" 2>&1) && fail "check_abi lets a new member through"
+case $said in *'is not what include/taut declares'*) ;; *) fail "check_abi says \"$said\" of a new member" ;; esac
+layout 'int a : 3;' 'TAUT_Y_A = 0, TAUT_Y_B'
+said=$("$SOURCE/tools/check_abi.sh" "$tree" 2>&1) && fail "check_abi lets a bit-field through"
+case $said in *'cannot read include/taut: taut_x: int a : 3'*) ;; *) fail "check_abi says \"$said\" of a bit-field" ;; esac
+
 # A library that exports what it should not, and lacks what it should have.
 if command -v cc > /dev/null && command -v nm > /dev/null; then
     fresh

@@ -35,6 +35,15 @@ typedef enum pipe_goal {
 
 static const double infeasible = 1e200, cusped = 1e300;
 
+int taut_pipe_is_stopped(taut_pipe_task *task, const char *what)
+{
+    const taut_monitor *monitor = task->monitor;
+    if (!task->is_stopped && monitor != NULL && monitor->progress != NULL) {
+        task->is_stopped = monitor->progress(monitor->context, taut_none, what) != 0;
+    }
+    return task->is_stopped;
+}
+
 /* The chords that count need a turn of pi between their ends, or of half that where one of them is
  * a free end. */
 static int may_touch(const taut_pipe_task *task, double turning)
@@ -53,6 +62,9 @@ static double merit_of(taut_pipe_task *task, const double edges[3][3], const dou
     taut_pipe_bend bend;
     double room = 0, value = 0;
 
+    if (taut_pipe_is_stopped(task, "choosing")) {
+        return cusped;
+    }
     taut_pipe_arc_of(task, edges, shape, &arc);
     taut_pipe_bend_extremes(&arc, SAMPLES, &bend);
     if (taut_pipe_bend_is_cusp(&bend)) {
@@ -225,7 +237,8 @@ taut_status taut_pipe_choose_shape(taut_pipe_task *task, taut_error *error)
         return TAUT_OK;
     }
     s.goal = task->problem->shape.kind == TAUT_PIPE_LEAST_CURVATURE ? GOAL_CURVATURE : GOAL_BENDING;
-    if (search_from_grid(3, lo, hi, plain, shape_merit, &s, task->shape) >= cusped) {
+    if (search_from_grid(3, lo, hi, plain, shape_merit, &s, task->shape) >= cusped &&
+        !task->is_stopped) {
         return taut_fail(error, TAUT_NO_SOLUTION, "not-regular", "/shape", taut_none, taut_none,
                          "NOT_REGULAR: the axis has a cusp with all shape numbers tried; move an "
                          "end aside, turn a direction, or give other handles");
@@ -243,6 +256,9 @@ static double room_of(taut_pipe_task *task, const double handles[2])
     double edges[3][3];
     const taut_pipe_composite composite = {
         .count = 1, .arcs = &arc, .tails = {task->tails[0], task->tails[1]}, .samples = SAMPLES};
+    if (taut_pipe_is_stopped(task, "choosing")) {
+        return 0;
+    }
     taut_pipe_edges(task, handles, edges);
     taut_pipe_arc_of(task, (const double(*)[3])edges, task->shape, &arc);
     taut_pipe_reach_of(&composite, task->reach_scratch, &reach);

@@ -57,13 +57,16 @@ taut_status taut_pipe_decide(taut_pipe_task *task, const char *name, taut_error 
         return status;
     }
     taut_pipe_choose_handles(task);
-    status = taut_pipe_settle(task, error);
+    status = task->is_stopped ? TAUT_OK : taut_pipe_settle(task, error);
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_pipe_choose_shape(task, error);
+    status = task->is_stopped ? TAUT_OK : taut_pipe_choose_shape(task, error);
     if (status != TAUT_OK) {
         return status;
+    }
+    if (taut_pipe_is_stopped(task, "axis")) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
     }
     analyse_axis(task);
     return judge_bends(task, name, error);

@@ -207,7 +207,8 @@ static taut_status make_blend(taut_pipe_task *task, double tolerance, taut_model
 taut_status taut_pipe_make(const taut_pipe_problem *problem, const taut_make_options *options,
                            taut_model **model, taut_error *error)
 {
-    taut_pipe_task task = {.problem = problem};
+    taut_pipe_task task = {.problem = problem,
+                           .monitor = options != NULL ? &options->monitor : NULL};
     double tolerance = 0;
     taut_status status = TAUT_OK;
 

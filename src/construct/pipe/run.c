@@ -162,7 +162,7 @@ taut_status taut_pipe_run_make(const taut_pipe_run_problem *problem,
                                const taut_make_options *options, taut_model **model,
                                taut_error *error)
 {
-    taut_pipe_run run = {.problem = problem};
+    taut_pipe_run run = {.problem = problem, .monitor = options != NULL ? &options->monitor : NULL};
     double tolerance = 0;
     taut_status status = TAUT_OK;
 

@@ -32,6 +32,7 @@ typedef struct taut_pipe_elbow {
 
 typedef struct taut_pipe_run {
     const taut_pipe_run_problem *problem;
+    const taut_monitor *monitor; /* or NULL */
     taut_arena *arena;
     double bend_radius; /* asked for, or three radii at corners; 0: none */
     int closed;

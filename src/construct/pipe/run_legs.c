@@ -139,6 +139,7 @@ static taut_status decide_elbow(taut_pipe_run *run, taut_pipe_elbow *e, const do
                                 taut_error *error)
 {
     e->task = (taut_pipe_task){.problem = &e->problem,
+                               .monitor = run->monitor,
                                .arena = run->arena,
                                .lengths = {lengths != NULL ? lengths[0] : INFINITY,
                                            lengths != NULL ? lengths[1] : INFINITY}};

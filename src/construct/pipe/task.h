@@ -14,6 +14,8 @@
 
 typedef struct taut_pipe_task {
     const taut_pipe_problem *problem;
+    const taut_monitor *monitor; /* or NULL; asked before each axis that is tried */
+    int is_stopped;              /* it said so: no other axis is tried */
     double outer; /* the user's unit: the radius, or that of the circle around the larger section */
     taut_arena *arena;
     double scale;       /* a power of two: local = (x - origin) / scale */
@@ -65,12 +67,15 @@ void taut_pipe_arc_of(const taut_pipe_task *task, const double edges[3][3], cons
 /* The polygon from handles, and the local edges from the polygon. */
 taut_status taut_pipe_settle(taut_pipe_task *task, taut_error *error);
 
+/* Tells the monitor that work goes on; nonzero, from then on, when it asks to stop. */
+int taut_pipe_is_stopped(taut_pipe_task *task, const char *what);
+
 /* Handles that are not given, shape numbers that are not (choose.c). */
 void taut_pipe_choose_handles(taut_pipe_task *task);
 taut_status taut_pipe_choose_shape(taut_pipe_task *task, taut_error *error);
 
 /* All of this in turn, to the axis with its bends, refused where it has a cusp or bends more
- * sharply than asked for (decide.c). name: of the axis in messages. */
+ * sharply than asked for (decide.c). name: of the axis in messages. TAUT_INTERRUPTED. */
 taut_status taut_pipe_decide(taut_pipe_task *task, const char *name, taut_error *error);
 /* Which radius would work, in words; none where the axis meets itself. */
 void taut_pipe_describe_radius(double rho, char *text, size_t size);

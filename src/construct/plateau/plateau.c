@@ -15,6 +15,7 @@
 #include "construct/plateau/space.h"
 #include "construct/plateau/witness.h"
 #include "core/fail.h"
+#include "core/pace.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -181,18 +182,12 @@ static taut_status add_witness(const taut_plateau_problem *problem, parts *p, ta
     return TAUT_OK;
 }
 
-static taut_status make_parts(const taut_plateau_problem *problem, const taut_make_options *options,
-                              parts *p, taut_error *error)
+/* The finer spaces that are asked for, and the witness of the last. */
+static taut_status refine_parts(const taut_plateau_problem *problem,
+                                const taut_make_options *options, parts *p, taut_error *error)
 {
-    taut_status status = taut_plateau_space_new(problem, NULL, &p->space, error);
+    taut_status status = TAUT_OK;
 
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_plateau_solve(&p->space->problem, options, &p->solution, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
     if (problem->refine > 0) {
         status = taut_plateau_estimate(problem, options, &p->solution, error);
     } else if (problem->tolerance_area > 0) {
@@ -208,11 +203,35 @@ static taut_status make_parts(const taut_plateau_problem *problem, const taut_ma
     return add_witness(problem, p, error);
 }
 
+static taut_status make_parts(const taut_plateau_problem *problem, const taut_make_options *options,
+                              parts *p, taut_error *error)
+{
+    taut_status status = taut_plateau_space_new(problem, NULL, &p->space, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_plateau_solve(&p->space->problem, options, &p->solution, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return refine_parts(problem, options, p, error);
+}
+
+/* What there is where the work was to end: the surface of the last space that was done, or the first
+ * as far as it came. No witness is looked for. */
+static void describe_end(const taut_pace *pace, parts *p)
+{
+    taut_record_add_text(p->solution.details, "stopped", taut_pace_reason(pace));
+    taut_plateau_space_describe(p->space, p->solution.details);
+}
+
 taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_make_options *options,
                               taut_model **model, taut_error *error)
 {
     static const taut_make_options none;
     parts p = {NULL, {NULL, NULL, 0}, NULL};
+    taut_pace pace;
     taut_status status = TAUT_OK;
 
     if (problem == NULL || model == NULL) {
@@ -223,7 +242,13 @@ taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_ma
     if (status != TAUT_OK) {
         return status;
     }
-    status = make_parts(problem, options != NULL ? options : &none, &p, error);
+    const taut_make_options own = taut_pace_options(&pace, options != NULL ? options : &none);
+    status = make_parts(problem, &own, &p, error);
+    if (status == TAUT_INTERRUPTED && taut_pace_is_enough(&pace) && p.solution.surface != NULL) {
+        describe_end(&pace, &p);
+        status = TAUT_OK;
+    }
+    status = taut_pace_end(&pace, status, error);
     if (status == TAUT_OK) {
         status = make_model(&p.solution, model, error);
     }
@@ -239,4 +264,4 @@ static taut_status make(const void *data, const taut_make_options *options, taut
     return taut_plateau_make(data, options, model, error);
 }
 
-const taut_construct_ops taut_construct_plateau = {.make = make};
+const taut_construct_ops taut_construct_plateau = {.make = make, .ends_early = 1};

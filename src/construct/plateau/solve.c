@@ -89,6 +89,7 @@ typedef struct work {
     double *points;     /* the same in the user's units, in the end */
     double *directions; /* or NULL */
     double dirichlet_area, aspect;
+    double first_area; /* of the net that the steps begin from; 0 before there is one */
     taut_trust_region region;
     const char *solver;
     int rule, products;
@@ -458,6 +459,7 @@ static taut_status find_net(work *w, taut_error *error)
             return status;
         }
     }
+    w->first_area = w->problem->start != NULL ? area : w->dirichlet_area;
     w->region.has_free_edge = has_free_edge(&w->mask);
     if (is_large(w)) {
         w->region.work_max = limits.work_least;
@@ -482,13 +484,24 @@ static taut_status find_net(work *w, taut_error *error)
     return check_rule(w, error);
 }
 
-/* Fills points, as far as it came where it does not converge; known ones as given. */
+/* Is there a net to show, though the work is not done? */
+static int is_partial(const work *w, taut_status status)
+{
+    return (status == TAUT_NOT_CONVERGED || status == TAUT_INTERRUPTED) && w->region.area > 0;
+}
+
+/* Fills points, as far as it came where it does not converge or is stopped; known ones as given. */
 static taut_status find_points(work *w, taut_error *error)
 {
     const taut_status status = find_net(w, error);
     taut_status unscaled = TAUT_OK;
 
-    if (status != TAUT_OK && status != TAUT_NOT_CONVERGED) {
+    if (status == TAUT_INTERRUPTED && !(w->region.area > 0)) { /* before the first step */
+        w->region.area = w->first_area;
+        w->region.residual = taut_none;
+    }
+
+    if (status != TAUT_OK && !is_partial(w, status)) {
         return status;
     }
     unscaled = taut_scaling_undo(&w->scaling, w->count, w->problem->net.points,
@@ -594,7 +607,7 @@ static taut_status solve(work *w, taut_plateau_solution *solution, taut_error *e
         return status;
     }
     status = w->mask.unknowns == 0 ? keep_points(w, error) : find_points(w, error);
-    if (status != TAUT_OK && !(status == TAUT_NOT_CONVERGED && w->region.area > 0)) {
+    if (status != TAUT_OK && !is_partial(w, status)) {
         return status;
     }
     made = make_solution(w, solution, error);
@@ -605,7 +618,7 @@ taut_status taut_plateau_solve(const taut_plateau_problem *problem,
                                const taut_make_options *options, taut_plateau_solution *solution,
                                taut_error *error)
 {
-    work w = {.problem = problem, .options = options};
+    work w = {.problem = problem, .options = options, .solver = "none"};
     taut_status status = TAUT_OK;
 
     w.region.tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;

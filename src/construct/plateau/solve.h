@@ -12,8 +12,8 @@ typedef struct taut_plateau_solution {
 } taut_plateau_solution;
 
 /* Of problem: net, start, tolerance, max_iterations, method. options is not NULL. Statuses as
- * taut_plateau_make. With TAUT_NOT_CONVERGED the solution may be there too, as far as it came: it
- * is to be cleared. */
+ * taut_plateau_make. With TAUT_NOT_CONVERGED and TAUT_INTERRUPTED the solution may be there too, as far
+ * as it came: it is to be cleared. */
 taut_status taut_plateau_solve(const taut_plateau_problem *problem,
                                const taut_make_options *options, taut_plateau_solution *solution,
                                taut_error *error);

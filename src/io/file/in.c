@@ -80,6 +80,7 @@ static taut_status read_all(taut_source *source, const char *path, size_t room, 
         taut_free(block);
         return status;
     }
+    block[filled] = '\0'; /* there is room: the end is only seen where some is left */
     *text = block;
     *length = filled;
     return TAUT_OK;

@@ -2,11 +2,13 @@
 #include "core/fail.h"
 #include "io/format.h"
 #include "io/model/model.h"
+#include "io/problem/read.h"
 #include "taut/read.h"
 
 /* What a file turns out to hold: one of them. */
 typedef struct either {
     const char *path;
+    taut_problem_source source;
     taut_problem *problem;
     taut_model *model;
 } either;
@@ -15,14 +17,14 @@ static taut_status read_root(const taut_json *document, void *into, taut_error *
 {
     either *e = into;
     return taut_json_find(document->value, "construct") != NULL
-               ? taut_problem_document_read(document, e->path, &e->problem, error)
+               ? taut_problem_document_read(document, e->path, &e->source, &e->problem, error)
                : taut_model_document_read(document, &e->model, error);
 }
 
 taut_status taut_problem_or_model_read(const char *path, taut_problem **problem, taut_model **model,
                                        taut_error *error)
 {
-    either e = {path, NULL, NULL};
+    either e = {.path = path};
     const taut_format_ops *ops = NULL;
     taut_status status = TAUT_OK;
 
@@ -31,8 +33,9 @@ taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,
                          "taut_problem_or_model_read needs a path and places for both");
     }
     ops = taut_format_ops_at(taut_format_of(path, NULL));
-    status = ops != NULL && ops->read != NULL ? ops->read(path, &e.model, error)
-                                              : taut_json_read_file(path, read_root, &e, error);
+    status = ops != NULL && ops->read != NULL
+                 ? ops->read(path, &e.model, error)
+                 : taut_problem_read_file(path, read_root, &e, &e.source, error);
     if (status != TAUT_OK) {
         return status;
     }

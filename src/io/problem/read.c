@@ -3,8 +3,11 @@
 #include "taut/read.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "io/file/in.h"
+#include "io/json/slice.h"
 #include "io/model/model.h"
 #include "io/problem/document_ops.h"
+#include "io/problem/read.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -92,6 +95,25 @@ static taut_status read_head(const taut_json *document, int *construct, const ch
     return status == TAUT_OK ? taut_unit_document_read(document, unit, error) : status;
 }
 
+/* The problem's own text: that of a file is handed over, any other is copied. */
+static taut_status keep_text(const taut_problem_source *source, taut_problem *problem,
+                             taut_error *error)
+{
+    problem->length = source->length;
+    if (source->owned != NULL) {
+        problem->text = *source->owned;
+        *source->owned = NULL;
+        return TAUT_OK;
+    }
+    problem->text = taut_alloc(source->length + 1, 1);
+    if (problem->text == NULL) {
+        return taut_fail_memory(error);
+    }
+    memcpy(problem->text, source->text, source->length);
+    problem->text[source->length] = '\0';
+    return TAUT_OK;
+}
+
 static taut_status read_data(const taut_json *document, const taut_document_ops *ops,
                              taut_problem *problem, taut_error *error)
 {
@@ -107,7 +129,8 @@ static taut_status read_data(const taut_json *document, const taut_document_ops 
 }
 
 taut_status taut_problem_document_read(const taut_json *document, const char *path,
-                                       taut_problem **problem, taut_error *error)
+                                       const taut_problem_source *source, taut_problem **problem,
+                                       taut_error *error)
 {
     const char *unit = "mm";
     taut_problem *made = NULL;
@@ -125,6 +148,9 @@ taut_status taut_problem_document_read(const taut_json *document, const char *pa
     if (status == TAUT_OK) {
         status = read_data(document, ops_table[construct], made, error);
     }
+    if (status == TAUT_OK) {
+        status = keep_text(source, made, error);
+    }
     if (status != TAUT_OK) {
         taut_problem_free(made);
         return status;
@@ -133,37 +159,61 @@ taut_status taut_problem_document_read(const taut_json *document, const char *pa
     return TAUT_OK;
 }
 
-/* Where a document comes from, and what it becomes. */
+/* A text, where it comes from, and what it becomes. */
 typedef struct one_problem {
     const char *path; /* NULL: no file */
+    taut_problem_source source;
     taut_problem **problem;
 } one_problem;
 
 static taut_status read_one(const taut_json *root, void *into, taut_error *error)
 {
     const one_problem *one = into;
-    return taut_problem_document_read(root, one->path, one->problem, error);
+    return taut_problem_document_read(root, one->path, &one->source, one->problem, error);
+}
+
+taut_status taut_problem_read_from(const char *text, size_t length, const char *name,
+                                   const char *path, taut_problem **problem, taut_error *error)
+{
+    one_problem one = {path, {text, length, NULL}, problem};
+    return taut_json_read_text(text, length, name, read_one, &one, error);
 }
 
 taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
                                    taut_problem **problem, taut_error *error)
 {
-    one_problem one = {NULL, problem};
     if ((text == NULL && length > 0) || problem == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_read_text needs a text and a place for the problem");
     }
-    return taut_json_read_text(text, length, name != NULL ? name : "text", read_one, &one, error);
+    return taut_problem_read_from(text, length, name != NULL ? name : "text", NULL, problem, error);
+}
+
+taut_status taut_problem_read_file(const char *path, taut_json_read *read, void *into,
+                                   taut_problem_source *source, taut_error *error)
+{
+    char *text = NULL;
+    taut_status status = taut_file_read(path, &text, &source->length, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    source->text = text;
+    source->owned = &text;
+    status = taut_json_read_text(
+        text, source->length, strcmp(path, "-") == 0 ? "standard input" : path, read, into, error);
+    taut_free(text);
+    return status;
 }
 
 taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error)
 {
-    one_problem one = {path, problem};
+    one_problem one = {.path = path, .problem = problem};
     if (path == NULL || problem == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_read needs a path and a place for the problem");
     }
-    return taut_json_read_file(path, read_one, &one, error);
+    return taut_problem_read_file(path, read_one, &one, &one.source, error);
 }
 
 struct taut_problem_list {
@@ -197,10 +247,17 @@ int taut_problem_list_is_list(const taut_problem_list *list)
     return list->is_list;
 }
 
+typedef struct many_problems {
+    const char *path; /* NULL: no file */
+    taut_problem_source source;
+    taut_problem_list **list;
+} many_problems;
+
 /* Fills a list that is empty; what was read before a failure is in it. */
-static taut_status fill_list(const taut_json *root, const char *path, taut_problem_list *list,
-                             taut_error *error)
+static taut_status fill_list(const taut_json *root, const many_problems *many,
+                             taut_problem_list *list, taut_error *error)
 {
+    taut_json_scan items = taut_json_scan_items(many->source.text, many->source.length);
     size_t count = 1;
     taut_status status = TAUT_OK;
 
@@ -217,23 +274,23 @@ static taut_status fill_list(const taut_json *root, const char *path, taut_probl
     }
     for (size_t i = 0; status == TAUT_OK && i < count; i++) {
         const taut_json item = list->is_list ? taut_json_item(root, i) : *root;
-        status = taut_problem_document_read(&item, path, &list->problems[i], error);
+        taut_problem_source source = many->source;
+        if (list->is_list) {
+            source.text = taut_json_scan_next(&items, &source.length);
+            source.owned = NULL;
+        }
+        status = taut_problem_document_read(&item, many->path, &source, &list->problems[i], error);
         list->count += status == TAUT_OK;
     }
     return status;
 }
-
-typedef struct many_problems {
-    const char *path; /* NULL: no file */
-    taut_problem_list **list;
-} many_problems;
 
 static taut_status read_many(const taut_json *root, void *into, taut_error *error)
 {
     const many_problems *many = into;
     taut_problem_list *made = taut_alloc_zero(1, sizeof *made);
     const taut_status status =
-        made != NULL ? fill_list(root, many->path, made, error) : taut_fail_memory(error);
+        made != NULL ? fill_list(root, many, made, error) : taut_fail_memory(error);
 
     if (status != TAUT_OK) {
         taut_problem_list_free(made);
@@ -246,7 +303,7 @@ static taut_status read_many(const taut_json *root, void *into, taut_error *erro
 taut_status taut_problem_list_read_text(const char *text, size_t length, const char *name,
                                         taut_problem_list **list, taut_error *error)
 {
-    many_problems many = {NULL, list};
+    many_problems many = {NULL, {text, length, NULL}, list};
     if ((text == NULL && length > 0) || list == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_list_read_text needs a text and a place for the list");
@@ -256,10 +313,10 @@ taut_status taut_problem_list_read_text(const char *text, size_t length, const c
 
 taut_status taut_problem_list_read(const char *path, taut_problem_list **list, taut_error *error)
 {
-    many_problems many = {path, list};
+    many_problems many = {.path = path, .list = list};
     if (path == NULL || list == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_list_read needs a path and a place for the list");
     }
-    return taut_json_read_file(path, read_many, &many, error);
+    return taut_problem_read_file(path, read_many, &many, &many.source, error);
 }

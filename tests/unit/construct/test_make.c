@@ -1,9 +1,11 @@
 /* test_make.c -- taut_make, whatever is made: arguments out of range, and nothing made then. */
 #include "check.h"
+#include "monitors.h"
 #include "shapes.h"
 
 #include "problem/problem.h"
 #include "taut/harmonic.h"
+#include "taut/read.h"
 
 #include <string.h>
 
@@ -27,7 +29,9 @@ static void test_arguments(void)
                                               {.tolerance = NAN},
                                               {.tolerance = INFINITY},
                                               {.threads = -1},
-                                              {.threads = TAUT_THREADS_MAX + 1}};
+                                              {.threads = TAUT_THREADS_MAX + 1},
+                                              {.time_limit = -1},
+                                              {.time_limit = NAN}};
     taut_harmonic_problem data;
     taut_problem *const problem = rows(&data);
     taut_model *model = NULL;
@@ -55,8 +59,46 @@ static void test_arguments(void)
     taut_basis_free((taut_basis *)(size_t)data.v);
 }
 
+/* Whatever ends before it has anything to show says so, and not that somebody stopped it. A limit of
+ * no time at all is over at the first report. */
+static void test_ended(void)
+{
+    static const char text[] =
+        "{\"taut\": 1, \"construct\": \"dirichlet\", \"u\": {\"type\": \"bezier\", \"degree\": 2},"
+        " \"v\": {\"type\": \"bezier\", \"degree\": 2}, \"points\": [[[0,0,0], [0,1,0], [0,2,1]],"
+        " [[1,0,0], null, [1,2,0]], [[2,0,1], [2,1,0], [2,2,0]]]}";
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+    taut_error error;
+    watch enough = {.stop_at = 1, .answer = TAUT_ENOUGH}, stop = {.stop_at = 1};
+    watch other = {.stop_at = 1, .answer = -7}, none = {.stop_at = 0};
+
+    CHECK(taut_problem_read_text(text, sizeof text - 1, "text", &problem, NULL) == TAUT_OK, "text");
+    const taut_make_options short_time = {.time_limit = 1e-9};
+    CHECK(taut_make(problem, &short_time, &model, &error) == TAUT_NOT_CONVERGED &&
+              strcmp(error.reason, "time") == 0 && error.limit == 1e-9,
+          "%s", error.message);
+    const taut_make_options ended = {.monitor = monitor_of(&enough)};
+    CHECK(taut_make(problem, &ended, &model, &error) == TAUT_NOT_CONVERGED &&
+              strcmp(error.reason, "time") == 0 && isnan(error.limit),
+          "%s", error.message);
+    const taut_make_options stopped = {.monitor = monitor_of(&stop), .time_limit = 1e9};
+    CHECK(taut_make(problem, &stopped, &model, &error) == TAUT_INTERRUPTED &&
+              strcmp(error.reason, "interrupted") == 0,
+          "%s", error.message);
+    const taut_make_options strange = {.monitor = monitor_of(&other), .time_limit = 1e-9};
+    CHECK(taut_make(problem, &strange, &model, &error) == TAUT_INTERRUPTED, "%s", error.message);
+    CHECK(model == NULL, "untouched");
+    const taut_make_options whole = {.monitor = monitor_of(&none), .time_limit = 1e9};
+    CHECK(taut_make(problem, &whole, &model, &error) == TAUT_OK && none.reports > 0, "%s",
+          error.message);
+    taut_model_free(model);
+    taut_problem_free(problem);
+}
+
 int main(void)
 {
     test_arguments();
+    test_ended();
     return check_failures != 0;
 }

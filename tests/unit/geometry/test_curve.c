@@ -173,6 +173,44 @@ static void test_refusals(void)
     taut_basis_free(basis);
 }
 
+/* Places in no order: those of single calls bit for bit, for any number of threads; one out of range
+ * anywhere, and nothing is written. */
+static void test_points(void)
+{
+    enum { COUNT = 19 };
+    const double points[3][3] = {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, weights[3] = {1, 0.7, 1};
+    taut_basis *basis = basis_of((taut_basis_spec){.type = "bezier", .degree = 2});
+    taut_curve *curve = NULL;
+    double t[COUNT], all[COUNT * 12], alone[12];
+    CHECK(taut_curve_new("", basis, &points[0][0], weights, &curve, NULL) == TAUT_OK, "new");
+    for (int i = 0; i < COUNT; i++) {
+        t[i] = i < 2 ? i : random_in(0, 1);
+    }
+    for (int order = 0; order <= 3; order++) {
+        const size_t numbers = 3 * (size_t)(order + 1);
+        for (int threads = 0; threads <= 3; threads++) {
+            memset(all, 0xff, sizeof all);
+            CHECK(taut_curve_eval_points(curve, COUNT, t, order, threads, all) == TAUT_OK, "all");
+            for (size_t i = 0; i < COUNT; i++) {
+                CHECK(taut_curve_eval(curve, t[i], order, alone) == TAUT_OK, "alone");
+                CHECK(memcmp(alone, all + i * numbers, numbers * sizeof(double)) == 0,
+                      "order %d, %d threads, place %zu", order, threads, i);
+            }
+        }
+    }
+    all[0] = 7;
+    CHECK(taut_curve_eval_points(curve, COUNT, t, 4, 1, all) == TAUT_BAD_ARGUMENT, "order");
+    CHECK(taut_curve_eval_points(curve, -1, t, 0, 1, all) == TAUT_BAD_ARGUMENT, "count");
+    CHECK(taut_curve_eval_points(curve, COUNT, t, 0, TAUT_THREADS_MAX + 1, all) ==
+              TAUT_BAD_ARGUMENT,
+          "threads");
+    t[COUNT - 1] = NAN;
+    CHECK(taut_curve_eval_points(curve, COUNT, t, 0, 1, all) == TAUT_BAD_ARGUMENT, "NaN");
+    CHECK(all[0] == 7, "nothing is written");
+    taut_curve_free(curve);
+    taut_basis_free(basis);
+}
+
 int main(void)
 {
     random_seed(20260104);
@@ -181,5 +219,6 @@ int main(void)
     test_linear_precision();
     test_side_of_knot();
     test_refusals();
+    test_points();
     return check_failures != 0;
 }

@@ -240,6 +240,61 @@ static void test_exact_texts(void)
     taut_basis_free(line);
 }
 
+/* Places in no order: those of single calls bit for bit, for any number of threads, ends included. */
+static void test_points(void)
+{
+    enum { COUNT = 37 };
+    taut_surface *surface = random_rational();
+    double u[COUNT], v[COUNT], all[COUNT][18], alone[18];
+    for (int i = 0; i < COUNT; i++) {
+        u[i] = i == 5 ? 0 : i == 6 ? 1 : random_in(0, 1);
+        v[i] = i == 5 ? 1 : i == 7 ? 0 : random_in(0, 1);
+    }
+    for (int order = 0; order <= 2; order++) {
+        const size_t numbers = 3 * (size_t)TAUT_SURFACE_VECTORS(order);
+        for (int threads = 0; threads <= 3; threads++) {
+            memset(all, 0xff, sizeof all);
+            CHECK(taut_surface_eval_points(surface, COUNT, u, v, order, threads, all[0]) == TAUT_OK,
+                  "order %d", order);
+            for (size_t i = 0; i < COUNT; i++) {
+                CHECK(taut_surface_eval(surface, u[i], v[i], order, alone) == TAUT_OK, "alone");
+                CHECK(memcmp(alone, all[0] + i * numbers, numbers * sizeof(double)) == 0,
+                      "order %d, %d threads, place %zu", order, threads, i);
+            }
+        }
+    }
+    CHECK(taut_surface_eval_points(surface, 0, u, v, 0, 0, all[0]) == TAUT_OK, "none");
+    taut_surface_free(surface);
+}
+
+/* One parameter out of range, wherever it stands, and nothing is written. */
+static void test_points_refused(void)
+{
+    enum { COUNT = 4 };
+    static const double beyond[] = {-1e-300, 1.0000000000000002, NAN, INFINITY};
+    taut_surface *surface = random_rational();
+    double t[COUNT] = {0.25, 0.5, 0.75, 1}, wrong[COUNT], all[COUNT][3] = {{7}};
+    for (size_t i = 0; i < COUNT; i++) {
+        memcpy(wrong, t, sizeof t);
+        wrong[i] = beyond[i];
+        CHECK(taut_surface_eval_points(surface, COUNT, wrong, t, 0, 1, all[0]) == TAUT_BAD_ARGUMENT,
+              "u[%zu]", i);
+        CHECK(taut_surface_eval_points(surface, COUNT, t, wrong, 0, 1, all[0]) == TAUT_BAD_ARGUMENT,
+              "v[%zu]", i);
+    }
+    CHECK(taut_surface_eval_points(surface, COUNT, t, t, 3, 1, all[0]) == TAUT_BAD_ARGUMENT, "3");
+    CHECK(taut_surface_eval_points(surface, COUNT, t, t, -1, 1, all[0]) == TAUT_BAD_ARGUMENT, "-1");
+    CHECK(taut_surface_eval_points(surface, -1, t, t, 0, 1, all[0]) == TAUT_BAD_ARGUMENT, "count");
+    CHECK(taut_surface_eval_points(surface, COUNT, t, t, 0, -1, all[0]) == TAUT_BAD_ARGUMENT, "t");
+    CHECK(taut_surface_eval_points(surface, COUNT, t, t, 0, TAUT_THREADS_MAX + 1, all[0]) ==
+              TAUT_BAD_ARGUMENT,
+          "threads");
+    CHECK(taut_surface_eval_points(surface, COUNT, t, NULL, 0, 1, all[0]) == TAUT_BAD_ARGUMENT,
+          "NULL");
+    CHECK(all[0][0] == 7 && all[3][2] == 0, "nothing is written");
+    taut_surface_free(surface);
+}
+
 int main(void)
 {
     random_seed(20260102);
@@ -249,5 +304,7 @@ int main(void)
     test_grid();
     test_refusals();
     test_exact_texts();
+    test_points();
+    test_points_refused();
     return check_failures != 0;
 }

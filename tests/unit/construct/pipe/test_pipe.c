@@ -2,6 +2,8 @@
  * degenerate geometry, refusals. */
 #include "certificates.h"
 #include "check.h"
+#include "monitors.h"
+#include "pipes.h"
 
 #include "core/vec3.h"
 #include "taut/taut.h"
@@ -334,8 +336,67 @@ static void test_too_fine(void)
     taut_model_free(model);
 }
 
+/* Stopped at report k: at once, with nothing left. */
+static void check_stop(const taut_pipe_problem *blend, const taut_pipe_run_problem *run, int k)
+{
+    watch stop = {.stop_at = k};
+    const taut_make_options options = {.monitor = monitor_of(&stop)};
+    taut_model *model = NULL;
+    taut_error error = {.status = TAUT_OK};
+    const taut_status status = blend != NULL ? taut_pipe_make(blend, &options, &model, &error)
+                                             : taut_pipe_run_make(run, &options, &model, &error);
+    CHECK(status == TAUT_INTERRUPTED && strcmp(error.reason, "interrupted") == 0 && model == NULL,
+          "report %d: %s", k, error.message);
+    CHECK(stop.reports == k, "%d reports, stopped at %d", stop.reports, k);
+}
+
+/* A report before each axis that is tried, which is a bounded piece of work; the model is the same with
+ * a monitor and without. */
+static void test_monitor(void)
+{
+    static const double corners[4][3] = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {9, 9, 9}};
+    const taut_pipe_run_problem run = {
+        .route = {.kind = TAUT_PIPE_CORNERS, .count = 4, .corners = corners[0]},
+        .radius = 0.5,
+        .shape = {.kind = TAUT_PIPE_LEAST_BENDING}};
+    taut_pipe_problem blend = pipe_random_ends();
+    watch all = {.stop_at = 0}, all_run = {.stop_at = 0};
+    const taut_make_options options = {.monitor = monitor_of(&all)};
+    const taut_make_options options_run = {.monitor = monitor_of(&all_run)};
+    taut_model *model = NULL, *plain = NULL;
+
+    blend.section.radius = 0.01;
+    blend.shape.kind = TAUT_PIPE_LEAST_BENDING;
+    blend.axis.ends[0].handle = 0; /* this one is chosen, too */
+    CHECK(taut_pipe_make(&blend, &options, &model, NULL) == TAUT_OK, "blend");
+    CHECK(taut_pipe_make(&blend, NULL, &plain, NULL) == TAUT_OK, "blend");
+    const taut_record *details = taut_model_details(model);
+    const double evaluations = taut_record_number(taut_record_get(details, "evaluations"));
+    CHECK(evaluations > 500 && all.reports > evaluations, "%d reports, %g evaluations", all.reports,
+          evaluations);
+    const taut_surface *a = taut_model_surface(model, 0), *b = taut_model_surface(plain, 0);
+    CHECK(memcmp(taut_surface_points(a), taut_surface_points(b),
+                 3 * sizeof(double) * (size_t)taut_basis_count(taut_surface_u(a)) *
+                     (size_t)taut_basis_count(taut_surface_v(a))) == 0,
+          "the monitor changes nothing");
+    taut_model_free(model);
+    taut_model_free(plain);
+    for (int k = 1; k <= all.reports; k += 1 + all.reports / 3) {
+        check_stop(&blend, NULL, k);
+    }
+    check_stop(&blend, NULL, all.reports);
+    model = NULL;
+    CHECK(taut_pipe_run_make(&run, &options_run, &model, NULL) == TAUT_OK, "run");
+    taut_model_free(model);
+    for (int k = 1; k <= all_run.reports; k += 1 + all_run.reports / 2) {
+        check_stop(NULL, &run, k);
+    }
+    check_stop(NULL, &run, all_run.reports);
+}
+
 int main(void)
 {
+    test_monitor();
     test_joints();
     test_degenerate_geometry();
     test_refusals();

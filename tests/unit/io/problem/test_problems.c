@@ -222,9 +222,149 @@ static void test_pipe(void)
     close(ends[0]);
 }
 
+/* What taut_problem_text gives of a problem, against what was read. */
+static void check_text(const taut_problem *problem, const char *expected, const char *what)
+{
+    size_t length = 0;
+    const char *kept = taut_problem_text(problem, &length);
+    CHECK(strcmp(kept, expected) == 0, "%s: %s", what, kept);
+    CHECK(length == strlen(expected) && taut_problem_text(problem, NULL) == kept, "%s", what);
+}
+
+#define LEAST                                                                                      \
+    "{\"taut\": 1, \"construct\": \"dirichlet\", \"u\": {\"type\": \"bezier\", \"degree\": 1}, "   \
+    "\"v\": "                                                                                      \
+    "{\"type\": \"bezier\", \"degree\": 1}, \"points\": [[[0,0,0], null], [null, null]]"
+
+/* Byte for byte: of a text, a file, either way a file may be read, and of the items of a list alone. */
+static void test_text(void)
+{
+    static const char list_text[] =
+        " [ " LEAST ", \"name\": \"a, ]}\\\"[\"} ,\n" LEAST "}\t," LEAST ",\"unit\": \"m\"}]\n";
+    const char *path = in_folder("kept.json");
+    taut_problem *problem = NULL;
+    taut_problem_list *list = NULL;
+    taut_model *model = NULL;
+
+    CHECK(taut_problem_read_text(text, sizeof text - 1, "text", &problem, NULL) == TAUT_OK, "text");
+    check_text(problem, text, "text");
+    taut_problem_free(problem);
+    file_put_text(path, text);
+    CHECK(taut_problem_read(path, &problem, NULL) == TAUT_OK, "file");
+    check_text(problem, text, "file");
+    taut_problem_free(problem);
+    CHECK(taut_problem_or_model_read(path, &problem, &model, NULL) == TAUT_OK, "either");
+    check_text(problem, text, "either");
+    taut_problem_free(problem);
+
+    file_put_text(path, list_text);
+    for (int k = 0; k < 2; k++) {
+        CHECK((k == 0 ? taut_problem_list_read(path, &list, NULL)
+                      : taut_problem_list_read_text(list_text, sizeof list_text - 1, "list", &list,
+                                                    NULL)) == TAUT_OK,
+              "list");
+        CHECK(taut_problem_list_count(list) == 3, "%d", taut_problem_list_count(list));
+        check_text(taut_problem_list_at(list, 0), LEAST ", \"name\": \"a, ]}\\\"[\"}", "item 0");
+        check_text(taut_problem_list_at(list, 1), LEAST "}", "item 1");
+        check_text(taut_problem_list_at(list, 2), LEAST ",\"unit\": \"m\"}", "item 2");
+        taut_problem_list_free(list);
+    }
+    CHECK(taut_problem_list_read_text(text, sizeof text - 1, "one", &list, NULL) == TAUT_OK, "one");
+    check_text(taut_problem_list_at(list, 0), text, "a list that is one problem");
+    taut_problem_list_free(list);
+}
+
+/* A value in the place of another, a member that was not there, and the text that comes of it. */
+static void test_change(void)
+{
+    static const struct {
+        const char *before, *pointer, *value, *after;
+    } rows[] = {
+        {LEAST "}", "/points/0/0/2", "-7e1",
+         "{\"taut\": 1, \"construct\": \"dirichlet\", \"u\": {\"type\": \"bezier\", \"degree\": "
+         "1}, "
+         "\"v\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": [[[0,0,-7e1], null], [null, "
+         "null]]}"},
+        {LEAST "}", "/points/1/1", " [1,2,3]",
+         "{\"taut\": 1, \"construct\": \"dirichlet\", \"u\": {\"type\": \"bezier\", \"degree\": "
+         "1}, "
+         "\"v\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": [[[0,0,0], null], [null,  "
+         "[1,2,3]]]}"},
+        {LEAST "}", "/name", "\"lid\"", LEAST ", \"name\": \"lid\"}"},
+        {LEAST ", \"na\\u006de\": \"x\" }", "/name", "\"lid\"",
+         LEAST ", \"na\\u006de\": \"lid\" }"},
+        {LEAST "}", "", " " LEAST ", \"unit\": \"m\"}", " " LEAST ", \"unit\": \"m\"}"},
+        {LEAST ",\"v\\u002f\": 1}", "/points", "0", NULL}, /* the document itself is refused */
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        taut_problem *problem = NULL, *changed = NULL;
+        if (taut_problem_read_text(rows[i].before, strlen(rows[i].before), "before", &problem,
+                                   NULL) != TAUT_OK) {
+            CHECK(rows[i].after == NULL, "row %zu", i);
+            continue;
+        }
+        CHECK(taut_problem_change(problem, rows[i].pointer, rows[i].value, strlen(rows[i].value),
+                                  &changed, NULL) == TAUT_OK,
+              "row %zu", i);
+        check_text(changed, rows[i].after, rows[i].pointer);
+        check_text(problem, rows[i].before, "the first one stays");
+        taut_problem_free(problem);
+        taut_problem_free(changed);
+    }
+}
+
+/* What leads nowhere, is no JSON, or makes a document that would not be read. */
+static void test_change_refused(void)
+{
+    static const struct {
+        const char *pointer, *value, *reason, *where;
+    } rows[] = {
+        {"/points/2", "1", "missing", "/points/2"},
+        {"/points/00", "1", "missing", "/points/00"},
+        {"/points/-", "1", "missing", "/points/-"},
+        {"/points/", "1", "missing", "/points/"},
+        {"/points/0/9999999999", "1", "missing", "/points/0/9999999999"},
+        {"/points/0/1/0", "1", "missing", "/points/0/1/0"},
+        {"/taut/0", "1", "missing", "/taut/0"},
+        {"/gone/here", "1", "missing", "/gone/here"},
+        {"points", "1", "missing", "points"},
+        {"/points/0/0/0", "", "syntax", "value:1:1"},
+        {"/points/0/0/0", "1, 2", "syntax", "value:1:2"},
+        {"/points/0/0/0", "1], [2", "syntax", "value:1:2"},
+        {"/points/0/0/0", "\"x\"", "value", "/points/0/0/0"},
+        {"/u/degree", "0", "value", "/u/degree"},
+        {"/u/degree", "2", "size", "/points"},
+        {"/pionts", "1", "unknown-member", "/pionts"},
+        {"/a~1b~0", "1", "unknown-member", "/a~1b~0"},
+        {"/a\"b\\", "1", "unknown-member", "/a\"b\\"},
+        {"/u/~", "1", "unknown-member", "/u/~0"},
+    };
+    taut_problem *problem = NULL, *changed = NULL;
+    taut_error error;
+    CHECK(taut_problem_read_text(LEAST "}", strlen(LEAST "}"), "least", &problem, NULL) == TAUT_OK,
+          "least");
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        CHECK(taut_problem_change(problem, rows[i].pointer, rows[i].value, strlen(rows[i].value),
+                                  &changed, &error) == TAUT_BAD_INPUT,
+              "%s", rows[i].pointer);
+        CHECK(strcmp(error.reason, rows[i].reason) == 0 && strcmp(error.where, rows[i].where) == 0,
+              "%s = %s: %s at %s: %s", rows[i].pointer, rows[i].value, error.reason, error.where,
+              error.message);
+        CHECK(changed == NULL, "nothing is made");
+    }
+    CHECK(taut_problem_change(NULL, "", "1", 1, &changed, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(taut_problem_change(problem, NULL, "1", 1, &changed, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(taut_problem_change(problem, "", NULL, 0, &changed, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(taut_problem_change(problem, "", "1", 1, NULL, NULL) == TAUT_BAD_ARGUMENT, "NULL");
+    taut_problem_free(problem);
+}
+
 int main(void)
 {
     folder_make();
+    test_text();
+    test_change();
+    test_change_refused();
     test_members();
     test_defaults();
     test_rows();

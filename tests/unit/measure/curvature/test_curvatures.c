@@ -94,7 +94,37 @@ static int same(int count, const taut_forms *a, const taut_forms *b)
     return equal;
 }
 
-/* H and K on a grid within `tolerance` of the largest curvature squared there. */
+/* H and K at one place within `tolerance` of the largest curvature squared there. */
+static void check_forms(const taut_forms *forms, closed_form expected, double tolerance,
+                        const char *what, double u, double v)
+{
+    const double k = expected.gaussian, h = expected.mean;
+    const double largest = fabs(h) + sqrt(fmax(0, h * h - k)); /* principal curvature */
+    CHECK(forms->regular, "%s at %g, %g", what, u, v);
+    CHECK_NEAR(forms->mean, h, tolerance * largest, "%s: H at %g, %g", what, u, v);
+    CHECK_NEAR(forms->gaussian, k, tolerance * largest * largest, "%s: K at %g, %g", what, u, v);
+}
+
+/* The same at places in no order: row i at the parameters of column i, and its mirror image. */
+static void check_places(const taut_surface *s, double at[2][GRID], closed form, double size,
+                         double tolerance, const char *what)
+{
+    taut_forms found[2 * GRID], again[2 * GRID];
+    double u[2 * GRID], v[2 * GRID];
+    for (int i = 0; i < GRID; i++) {
+        u[i] = u[GRID + i] = at[0][i];
+        v[i] = at[1][i];
+        v[GRID + i] = at[1][GRID - 1 - i];
+    }
+    CHECK(taut_surface_forms_points(s, 2 * GRID, u, v, 1, found) == TAUT_OK, "%s", what);
+    CHECK(taut_surface_forms_points(s, 2 * GRID, u, v, 3, again) == TAUT_OK, "%s", what);
+    CHECK(same(2 * GRID, found, again), "the same for any number of threads");
+    for (int i = 0; i < 2 * GRID; i++) {
+        check_forms(&found[i], form(u[i], v[i], size), tolerance, what, u[i], v[i]);
+    }
+}
+
+/* H and K on a grid, and at places in no order. */
 static void check_grid(taut_surface *s, closed form, double size, double tolerance,
                        const char *what)
 {
@@ -117,17 +147,11 @@ static void check_grid(taut_surface *s, closed form, double size, double toleran
           "the same for any number of threads");
     for (int i = 0; i < GRID; i++) {
         for (int j = 0; j < GRID; j++) {
-            const closed_form expected = form(at[0][i], at[1][j], size);
-            const double k = expected.gaussian, h = expected.mean;
-            const double largest = fabs(h) + sqrt(fmax(0, h * h - k)); /* principal curvature */
-            const taut_forms forms = all[0][i][j];
-            CHECK(forms.regular, "%s at %g, %g", what, at[0][i], at[1][j]);
-            CHECK_NEAR(forms.mean, h, tolerance * largest, "%s: H at %g, %g", what, at[0][i],
-                       at[1][j]);
-            CHECK_NEAR(forms.gaussian, k, tolerance * largest * largest, "%s: K at %g, %g", what,
-                       at[0][i], at[1][j]);
+            check_forms(&all[0][i][j], form(at[0][i], at[1][j], size), tolerance, what, at[0][i],
+                        at[1][j]);
         }
     }
+    check_places(s, at, form, size, tolerance, what);
     taut_surface_free(s);
 }
 
@@ -226,11 +250,50 @@ static void test_grid(void)
     taut_surface_free(s);
 }
 
+/* Normals of a rational surface: those of the sphere are its points. The first is at a pole, where
+ * there is none. A place out of range is refused before anything is written. */
+static void test_places(void)
+{
+    enum { COUNT = 40 };
+    taut_surface *s = shape_octant(2);
+    double u[COUNT], v[COUNT], x[COUNT][3];
+    taut_forms forms[COUNT], before;
+    int poles = 0;
+    for (int i = 0; i < COUNT; i++) {
+        u[i] = i == 0 ? 1 : random_in(0, 0.9);
+        v[i] = i == 0 ? 1 : random_in(0, 0.9);
+    }
+    CHECK(taut_surface_forms_points(s, COUNT, u, v, 2, forms) == TAUT_OK, "sphere");
+    CHECK(taut_surface_eval_points(s, COUNT, u, v, 0, 2, x[0]) == TAUT_OK, "sphere");
+    for (int i = 0; i < COUNT; i++) {
+        double along = 0;
+        for (int c = 0; c < 3; c++) {
+            along += forms[i].normal[c] * x[i][c] / 2;
+        }
+        poles += !forms[i].regular;
+        CHECK(forms[i].regular ? fabs(fabs(along) - 1) < 1e-13 : isnan(along), "at %g %g: %.17g",
+              u[i], v[i], along);
+        CHECK(!forms[i].regular || fabs(forms[i].gaussian - 0.25) < 1e-12, "K = %.17g",
+              forms[i].gaussian);
+    }
+    CHECK(poles <= 1, "%d places have no normal", poles);
+    before = forms[0];
+    v[COUNT - 1] = nextafter(1, 2);
+    CHECK(taut_surface_forms_points(s, COUNT, u, v, 1, forms) == TAUT_BAD_ARGUMENT, "range");
+    CHECK(taut_surface_forms_points(s, COUNT, v, u, 1, forms) == TAUT_BAD_ARGUMENT, "range");
+    CHECK(taut_surface_forms_points(s, -1, u, u, 1, forms) == TAUT_BAD_ARGUMENT, "count");
+    CHECK(taut_surface_forms_points(s, 1, u, NULL, 1, forms) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(taut_surface_forms_points(s, 0, u, u, 1, forms) == TAUT_OK, "none");
+    CHECK(same(1, &before, forms), "outputs are untouched on failure");
+    taut_surface_free(s);
+}
+
 int main(void)
 {
     random_seed(20260716);
     test_minimal_surfaces();
     test_polynomials();
     test_grid();
+    test_places();
     return check_failures != 0;
 }

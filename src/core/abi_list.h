@@ -1,0 +1,628 @@
+/* abi_list.h -- every public struct with its members, every enumeration with its constants. Made by
+ * tools/abi.py --update of include/taut; do not edit. */
+#ifndef TAUT_CORE_ABI_LIST_H
+#define TAUT_CORE_ABI_LIST_H
+
+/* clang-format off */
+
+#define TAUT_ABI_MEMBERS_taut_abi_enum(X) \
+    X(taut_abi_enum, name, "const char *") \
+    X(taut_abi_enum, size, "size_t") \
+    X(taut_abi_enum, count, "size_t") \
+    X(taut_abi_enum, values, "const taut_abi_value *")
+
+#define TAUT_ABI_MEMBERS_taut_abi_member(X) \
+    X(taut_abi_member, name, "const char *") \
+    X(taut_abi_member, type, "const char *") \
+    X(taut_abi_member, offset, "size_t") \
+    X(taut_abi_member, size, "size_t")
+
+#define TAUT_ABI_MEMBERS_taut_abi_struct(X) \
+    X(taut_abi_struct, name, "const char *") \
+    X(taut_abi_struct, size, "size_t") \
+    X(taut_abi_struct, count, "size_t") \
+    X(taut_abi_struct, members, "const taut_abi_member *")
+
+#define TAUT_ABI_MEMBERS_taut_abi_table(X) \
+    X(taut_abi_table, number, "int") \
+    X(taut_abi_table, pointer_size, "int") \
+    X(taut_abi_table, size_size, "size_t") \
+    X(taut_abi_table, struct_count, "size_t") \
+    X(taut_abi_table, structs, "const taut_abi_struct *") \
+    X(taut_abi_table, enum_count, "size_t") \
+    X(taut_abi_table, enums, "const taut_abi_enum *")
+
+#define TAUT_ABI_MEMBERS_taut_abi_value(X) \
+    X(taut_abi_value, constant, "const char *") \
+    X(taut_abi_value, word, "const char *") \
+    X(taut_abi_value, value, "int")
+
+#define TAUT_ABI_MEMBERS_taut_asymptotic_corners(X) \
+    X(taut_asymptotic_corners, degree, "int") \
+    X(taut_asymptotic_corners, points, "double[4][3]") \
+    X(taut_asymptotic_corners, edges, "taut_asymptotic_edge[4]") \
+    X(taut_asymptotic_corners, has_branch, "int") \
+    X(taut_asymptotic_corners, branch, "int[4]")
+
+#define TAUT_ABI_MEMBERS_taut_asymptotic_edge(X) \
+    X(taut_asymptotic_edge, legs, "double[2][3]") \
+    X(taut_asymptotic_edge, curvature, "double[2]") \
+    X(taut_asymptotic_edge, weights, "double[4]")
+
+#define TAUT_ABI_MEMBERS_taut_asymptotic_problem(X) \
+    X(taut_asymptotic_problem, given, "taut_asymptotic_given") \
+    X(taut_asymptotic_problem, corners, "taut_asymptotic_corners") \
+    X(taut_asymptotic_problem, curves, "const taut_curve *[4]") \
+    X(taut_asymptotic_problem, surface, "taut_asymptotic_surface") \
+    X(taut_asymptotic_problem, report_singular, "int") \
+    X(taut_asymptotic_problem, free_all, "int")
+
+#define TAUT_ABI_MEMBERS_taut_basis_spec(X) \
+    X(taut_basis_spec, type, "const char *") \
+    X(taut_basis_spec, degree, "int") \
+    X(taut_basis_spec, count, "int") \
+    X(taut_basis_spec, knot_count, "int") \
+    X(taut_basis_spec, knots, "const double *") \
+    X(taut_basis_spec, alpha, "double") \
+    X(taut_basis_spec, beta, "double") \
+    X(taut_basis_spec, gamma, "double") \
+    X(taut_basis_spec, segments, "int") \
+    X(taut_basis_spec, has_range, "int") \
+    X(taut_basis_spec, range, "double[2]")
+
+#define TAUT_ABI_MEMBERS_taut_biharmonic_neighbour(X) \
+    X(taut_biharmonic_neighbour, surface, "const taut_surface *") \
+    X(taut_biharmonic_neighbour, edge, "taut_edge") \
+    X(taut_biharmonic_neighbour, width, "double") \
+    X(taut_biharmonic_neighbour, contact, "int") \
+    X(taut_biharmonic_neighbour, allow_ill_conditioned, "int")
+
+#define TAUT_ABI_MEMBERS_taut_biharmonic_problem(X) \
+    X(taut_biharmonic_problem, given, "taut_biharmonic_given") \
+    X(taut_biharmonic_problem, rows, "taut_biharmonic_rows") \
+    X(taut_biharmonic_problem, neighbour, "taut_biharmonic_neighbour")
+
+#define TAUT_ABI_MEMBERS_taut_biharmonic_rows(X) \
+    X(taut_biharmonic_rows, name, "const char *") \
+    X(taut_biharmonic_rows, u, "const taut_basis *") \
+    X(taut_biharmonic_rows, v, "const taut_basis *") \
+    X(taut_biharmonic_rows, points, "const double *") \
+    X(taut_biharmonic_rows, known, "const unsigned char *")
+
+#define TAUT_ABI_MEMBERS_taut_bonnet_problem(X) \
+    X(taut_bonnet_problem, lambda, "double[2]") \
+    X(taut_bonnet_problem, frames, "int") \
+    X(taut_bonnet_problem, sign, "int") \
+    X(taut_bonnet_problem, alpha, "double") \
+    X(taut_bonnet_problem, beta, "double") \
+    X(taut_bonnet_problem, bspline, "int") \
+    X(taut_bonnet_problem, segments, "int[2]") \
+    X(taut_bonnet_problem, theta, "double") \
+    X(taut_bonnet_problem, normalize, "int") \
+    X(taut_bonnet_problem, start, "double[2]")
+
+#define TAUT_ABI_MEMBERS_taut_certify_options(X) \
+    X(taut_certify_options, threads, "int") \
+    X(taut_certify_options, tolerance, "double") \
+    X(taut_certify_options, exact, "int")
+
+#define TAUT_ABI_MEMBERS_taut_claim(X) \
+    X(taut_claim, claim, "const char *") \
+    X(taut_claim, kind, "taut_claim_kind") \
+    X(taut_claim, residual, "double") \
+    X(taut_claim, limit, "double") \
+    X(taut_claim, holds, "taut_verdict") \
+    X(taut_claim, where, "const char *")
+
+#define TAUT_ABI_MEMBERS_taut_curve_measure(X) \
+    X(taut_curve_measure, length, "double") \
+    X(taut_curve_measure, max_curvature, "double") \
+    X(taut_curve_measure, max_torsion, "double")
+
+#define TAUT_ABI_MEMBERS_taut_dirichlet_problem(X) \
+    X(taut_dirichlet_problem, name, "const char *") \
+    X(taut_dirichlet_problem, u, "const taut_basis *") \
+    X(taut_dirichlet_problem, v, "const taut_basis *") \
+    X(taut_dirichlet_problem, points, "const double *") \
+    X(taut_dirichlet_problem, known, "const unsigned char *") \
+    X(taut_dirichlet_problem, weights, "const double *") \
+    X(taut_dirichlet_problem, aspect, "double") \
+    X(taut_dirichlet_problem, aspect_auto, "int") \
+    X(taut_dirichlet_problem, regular, "int")
+
+#define TAUT_ABI_MEMBERS_taut_edge_measure(X) \
+    X(taut_edge_measure, length, "double") \
+    X(taut_edge_measure, max_abs_normal_curvature, "double") \
+    X(taut_edge_measure, max_angle_normal_binormal, "double")
+
+#define TAUT_ABI_MEMBERS_taut_error(X) \
+    X(taut_error, status, "taut_status") \
+    X(taut_error, reason, "char[32]") \
+    X(taut_error, found, "double") \
+    X(taut_error, limit, "double") \
+    X(taut_error, expected, "char[192]") \
+    X(taut_error, where, "char[192]") \
+    X(taut_error, message, "char[768]")
+
+#define TAUT_ABI_MEMBERS_taut_extension_c1(X) \
+    X(taut_extension_c1, width, "double")
+
+#define TAUT_ABI_MEMBERS_taut_extension_g1(X) \
+    X(taut_extension_g1, width, "double") \
+    X(taut_extension_g1, c, "double") \
+    X(taut_extension_g1, alpha, "double") \
+    X(taut_extension_g1, beta, "double")
+
+#define TAUT_ABI_MEMBERS_taut_extension_merge(X) \
+    X(taut_extension_merge, neighbour, "const taut_surface *")
+
+#define TAUT_ABI_MEMBERS_taut_family_member(X) \
+    X(taut_family_member, name, "const char *") \
+    X(taut_family_member, scale, "double") \
+    X(taut_family_member, lambda, "double") \
+    X(taut_family_member, theta, "double") \
+    X(taut_family_member, residual, "double") \
+    X(taut_family_member, turned, "int") \
+    X(taut_family_member, shift, "double[2]") \
+    X(taut_family_member, motion, "double[3][4]")
+
+#define TAUT_ABI_MEMBERS_taut_forms(X) \
+    X(taut_forms, e, "double") \
+    X(taut_forms, f, "double") \
+    X(taut_forms, g, "double") \
+    X(taut_forms, w, "double") \
+    X(taut_forms, normal, "double[3]") \
+    X(taut_forms, l, "double") \
+    X(taut_forms, m, "double") \
+    X(taut_forms, n, "double") \
+    X(taut_forms, mean, "double") \
+    X(taut_forms, gaussian, "double") \
+    X(taut_forms, regular, "int")
+
+#define TAUT_ABI_MEMBERS_taut_harmonic_boundary(X) \
+    X(taut_harmonic_boundary, points, "const double *") \
+    X(taut_harmonic_boundary, known, "const unsigned char *")
+
+#define TAUT_ABI_MEMBERS_taut_harmonic_derivative(X) \
+    X(taut_harmonic_derivative, edge, "const double *") \
+    X(taut_harmonic_derivative, cross, "const double *") \
+    X(taut_harmonic_derivative, exact_edge, "const char *const *") \
+    X(taut_harmonic_derivative, exact_cross, "const char *const *") \
+    X(taut_harmonic_derivative, raise, "int") \
+    X(taut_harmonic_derivative, allow_ill_conditioned, "int")
+
+#define TAUT_ABI_MEMBERS_taut_harmonic_extension_problem(X) \
+    X(taut_harmonic_extension_problem, surface, "const taut_surface *") \
+    X(taut_harmonic_extension_problem, edge, "taut_edge") \
+    X(taut_harmonic_extension_problem, given, "taut_extension_given") \
+    X(taut_harmonic_extension_problem, c1, "taut_extension_c1") \
+    X(taut_harmonic_extension_problem, g1, "taut_extension_g1") \
+    X(taut_harmonic_extension_problem, merge, "taut_extension_merge")
+
+#define TAUT_ABI_MEMBERS_taut_harmonic_problem(X) \
+    X(taut_harmonic_problem, name, "const char *") \
+    X(taut_harmonic_problem, u, "const taut_basis *") \
+    X(taut_harmonic_problem, v, "const taut_basis *") \
+    X(taut_harmonic_problem, given, "taut_harmonic_given") \
+    X(taut_harmonic_problem, rows, "taut_harmonic_rows") \
+    X(taut_harmonic_problem, derivative, "taut_harmonic_derivative") \
+    X(taut_harmonic_problem, boundary, "taut_harmonic_boundary")
+
+#define TAUT_ABI_MEMBERS_taut_harmonic_rows(X) \
+    X(taut_harmonic_rows, points, "const double *") \
+    X(taut_harmonic_rows, known, "const unsigned char *") \
+    X(taut_harmonic_rows, exact, "const char *const *") \
+    X(taut_harmonic_rows, even, "taut_harmonic_even") \
+    X(taut_harmonic_rows, allow_ill_conditioned, "int")
+
+#define TAUT_ABI_MEMBERS_taut_jacobian(X) \
+    X(taut_jacobian, state, "taut_jacobian_state") \
+    X(taut_jacobian, sign, "int") \
+    X(taut_jacobian, lowest, "double") \
+    X(taut_jacobian, at, "double[2]") \
+    X(taut_jacobian, cells, "long")
+
+#define TAUT_ABI_MEMBERS_taut_join(X) \
+    X(taut_join, max_gap, "double") \
+    X(taut_join, gap_bound, "double") \
+    X(taut_join, max_tangent_angle, "double") \
+    X(taut_join, max_normal_angle, "double") \
+    X(taut_join, c_order, "int") \
+    X(taut_join, g_order, "int") \
+    X(taut_join, reversed, "int") \
+    X(taut_join, one_surface, "int") \
+    X(taut_join, kind, "taut_join_kind")
+
+#define TAUT_ABI_MEMBERS_taut_make_options(X) \
+    X(taut_make_options, tolerance, "double") \
+    X(taut_make_options, threads, "int") \
+    X(taut_make_options, monitor, "taut_monitor") \
+    X(taut_make_options, exact, "int") \
+    X(taut_make_options, time_limit, "double")
+
+#define TAUT_ABI_MEMBERS_taut_measure_options(X) \
+    X(taut_measure_options, grid, "int") \
+    X(taut_measure_options, threads, "int")
+
+#define TAUT_ABI_MEMBERS_taut_mesh_group(X) \
+    X(taut_mesh_group, name, "const char *") \
+    X(taut_mesh_group, surface, "int") \
+    X(taut_mesh_group, nu, "int") \
+    X(taut_mesh_group, nv, "int") \
+    X(taut_mesh_group, turned, "int") \
+    X(taut_mesh_group, first_vertex, "size_t") \
+    X(taut_mesh_group, first_quad, "size_t")
+
+#define TAUT_ABI_MEMBERS_taut_mesh_options(X) \
+    X(taut_mesh_options, tolerance, "double") \
+    X(taut_mesh_options, divide, "int") \
+    X(taut_mesh_options, threads, "int") \
+    X(taut_mesh_options, surface, "const char *") \
+    X(taut_mesh_options, monitor, "taut_monitor")
+
+#define TAUT_ABI_MEMBERS_taut_monitor(X) \
+    X(taut_monitor, progress, "int (*)(void *context, double done, const char *what)") \
+    X(taut_monitor, context, "void *")
+
+#define TAUT_ABI_MEMBERS_taut_panels_options(X) \
+    X(taut_panels_options, kind, "taut_panels_kind") \
+    X(taut_panels_options, divide, "int[2]") \
+    X(taut_panels_options, surface, "const char *") \
+    X(taut_panels_options, monitor, "taut_monitor")
+
+#define TAUT_ABI_MEMBERS_taut_pipe_axis(X) \
+    X(taut_pipe_axis, kind, "taut_pipe_axis_kind") \
+    X(taut_pipe_axis, polygon, "double[4][3]") \
+    X(taut_pipe_axis, ends, "taut_pipe_end[2]")
+
+#define TAUT_ABI_MEMBERS_taut_pipe_ellipse(X) \
+    X(taut_pipe_ellipse, a, "double") \
+    X(taut_pipe_ellipse, b, "double") \
+    X(taut_pipe_ellipse, direction, "double[3]")
+
+#define TAUT_ABI_MEMBERS_taut_pipe_end(X) \
+    X(taut_pipe_end, point, "double[3]") \
+    X(taut_pipe_end, direction, "double[3]") \
+    X(taut_pipe_end, handle, "double")
+
+#define TAUT_ABI_MEMBERS_taut_pipe_leg(X) \
+    X(taut_pipe_leg, kind, "taut_pipe_leg_kind") \
+    X(taut_pipe_leg, from, "double[3]") \
+    X(taut_pipe_leg, to, "double[3]") \
+    X(taut_pipe_leg, direction, "double[3]")
+
+#define TAUT_ABI_MEMBERS_taut_pipe_problem(X) \
+    X(taut_pipe_problem, axis, "taut_pipe_axis") \
+    X(taut_pipe_problem, section, "taut_pipe_section") \
+    X(taut_pipe_problem, shape, "taut_pipe_shape") \
+    X(taut_pipe_problem, joint, "taut_pipe_joint") \
+    X(taut_pipe_problem, frame, "taut_pipe_frame") \
+    X(taut_pipe_problem, lengths, "double[2]") \
+    X(taut_pipe_problem, bend_radius, "double") \
+    X(taut_pipe_problem, caps, "int")
+
+#define TAUT_ABI_MEMBERS_taut_pipe_route(X) \
+    X(taut_pipe_route, kind, "taut_pipe_route_kind") \
+    X(taut_pipe_route, count, "int") \
+    X(taut_pipe_route, corners, "const double *") \
+    X(taut_pipe_route, legs, "const taut_pipe_leg *") \
+    X(taut_pipe_route, closed, "int")
+
+#define TAUT_ABI_MEMBERS_taut_pipe_run_problem(X) \
+    X(taut_pipe_run_problem, route, "taut_pipe_route") \
+    X(taut_pipe_run_problem, radius, "double") \
+    X(taut_pipe_run_problem, shape, "taut_pipe_shape") \
+    X(taut_pipe_run_problem, joint, "taut_pipe_joint") \
+    X(taut_pipe_run_problem, bend_radius, "double") \
+    X(taut_pipe_run_problem, caps, "int")
+
+#define TAUT_ABI_MEMBERS_taut_pipe_section(X) \
+    X(taut_pipe_section, kind, "taut_pipe_section_kind") \
+    X(taut_pipe_section, radius, "double") \
+    X(taut_pipe_section, ellipses, "taut_pipe_ellipse[2]") \
+    X(taut_pipe_section, radii, "double[2]")
+
+#define TAUT_ABI_MEMBERS_taut_pipe_shape(X) \
+    X(taut_pipe_shape, kind, "taut_pipe_shape_kind") \
+    X(taut_pipe_shape, alpha, "double") \
+    X(taut_pipe_shape, beta, "double") \
+    X(taut_pipe_shape, gamma, "double") \
+    X(taut_pipe_shape, extended, "int")
+
+#define TAUT_ABI_MEMBERS_taut_plateau_problem(X) \
+    X(taut_plateau_problem, net, "taut_dirichlet_problem") \
+    X(taut_plateau_problem, curves, "const taut_curve *[4]") \
+    X(taut_plateau_problem, start, "const double *") \
+    X(taut_plateau_problem, tolerance, "double") \
+    X(taut_plateau_problem, max_iterations, "int") \
+    X(taut_plateau_problem, method, "taut_plateau_method") \
+    X(taut_plateau_problem, refine, "int") \
+    X(taut_plateau_problem, tolerance_area, "double") \
+    X(taut_plateau_problem, without_least, "int") \
+    X(taut_plateau_problem, gap, "double")
+
+#define TAUT_ABI_MEMBERS_taut_surface_measure(X) \
+    X(taut_surface_measure, area, "double") \
+    X(taut_surface_measure, area_error, "double") \
+    X(taut_surface_measure, dirichlet_energy, "double") \
+    X(taut_surface_measure, dirichlet_energy_error, "double") \
+    X(taut_surface_measure, bending_energy, "double") \
+    X(taut_surface_measure, bending_energy_error, "double") \
+    X(taut_surface_measure, box, "double[2][3]") \
+    X(taut_surface_measure, max_abs_mean, "double") \
+    X(taut_surface_measure, mean_abs_mean, "double") \
+    X(taut_surface_measure, min_gaussian, "double") \
+    X(taut_surface_measure, max_gaussian, "double") \
+    X(taut_surface_measure, max_e_minus_g, "double") \
+    X(taut_surface_measure, max_f, "double") \
+    X(taut_surface_measure, isothermality, "double") \
+    X(taut_surface_measure, isothermality_error, "double") \
+    X(taut_surface_measure, max_laplacian, "double") \
+    X(taut_surface_measure, max_abs_mean_at, "double[2]") \
+    X(taut_surface_measure, edges, "taut_edge_measure[4]") \
+    X(taut_surface_measure, singular_points, "long") \
+    X(taut_surface_measure, jacobian, "taut_jacobian")
+
+#define TAUT_ABI_MEMBERS_taut_write_options(X) \
+    X(taut_write_options, tolerance, "double") \
+    X(taut_write_options, divide, "int") \
+    X(taut_write_options, threads, "int") \
+    X(taut_write_options, format, "const char *") \
+    X(taut_write_options, surface, "const char *") \
+    X(taut_write_options, short_knots, "int") \
+    X(taut_write_options, colour, "taut_colour") \
+    X(taut_write_options, no_net, "int") \
+    X(taut_write_options, has_view, "int") \
+    X(taut_write_options, view, "double[2]") \
+    X(taut_write_options, title, "const char *") \
+    X(taut_write_options, isolines, "int") \
+    X(taut_write_options, reflections, "int") \
+    X(taut_write_options, combs, "int") \
+    X(taut_write_options, side_by_side, "int") \
+    X(taut_write_options, width, "int") \
+    X(taut_write_options, labels, "const char *const *") \
+    X(taut_write_options, monitor, "taut_monitor") \
+    X(taut_write_options, bound, "double *")
+
+#define TAUT_ABI_STRUCT_LIST(X) \
+    X(taut_abi_enum) \
+    X(taut_abi_member) \
+    X(taut_abi_struct) \
+    X(taut_abi_table) \
+    X(taut_abi_value) \
+    X(taut_asymptotic_corners) \
+    X(taut_asymptotic_edge) \
+    X(taut_asymptotic_problem) \
+    X(taut_basis_spec) \
+    X(taut_biharmonic_neighbour) \
+    X(taut_biharmonic_problem) \
+    X(taut_biharmonic_rows) \
+    X(taut_bonnet_problem) \
+    X(taut_certify_options) \
+    X(taut_claim) \
+    X(taut_curve_measure) \
+    X(taut_dirichlet_problem) \
+    X(taut_edge_measure) \
+    X(taut_error) \
+    X(taut_extension_c1) \
+    X(taut_extension_g1) \
+    X(taut_extension_merge) \
+    X(taut_family_member) \
+    X(taut_forms) \
+    X(taut_harmonic_boundary) \
+    X(taut_harmonic_derivative) \
+    X(taut_harmonic_extension_problem) \
+    X(taut_harmonic_problem) \
+    X(taut_harmonic_rows) \
+    X(taut_jacobian) \
+    X(taut_join) \
+    X(taut_make_options) \
+    X(taut_measure_options) \
+    X(taut_mesh_group) \
+    X(taut_mesh_options) \
+    X(taut_monitor) \
+    X(taut_panels_options) \
+    X(taut_pipe_axis) \
+    X(taut_pipe_ellipse) \
+    X(taut_pipe_end) \
+    X(taut_pipe_leg) \
+    X(taut_pipe_problem) \
+    X(taut_pipe_route) \
+    X(taut_pipe_run_problem) \
+    X(taut_pipe_section) \
+    X(taut_pipe_shape) \
+    X(taut_plateau_problem) \
+    X(taut_surface_measure) \
+    X(taut_write_options)
+
+#define TAUT_ABI_VALUES_taut_asymptotic_given(X) \
+    X(TAUT_ASYMPTOTIC_CORNERS, "corners") \
+    X(TAUT_ASYMPTOTIC_CURVES, "curves")
+
+#define TAUT_ABI_VALUES_taut_asymptotic_surface(X) \
+    X(TAUT_BIDEGREE_5N_MINUS_7, "5n-7") \
+    X(TAUT_BIDEGREE_N_PLUS_3, "n+3")
+
+#define TAUT_ABI_VALUES_taut_biharmonic_given(X) \
+    X(TAUT_BIHARMONIC_ROWS, "rows") \
+    X(TAUT_BIHARMONIC_NEIGHBOUR, "neighbour")
+
+#define TAUT_ABI_VALUES_taut_claim_kind(X) \
+    X(TAUT_CHECK, "check") \
+    X(TAUT_BOUND, "bound") \
+    X(TAUT_EXACT, "exact")
+
+#define TAUT_ABI_VALUES_taut_colour(X) \
+    X(TAUT_COLOUR_PLAIN, "plain") \
+    X(TAUT_COLOUR_MEAN, "mean") \
+    X(TAUT_COLOUR_GAUSSIAN, "gaussian") \
+    X(TAUT_COLOUR_ISOTHERMALITY, "isothermality") \
+    X(TAUT_COLOUR_GAP, "gap")
+
+#define TAUT_ABI_VALUES_taut_edge(X) \
+    X(TAUT_EDGE_U0, "u0") \
+    X(TAUT_EDGE_U1, "u1") \
+    X(TAUT_EDGE_V0, "v0") \
+    X(TAUT_EDGE_V1, "v1")
+
+#define TAUT_ABI_VALUES_taut_extension_given(X) \
+    X(TAUT_EXTENSION_C1, "c1") \
+    X(TAUT_EXTENSION_G1, "g1") \
+    X(TAUT_EXTENSION_MERGE, "merge")
+
+#define TAUT_ABI_VALUES_taut_harmonic_even(X) \
+    X(TAUT_EVEN_REFUSE, "refuse") \
+    X(TAUT_EVEN_CORNER, "corner") \
+    X(TAUT_EVEN_PROJECT, "project") \
+    X(TAUT_EVEN_RAISE, "raise")
+
+#define TAUT_ABI_VALUES_taut_harmonic_given(X) \
+    X(TAUT_HARMONIC_ROWS, "rows") \
+    X(TAUT_HARMONIC_DERIVATIVE, "derivative") \
+    X(TAUT_HARMONIC_BOUNDARY, "boundary")
+
+#define TAUT_ABI_VALUES_taut_jacobian_state(X) \
+    X(TAUT_JACOBIAN_NONE, "none") \
+    X(TAUT_JACOBIAN_ONE_SIGN, "one-sign") \
+    X(TAUT_JACOBIAN_FOLDS, "folds") \
+    X(TAUT_JACOBIAN_UNDECIDED, "undecided") \
+    X(TAUT_JACOBIAN_UNSUPPORTED, "unsupported")
+
+#define TAUT_ABI_VALUES_taut_join_kind(X) \
+    X(TAUT_JOIN_CHECK, "check") \
+    X(TAUT_JOIN_BOUND, "bound")
+
+#define TAUT_ABI_VALUES_taut_panels_kind(X) \
+    X(TAUT_PANELS_CONICAL, "conical") \
+    X(TAUT_PANELS_CIRCULAR, "circular")
+
+#define TAUT_ABI_VALUES_taut_pipe_axis_kind(X) \
+    X(TAUT_PIPE_POLYGON, "polygon") \
+    X(TAUT_PIPE_ENDS, "ends") \
+    X(TAUT_PIPE_FEET, "feet")
+
+#define TAUT_ABI_VALUES_taut_pipe_frame(X) \
+    X(TAUT_PIPE_ROTATION_MINIMIZING, "rotation-minimizing") \
+    X(TAUT_PIPE_FRENET, "frenet")
+
+#define TAUT_ABI_VALUES_taut_pipe_joint(X) \
+    X(TAUT_PIPE_G1, "g1") \
+    X(TAUT_PIPE_G2, "g2")
+
+#define TAUT_ABI_VALUES_taut_pipe_leg_kind(X) \
+    X(TAUT_PIPE_LEG_SPAN, "span") \
+    X(TAUT_PIPE_LEG_POINT, "point")
+
+#define TAUT_ABI_VALUES_taut_pipe_route_kind(X) \
+    X(TAUT_PIPE_CORNERS, "corners") \
+    X(TAUT_PIPE_LEGS, "legs")
+
+#define TAUT_ABI_VALUES_taut_pipe_section_kind(X) \
+    X(TAUT_PIPE_ROUND, "round") \
+    X(TAUT_PIPE_ELLIPTIC, "elliptic") \
+    X(TAUT_PIPE_CANAL, "canal") \
+    X(TAUT_PIPE_NAIVE_SWEEP, "naive-sweep")
+
+#define TAUT_ABI_VALUES_taut_pipe_shape_kind(X) \
+    X(TAUT_PIPE_SHAPE_GIVEN, "given") \
+    X(TAUT_PIPE_LEAST_BENDING, "least-bending") \
+    X(TAUT_PIPE_LEAST_CURVATURE, "least-curvature")
+
+#define TAUT_ABI_VALUES_taut_plateau_method(X) \
+    X(TAUT_PLATEAU_FULL, "full") \
+    X(TAUT_PLATEAU_NORMAL, "normal")
+
+#define TAUT_ABI_VALUES_taut_record_kind(X) \
+    X(TAUT_RECORD_NULL, "null") \
+    X(TAUT_RECORD_BOOL, "bool") \
+    X(TAUT_RECORD_NUMBER, "number") \
+    X(TAUT_RECORD_TEXT, "text") \
+    X(TAUT_RECORD_LIST, "list") \
+    X(TAUT_RECORD_OBJECT, "object")
+
+#define TAUT_ABI_VALUES_taut_status(X) \
+    X(TAUT_OK, "ok") \
+    X(TAUT_NOT_CONVERGED, "not-converged") \
+    X(TAUT_CHECK_FAILED, "check-failed") \
+    X(TAUT_BAD_ARGUMENT, "bad-argument") \
+    X(TAUT_BAD_INPUT, "bad-input") \
+    X(TAUT_NO_SOLUTION, "no-solution") \
+    X(TAUT_IO, "io") \
+    X(TAUT_NO_MEMORY, "no-memory") \
+    X(TAUT_INTERNAL, "internal") \
+    X(TAUT_INTERRUPTED, "interrupted")
+
+#define TAUT_ABI_VALUES_taut_verdict(X) \
+    X(TAUT_FALSE, "false") \
+    X(TAUT_TRUE, "true") \
+    X(TAUT_UNDECIDED, "undecided")
+
+#define TAUT_ABI_ENUM_LIST(X) \
+    X(taut_asymptotic_given) \
+    X(taut_asymptotic_surface) \
+    X(taut_biharmonic_given) \
+    X(taut_claim_kind) \
+    X(taut_colour) \
+    X(taut_edge) \
+    X(taut_extension_given) \
+    X(taut_harmonic_even) \
+    X(taut_harmonic_given) \
+    X(taut_jacobian_state) \
+    X(taut_join_kind) \
+    X(taut_panels_kind) \
+    X(taut_pipe_axis_kind) \
+    X(taut_pipe_frame) \
+    X(taut_pipe_joint) \
+    X(taut_pipe_leg_kind) \
+    X(taut_pipe_route_kind) \
+    X(taut_pipe_section_kind) \
+    X(taut_pipe_shape_kind) \
+    X(taut_plateau_method) \
+    X(taut_record_kind) \
+    X(taut_status) \
+    X(taut_verdict)
+
+#define TAUT_ABI_CONSTANT_LIST(X) \
+    X(TAUT_ABI_NUMBER, "TAUT_ABI_NUMBER") \
+    X(TAUT_ASYMPTOTIC_DEGREE_MAX, "TAUT_ASYMPTOTIC_DEGREE_MAX") \
+    X(TAUT_ASYMPTOTIC_V0, "TAUT_ASYMPTOTIC_V0") \
+    X(TAUT_ASYMPTOTIC_U0, "TAUT_ASYMPTOTIC_U0") \
+    X(TAUT_ASYMPTOTIC_V1, "TAUT_ASYMPTOTIC_V1") \
+    X(TAUT_ASYMPTOTIC_U1, "TAUT_ASYMPTOTIC_U1") \
+    X(TAUT_ASYMPTOTIC_U0V0, "TAUT_ASYMPTOTIC_U0V0") \
+    X(TAUT_ASYMPTOTIC_U1V0, "TAUT_ASYMPTOTIC_U1V0") \
+    X(TAUT_ASYMPTOTIC_U0V1, "TAUT_ASYMPTOTIC_U0V1") \
+    X(TAUT_ASYMPTOTIC_U1V1, "TAUT_ASYMPTOTIC_U1V1") \
+    X(TAUT_ORDER_MAX, "TAUT_ORDER_MAX") \
+    X(TAUT_DEGREE_MAX, "TAUT_DEGREE_MAX") \
+    X(TAUT_COUNT_MAX, "TAUT_COUNT_MAX") \
+    X(TAUT_POINTS_MAX, "TAUT_POINTS_MAX") \
+    X(TAUT_NAME_MAX, "TAUT_NAME_MAX") \
+    X(TAUT_OBJECTS_MAX, "TAUT_OBJECTS_MAX") \
+    X(TAUT_MEMBERS_MAX, "TAUT_MEMBERS_MAX") \
+    X(TAUT_GRID_MAX, "TAUT_GRID_MAX") \
+    X(TAUT_THREADS_MAX, "TAUT_THREADS_MAX") \
+    X(TAUT_ISOLINES_MAX, "TAUT_ISOLINES_MAX") \
+    X(TAUT_LIGHTS_MAX, "TAUT_LIGHTS_MAX") \
+    X(TAUT_WIDTH_MAX, "TAUT_WIDTH_MAX") \
+    X(TAUT_GO_ON, "TAUT_GO_ON") \
+    X(TAUT_STOP, "TAUT_STOP") \
+    X(TAUT_ENOUGH, "TAUT_ENOUGH") \
+    X(TAUT_ALONG_U, "TAUT_ALONG_U") \
+    X(TAUT_ALONG_V, "TAUT_ALONG_V") \
+    X(TAUT_PLATEAU_REFINE_MAX, "TAUT_PLATEAU_REFINE_MAX") \
+    X(TAUT_PLATEAU_REFINED_MAX, "TAUT_PLATEAU_REFINED_MAX") \
+    X(TAUT_PLATEAU_ADAPTED_MAX, "TAUT_PLATEAU_ADAPTED_MAX") \
+    X(TAUT_PLATEAU_LEAST_MAX, "TAUT_PLATEAU_LEAST_MAX") \
+    X(TAUT_X, "TAUT_X") \
+    X(TAUT_XU, "TAUT_XU") \
+    X(TAUT_XV, "TAUT_XV") \
+    X(TAUT_XUU, "TAUT_XUU") \
+    X(TAUT_XUV, "TAUT_XUV") \
+    X(TAUT_XVV, "TAUT_XVV") \
+    X(TAUT_VERSION_MAJOR, "TAUT_VERSION_MAJOR") \
+    X(TAUT_VERSION_MINOR, "TAUT_VERSION_MINOR") \
+    X(TAUT_VERSION_PATCH, "TAUT_VERSION_PATCH") \
+    X(TAUT_MODELS_MAX, "TAUT_MODELS_MAX")
+
+#endif /* TAUT_CORE_ABI_LIST_H */
