@@ -28,7 +28,8 @@ class MonitorStruct(Structure):
 
 
 class MakeOptions(Structure):
-    _fields_ = [("tolerance", c_double), ("threads", c_int), ("monitor", MonitorStruct), ("exact", c_int)]
+    _fields_ = [("tolerance", c_double), ("threads", c_int), ("monitor", MonitorStruct), ("exact", c_int),
+                ("time_limit", c_double)]
 
 
 class CertifyOptions(Structure):
@@ -50,11 +51,6 @@ class MeshOptions(Structure):
     _fields_ = [("tolerance", c_double), ("divide", c_int), ("threads", c_int), ("surface", c_char_p), ("monitor", MonitorStruct)]
 
 
-class MeshGroup(Structure):
-    _fields_ = [("name", c_char_p), ("surface", c_int), ("nu", c_int), ("nv", c_int), ("turned", c_int),
-                ("first_vertex", c_size_t), ("first_quad", c_size_t)]
-
-
 class BasisSpec(Structure):
     _fields_ = [("type", c_char_p), ("degree", c_int), ("count", c_int), ("knot_count", c_int), ("knots", c_void_p),
                 ("alpha", c_double), ("beta", c_double), ("gamma", c_double), ("segments", c_int), ("has_range", c_int),
@@ -73,15 +69,16 @@ class DirichletProblem(Structure):
 
 # Function: what it gives and what it takes: p a pointer of any kind, s a text, i an int, d a double, z a size, - nothing.
 SIGNATURES = {
-    "taut_version": "s:", "taut_kernel_in_use": "s:", "taut_status_text": "s:i",
+    "taut_abi": "p:", "taut_version": "s:", "taut_kernel_in_use": "s:", "taut_status_text": "s:i",
     "taut_basis_new": "i:pipp", "taut_basis_copy": "i:pp", "taut_basis_free": "-:p", "taut_basis_spec_of": "-:pp",
     "taut_basis_count": "i:p", "taut_basis_local": "i:p", "taut_basis_span_count": "i:p", "taut_basis_breaks": "p:p",
     "taut_basis_degree": "i:p", "taut_basis_span": "i:pd", "taut_basis_first": "i:pi", "taut_basis_eval": "i:pidip",
     "taut_surface_new": "i:spppppp", "taut_surface_free": "-:p", "taut_surface_name": "s:p", "taut_surface_u": "p:p",
     "taut_surface_v": "p:p", "taut_surface_points": "p:p", "taut_surface_weights": "p:p", "taut_surface_copy": "i:pp",
-    "taut_surface_eval": "i:pddip", "taut_surface_eval_grid": "i:pipipiip",
+    "taut_surface_eval": "i:pddip", "taut_surface_eval_points": "i:pippiip",
+    "taut_surface_eval_grid": "i:pipipiip",
     "taut_curve_new": "i:sppppp", "taut_curve_free": "-:p", "taut_curve_name": "s:p", "taut_curve_t": "p:p",
-    "taut_curve_points": "p:p", "taut_curve_weights": "p:p", "taut_curve_copy": "i:pp", "taut_curve_eval": "i:pdip",
+    "taut_curve_points": "p:p", "taut_curve_weights": "p:p", "taut_curve_copy": "i:pp", "taut_curve_eval": "i:pdip", "taut_curve_eval_points": "i:pipiip",
     "taut_model_new": "i:p", "taut_model_copy": "i:pp", "taut_model_free": "-:p", "taut_model_add_surface": "i:pp",
     "taut_model_add_curve": "i:pp", "taut_model_set_unit": "i:ps", "taut_model_set_certificate": "-:pp",
     "taut_model_surface_count": "i:p", "taut_model_surface": "p:pi", "taut_model_curve_count": "i:p",
@@ -108,6 +105,27 @@ SIGNATURES = {
     "taut_dirichlet_make": "i:pppp", "taut_dirichlet_certify": "i:ppppp",
 }
 _TYPES = {"p": c_void_p, "s": c_char_p, "i": c_int, "d": c_double, "z": c_size_t, "-": None}
+
+
+class AbiMember(Structure):
+    _fields_ = [("name", c_char_p), ("type", c_char_p), ("offset", c_size_t), ("size", c_size_t)]
+
+
+class AbiStruct(Structure):
+    _fields_ = [("name", c_char_p), ("size", c_size_t), ("count", c_size_t), ("members", POINTER(AbiMember))]
+
+
+class AbiTable(Structure):
+    _fields_ = [("number", c_int), ("pointer_size", c_int), ("size_size", c_size_t), ("struct_count", c_size_t),
+                ("structs", POINTER(AbiStruct))]
+
+
+LAYOUTS: dict[str, type[Structure]] = {
+    "taut_error": ErrorStruct, "taut_monitor": MonitorStruct, "taut_make_options": MakeOptions, "taut_certify_options": CertifyOptions,
+    "taut_measure_options": MeasureOptions, "taut_write_options": WriteOptions, "taut_mesh_options": MeshOptions,
+    "taut_basis_spec": BasisSpec, "taut_claim": ClaimStruct, "taut_dirichlet_problem": DirichletProblem,
+}
+sizes: dict[str, int] = {}  # of all public structs, in bytes
 
 
 class LibraryError(ImportError):
@@ -149,6 +167,20 @@ def _check(library: ctypes.CDLL) -> None:
     version = library.taut_version().decode()
     if version.split(".")[:2] != VERSION.split(".")[:2]:
         raise LibraryError(f"taut: {library._name} is version {version}; this package is for {VERSION}")
+    table = ctypes.cast(library.taut_abi(), POINTER(AbiTable)).contents
+    for i in range(table.struct_count):
+        struct = table.structs[i]
+        name = struct.name.decode()
+        sizes[name] = struct.size
+        layout = LAYOUTS.get(name)
+        if layout is None:
+            continue
+        theirs = [(member.name.decode(), member.offset, member.size) for member in struct.members[:struct.count]]
+        ours = [(field[0], getattr(layout, field[0]).offset, getattr(layout, field[0]).size) for field in layout._fields_]
+        if theirs != ours or struct.size != ctypes.sizeof(layout):
+            raise LibraryError(f"taut: {library._name} lays out {name} otherwise than this package: they are not of one version")
+    if not set(LAYOUTS) <= set(sizes):
+        raise LibraryError(f"taut: {library._name} does not know {sorted(set(LAYOUTS) - set(sizes))[0]}")
 
 
 library: Any = _load()

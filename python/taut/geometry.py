@@ -112,12 +112,11 @@ class Curve(_Geometry):
             buffer = _three()
             if _curve_eval(self._pointer, t, 0, buffer) == 0:
                 return _frombuffer(buffer)
-        parameters = np.asarray(t, dtype=np.float64)
-        values = np.empty((parameters.size, derivatives + 1, 3)) if 0 <= derivatives <= 3 else np.empty((1, 1, 3))
-        address = values.ctypes.data
-        for i, one in enumerate(parameters.ravel().tolist()):
-            if _curve_eval(self._pointer, one, derivatives, address + i * 24 * (derivatives + 1)) != 0:
-                raise _outside(f"t is {one!r}, derivatives {derivatives}; expected t in {list(self.t.range)}, derivatives 0 to 3")
+        parameters = np.ascontiguousarray(t, dtype=np.float64).reshape(np.shape(t))
+        values = np.empty((parameters.size, max(derivatives, 0) + 1, 3))
+        if parameters.size > 0 and library.taut_curve_eval_points(self._pointer, parameters.size, parameters.ctypes.data, derivatives, 1,
+                                                                  values.ctypes.data) != c.OK:
+            raise _outside(f"expected t in {list(self.t.range)}, derivatives 0 to 3 (found {derivatives})")
         if derivatives == 0:
             return values.reshape(parameters.shape + (3,))
         return np.ascontiguousarray(values.transpose(1, 0, 2)).reshape((derivatives + 1,) + parameters.shape + (3,))
@@ -204,19 +203,15 @@ class Surface(_Geometry):
             if _surface_eval(self._pointer, u, v, 0, buffer) == 0:
                 return _frombuffer(buffer)
         along_u, along_v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
+        one, other = np.ascontiguousarray(along_u), np.ascontiguousarray(along_v)
         vectors = (derivatives + 1) * (derivatives + 2) // 2
-        values = np.empty((along_u.size, vectors, 3)) if 0 <= derivatives <= 2 else np.empty((1, 1, 3))
-        self._pairs(along_u, along_v, derivatives, values)
+        values = np.empty((along_u.size, max(vectors, 1), 3))
+        if along_u.size > 0 and library.taut_surface_eval_points(self._pointer, along_u.size, one.ctypes.data, other.ctypes.data,
+                                                                 derivatives, 1, values.ctypes.data) != c.OK:
+            raise _outside(f"expected u in {list(self.u.range)}, v in {list(self.v.range)}, derivatives 0 to 2 (found {derivatives})")
         if derivatives == 0:
             return values.reshape(along_u.shape + (3,))
         return np.ascontiguousarray(values.transpose(1, 0, 2)).reshape((vectors,) + along_u.shape + (3,))
-
-    def _pairs(self, u: Array, v: Array, derivatives: int, values: Array) -> None:
-        address, step = values.ctypes.data, 12 * (derivatives + 1) * (derivatives + 2)
-        for i, (a, b) in enumerate(zip(u.ravel().tolist(), v.ravel().tolist())):
-            if _surface_eval(self._pointer, a, b, derivatives, address + i * step) != 0:
-                raise _outside(f"(u, v) is ({a!r}, {b!r}), derivatives {derivatives}; expected u in {list(self.u.range)}, "
-                               f"v in {list(self.v.range)}, derivatives 0 to 2")
 
     def grid(self, u: npt.ArrayLike, v: npt.ArrayLike, derivatives: int = 2, out: Array | None = None,
              threads: int | None = None) -> Array:

@@ -11,7 +11,6 @@ from .errors import InputError, raise_for
 from .geometry import Curve, Surface
 from .model import Model
 
-_ROOM = 2048  # bytes: more than any of C's structs of measures
 _EDGES = ("u0", "u1", "v0", "v1")
 
 
@@ -33,7 +32,8 @@ def _measured(one: Surface | Curve, options: c.MeasureOptions) -> dict[str, Any]
     is_surface = isinstance(one, Surface)
     function = library.taut_measure_surface if is_surface else library.taut_measure_curve
     record = library.taut_measure_surface_record if is_surface else library.taut_measure_curve_record
-    room, error = create_string_buffer(_ROOM), c.ErrorStruct()
+    room = create_string_buffer(c.sizes["taut_surface_measure" if is_surface else "taut_curve_measure"])
+    error = c.ErrorStruct()
     status = function(one._pointer, byref(options), room, byref(error))
     if status != c.OK:
         raise_for(status, error)
@@ -58,7 +58,7 @@ def join(a: Surface, edge_a: str, b: Surface, edge_b: str) -> dict[str, Any]:
     for edge in (edge_a, edge_b):
         if edge not in _EDGES:
             raise InputError(f"the edge is {edge!r}; expected one of {', '.join(_EDGES)}", "", "name")
-    room, error = create_string_buffer(_ROOM), c.ErrorStruct()
+    room, error = create_string_buffer(c.sizes["taut_join"]), c.ErrorStruct()
     status = library.taut_join_measure(a._pointer, _EDGES.index(edge_a), b._pointer, _EDGES.index(edge_b), room, byref(error))
     if status != c.OK:
         raise_for(status, error)
