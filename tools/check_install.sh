@@ -9,9 +9,11 @@ build=$(cd "$build" && pwd)
 source=$PWD
 work=$(mktemp -d)
 cleanup() {
-    if [ -d "$work/modules" ]; then
-        mv "$work/modules" "$build/modules"
-    fi
+    for part in modules libexec; do
+        if [ -d "$work/$part" ]; then
+            mv "$work/$part" "$build/$part"
+        fi
+    done
     rm -rf "$work"
 }
 trap cleanup EXIT
@@ -74,14 +76,25 @@ then
 fi
 version=$(LD_LIBRARY_PATH=$lib cmake/build/stranger)
 
-# The installed program draws with the modules that were installed; those of the build are put out of its sight.
+# The installed program draws with the modules that were installed, and reads CAD files with the taut-cad that was; those of the
+# build are put out of its sight.
 mv "$build/modules" "$work/modules"
+if [ -d "$build/libexec" ]; then
+    mv "$build/libexec" "$work/libexec"
+fi
 found=$(pkg-config --modversion taut)
 [ "$version" = "$found" ] || { echo "check_install: the library is $version, taut.pc says $found"; exit 1; }
 case $("$prefix/bin/taut" --version) in *"$version"*) ;; *) echo "check_install: taut --version differs"; exit 1 ;; esac
 "$prefix/bin/taut" example dirichlet-tent > problem.json
 "$prefix/bin/taut" make --quiet problem.json -o picture.png
 test -s picture.png
+if [ -x "$prefix/libexec/taut/taut-cad" ]; then
+    "$prefix/bin/taut" make --quiet problem.json -o part.step -o part.igs
+    "$prefix/bin/taut" convert part.step -o part.json
+    (cd / && PATH=$prefix/bin:$PATH && taut convert "$work/part.igs" -o "$work/again.json") || fail "taut-cad is not found"
+    test -s part.json
+    test -s again.json
+fi
 
 # Each command, construction and basis has its place in the pages; bash completes commands, options and names.
 for command in $("$prefix/bin/taut" --help | sed -n 's/^  taut \([a-z]*\)  .*/\1/p'); do
@@ -123,6 +136,9 @@ END
 bash complete.bash "$prefix" > said
 printf '%s\n' measure --report dirichlet-tent '' 'conical circular' 'u0 u1' | cmp -s - said || fail "completion offers $(cat said)"
 mv "$work/modules" "$build/modules"
+if [ -d "$work/libexec" ]; then
+    mv "$work/libexec" "$build/libexec"
+fi
 
 (cd "$build" && cpack -G DEB -B "$work/deb") > log 2>&1 || { cat log; fail "no Debian package"; }
 package=$(echo "$work"/deb/taut_*.deb)
