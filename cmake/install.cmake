@@ -1,11 +1,12 @@
-# What `cmake --install` puts where: headers, the shared library, taut.pc, a CMake package, manual pages, completion for
+# What `cmake --install` puts where: headers, the shared libraries, taut.pc and taut-draw.pc, a CMake package, manual pages, completion for
 # bash, examples; and the same as a Debian package.
 include(CMakePackageConfigHelpers)
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/include/taut DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 target_include_directories(taut_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 set_target_properties(taut_shared PROPERTIES EXPORT_NAME taut)
-install(TARGETS taut_shared EXPORT taut-targets
+set_target_properties(taut_draw_shared PROPERTIES EXPORT_NAME draw)
+install(TARGETS taut_shared taut_draw_shared EXPORT taut-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_COMPONENT Development)
 install(EXPORT taut-targets NAMESPACE taut:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/taut)
 
@@ -19,19 +20,23 @@ install(FILES ${CMAKE_BINARY_DIR}/generated/taut-config.cmake ${CMAKE_BINARY_DIR
 # The prefix is found from where taut.pc lies, so that the whole can be moved.
 file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" up "${up}")
-file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/taut.pc @ONLY CONTENT
+function(taut_pkg_config name description rest)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/${name}.pc @ONLY CONTENT
 "prefix=\${pcfiledir}/${up}
 libdir=\${prefix}/${CMAKE_INSTALL_LIBDIR}
 includedir=\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
 
-Name: taut
-Description: ${PROJECT_DESCRIPTION}
+Name: ${name}
+Description: ${description}
 Version: ${PROJECT_VERSION}
-Libs: -L\${libdir} -ltaut
+${rest}Libs: -L\${libdir} -l${name}
 Libs.private: -lm
 Cflags: -I\${includedir}
 ")
-install(FILES ${CMAKE_BINARY_DIR}/generated/taut.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  install(FILES ${CMAKE_BINARY_DIR}/generated/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+taut_pkg_config(taut "${PROJECT_DESCRIPTION}" "")
+taut_pkg_config(taut-draw "Figures and pages of the surfaces of taut" "Requires: taut = ${PROJECT_VERSION}\n")
 
 # Pages and completion, made of what the program says of itself, of the headers and of the reference of the documents.
 set(made ${CMAKE_BINARY_DIR}/generated)

@@ -4,7 +4,7 @@
 file(GLOB support_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.c ${CMAKE_SOURCE_DIR}/tests/support/oracle/*.c)
 add_library(taut_test_support STATIC ${support_sources})
 target_include_directories(taut_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests/support)
-target_link_libraries(taut_test_support PUBLIC taut_static taut_embedded_files)
+target_link_libraries(taut_test_support PUBLIC taut_draw_static taut_embedded_files)
 foreach(part taut_module_exact taut_cad) # loaded or started by tests when they run
   if(TARGET ${part})
     add_dependencies(taut_test_support ${part})

@@ -43,6 +43,8 @@ fail() {
 # Programs are linked with the name that only changes when old ones would break.
 readelf -d "$lib/libtaut.so" | grep -q 'SONAME.*\[libtaut\.so\.0\]' || fail "the soname is not libtaut.so.0"
 readelf -d example | grep -q 'NEEDED.*\[libtaut\.so\.0\]' || fail "a program does not ask for libtaut.so.0"
+readelf -d "$lib/libtaut-draw.so" | grep -q 'NEEDED.*\[libtaut\.so\.0\]' || fail "libtaut-draw.so does not ask for libtaut.so.0"
+readelf -d "$lib/libtaut-draw.so" | grep -q 'SONAME.*\[libtaut-draw\.so\.0\]' || fail "the soname is not libtaut-draw.so.0"
 
 # The three programs of examples/c, each by the line in its head.
 for program in "$source"/examples/c/*.c; do
@@ -65,10 +67,10 @@ cmake_minimum_required(VERSION 3.25)
 project(stranger CXX)
 find_package(taut 0.1 REQUIRED)
 add_executable(stranger stranger.cpp)
-target_link_libraries(stranger PRIVATE taut::taut)
+target_link_libraries(stranger PRIVATE taut::draw)
 END
 printf '%s\n' '#include <taut/taut.h>' '#include <cstdio>' \
-    'int main() { std::puts(taut_version()); return taut_construct_count() > 0 ? 0 : 1; }' > cmake/stranger.cpp
+    'int main() { std::puts(taut_version()); return taut_construct_count() > 0 && taut_formats_ending(taut_draw_formats(), "a.svg", NULL) != NULL ? 0 : 1; }' > cmake/stranger.cpp
 if ! { cmake -S cmake -B cmake/build -G Ninja "-DCMAKE_PREFIX_PATH=$prefix" && cmake --build cmake/build; } > log 2>&1
 then
     cat log
@@ -112,7 +114,9 @@ done
 while read -r symbol; do
     page=$(sed -n "s/^$symbol  *\(taut_[a-z]*\)(3)\$/\1/p" "$prefix/share/man/man3/taut.3")
     grep -q "[ *]$symbol(" "$prefix/share/man/man3/$page.3" || fail "taut(3) does not lead to $symbol"
-done < "$source/tools/symbols.txt"
+done <<END
+$(cat "$source/tools/symbols.txt" "$source/tools/symbols_draw.txt")
+END
 if command -v man > /dev/null; then
     for page in "$prefix"/share/man/man?/taut*; do
         LC_ALL=C.UTF-8 man --warnings -l "$page" 2>&1 > /dev/null | grep . && fail "man does not like $page"
