@@ -76,15 +76,26 @@ install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RE
 
 # A Debian package of all of it: `cpack -G DEB` in the build folder.
 set(CPACK_PACKAGE_NAME taut)
-set(CPACK_PACKAGE_CONTACT "The authors of Taut <taut@localhost>")
+# A packager's name and address, as Debian's own tools take them; without one an address that is none (RFC 2606).
+if(DEFINED ENV{DEBEMAIL} AND DEFINED ENV{DEBFULLNAME})
+  set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+else()
+  set(CPACK_PACKAGE_CONTACT "The authors of Taut <authors@taut.invalid>")
+endif()
 set(CPACK_PACKAGE_DESCRIPTION "Builds free-form surfaces from what bounds them, and proves what it built:
 a library with headers, and the program taut.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_PACKAGE_DIRECTORY_OF_BUILD ${CMAKE_BINARY_DIR})
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/cmake/deb.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/deb_finish.cmake)
+# Programs linked with these libraries need this package; the system's list of libraries is made anew when it comes and goes.
+file(WRITE ${CMAKE_BINARY_DIR}/generated/deb/shlibs
+  "libtaut 0 taut (>= ${PROJECT_VERSION})\nlibtaut-draw 0 taut (>= ${PROJECT_VERSION})\n")
+file(WRITE ${CMAKE_BINARY_DIR}/generated/deb/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/generated/deb/shlibs ${CMAKE_BINARY_DIR}/generated/deb/triggers)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "pkg-config, cmake")
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
 include(CPack)

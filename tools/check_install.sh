@@ -148,8 +148,16 @@ fi
 package=$(echo "$work"/deb/taut_*.deb)
 dpkg-deb -x "$package" "$work/root"
 (cd "$prefix" && find . ! -type d | sort) > installed
-(cd "$work/root/usr" && find . ! -type d | sort) > packaged
+# Pages are compressed there, and there is a list of changes as Debian's packages have it.
+(cd "$work/root/usr" && find . ! -type d | sed '/man/s/\.gz$//; /doc\/taut\/changelog\.gz$/d' | sort) > packaged
 cmp -s installed packaged || fail "the package holds other files than the installation: $(diff installed packaged)"
 dpkg-deb -f "$package" Depends | grep -q libc6 || fail "the package does not say what it depends on"
+dpkg-deb -f "$package" Depends | grep -qE 'libocct|libflint' && fail "the package needs what is loaded when first wanted"
+if [ -x "$prefix/libexec/taut/taut-cad" ]; then
+    dpkg-deb -f "$package" Recommends | grep -q 'libocct-data-exchange' || fail "the package does not recommend OpenCASCADE"
+fi
+if command -v lintian > /dev/null; then
+    lintian --fail-on error "$package" > log 2>&1 || { grep '^E' log; fail "lintian finds errors in the package"; }
+fi
 "$work/root/usr/bin/taut" --version > /dev/null || fail "the packaged program does not run"
 echo "version $version, installed and used; $(basename "$package") of $(stat -c %s "$package") bytes"
