@@ -174,14 +174,14 @@ static std::vector<double> numbers(const TColStd_Array1OfReal &array)
     return out;
 }
 
-static void give_item(const taut_cad_sink &sink, const taut_cad_item &item)
+static void give_item(const occt_sink &sink, const taut_cad_item &item)
 {
     if (!sink.item(sink.context, &item)) {
         throw occt_failure(TAUT_IO, "write", "what was read could not be passed on");
     }
 }
 
-static void give_face(const TopoDS_Face &face, const char *name, const taut_cad_sink &sink)
+static void give_face(const TopoDS_Face &face, const char *name, const occt_sink &sink)
 {
     taut_cad_item item = {};
     face_box box = {};
@@ -208,7 +208,7 @@ static void give_face(const TopoDS_Face &face, const char *name, const taut_cad_
     give_item(sink, item);
 }
 
-static void give_edge(const TopoDS_Edge &edge, const char *name, const taut_cad_sink &sink)
+static void give_edge(const TopoDS_Edge &edge, const char *name, const occt_sink &sink)
 {
     double first = 0, last = 0;
     Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
@@ -243,7 +243,7 @@ static void give_edge(const TopoDS_Edge &edge, const char *name, const taut_cad_
     give_item(sink, item);
 }
 
-void occt_give(const TopoDS_Shape &shape, const occt_names &names, const taut_cad_sink &sink)
+void occt_give(const TopoDS_Shape &shape, const occt_names &names, const occt_sink &sink)
 {
     TopTools_IndexedMapOfShape faces, edges;
     if (!shape.IsNull()) {

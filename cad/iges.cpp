@@ -27,7 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <string>
 
 /* IGES's number of a unit, and the name in its files. */
@@ -202,7 +202,7 @@ static void add_named(const Handle(IGESData_IGESModel) & model,
     model->AddEntity(entity);
 }
 
-void occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *items)
+std::string occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *items)
 {
     IGESControl_Controller::Init();
     const Handle(IGESData_Protocol) protocol = IGESSelect_WorkLibrary::DefineProtocol();
@@ -225,13 +225,14 @@ void occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *it
     IGESData_IGESWriter output(model);
     output.FloatWriter().SetFormat("%.17E");
     output.SendModel(protocol);
-    std::ofstream file(job.path, std::ios::binary | std::ios::trunc);
-    if (!output.Print(file) || !file.flush()) {
-        throw occt_failure(TAUT_IO, "write", "the file cannot be written");
+    std::ostringstream text;
+    if (!output.Print(text) || !text.flush()) {
+        throw occt_failure(TAUT_INTERNAL, "library", "OpenCASCADE does not print the file");
     }
+    return text.str();
 }
 
-TopoDS_Shape occt_read_iges(const taut_cad_job &job, const taut_cad_sink &sink, occt_names &names)
+TopoDS_Shape occt_read_iges(const taut_cad_job &job, const occt_sink &sink, occt_names &names)
 {
     IGESControl_Reader reader;
     const char *unit = "mm";

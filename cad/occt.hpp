@@ -1,8 +1,8 @@
-/* occt.hpp -- what the files of this module share. */
+/* occt.hpp -- what the files around OpenCASCADE share. */
 #ifndef TAUT_CAD_OCCT_HPP
 #define TAUT_CAD_OCCT_HPP
 
-#include "io/cad/module_interface.h"
+#include "io/cad/wire.h"
 
 #include <Interface_InterfaceModel.hxx>
 #include <TopoDS_Shape.hxx>
@@ -23,13 +23,21 @@ class occt_failure : public std::runtime_error
     const char *reason;
 };
 
+/* Where a reader puts what it finds; each returns 0 to stop. */
+struct occt_sink {
+    void *context;
+    int (*unit)(void *context, const char *unit);
+    int (*item)(void *context, const taut_cad_item *item);
+};
+
 /* Closed surfaces are to be read as they are; for a reader that has been made. */
 void occt_keep_closed();
 
 /* The unit as OpenCASCADE's settings and as taut's documents call it. */
 const char *occt_unit(const char *unit);
 
-void occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *items);
+/* The text of an IGES file. */
+std::string occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *items);
 
 /* The names that entities of the file give to shapes: of a face or an edge, by the geometry it
  * hangs on. */
@@ -40,8 +48,8 @@ struct occt_names {
 };
 
 /* Reads a file: its shapes, names, and its unit told to the sink. */
-TopoDS_Shape occt_read_step(const taut_cad_job &job, const taut_cad_sink &sink, occt_names &names);
-TopoDS_Shape occt_read_iges(const taut_cad_job &job, const taut_cad_sink &sink, occt_names &names);
+TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt_names &names);
+TopoDS_Shape occt_read_iges(const taut_cad_job &job, const occt_sink &sink, occt_names &names);
 
 /* TAUT_BAD_INPUT if the library found fault with the file, or with an entity of it that is not to
  * be done without. */
@@ -49,6 +57,6 @@ void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
                        const Handle(Standard_Type) & needed);
 
 /* Every face and every edge that bounds no face, as items, in the order of the shape. */
-void occt_give(const TopoDS_Shape &shape, const occt_names &names, const taut_cad_sink &sink);
+void occt_give(const TopoDS_Shape &shape, const occt_names &names, const occt_sink &sink);
 
 #endif /* TAUT_CAD_OCCT_HPP */

@@ -47,7 +47,7 @@ static const char *unit_of(const TCollection_AsciiString &name)
     return nullptr;
 }
 
-TopoDS_Shape occt_read_step(const taut_cad_job &job, const taut_cad_sink &sink, occt_names &names)
+TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt_names &names)
 {
     STEPControl_Reader reader;
     TColStd_SequenceOfAsciiString lengths, angles, solid_angles;

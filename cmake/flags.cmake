@@ -13,7 +13,7 @@ endif()
 if(TAUT_SANITIZE)
   target_compile_options(taut_flags INTERFACE
     -fsanitize=${TAUT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  # A sanitizer finds the functions behind C++ exceptions, which the module occt throws, only where it begins.
+  # A sanitizer finds the functions behind C++ exceptions, which OpenCASCADE throws, only where it begins.
   target_link_options(taut_flags INTERFACE -fsanitize=${TAUT_SANITIZE}
     -Wl,--push-state,--no-as-needed -lstdc++ -Wl,--pop-state)
 endif()

@@ -1,11 +1,12 @@
-# What `cmake --install` puts where: headers, the shared library, taut.pc, a CMake package, manual pages, completion for
+# What `cmake --install` puts where: headers, the shared libraries, taut.pc and taut-draw.pc, a CMake package, manual pages, completion for
 # bash, examples; and the same as a Debian package.
 include(CMakePackageConfigHelpers)
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/include/taut DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 target_include_directories(taut_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 set_target_properties(taut_shared PROPERTIES EXPORT_NAME taut)
-install(TARGETS taut_shared EXPORT taut-targets
+set_target_properties(taut_draw_shared PROPERTIES EXPORT_NAME draw)
+install(TARGETS taut_shared taut_draw_shared EXPORT taut-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_COMPONENT Development)
 install(EXPORT taut-targets NAMESPACE taut:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/taut)
 
@@ -19,19 +20,23 @@ install(FILES ${CMAKE_BINARY_DIR}/generated/taut-config.cmake ${CMAKE_BINARY_DIR
 # The prefix is found from where taut.pc lies, so that the whole can be moved.
 file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" up "${up}")
-file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/taut.pc @ONLY CONTENT
+function(taut_pkg_config name description rest)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/${name}.pc @ONLY CONTENT
 "prefix=\${pcfiledir}/${up}
 libdir=\${prefix}/${CMAKE_INSTALL_LIBDIR}
 includedir=\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
 
-Name: taut
-Description: ${PROJECT_DESCRIPTION}
+Name: ${name}
+Description: ${description}
 Version: ${PROJECT_VERSION}
-Libs: -L\${libdir} -ltaut
+${rest}Libs: -L\${libdir} -l${name}
 Libs.private: -lm
 Cflags: -I\${includedir}
 ")
-install(FILES ${CMAKE_BINARY_DIR}/generated/taut.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  install(FILES ${CMAKE_BINARY_DIR}/generated/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+taut_pkg_config(taut "${PROJECT_DESCRIPTION}" "")
+taut_pkg_config(taut-draw "Figures and pages of the surfaces of taut" "Requires: taut = ${PROJECT_VERSION}\n")
 
 # Pages and completion, made of what the program says of itself, of the headers and of the reference of the documents.
 set(made ${CMAKE_BINARY_DIR}/generated)
@@ -71,15 +76,26 @@ install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RE
 
 # A Debian package of all of it: `cpack -G DEB` in the build folder.
 set(CPACK_PACKAGE_NAME taut)
-set(CPACK_PACKAGE_CONTACT "The authors of Taut <taut@localhost>")
+# A packager's name and address, as Debian's own tools take them; without one an address that is none (RFC 2606).
+if(DEFINED ENV{DEBEMAIL} AND DEFINED ENV{DEBFULLNAME})
+  set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+else()
+  set(CPACK_PACKAGE_CONTACT "The authors of Taut <authors@taut.invalid>")
+endif()
 set(CPACK_PACKAGE_DESCRIPTION "Builds free-form surfaces from what bounds them, and proves what it built:
 a library with headers, and the program taut.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_PACKAGE_DIRECTORY_OF_BUILD ${CMAKE_BINARY_DIR})
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/cmake/deb.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/deb_finish.cmake)
+# Programs linked with these libraries need this package; the system's list of libraries is made anew when it comes and goes.
+file(WRITE ${CMAKE_BINARY_DIR}/generated/deb/shlibs
+  "libtaut 0 taut (>= ${PROJECT_VERSION})\nlibtaut-draw 0 taut (>= ${PROJECT_VERSION})\n")
+file(WRITE ${CMAKE_BINARY_DIR}/generated/deb/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/generated/deb/shlibs ${CMAKE_BINARY_DIR}/generated/deb/triggers)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "pkg-config, cmake")
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
 include(CPack)

@@ -1,18 +1,18 @@
-# libtaut: every source of every layer but the program's and the modules'.
+# libtaut: every source of every layer but the program's, the modules' and those of libtaut-draw.
 add_custom_target(product) # all that is installed, without tests and benchmarks
 
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
-list(FILTER library_sources EXCLUDE REGEX "/src/(cli|modules|web)/|/platform/wasi.c")
+list(FILTER library_sources EXCLUDE REGEX "/src/(cli|draw|modules|page|web)/|/platform/wasi.c")
 
 # The page of `taut view`: our scripts and the part of three.js they need (src/page/viewer/three/bundle.sh makes it).
 file(GLOB viewer_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/page/viewer/page.* ${CMAKE_SOURCE_DIR}/src/page/viewer/script/*.js)
 taut_embed(${CMAKE_BINARY_DIR}/generated/viewer.c taut_viewer_files page/viewer_files.h taut_viewer_file
   ${viewer_files} ${CMAKE_SOURCE_DIR}/src/page/viewer/three/three.min.js)
 
-add_library(taut_objects OBJECT ${library_sources} ${CMAKE_BINARY_DIR}/generated/viewer.c)
+add_library(taut_objects OBJECT ${library_sources})
 target_link_libraries(taut_objects PUBLIC taut_flags Threads::Threads)
 
 add_library(taut_static STATIC $<TARGET_OBJECTS:taut_objects>)
@@ -23,6 +23,23 @@ add_library(taut_shared SHARED $<TARGET_OBJECTS:taut_objects>)
 set_target_properties(taut_shared PROPERTIES OUTPUT_NAME taut VERSION ${PROJECT_VERSION} SOVERSION 0)
 target_link_libraries(taut_shared PRIVATE taut_flags Threads::Threads m dl)
 add_dependencies(product taut_shared)
+
+# libtaut-draw: figures and pages. It stands on what libtaut keeps to itself, too: the shared library has that of it from the
+# archive, hidden, and all that is public from libtaut.so, which stands before the archive.
+file(GLOB_RECURSE draw_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/draw/*.c ${CMAKE_SOURCE_DIR}/src/page/*.c)
+add_library(taut_draw_objects OBJECT ${draw_sources} ${CMAKE_BINARY_DIR}/generated/viewer.c)
+target_link_libraries(taut_draw_objects PUBLIC taut_flags)
+
+add_library(taut_draw_static STATIC $<TARGET_OBJECTS:taut_draw_objects>)
+set_target_properties(taut_draw_static PROPERTIES OUTPUT_NAME taut-draw)
+target_link_libraries(taut_draw_static PUBLIC taut_static)
+
+add_library(taut_draw_shared SHARED $<TARGET_OBJECTS:taut_draw_objects>)
+set_target_properties(taut_draw_shared PROPERTIES OUTPUT_NAME taut-draw VERSION ${PROJECT_VERSION} SOVERSION 0)
+target_link_libraries(taut_draw_shared PUBLIC taut_shared PRIVATE taut_flags $<TARGET_FILE:taut_static> Threads::Threads m dl)
+target_link_options(taut_draw_shared PRIVATE -Wl,--exclude-libs,$<TARGET_FILE_NAME:taut_static>)
+add_dependencies(taut_draw_shared taut_static)
+add_dependencies(product taut_draw_shared)
 
 # Kernels for one instruction set each, chosen at run time. None may fuse a product with a sum: all give the same bytes.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

@@ -38,6 +38,9 @@ else()
   message(STATUS "Module exact is left out: libflint-dev is not installed")
 endif()
 
+# taut-cad, the program that reads STEP and IGES and writes IGES (src/io/cad/wire.h), started when first wanted.
+set(TAUT_HELPER_DIR ${CMAKE_BINARY_DIR}/libexec)
+set(TAUT_HELPER_INSTALL_DIR ${CMAKE_INSTALL_LIBEXECDIR}/taut)
 # OpenCASCADE's own CMake package breaks where libtbb-dev is absent, so its libraries are taken by name.
 find_path(OCCT_INCLUDE STEPControl_Writer.hxx PATH_SUFFIXES opencascade occt)
 set(OCCT_LIBRARIES)
@@ -48,19 +51,20 @@ foreach(toolkit TKSTEP TKSTEPAttr TKSTEP209 TKSTEPBase TKIGES TKXSBase TKShHeali
 endforeach()
 if(OCCT_INCLUDE AND NOT OCCT_LIBRARIES MATCHES "NOTFOUND")
   file(GLOB occt_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cad/*.cpp)
-  add_library(taut_module_occt MODULE ${occt_sources})
-  set_target_properties(taut_module_occt PROPERTIES
-    OUTPUT_NAME taut-occt PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${TAUT_MODULE_DIR})
-  target_include_directories(taut_module_occt SYSTEM PRIVATE ${OCCT_INCLUDE})
-  target_link_libraries(taut_module_occt PRIVATE taut_flags ${OCCT_LIBRARIES})
+  add_executable(taut_cad ${occt_sources} ${CMAKE_SOURCE_DIR}/src/io/cad/wire.c)
+  set_target_properties(taut_cad PROPERTIES OUTPUT_NAME taut-cad RUNTIME_OUTPUT_DIRECTORY ${TAUT_HELPER_DIR})
+  target_include_directories(taut_cad SYSTEM PRIVATE ${OCCT_INCLUDE})
+  target_link_libraries(taut_cad PRIVATE taut_flags ${OCCT_LIBRARIES})
   if(TAUT_SANITIZE)
-    # Checks of virtual tables and function types need a C++ runtime in the program, which is C.
+    # Checks of virtual tables and function types need what OpenCASCADE was not built with.
     set_source_files_properties(${occt_sources} PROPERTIES COMPILE_OPTIONS "-fno-sanitize=vptr,function")
   endif()
-  add_dependencies(product taut_module_occt)
-  install(TARGETS taut_module_occt LIBRARY DESTINATION ${TAUT_MODULE_INSTALL_DIR})
+  add_dependencies(product taut_cad)
+  install(TARGETS taut_cad RUNTIME DESTINATION ${TAUT_HELPER_INSTALL_DIR})
 else()
-  message(STATUS "Module occt is left out: libocct-data-exchange-dev is not installed")
+  message(STATUS "taut-cad is left out: libocct-data-exchange-dev is not installed")
 endif()
 set_source_files_properties(${CMAKE_SOURCE_DIR}/src/platform/posix.c PROPERTIES COMPILE_DEFINITIONS
-  "TAUT_MODULE_BUILD_DIR=\"${TAUT_MODULE_DIR}\";TAUT_MODULE_INSTALL_DIR=\"${CMAKE_INSTALL_PREFIX}/${TAUT_MODULE_INSTALL_DIR}\"")
+  "TAUT_MODULE_BUILD_DIR=\"${TAUT_MODULE_DIR}\";TAUT_MODULE_INSTALL_DIR=\"${CMAKE_INSTALL_PREFIX}/${TAUT_MODULE_INSTALL_DIR}\";\
+TAUT_HELPER_BUILD_DIR=\"${TAUT_HELPER_DIR}\";TAUT_HELPER_INSTALL_DIR=\"${CMAKE_INSTALL_PREFIX}/${TAUT_HELPER_INSTALL_DIR}\";\
+TAUT_LIBRARY_FOLDER=\"${CMAKE_INSTALL_LIBDIR}\";TAUT_PROGRAM_FOLDER=\"${CMAKE_INSTALL_BINDIR}\";TAUT_HELPER_FOLDER=\"${TAUT_HELPER_INSTALL_DIR}\"")

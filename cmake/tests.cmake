@@ -4,10 +4,12 @@
 file(GLOB support_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.c ${CMAKE_SOURCE_DIR}/tests/support/oracle/*.c)
 add_library(taut_test_support STATIC ${support_sources})
 target_include_directories(taut_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests/support)
-target_link_libraries(taut_test_support PUBLIC taut_static taut_embedded_files)
-if(TARGET taut_module_exact) # loaded by tests when they run
-  add_dependencies(taut_test_support taut_module_exact)
-endif()
+target_link_libraries(taut_test_support PUBLIC taut_draw_static taut_embedded_files)
+foreach(part taut_module_exact taut_cad) # loaded or started by tests when they run
+  if(TARGET ${part})
+    add_dependencies(taut_test_support ${part})
+  endif()
+endforeach()
 
 # What OpenCASCADE sees in a STEP file, where it is installed: for tests that link step-probe, and as a program.
 set(probe_libraries)
@@ -15,7 +17,7 @@ foreach(toolkit TKXDESTEP TKXCAF TKLCAF TKCAF TKCDF)
   find_library(OCCT_${toolkit} ${toolkit})
   list(APPEND probe_libraries ${OCCT_${toolkit}})
 endforeach()
-if(TARGET taut_module_occt AND NOT probe_libraries MATCHES "NOTFOUND")
+if(TARGET taut_cad AND NOT probe_libraries MATCHES "NOTFOUND")
   add_library(step-probe STATIC ${CMAKE_SOURCE_DIR}/tests/support/cad/probe.cpp)
   target_include_directories(step-probe SYSTEM PRIVATE ${OCCT_INCLUDE})
   target_link_libraries(step-probe PRIVATE taut_flags ${probe_libraries} ${OCCT_LIBRARIES})

@@ -68,7 +68,7 @@ done
 for name in $(names src/basis/basis_list.h); do
     grep -q "^| \`$name\`" docs/format.md || complain "docs/format.md has no row for the basis $name"
 done
-for name in $(names src/io/format_list.h); do
+for name in $(names src/io/format_list.h; names src/draw/format_list.h); do
     grep -q "^| .*\`\.$name\`" docs/format.md || complain "docs/format.md has no row for the format $name"
 done
 for name in $(sed -n 's/^ *X(\([a-z]*\)).*/\1/p' src/cli/command_list.h 2> /dev/null); do

@@ -9,9 +9,11 @@ build=$(cd "$build" && pwd)
 source=$PWD
 work=$(mktemp -d)
 cleanup() {
-    if [ -d "$work/modules" ]; then
-        mv "$work/modules" "$build/modules"
-    fi
+    for part in modules libexec; do
+        if [ -d "$work/$part" ]; then
+            mv "$work/$part" "$build/$part"
+        fi
+    done
     rm -rf "$work"
 }
 trap cleanup EXIT
@@ -41,6 +43,8 @@ fail() {
 # Programs are linked with the name that only changes when old ones would break.
 readelf -d "$lib/libtaut.so" | grep -q 'SONAME.*\[libtaut\.so\.0\]' || fail "the soname is not libtaut.so.0"
 readelf -d example | grep -q 'NEEDED.*\[libtaut\.so\.0\]' || fail "a program does not ask for libtaut.so.0"
+readelf -d "$lib/libtaut-draw.so" | grep -q 'NEEDED.*\[libtaut\.so\.0\]' || fail "libtaut-draw.so does not ask for libtaut.so.0"
+readelf -d "$lib/libtaut-draw.so" | grep -q 'SONAME.*\[libtaut-draw\.so\.0\]' || fail "the soname is not libtaut-draw.so.0"
 
 # The three programs of examples/c, each by the line in its head.
 for program in "$source"/examples/c/*.c; do
@@ -63,10 +67,10 @@ cmake_minimum_required(VERSION 3.25)
 project(stranger CXX)
 find_package(taut 0.1 REQUIRED)
 add_executable(stranger stranger.cpp)
-target_link_libraries(stranger PRIVATE taut::taut)
+target_link_libraries(stranger PRIVATE taut::draw)
 END
 printf '%s\n' '#include <taut/taut.h>' '#include <cstdio>' \
-    'int main() { std::puts(taut_version()); return taut_construct_count() > 0 ? 0 : 1; }' > cmake/stranger.cpp
+    'int main() { std::puts(taut_version()); return taut_construct_count() > 0 && taut_formats_ending(taut_draw_formats(), "a.svg", NULL) != NULL ? 0 : 1; }' > cmake/stranger.cpp
 if ! { cmake -S cmake -B cmake/build -G Ninja "-DCMAKE_PREFIX_PATH=$prefix" && cmake --build cmake/build; } > log 2>&1
 then
     cat log
@@ -74,14 +78,25 @@ then
 fi
 version=$(LD_LIBRARY_PATH=$lib cmake/build/stranger)
 
-# The installed program draws with the modules that were installed; those of the build are put out of its sight.
+# The installed program draws with the modules that were installed, and reads CAD files with the taut-cad that was; those of the
+# build are put out of its sight.
 mv "$build/modules" "$work/modules"
+if [ -d "$build/libexec" ]; then
+    mv "$build/libexec" "$work/libexec"
+fi
 found=$(pkg-config --modversion taut)
 [ "$version" = "$found" ] || { echo "check_install: the library is $version, taut.pc says $found"; exit 1; }
 case $("$prefix/bin/taut" --version) in *"$version"*) ;; *) echo "check_install: taut --version differs"; exit 1 ;; esac
 "$prefix/bin/taut" example dirichlet-tent > problem.json
 "$prefix/bin/taut" make --quiet problem.json -o picture.png
 test -s picture.png
+if [ -x "$prefix/libexec/taut/taut-cad" ]; then
+    "$prefix/bin/taut" make --quiet problem.json -o part.step -o part.igs
+    "$prefix/bin/taut" convert part.step -o part.json
+    (cd / && PATH=$prefix/bin:$PATH && taut convert "$work/part.igs" -o "$work/again.json") || fail "taut-cad is not found"
+    test -s part.json
+    test -s again.json
+fi
 
 # Each command, construction and basis has its place in the pages; bash completes commands, options and names.
 for command in $("$prefix/bin/taut" --help | sed -n 's/^  taut \([a-z]*\)  .*/\1/p'); do
@@ -99,7 +114,9 @@ done
 while read -r symbol; do
     page=$(sed -n "s/^$symbol  *\(taut_[a-z]*\)(3)\$/\1/p" "$prefix/share/man/man3/taut.3")
     grep -q "[ *]$symbol(" "$prefix/share/man/man3/$page.3" || fail "taut(3) does not lead to $symbol"
-done < "$source/tools/symbols.txt"
+done <<END
+$(cat "$source/tools/symbols.txt" "$source/tools/symbols_draw.txt")
+END
 if command -v man > /dev/null; then
     for page in "$prefix"/share/man/man?/taut*; do
         LC_ALL=C.UTF-8 man --warnings -l "$page" 2>&1 > /dev/null | grep . && fail "man does not like $page"
@@ -123,13 +140,24 @@ END
 bash complete.bash "$prefix" > said
 printf '%s\n' measure --report dirichlet-tent '' 'conical circular' 'u0 u1' | cmp -s - said || fail "completion offers $(cat said)"
 mv "$work/modules" "$build/modules"
+if [ -d "$work/libexec" ]; then
+    mv "$work/libexec" "$build/libexec"
+fi
 
 (cd "$build" && cpack -G DEB -B "$work/deb") > log 2>&1 || { cat log; fail "no Debian package"; }
 package=$(echo "$work"/deb/taut_*.deb)
 dpkg-deb -x "$package" "$work/root"
 (cd "$prefix" && find . ! -type d | sort) > installed
-(cd "$work/root/usr" && find . ! -type d | sort) > packaged
+# Pages are compressed there, and there is a list of changes as Debian's packages have it.
+(cd "$work/root/usr" && find . ! -type d | sed '/man/s/\.gz$//; /doc\/taut\/changelog\.gz$/d' | sort) > packaged
 cmp -s installed packaged || fail "the package holds other files than the installation: $(diff installed packaged)"
 dpkg-deb -f "$package" Depends | grep -q libc6 || fail "the package does not say what it depends on"
+dpkg-deb -f "$package" Depends | grep -qE 'libocct|libflint' && fail "the package needs what is loaded when first wanted"
+if [ -x "$prefix/libexec/taut/taut-cad" ]; then
+    dpkg-deb -f "$package" Recommends | grep -q 'libocct-data-exchange' || fail "the package does not recommend OpenCASCADE"
+fi
+if command -v lintian > /dev/null; then
+    lintian --fail-on error "$package" > log 2>&1 || { grep '^E' log; fail "lintian finds errors in the package"; }
+fi
 "$work/root/usr/bin/taut" --version > /dev/null || fail "the packaged program does not run"
 echo "version $version, installed and used; $(basename "$package") of $(stat -c %s "$package") bytes"

@@ -27,13 +27,13 @@ web:       core io
 modules/*: core draw
 modules/exact: core <flint/fmpq.h>
 modules/cairo: core draw <cairo.h> <cairo-svg.h> <cairo-pdf.h>
-cad:       io/cad/module_interface.h <*.hxx>
+cad:       io/cad/wire.h <*.hxx>
 include/taut:
 '
 
 # Standard C, POSIX, and what the compilers bring.
-standard='assert complex ctype dirent dlfcn errno fcntl fenv float immintrin inttypes limits locale math pthread setjmp
-signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string strings sys/mman sys/random
+standard='assert complex ctype dirent dlfcn errno fcntl fenv float immintrin inttypes limits locale math poll pthread
+setjmp signal spawn stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string strings sys/mman sys/random
 sys/resource sys/stat sys/time sys/types sys/wait termios threads time unistd'
 
 list=$(find src cad include/taut -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' 2>/dev/null | sort)

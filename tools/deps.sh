@@ -44,6 +44,7 @@ check clang:fsanitize=fuzzer,address libclang-rt-14-dev     what sanitizers and 
 check cmd:llvm-symbolizer-14         llvm-14                names in the sanitizers' reports
 check cmd:nm                         binutils               lists the library's symbols
 check cmd:dpkg-shlibdeps             dpkg-dev               what the Debian package depends on
+check cmd:lintian                     lintian                the Debian package
 check cmd:gmsh                       gmsh                   reads STEP and IGES back
 check cmd:node                       nodejs                 runs the Khronos validator of glTF
 check cmd:npm                        npm                    fetches it

@@ -42,11 +42,12 @@ awk -F '\t' -v version="$1" -v wanted="${3:-}" '
     function capital(s) {
         return toupper(substr(s, 1, 1)) substr(s, 2)
     }
-    function head(title, name, purpose, include) {
+    function head(title, name, purpose, include,    package) {
+        package = include == "taut/draw.h" ? "taut\\-draw" : "taut"
         sub(/\.$/, "", purpose)
         printf ".TH %s 3 \"\" \"taut %s\" \"C library\"\n.SH NAME\n%s \\- %s\n", toupper(title), version, name, purpose
         printf ".SH SYNOPSIS\n.B #include <%s>\n.PP\n", include
-        print ".B cc program.c $(pkg\\-config \\-\\-cflags \\-\\-libs taut)\n.SH DESCRIPTION"
+        print ".B cc program.c $(pkg\\-config \\-\\-cflags \\-\\-libs " package ")\n.SH DESCRIPTION"
     }
     function body() { # what a comment says, and what it is about
         if ($1 == "para") {

@@ -156,8 +156,8 @@ fi
 sort -u "$work/pages" | while read -r page; do
     [ -e "$page" ] || echo "the headers lead to $page, which is not there"
 done > "$work/lost"
-[ ! -e tools/symbols.txt ] || while read -r symbol; do
+cat tools/symbols*.txt 2> /dev/null | while read -r symbol; do
     grep -q "^| \[\`$symbol\`\]" "$work/reference/README.md" || echo "the headers know no $symbol"
-done < tools/symbols.txt >> "$work/lost"
+done >> "$work/lost"
 cat "$work/lost"
 [ ! -s "$work/lost" ]

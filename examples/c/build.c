@@ -1,6 +1,6 @@
 /* build.c -- from a problem's document to files: what `taut make` does, in a program of yours.
  *
- *     cc build.c $(pkg-config --cflags --libs taut) -o build
+ *     cc build.c $(pkg-config --cflags --libs taut-draw) -o build
  *     taut example harmonic-rows > rows.json
  *     ./build rows.json rows.obj rows.svg
  */
@@ -39,6 +39,7 @@ static taut_status build(const char *path, taut_model **model, taut_error *error
 
 int main(int argc, char **argv)
 {
+    const taut_write_options options = {.formats = taut_draw_formats()}; /* figures too */
     taut_model *model = NULL;
     taut_outputs *outputs = NULL;
     taut_error error = {.status = TAUT_OK};
@@ -53,7 +54,7 @@ int main(int argc, char **argv)
         status = taut_outputs_new(&outputs);
     }
     for (int i = 2; i < argc && status == TAUT_OK; i++) {
-        status = taut_outputs_model(outputs, model, argv[i], NULL, &error);
+        status = taut_outputs_model(outputs, model, argv[i], &options, &error);
     }
     if (status == TAUT_OK) {
         status = taut_outputs_commit(outputs, &error); /* all of them appear, or none */

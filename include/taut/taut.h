@@ -36,6 +36,9 @@
 #include "taut/read.h"
 #include "taut/write.h"
 
+/* Figures and pages, of the library libtaut-draw */
+#include "taut/draw.h"
+
 /* For every call */
 #include "taut/abi.h"
 #include "taut/export.h"

@@ -1,4 +1,4 @@
-/* taut/write.h -- models, figures and records out.
+/* taut/write.h -- models and records out; figures and pages with what taut/draw.h adds.
  *
  * A file's ending says its format. An output appears whole or not at all: it is written beside its
  * place and renamed when all has gone well (a device or pipe is written directly).
@@ -41,7 +41,9 @@ extern "C" {
       "export it again")                                                                           \
     X("library", "OpenCASCADE failed over a file or a model", "try the other of STEP and IGES")    \
     X("process", "OpenCASCADE cannot be started in a process of its own",                          \
-      "let the process have more files and children")
+      "let the process have more files and children")                                              \
+    X("helper", "the program taut-cad is another version's, or none at all",                       \
+      "install taut anew, or mend what $TAUT_CAD names")
 
 /* Colour of the surfaces in figures: none, H, K, or how far the parametrisation is from isothermal,
  * sqrt((E-G)^2 + 4 F^2) / (E+G) in [0, 1], 0 where it is; or of a film where its area is how far above
@@ -54,14 +56,18 @@ typedef enum taut_colour {
     TAUT_COLOUR_GAP
 } taut_colour;
 
+/* Formats beyond the library's own, which another library brings: taut_draw_formats() of taut/draw.h. */
+typedef struct taut_formats taut_formats;
+
 /* Zero means default everywhere. */
 typedef struct taut_write_options {
     double tolerance; /* 0: the format's own (1e-3 of the size for meshes) */
     int divide;  /* meshes and figures: cells per knot span in each direction; 0: by tolerance */
     int threads; /* 0: 1 */
-    const char *format;  /* an ending, where the path does not say it; NULL: by the path */
-    const char *surface; /* only the surface of this name; NULL: all */
-    int short_knots;     /* json: nonzero leaves out the outermost two knots, as openNURBS does */
+    const char *format;          /* an ending, where the path does not say it; NULL: by the path */
+    const taut_formats *formats; /* more formats to write in, such as figures; NULL: none */
+    const char *surface;         /* only the surface of this name; NULL: all */
+    int short_knots; /* json: nonzero leaves out the outermost two knots, as openNURBS does */
     /* figures */
     taut_colour colour;
     int no_net;   /* nonzero: leave the control net out */
@@ -81,13 +87,17 @@ typedef struct taut_write_options {
     double *bound;
 } taut_write_options;
 
-/* The formats, i = 0 .. count-1: its ending without the dot, and one line on what it holds. */
+/* The library's own formats, i = 0 .. count-1: its ending without the dot, and one line on what it holds. */
 TAUT_API int taut_format_count(void);
 TAUT_API const char *taut_format_ending(int i);
 TAUT_API const char *taut_format_text(int i);
-/* The format of a path by its ending ("-" is json); -1 if none, then *error names those there are.
+/* Which of them is that of a path by its ending ("-" is json); -1 if none, then *error names those there are.
  */
 TAUT_API int taut_format_of(const char *path, taut_error *error);
+/* The ending of the format of a path, without the dot, among the library's own and `more` (or NULL): "json" of "-"; NULL if
+ * none, then *error names those there are. */
+TAUT_API const char *taut_formats_ending(const taut_formats *more, const char *path,
+                                         taut_error *error);
 
 /* Several outputs that appear together or not at all. */
 typedef struct taut_outputs taut_outputs;

@@ -48,7 +48,7 @@ static char *numbered(const char *path, int i, int count)
     if (percent != NULL) {
         snprintf(made, room, "%.*s%0*d%s", (int)(percent - path), path, digits, i, percent + 1);
     } else { /* the ending, which may have a dot of its own, says the format */
-        const char *ending = taut_format_ending(taut_format_of(path, NULL));
+        const char *ending = taut_formats_ending(taut_draw_formats(), path, NULL);
         const int stem = (int)(strlen(path) - strlen(ending)) - 1;
         snprintf(made, room, "%.*s-%0*d%s", stem, path, digits, i, path + stem);
     }

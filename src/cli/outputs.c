@@ -60,6 +60,7 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
                    {"gap", TAUT_COLOUR_GAP}};
 
     *chosen = (taut_write_options){.tolerance = options->tolerance,
+                                   .formats = taut_draw_formats(),
                                    .divide = options->divide,
                                    .threads = options->threads,
                                    .surface = options->surface,
@@ -96,7 +97,7 @@ int cli_check_outputs(const cli_options *options)
 {
     for (int i = 0; i < options->output_count; i++) {
         taut_error error;
-        if (taut_format_of(options->outputs[i], &error) < 0) {
+        if (taut_formats_ending(taut_draw_formats(), options->outputs[i], &error) == NULL) {
             return cli_misuse(error.reason, "-o %s: %s", options->outputs[i], error.message);
         }
         for (int j = 0; j < i; j++) {
@@ -121,8 +122,8 @@ const char *cli_distance(double bound, const taut_model *model, char room[CLI_DI
 int cli_is_json(const char *path)
 {
     taut_error error;
-    const int format = taut_format_of(path, &error);
-    return format >= 0 && strcmp(taut_format_ending(format), "json") == 0;
+    const char *ending = taut_formats_ending(taut_draw_formats(), path, &error);
+    return ending != NULL && strcmp(ending, "json") == 0;
 }
 
 int cli_write_model(const taut_model *model, const cli_options *options)

@@ -7,6 +7,7 @@
 #include "platform/system.h"
 #include "taut/limits.h"
 #include "taut/read.h"
+#include "taut/version.h"
 
 #include <errno.h>
 #include <math.h>
@@ -14,17 +15,11 @@
 #include <string.h>
 #include <strings.h>
 
-typedef struct format_row {
-    const taut_format_ops *ops;
-    const char *ending, *text;
-} format_row;
-
-static const format_row rows[] = {
-#define TAUT_FORMAT_ROW(identifier, ending, text) {&taut_format_##identifier, ending, text},
-    TAUT_FORMAT_LIST(TAUT_FORMAT_ROW)
-#undef TAUT_FORMAT_ROW
-};
+static const taut_format_row rows[] = {TAUT_FORMAT_LIST(TAUT_FORMAT_ROW)};
 enum { FORMAT_COUNT = (int)(sizeof rows / sizeof rows[0]) };
+
+static const taut_formats own = {TAUT_VERSION, FORMAT_COUNT, rows};
+static const taut_formats none = {TAUT_VERSION, 0, NULL};
 
 int taut_format_count(void)
 {
@@ -46,64 +41,104 @@ const taut_format_ops *taut_format_ops_at(int i)
     return i >= 0 && i < FORMAT_COUNT ? rows[i].ops : NULL;
 }
 
-/* The format of a name's ending; of "geomdl.json" and "json" the longer one. */
-static int find_ending(const char *name)
+/* Of "geomdl.json" and "json" the longer one, in *found where it is longer than what is there. */
+static void find_ending(const taut_formats *formats, const char *name,
+                        const taut_format_row **found)
 {
     const size_t length = strlen(name);
-    size_t longest = 0;
-    int found = -1;
-    for (int i = 0; i < FORMAT_COUNT; i++) {
-        const size_t ending = strlen(rows[i].ending);
+    for (int i = 0; i < formats->count; i++) {
+        const taut_format_row *row = &formats->rows[i];
+        const size_t ending = strlen(row->ending);
+        const size_t longest = *found != NULL ? strlen((*found)->ending) : 0;
         if (ending > longest && length > ending && name[length - ending - 1] == '.' &&
-            strcasecmp(rows[i].ending, name + length - ending) == 0) {
-            longest = ending;
-            found = i;
+            strcasecmp(row->ending, name + length - ending) == 0) {
+            *found = row;
         }
     }
+}
+
+static const taut_format_row *find_json(void)
+{
+    const taut_format_row *found = NULL;
+    find_ending(&own, ".json", &found);
     return found;
 }
 
-/* "json, obj, pdf" */
-static void list_endings(char *list, size_t size)
+/* "json, obj, pdf": two sorted lists as one. */
+static void list_endings(const taut_formats *more, char *list, size_t size)
 {
     size_t n = 0;
+    int i = 0, j = 0;
     list[0] = '\0';
-    for (int i = 0; i < FORMAT_COUNT && n < size; i++) {
-        n += (size_t)snprintf(list + n, size - n, "%s.%s", i > 0 ? ", " : "", rows[i].ending);
+    while ((i < own.count || j < more->count) && n < size) {
+        const int is_own = j == more->count ||
+                           (i < own.count && strcmp(own.rows[i].ending, more->rows[j].ending) < 0);
+        const char *ending = is_own ? own.rows[i].ending : more->rows[j].ending;
+        n += (size_t)snprintf(list + n, size - n, "%s.%s", i + j > 0 ? ", " : "", ending);
+        i += is_own;
+        j += !is_own;
     }
 }
 
-int taut_format_of(const char *path, taut_error *error)
+/* Formats of another version say of themselves what this one does not understand. */
+static taut_status check_version(const taut_formats *more, taut_error *error)
 {
-    const char *slash = NULL;
-    char list[200];
-    int i = 0;
+    if (strcmp(more->version, TAUT_VERSION) == 0) {
+        return TAUT_OK;
+    }
+    return taut_fail(error, TAUT_BAD_ARGUMENT, "format", NULL, taut_none, taut_none,
+                     "formats of taut %.40s are handed to taut %s, expected the same version",
+                     more->version, TAUT_VERSION);
+}
 
+const taut_format_row *taut_format_find(const taut_formats *more, const char *path,
+                                        taut_error *error)
+{
+    const taut_format_row *found = NULL;
+    char list[200];
+
+    more = more != NULL ? more : &none;
     if (path == NULL) {
         taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                   "a format needs a path");
-        return -1;
+        return NULL;
     }
-    slash = strrchr(path, '/');
-    i = find_ending(slash != NULL ? slash + 1 : path);
-    if (i >= 0) {
-        return i;
+    if (check_version(more, error) != TAUT_OK) {
+        return NULL;
+    }
+    const char *slash = strrchr(path, '/');
+    find_ending(&own, slash != NULL ? slash + 1 : path, &found);
+    find_ending(more, slash != NULL ? slash + 1 : path, &found);
+    if (found != NULL) {
+        return found;
     }
     if (strcmp(path, "-") == 0) {
-        return find_ending(".json");
+        return find_json();
     }
     const taut_place place = taut_system_place_of(path);
     if (place == TAUT_PLACE_FOLDER) {
         taut_fail_file(error, path, "write", EISDIR);
-        return -1;
+        return NULL;
     }
     if (strncmp(path, "/dev/", 5) == 0 || place == TAUT_PLACE_OTHER) {
-        return find_ending(".json"); /* a device or a pipe: as standard output */
+        return find_json(); /* a device or a pipe: as standard output */
     }
-    list_endings(list, sizeof list);
+    list_endings(more, list, sizeof list);
     taut_fail(error, TAUT_BAD_ARGUMENT, "format", NULL, taut_none, taut_none,
               "the ending of %.100s is not one of %s", path, list);
-    return -1;
+    return NULL;
+}
+
+int taut_format_of(const char *path, taut_error *error)
+{
+    const taut_format_row *found = taut_format_find(NULL, path, error);
+    return found != NULL ? (int)(found - rows) : -1;
+}
+
+const char *taut_formats_ending(const taut_formats *more, const char *path, taut_error *error)
+{
+    const taut_format_row *found = taut_format_find(more, path, error);
+    return found != NULL ? found->ending : NULL;
 }
 
 int taut_format_wants(const taut_model *model, const taut_write_options *options, int i)

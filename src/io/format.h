@@ -28,10 +28,26 @@ typedef struct taut_format_ops {
 #define TAUT_FORMAT_DECLARE(identifier, ending, text)                                              \
     extern const taut_format_ops taut_format_##identifier;
 TAUT_FORMAT_LIST(TAUT_FORMAT_DECLARE)
-#undef TAUT_FORMAT_DECLARE
+
+/* A line of a list of formats. */
+typedef struct taut_format_row {
+    const taut_format_ops *ops;
+    const char *ending, *text;
+} taut_format_row;
+#define TAUT_FORMAT_ROW(identifier, ending, text) {&taut_format_##identifier, ending, text},
+
+/* A list of another library. What the rows are is known to the library of the same version alone. */
+struct taut_formats {
+    const char *version; /* TAUT_VERSION; stays first */
+    int count;
+    const taut_format_row *rows; /* sorted by ending */
+};
 
 /* The ops of format i, or NULL. */
 const taut_format_ops *taut_format_ops_at(int i);
+/* The format of a path among the library's own and `more` (or NULL), as taut_formats_ending has it. */
+const taut_format_row *taut_format_find(const taut_formats *more, const char *path,
+                                        taut_error *error);
 
 /* Nonzero when options ask for surface i of the model. */
 int taut_format_wants(const taut_model *model, const taut_write_options *options, int i);

@@ -1,4 +1,5 @@
-/* format_list.h -- every format taut writes, sorted by ending. One line adds one: some file exports
+/* format_list.h -- every format libtaut writes, sorted by ending; figures and pages have a list of their
+ * own (draw/format_list.h). One line adds one: some file exports
  * `const taut_format_ops taut_format_<identifier>`. A format with two endings has two lines. */
 #ifndef TAUT_IO_FORMAT_LIST_H
 #define TAUT_IO_FORMAT_LIST_H
@@ -7,18 +8,14 @@
 #define TAUT_FORMAT_LIST(X)                                                                        \
     X(geomdl, "geomdl.json", "NURBS-Python's exchange JSON, within --tolerance (1e-6)")            \
     X(glb, "glb", "mesh: triangles with normals for renderers, glTF 2.0 in metres; --colour")      \
-    X(html, "html", "a page to turn the model in: one file, no network, with the certificate")     \
     X(iges, "iges", "CAD: NURBS within --tolerance (1e-6) of the model, mostly exact")             \
     X(iges, "igs", "the same as iges")                                                             \
     X(json, "json", "the model itself, exact: bases, points, details and certificate")             \
     X(obj, "obj", "mesh: quads with normals and parameters, one group per surface")                \
-    X(pdf, "pdf", "figure: shaded surfaces on a page")                                             \
     X(ply, "ply", "mesh: triangles with normals and parameters, binary, double precision")         \
-    X(png, "png", "figure: shaded surfaces as an image")                                           \
     X(step, "step", "CAD: NURBS within --tolerance (1e-6), sewn, solid where they close")          \
     X(stl, "stl", "mesh: triangles, binary, turned outwards where the surfaces close")             \
     X(step, "stp", "the same as step")                                                             \
-    X(svg, "svg", "figure: shaded surfaces as vectors")                                            \
     X(vtu, "vtu", "VTK: exact Bezier cells or quads, with H, K, E - G, F and the control nets")
 
 #endif /* TAUT_IO_FORMAT_LIST_H */

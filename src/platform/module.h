@@ -15,4 +15,7 @@
 taut_status taut_module_load(const char *name, const char *package, const void **table,
                              taut_error *error);
 
+/* TAUT_IO with that advice, for a part that is a program. */
+taut_status taut_module_missing(const char *name, const char *package, taut_error *error);
+
 #endif /* TAUT_PLATFORM_MODULE_H */

@@ -1,4 +1,4 @@
-#define _GNU_SOURCE /* O_TMPFILE, dladdr */
+#define _GNU_SOURCE /* O_TMPFILE, dladdr, secure_getenv */
 /* posix.c -- taut on POSIX systems; files without a name, and modules, as Linux has them.
  *
  * A new file has no name until it is whole, where the system allows that, and else one that nobody
@@ -82,22 +82,29 @@ void taut_system_threads(int count, void (*run)(void *context, int part), void *
     }
 }
 
-/* The folder of the object this code is in, "" if unknown. */
-static void own_folder(char *folder, size_t size)
+/* The path of the object this code is in, "" if unknown. A program that was found by PATH is known there by a bare name
+ * only. */
+static void own_path(char *path, size_t size)
 {
     static const char here;
     Dl_info info;
-    folder[0] = '\0';
-    if (dladdr(&here, &info) != 0 && info.dli_fname != NULL) {
-        char *slash = NULL;
-        snprintf(folder, size, "%s", info.dli_fname);
-        slash = strrchr(folder, '/');
-        if (slash != NULL) {
-            *slash = '\0';
-        } else {
-            folder[0] = '\0';
-        }
+    path[0] = '\0';
+    if (dladdr(&here, &info) == 0 || info.dli_fname == NULL) {
+        return;
     }
+    snprintf(path, size, "%s", info.dli_fname);
+    if (strchr(path, '/') == NULL) {
+        const ssize_t length = readlink("/proc/self/exe", path, size - 1);
+        path[length > 0 ? length : 0] = '\0';
+    }
+}
+
+/* The folder of that object, "" if unknown. */
+static void own_folder(char *folder, size_t size)
+{
+    own_path(folder, size);
+    char *slash = strrchr(folder, '/');
+    folder[slash != NULL ? slash - folder : 0] = '\0';
 }
 
 const void *taut_system_module(const char *name)
@@ -118,6 +125,69 @@ const void *taut_system_module(const char *name)
         handle = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     }
     return handle != NULL ? dlsym(handle, "taut_module_table") : NULL;
+}
+
+/* ---- a helper ---- */
+
+static int is_program(const char *path)
+{
+    return taut_system_place_of(path) == TAUT_PLACE_FILE && access(path, X_OK) == 0;
+}
+
+/* Ends `folder` with `tail`, the folder of an installation, and in *prefix where that begins? */
+static int find_prefix(const char *folder, const char *tail, size_t *prefix)
+{
+    const size_t length = strlen(folder), end = strlen(tail);
+    if (length <= end + 1 || folder[length - end - 1] != '/' ||
+        strcmp(folder + length - end, tail) != 0) {
+        return 0;
+    }
+    *prefix = length - end - 1;
+    return 1;
+}
+
+/* Beside the library, or where an installation puts it that was moved as a whole. */
+static int find_near(const char *folder, const char *name, char path[TAUT_PATH_ROOM])
+{
+    static const char *const tails[] = {TAUT_LIBRARY_FOLDER, TAUT_PROGRAM_FOLDER};
+    size_t prefix = 0;
+    snprintf(path, TAUT_PATH_ROOM, "%s/%s", folder, name);
+    if (is_program(path)) {
+        return 1;
+    }
+    for (size_t i = 0; i < sizeof tails / sizeof tails[0]; i++) {
+        if (find_prefix(folder, tails[i], &prefix)) {
+            snprintf(path, TAUT_PATH_ROOM, "%.*s/" TAUT_HELPER_FOLDER "/%s", (int)prefix, folder,
+                     name);
+            if (is_program(path)) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+int taut_system_helper(const char *name, const char *variable, char path[TAUT_PATH_ROOM])
+{
+    static const char *const others[] = {TAUT_HELPER_INSTALL_DIR, TAUT_HELPER_BUILD_DIR};
+    const char *said = secure_getenv(variable);
+    char folder[1024];
+
+    if (said != NULL && said[0] != '\0') {
+        snprintf(path, TAUT_PATH_ROOM, "%s", said);
+        return 1;
+    }
+    own_folder(folder, sizeof folder);
+    if (folder[0] != '\0' && find_near(folder, name, path)) {
+        return 1;
+    }
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        snprintf(path, TAUT_PATH_ROOM, "%s/%s", others[i], name);
+        if (is_program(path)) {
+            return 1;
+        }
+    }
+    return 0;
 }
 
 /* ---- reading ---- */

@@ -31,6 +31,39 @@ void taut_system_threads(int count, void (*run)(void *context, int part), void *
  * NULL where there is none. */
 const void *taut_system_module(const char *name);
 
+/* ---- a helper: a program of ours in a process of its own ---- */
+
+/* Where the helper `name` is: what `variable` of the environment says, where it says anything (and this process has no more
+ * rights than its user); else beside the library, in libexec/taut of where the library is installed or was to be,
+ * where it was built. It is never looked for in PATH. 0: nowhere. */
+int taut_system_helper(const char *name, const char *variable, char path[TAUT_PATH_ROOM]);
+
+/* A new file without a name, to be filled with what the helper is asked; NULL: *reason. fclose it. */
+FILE *taut_system_helper_request(int *reason);
+
+typedef struct taut_helper {
+    long long process, answer; /* as the system numbers them */
+    double deadline;           /* on a clock of the system's own */
+} taut_helper;
+
+/* Starts `program`, without arguments: its standard input is `request` from its begin, which has been flushed and
+ * may be closed then; its standard error is dropped; it has no other file of this process, no signal blocked and none
+ * ignored. `seconds` from now its time is up. */
+int taut_system_helper_start(taut_helper *helper, const char *program, FILE *request,
+                             double seconds);
+/* Reads at most `room` bytes of its standard output: *count, 0 at the end. ETIMEDOUT. */
+int taut_system_helper_read(const taut_helper *helper, void *to, size_t room, size_t *count);
+
+typedef enum taut_helper_fate {
+    TAUT_HELPER_LEFT,        /* of its own accord: *number is what it returned */
+    TAUT_HELPER_BROKE,       /* *number is the signal */
+    TAUT_HELPER_OUT_OF_TIME, /* stopped by the limits that it has set itself, or by force */
+    TAUT_HELPER_INTERRUPTED, /* by the person at the keyboard */
+    TAUT_HELPER_UNKNOWN      /* the rest of this process has seen to it that nobody knows */
+} taut_helper_fate;
+/* Stops it where it has not ended, and leaves nothing of it. Once for each that was started. */
+taut_helper_fate taut_system_helper_end(const taut_helper *helper, int *number);
+
 /* ---- reading ---- */
 
 typedef struct taut_source {

@@ -44,6 +44,48 @@ const void *taut_system_module(const char *name)
     return NULL;
 }
 
+/* ---- a helper: there are no processes ---- */
+
+int taut_system_helper(const char *name, const char *variable, char path[TAUT_PATH_ROOM])
+{
+    (void)name;
+    (void)variable;
+    (void)path;
+    return 0;
+}
+
+FILE *taut_system_helper_request(int *reason)
+{
+    *reason = ENOSYS;
+    return NULL;
+}
+
+int taut_system_helper_start(taut_helper *helper, const char *program, FILE *request,
+                             double seconds)
+{
+    (void)helper;
+    (void)program;
+    (void)request;
+    (void)seconds;
+    return ENOSYS;
+}
+
+int taut_system_helper_read(const taut_helper *helper, void *to, size_t room, size_t *count)
+{
+    (void)helper;
+    (void)to;
+    (void)room;
+    *count = 0;
+    return ENOSYS;
+}
+
+taut_helper_fate taut_system_helper_end(const taut_helper *helper, int *number)
+{
+    (void)helper;
+    *number = 0;
+    return TAUT_HELPER_UNKNOWN;
+}
+
 /* ---- reading ---- */
 
 int taut_system_open(const char *path, taut_source *source)

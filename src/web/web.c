@@ -210,11 +210,12 @@ const float *taut_web_grid(taut_web *web, int s, int nu, int nv)
 /* The model in the format of an ending, ended by a 0; borrowed until the next call. */
 const char *taut_web_write(taut_web *web, const char *format)
 {
+    const taut_write_options options = {.formats = taut_draw_formats()};
     char *text = NULL;
     size_t length = 0;
 
     if (web->model == NULL ||
-        taut_model_write_text(web->model, format, NULL, &text, &length, &last) != TAUT_OK) {
+        taut_model_write_text(web->model, format, &options, &text, &length, &last) != TAUT_OK) {
         return NULL;
     }
     taut_text_free(web->text);

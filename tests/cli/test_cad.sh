@@ -33,4 +33,26 @@ for file in model.step model.igs; do
     run 3 convert cut.${file#model.} -o never.json
     absent never.json
 done
+# What is started as taut-cad is told when it is none, and nothing is written; so where its libraries find no memory.
+helper=$(dirname "$TAUT")/../libexec/taut-cad
+if [ -e "$helper" ]; then
+    printf '#!/bin/sh\nulimit -v 40000\nexec %s\n' "$helper" > poor
+    printf '#!/bin/sh\nkill -9 $$\n' > killed
+    chmod +x poor killed
+    for program in "$PWD/poor" /bin/cat /bin/false "$TAUT" "$PWD/model.json" nowhere; do
+        export TAUT_CAD="$program"
+        refused 5 'helper|not-installed' convert model.igs -o never.json
+        refused 5 'helper|not-installed' convert model.json -o never.igs
+        contains err.txt "$program"
+        absent never.json never.igs
+    done
+    TAUT_CAD=$PWD/killed
+    refused 3 'library' convert model.igs -o never.json
+    refused 6 'library' convert model.json -o never.igs
+    absent never.json never.igs
+    TAUT_CAD=
+    run 0 convert model.igs -o back.json # nothing said
+    "$helper" --version | grep -q '^taut-cad, protocol 1, OpenCASCADE [0-9]' || complain "$helper says no version"
+    "$helper" model.igs > /dev/null 2>&1 && complain "$helper takes an argument"
+fi
 finish

@@ -6,7 +6,7 @@ export SOURCE_DATE_EPOCH
 # The formats that can be written here: some need a library that may be missing.
 "$TAUT" example dirichlet-tent > tent.json
 endings=
-for ending in $(sed -n 's/.*X([a-z_0-9]*, "\([a-z.]*\)".*/\1/p' "$SOURCE/src/io/format_list.h"); do
+for ending in $(sed -n 's/.*X([a-z_0-9]*, "\([a-z.]*\)".*/\1/p' "$SOURCE/src/io/format_list.h" "$SOURCE/src/draw/format_list.h"); do
     "$TAUT" make tent.json --quiet -o "probe.$ending" 2> probe.txt && endings="$endings $ending"
 done
 case $endings in *json*svg*) ;; *) complain "only these formats can be written: $endings" ;; esac

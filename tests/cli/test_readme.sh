@@ -41,7 +41,7 @@ for list in src/basis/basis_list.h src/problem/construct_list.h; do
         grep -q "\`$name\`" "$SOURCE/README.md" || fail "$name of $list is not in the README"
     done
 done
-for name in $(sed -n 's/.*X([a-z_0-9]*, "\([a-z]*\)".*/\1/p' "$SOURCE/src/io/format_list.h"); do
+for name in $(sed -n 's/.*X([a-z_0-9]*, "\([a-z]*\)".*/\1/p' "$SOURCE/src/io/format_list.h" "$SOURCE/src/draw/format_list.h"); do
     grep '^| formats' "$SOURCE/README.md" | grep -qi "\<$name\>" || fail "format $name is not in the README"
 done
 

@@ -6,6 +6,7 @@
 #include "shapes.h"
 
 #include "taut/abi.h"
+#include "taut/draw.h"
 #include "taut/join.h"
 #include "taut/measure.h"
 #include "taut/operations.h"
@@ -201,7 +202,7 @@ static taut_status copy_model(const void *context, void **result, taut_error *er
 static taut_status write_models(const void *context, void **result, taut_error *error)
 {
     const taut_model *const models[2] = {context, context};
-    const taut_write_options options = {.divide = 1};
+    const taut_write_options options = {.divide = 1, .formats = taut_draw_formats()};
     taut_outputs *outputs = NULL;
     const char *const path = in_folder("two.svg");
     taut_status status = taut_outputs_new(&outputs);

@@ -5,17 +5,18 @@
 #define _GNU_SOURCE /* RTLD_NEXT, getrandom */
 #include "calls.h"
 #include "check.h"
+#include "fake_cad.h"
 #include "fault.h"
 #include "folder.h"
 #include "shapes.h"
 
-#include "io/cad/child.h"
 #include "taut/read.h"
 #include "taut/write.h"
 
 #include <dlfcn.h>
 #include <errno.h>
 #include <signal.h>
+#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,17 +34,11 @@ typedef enum system_call {
     CALL_FCHOWN,
     CALL_FCHMOD,
     CALL_PIPE,
-    CALL_FORK
+    CALL_SPAWN
 } system_call;
 
-static system_call failing;    /* the next such call fails... */
-static int failing_reason;     /* ...with this errno */
-static int fatal;              /* not 0: a child dies of this signal as soon as it is there */
-static int canned;             /* not 0: a child says that its work is done, in place of it */
-enum { NO_SIGNAL = -1 };       /* of `fatal`: it ends of its own accord */
-enum { READER = 1, WRITER };   /* values of `canned` */
-static int is_child;           /* not 0: this is a child */
-static taut_cad_item items[2]; /* what it has read */
+static system_call failing; /* the next such call fails... */
+static int failing_reason;  /* ...with this errno */
 
 static int fails(system_call call)
 {
@@ -69,21 +64,7 @@ FILE *fdopen(int file, const char *mode)
 {
     FILE *(*own)(int, const char *) = NULL;
     find_own("fdopen", &own, sizeof own);
-    if (fails(CALL_FDOPEN)) {
-        return NULL;
-    }
-    FILE *const stream = own(file, mode);
-    if (canned && is_child && stream != NULL) {
-        static const taut_error none = {.status = TAUT_OK};
-        const int is_reader = canned == READER;
-        int whole = !is_reader || taut_cad_put_unit(stream, "in");
-        canned = 0;
-        for (int i = 0; is_reader && i < 2; i++) {
-            whole = whole && taut_cad_put_item(stream, &items[i]);
-        }
-        _exit(whole && taut_cad_put_end(stream, TAUT_OK, &none) ? 0 : 1);
-    }
-    return stream;
+    return fails(CALL_FDOPEN) ? NULL : own(file, mode);
 }
 
 int fclose(FILE *stream)
@@ -116,27 +97,21 @@ int fchmod(int file, mode_t mode)
     return fails(CALL_FCHMOD) ? -1 : own(file, mode);
 }
 
-int pipe(int ends[2])
+int pipe2(int ends[2], int flags)
 {
-    int (*own)(int *) = NULL;
-    find_own("pipe", &own, sizeof own);
-    return fails(CALL_PIPE) ? -1 : own(ends);
+    int (*own)(int *, int) = NULL;
+    find_own("pipe2", &own, sizeof own);
+    return fails(CALL_PIPE) ? -1 : own(ends, flags);
 }
 
-pid_t fork(void)
+int posix_spawn(pid_t *process, const char *path, const posix_spawn_file_actions_t *files,
+                const posix_spawnattr_t *attributes, char *const words[], char *const environment[])
 {
-    pid_t (*own)(void) = NULL;
-    find_own("fork", &own, sizeof own);
-    const pid_t child = fails(CALL_FORK) ? -1 : own();
-    is_child = child == 0;
-    if (is_child && fatal == NO_SIGNAL) {
-        _exit(1);
-    }
-    if (is_child && fatal != 0) {
-        signal(fatal, SIG_DFL); /* which a sanitizer may have taken for itself */
-        kill(getpid(), fatal);
-    }
-    return child;
+    int (*own)(pid_t *, const char *, const posix_spawn_file_actions_t *, const posix_spawnattr_t *,
+               char *const *, char *const *) = NULL;
+    find_own("posix_spawn", &own, sizeof own);
+    return fails(CALL_SPAWN) ? failing_reason
+                             : own(process, path, files, attributes, words, environment);
 }
 
 /* The text on its way to the path, with a call failing: from its staging on, or only while it is
@@ -218,43 +193,36 @@ static void check_no_child(size_t row)
     CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD, "row %zu: a child is left", row);
 }
 
-typedef struct end {
-    system_call call; /* that fails, or... */
+typedef struct start {
+    system_call call; /* that fails */
     int reason;
-    int fatal; /* ...the signal that the child dies of */
-    taut_status reading, writing;
+    taut_status status;
     const char *word;
-} end;
+} start;
 
-static const end ends[] = {
-    {CALL_PIPE, EMFILE, 0, TAUT_IO, TAUT_IO, "process"},
-    {CALL_PIPE, ENOMEM, 0, TAUT_NO_MEMORY, TAUT_NO_MEMORY, "memory"},
-    {CALL_FORK, EAGAIN, 0, TAUT_IO, TAUT_IO, "process"},
-    {CALL_FORK, ENOMEM, 0, TAUT_NO_MEMORY, TAUT_NO_MEMORY, "memory"},
-    {CALL_NONE, 0, SIGXCPU, TAUT_BAD_INPUT, TAUT_INTERNAL, "library"},
-    {CALL_NONE, 0, SIGKILL, TAUT_BAD_INPUT, TAUT_INTERNAL, "library"},
-    {CALL_NONE, 0, SIGTERM, TAUT_INTERRUPTED, TAUT_INTERRUPTED, "interrupted"},
-    {CALL_NONE, 0, SIGFPE, TAUT_BAD_INPUT, TAUT_INTERNAL, "library"},
-    {CALL_NONE, 0, NO_SIGNAL, TAUT_BAD_INPUT, TAUT_INTERNAL, "library"},
+static const start starts[] = {
+    {CALL_PIPE, EMFILE, TAUT_IO, "process"},  {CALL_PIPE, ENOMEM, TAUT_NO_MEMORY, "memory"},
+    {CALL_SPAWN, EAGAIN, TAUT_IO, "process"}, {CALL_SPAWN, ENOMEM, TAUT_NO_MEMORY, "memory"},
+    {CALL_SPAWN, ENOEXEC, TAUT_IO, "helper"},
 };
 
-/* OpenCASCADE's process is not to be had, or dies: the file or the model is refused. */
+/* OpenCASCADE's process is not to be had: the file or the model is refused. How it dies is in
+ * unit/io/cad/helper. */
 static void test_processes(const taut_model *model, const char *path)
 {
-    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+    fake_cad_as("reader");
+    for (size_t i = 0; i < sizeof starts / sizeof starts[0]; i++) {
         for (int writing = 0; writing < 2; writing++) {
             taut_error error = {.status = TAUT_OK};
             taut_model *read = NULL;
-            failing = ends[i].call;
-            failing_reason = ends[i].reason;
-            fatal = ends[i].fatal;
+            failing = starts[i].call;
+            failing_reason = starts[i].reason;
             const taut_status status =
                 writing ? taut_model_write(model, in_folder("out.igs"), NULL, &error)
                         : taut_model_read(path, &read, &error);
-            fatal = 0;
             CHECK(failing == CALL_NONE, "row %zu: the call is not made", i);
-            CHECK(status == (writing ? ends[i].writing : ends[i].reading) &&
-                      error.status == status && strcmp(error.reason, ends[i].word) == 0,
+            CHECK(status == starts[i].status && error.status == status &&
+                      strcmp(error.reason, starts[i].word) == 0,
                   "row %zu: %d, \"%s\"", i, (int)status, error.message);
             CHECK(read == NULL && folder_entries() == 1, "row %zu: %d entries", i,
                   folder_entries());
@@ -263,7 +231,7 @@ static void test_processes(const taut_model *model, const char *path)
     }
 }
 
-/* Neither end of the pipe can be opened, in parent and child alike. */
+/* There is no stream for the request. */
 static void test_no_stream(const char *path)
 {
     taut_error error = {.status = TAUT_OK};
@@ -294,18 +262,17 @@ static taut_status write_iges(const void *context, void **result, taut_error *er
     return status;
 }
 
-/* A drawing read and written when memory runs out, with a child that says the same each time. */
+/* A drawing read and written when memory runs out, with a taut-cad that says the same each time. */
 static void test_memory(const taut_model *model, const char *path)
 {
     const fault_call calls[] = {{"read", read_model, release_model, path},
                                 {"read either", read_either, release_model, path},
                                 {"write", write_iges, NULL, model}};
     for (int i = 0; i < 3; i++) {
-        canned = calls[i].call == write_iges ? WRITER : READER;
+        fake_cad_as(calls[i].call == write_iges ? "writer" : "reader");
         const long count = fault_loop(&calls[i]);
         CHECK(count > 15, "%s: %ld allocations", calls[i].name, count);
     }
-    canned = 0;
     check_no_child(0);
 }
 
@@ -314,9 +281,8 @@ static void test_notes(const char *path)
 {
     taut_model *model = NULL;
     taut_error error = {.status = TAUT_OK};
-    canned = READER;
+    fake_cad_as("reader");
     CHECK(taut_model_read(path, &model, &error) == TAUT_OK, "%s", error.message);
-    canned = 0;
     if (model == NULL) {
         return;
     }
@@ -338,16 +304,13 @@ static void test_notes(const char *path)
 
 int main(void)
 {
-    static const double knots[4] = {0, 0, 1, 1}, points[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1};
+    static const double points[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1};
     static const char drawing[] = "ISO-10303-21;\nEND-ISO-10303-21;\n";
     const struct rlimit none = {0, 0};
     taut_model *model = NULL;
     char path[96];
 
-    items[0] =
-        (taut_cad_item){"face", {1, 1}, {2, 2}, {knots, knots}, points, NULL, TAUT_CAD_TRIMMED};
-    items[1] =
-        (taut_cad_item){"edge", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, TAUT_CAD_APPROXIMATE};
+    fake_cad_play();
     folder_make();
     CHECK(setrlimit(RLIMIT_CORE, &none) == 0, "no core files");
     CHECK(taut_model_new(&model) == TAUT_OK &&

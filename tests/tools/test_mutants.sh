@@ -16,8 +16,8 @@ fail() {
 
 # A project of one function, whose test wants one(1) to be 2, and a test that looks at nothing.
 mkdir -p "$tree/tools" "$tree/src/core" "$tree/src/io" "$tree/tests/mutants"
-cp "$SOURCE/tools/mutants.sh" "$SOURCE/tools/mutants.py" "$SOURCE/tools/mutant_table.py" "$SOURCE/tools/new_mutant.py" \
-    "$SOURCE/tools/check_mutants.sh" "$tree/tools"
+cp "$SOURCE/tools/mutants.sh" "$SOURCE/tools/mutants.py" "$SOURCE/tools/mutant_table.py" "$SOURCE/tools/mutant_compile.py" \
+    "$SOURCE/tools/new_mutant.py" "$SOURCE/tools/check_mutants.sh" "$tree/tools"
 printf '%s\n' '#include <stddef.h>' 'int one(int x);' 'int one(int x)' '{' '    const int most = 9;' '    if (x > most) {' \
     '        x = most;' '    }' '    x += 1; /* x += 2; */' '    return x;' '}' > "$tree/src/core/one.c"
 printf 'int one(int x);\nint main(void) { return one(1) != 2; }\n' > "$tree/src/core/check.c"
@@ -78,6 +78,16 @@ rows "$(row sum 'x += 1;' 'x+=1;')" > "$table"
 refuses 'sum: old and new are the same: x += 1;' --check
 rows "$(row sum 'x += 1;' '' '' src/core/two.c)" > "$table"
 refuses 'sum: no file src/core/two.c' --check
+
+# Rows that a build with warnings as errors would refuse.
+cmake -S "$tree" -B "$tree/build/release" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_C_FLAGS=-Wall > /dev/null || fail cmake
+rows "$good" > "$table"
+said=$("$tree/tools/mutants.sh" --compile "$tree/build/release" 2>&1) || fail "mutants.sh --compile refuses: $said"
+rows "$(row limit 'if (x > most) { x = most;}' '')" "$good" > "$table"
+refuses 'core.json: limit: does not compile: src/core/one.c:5:15: error: unused variable' --compile "$tree/build/release"
+rows "$(row sum 'x += 1;' 'x += ;')" > "$table"
+refuses 'core.json: sum: does not compile: src/core/one.c:9' --compile "$tree/build/release"
+rm -r "$tree/build"
 rows "$(row sum 'x += 1;' '' '' src/../../one.c)" > "$table"
 refuses 'sum: no file src/../../one.c' --check
 rows "$(row sum '' 'x')" > "$table"

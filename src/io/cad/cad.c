@@ -3,11 +3,12 @@
 #include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
-#include "io/cad/child.h"
+#include "io/cad/helper.h"
 #include "io/cad/prepare.h"
 #include "io/cad/scan.h"
 #include "io/file/in.h"
 #include "io/format.h"
+#include "platform/system.h"
 
 #include <errno.h>
 #include <sys/stat.h>
@@ -43,12 +44,12 @@ static void list_items(const taut_model *nurbs, taut_cad_item *items)
     }
 }
 
-static taut_status send_items(const taut_model *nurbs, const taut_cad_facts *facts,
-                              const char *path, taut_arena *arena, taut_error *error)
+static taut_status send_items(const taut_model *nurbs, const taut_cad_facts *facts, FILE *text,
+                              taut_arena *arena, taut_error *error)
 {
     const int count = taut_model_surface_count(nurbs) + taut_model_curve_count(nurbs);
     taut_cad_item *items = taut_arena_take(arena, (size_t)count, sizeof *items);
-    taut_cad_result result = {NULL, NULL, 0, TAUT_OK};
+    taut_cad_result result = {.text = text};
     const char *const notes[] = {facts->made, facts->exact};
 
     if (items == NULL) {
@@ -56,7 +57,6 @@ static taut_status send_items(const taut_model *nurbs, const taut_cad_facts *fac
     }
     list_items(nurbs, items);
     const taut_cad_job job = {.kind = TAUT_CAD_IGES,
-                              .path = path,
                               .unit = taut_model_unit(nurbs),
                               .name = "taut",
                               .notes = notes,
@@ -66,10 +66,28 @@ static taut_status send_items(const taut_model *nurbs, const taut_cad_facts *fac
     return taut_cad_run(&job, count, items, &result, error);
 }
 
+/* The file `path`, which is there and empty. */
+static taut_status write_items(const taut_model *nurbs, const taut_cad_facts *facts,
+                               const char *path, taut_error *error)
+{
+    FILE *text = NULL;
+    const int reason = taut_system_open_device(path, &text);
+    if (reason != 0) {
+        return taut_fail_file(error, path, "write", reason);
+    }
+    taut_arena *arena = taut_arena_new();
+    taut_status status = send_items(nurbs, facts, text, arena, error);
+    taut_arena_free(arena);
+    if (fclose(text) != 0 && status == TAUT_OK) {
+        status = taut_fail(error, TAUT_IO, "write", NULL, taut_none, taut_none,
+                           "the file cannot be written");
+    }
+    return status;
+}
+
 static taut_status write_iges(const taut_model *model, const taut_write_options *options,
                               const char *path, taut_error *error)
 {
-    taut_arena *arena = NULL;
     taut_model *nurbs = NULL;
     taut_cad_facts facts;
     taut_status status = taut_cad_prepare(model, options, &nurbs, &facts, error);
@@ -77,9 +95,7 @@ static taut_status write_iges(const taut_model *model, const taut_write_options 
     if (status != TAUT_OK) {
         return status;
     }
-    arena = taut_arena_new();
-    status = send_items(nurbs, &facts, path, arena, error);
-    taut_arena_free(arena);
+    status = write_items(nurbs, &facts, path, error);
     taut_model_free(nurbs);
     if (status == TAUT_OK && options->bound != NULL) {
         *options->bound = facts.bound;
@@ -147,7 +163,7 @@ static taut_status read_cad(taut_cad_kind kind, const char *path, taut_model **m
                             taut_error *error)
 {
     const taut_cad_job job = {.kind = kind, .path = path};
-    taut_cad_result result = {NULL, NULL, 0, TAUT_OK};
+    taut_cad_result result = {.text = NULL};
     taut_status status = check_file(path, error);
 
     if (status != TAUT_OK) {

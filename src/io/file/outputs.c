@@ -129,17 +129,16 @@ static const taut_format_ops *format_of(const char *path, const taut_write_optio
     taut_error reason = {.status = TAUT_OK};
     const char *ending = options->format;
     char name[32] = ".";
-    const taut_format_ops *ops = NULL;
 
     if (ending != NULL) {
         strncat(name, ending, sizeof name - 2);
         path = name;
     }
-    ops = taut_format_ops_at(taut_format_of(path, &reason));
-    if (ops == NULL && error != NULL) {
+    const taut_format_row *row = taut_format_find(options->formats, path, &reason);
+    if (row == NULL && error != NULL) {
         *error = reason;
     }
-    return ops;
+    return row != NULL ? row->ops : NULL;
 }
 
 static taut_status write_one(taut_staged *staged, const taut_format_ops *ops,

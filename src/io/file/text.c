@@ -50,10 +50,11 @@ taut_status taut_model_write_text(const taut_model *model, const char *format,
     }
     options = options != NULL ? options : &none;
     strncat(name, format, sizeof name - 2);
-    const taut_format_ops *ops = taut_format_ops_at(taut_format_of(name, error));
-    if (ops == NULL) {
+    const taut_format_row *row = taut_format_find(options->formats, name, error);
+    if (row == NULL) {
         return TAUT_BAD_ARGUMENT;
     }
+    const taut_format_ops *ops = row->ops;
     if (ops->write == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "not-a-file", NULL, taut_none, taut_none,
                          "the format %.20s can be written to files only", format);

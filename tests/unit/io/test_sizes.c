@@ -6,7 +6,7 @@
 #include "shapes.h"
 
 #include "core/memory.h"
-#include "io/cad/child.h"
+#include "io/cad/answer.h"
 #include "io/problem/net_document.h"
 #include "page/html_page.h"
 #include "taut/limits.h"
@@ -71,20 +71,26 @@ static void test_net(void)
           "%d x %d", shape[0], shape[1]);
 }
 
+static size_t read_on(void *context, void *to, size_t room)
+{
+    return fread(to, 1, room, context);
+}
+
 /* One curve more than a model may have, out of a CAD file. */
 static void test_items(void)
 {
     static const double knots[4] = {0, 0, 1, 1}, points[6] = {0, 0, 0, 1, 2, 3};
     const taut_cad_item line = {"", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, 0};
-    taut_cad_result result = {NULL, taut_record_new_list(), 0, TAUT_OK};
+    taut_cad_result result = {.notes = taut_record_new_list()};
     taut_error error = {.status = TAUT_OK};
     FILE *file = tmpfile();
+    taut_cad_source source = {.more = read_on, .context = file};
     CHECK(taut_model_new(&result.model) == TAUT_OK, "model");
     for (int i = 0; i <= TAUT_OBJECTS_MAX; i++) {
         taut_cad_put_item(file, &line);
     }
     rewind(file);
-    CHECK(taut_cad_get_all(file, &result, &error) == TAUT_BAD_INPUT && !result.has_ended, "%s",
+    CHECK(taut_cad_get_all(&source, &result, &error) == TAUT_BAD_INPUT && !result.has_ended, "%s",
           error.message);
     CHECK(strcmp(error.where, "/curves/100000") == 0 &&
               strcmp(error.message, "found more than 100000 curves") == 0,

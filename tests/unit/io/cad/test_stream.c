@@ -1,8 +1,8 @@
-/* test_stream.c -- what a child tells of a CAD file, whole, cut short, and with any byte
+/* test_stream.c -- what taut-cad tells of a CAD file, whole, cut short, and with any byte
  * changed. */
 #include "check.h"
 
-#include "io/cad/child.h"
+#include "io/cad/answer.h"
 #include "taut/curve.h"
 #include "taut/surface.h"
 
@@ -41,13 +41,30 @@ typedef struct outcome {
     taut_error error;
 } outcome;
 
+/* Bytes as they come, no more than seven at a time. */
+typedef struct stream {
+    const char *bytes;
+    size_t left;
+} stream;
+
+static size_t hear(void *context, void *to, size_t room)
+{
+    stream *s = context;
+    const size_t most = room < 7 ? room : 7, part = s->left < most ? s->left : most;
+    memcpy(to, s->bytes, part);
+    s->bytes += part;
+    s->left -= part;
+    return part;
+}
+
 static outcome read_back(const char *bytes, size_t length)
 {
     outcome o = {.status = TAUT_OK, .error = {.status = TAUT_OK}};
-    taut_cad_result result = {NULL, taut_record_new_list(), 0, TAUT_OK};
-    FILE *file = fmemopen((void *)(size_t)bytes, length, "rb");
-    CHECK(taut_model_new(&result.model) == TAUT_OK && file != NULL, "begin");
-    o.status = taut_cad_get_all(file, &result, &o.error);
+    taut_cad_result result = {.notes = taut_record_new_list()};
+    stream from = {bytes, length};
+    taut_cad_source source = {.more = hear, .context = &from};
+    CHECK(taut_model_new(&result.model) == TAUT_OK, "begin");
+    o.status = taut_cad_get_all(&source, &result, &o.error);
     o.has_ended = result.has_ended;
     o.said = result.status;
     o.surfaces = taut_model_surface_count(result.model);
@@ -58,7 +75,6 @@ static outcome read_back(const char *bytes, size_t length)
         snprintf(o.name, sizeof o.name, "%s",
                  taut_surface_name(taut_model_surface(result.model, 0)));
     }
-    fclose(file);
     taut_model_free(result.model);
     taut_record_free(result.notes);
     return o;
@@ -77,7 +93,7 @@ static void test_whole(void)
     free(bytes);
 }
 
-/* A child may die anywhere: the end is never seen, and nothing else is either but whole items. */
+/* taut-cad may die anywhere: the end is never seen, and nothing else is either but whole items. */
 static void test_cut_short(void)
 {
     const taut_cad_item items[] = {face, edge};

@@ -3,8 +3,10 @@
 #include "folder.h"
 #include "models.h"
 
+#include "io/format.h"
 #include "taut/certify.h"
 #include "taut/construct.h"
+#include "taut/draw.h"
 #include "taut/read.h"
 #include "taut/write.h"
 
@@ -81,13 +83,14 @@ static void test_text(void)
     taut_model *model = new_pipe();
     taut_error error = {.message = ""};
     const char *const formats[] = {"json", "svg", "obj", "stl", "vtu"};
+    const taut_write_options options = {.formats = taut_draw_formats()};
     for (int i = 0; i < 5; i++) {
         char name[16], *text = NULL, *bytes = NULL;
         size_t length = 0, size = 0;
         snprintf(name, sizeof name, "a.%s", formats[i]);
-        CHECK(taut_model_write(model, in_folder(name), NULL, &error) == TAUT_OK, "%s",
+        CHECK(taut_model_write(model, in_folder(name), &options, &error) == TAUT_OK, "%s",
               error.message);
-        CHECK(taut_model_write_text(model, formats[i], NULL, &text, &length, &error) == TAUT_OK,
+        CHECK(taut_model_write_text(model, formats[i], &options, &text, &length, &error) == TAUT_OK,
               "%s", error.message);
         bytes = file_bytes(in_folder(name), &size);
         CHECK(bytes != NULL && text != NULL && size == length && text[length] == '\0' &&
@@ -408,6 +411,36 @@ static void test_formats(void)
     CHECK(taut_format_of(folder, &error) == -1 && error.status == TAUT_IO, "a folder");
 }
 
+/* What another library brings stands beside the library's own, in order, and with it only; of another version it is refused. */
+static void test_more_formats(void)
+{
+    static const char *const drawn[] = {"html", "pdf", "png", "svg"};
+    const taut_formats *more = taut_draw_formats();
+    const taut_formats newer = {"99.0.0", more->count, more->rows};
+    taut_error error = {.status = TAUT_OK};
+    for (int i = 0; i < 4; i++) {
+        char path[32];
+        snprintf(path, sizeof path, "a.obj/b.%s", drawn[i]);
+        const char *ending = taut_formats_ending(more, path, &error);
+        CHECK(ending != NULL && strcmp(ending, drawn[i]) == 0, "%s", path);
+        CHECK(taut_format_of(path, &error) == -1 && strcmp(error.reason, "format") == 0 &&
+                  strstr(error.message, drawn[i]) != NULL &&
+                  strstr(error.message, ".obj, .ply, .step") != NULL,
+              "\"%s\"", error.message);
+        CHECK(i == 0 || strcmp(more->rows[i - 1].ending, more->rows[i].ending) < 0, "sorted %d", i);
+    }
+    CHECK(strcmp(taut_formats_ending(more, "-", NULL), "json") == 0, "-");
+    CHECK(strcmp(taut_formats_ending(more, "a.geomdl.json", NULL), "geomdl.json") == 0, "longer");
+    CHECK(taut_formats_ending(more, "a.b", &error) == NULL, "none");
+    CHECK(strcmp(error.message,
+                 "the ending of a.b is not one of .geomdl.json, .glb, .html, .iges, .igs, "
+                 ".json, .obj, .pdf, .ply, .png, .step, .stl, .stp, .svg, .vtu") == 0,
+          "\"%s\"", error.message);
+    CHECK(taut_formats_ending(&newer, "a.svg", &error) == NULL &&
+              error.status == TAUT_BAD_ARGUMENT && strstr(error.message, "99.0.0") != NULL,
+          "\"%s\"", error.message);
+}
+
 static taut_status write_with(const taut_model *model, const taut_write_options *options,
                               taut_error *error)
 {
@@ -468,6 +501,7 @@ int main(void)
     test_standard_output();
     test_fifo();
     test_formats();
+    test_more_formats();
     test_options();
     CHECK(folder_entries() == 0, "something was left behind");
     folder_remove();

@@ -4,6 +4,7 @@
 #include "folder.h"
 #include "shapes.h"
 
+#include "taut/draw.h"
 #include "taut/model.h"
 #include "taut/write.h"
 
@@ -157,14 +158,14 @@ static void test_many_cells(void)
 static void test_kinds(const taut_model *model)
 {
     const taut_model *many[MANY];
-    const taut_write_options iges = {.format = "iges"};
+    const taut_write_options iges = {.format = "iges"}, figures = {.formats = taut_draw_formats()};
     taut_outputs *outputs = NULL;
     taut_error e = {.status = TAUT_OK};
     CHECK(taut_outputs_new(&outputs) == TAUT_OK, "outputs");
     for (int i = 0; i < MANY; i++) {
         many[i] = model;
     }
-    check_told("many", taut_outputs_models(outputs, MANY, many, "m.svg", NULL, &e),
+    check_told("many", taut_outputs_models(outputs, MANY, many, "m.svg", &figures, &e),
                TAUT_BAD_ARGUMENT, &e);
     CHECK(strcmp(e.reason, "several") == 0 && e.found == MANY && e.limit < MANY, "\"%s\"",
           e.message);
@@ -189,7 +190,8 @@ static int stop_sampling(void *context, double done, const char *what)
 static void test_stopped(const taut_model *model)
 {
     int calls = 0;
-    const taut_write_options options = {.monitor = {stop_sampling, &calls}};
+    const taut_write_options options = {.monitor = {stop_sampling, &calls},
+                                        .formats = taut_draw_formats()};
     check_refused(model, "m.html", &options, TAUT_INTERRUPTED, NULL);
     CHECK(calls == 1, "%d calls", calls);
 }
