@@ -96,6 +96,13 @@ add_test(NAME forge/forgeries COMMAND forge --seed 1 --count ${forgeries} --tabl
 add_test(NAME forge/made COMMAND forge --seed 1 --count ${forged_problems} --mode made --table)
 set_tests_properties(forge/forgeries forge/made PROPERTIES TIMEOUT 600 ENVIRONMENT "${sanitizer_options}")
 
+# A binding without headers, by Python's ctypes; a library with sanitizers needs a program that has them.
+if(NOT TAUT_SANITIZE)
+  add_test(NAME bindings/python COMMAND sh ${CMAKE_SOURCE_DIR}/tests/bindings/test_bindings.sh)
+  set_tests_properties(bindings/python PROPERTIES TIMEOUT 120 SKIP_RETURN_CODE 77
+    ENVIRONMENT "TAUT_LIBRARY=$<TARGET_FILE:taut_shared>;SOURCE=${CMAKE_SOURCE_DIR}")
+endif()
+
 # The pages of `taut view` in a browser, where there is one.
 add_test(NAME viewer/page COMMAND sh ${CMAKE_SOURCE_DIR}/tests/viewer/test_page.sh)
 set_tests_properties(viewer/page PROPERTIES TIMEOUT 400 SKIP_RETURN_CODE 77

@@ -19,8 +19,9 @@ def carried():
     libraries = [path for pattern in ("libtaut*.so.0", "libtaut-*.dll") for path in sorted(BUILD.glob(pattern))]
     if not libraries:
         raise SystemExit(f"setup.py: there is no libtaut in {BUILD}: build it first (cmake --build --preset release), or set TAUT_BUILD")
-    helpers = sorted((BUILD / "modules").glob("taut-*.so")) + [path for path in (BUILD / "libexec/taut/taut-cad",) if path.exists()]
-    return [(path, path.name) for path in libraries] + [(path, f"taut/{path.name}") for path in helpers]
+    helpers = sorted((BUILD / "modules").glob("taut-*.so"))
+    programs = [path for path in (BUILD / "libexec/taut-cad",) if path.exists()][:1]
+    return [(path, path.name) for path in libraries + programs] + [(path, f"taut/{path.name}") for path in helpers]
 
 
 class Build(build_py):

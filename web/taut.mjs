@@ -4,6 +4,7 @@
 //     const surface = taut.open(text);         a problem or a model, JSON
 //     surface.make(); surface.certify();
 //     const { positions, normals } = surface.grid(0, 65, 65);
+//     surface.set("/points/0/0", [0, 0, 1]); surface.make();     a point was dragged
 //     surface.write("json"); surface.close();
 //
 // What goes wrong is an Error whose message is the library's sentence, `where` the place in the document.
@@ -105,6 +106,23 @@ class Surface {
   constructor(/** @type {Taut} */ taut, /** @type {number} */ handle) {
     this.taut = taut;
     this.handle = handle;
+  }
+
+  /**
+   * Another value in one place of the problem, by a JSON pointer; make() then makes it anew. What is refused leaves the
+   * problem, and the model, as they were.
+   */
+  set(/** @type {string} */ pointer, /** @type {unknown} */ value) {
+    const { raw } = this.taut;
+    const status = this.taut.given(pointer, (place) =>
+      this.taut.given(JSON.stringify(value), (at, length) => raw.taut_web_set(this.handle, place, at, length)));
+    if (status !== 0) throw this.taut.failure();
+  }
+
+  /** The problem as it is now; null where a model was opened. */
+  problem() {
+    const at = this.taut.raw.taut_web_problem(this.handle);
+    return at === 0 ? null : JSON.parse(this.taut.text(at));
   }
 
   /** Makes the model of the problem that was opened. */

@@ -3,7 +3,7 @@
  *
  * A binding looks once, when it loads the library: at the number, then at the members it fills. The
  * five structs below are how it reads the table; they are the same in every version. All of it is
- * constant, so that every call here is safe from any thread.
+ * constant, so that every call here is safe from any thread. docs/bindings.md shows one written.
  */
 #ifndef TAUT_ABI_H
 #define TAUT_ABI_H

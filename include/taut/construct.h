@@ -18,6 +18,7 @@
 extern "C" {
 #endif
 
+/* Immutable once read: any number of threads may make and certify from one. */
 typedef struct taut_problem taut_problem;
 
 TAUT_API void taut_problem_free(taut_problem *problem); /* NULL is fine */

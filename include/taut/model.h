@@ -1,6 +1,7 @@
 /* taut/model.h -- what comes out: surfaces, curves, what was decided and what was proved.
  *
- * A model is a container. It owns what is added to it.
+ * A model is a container. It owns what is added to it. Calls that take it const are safe from any
+ * thread while nobody changes it; those that change it are for one thread at a time.
  */
 #ifndef TAUT_MODEL_H
 #define TAUT_MODEL_H

@@ -6,7 +6,8 @@
  *
  * Building never fails half way: each call returns void or the new child; when memory runs out the
  * root remembers it and later calls do nothing (a NULL record is accepted and ignored). Check
- * taut_record_status once, at the end.
+ * taut_record_status once, at the end. Reading is safe from any thread while nobody adds to any part
+ * of the tree; adding is for one thread at a time.
  */
 #ifndef TAUT_RECORD_H
 #define TAUT_RECORD_H

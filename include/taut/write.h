@@ -1,7 +1,8 @@
 /* taut/write.h -- models and records out; figures and pages with what taut/draw.h adds.
  *
  * A file's ending says its format. An output appears whole or not at all: it is written beside its
- * place and renamed when all has gone well (a device or pipe is written directly).
+ * place and renamed when all has gone well (a device or pipe is written directly). One set of outputs
+ * is for one thread at a time, but for taut_outputs_abandon; several threads may each have their own.
  */
 #ifndef TAUT_WRITE_H
 #define TAUT_WRITE_H

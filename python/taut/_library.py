@@ -41,8 +41,8 @@ class MeasureOptions(Structure):
 
 
 class WriteOptions(Structure):
-    _fields_ = [("tolerance", c_double), ("divide", c_int), ("threads", c_int), ("format", c_char_p), ("surface", c_char_p),
-                ("short_knots", c_int), ("colour", c_int), ("no_net", c_int), ("has_view", c_int), ("view", c_double * 2),
+    _fields_ = [("tolerance", c_double), ("divide", c_int), ("threads", c_int), ("format", c_char_p), ("formats", c_void_p),
+                ("surface", c_char_p), ("short_knots", c_int), ("colour", c_int), ("no_net", c_int), ("has_view", c_int), ("view", c_double * 2),
                 ("title", c_char_p), ("isolines", c_int), ("reflections", c_int), ("combs", c_int), ("side_by_side", c_int),
                 ("width", c_int), ("labels", POINTER(c_char_p)), ("monitor", MonitorStruct), ("bound", POINTER(c_double))]
 
@@ -183,6 +183,20 @@ def _check(library: ctypes.CDLL) -> None:
         raise LibraryError(f"taut: {library._name} does not know {sorted(set(LAYOUTS) - set(sizes))[0]}")
 
 
+def _draw_formats() -> int | None:
+    """The formats of libtaut-draw (svg, png, pdf, html), which stands beside the library; None where it does not."""
+    place = pathlib.Path(library._name)
+    name = place.name.replace("libtaut", "libtaut-draw")
+    try:
+        drawing = ctypes.CDLL(str(place.with_name(name)) if place.parent != pathlib.Path(".") else name)
+    except OSError:
+        return None
+    drawing.taut_draw_formats.restype = c_void_p
+    formats: int | None = drawing.taut_draw_formats()
+    return formats
+
+
 library: Any = _load()
 _declare(library)
 _check(library)
+DRAW_FORMATS = _draw_formats()

@@ -289,7 +289,7 @@ _COLOURS = ("plain", "mean", "gaussian", "isothermality", "gap")
 
 def write_options(tolerance: float, threads: int | None, options: Mapping[str, Any]) -> c.WriteOptions:
     """C's struct of what a person says."""
-    chosen = c.WriteOptions(tolerance=tolerance, threads=threads or 0)
+    chosen = c.WriteOptions(tolerance=tolerance, threads=threads or 0, formats=c.DRAW_FORMATS)
     for name, value in options.items():
         if name == "colour":
             if value not in _COLOURS:

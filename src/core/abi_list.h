@@ -368,6 +368,7 @@
     X(taut_write_options, divide, "int") \
     X(taut_write_options, threads, "int") \
     X(taut_write_options, format, "const char *") \
+    X(taut_write_options, formats, "const taut_formats *") \
     X(taut_write_options, surface, "const char *") \
     X(taut_write_options, short_knots, "int") \
     X(taut_write_options, colour, "taut_colour") \

@@ -4,6 +4,7 @@
  *     taut_web_make(w); taut_web_certify(w)          unless the document is a model
  *     taut_web_grid(w, s, nu, nv)                    positions and normals to draw
  *     taut_web_write(w, "json"), taut_web_length(w)  the model with its certificate
+ *     taut_web_set(w, "/points/0/3", value, n)       another problem, to be made anew
  *     taut_web_close(w); taut_web_free(room)
  *
  * What goes wrong is a status above 0, and a sentence in taut_web_error. Nothing here is kept between
@@ -31,6 +32,8 @@ void *taut_web_alloc(size_t size);
 void taut_web_free(void *room);
 taut_web *taut_web_open(const char *text, size_t length);
 void taut_web_close(taut_web *web);
+int taut_web_set(taut_web *web, const char *pointer, const char *value, size_t length);
+const char *taut_web_problem(const taut_web *web);
 int taut_web_make(taut_web *web);
 int taut_web_certify(taut_web *web);
 int taut_web_holds(const taut_web *web);
@@ -85,6 +88,28 @@ void taut_web_close(taut_web *web)
         taut_text_free(web->text);
         free(web);
     }
+}
+
+/* Another value in one place of the problem: JSON text at a JSON pointer. What cannot be read leaves the
+ * problem as it was; the model stays that of the problem before until the next make. */
+int taut_web_set(taut_web *web, const char *pointer, const char *value, size_t length)
+{
+    taut_problem *changed = NULL;
+    const taut_status status =
+        taut_problem_change(web->problem, pointer, value, length, &changed, &last);
+
+    if (status == TAUT_OK) {
+        taut_problem_free(web->problem);
+        web->problem = changed;
+    }
+    return (int)status;
+}
+
+/* The document of the problem as it is now, ended by a 0; borrowed until it is set. NULL: a model was
+ * opened. */
+const char *taut_web_problem(const taut_web *web)
+{
+    return web->problem != NULL ? taut_problem_text(web->problem, NULL) : NULL;
 }
 
 /* Makes the model of a problem. */

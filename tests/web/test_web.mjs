@@ -64,6 +64,35 @@ for (const name of examples) {
   });
 }
 
+test("a point that is set moves the surface as the program would", () => {
+  const surface = taut.open(read("dirichlet-tent.json"));
+  surface.make();
+  const document = surface.problem();
+  const before = surface.write("json");
+  const [i, j] = [document.points.length - 1, document.points[0].length - 1];
+  document.points[i][j] = [3, 4, 5.25];
+  surface.set(`/points/${i}/${j}`, document.points[i][j]);
+  assert.deepEqual(surface.problem(), document);
+  surface.make();
+  surface.certify();
+  assert.ok(surface.write("json") === native(JSON.stringify(document)).stdout);
+  surface.set("/name", "moved"); // a member that was not there, or was
+  assert.equal(surface.problem().name, "moved");
+  // what is refused says where, and leaves all as it was
+  for (const [pointer, value] of [["/points/0/99", null], ["/u", 7], ["/nothing", 1], ["points", 1]]) {
+    assert.throws(() => surface.set(/** @type {string} */ (pointer), value), (error) => "where" in /** @type {any} */ (error));
+  }
+  surface.set("/name", document.name ?? "dirichlet");
+  surface.make();
+  surface.certify();
+  assert.notEqual(surface.write("json"), before);
+  surface.close();
+  const model = taut.open(before);
+  assert.equal(model.problem(), null);
+  assert.throws(() => model.set("/name", "x"));
+  model.close();
+});
+
 test("a grid lies on the surface", () => {
   const surface = taut.open(read("dirichlet-tent.json"));
   surface.make();

@@ -245,7 +245,7 @@ static void test_points(void)
 {
     enum { COUNT = 37 };
     taut_surface *surface = random_rational();
-    double u[COUNT], v[COUNT], all[COUNT][18], alone[18];
+    double u[COUNT], v[COUNT], all[COUNT * 18], alone[18];
     for (int i = 0; i < COUNT; i++) {
         u[i] = i == 5 ? 0 : i == 6 ? 1 : random_in(0, 1);
         v[i] = i == 5 ? 1 : i == 7 ? 0 : random_in(0, 1);
@@ -254,16 +254,16 @@ static void test_points(void)
         const size_t numbers = 3 * (size_t)TAUT_SURFACE_VECTORS(order);
         for (int threads = 0; threads <= 3; threads++) {
             memset(all, 0xff, sizeof all);
-            CHECK(taut_surface_eval_points(surface, COUNT, u, v, order, threads, all[0]) == TAUT_OK,
+            CHECK(taut_surface_eval_points(surface, COUNT, u, v, order, threads, all) == TAUT_OK,
                   "order %d", order);
             for (size_t i = 0; i < COUNT; i++) {
                 CHECK(taut_surface_eval(surface, u[i], v[i], order, alone) == TAUT_OK, "alone");
-                CHECK(memcmp(alone, all[0] + i * numbers, numbers * sizeof(double)) == 0,
+                CHECK(memcmp(alone, all + i * numbers, numbers * sizeof(double)) == 0,
                       "order %d, %d threads, place %zu", order, threads, i);
             }
         }
     }
-    CHECK(taut_surface_eval_points(surface, 0, u, v, 0, 0, all[0]) == TAUT_OK, "none");
+    CHECK(taut_surface_eval_points(surface, 0, u, v, 0, 0, all) == TAUT_OK, "none");
     taut_surface_free(surface);
 }
 

@@ -336,6 +336,8 @@ static void test_change_refused(void)
         {"/u/degree", "2", "size", "/points"},
         {"/pionts", "1", "unknown-member", "/pionts"},
         {"/a~1b~0", "1", "unknown-member", "/a~1b~0"},
+        {"/~1", "1", "unknown-member", "/~1"},
+        {"/~0", "1", "unknown-member", "/~0"},
         {"/a\"b\\", "1", "unknown-member", "/a\"b\\"},
         {"/u/~", "1", "unknown-member", "/u/~0"},
     };
