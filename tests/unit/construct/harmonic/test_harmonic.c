@@ -203,11 +203,42 @@ static void test_two_routes(void)
     }
 }
 
+/* What leaves the range of numbers is infinite, not lost; what does not leave it is told, though powers of mu do. */
+static void test_range(void)
+{
+    static taut_twice work[3 * SIZE * SIZE];
+    static double sum[SIZE * SIZE];
+    static const double huge[2] = {1e60, 1e300};
+    for (int k = 0; k < 2; k++) {
+        const double mu = huge[k];
+        CHECK(isinf(taut_harmonic_rows_amplification(13, 12, mu)), "rows, mu=%g", mu);
+        CHECK(isinf(taut_harmonic_derivative_amplification(13, 12, taut_twice_of(mu), work, sum)),
+              "derivative, mu=%g", mu);
+    }
+    /* m = 2: 1 and u, and 2 mu (u - u^3) / 6 or the like, are all that there is */
+    CHECK(taut_harmonic_rows_amplification(3, 2, 1e300) > 1e299, "rows");
+    CHECK(taut_harmonic_derivative_amplification(3, 2, taut_twice_of(1e300), work, sum) > 1e299 &&
+              taut_harmonic_derivative_amplification(3, 2, taut_twice_of(1e300), work, sum) < 1e303,
+          "derivative");
+    /* mu^13 is no number any more, and its term is nothing */
+    double row[3 * SIZE] = {0}, net[3 * SIZE * SIZE];
+    for (int j = 0; j <= 30; j++) {
+        row[3 * j] = j % 2 == 0 ? 1 : -1;
+    }
+    taut_harmonic_from_rows(31, 30, taut_twice_of(1e-30), row, row, work, net);
+    for (int i = 0; i <= 31; i++) {
+        for (int j = 0; j <= 30; j++) {
+            CHECK_NEAR(net[3 * (31 * i + j)], row[3 * j], 1e-15, "i=%d j=%d", i, j);
+        }
+    }
+}
+
 int main(void)
 {
     random_seed(20260301);
     start();
     test_against_rationals();
+    test_range();
     test_amplification();
     test_amplification_of_even();
     test_two_routes();
