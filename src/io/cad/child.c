@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <inttypes.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -340,11 +341,11 @@ enum { HAS_SHADOW = 0 };
 /* Bytes of address space in use. */
 static double space_in_use(void)
 {
-    unsigned long pages = 0;
+    uint64_t pages = 0;
     int found = 0;
     FILE *file = fopen("/proc/self/statm", "r");
     if (file != NULL) {
-        found = fscanf(file, "%lu", &pages);
+        found = fscanf(file, "%" SCNu64, &pages);
         fclose(file);
     }
     return found == 1 ? (double)pages * (double)sysconf(_SC_PAGESIZE) : 0;
