@@ -1,7 +1,9 @@
-# Flags of all of taut's own code.
+# Flags of all of taut's own code. No stack frame is above 64 kB, as threads of musl and WebAssembly have little (sanitizers and
+# debugging make larger ones).
 add_library(taut_flags INTERFACE)
 target_compile_options(taut_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wvla -fno-math-errno
+  $<$<CONFIG:Release>:-Wframe-larger-than=65536>
   $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes;-Wmissing-prototypes>
   -ffp-contract=off -fvisibility=hidden -fPIC)
 target_compile_definitions(taut_flags INTERFACE _POSIX_C_SOURCE=200809L _XOPEN_SOURCE=700)

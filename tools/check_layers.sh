@@ -121,4 +121,5 @@ for file in tests/support/oracle/*.[ch]; do
     fi
 done
 python3 "$tools/check_circles.py" . || bad=1
+python3 "$tools/check_types.py" . || bad=1
 exit $bad

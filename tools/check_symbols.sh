@@ -41,7 +41,7 @@ check() { # check LIBRARY LIST HEADER...
         cp "$work/exported" "$list"
     fi
     # Elementary functions of <math.h>, <complex.h> and their kin in float and long double; core/elementary has ours. Exact ones
-    # (sqrt, floor, fmin, frexp, ldexp, fmod, round, ...) are the same everywhere. sqrtl stays as long as long double does.
+    # (sqrt, floor, fmin, frexp, ldexp, fmod, round, ...) are the same everywhere; sqrtl is not.
     nm -D --undefined-only "$library" | awk '{ print $NF }' | sed 's/@.*//' |
         grep -xE '(a?(sin|cos|tan)h?|sincos|exp(2|10|m1)?|log(2|10|1p)?|pow(10)?|atan2|hypot|cbrt|erfc?|[lt]gamma|j[01n]|y[01n]|fma|c(abs|arg|exp|log|pow|sqrt|a?(sin|cos|tan)h?))[fl]?|__(mul|div)[dx]c3' \
         > "$work/rounded" || true

@@ -69,7 +69,7 @@ typedef struct taut_biharmonic_problem {
  * TAUT_BAD_INPUT: not the boundary, other bases. TAUT_NO_SOLUTION: unequal degrees, a surface that
  * is not biharmonic, degrees (from 18 on a square) whose rows let rounding grow past 1e11;
  * where it is not allowed, neighbours in which it grows past 2e9, that miss the rows they meet by
- * 4 2^-52 of the size (long thin rectangles), or of a degree above 32. */
+ * 4 2^-52 of the size, or of a degree above 32. */
 TAUT_API taut_status taut_biharmonic_make(const taut_biharmonic_problem *problem,
                                           const taut_make_options *options, taut_model **model,
                                           taut_error *error);

@@ -16,6 +16,8 @@
 #include "taut/record.h"
 #include "taut/surface.h"
 
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -78,7 +80,7 @@ typedef struct taut_jacobian {
     double lowest; /* of sign J by the surface's parameters: one sign: a proved lower bound; else
                       the lowest value found; NaN where there is none */
     double at[2];  /* parameters of the lowest value found */
-    long cells;    /* rectangles looked at */
+    int64_t cells; /* rectangles looked at */
 } taut_jacobian;
 
 /* J = x_u y_v - x_v y_u in the coordinates of the plane of the points (the one of x, y, z that
@@ -105,7 +107,7 @@ typedef struct taut_surface_measure {
     double max_laplacian;       /* of |x_uu + x_vv| on the grid */
     double max_abs_mean_at[2];  /* parameters (u, v) of the largest |H| on the grid */
     taut_edge_measure edges[4]; /* u0, u1, v0, v1 */
-    long singular_points;       /* of the grid: those without a normal */
+    int64_t singular_points;    /* of the grid: those without a normal */
     taut_jacobian jacobian;     /* of planar surfaces */
 } taut_surface_measure;
 

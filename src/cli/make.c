@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Stages the model in every output, and the report; 0 or the exit code. */
@@ -50,11 +51,12 @@ static int stage_report(taut_outputs *outputs, const char *path, const cli_repor
 /* Writes everything and tells what happened. */
 static int deliver(const cli_options *options, cli_report *report)
 {
-    const char *written[CLI_LIST_MAX];
-    double bounds[CLI_LIST_MAX];
+    const size_t room = (size_t)options->output_count + 1;
+    const char **written = calloc(room, sizeof *written);
+    double *bounds = calloc(room, sizeof *bounds);
     taut_outputs *outputs = NULL;
     const double start = cli_seconds();
-    int code = cli_outputs_new(&outputs);
+    int code = written == NULL || bounds == NULL ? cli_no_memory() : cli_outputs_new(&outputs);
 
     if (code == 0) {
         code = stage(outputs, options, report, written, bounds);
@@ -76,6 +78,8 @@ static int deliver(const cli_options *options, cli_report *report)
     if (code == 0 && taut_certificate_holds(report->certificate) == TAUT_FALSE) {
         code = 1;
     }
+    free(bounds);
+    free(written);
     return code;
 }
 

@@ -220,7 +220,7 @@
     X(taut_jacobian, sign, "int") \
     X(taut_jacobian, lowest, "double") \
     X(taut_jacobian, at, "double[2]") \
-    X(taut_jacobian, cells, "long")
+    X(taut_jacobian, cells, "int64_t")
 
 #define TAUT_ABI_MEMBERS_taut_join(X) \
     X(taut_join, max_gap, "double") \
@@ -360,7 +360,7 @@
     X(taut_surface_measure, max_laplacian, "double") \
     X(taut_surface_measure, max_abs_mean_at, "double[2]") \
     X(taut_surface_measure, edges, "taut_edge_measure[4]") \
-    X(taut_surface_measure, singular_points, "long") \
+    X(taut_surface_measure, singular_points, "int64_t") \
     X(taut_surface_measure, jacobian, "taut_jacobian")
 
 #define TAUT_ABI_MEMBERS_taut_write_options(X) \

@@ -44,6 +44,11 @@ static inline taut_twice taut_twice_negative(taut_twice a)
     return (taut_twice){-a.high, -a.low};
 }
 
+static inline taut_twice taut_twice_size(taut_twice a)
+{
+    return a.high < 0 ? taut_twice_negative(a) : a;
+}
+
 static inline taut_twice taut_twice_add(taut_twice a, taut_twice b)
 {
     taut_twice s = taut_twice_sum(a.high, b.high);
@@ -76,6 +81,14 @@ static inline taut_twice taut_twice_times(taut_twice a, taut_twice b)
 {
     const taut_twice p = taut_twice_product(a.high, b.high);
     return taut_twice_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+}
+
+/* s + a b, to 2^-100 of the larger of s and a b. */
+static inline taut_twice taut_twice_gain(taut_twice s, taut_twice a, taut_twice b)
+{
+    const taut_twice p = taut_twice_product(a.high, b.high), t = taut_twice_sum(s.high, p.high);
+    const double cross = a.high * b.low + a.low * b.high;
+    return taut_twice_sum(t.high, t.low + (s.low + (p.low + cross)));
 }
 
 static inline taut_twice taut_twice_scale(double factor, taut_twice a)

@@ -12,13 +12,14 @@
 #include "taut/status.h"
 
 #include <stddef.h>
+#include <stdint.h>
 
 typedef struct taut_page {
     const char *kind; /* "svg", "pdf" or "png" */
     double width, height;
     int pixels;        /* png: across, the height in proportion */
     const char *title; /* UTF-8, or NULL */
-    long long date;    /* seconds since 1970 for formats that carry a date, or -1: none */
+    int64_t date;      /* seconds since 1970 for formats that carry a date, or -1: none */
     int (*write)(void *context, const void *bytes, size_t count); /* 0 when it failed */
     void *context;
 } taut_page;

@@ -9,6 +9,7 @@
 #include "draw/canvas.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -50,12 +51,12 @@ static void put_text(taut_canvas *canvas, const char *text)
 }
 
 /* value / 100 with no digit more than needed. */
-static void put_hundredths(taut_canvas *canvas, long value)
+static void put_hundredths(taut_canvas *canvas, int64_t value)
 {
     char text[ITEM_MAX];
     size_t at = sizeof text;
-    long rest = labs(value) % 100;
-    long whole = labs(value) / 100;
+    const int64_t size = value < 0 ? -value : value;
+    int64_t rest = size % 100, whole = size / 100;
 
     if (rest != 0) {
         if (rest % 10 != 0) {
@@ -76,7 +77,7 @@ static void put_hundredths(taut_canvas *canvas, long value)
 
 static void put_number(taut_canvas *canvas, double value)
 {
-    put_hundredths(canvas, lround(100 * value));
+    put_hundredths(canvas, llround(100 * value));
 }
 
 static void put_attribute(taut_canvas *canvas, const char *name, double value)
@@ -121,16 +122,16 @@ static void put_escaped(taut_canvas *canvas, const char *text)
 }
 
 /* d="Mx,y lx,y x,y ...": relative steps of whole `unit` hundredths. A minus sign separates. */
-static void put_path(taut_canvas *canvas, int count, const double (*xy)[2], long unit,
+static void put_path(taut_canvas *canvas, int count, const double (*xy)[2], int64_t unit,
                      const char *end)
 {
-    long last[2] = {0, 0};
+    int64_t last[2] = {0, 0};
     put_text(canvas, " d=\"");
     for (int i = 0; i < count; i++) {
         put_text(canvas, i == 0 ? "M" : i == 1 ? "l" : "");
         for (int c = 0; c < 2; c++) {
-            const long at = lround(xy[i][c] * 100 / (double)unit) * unit;
-            const long step = at - last[c];
+            const int64_t at = llround(xy[i][c] * 100 / (double)unit) * unit;
+            const int64_t step = at - last[c];
             if ((c > 0 || i > 1) && step >= 0) {
                 put_text(canvas, " ");
             }

@@ -16,6 +16,7 @@
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -180,13 +181,14 @@ static int write_bytes(void *context, const void *bytes, size_t count)
 }
 
 /* SOURCE_DATE_EPOCH, or -1 where it is not a second of the years 1970 to 9999. */
-static long long source_date(void)
+static int64_t source_date(void)
 {
     const char *text = getenv("SOURCE_DATE_EPOCH");
     char *end = NULL;
-    const long long date = text != NULL ? strtoll(text, &end, 10) : -1;
-    return text != NULL && end != text && *end == '\0' && date >= 0 && date <= 253402300799LL ? date
-                                                                                              : -1;
+    const int64_t date = text != NULL ? strtoll(text, &end, 10) : -1;
+    return text != NULL && end != text && *end == '\0' && date >= 0 && date <= INT64_C(253402300799)
+               ? date
+               : -1;
 }
 
 /* TAUT_IO when the bytes do not arrive. */

@@ -3,6 +3,7 @@
 #include "core/elementary/elementary.h"
 
 #include <assert.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,9 +12,9 @@ void taut_label_fixed(double value, int decimals, char *text, size_t size)
 {
     static const char minus[] = "\xe2\x88\x92"; /* U+2212 */
     const double unit = taut_pow(10, decimals);
-    const long long scaled = llround(fabs(value) * unit);
-    const long long whole = scaled / (long long)unit;
-    long long part = scaled % (long long)unit;
+    const int64_t scaled = llround(fabs(value) * unit);
+    const int64_t whole = scaled / (int64_t)unit;
+    int64_t part = scaled % (int64_t)unit;
     const char *sign = value < 0 && scaled > 0 ? minus : "";
 
     char digits[12] = "";
@@ -23,7 +24,7 @@ void taut_label_fixed(double value, int decimals, char *text, size_t size)
         digits[i] = (char)('0' + part % 10);
         digits[0] = '.';
     }
-    snprintf(text, size, "%s%lld%s", sign, whole, digits);
+    snprintf(text, size, "%s%" PRId64 "%s", sign, whole, digits);
 }
 
 void taut_label_number(double value, char *text, size_t size)

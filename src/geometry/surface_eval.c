@@ -4,6 +4,7 @@
 #include "taut/surface.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* Which derivative of u and of v each vector takes, in the order TAUT_X, TAUT_XU, ... */
@@ -18,7 +19,7 @@ static int is_inside(const taut_basis *basis, double t)
 /* The functions alive at one point, and where the net's part they meet begins. */
 typedef struct place {
     int local_u, local_v;
-    long columns, first; /* of the net; index of its first point */
+    int64_t columns, first; /* of the net; index of its first point */
     const double *n_u, *n_v;
 } place;
 
@@ -28,7 +29,7 @@ static inline void sum_net(const place *at, const double *points, const double *
                            const int order, double h[6][4])
 {
     for (int a = 0; a < at->local_u; a++) {
-        const long index = at->first + a * at->columns;
+        const int64_t index = at->first + a * at->columns;
         double row[3][4] = {{0}};
         for (int b = 0; b < at->local_v; b++) {
             const double *point = points + 3 * (index + b);
@@ -64,7 +65,7 @@ taut_status taut_surface_eval(const taut_surface *surface, double u, double v, i
     const double *points = taut_surface_points(surface);
     const double *weights = taut_surface_weights(surface);
     const int su = taut_basis_span(bu, u), sv = taut_basis_span(bv, v);
-    const long columns = taut_basis_count(bv);
+    const int64_t columns = taut_basis_count(bv);
     const place at = {.local_u = bu->shape.local,
                       .local_v = bv->shape.local,
                       .columns = columns,

@@ -16,6 +16,7 @@
 #include "measure/integrate/line.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { GRID = 101 };
@@ -84,12 +85,12 @@ static const double *normals_along(taut_arena *arena, const taut_surface *surfac
         return NULL;
     }
     for (int i = 0; i < scan->u->count; i++) {
-        taut_scan_line(scan, i, scratch, values + (held == 0 ? 0 : 18 * (long)i));
+        taut_scan_line(scan, i, scratch, values + (held == 0 ? 0 : 18 * (int64_t)i));
     }
     for (int i = 0; i < along->count; i++) {
         taut_forms forms;
-        taut_forms_of((const double(*)[3])(values + 18 * (long)i), &forms);
-        memcpy(normals + 3 * (long)i, forms.normal, sizeof forms.normal);
+        taut_forms_of((const double(*)[3])(values + 18 * (int64_t)i), &forms);
+        memcpy(normals + 3 * (int64_t)i, forms.normal, sizeof forms.normal);
     }
     return normals;
 }
@@ -109,7 +110,7 @@ static void extremes_along(const taut_line *line, const taut_parameters *along,
 
     measure->max_abs_normal_curvature = measure->max_angle_normal_binormal = nan("");
     for (int i = 0; i < along->count; i++) {
-        const double *n = normals + 3 * (long)i;
+        const double *n = normals + 3 * (int64_t)i;
         taut_bend bend;
         taut_line_bend(line, along->span[i], along->t[i], 2, &bend);
         if (isnan(n[0]) || isnan(bend.curvature)) {

@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <string.h>
 
 double taut_binomial(int n, int k)
@@ -199,8 +200,8 @@ void taut_bernstein_cross(int p, const double *a, int q, const double *b, double
     for (int i = 0; i <= p; i++) {
         for (int j = 0; j <= q; j++) {
             const double factor = taut_binomial(p, i) * taut_binomial(q, j);
-            const double *const x = a + (long)i * 3, *const y = b + (long)j * 3;
-            double *const z = out + (long)(i + j) * 3;
+            const double *const x = a + (int64_t)i * 3, *const y = b + (int64_t)j * 3;
+            double *const z = out + (int64_t)(i + j) * 3;
             z[0] += factor * (x[1] * y[2] - x[2] * y[1]);
             z[1] += factor * (x[2] * y[0] - x[0] * y[2]);
             z[2] += factor * (x[0] * y[1] - x[1] * y[0]);

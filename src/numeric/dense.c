@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { SWEEPS_MAX = 60 }; /* Jacobi converges quadratically: ten sweeps are seldom needed */
@@ -55,8 +56,8 @@ void taut_qr_append(int n, double *r, int rows, double *block)
 {
     assert(n >= 1 && rows >= 1);
     for (int j = 0; j < n; j++) {
-        double *diagonal = r + (long)j * n + j;
-        double *x = block + (long)j * rows;
+        double *diagonal = r + (int64_t)j * n + j;
+        double *x = block + (int64_t)j * rows;
         const double length = length_of(*diagonal, rows, x);
         const double beta = *diagonal > 0 ? -length : length; /* no cancellation in head */
         const double head = *diagonal - beta;
@@ -69,8 +70,8 @@ void taut_qr_append(int n, double *r, int rows, double *block)
         }
         *diagonal = beta;
         for (int k = j + 1; k < n; k++) {
-            double *top = r + (long)k * n + j;
-            double *y = block + (long)k * rows;
+            double *top = r + (int64_t)k * n + j;
+            double *y = block + (int64_t)k * rows;
             const double s = (head / beta) * (*top + dot_product(rows, x, y));
             *top += s;
             add_scaled(rows, s, x, y);
@@ -82,16 +83,16 @@ int taut_triangle_solve(int n, int ld, const double *r, double *x)
 {
     double largest = 0.0;
     for (int j = 0; j < n; j++) {
-        largest = fmax(largest, fabs(r[(long)j * ld + j]));
+        largest = fmax(largest, fabs(r[(int64_t)j * ld + j]));
     }
     for (int j = 0; j < n; j++) {
-        if (!(fabs(r[(long)j * ld + j]) > 1e-14 * largest)) {
+        if (!(fabs(r[(int64_t)j * ld + j]) > 1e-14 * largest)) {
             return 0;
         }
     }
     for (int j = n - 1; j >= 0; j--) {
-        x[j] /= r[(long)j * ld + j];
-        add_scaled(j, -x[j], r + (long)j * ld, x);
+        x[j] /= r[(int64_t)j * ld + j];
+        add_scaled(j, -x[j], r + (int64_t)j * ld, x);
     }
     return 1;
 }
@@ -138,7 +139,7 @@ static int svd_sweep(int rows, int columns, double *a, double *v)
     int rotations = 0;
     for (int p = 0; p < columns - 1; p++) {
         for (int q = p + 1; q < columns; q++) {
-            double *x = a + (long)p * rows, *y = a + (long)q * rows;
+            double *x = a + (int64_t)p * rows, *y = a + (int64_t)q * rows;
             const double xx = dot_product(rows, x, x), yy = dot_product(rows, y, y),
                          xy = dot_product(rows, x, y);
             double c = 1.0, s = 0.0;
@@ -147,7 +148,7 @@ static int svd_sweep(int rows, int columns, double *a, double *v)
             }
             find_rotation(xx, yy, xy, &c, &s);
             rotate_columns(rows, x, y, c, s);
-            rotate_columns(columns, v + (long)p * columns, v + (long)q * columns, c, s);
+            rotate_columns(columns, v + (int64_t)p * columns, v + (int64_t)q * columns, c, s);
             rotations++;
         }
     }
@@ -161,7 +162,7 @@ void taut_svd(int rows, int columns, double *a, double *s, double *v)
     for (int sweep = 0; sweep < SWEEPS_MAX && svd_sweep(rows, columns, a, v) > 0; sweep++) {
     }
     for (int j = 0; j < columns; j++) {
-        double *x = a + (long)j * rows;
+        double *x = a + (int64_t)j * rows;
         s[j] = length_of(0.0, rows, x);
         for (int i = 0; i < rows && s[j] > 0; i++) {
             x[i] /= s[j];
@@ -176,8 +177,8 @@ void taut_svd(int rows, int columns, double *a, double *s, double *v)
             const double keep = s[j];
             s[j] = s[largest];
             s[largest] = keep;
-            swap_columns(rows, a + (long)j * rows, a + (long)largest * rows);
-            swap_columns(columns, v + (long)j * columns, v + (long)largest * columns);
+            swap_columns(rows, a + (int64_t)j * rows, a + (int64_t)largest * rows);
+            swap_columns(columns, v + (int64_t)j * columns, v + (int64_t)largest * columns);
         }
     }
 }
@@ -194,16 +195,16 @@ int taut_least_norm(int rows, int columns, const double *a, const double *b, dou
 
     assert(rows >= 1 && columns >= 1 && padded <= TAUT_SVD_MAX);
     for (int j = 0; j < columns; j++) {
-        memcpy(u + (long)j * padded, a + (long)j * rows, (size_t)rows * sizeof *u);
+        memcpy(u + (int64_t)j * padded, a + (int64_t)j * rows, (size_t)rows * sizeof *u);
     }
     taut_svd(padded, columns, u, s, v);
     memset(x, 0, (size_t)columns * sizeof *x);
     for (; rank < columns && s[rank] > cut * s[0] && s[rank] > 0; rank++) {
-        const double part = dot_product(rows, u + (long)rank * padded, b) / s[rank];
-        add_scaled(columns, part, v + (long)rank * columns, x);
+        const double part = dot_product(rows, u + (int64_t)rank * padded, b) / s[rank];
+        add_scaled(columns, part, v + (int64_t)rank * columns, x);
     }
     if (null != NULL) {
-        memcpy(null, v + (long)rank * columns,
+        memcpy(null, v + (int64_t)rank * columns,
                (size_t)(columns - rank) * (size_t)columns * sizeof *null);
     }
     return rank;
@@ -213,15 +214,15 @@ int taut_least_norm(int rows, int columns, const double *a, const double *b, dou
 static void eigen_rotate(int n, double *a, double *v, int p, int q)
 {
     double c = 1.0, s = 0.0;
-    find_rotation(a[p + (long)p * n], a[q + (long)q * n], a[p + (long)q * n], &c, &s);
-    rotate_columns(n, a + (long)p * n, a + (long)q * n, c, s);
+    find_rotation(a[p + (int64_t)p * n], a[q + (int64_t)q * n], a[p + (int64_t)q * n], &c, &s);
+    rotate_columns(n, a + (int64_t)p * n, a + (int64_t)q * n, c, s);
     for (int k = 0; k < n; k++) {
-        const double ap = a[p + (long)k * n], aq = a[q + (long)k * n];
-        a[p + (long)k * n] = c * ap - s * aq;
-        a[q + (long)k * n] = s * ap + c * aq;
+        const double ap = a[p + (int64_t)k * n], aq = a[q + (int64_t)k * n];
+        a[p + (int64_t)k * n] = c * ap - s * aq;
+        a[q + (int64_t)k * n] = s * ap + c * aq;
     }
-    a[p + (long)q * n] = a[q + (long)p * n] = 0.0;
-    rotate_columns(n, v + (long)p * n, v + (long)q * n, c, s);
+    a[p + (int64_t)q * n] = a[q + (int64_t)p * n] = 0.0;
+    rotate_columns(n, v + (int64_t)p * n, v + (int64_t)q * n, c, s);
 }
 
 static int eigen_sweep(int n, double *a, double *v)
@@ -229,8 +230,8 @@ static int eigen_sweep(int n, double *a, double *v)
     int rotations = 0;
     for (int p = 0; p < n - 1; p++) {
         for (int q = p + 1; q < n; q++) {
-            const double scale = fabs(a[p + (long)p * n]) + fabs(a[q + (long)q * n]);
-            if (fabs(a[p + (long)q * n]) > DBL_MIN + TAUT_UNIT_ROUNDOFF * scale) {
+            const double scale = fabs(a[p + (int64_t)p * n]) + fabs(a[q + (int64_t)q * n]);
+            if (fabs(a[p + (int64_t)q * n]) > DBL_MIN + TAUT_UNIT_ROUNDOFF * scale) {
                 eigen_rotate(n, a, v, p, q);
                 rotations++;
             }
@@ -246,7 +247,7 @@ void taut_symmetric_eigen(int n, double *a, double *values, double *v)
     for (int sweep = 0; sweep < SWEEPS_MAX && eigen_sweep(n, a, v) > 0; sweep++) {
     }
     for (int j = 0; j < n; j++) {
-        values[j] = a[j + (long)j * n];
+        values[j] = a[j + (int64_t)j * n];
     }
     for (int j = 0; j < n; j++) {
         int smallest = j;
@@ -257,7 +258,7 @@ void taut_symmetric_eigen(int n, double *a, double *values, double *v)
             const double keep = values[j];
             values[j] = values[smallest];
             values[smallest] = keep;
-            swap_columns(n, v + (long)j * n, v + (long)smallest * n);
+            swap_columns(n, v + (int64_t)j * n, v + (int64_t)smallest * n);
         }
     }
 }

@@ -5,6 +5,7 @@
 #include "taut/measure.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* `cells` cells in all: the spans cut alike, both ends of each a line, or, where there are more
@@ -34,7 +35,7 @@ static taut_status fill_lines(const taut_basis *basis, int cells, taut_arena *ar
                                               : b;
             lines->is_knot[i] = part == 0 && span > 0;
         } else {
-            lines->at[i] = breaks[(int)((long)i * spans / cells)];
+            lines->at[i] = breaks[(int)((int64_t)i * spans / cells)];
             lines->is_knot[i] = 0;
         }
     }

@@ -4,6 +4,7 @@
 #include "taut/limits.h"
 
 #include <stdatomic.h>
+#include <stdint.h>
 
 typedef struct job {
     void (*work)(void *context, int part, int from, int to);
@@ -14,8 +15,8 @@ typedef struct job {
 static void run_part(void *context, int part)
 {
     const job *j = context;
-    const int from = (int)((long long)j->count * part / j->parts);
-    const int to = (int)((long long)j->count * (part + 1) / j->parts);
+    const int from = (int)((int64_t)j->count * part / j->parts);
+    const int to = (int)((int64_t)j->count * (part + 1) / j->parts);
     j->work(j->context, part, from, to);
 }
 
@@ -34,15 +35,15 @@ void taut_parallel_for(int count, int threads,
 /* What the workers share: a counter from which each takes the next task. */
 typedef struct crew {
     atomic_long next;
-    long tasks;
+    int64_t tasks;
     taut_task *run;
     void *context;
 } crew;
 
-int taut_parallel_workers(int threads, long tasks)
+int taut_parallel_workers(int threads, int64_t tasks)
 {
-    const long limit = threads > TAUT_THREADS_MAX ? TAUT_THREADS_MAX : threads;
-    const long workers = tasks < limit ? tasks : limit;
+    const int64_t limit = threads > TAUT_THREADS_MAX ? TAUT_THREADS_MAX : threads;
+    const int64_t workers = tasks < limit ? tasks : limit;
     return workers < 1 ? 1 : (int)workers;
 }
 
@@ -51,13 +52,13 @@ static void take_tasks(void *context, int worker, int from, int to)
     crew *all = context;
     (void)from;
     (void)to;
-    for (long task = atomic_fetch_add(&all->next, 1); task < all->tasks;
+    for (int64_t task = atomic_fetch_add(&all->next, 1); task < all->tasks;
          task = atomic_fetch_add(&all->next, 1)) {
         all->run(all->context, worker, task);
     }
 }
 
-void taut_parallel_run(int workers, long tasks, taut_task *run, void *context)
+void taut_parallel_run(int workers, int64_t tasks, taut_task *run, void *context)
 {
     crew all = {.tasks = tasks, .run = run, .context = context};
     atomic_init(&all.next, 0);

@@ -9,10 +9,12 @@
 #ifndef TAUT_CERTIFY_ASYMPTOTIC_APART_H
 #define TAUT_CERTIFY_ASYMPTOTIC_APART_H
 
+#include <stdint.h>
+
 /* A rational Bezier curve over [0, 1]; weights NULL: all 1. `stride`: from a point to the next. */
 typedef struct taut_bezier_row {
     int degree;
-    long stride;
+    int64_t stride;
     const double *points, *weights;
 } taut_bezier_row;
 

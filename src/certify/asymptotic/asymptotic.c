@@ -22,6 +22,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -58,7 +59,8 @@ static void fill_sizes(taut_asymptotic_model *parts)
         parts->row_size[e] = 0.0;
         for (int k = 0; k < 2 * along; k++) {
             const int held = e >= 2 ? across - 1 - k % 2 : k % 2;
-            const long at = e % 2 == 0 ? (long)(k / 2) * nv + held : (long)held * nv + k / 2;
+            const int64_t at =
+                e % 2 == 0 ? (int64_t)(k / 2) * nv + held : (int64_t)held * nv + k / 2;
             for (int d = 0; d < 3; d++) {
                 parts->row_size[e] = fmax(parts->row_size[e], fabs(points[3 * at + d]));
             }
@@ -224,10 +226,11 @@ static double smallest_weight(const taut_surface *patch, char where[TAUT_PLACE_T
     const double *const weights = taut_surface_weights(patch);
     double least = weights != NULL ? INFINITY : 1.0;
     where[0] = '\0';
-    for (long k = 0; weights != NULL && k < (long)nu * nv; k++) {
+    for (int64_t k = 0; weights != NULL && k < (int64_t)nu * nv; k++) {
         if (weights[k] < least) {
             least = weights[k];
-            (void)snprintf(where, TAUT_PLACE_TEXT, "/surfaces/0/weights/%ld/%ld", k / nv, k % nv);
+            (void)snprintf(where, TAUT_PLACE_TEXT, "/surfaces/0/weights/%d/%d", (int)(k / nv),
+                           (int)(k % nv));
         }
     }
     return least;

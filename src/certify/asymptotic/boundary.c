@@ -7,6 +7,7 @@
 #include "core/vec3.h"
 
 #include <float.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -40,7 +41,7 @@ static taut_bezier_row row_of_edge(const taut_surface *patch, int edge)
     const int nu = taut_basis_count(taut_surface_u(patch));
     const int nv = taut_basis_count(taut_surface_v(patch));
     const int with_u = edge % 2 == 0;
-    const long first = edge < 2 ? 0 : with_u ? nv - 1 : (long)(nu - 1) * nv;
+    const int64_t first = edge < 2 ? 0 : with_u ? nv - 1 : (int64_t)(nu - 1) * nv;
     const double *const weights = taut_surface_weights(patch);
     return (taut_bezier_row){with_u ? nu - 1 : nv - 1, with_u ? nv : 1,
                              taut_surface_points(patch) + 3 * first,

@@ -9,6 +9,7 @@
 #include "core/vec3.h"
 
 #include <float.h>
+#include <stdint.h>
 #include <string.h>
 
 /* 64 pieces to begin with; halved again where the bound is far above what the samples show. */
@@ -64,9 +65,9 @@ static void responses(const taut_surface *patch, int edge, double t, double *sec
     for (int pass = 0; pass < 2; pass++) {
         *second = 0.0;
         for (int j = 0; j < count; j++) {
-            const long row = edge >= 2 ? last : 0, beside = edge >= 2 ? last - 1 : 1;
-            const long at = with_u ? (long)j * (last + 1) + row : row * count + j;
-            const long to = with_u ? (long)j * (last + 1) + beside : beside * count + j;
+            const int64_t row = edge >= 2 ? last : 0, beside = edge >= 2 ? last - 1 : 1;
+            const int64_t at = with_u ? (int64_t)j * (last + 1) + row : row * count + j;
+            const int64_t to = with_u ? (int64_t)j * (last + 1) + beside : beside * count + j;
             const double wj = weights != NULL ? weights[at] : 1.0;
             const double b0 = values[j], b1 = values[count + j], b2 = values[2 * count + j];
             if (pass == 0) {

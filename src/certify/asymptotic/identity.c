@@ -9,6 +9,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* A polynomial in twice the precision, scaled Bernstein form: coefficient j times C(degree, j), in
@@ -103,7 +104,7 @@ static void take_rows(const taut_surface *surface, int edge, pool *from, rows *r
         taut_twice *const row = depth == 0 ? r->edge : r->next;
         for (int k = 0; k < count; k++) {
             const int held = high ? last - depth : depth;
-            const long at = with_u ? (long)k * nv + held : (long)held * nv + k;
+            const int64_t at = with_u ? (int64_t)k * nv + held : (int64_t)held * nv + k;
             const double w = weights != NULL ? weights[at] : 1.0;
             for (int d = 0; d < 3; d++) {
                 row[4 * k + d] = taut_twice_times(taut_twice_of(w),
@@ -305,10 +306,11 @@ static double least_length(int degree, const double *a)
     return length > 0 ? fmax(least, 0.0) : 0.0;
 }
 
-long taut_identity_size(const taut_identity *identity)
+int64_t taut_identity_size(const taut_identity *identity)
 {
     const int *const g = identity->degree;
-    return (g[0] + 1) + 3L * (g[1] + 1) + 3L * (g[2] + 1) + (g[3] + 1) + 3L * (g[4] + 1);
+    return (g[0] + 1) + INT64_C(3) * (g[1] + 1) + INT64_C(3) * (g[2] + 1) + (g[3] + 1) +
+           INT64_C(3) * (g[4] + 1);
 }
 
 /* The polynomials of a piece, one after the other. */
@@ -348,7 +350,7 @@ static const int dims[PARTS] = {1, 3, 3, 1, 3};
 typedef struct run {
     const taut_identity *identity;
     const taut_bounding *how;
-    long size;
+    int64_t size;
     double least_m; /* pieces on which |M| may be less are left out */
     double bound, covered, sine;
 } run;

@@ -16,6 +16,8 @@
 #include "core/arena.h"
 #include "taut/surface.h"
 
+#include <stdint.h>
+
 /* Bernstein coefficients on [0, 1]. */
 typedef struct taut_identity {
     int degree[5]; /* of D, M, P, W, Q */
@@ -51,6 +53,6 @@ typedef struct taut_bounding {
  * nowhere does. scratch: double[levels + more + 1][taut_identity_size(identity)]. */
 double taut_identity_bound(const taut_identity *identity, const taut_bounding *bounding,
                            double *scratch, double *covered, double *sine);
-long taut_identity_size(const taut_identity *identity);
+int64_t taut_identity_size(const taut_identity *identity);
 
 #endif /* TAUT_CERTIFY_ASYMPTOTIC_IDENTITY_H */

@@ -1,11 +1,12 @@
 #include "certify/asymptotic/unit.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
-static double largest(long count, const double *numbers, double most)
+static double largest(int64_t count, const double *numbers, double most)
 {
-    for (long k = 0; k < count; k++) {
+    for (int64_t k = 0; k < count; k++) {
         most = fmax(most, fabs(numbers[k]));
     }
     return most;
@@ -19,11 +20,11 @@ static int exponent_of(double size)
 }
 
 /* count numbers times 2^-exponent; NULL of NULL. */
-static double *scaled_numbers(taut_arena *arena, long count, const double *from, int exponent)
+static double *scaled_numbers(taut_arena *arena, int64_t count, const double *from, int exponent)
 {
     double *const made =
         from != NULL ? taut_arena_copy(arena, from, (size_t)count, sizeof *made) : NULL;
-    for (long k = 0; made != NULL && k < count; k++) {
+    for (int64_t k = 0; made != NULL && k < count; k++) {
         made[k] = ldexp(made[k], -exponent);
     }
     return made;
@@ -43,7 +44,7 @@ static taut_status scale_patch(const taut_surface *patch, int exponent, taut_are
                                const taut_surface **unit)
 {
     const taut_basis *const u = taut_surface_u(patch), *const v = taut_surface_v(patch);
-    const long count = (long)taut_basis_count(u) * taut_basis_count(v);
+    const int64_t count = (int64_t)taut_basis_count(u) * taut_basis_count(v);
     const double *const weights = taut_surface_weights(patch);
     const int light = weights != NULL ? exponent_of(largest(count, weights, 0)) : 0;
     const double *const points =
@@ -63,7 +64,7 @@ static taut_status scale_patch(const taut_surface *patch, int exponent, taut_are
 static taut_status scale_curve(const taut_curve *curve, int exponent, taut_arena *arena,
                                const taut_curve **unit)
 {
-    const long count = taut_basis_count(taut_curve_t(curve));
+    const int64_t count = taut_basis_count(taut_curve_t(curve));
     const double *const points =
         scaled_numbers(arena, 3 * count, taut_curve_points(curve), exponent);
     taut_curve *made = NULL;
@@ -107,12 +108,12 @@ taut_status taut_asymptotic_unit(const taut_asymptotic_model *model,
                                  taut_asymptotic_model *unit, taut_asymptotic_problem *scaled,
                                  int *exponent)
 {
-    const long count = 3L * taut_basis_count(taut_surface_u(model->patch)) *
-                       taut_basis_count(taut_surface_v(model->patch));
+    const int64_t count = INT64_C(3) * taut_basis_count(taut_surface_u(model->patch)) *
+                          taut_basis_count(taut_surface_v(model->patch));
     double size = largest(count, taut_surface_points(model->patch), 0);
     taut_status status = TAUT_OK;
     for (int e = 0; e < 4; e++) {
-        size = largest(3L * taut_basis_count(taut_curve_t(model->curves[e])),
+        size = largest(INT64_C(3) * taut_basis_count(taut_curve_t(model->curves[e])),
                        taut_curve_points(model->curves[e]), size);
     }
     *exponent = exponent_of(size);

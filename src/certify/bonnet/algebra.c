@@ -22,6 +22,7 @@
 #include "core/vec3.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* A coefficient of the surface, and the sum of the absolute values it comes from. */
@@ -40,7 +41,7 @@ typedef struct triple {
 typedef struct patch {
     const double *points;
     double sizes[4][4];
-    long step[2]; /* points to the next in i, in j */
+    int64_t step[2]; /* points to the next in i, in j */
     double lo[2], hi[2];
     double shift; /* relative rounding of modes from far parameters */
 } patch;
@@ -275,7 +276,7 @@ static void take_patch(const taut_surface *surface, const taut_bonnet_scale *sca
         p->hi[d] = taut_basis_breaks(bases[axis])[span[d] + 1];
         p->step[d] = axis == 0 ? nv : 1;
     }
-    p->points = taut_surface_points(surface) + 3 * ((long)first[0] * nv + first[1]);
+    p->points = taut_surface_points(surface) + 3 * ((int64_t)first[0] * nv + first[1]);
     p->shift = scale->shift[0] + scale->shift[1];
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {

@@ -14,6 +14,7 @@
 #include "numeric/sum.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { NODES = 10, BLOCKS = 8, DEPTH = 40, ORDERS = TAUT_BONNET_ORDERS };
@@ -36,7 +37,7 @@ typedef struct rule {
     const taut_basis *basis[2];
     taut_bonnet_line lines[2][NODES];
     double nodes[NODES], weights[NODES];
-    long most; /* cuts */
+    int64_t most; /* cuts */
 } rule;
 
 static void fields_of(const taut_bonnet_spot *spot, double fields[FIELDS])
@@ -89,8 +90,8 @@ static void integrate(rule *r, cell *c)
 static void block(const taut_basis *basis, int k, double *lo, double *hi)
 {
     const int spans = taut_basis_span_count(basis), blocks = spans < BLOCKS ? spans : BLOCKS;
-    *lo = taut_basis_breaks(basis)[(long)k * spans / blocks];
-    *hi = taut_basis_breaks(basis)[(long)(k + 1) * spans / blocks];
+    *lo = taut_basis_breaks(basis)[(int64_t)k * spans / blocks];
+    *hi = taut_basis_breaks(basis)[(int64_t)(k + 1) * spans / blocks];
 }
 
 /* The parts of a cell, cut along the directions that `along` says; returns how many. */
@@ -130,7 +131,7 @@ static int agree(const double *a, const double *b, const double allowed[2])
 
 /* Adds the integral over a cell: of its quarters, once they agree with it; else goes on with its
  * parts. */
-static void add_cell(rule *r, const cell *whole, const double allowed[2], long *cut,
+static void add_cell(rule *r, const cell *whole, const double allowed[2], int64_t *cut,
                      taut_sum total[FIELDS])
 {
     static const int both[2] = {1, 1};
@@ -198,14 +199,14 @@ static int blocks_of(rule *r, cell *cells)
 /* Two rounds: where nearly all lies in a peak, only the first tells how large the whole is, and so
  * how close the second must come. */
 taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet_scale *scale,
-                                  taut_arena *arena, long most, taut_bonnet_integrals *integrals)
+                                  taut_arena *arena, int64_t most, taut_bonnet_integrals *integrals)
 {
     static const double round_closeness[2] = {1e-3, 1e-13};
     cell cells[BLOCKS * BLOCKS];
     double whole[2] = {0, 0};
     taut_sum total[FIELDS];
     rule r;
-    long cut = 0;
+    int64_t cut = 0;
     int count = 0;
     const taut_status status = rule_init(surface, scale, arena, &r);
 

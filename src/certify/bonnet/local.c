@@ -4,6 +4,7 @@
 #include "core/vec3.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* Widths of a first piece on bases that have a length of their own, and pieces of one span. */
@@ -120,7 +121,7 @@ static void take_patch(const taut_surface *surface, const taut_bonnet_scale *sca
     for (int i = 0; i < taut_basis_local(bases[0]); i++) {
         for (int j = 0; j < taut_basis_local(bases[1]); j++) {
             const double *x =
-                taut_surface_points(surface) + 3 * ((long)(first[0] + i) * nv + first[1] + j);
+                taut_surface_points(surface) + 3 * ((int64_t)(first[0] + i) * nv + first[1] + j);
             for (int c = 0; c < 3; c++) {
                 p->from[i][j][c] = ldexp(x[c], -unit);
                 origin[c] += p->from[i][j][c] * u[0][i] * v[0][j];

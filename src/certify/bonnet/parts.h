@@ -7,6 +7,8 @@
 #include "certify/bonnet/sums.h"
 #include "taut/bonnet.h"
 
+#include <stdint.h>
+
 typedef struct taut_bonnet_finding {
     double residual, noise;
     double at[2]; /* u, v of the residual */
@@ -40,6 +42,7 @@ typedef struct taut_bonnet_integrals {
     double value[2], noise[2];
 } taut_bonnet_integrals;
 taut_status taut_bonnet_integrate(const taut_surface *surface, const taut_bonnet_scale *scale,
-                                  taut_arena *arena, long most, taut_bonnet_integrals *integrals);
+                                  taut_arena *arena, int64_t most,
+                                  taut_bonnet_integrals *integrals);
 
 #endif /* TAUT_CERTIFY_BONNET_PARTS_H */

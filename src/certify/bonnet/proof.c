@@ -32,6 +32,7 @@
 #include "core/vec3.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { DEPTH = 32, CUTS = 8000, CUTS_OF_PIECE = 500 };
@@ -374,7 +375,7 @@ typedef struct search {
     const taut_surface *surface;
     const taut_bonnet_scale *scale;
     int unit;
-    long cuts, most;                  /* pieces cut so far; and how many may be */
+    int64_t cuts, most;               /* pieces cut so far; and how many may be */
     double noise[TAUT_BONNET_PROVED]; /* the largest that rounding explains on a piece */
     int is_measuring;                 /* noise only */
     taut_bonnet_proof proofs[TAUT_BONNET_PROVED];

@@ -11,6 +11,7 @@
 #include "core/vec3.h"
 
 #include <math.h>
+#include <stdint.h>
 
 enum { ORDERS = TAUT_BONNET_ORDERS, TRIES = 33 };
 
@@ -50,7 +51,7 @@ void taut_bonnet_scale_of(const taut_surface *surface, int is_exact, taut_bonnet
         taut_basis_eval(bases[1], span[1], v, ORDERS - 1, values[1]);
         for (int i = 0; i < 16; i++) {
             const double *p = taut_surface_points(surface) +
-                              3 * ((long)(first[0] + i / 4) * nv + first[1] + i % 4);
+                              3 * ((int64_t)(first[0] + i / 4) * nv + first[1] + i % 4);
             const double *fu = values[0] + i / 4, *fv = values[1] + i % 4;
             const double along_u = (fu[4] + fu[12]) * fv[0], along_v = fu[0] * (fv[4] - fv[12]);
             for (int c = 0; c < 3; c++) {
@@ -78,7 +79,7 @@ double taut_bonnet_point_size(const taut_surface *surface, const taut_bonnet_sca
                               int j)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    const double *p = taut_surface_points(surface) + 3 * ((long)i * taut_basis_count(v) + j);
+    const double *p = taut_surface_points(surface) + 3 * ((int64_t)i * taut_basis_count(v) + j);
     return taut_largest_coordinate(p) + scale->linear[0] * fabs(abscissa(u, i)) +
            scale->linear[1] * fabs(abscissa(v, j));
 }
@@ -101,7 +102,7 @@ taut_status taut_bonnet_sums_init(const taut_surface *surface, const taut_bonnet
     }
     for (int i = 0; i < nu; i++) {
         for (int j = 0; j < nv; j++) {
-            sizes[(long)i * nv + j] = taut_bonnet_point_size(surface, scale, i, j);
+            sizes[(int64_t)i * nv + j] = taut_bonnet_point_size(surface, scale, i, j);
         }
     }
     return TAUT_OK;
@@ -120,19 +121,19 @@ void taut_bonnet_sums_contract(taut_bonnet_sums *sums, const taut_bonnet_line *u
     const int nv = sums->columns;
     for (int d = 0; d < ORDERS; d++) {
         for (int j = from; j < to; j++) {
-            double *row = sums->rows + 3 * ((long)d * nv + j);
+            double *row = sums->rows + 3 * ((int64_t)d * nv + j);
             double size = 0;
             row[0] = row[1] = row[2] = 0;
             for (int a = 0; a < u->local; a++) {
                 const double f = u->values[d * u->local + a];
-                const long at = (long)(u->first + a) * nv + j;
+                const int64_t at = (int64_t)(u->first + a) * nv + j;
                 const double *p = taut_surface_points(sums->surface) + 3 * at;
                 for (int k = 0; k < 3; k++) {
                     row[k] += f * p[k];
                 }
                 size += fabs(f) * sums->sizes[at];
             }
-            sums->row_sizes[(long)d * nv + j] = size;
+            sums->row_sizes[(int64_t)d * nv + j] = size;
         }
     }
 }
@@ -145,7 +146,7 @@ static double finish(const taut_bonnet_sums *sums, const taut_bonnet_line *v, in
     vector[0] = vector[1] = vector[2] = 0;
     for (int b = 0; b < v->local; b++) {
         const double f = v->values[e * v->local + b];
-        const long at = (long)d * sums->columns + v->first + b;
+        const int64_t at = (int64_t)d * sums->columns + v->first + b;
         for (int k = 0; k < 3; k++) {
             vector[k] += f * sums->rows[3 * at + k];
         }

@@ -28,6 +28,7 @@
 #include "core/vec3.h"
 
 #include <float.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -71,7 +72,7 @@ typedef struct work {
     const taut_tangents *root; /* of the span, to evaluate */
     leaf stack[LEVELS];
     size_t size; /* of a block */
-    long budget;
+    int64_t budget;
     int closer, grid;
     int searches, done;     /* done: it is singular, or the budget is spent */
     double searched;        /* the smallest sine after the last search */
@@ -476,7 +477,7 @@ static taut_status visit_span(work *w, taut_tangents *tangents)
     taut_status status = TAUT_OK;
     if (first->block == NULL) {
         w->size = taut_tangents_size(tangents);
-        w->budget += (long)(ALL_NUMBERS / w->size);
+        w->budget += (int64_t)(ALL_NUMBERS / w->size);
         first->block = taut_alloc(w->size, sizeof *first->block);
         if (first->block == NULL) {
             return TAUT_NO_MEMORY;
@@ -506,14 +507,14 @@ static taut_status visit_span(work *w, taut_tangents *tangents)
 /* Its middle, and the power of two that brings it to unit size. */
 static int size_of(const taut_surface *surface, double origin[3])
 {
-    const long count =
-        (long)taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
+    const int64_t count = (int64_t)taut_basis_count(taut_surface_u(surface)) *
+                          taut_basis_count(taut_surface_v(surface));
     const double *const points = taut_surface_points(surface);
     double size = 0;
     int exponent = 0;
     for (int d = 0; d < 3; d++) {
         double low = INFINITY, high = -INFINITY;
-        for (long k = 0; k < count; k++) {
+        for (int64_t k = 0; k < count; k++) {
             low = fmin(low, points[3 * k + d]);
             high = fmax(high, points[3 * k + d]);
         }
@@ -527,12 +528,12 @@ static int size_of(const taut_surface *surface, double origin[3])
 /* Weights as the algebra can hold their squares: NULL where they differ by more. */
 static const char *look_at_weights(const taut_surface *surface, int *exponent)
 {
-    const long count =
-        (long)taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
+    const int64_t count = (int64_t)taut_basis_count(taut_surface_u(surface)) *
+                          taut_basis_count(taut_surface_v(surface));
     const double *const weights = taut_surface_weights(surface);
     double least = INFINITY, most = 0;
     *exponent = 0;
-    for (long k = 0; weights != NULL && k < count; k++) {
+    for (int64_t k = 0; weights != NULL && k < count; k++) {
         least = fmin(least, weights[k]);
         most = fmax(most, weights[k]);
     }
@@ -610,7 +611,7 @@ static taut_status visit_surface(work *w)
     int *const span = w->span;
     taut_status status = TAUT_OK;
     w->exponent[0] = size_of(w->surface, w->origin);
-    w->budget = (long)MORE_PIECES * spans[0] * spans[1];
+    w->budget = (int64_t)MORE_PIECES * spans[0] * spans[1];
     w->grid = (int)fmax(GRID_LEAST, GRID / sqrt((double)spans[0] * spans[1]));
     if (weights != NULL) {
         stop(w, weights);

@@ -12,16 +12,18 @@
 #include "taut/certify.h"
 #include "taut/surface.h"
 
+#include <stdint.h>
+
 #define TAUT_REGULAR_LEAST 1e-6 /* a sine at or below this is none */
 
 enum { TAUT_REGULAR_TEXT = 160 };
 
 typedef struct taut_regular {
     taut_verdict holds;
-    double sine;  /* the smallest found; 0 where R_u or R_v is 0 to rounding */
-    double at[2]; /* u, v there */
-    double bound; /* the smallest sine is no less: 0 where nothing is proved */
-    long pieces;  /* that were looked at */
+    double sine;    /* the smallest found; 0 where R_u or R_v is 0 to rounding */
+    double at[2];   /* u, v there */
+    double bound;   /* the smallest sine is no less: 0 where nothing is proved */
+    int64_t pieces; /* that were looked at */
     char where[TAUT_REGULAR_TEXT];
 } taut_regular;
 

@@ -4,6 +4,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 
 /* The five factors of relation (2) at index i of degree n: of points i+2, i+1, i, i-1, i-2. They
  * vanish by themselves where those are outside the net. */
@@ -21,8 +22,8 @@ static void fill_factors(int n, int i, double f[5])
 /* sum_k f[k] p[i + 2 - k] 2^-unit, points outside the net left out; p strides `stride` points. In
  * twice the precision: the factors sum to 0, and what is left of points far from the origin is the
  * difference that they stand for. */
-static taut_twice apply_factors(const double f[5], int n, int i, const double *points, long first,
-                                long stride, int c, int unit)
+static taut_twice apply_factors(const double f[5], int n, int i, const double *points,
+                                int64_t first, int64_t stride, int c, int unit)
 {
     taut_twice sum = {0, 0};
     for (int k = 0; k < 5; k++) {
@@ -36,25 +37,25 @@ static taut_twice apply_factors(const double f[5], int n, int i, const double *p
 }
 
 /* 2^unit is within a factor 2 of the largest coordinate. */
-static int unit_of(const double *points, long count)
+static int unit_of(const double *points, int64_t count)
 {
     double largest = 0;
-    for (long k = 0; k < 3 * count; k++) {
+    for (int64_t k = 0; k < 3 * count; k++) {
         largest = fmax(largest, fabs(points[k]));
     }
     return largest > 0 ? ilogb(largest) : 0;
 }
 
 /* The mean point, and the largest coordinate about it, over 2^unit. */
-static double size_about_mean(const double *points, long count, int unit, double mean[3])
+static double size_about_mean(const double *points, int64_t count, int unit, double mean[3])
 {
     double size = 0;
     for (int c = 0; c < 3; c++) {
         mean[c] = 0;
-        for (long k = 0; k < count; k++) {
+        for (int64_t k = 0; k < count; k++) {
             mean[c] += ldexp(points[3 * k + c], -unit) / (double)count;
         }
-        for (long k = 0; k < count; k++) {
+        for (int64_t k = 0; k < count; k++) {
             size = fmax(size, fabs(ldexp(points[3 * k + c], -unit) - mean[c]));
         }
     }
@@ -140,8 +141,8 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
     const double *points = taut_surface_points(surface);
     taut_harmonic_residual found = {0, 0, 0, 1, 0, 0};
     double mean[3];
-    const int unit = unit_of(points, (long)(n + 1) * (m + 1));
-    const double size = size_about_mean(points, (long)(n + 1) * (m + 1), unit, mean);
+    const int unit = unit_of(points, (int64_t)(n + 1) * (m + 1));
+    const double size = size_about_mean(points, (int64_t)(n + 1) * (m + 1), unit, mean);
     taut_twice w[2];
 
     taut_certify_laplacian_weights(a, b, w);
@@ -154,7 +155,7 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
             for (int c = 0; c < 3; c++) {
                 const taut_twice along_u = apply_factors(fu, n, i, points, j, m + 1, c, unit);
                 const taut_twice along_v =
-                    apply_factors(fv, m, j, points, (long)i * (m + 1), 1, c, unit);
+                    apply_factors(fv, m, j, points, (int64_t)i * (m + 1), 1, c, unit);
                 const double r = fabs(taut_twice_round(taut_twice_add(
                     taut_twice_times(w[0], along_u), taut_twice_times(w[1], along_v))));
                 if (!(r <= found.largest)) {
@@ -165,7 +166,7 @@ taut_harmonic_residual taut_harmonic_residual_of(const taut_surface *surface, in
             }
         }
     }
-    for (long k = 0; size > 0 && k < 3L * (n + 1) * (m + 1); k++) {
+    for (int64_t k = 0; size > 0 && k < INT64_C(3) * (n + 1) * (m + 1); k++) {
         found.reach =
             taut_certify_max(found.reach, ldexp(fmax(fabs(points[k]), DBL_MIN), -unit) / size);
     }

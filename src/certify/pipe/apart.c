@@ -21,6 +21,7 @@
 #include "numeric/quadrature.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { DEPTH = 46, VISITS = 400000, VISITS_PER_PIECE = 4000, GAUSS = 12, PANELS = 64, STEPS = 30 };
@@ -44,7 +45,7 @@ typedef struct prover {
     int count;
     double near;    /* 2 a, and what rounding adds */
     double rounded; /* of a distance */
-    long left;      /* pairs that may still be looked at */
+    int64_t left;   /* pairs that may still be looked at */
     taut_pipe_apart *out;
 } prover;
 
@@ -388,7 +389,7 @@ taut_status taut_pipe_prove_apart(const taut_pipe_line *line, double radius, tau
     }
     p.rounded = 16 * TAUT_UNIT_ROUNDOFF * size + 2 * line->noise;
     p.near = 2 * radius * (1 + 1e-11);
-    p.left = VISITS + (long)VISITS_PER_PIECE * p.count;
+    p.left = VISITS + (int64_t)VISITS_PER_PIECE * p.count;
     for (int i = 0; i < p.count && out->proved; i++) {
         for (int j = i; j < p.count; j++) {
             visit(&p, &p.parts[i], &p.parts[j]);

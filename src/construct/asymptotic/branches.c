@@ -3,6 +3,7 @@
 #include "construct/asymptotic/corner_data.h"
 #include "construct/asymptotic/family.h"
 #include "construct/asymptotic/quartic.h"
+#include "construct/asymptotic/starts.h"
 #include "core/arena.h"
 #include "core/fail.h"
 
@@ -81,8 +82,8 @@ static taut_status fail_none(const taut_corner_data *data, int allowed, double g
 }
 
 static taut_status find_in_family(const taut_family *family, const taut_corner_data *data,
-                                  void *room, const taut_monitor *monitor, taut_branches *branches,
-                                  taut_error *error)
+                                  void *room, double *work, const taut_monitor *monitor,
+                                  taut_branches *branches, taut_error *error)
 {
     taut_branch *const branch = &branches->list[TAUT_BRANCHES_MAX];
     int allowed = 0;
@@ -99,7 +100,7 @@ static taut_status find_in_family(const taut_family *family, const taut_corner_d
         }
         if (signs_of(data, code, signs) && family->allows(room, signs)) {
             allowed++;
-            family->minimise(room, signs, branch);
+            family->minimise(room, signs, work, branch);
             gap = fabs(branch->gap) < fabs(gap) ? branch->gap : gap;
             branches->unknowns = branch->unknowns;
             if (branch->found) {
@@ -133,6 +134,7 @@ static taut_status find_free(const taut_asymptotic_corners *corners, double roun
     const taut_family *const family = families[corners->degree > 4];
     taut_corner_data *const data = taut_arena_take(arena, 1, sizeof *data);
     void *const room = taut_arena_take(arena, 1, family->size);
+    double *const work = taut_arena_take(arena, TAUT_STARTS_WORK, sizeof *work);
     taut_status status = TAUT_OK;
 
     if (taut_arena_status(arena) != TAUT_OK) {
@@ -142,7 +144,7 @@ static taut_status find_free(const taut_asymptotic_corners *corners, double roun
     if (status != TAUT_OK) {
         return status;
     }
-    status = find_in_family(family, data, room, monitor, branches, error);
+    status = find_in_family(family, data, room, work, monitor, branches, error);
     raise_branches(data, branches);
     return status;
 }

@@ -4,6 +4,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* p[0..count-1] = Legendre polynomials of x: (k+1) P_(k+1) = (2k+1) x P_k - k P_(k-1). */
@@ -43,7 +44,7 @@ void taut_bubble_bernstein(int m, double *coefficients)
     assert(m >= 4 && m < TAUT_BERNSTEIN_MAX);
     for (int k = 2; k <= m - 2; k++) {
         double low[TAUT_BERNSTEIN_MAX + 1], a[TAUT_BERNSTEIN_MAX + 1];
-        double *const out = coefficients + (long)(k - 2) * (m + 1);
+        double *const out = coefficients + (int64_t)(k - 2) * (m + 1);
         double first = 0.0, second = 0.0;
         for (int i = 0; i <= k; i++) {
             low[i] = ((k + i) % 2 == 0 ? 1.0 : -1.0) * taut_binomial(k, i);

@@ -13,7 +13,8 @@ typedef struct taut_family {
                            taut_error *error);
     /* Can torsions and edges have these signs? Straight edges carry 0. */
     int (*allows)(const void *room, const int signs[4]);
-    void (*minimise)(const void *room, const int signs[4], taut_branch *branch);
+    /* work: double[TAUT_STARTS_WORK] */
+    void (*minimise)(const void *room, const int signs[4], double *work, taut_branch *branch);
 } taut_family;
 
 extern const taut_family taut_family_quartic; /* quartic_minimise.c */

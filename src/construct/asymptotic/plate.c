@@ -9,6 +9,7 @@
 #include "numeric/quadrature.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { LENGTH = TAUT_QUAD_PATCH + 1, NODES_MAX = 2 * TAUT_QUAD_PATCH + 14 };
@@ -26,6 +27,8 @@ typedef struct plate {
     double node[NODES_MAX], weight[NODES_MAX];
     double bernstein[NODES_MAX][3][LENGTH]; /* at the nodes */
     double bubble[NODES_MAX][3][LENGTH];
+    double small[(TAUT_PLATE_FREEDOMS + 1) * (TAUT_PLATE_FREEDOMS + 1)]; /* of the freedoms */
+    double reduced[(TAUT_PLATE_FREEDOMS + 1) * 3 * (TAUT_PLATE_FREEDOMS + 1)];
     double *triangle;            /* [columns][columns] */
     double *block;               /* [columns][3 nodes] */
     double *bubble_coefficients; /* [m - 3][m + 1] */
@@ -114,7 +117,7 @@ static void product(const double *f, const double *g, double *out)
  * derivatives, the mixed one counted twice. */
 static void write_entries(const plate *p, int column, int at, double root, const double *value)
 {
-    double *const to = p->block + ((long)column * p->nodes + at) * 3;
+    double *const to = p->block + ((int64_t)column * p->nodes + at) * 3;
     to[0] = root * value[3];
     to[1] = root * sqrt(2.0) * value[4];
     to[2] = root * value[5];
@@ -224,19 +227,19 @@ static int solve_factors(int count, const double *triangle, double *factors)
 /* The freedoms' factors: with the inner unknowns eliminated, what is left of each column stands
  * below them in the triangle; x, y and z are three blocks of rows of one small problem. r: its
  * triangle, or NULL. */
-static int find_factors(const plate *p, double *factors, double *r)
+static int find_factors(plate *p, double *factors, double *r)
 {
     const int rows = 3 * p->count + 3, count = p->count;
     int solved = 0;
-    double small[(TAUT_PLATE_FREEDOMS + 1) * (TAUT_PLATE_FREEDOMS + 1)] = {0};
-    double block[(TAUT_PLATE_FREEDOMS + 1) * 3 * (TAUT_PLATE_FREEDOMS + 1)];
+    double *const small = p->small, *const block = p->reduced;
+    memset(p->small, 0, sizeof p->small);
     for (int k = 0; k < 3; k++) {
         for (int j = 0; j <= count; j++) {
             const int column = p->inner + 3 * j + k;
             for (int i = 0; i < rows; i++) {
                 const int row = p->inner + i;
                 block[j * rows + i] =
-                    row <= column ? p->triangle[(long)column * p->columns + row] : 0.0;
+                    row <= column ? p->triangle[(int64_t)column * p->columns + row] : 0.0;
             }
         }
         taut_qr_append(count + 1, small, rows, block);
@@ -247,7 +250,7 @@ static int find_factors(const plate *p, double *factors, double *r)
         solved = solve_factors(count, small, factors);
     }
     for (int j = 0; j < count && r != NULL; j++) {
-        memcpy(r + (long)j * count, small + (long)j * (count + 1), (size_t)count * sizeof *r);
+        memcpy(r + (int64_t)j * count, small + (int64_t)j * (count + 1), (size_t)count * sizeof *r);
     }
     return solved;
 }
@@ -258,8 +261,8 @@ static void apply_factors(const plate *p, const double *factors)
     const int last = p->inner + 3 * p->count;
     for (int j = 0; j < p->count; j++) {
         for (int k = 0; k < 3; k++) {
-            const double *const from = p->triangle + (long)(p->inner + 3 * j + k) * p->columns;
-            double *const to = p->triangle + (long)(last + k) * p->columns;
+            const double *const from = p->triangle + (int64_t)(p->inner + 3 * j + k) * p->columns;
+            double *const to = p->triangle + (int64_t)(last + k) * p->columns;
             for (int i = 0; i <= p->inner + 3 * j + k; i++) {
                 to[i] += factors[j] * from[i];
             }
@@ -307,7 +310,7 @@ static taut_status solve_points(plate *p, double *factors, double *energy, taut_
         apply_factors(p, factors);
     }
     for (int k = 0; k < 3 && solved; k++) {
-        double *const right = p->triangle + (long)(p->inner + 3 * p->count + k) * p->columns;
+        double *const right = p->triangle + (int64_t)(p->inner + 3 * p->count + k) * p->columns;
         for (int i = 0; i < p->inner; i++) {
             right[i] = -right[i];
         }

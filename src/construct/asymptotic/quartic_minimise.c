@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-static void minimise(const void *room, const int signs[4], taut_branch *branch)
+static void minimise(const void *room, const int signs[4], double *work, taut_branch *branch)
 {
     const taut_quartic *const quartic = room;
     taut_quartic_search s;
@@ -15,6 +15,7 @@ static void minimise(const void *room, const int signs[4], taut_branch *branch)
     plan.count = s.count;
     plan.start = taut_quartic_start;
     plan.context = &s;
+    plan.work = work;
     plan.rule = &s.rule;
     plan.coarse = &quartic->data->coarse;
     plan.fine = &quartic->data->fine;

@@ -289,22 +289,23 @@ static int allows(const void *room, const int signs[4])
     return 1;
 }
 
-static void minimise(const void *room, const int signs[4], taut_branch *branch)
+static void minimise(const void *room, const int signs[4], double *work, taut_branch *branch)
 {
     const taut_corner_data *const data = *(const taut_corner_data *const *)room;
     search s;
-    taut_start_plan work = {
+    taut_start_plan plan = {
         .starts = 6, .objective = objective, .start = draw_start, .begin = fix_signs};
     double x[TAUT_MINIMISE_MAX];
     plan_unknowns(data, signs, &s);
-    work.count = s.count;
-    work.context = &s;
-    work.rule = &s.rule;
-    work.coarse = &data->coarse;
-    work.fine = &data->fine;
+    plan.count = s.count;
+    plan.context = &s;
+    plan.work = work;
+    plan.rule = &s.rule;
+    plan.coarse = &data->coarse;
+    plan.fine = &data->fine;
     memcpy(branch->signs, signs, sizeof branch->signs);
     branch->gap = 0.0;
-    branch->found = taut_starts_run(&work, x, &branch->energy);
+    branch->found = taut_starts_run(&plan, x, &branch->energy);
     branch->unknowns = s.count;
     branch->quad = s.quad;
 }

@@ -15,16 +15,16 @@ typedef struct rough_end {
     double x[TAUT_MINIMISE_MAX];
 } rough_end;
 
-static int descend(const taut_start_plan *plan, double *x, double *work, int rough,
-                   taut_minimum *minimum)
+static int descend(const taut_start_plan *plan, double *x, int rough, taut_minimum *minimum)
 {
     if (plan->begin != NULL) {
         plan->begin(plan->context, x);
     }
-    return taut_minimise(plan->count, plan->objective, plan->context, x, work, rough, minimum);
+    return taut_minimise(plan->count, plan->objective, plan->context, x, plan->work, rough,
+                         minimum);
 }
 
-static int go_down(const taut_start_plan *plan, double *work, rough_end *ends)
+static int go_down(const taut_start_plan *plan, rough_end *ends)
 {
     uint64_t noise = 1;
     int found = 0;
@@ -35,8 +35,7 @@ static int go_down(const taut_start_plan *plan, double *work, rough_end *ends)
         int at = found;
         memset(&end, 0, sizeof end);
         if (!plan->start(plan->context, number, &noise, end.x) ||
-            !descend(plan, end.x, work, 1, &minimum) ||
-            minimum.gradient > arrived * minimum.value) {
+            !descend(plan, end.x, 1, &minimum) || minimum.gradient > arrived * minimum.value) {
             continue;
         }
         end.value = minimum.value;
@@ -52,7 +51,7 @@ static int go_down(const taut_start_plan *plan, double *work, rough_end *ends)
 int taut_starts_run(const taut_start_plan *plan, double *x, double *value)
 {
     rough_end ends[TAUT_STARTS_MAX];
-    double work[TAUT_MINIMISE_WORK(TAUT_MINIMISE_MAX)], gradient[TAUT_MINIMISE_MAX];
+    double gradient[TAUT_MINIMISE_MAX];
     int found = 0, polished = 0;
 
     assert(plan->count <= TAUT_MINIMISE_MAX && plan->starts <= TAUT_STARTS_MAX);
@@ -60,11 +59,11 @@ int taut_starts_run(const taut_start_plan *plan, double *x, double *value)
         *value = 0.0;
         return 1;
     }
-    found = go_down(plan, work, ends);
+    found = go_down(plan, ends);
     *plan->rule = plan->fine;
     for (int k = 0; k < found && !polished; k++) {
         taut_minimum minimum;
-        polished = descend(plan, ends[k].x, work, 0, &minimum) && minimum.converged &&
+        polished = descend(plan, ends[k].x, 0, &minimum) && minimum.converged &&
                    minimum.curvature > least_curvature * minimum.value;
         if (polished) {
             memcpy(x, ends[k].x, sizeof ends[k].x);

@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-enum { TAUT_STARTS_MAX = 16 };
+enum { TAUT_STARTS_MAX = 16, TAUT_STARTS_WORK = TAUT_MINIMISE_WORK(TAUT_MINIMISE_MAX) };
 
 typedef struct taut_start_plan {
     int count;  /* unknowns; 0: nothing to find, the value is 0 */
@@ -20,6 +20,7 @@ typedef struct taut_start_plan {
     void *context;
     const taut_curve_rule **rule; /* where the objective looks for its rule */
     const taut_curve_rule *coarse, *fine;
+    double *work; /* double[TAUT_STARTS_WORK] */
 } taut_start_plan;
 
 /* The lowest minimum: every start goes down roughly on the coarse rule, then the lowest is polished

@@ -10,6 +10,7 @@
 #include "construct/harmonic/neighbour.h"
 #include "construct/biharmonic/biharmonic.h"
 #include "construct/common/build.h"
+#include "construct/harmonic/growth.h"
 #include "construct/harmonic/space.h"
 #include "construct/harmonic/wide_solve.h"
 #include "core/elementary/elementary.h"
@@ -27,8 +28,8 @@ static const double biharmonic_limit = 1e-10;
  * to learn as much. */
 static const double amplification_limit = 2e9;
 enum { DEGREE_MAX = 32 };
-/* The rows that meet must be met within some roundings of the coordinates: on a rectangle 50 times
- * as long as wide they are not from degree 20 on. */
+/* The rows that meet must be met within some roundings of the coordinates; no rectangle is known
+ * where they are not. */
 static const double meeting_limit = 4 * DBL_EPSILON;
 
 typedef struct neighbour {
@@ -37,9 +38,11 @@ typedef struct neighbour {
     int lines;            /* rows that are given */
     int sides;            /* right-hand sides: three coordinates, then unit rows: 1 at a point */
     double across, along; /* of the neighbour */
+    taut_twice slender;   /* along / across */
+    taut_twice root_of_2;
     taut_space space;
-    taut_wide *fixed;  /* [sides][n+1][n+1]: a net for each, with the rows */
-    taut_wide *moving; /* [free][n+1][n+1]: nets that leave the rows alone */
+    taut_twice *fixed;  /* [sides][n+1][n+1]: a net for each, with the rows */
+    taut_twice *moving; /* [free][n+1][n+1]: nets that leave the rows alone */
 } neighbour;
 
 static size_t numbers_of(const neighbour *b)
@@ -48,13 +51,13 @@ static size_t numbers_of(const neighbour *b)
 }
 
 /* to = sum_f factors[f] net_f */
-static void combine_nets(const neighbour *b, const taut_wide *factors, taut_wide *to)
+static void combine_nets(const neighbour *b, const taut_twice *factors, taut_twice *to)
 {
     const size_t numbers = numbers_of(b);
     memset(to, 0, numbers * sizeof *to);
     for (int f = 0; f < b->space.count; f++) {
         for (size_t k = 0; k < numbers; k++) {
-            to[k] += factors[f] * b->space.nets[(size_t)f * numbers + k];
+            to[k] = taut_twice_gain(to[k], factors[f], b->space.nets[(size_t)f * numbers + k]);
         }
     }
 }
@@ -62,28 +65,29 @@ static void combine_nets(const neighbour *b, const taut_wide *factors, taut_wide
 /* Row k of the neighbour is sum_a share(k, a) of row n - a of the given net:
  *     share = sum_l C(k,l) C(l,a) (-1)^a h^l,  as Delta^l q_0 = h^l nabla^l p_n  (section 2.6 (3)).
  */
-static taut_wide share_of(taut_wide h, int k, int a)
+static taut_twice share_of(double h, int k, int a)
 {
-    taut_wide sum = 0, power = 1, outer = 1; /* h^l, C(k,l) */
+    taut_twice sum = {0, 0}, power = {1, 0}; /* power: h^l */
+    double outer = a % 2 != 0 ? -1 : 1;      /* (-1)^a C(k,l), k <= 2 */
     for (int l = 0; l <= k; l++) {
-        taut_wide inner = l >= a ? 1 : 0; /* C(l,a) */
+        double inner = l >= a ? 1 : 0; /* C(l,a) */
         for (int i = 0; i < a && l >= a; i++) {
             inner = inner * (l - i) / (i + 1);
         }
-        sum += outer * inner * power;
-        power *= h;
+        sum = taut_twice_gain(sum, taut_twice_of(outer * inner), power);
+        power = taut_twice_scale(h, power);
         outer = outer * (k - l) / (l + 1);
     }
-    return a % 2 != 0 ? -sum : sum;
+    return sum;
 }
 
 /* What the rows are to be: d[rows][sides]. */
-static void fill_sides(const neighbour *b, const double *beyond, taut_wide *d)
+static void fill_sides(const neighbour *b, const double *beyond, taut_twice *d)
 {
     const int columns = b->n + 1;
     for (int k = 0; k < b->lines * columns; k++) {
         for (int side = 0; side < 3; side++) {
-            d[k * b->sides + side] = beyond[3 * k + side];
+            d[k * b->sides + side] = taut_twice_of(beyond[3 * k + side]);
         }
         for (int a = 0; a < b->lines; a++) {
             d[k * b->sides + 3 + a * columns + k % columns] =
@@ -98,13 +102,13 @@ static taut_status meet_rows(neighbour *b, const double *beyond, taut_error *err
     taut_arena *arena = b->given.arena;
     const int unknowns = b->space.count, rank = unknowns - b->free, rows = b->lines * (b->n + 1);
     const size_t n = (size_t)unknowns, numbers = numbers_of(b);
-    taut_wide *c = taut_arena_take(arena, (size_t)rows * n, sizeof *c);
-    taut_wide *d = taut_arena_take(arena, (size_t)rows * (size_t)b->sides, sizeof *d);
-    taut_wide *basis = taut_arena_take(arena, n * n, sizeof *basis);
-    taut_wide *x = taut_arena_take(arena, (size_t)b->sides * n, sizeof *x);
+    taut_twice *c = taut_arena_take(arena, (size_t)rows * n, sizeof *c);
+    taut_twice *d = taut_arena_take(arena, (size_t)rows * (size_t)b->sides, sizeof *d);
+    taut_twice *basis = taut_arena_take(arena, n * n, sizeof *basis);
+    taut_twice *x = taut_arena_take(arena, (size_t)b->sides * n, sizeof *x);
 
-    b->fixed = taut_arena_take(arena, (size_t)b->sides * numbers, sizeof(taut_wide));
-    b->moving = taut_arena_take(arena, (size_t)b->free * numbers, sizeof(taut_wide));
+    b->fixed = taut_arena_take(arena, (size_t)b->sides * numbers, sizeof(taut_twice));
+    b->moving = taut_arena_take(arena, (size_t)b->free * numbers, sizeof(taut_twice));
     if (c == NULL || d == NULL || basis == NULL || x == NULL || b->fixed == NULL ||
         b->moving == NULL) {
         return taut_fail_memory(error);
@@ -126,86 +130,93 @@ static taut_status meet_rows(neighbour *b, const double *beyond, taut_error *err
 }
 
 /* B, B', B'' of degree n at t, [3][n+1]. */
-static void basis_at(int n, taut_wide t, taut_wide *b)
+static void basis_at(int n, taut_twice t, taut_twice *b)
 {
-    taut_wide low[TAUT_SPACE_DEGREE_MAX + 3] = {0};
+    const taut_twice zero = {0, 0}, rest = taut_twice_less(taut_twice_of(1), t);
+    taut_twice low[TAUT_SPACE_DEGREE_MAX + 3] = {{0, 0}};
     const int size = n + 1;
 
     memset(b, 0, 3 * (size_t)size * sizeof *b);
     for (int order = 0; order < 3 && order <= n; order++) { /* degree n - order, then differences */
         const int d = n - order;
-        taut_wide *to = b + order * size, factor = 1;
+        taut_twice *to = b + order * size;
+        double factor = 1;
         memset(low, 0, sizeof low);
-        low[0] = 1;
+        low[0] = taut_twice_of(1);
         for (int k = 1; k <= d; k++) {
             for (int i = k; i > 0; i--) {
-                low[i] = t * low[i - 1] + (i < k ? (1 - t) * low[i] : 0);
+                low[i] =
+                    taut_twice_gain(taut_twice_times(t, low[i - 1]), rest, i < k ? low[i] : zero);
             }
-            low[0] *= 1 - t;
+            low[0] = taut_twice_times(rest, low[0]);
         }
         for (int k = 0; k < order; k++) {
             factor *= n - k;
         }
         for (int i = 0; i <= n; i++) { /* (-1)^order Delta^order of the shifted functions */
-            const taut_wide a = i - order >= 0 && i - order <= d ? low[i - order] : 0;
-            const taut_wide m = i - 1 >= 0 && i - 1 <= d ? low[i - 1] : 0;
-            const taut_wide z = i <= d ? low[i] : 0;
-            to[i] = factor * (order == 0 ? z : order == 1 ? a - z : a - 2 * m + z);
+            const taut_twice a = i - order >= 0 && i - order <= d ? low[i - order] : zero;
+            const taut_twice m = i - 1 >= 0 && i - 1 <= d ? low[i - 1] : zero;
+            const taut_twice z = i <= d ? low[i] : zero;
+            const taut_twice bend = taut_twice_gain(taut_twice_add(a, z), taut_twice_of(-2), m);
+            to[i] = taut_twice_scale(factor, order == 0   ? z
+                                             : order == 1 ? taut_twice_less(a, z)
+                                                          : bend);
         }
     }
 }
 
 /* polygons[3][n+1]: the net along the line where the functions across have the values bu, of its
  * second derivative across, its first and itself. */
-static void fill_polygons(const neighbour *b, const taut_wide *net, const taut_wide *bu,
-                          taut_wide *polygons)
+static void fill_polygons(const neighbour *b, const taut_twice *net, const taut_twice *bu,
+                          taut_twice *polygons)
 {
     const int size = b->n + 1;
     memset(polygons, 0, 3 * (size_t)size * sizeof *polygons);
     for (int order = 0; order < 3; order++) {
         for (int i = 0; i < size; i++) {
             for (int j = 0; j < size; j++) {
-                polygons[(2 - order) * size + j] += bu[order * size + i] * net[i * size + j];
+                taut_twice *const at = polygons + (2 - order) * size + j;
+                *at = taut_twice_gain(*at, bu[order * size + i], net[i * size + j]);
             }
         }
     }
 }
 
-/* weight times (P_uu, sqrt 2 P_uv, P_vv) by parameter length, at a point of that line; out[row] is
- * `stride` apart. */
-static void evaluate_bend(const neighbour *b, const taut_wide *polygons, const taut_wide *bv,
-                          taut_wide weight, long stride, taut_wide *out)
+/* weight times (P_uu, sqrt 2 P_uv, P_vv) by parameter length and times the area, at a point of that
+ * line; out[row] is `stride` apart. */
+static void evaluate_bend(const neighbour *b, const taut_twice *polygons, const taut_twice *bv,
+                          taut_twice weight, ptrdiff_t stride, taut_twice *out)
 {
     const int size = b->n + 1;
-    taut_wide sum[3] = {0, 0, 0};
+    taut_twice sum[3] = {{0, 0}, {0, 0}, {0, 0}};
     for (int k = 0; k < 3; k++) {
         for (int j = 0; j < size; j++) {
-            sum[k] += bv[k * size + j] * polygons[k * size + j];
+            sum[k] = taut_twice_gain(sum[k], bv[k * size + j], polygons[k * size + j]);
         }
     }
-    out[0] = weight * sum[0] / ((taut_wide)b->across * b->across);
-    out[stride] = weight * sqrtl(2) * sum[1] / ((taut_wide)b->across * b->along);
-    out[2 * stride] = weight * sum[2] / ((taut_wide)b->along * b->along);
+    out[0] = taut_twice_times(weight, taut_twice_times(b->slender, sum[0]));
+    out[stride] = taut_twice_times(weight, taut_twice_times(b->root_of_2, sum[1]));
+    out[2 * stride] = taut_twice_times(weight, taut_twice_over(sum[2], b->slender));
 }
 
 /* Step 3: y[side][free]. */
-static taut_status minimise_bending(const neighbour *b, taut_wide *y, taut_error *error)
+static taut_status minimise_bending(const neighbour *b, taut_twice *y, taut_error *error)
 {
     taut_arena *arena = b->given.arena;
     const int nodes = b->n + 1, width = b->free + b->sides, size = b->n + 1;
     const size_t numbers = numbers_of(b);
     double t[TAUT_GAUSS_MAX], w[TAUT_GAUSS_MAX];
-    taut_wide polygons[3 * (TAUT_SPACE_DEGREE_MAX + 1)];
-    taut_wide *r = taut_arena_take(arena, (size_t)b->free * (size_t)width, sizeof *r);
-    taut_wide *block = taut_arena_take(arena, 3 * (size_t)nodes * (size_t)width, sizeof *block);
-    taut_wide *table = taut_arena_take(arena, 3 * (size_t)nodes * (size_t)size, sizeof *table);
+    taut_twice polygons[3 * (TAUT_SPACE_DEGREE_MAX + 1)];
+    taut_twice *r = taut_arena_take(arena, (size_t)b->free * (size_t)width, sizeof *r);
+    taut_twice *block = taut_arena_take(arena, 3 * (size_t)nodes * (size_t)width, sizeof *block);
+    taut_twice *table = taut_arena_take(arena, 3 * (size_t)nodes * (size_t)size, sizeof *table);
 
     if (r == NULL || block == NULL || table == NULL) {
         return taut_fail_memory(error);
     }
     taut_gauss_rule(nodes, t, w);
     for (int s = 0; s < nodes; s++) {
-        basis_at(b->n, ((taut_wide)t[s] + 1) / 2, table + 3 * s * size);
+        basis_at(b->n, taut_twice_sum(t[s] / 2, 0.5), table + 3 * s * size);
     }
     for (int s = 0; s < nodes; s++) {
         for (int k = 0; k < width; k++) {
@@ -214,15 +225,16 @@ static taut_status minimise_bending(const neighbour *b, taut_wide *y, taut_error
                                       : b->fixed + (size_t)(k - b->free) * numbers,
                           table + 3 * s * size, polygons);
             for (int q = 0; q < nodes; q++) {
-                evaluate_bend(b, polygons, table + 3 * q * size, sqrtl((taut_wide)w[s] * w[q]),
-                              width, block + 3 * q * width + k);
+                evaluate_bend(b, polygons, table + 3 * q * size,
+                              taut_twice_root(taut_twice_product(w[s], w[q])), width,
+                              block + 3 * q * width + k);
             }
         }
         taut_wide_append(b->free, width, r, 3 * nodes, block);
     }
     for (int side = 0; side < b->sides; side++) {
         for (int k = 0; k < b->free; k++) {
-            y[side * b->free + k] = -r[k * width + b->free + side];
+            y[side * b->free + k] = taut_twice_negative(r[k * width + b->free + side]);
         }
         taut_wide_back(b->free, width, r, 1, y + side * b->free);
     }
@@ -230,29 +242,29 @@ static taut_status minimise_bending(const neighbour *b, taut_wide *y, taut_error
 }
 
 /* Point k of the neighbour that a right-hand side leads to. */
-static taut_wide point_of(const neighbour *b, const taut_wide *y, int side, size_t k)
+static taut_twice point_of(const neighbour *b, const taut_twice *y, int side, size_t k)
 {
     const size_t numbers = numbers_of(b);
-    taut_wide sum = b->fixed[(size_t)side * numbers + k];
+    taut_twice sum = b->fixed[(size_t)side * numbers + k];
     for (int f = 0; f < b->free; f++) {
-        sum += y[side * b->free + f] * b->moving[(size_t)f * numbers + k];
+        sum = taut_twice_gain(sum, y[side * b->free + f], b->moving[(size_t)f * numbers + k]);
     }
     return sum;
 }
 
 /* The largest growth from the given surface's rows to the neighbour's net, in the
  * largest-coordinate norm: all of it is linear, the unit rows are its columns. */
-static double amplification_of(const neighbour *b, const taut_wide *y)
+static double amplification_of(const neighbour *b, const taut_twice *y)
 {
-    taut_wide most = 0;
+    double most = 0;
     for (size_t k = 0; k < numbers_of(b); k++) {
-        taut_wide sum = 0;
+        double sum = 0;
         for (int side = 3; side < b->sides; side++) {
-            sum += fabsl(point_of(b, y, side, k));
+            sum += fabs(taut_twice_round(point_of(b, y, side, k)));
         }
-        most = fmaxl(most, sum);
+        most = taut_larger_growth(most, sum);
     }
-    return (double)most;
+    return most;
 }
 
 static double size_of(const double *net, size_t points)
@@ -265,14 +277,15 @@ static double size_of(const double *net, size_t points)
 }
 
 /* How far the rows that were to be met were missed, over the size of the given net. */
-static double miss_of(const neighbour *b, const double *net, const taut_wide *y)
+static double miss_of(const neighbour *b, const double *net, const taut_twice *y)
 {
     const double size = size_of(b->given.net, numbers_of(b));
     double miss = 0;
     for (size_t k = (size_t)(b->n + 1); k < (size_t)(b->lines * (b->n + 1)); k++) {
         for (int side = 0; side < 3; side++) {
-            const taut_wide found = point_of(b, y, side, k);
-            miss = fmax(miss, fabs((double)(found - net[3 * k + (size_t)side])));
+            const taut_twice wanted = taut_twice_of(net[3 * k + (size_t)side]);
+            const taut_twice apart = taut_twice_less(point_of(b, y, side, k), wanted);
+            miss = fmax(miss, fabs(taut_twice_round(apart)));
         }
     }
     return size > 0 ? miss / size : 0;
@@ -311,7 +324,7 @@ static taut_status solve_net(neighbour *b, double *net, double *amplification, i
                              taut_error *error)
 {
     taut_arena *arena = b->given.arena;
-    taut_wide *y = taut_arena_take(arena, (size_t)b->sides * (size_t)b->free, sizeof *y);
+    taut_twice *y = taut_arena_take(arena, (size_t)b->sides * (size_t)b->free, sizeof *y);
     taut_status status = TAUT_OK;
 
     taut_neighbour_extrapolate(&b->given, 0, net);
@@ -333,7 +346,7 @@ static taut_status solve_net(neighbour *b, double *net, double *amplification, i
     }
     for (size_t k = (size_t)(b->n + 1); k < numbers_of(b); k++) {
         for (int side = 0; side < 3; side++) {
-            net[3 * k + (size_t)side] = (double)point_of(b, y, side, k);
+            net[3 * k + (size_t)side] = taut_twice_round(point_of(b, y, side, k));
         }
     }
     return TAUT_OK;
@@ -410,6 +423,8 @@ static taut_status turn_surface(const taut_biharmonic_neighbour *asked, neighbou
     b->sides = 3 + b->lines * (b->n + 1);
     b->across = b->given.ratio * b->given.across;
     b->along = b->given.along;
+    b->slender = taut_twice_over_number(taut_twice_of(b->along), b->across);
+    b->root_of_2 = taut_twice_root(taut_twice_of(2));
     return check_given(&b->given, asked->allow_ill_conditioned, error);
 }
 

@@ -8,8 +8,8 @@
 
 #include <string.h>
 
-/* Past this the wider format, in which the rows are solved for, has few digits to spare; past this
- * degree it can't even tell how many. */
+/* Past this rounding of the rows leaves the net less than five digits; past this
+ * degree the growth is not looked for. */
 enum { DEGREE_MAX = 24 };
 static const double amplification_limit = 1e11;
 
@@ -58,7 +58,7 @@ static taut_status solve_net(const taut_biharmonic_rows *rows, taut_arena *arena
     const taut_unit_map map = taut_unit_map_of(points, rows->points, rows->known);
     taut_space space;
     taut_rim boundary;
-    taut_wide *scratch = NULL;
+    taut_twice *scratch = NULL;
     taut_status status = TAUT_OK;
 
     if (n > DEGREE_MAX) {

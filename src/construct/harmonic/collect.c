@@ -30,11 +30,12 @@ static void set_direction(taut_harmonic_task *task, int turned)
 {
     const taut_basis *across = turned ? task->problem->v : task->problem->u;
     const taut_basis *along = turned ? task->problem->u : task->problem->v;
-    const taut_wide ratio = (taut_wide)width_of(across) / width_of(along);
+    const taut_twice ratio =
+        taut_twice_over_number(taut_twice_of(width_of(across)), width_of(along));
     task->turned = turned;
     task->n = taut_basis_degree(across);
     task->m = taut_basis_degree(along);
-    task->mu = ratio * ratio;
+    task->mu = taut_twice_times(ratio, ratio);
 }
 
 /* Do the known points make two opposite lines in this direction and nothing else? The last point of

@@ -50,11 +50,14 @@ static taut_status complete_g1(const taut_neighbour *e, const taut_extension_g1 
                                double *amplification, taut_error *error)
 {
     const int n = e->n, m = e->m;
-    const taut_wide ratio = (taut_wide)e->ratio * e->across / e->along;
+    const taut_twice ratio =
+        taut_twice_over_number(taut_twice_product(e->ratio, e->across), e->along);
+    const taut_twice mu = taut_twice_times(ratio, ratio);
+    const size_t points = (size_t)(n + 1) * (size_t)(m + 1);
     const double limit = fmax(1e-10, 4 * ldexp(DBL_EPSILON, m) * taut_unit_map_reach(&e->map));
     double *cross = taut_arena_take(e->arena, 3 * (size_t)(m + 1), sizeof(double));
-    taut_wide *scratch =
-        taut_arena_take(e->arena, 4 * (size_t)(n + 1) * (size_t)(m + 1), sizeof *scratch);
+    taut_twice *net = taut_arena_take(e->arena, 3 * points, sizeof *net);
+    double *sum = taut_arena_take(e->arena, points, sizeof *sum);
     double top[3];
 
     if (taut_arena_status(e->arena) != TAUT_OK) {
@@ -77,9 +80,8 @@ static taut_status complete_g1(const taut_neighbour *e, const taut_extension_g1 
                          "here (the top difference is %.6g)",
                          m, defect * e->map.size);
     }
-    taut_harmonic_from_derivative(n, m, ratio * ratio, e->net + 3 * n * (m + 1), 1, cross, scratch,
-                                  out);
-    *amplification = taut_harmonic_derivative_amplification(n, m, ratio * ratio, scratch);
+    taut_harmonic_from_derivative(n, m, mu, e->net + 3 * n * (m + 1), 1, cross, net, out);
+    *amplification = taut_harmonic_derivative_amplification(n, m, mu, net, sum);
     return TAUT_OK;
 }
 

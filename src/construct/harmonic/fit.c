@@ -47,7 +47,7 @@ taut_status taut_harmonic_fit(taut_harmonic_task *task, taut_error *error)
         !taut_rim_solve(&space, task->arena, &boundary)) {
         return taut_fail_memory(error);
     }
-    taut_wide *scratch = taut_arena_take(
+    taut_twice *scratch = taut_arena_take(
         task->arena, 3 * ((size_t)space.count + (size_t)boundary.count + points), sizeof *scratch);
     if (scratch == NULL) {
         return taut_fail_memory(error);

@@ -20,17 +20,18 @@ static const double amplification_limit = 1e15, amplification_warning = 5e6;
 static taut_status measure_amplification(taut_harmonic_task *task, taut_error *error)
 {
     const int n = task->n, m = task->m;
-    taut_wide *scratch = NULL;
+    const size_t points = (size_t)(n + 1) * (size_t)(m + 1);
 
     if (task->problem->given == TAUT_HARMONIC_ROWS) {
-        task->amplification = taut_harmonic_rows_amplification(n, m, task->mu);
+        task->amplification = taut_harmonic_rows_amplification(n, m, taut_twice_round(task->mu));
         return TAUT_OK;
     }
-    scratch = taut_arena_take(task->arena, 4 * (size_t)(n + 1) * (size_t)(m + 1), sizeof *scratch);
-    if (scratch == NULL) {
+    taut_twice *net = taut_arena_take(task->arena, 3 * points, sizeof *net);
+    double *sum = taut_arena_take(task->arena, points, sizeof *sum);
+    if (taut_arena_status(task->arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    task->amplification = taut_harmonic_derivative_amplification(n, m, task->mu, scratch);
+    task->amplification = taut_harmonic_derivative_amplification(n, m, task->mu, net, sum);
     return TAUT_OK;
 }
 
@@ -82,7 +83,7 @@ static int is_finite(const taut_harmonic_task *task)
 static taut_status complete_net(taut_harmonic_task *task, taut_error *error)
 {
     const size_t numbers = count_numbers(task);
-    taut_wide *wide = taut_arena_take(task->arena, numbers, sizeof *wide);
+    taut_twice *wide = taut_arena_take(task->arena, numbers, sizeof *wide);
 
     task->net = taut_arena_take(task->arena, numbers, sizeof(double));
     if (taut_arena_status(task->arena) != TAUT_OK) {

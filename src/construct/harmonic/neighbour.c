@@ -5,6 +5,7 @@
 #include "taut/limits.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 static size_t index_of(const taut_neighbour *e, int columns, int i, int j)
@@ -87,7 +88,7 @@ taut_status taut_neighbour_check(const taut_surface *surface, double width, taut
 
 void taut_net_laplacian(int n, int m, double wu, double wv, const double *net, double *laplacian)
 {
-    const long du = 3 * (m + 1), dv = 3;
+    const int64_t du = 3 * (m + 1), dv = 3;
     for (int i = 0; i <= n; i++) {
         for (int j = 0; j <= m; j++) {
             for (int c = 0; c < 3; c++) {

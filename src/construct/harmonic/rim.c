@@ -1,5 +1,6 @@
 #include "construct/harmonic/rim.h"
 
+#include "construct/harmonic/growth.h"
 #include "construct/harmonic/wide_solve.h"
 #include "numeric/quadrature.h"
 
@@ -19,41 +20,42 @@ void taut_rim_place(int n, int m, int k, int *i, int *j)
 }
 
 /* B[d,i](t), i = 0..d. */
-static void bernstein(int d, taut_wide t, taut_wide *b)
+static void bernstein(int d, taut_twice t, taut_twice *b)
 {
-    b[0] = 1;
+    const taut_twice rest = taut_twice_less(taut_twice_of(1), t);
+    b[0] = taut_twice_of(1);
     for (int k = 1; k <= d; k++) {
-        b[k] = t * b[k - 1];
+        b[k] = taut_twice_times(t, b[k - 1]);
         for (int i = k - 1; i > 0; i--) {
-            b[i] = t * b[i - 1] + (1 - t) * b[i];
+            b[i] = taut_twice_gain(taut_twice_times(t, b[i - 1]), rest, b[i]);
         }
-        b[0] *= 1 - t;
+        b[0] = taut_twice_times(rest, b[0]);
     }
 }
 
 /* The value on side 0..3 (u0, u1, v0, v1) of a net, given the functions along it. */
-static taut_wide on_side(const taut_space *space, int side, const taut_wide *net,
-                         const taut_wide *along)
+static taut_twice on_side(const taut_space *space, int side, const taut_twice *net,
+                          const taut_twice *along)
 {
     const int d = side < 2 ? space->m : space->n, columns = space->m + 1;
     const int first = side == 1 ? space->n * columns : side == 3 ? space->m : 0;
     const int stride = side < 2 ? 1 : columns;
-    taut_wide sum = 0;
+    taut_twice sum = {0, 0};
     for (int i = 0; i <= d; i++) {
-        sum += along[i] * net[first + i * stride];
+        sum = taut_twice_gain(sum, along[i], net[first + i * stride]);
     }
     return sum;
 }
 
 /* Of boundary point k the function on a side, 0 where the point is not of it. */
-static taut_wide point_on_side(const taut_space *space, int side, int k, const taut_wide *along)
+static taut_twice point_on_side(const taut_space *space, int side, int k, const taut_twice *along)
 {
     int i = 0, j = 0;
     taut_rim_place(space->n, space->m, k, &i, &j);
     if (side < 2) {
-        return i == (side == 0 ? 0 : space->n) ? along[j] : 0;
+        return i == (side == 0 ? 0 : space->n) ? along[j] : taut_twice_of(0);
     }
-    return j == (side == 2 ? 0 : space->m) ? along[i] : 0;
+    return j == (side == 2 ? 0 : space->m) ? along[i] : taut_twice_of(0);
 }
 
 int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundary)
@@ -63,9 +65,9 @@ int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundar
     const int nodes = (space->n > space->m ? space->n : space->m) + 2;
     const size_t numbers = (size_t)(space->n + 1) * (size_t)(space->m + 1);
     double t[TAUT_GAUSS_MAX], w[TAUT_GAUSS_MAX];
-    taut_wide *r = taut_arena_take(arena, (size_t)unknowns * (size_t)width, sizeof *r);
-    taut_wide *block = taut_arena_take(arena, (size_t)nodes * (size_t)width, sizeof *block);
-    taut_wide *response =
+    taut_twice *r = taut_arena_take(arena, (size_t)unknowns * (size_t)width, sizeof *r);
+    taut_twice *block = taut_arena_take(arena, (size_t)nodes * (size_t)width, sizeof *block);
+    taut_twice *response =
         taut_arena_take(arena, (size_t)unknowns * (size_t)points, sizeof *response);
 
     if (r == NULL || block == NULL || response == NULL) {
@@ -74,14 +76,16 @@ int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundar
     taut_gauss_rule(nodes, t, w);
     for (int side = 0; side < 4; side++) {
         for (int s = 0; s < nodes; s++) {
-            taut_wide along[TAUT_SPACE_DEGREE_MAX + 1], *row = block + s * width;
-            const taut_wide weight = sqrtl((taut_wide)w[s] / 2);
-            bernstein(side < 2 ? space->m : space->n, ((taut_wide)t[s] + 1) / 2, along);
+            taut_twice along[TAUT_SPACE_DEGREE_MAX + 1], *row = block + s * width;
+            const taut_twice weight = taut_twice_root(taut_twice_of(w[s] / 2));
+            const taut_twice at = taut_twice_sum(t[s] / 2, 0.5);
+            bernstein(side < 2 ? space->m : space->n, at, along);
             for (int k = 0; k < unknowns; k++) {
-                row[k] = weight * on_side(space, side, space->nets + (size_t)k * numbers, along);
+                row[k] = taut_twice_times(
+                    weight, on_side(space, side, space->nets + (size_t)k * numbers, along));
             }
             for (int k = 0; k < points; k++) {
-                row[unknowns + k] = weight * point_on_side(space, side, k, along);
+                row[unknowns + k] = taut_twice_times(weight, point_on_side(space, side, k, along));
             }
         }
         taut_wide_append(unknowns, width, r, nodes, block);
@@ -97,8 +101,8 @@ int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundar
 }
 
 /* net += sum_k coefficient_k net_k with the coefficients of the rest: given minus net so far. */
-static void improve_net(const taut_rim *boundary, const double *given, taut_wide *rest,
-                        taut_wide *coefficients, taut_wide *net)
+static void improve_net(const taut_rim *boundary, const double *given, taut_twice *rest,
+                        taut_twice *coefficients, taut_twice *net)
 {
     const taut_space *space = boundary->space;
     const int columns = space->m + 1, numbers = (space->n + 1) * columns;
@@ -108,41 +112,42 @@ static void improve_net(const taut_rim *boundary, const double *given, taut_wide
         taut_rim_place(space->n, space->m, k, &i, &j);
         for (int c = 0; c < 3; c++) {
             const int at = 3 * (i * columns + j) + c;
-            rest[3 * k + c] = given[at] - net[at];
+            rest[3 * k + c] = taut_twice_less(taut_twice_of(given[at]), net[at]);
         }
     }
     for (int f = 0; f < space->count; f++) {
-        const taut_wide *response = boundary->response + f * boundary->count;
+        const taut_twice *response = boundary->response + f * boundary->count;
         for (int c = 0; c < 3; c++) {
-            taut_wide sum = 0;
+            taut_twice sum = {0, 0};
             for (int k = 0; k < boundary->count; k++) {
-                sum += response[k] * rest[3 * k + c];
+                sum = taut_twice_gain(sum, response[k], rest[3 * k + c]);
             }
             coefficients[3 * f + c] = sum;
         }
     }
     for (int f = 0; f < space->count; f++) {
+        const taut_twice *function = space->nets + (size_t)f * (size_t)numbers;
         for (int k = 0; k < numbers; k++) {
             for (int c = 0; c < 3; c++) {
-                net[3 * k + c] +=
-                    coefficients[3 * f + c] * space->nets[(size_t)f * (size_t)numbers + (size_t)k];
+                taut_twice *const at = net + 3 * k + c;
+                *at = taut_twice_gain(*at, coefficients[3 * f + c], function[k]);
             }
         }
     }
 }
 
-void taut_rim_net(const taut_rim *boundary, const double *given, taut_wide *scratch, double *net)
+void taut_rim_net(const taut_rim *boundary, const double *given, taut_twice *scratch, double *net)
 {
     const size_t numbers = 3 * (size_t)(boundary->space->n + 1) * (size_t)(boundary->space->m + 1);
-    taut_wide *rest = scratch, *coefficients = rest + 3 * boundary->count;
-    taut_wide *sum = coefficients + 3 * boundary->space->count;
+    taut_twice *rest = scratch, *coefficients = rest + 3 * boundary->count;
+    taut_twice *sum = coefficients + 3 * boundary->space->count;
 
     memset(sum, 0, numbers * sizeof *sum);
     for (int pass = 0; pass < 3; pass++) { /* the second and third take out what rounding left */
         improve_net(boundary, given, rest, coefficients, sum);
     }
     for (size_t k = 0; k < numbers; k++) {
-        net[k] = (double)sum[k];
+        net[k] = taut_twice_round(sum[k]);
     }
 }
 
@@ -150,19 +155,19 @@ double taut_rim_amplification(const taut_rim *boundary)
 {
     const taut_space *space = boundary->space;
     const int numbers = (space->n + 1) * (space->m + 1);
-    taut_wide most = 0;
+    double most = 0;
 
     for (int at = 0; at < numbers; at++) {
-        taut_wide sum = 0;
+        double sum = 0;
         for (int k = 0; k < boundary->count; k++) {
-            taut_wide entry = 0;
+            taut_twice entry = {0, 0};
             for (int f = 0; f < space->count; f++) {
-                entry += boundary->response[f * boundary->count + k] *
-                         space->nets[(size_t)f * (size_t)numbers + (size_t)at];
+                entry = taut_twice_gain(entry, boundary->response[f * boundary->count + k],
+                                        space->nets[(size_t)f * (size_t)numbers + (size_t)at]);
             }
-            sum += fabsl(entry);
+            sum += fabs(taut_twice_round(entry));
         }
-        most = fmaxl(most, sum);
+        most = taut_larger_growth(most, sum);
     }
-    return (double)most;
+    return most;
 }

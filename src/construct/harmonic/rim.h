@@ -11,9 +11,9 @@
 
 typedef struct taut_rim {
     const taut_space *space;
-    int count; /* boundary points: 2 (n + m) */
-    taut_wide
-        *response; /* [space->count][count]: coefficients of the nearest for each point alone */
+    int count;            /* boundary points: 2 (n + m) */
+    taut_twice *response; /* [space->count][count]: coefficients of the nearest for each point alone
+                           */
 } taut_rim;
 
 /* The index (i, j) of boundary point k: row 0, row n, then the rest of column 0 and of column m. */
@@ -25,7 +25,7 @@ int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundar
 /* The nearest net to the boundary points of `given`, double[n+1][m+1][3], of which the others are
  * not read; net [n+1][m+1][3] may be the same array. scratch [3 (count + boundary count) + 3 (n+1)
  * (m+1)]. */
-void taut_rim_net(const taut_rim *boundary, const double *given, taut_wide *scratch, double *net);
+void taut_rim_net(const taut_rim *boundary, const double *given, taut_twice *scratch, double *net);
 
 /* The largest growth from boundary points to net, in the largest-coordinate norm. */
 double taut_rim_amplification(const taut_rim *boundary);

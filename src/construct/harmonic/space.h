@@ -17,8 +17,8 @@ enum { TAUT_SPACE_DEGREE_MAX = 64 };
 
 typedef struct taut_space {
     int n, m;
-    int count;       /* functions */
-    taut_wide *nets; /* [count][n+1][m+1] */
+    int count;        /* functions */
+    taut_twice *nets; /* [count][n+1][m+1] */
 } taut_space;
 
 /* All harmonic polynomials of bidegree (n, m): 2 min(n, m) + 2 of them, one less for even n = m.

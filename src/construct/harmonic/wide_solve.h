@@ -1,17 +1,19 @@
-/* wide_solve.h -- small dense systems in the processor's wider format. Matrices are row by row. */
+/* wide_solve.h -- small dense systems in twice the precision. Matrices are row by row. */
 #ifndef TAUT_HARMONIC_WIDE_SOLVE_H
 #define TAUT_HARMONIC_WIDE_SOLVE_H
 
-#include "construct/harmonic/lidstone.h"
+#include "core/twice.h"
+
+#include <stddef.h>
 
 /* Adds rows to a triangle: r'r becomes r'r + block'block ([GolubVanLoan2013] 5.2, Householder).
  *     r      [n][n], the upper triangle used, zero before the first call
  *     block  [rows][n], destroyed
  * Right-hand sides are further columns: only the first `columns` are eliminated. */
-void taut_wide_append(int columns, int n, taut_wide *r, int rows, taut_wide *block);
+void taut_wide_append(int columns, int n, taut_twice *r, int rows, taut_twice *block);
 
 /* x <- r^-1 x for the leading columns x columns triangle of r [n][n]; x[i * stride]. */
-void taut_wide_back(int columns, int n, const taut_wide *r, long stride, taut_wide *x);
+void taut_wide_back(int columns, int n, const taut_twice *r, ptrdiff_t stride, taut_twice *x);
 
 /* The affine solution set of c x = d for a consistent system of known rank, by Gram-Schmidt with
  * the longest row next, each orthogonalised twice.
@@ -19,7 +21,7 @@ void taut_wide_back(int columns, int n, const taut_wide *r, long stride, taut_wi
  *     basis  [n][n]: the first `rank` rows span the rows of c, the others its null space;
  *            orthonormal
  *     x      [sides][n]: the shortest solutions */
-void taut_wide_constrain(int rows, int n, int rank, int sides, taut_wide *c, taut_wide *d,
-                         taut_wide *basis, taut_wide *x);
+void taut_wide_constrain(int rows, int n, int rank, int sides, taut_twice *c, taut_twice *d,
+                         taut_twice *basis, taut_twice *x);
 
 #endif /* TAUT_HARMONIC_WIDE_SOLVE_H */

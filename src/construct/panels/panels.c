@@ -13,6 +13,7 @@
 #include "taut/recognise.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -113,16 +114,17 @@ static residuals measure_mesh(int nu, int nv, const double *vertices)
 
     for (int i = 0; i + 1 < nu; i++) {
         for (int j = 0; j + 1 < nv; j++) {
-            const double *const at = vertices + 3 * ((long)i * nv + j);
-            const double *const corner[4] = {at, at + 3 * (long)nv, at + 3 * ((long)nv + 1),
+            const double *const at = vertices + 3 * ((int64_t)i * nv + j);
+            const double *const corner[4] = {at, at + 3 * (int64_t)nv, at + 3 * ((int64_t)nv + 1),
                                              at + 3};
             measure_panel(corner, &r);
         }
     }
     for (int i = 1; i + 1 < nu; i++) {
         for (int j = 1; j + 1 < nv; j++) {
-            const double *const at = vertices + 3 * ((long)i * nv + j);
-            const double *const around[4] = {at + 3 * (long)nv, at + 3, at - 3 * (long)nv, at - 3};
+            const double *const at = vertices + 3 * ((int64_t)i * nv + j);
+            const double *const around[4] = {at + 3 * (int64_t)nv, at + 3, at - 3 * (int64_t)nv,
+                                             at - 3};
             double sum = 0;
             for (int k = 0; k < 4; k++) {
                 sum += (k % 2 == 0 ? 1 : -1) * angle_at(at, around[k], around[(k + 1) % 4]);
@@ -157,7 +159,7 @@ static taut_status fill_vertices(const making *m, const taut_panels_window *wind
     *distance = 0;
     for (int i = 0; i < nu; i++) {
         for (int j = 0; j < nv; j++) {
-            double x[3], on[3], placed[3], *vertex = vertices + 3 * ((long)i * nv + j);
+            double x[3], on[3], placed[3], *vertex = vertices + 3 * ((int64_t)i * nv + j);
             const int a = turned ? j : i, b = turned ? i : j;
             if (m->options->kind == TAUT_PANELS_CIRCULAR) {
                 taut_panels_circular(window, a, b, x);

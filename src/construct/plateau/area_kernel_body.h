@@ -7,9 +7,10 @@
 #include "construct/plateau/area_kernel.h"
 
 #include <math.h>
+#include <stdint.h>
 
 typedef double lanes __attribute__((vector_size(8 * AREA_LANES), aligned(8), may_alias));
-typedef long long bits __attribute__((vector_size(8 * AREA_LANES), aligned(8), may_alias));
+typedef int64_t bits __attribute__((vector_size(8 * AREA_LANES), aligned(8), may_alias));
 
 #define AT(pointer) (*(lanes *)(void *)(pointer))
 #define OF(pointer) (*(const lanes *)(const void *)(pointer))

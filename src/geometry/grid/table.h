@@ -4,6 +4,8 @@
 
 #include "taut/basis.h"
 
+#include <stdint.h>
+
 typedef struct taut_table {
     int count;      /* parameters */
     int order;      /* highest derivative */
@@ -22,7 +24,7 @@ void taut_table_free(taut_table *table); /* NULL is fine */
 /* The values of derivative k at parameter i: double[local]. */
 static inline const double *taut_table_row(const taut_table *table, int i, int k)
 {
-    return table->values + ((long)i * (table->order + 1) + k) * table->local;
+    return table->values + ((int64_t)i * (table->order + 1) + k) * table->local;
 }
 
 #endif /* TAUT_GEOMETRY_GRID_TABLE_H */

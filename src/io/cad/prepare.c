@@ -7,6 +7,7 @@
 #include "taut/version.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -19,8 +20,8 @@ static const double least_precision = 1e-290, largest_precision = 1e290;
 static void write_date(char text[32])
 {
     const char *found = getenv("SOURCE_DATE_EPOCH");
-    const long long seconds = found != NULL ? strtoll(found, NULL, 10) : 0;
-    const time_t date = seconds >= 0 && seconds <= 253402300799LL ? (time_t)seconds : 0;
+    const int64_t seconds = found != NULL ? strtoll(found, NULL, 10) : 0;
+    const time_t date = seconds >= 0 && seconds <= INT64_C(253402300799) ? (time_t)seconds : 0;
     struct tm parts;
     if (gmtime_r(&date, &parts) == NULL || strftime(text, 32, "%Y-%m-%dT%H:%M:%S", &parts) == 0) {
         /* not reached: up to the year 9999 every second has a date, of 19 characters */

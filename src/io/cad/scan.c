@@ -2,6 +2,7 @@
 
 #include "core/fail.h"
 
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -14,7 +15,7 @@ static int is_digit(char c)
 
 /* The whole part of a decimal logarithm: the number of digits before the point from the first that
  * is not 0 on, or less than nothing the zeros after the point; *seen if any is not 0. */
-static size_t read_digits(const char *text, size_t room, long *magnitude, int *seen)
+static size_t read_digits(const char *text, size_t room, int64_t *magnitude, int *seen)
 {
     size_t i = 0, digits = 0;
     int point = 0;
@@ -33,7 +34,7 @@ static size_t read_digits(const char *text, size_t room, long *magnitude, int *s
 
 size_t taut_cad_number(const char *text, size_t room, const char *exponents, int *is_huge)
 {
-    long magnitude = 0, exponent = 0;
+    int64_t magnitude = 0, exponent = 0;
     int seen = 0, sign = 1;
     size_t i = room > 0 && (text[0] == '+' || text[0] == '-') ? 1 : 0, digits = 0;
     const size_t length = read_digits(text + i, room - i, &magnitude, &seen);

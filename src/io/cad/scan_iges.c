@@ -7,6 +7,7 @@
 
 #include "core/fail.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -20,15 +21,15 @@ typedef struct iges_scan {
     size_t size;      /* its columns, without the line's end */
     size_t number;    /* from 1 */
     int section;
-    long counts[SECTIONS];
-    long first;          /* in section D: the parameters of the entity whose second line is due */
-    long last_parameter; /* the largest line of section P that an entity points at */
-    int has_own_marks;   /* the file separates parameters by other marks */
+    int64_t counts[SECTIONS];
+    int64_t first; /* in section D: the parameters of the entity whose second line is due */
+    int64_t last_parameter; /* the largest line of section P that an entity points at */
+    int has_own_marks;      /* the file separates parameters by other marks */
     /* in section P */
-    long entity;    /* whose parameters they are */
+    int64_t entity; /* whose parameters they are */
     int is_checked; /* they are geometry, and have not ended */
     int is_first;   /* the next parameter is the entity's type */
-    long skip;      /* characters of a text that go on in this line */
+    int64_t skip;   /* characters of a text that go on in this line */
 } iges_scan;
 
 static taut_status refuse_line(const iges_scan *s, const char *what, taut_error *error)
@@ -39,9 +40,9 @@ static taut_status refuse_line(const iges_scan *s, const char *what, taut_error 
 }
 
 /* A number right-justified in the columns; -1 where there is none. */
-static long number_in(const char *columns, int width)
+static int64_t number_in(const char *columns, int width)
 {
-    long value = 0;
+    int64_t value = 0;
     int digits = 0;
     for (int i = 0; i < width; i++) {
         if (columns[i] >= '0' && columns[i] <= '9') {
@@ -64,8 +65,9 @@ static taut_status check_counts(const iges_scan *s, taut_error *error)
         const char *field = s->line + k * FIELD;
         if (field[0] != letters[k] || number_in(field + 1, FIELD - 1) != s->counts[k]) {
             char what[96];
-            snprintf(what, sizeof what, "section %c has %ld lines, which the last line denies",
-                     letters[k], s->counts[k]);
+            snprintf(what, sizeof what,
+                     "section %c has %" PRId64 " lines, which the last line denies", letters[k],
+                     s->counts[k]);
             return refuse_line(s, what, error);
         }
     }
@@ -81,8 +83,8 @@ static void note_entity(iges_scan *s)
     if (s->counts[SECTION_D] % 2 == 1) {
         s->first = number_in(s->line + FIELD, FIELD);
     } else {
-        const long lines = number_in(s->line + 3 * FIELD, FIELD);
-        const long last = s->first + (lines > 0 ? lines : 1) - 1;
+        const int64_t lines = number_in(s->line + 3 * FIELD, FIELD);
+        const int64_t last = s->first + (lines > 0 ? lines : 1) - 1;
         s->last_parameter = last > s->last_parameter ? last : s->last_parameter;
     }
 }
@@ -97,7 +99,7 @@ static int parameter_length(iges_scan *s, const char *text, int room)
     }
     length = (int)taut_cad_number(text + blanks, (size_t)(room - blanks), "EeDd", &is_huge);
     if (length > 0 && blanks + length < room && text[blanks + length] == 'H') {
-        const long characters = number_in(text + blanks, length);
+        const int64_t characters = number_in(text + blanks, length);
         if (characters < 0) {
             return -1;
         }
@@ -117,7 +119,7 @@ static int parameter_length(iges_scan *s, const char *text, int room)
 /* A line of section P. */
 static taut_status check_parameters(iges_scan *s, taut_error *error)
 {
-    const long entity = number_in(s->line + PARAMETERS + 1, FIELD - 1);
+    const int64_t entity = number_in(s->line + PARAMETERS + 1, FIELD - 1);
     int at = 0;
     if (entity != s->entity || s->counts[SECTION_P] == 1) {
         s->entity = entity;
@@ -133,7 +135,7 @@ static taut_status check_parameters(iges_scan *s, taut_error *error)
             s->is_checked = s->line[at] == ',';
             at++;
         } else {
-            const long type = s->is_first ? number_in(s->line + at, 3) : 100;
+            const int64_t type = s->is_first ? number_in(s->line + at, 3) : 100;
             const int length = parameter_length(s, s->line + at, PARAMETERS - at);
             s->is_first = 0;
             s->is_checked = type >= 100 && type < 200;

@@ -183,7 +183,7 @@ void taut_plain_locale_free(taut_plain_locale *plain)
 /* A whole number as its first digits, at most 19, times a power of ten. */
 typedef struct whole {
     uint64_t digits;
-    long power;
+    int64_t power;
 } whole;
 
 /* Reads digits up to the first other character; NULL if there is none. */
@@ -208,10 +208,10 @@ static taut_twice twice_of(uint64_t digits)
 }
 
 /* x 10^power, x > 0, rounded; infinite where that is. */
-static double scaled(taut_twice x, long power)
+static double scaled(taut_twice x, int64_t power)
 {
     while (power != 0 && x.high > 0) {
-        const long part = power > 22 ? 22 : power < -22 ? -22 : power;
+        const int64_t part = power > 22 ? 22 : power < -22 ? -22 : power;
         const double ten = power_of_10[part < 0 ? -part : part];
         if (part > 0 && x.high > DBL_MAX / ten) {
             return HUGE_VAL;

@@ -120,10 +120,10 @@ static void skip_space(json_scan *scan)
 }
 
 /* Four hexadecimal digits; -1 if they are not. */
-static long hex_digits(const char *at, const char *end)
+static int64_t hex_digits(const char *at, const char *end)
 {
     static const char digits[] = "0123456789abcdef0123456789ABCDEF";
-    long value = 0;
+    int64_t value = 0;
     for (int i = 0; i < 4; i++) {
         const char *digit = at + i < end && at[i] != '\0' ? strchr(digits, at[i]) : NULL;
         if (digit == NULL) {
@@ -135,7 +135,7 @@ static long hex_digits(const char *at, const char *end)
 }
 
 /* Appends a code point as UTF-8; returns its length. */
-static size_t write_utf8(long code, char *out)
+static size_t write_utf8(int64_t code, char *out)
 {
     if (code < 0x80) {
         out[0] = (char)code;
@@ -163,10 +163,10 @@ static size_t write_utf8(long code, char *out)
 static int scan_code(json_scan *scan, const char **at, char *out, size_t *length)
 {
     const char *from = *at, *next = from + 6;
-    long code = hex_digits(from + 2, scan->end);
+    int64_t code = hex_digits(from + 2, scan->end);
     if (code >= 0xd800 && code <= 0xdfff) { /* half of a pair */
         const int paired = scan->end - next >= 6 && next[0] == '\\' && next[1] == 'u';
-        const long low = code < 0xdc00 && paired ? hex_digits(next + 2, scan->end) : -1;
+        const int64_t low = code < 0xdc00 && paired ? hex_digits(next + 2, scan->end) : -1;
         code = low >= 0xdc00 && low <= 0xdfff ? 0x10000 + ((code - 0xd800) << 10) + (low - 0xdc00)
                                               : -1;
         next += 6;

@@ -3,6 +3,7 @@
 #include "io/json/number_text.h"
 #include "io/json/utf8.h"
 
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -51,9 +52,9 @@ static void put_real(taut_part21 *out, double x)
 }
 
 /* The character of a sequence of 2 to 4 bytes. */
-static unsigned long decode(const char *bytes, size_t length)
+static uint64_t decode(const char *bytes, size_t length)
 {
-    unsigned long code = (unsigned char)bytes[0] & (0xffU >> (length + 1));
+    uint64_t code = (unsigned char)bytes[0] & (0xffU >> (length + 1));
     for (size_t i = 1; i < length; i++) {
         code = code << 6 | ((unsigned char)bytes[i] & 0x3fU);
     }
@@ -72,7 +73,7 @@ static void put_character(taut_part21 *out, const char *bytes, size_t length)
     } else if (length == 1 && c >= 0x20 && c < 0x7f) {
         put_bytes(out, bytes, 1);
     } else {
-        const unsigned long code = length == 1 ? c : decode(bytes, length);
+        const uint64_t code = length == 1 ? c : decode(bytes, length);
         snprintf(text, sizeof text,
                  length == 1   ? "\\X\\%02lX"
                  : length == 4 ? "\\X4\\%08lX\\X0\\"

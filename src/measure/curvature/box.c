@@ -11,6 +11,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { CLIMBS = 3, STEPS = 60, SAMPLES_MAX = 24 };
@@ -146,7 +147,7 @@ static double net_reach(const taut_surface *surface, int su, int sv, int axis, d
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const double *points = taut_surface_points(surface);
-    const long columns = taut_basis_count(v);
+    const int64_t columns = taut_basis_count(v);
     double reach = -INFINITY;
     for (int a = 0; a < taut_basis_local(u); a++) {
         const double *row =

@@ -7,6 +7,7 @@
 #include "taut/measure.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 typedef struct search {
@@ -53,7 +54,7 @@ static void take_point(const double values[6][3], double u, double v, taut_extre
     e->max_gaussian = fmax(e->max_gaussian, forms.gaussian);
 }
 
-static void search_row(void *context, int worker, long i)
+static void search_row(void *context, int worker, int64_t i)
 {
     const search *s = context;
     double *scratch = s->scratch + (size_t)worker * s->room;

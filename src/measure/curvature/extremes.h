@@ -4,12 +4,14 @@
 
 #include "taut/surface.h"
 
+#include <stdint.h>
+
 typedef struct taut_extremes {
     double max_abs_mean; /* NaN, and so the next, where no point has a normal */
     double max_abs_mean_at[2];
     double min_gaussian, max_gaussian;
     double max_e_minus_g, max_f, max_laplacian;
-    long singular; /* grid points where the normal vanishes, seen from any side */
+    int64_t singular; /* grid points where the normal vanishes, seen from any side */
 } taut_extremes;
 
 /* TAUT_NO_MEMORY. */

@@ -4,6 +4,8 @@
 #include "taut/limits.h"
 #include "taut/measure.h"
 
+#include <stdint.h>
+
 enum { NUMBERS = 18 }; /* of a point: six vectors */
 
 typedef struct grid {
@@ -14,7 +16,7 @@ typedef struct grid {
     taut_forms *forms;
 } grid;
 
-static void find_forms(void *context, int worker, long i)
+static void find_forms(void *context, int worker, int64_t i)
 {
     const grid *g = context;
     double *scratch = g->scratch + (size_t)worker * g->room;

@@ -3,6 +3,7 @@
 #include "geometry/exponent.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 typedef struct patch {
@@ -38,7 +39,7 @@ static void add_row(const patch *p, int a, int order, const double *nu, const do
 {
     const double unit = p->weights != NULL ? p->weights[0] : 1;
     for (int b = 0; b < p->local[1]; b++) {
-        const long at = (long)a * p->columns + b;
+        const int64_t at = (int64_t)a * p->columns + b;
         const double w = p->weights != NULL ? p->weights[at] / unit : 1;
         double q[4] = {0, 0, 0, w};
         for (int c = 0; c < 3; c++) {
@@ -63,8 +64,8 @@ void taut_spot_at(const taut_surface *surface, int su, int sv, double u, double 
 {
     const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
     const double *weights = taut_surface_weights(surface);
-    const long first =
-        (long)taut_basis_first(bu, su) * taut_basis_count(bv) + taut_basis_first(bv, sv);
+    const int64_t first =
+        (int64_t)taut_basis_first(bu, su) * taut_basis_count(bv) + taut_basis_first(bv, sv);
     patch p = {.points = taut_surface_points(surface) + 3 * first,
                .weights = weights != NULL ? weights + first : NULL,
                .columns = taut_basis_count(bv),

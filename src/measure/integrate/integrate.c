@@ -12,6 +12,7 @@
 #include "platform/parallel.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum {
@@ -26,7 +27,7 @@ static void gather_shares(const taut_job *job, taut_sum *value, taut_sum *error,
 {
     for (int f = 0; f < 2 * job->integrand->count; f++) {
         pending[f] = 0;
-        for (long i = 0; i < job->share_count; i++) {
+        for (int64_t i = 0; i < job->share_count; i++) {
             taut_sum_add(&value[f], job->shares[i].value[f].high);
             taut_sum_add(&value[f], job->shares[i].value[f].low);
             taut_sum_add(&error[f], job->shares[i].error[f]);
@@ -72,7 +73,7 @@ static void first_cell(taut_job *job, taut_worker *worker, int i, int j, int a, 
     job->hard[(size_t)i * (size_t)job->cells[1]->count + (size_t)j] = !good;
 }
 
-static void first_task(void *context, int index, long task)
+static void first_task(void *context, int index, int64_t task)
 {
     taut_job *job = context;
     taut_worker *worker = &job->workers[index];
@@ -165,8 +166,8 @@ static taut_status begin_job(const taut_surface *surface, int threads, taut_job 
         }
         job->blocks[d] = (job->cells[d]->count + job->side - 1) / job->side;
     }
-    job->share_count = (long)job->blocks[0] * job->blocks[1];
-    job->worker_count = taut_parallel_workers(threads, 1L << 30);
+    job->share_count = (int64_t)job->blocks[0] * job->blocks[1];
+    job->worker_count = taut_parallel_workers(threads, INT64_C(1) << 30);
     job->workers = taut_arena_take(job->arena, (size_t)job->worker_count, sizeof *job->workers);
     job->hard =
         taut_arena_take(job->arena, (size_t)job->cells[0]->count * (size_t)job->cells[1]->count, 1);
@@ -193,17 +194,17 @@ static void clear_job(taut_job *job)
     taut_arena_free(job->arena);
 }
 
-static void round_task(void *context, int index, long task)
+static void round_task(void *context, int index, int64_t task)
 {
     taut_job *job = context;
     taut_worker *worker = &job->workers[index];
     taut_task_result *share = &job->shares[task];
-    const long from = task * SHARE;
-    const long to = job->active_count - from < SHARE ? job->active_count : from + SHARE;
+    const int64_t from = task * SHARE;
+    const int64_t to = job->active_count - from < SHARE ? job->active_count : from + SHARE;
     double value[TAUT_FIELDS_MAX], error[TAUT_FIELDS_MAX];
 
     memset(share, 0, sizeof *share);
-    for (long i = from; i < to; i++) {
+    for (int64_t i = from; i < to; i++) {
         const taut_rectangle *r = &job->active[i];
         const taut_nodes *first[2], *second[2];
         for (int d = 0; d < 2; d++) {
@@ -228,7 +229,7 @@ static taut_status collect_hard(taut_job *job)
 {
     const size_t columns = (size_t)job->cells[1]->count;
     const size_t cells = (size_t)job->cells[0]->count * columns;
-    long count = 0;
+    int64_t count = 0;
 
     for (size_t i = 0; i < cells; i++) {
         count += job->hard[i];
@@ -248,16 +249,16 @@ static taut_status collect_hard(taut_job *job)
 /* Each rectangle marked becomes its four quarters. */
 static taut_status quarter_cells(taut_job *job)
 {
-    long count = 0, made = 0;
+    int64_t count = 0, made = 0;
     taut_rectangle *next = NULL;
-    for (long i = 0; i < job->active_count; i++) {
+    for (int64_t i = 0; i < job->active_count; i++) {
         count += 4 * job->split[i];
     }
     next = taut_alloc((size_t)count, sizeof *next);
     if (next == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (long i = 0; i < job->active_count; i++) {
+    for (int64_t i = 0; i < job->active_count; i++) {
         for (int q = 0; q < 4 && job->split[i]; q++) {
             taut_rectangle quarter = job->active[i];
             for (int d = 0; d < 2; d++) {
@@ -291,7 +292,7 @@ static void allow_errors(taut_job *job, const taut_sum *value, const double *pen
 static taut_status run_rounds(taut_job *job, taut_sum *value, taut_sum *error, double *pending)
 {
     taut_status status = collect_hard(job);
-    const long most = ACTIVE_MAX + 4 * job->active_count;
+    const int64_t most = ACTIVE_MAX + 4 * job->active_count;
 
     for (int round = 0; status == TAUT_OK && job->active_count > 0; round++) {
         job->last = round + 1 >= ROUNDS_MAX || job->active_count > most;

@@ -21,6 +21,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { CELLS = 4096, CELLS_LEAST = 64, POLISH = 256 };
@@ -91,11 +92,12 @@ static void sum_coefficient(const planar_patch *patch, const double *wu, const d
 }
 
 /* The coefficients of scale (x_u y_v - x_v y_u), du = 2n-1, dv = 2m-1: values double[2][2n][2m] as
- * above. scale > 0. Cost O(n^2 m^2). */
-static void find_coefficients(const planar_patch *patch, double scale, double *values)
+ * above. scale > 0. scratch double[n (n+1) + m (m+1)]. Cost O(n^2 m^2). */
+static void find_coefficients(const planar_patch *patch, double scale, double *scratch,
+                              double *values)
 {
-    double wu[TAUT_DEGREE_MAX * (TAUT_DEGREE_MAX + 1)], wv[TAUT_DEGREE_MAX * (TAUT_DEGREE_MAX + 1)];
     const int n = patch->n, m = patch->m;
+    double *wu = scratch, *wv = scratch + n * (n + 1);
     double *errors = values + (size_t)(2 * n) * (size_t)(2 * m);
 
     weights_of(n - 1, n, wu); /* i of x_u with k of x_v */
@@ -112,7 +114,7 @@ static void find_coefficients(const planar_patch *patch, double scale, double *v
 
 /* The halves of one line by de Casteljau's triangle at 1/2: `line` becomes the low one, `high` gets
  * the other; errors go along. */
-static void halve_line(int degree, long stride, double *value, double *error, double *high_value,
+static void halve_line(int degree, int64_t stride, double *value, double *error, double *high_value,
                        double *high_error)
 {
     for (int step = 0; step <= degree; step++) {
@@ -146,7 +148,7 @@ static void quarter_cell(int du, int dv, const jacobian_cell *cell, double *scra
     for (int half = 0; half < 4; half += 2) {
         double *low = children[half].values, *high = children[half + 1].values;
         for (int i = 0; i <= du; i++) {
-            const long row = (long)i * (dv + 1);
+            const int64_t row = (int64_t)i * (dv + 1);
             halve_line(dv, 1, low + row, low + count + row, high + row, high + count + row);
         }
     }
@@ -168,10 +170,11 @@ typedef struct search {
     int du, dv;
     double sign;
     jacobian_cell *cells; /* those to look at; their values are slots of the pool */
-    long count, limit, made;
+    int64_t count, limit, made;
     double *scratch;
-    double bound;  /* the least `low` of the cells that are done with */
-    double lowest; /* the least sign J at a corner of any cell */
+    double *weights; /* of find_coefficients */
+    double bound;    /* the least `low` of the cells that are done with */
+    double lowest;   /* the least sign J at a corner of any cell */
     double lowest_at[2];
     int folds; /* nonzero: J of the other sign is proved at `lowest_at` */
 } search;
@@ -253,9 +256,9 @@ static int halve_worst(search *s)
     const size_t count = numbers_of(s);
     jacobian_cell cell, children[4];
     double *pool = NULL;
-    long worst = 0;
+    int64_t worst = 0;
 
-    for (long k = 1; k < s->count; k++) {
+    for (int64_t k = 1; k < s->count; k++) {
         worst = s->cells[k].low < s->cells[worst].low ? k : worst;
     }
     cell = s->cells[worst];
@@ -308,7 +311,7 @@ static taut_status open_cell(search *s, const taut_surface *piece, jacobian_cell
         scale *= (taut_basis_hi(whole) - taut_basis_lo(whole)) / (cell->hi[d] - cell->lo[d]);
     }
     const planar_patch patch = {n, m, x, s->apart};
-    find_coefficients(&patch, scale, cell->values);
+    find_coefficients(&patch, scale, s->weights, cell->values);
     return TAUT_OK;
 }
 
@@ -360,11 +363,14 @@ static void report_sign(const search *s, taut_jacobian *jacobian)
 static taut_status prove_sign(search *s, const taut_model *pieces, taut_jacobian *jacobian)
 {
     const double work = (double)numbers_of(s) * (s->du + s->dv + 2);
+    const int n = (s->du + 1) / 2, m = (s->dv + 1) / 2;
     int more = 1;
 
-    s->limit = (long)fmin(CELLS, fmax(CELLS_LEAST, 1e9 / work)) + taut_model_surface_count(pieces);
+    s->limit =
+        (int64_t)fmin(CELLS, fmax(CELLS_LEAST, 1e9 / work)) + taut_model_surface_count(pieces);
     s->cells = taut_arena_take(s->arena, (size_t)s->limit + 4, sizeof *s->cells);
     s->scratch = taut_arena_take(s->arena, 2 * numbers_of(s), sizeof(double));
+    s->weights = taut_arena_take(s->arena, (size_t)(n * (n + 1) + m * (m + 1)), sizeof(double));
     if (taut_arena_status(s->arena) != TAUT_OK || open_all(s, pieces) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }

@@ -9,6 +9,7 @@
 #include "numeric/sum.h"
 
 #include <stddef.h>
+#include <stdint.h>
 
 /* cell.c: the derivative vectors at the nodes of one cell, a rectangle within one span by one span,
  * and weighted sums over them. */
@@ -134,11 +135,11 @@ typedef struct taut_job {
     int worker_count;
     taut_worker *workers;     /* [worker_count] */
     taut_task_result *shares; /* [tasks] */
-    long share_count;
+    int64_t share_count;
     unsigned char *hard;    /* [cells along u][along v], first pass */
     taut_rectangle *active; /* rounds */
     unsigned char *split;
-    long active_count;
+    int64_t active_count;
     double allowed[TAUT_FIELDS_MAX]; /* error a cell of the round may keep */
     int last;                        /* nonzero: this round takes everything */
 } taut_job;

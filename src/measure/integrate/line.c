@@ -11,6 +11,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* points[k] Euclidean, weights or NULL: fills net, scale and shift. */
@@ -27,7 +28,7 @@ static taut_status scale_net(taut_arena *arena, const taut_basis *basis, const d
     line->scale = taut_exponent(taut_half_size((size_t)count, points)) + 1;
     line->shift = taut_range_exponent(basis);
     const double factor = taut_half_factor(line->scale);
-    for (long k = 0; k < count; k++) {
+    for (int64_t k = 0; k < count; k++) {
         double *out = net + k * dim;
         const double w = weights != NULL ? weights[k] / weights[0] : 1;
         for (int c = 0; c < 3; c++) {
@@ -59,8 +60,8 @@ static void edge_net(const taut_surface *surface, int edge, const double *n, int
     for (int j = 0; j < count; j++) {
         double sum[4] = {0, 0, 0, 0};
         for (int a = 0; a < local; a++) {
-            const long at =
-                held == 0 ? (long)(first + a) * columns + j : (long)j * columns + first + a;
+            const int64_t at =
+                held == 0 ? (int64_t)(first + a) * columns + j : (int64_t)j * columns + first + a;
             const double factor = n[a] * (w != NULL ? w[at] : 1);
             for (int c = 0; c < 3; c++) {
                 sum[c] += factor * net[3 * at + c];
@@ -106,7 +107,7 @@ void taut_line_eval(const taut_line *line, int span, double t, double rest, int 
     double n[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
     double h[4][4] = {{0}};
     const int local = taut_basis_local(line->basis);
-    const double *net = line->net + (long)taut_basis_first(line->basis, span) * line->dim;
+    const double *net = line->net + (int64_t)taut_basis_first(line->basis, span) * line->dim;
     double size = 0;
 
     taut_basis_eval_beside(line->basis, span, t, rest, order, n);

@@ -24,6 +24,7 @@
 #include "taut/measure.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { TRIES = 5, GRID = 9, SIDE = 8 };
@@ -70,7 +71,7 @@ static void phi_of(const taut_surface *surface, int turned, const double at[2],
         for (int i = 0; i < 16; i++) {
             const double f = values[0][du][i / 4] * values[1][dv][i % 4];
             const double *p = taut_surface_points(surface) +
-                              3 * ((long)(first[0] + i / 4) * columns + first[1] + i % 4);
+                              3 * ((int64_t)(first[0] + i / 4) * columns + first[1] + i % 4);
             for (int c = 0; c < 3; c++) {
                 phi[k / 2][c] += (k % 2 == 0 ? 1 : -I) * f * p[c];
             }

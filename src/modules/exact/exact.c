@@ -9,6 +9,7 @@
 
 #include <flint/fmpq.h>
 #include <math.h>
+#include <stdint.h>
 
 static void set_binomial(fmpq_t x, int n, int k)
 {
@@ -58,7 +59,7 @@ static void run_chain(chain *c, int from_derivative)
             fmpq *at = first + k * columns;
             fmpq_zero(at);
             if (l + 2 <= c->m) {
-                fmpq_set_si(at, -(long)(l + 1) * (l + 2), (ulong)k * (ulong)(k - 1));
+                fmpq_set_si(at, -(int64_t)(l + 1) * (l + 2), (ulong)k * (ulong)(k - 1));
                 fmpq_mul(at, at, c->mu);
                 fmpq_mul(at, at, c->power.x + (k - 2) * columns + l + 2);
             }
@@ -70,7 +71,7 @@ static void run_chain(chain *c, int from_derivative)
 }
 
 /* Lines of Bernstein coefficients from power coefficients: b_i = sum_k C(i,k) / C(d,k) a_k. */
-static void to_bernstein(int d, long stride, fmpq *a)
+static void to_bernstein(int d, int64_t stride, fmpq *a)
 {
     taut_rationals b = taut_rationals_new(d + 1);
     fmpq_t ratio, term;
@@ -195,7 +196,7 @@ static void chain_new(chain *c, const taut_exact_lines *lines, int n)
     c->m = lines->m;
     c->line[0] = taut_rationals_new(c->m + 1);
     c->line[1] = taut_rationals_new(c->m + 1);
-    c->power = taut_rationals_new((long)(n + 1) * (c->m + 1));
+    c->power = taut_rationals_new((int64_t)(n + 1) * (c->m + 1));
     fmpq_init(c->mu);
     fmpq_init(along);
     length_of(lines->across, c->mu);
@@ -231,7 +232,7 @@ static int complete_net(const taut_exact_lines *lines, const taut_exact_memory *
         chain_free(&c);
         chain_new(&c, lines, made.n);
     }
-    all = taut_rationals_new(3L * (made.n + 1) * columns);
+    all = taut_rationals_new(INT64_C(3) * (made.n + 1) * columns);
     fmpq_init(defect);
     for (int coordinate = 0; !none && coordinate < 3; coordinate++) {
         read_lines(&c, lines, coordinate);
@@ -281,7 +282,7 @@ static void share_of(const double range[4], double at, fmpq_t share)
 }
 
 /* A line over [s, 1] when `high`, else over [0, s]: the sides of de Casteljau's triangle at s. */
-static void cut_line(int d, long stride, const fmpq_t s, int high, fmpq *c)
+static void cut_line(int d, int64_t stride, const fmpq_t s, int high, fmpq *c)
 {
     fmpq_t low, part;
     fmpq_init(low);
@@ -310,7 +311,7 @@ static void cut_line(int d, long stride, const fmpq_t s, int high, fmpq *c)
 /* To [0, to] first, then to [from / to, 1] of that; both shares of the old range. to > from, and to
  * is not 0 unless the new range ends at the old one's beginning, which begins with the other cut.
  */
-static void rerange_line(int d, long stride, const fmpq_t from, const fmpq_t to, fmpq *c)
+static void rerange_line(int d, int64_t stride, const fmpq_t from, const fmpq_t to, fmpq *c)
 {
     fmpq_t inner, one;
     fmpq_init(inner);
@@ -334,7 +335,7 @@ static void rerange_line(int d, long stride, const fmpq_t from, const fmpq_t to,
 static int rerange_net(int n, int m, const taut_exact_numbers *net, int along_v,
                        const double range[4], const taut_exact_memory *memory, taut_exact_net *out)
 {
-    const long count = 3L * (n + 1) * (m + 1), row = 3L * (m + 1);
+    const int64_t count = INT64_C(3) * (n + 1) * (m + 1), row = INT64_C(3) * (m + 1);
     taut_exact_net made = {.n = n, .m = m};
     taut_rationals all = taut_rationals_new(count);
     fmpq_t from, to;
@@ -344,7 +345,7 @@ static int rerange_net(int n, int m, const taut_exact_numbers *net, int along_v,
     fmpq_init(to);
     share_of(range, range[2], from);
     share_of(range, range[3], to);
-    for (long i = 0; i < count; i++) {
+    for (int64_t i = 0; i < count; i++) {
         taut_rational_set(all.x + i, net, (size_t)i);
     }
     if (along_v) {
@@ -354,7 +355,7 @@ static int rerange_net(int n, int m, const taut_exact_numbers *net, int along_v,
             }
         }
     } else {
-        for (long c = 0; c < row; c++) {
+        for (int64_t c = 0; c < row; c++) {
             rerange_line(n, row, from, to, all.x + c);
         }
     }
@@ -369,10 +370,12 @@ static int rerange_net(int n, int m, const taut_exact_numbers *net, int along_v,
 }
 
 /* sum += w f net[at], f and at of relation (2) at index i of degree d. */
-static void add_second(int d, int i, long stride, const fmpq_t weight, const fmpq *at, fmpq_t sum)
+static void add_second(int d, int i, int64_t stride, const fmpq_t weight, const fmpq *at,
+                       fmpq_t sum)
 {
-    const long a0 = (long)(d - i) * (d - i - 1), a1 = 2L * i * (d - i), a2 = (long)i * (i - 1);
-    const long f[5] = {a2, a1 - 2 * a2, a0 - 2 * a1 + a2, a1 - 2 * a0, a0};
+    const int64_t a0 = (int64_t)(d - i) * (d - i - 1), a1 = INT64_C(2) * i * (d - i),
+                  a2 = (int64_t)i * (i - 1);
+    const int64_t f[5] = {a2, a1 - 2 * a2, a0 - 2 * a1 + a2, a1 - 2 * a0, a0};
     fmpq_t term, factor;
     fmpq_init(term);
     fmpq_init(factor);
@@ -391,7 +394,7 @@ static void add_second(int d, int i, long stride, const fmpq_t weight, const fmp
 static int find_residual(int n, int m, const taut_exact_numbers *net, const double rectangle[4],
                          double *largest)
 {
-    const long count = 3L * (n + 1) * (m + 1), row = 3L * (m + 1);
+    const int64_t count = INT64_C(3) * (n + 1) * (m + 1), row = INT64_C(3) * (m + 1);
     taut_rationals all = taut_rationals_new(count);
     fmpq_t weight[2], sum, most;
 
@@ -403,10 +406,10 @@ static int find_residual(int n, int m, const taut_exact_numbers *net, const doub
         fmpq_mul(weight[d], weight[d], weight[d]);
         fmpq_inv(weight[d], weight[d]);
     }
-    for (long i = 0; i < count; i++) {
+    for (int64_t i = 0; i < count; i++) {
         taut_rational_set(all.x + i, net, (size_t)i);
     }
-    for (long at = 0; at < count; at++) {
+    for (int64_t at = 0; at < count; at++) {
         fmpq_zero(sum);
         add_second(n, (int)(at / row), row, weight[0], all.x + at, sum);
         add_second(m, (int)(at % row / 3), 3, weight[1], all.x + at, sum);

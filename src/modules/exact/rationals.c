@@ -1,12 +1,13 @@
 #include "rationals.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
-taut_rationals taut_rationals_new(long count)
+taut_rationals taut_rationals_new(int64_t count)
 {
     taut_rationals r = {flint_malloc((size_t)count * sizeof(fmpq)), count};
-    for (long i = 0; i < count; i++) {
+    for (int64_t i = 0; i < count; i++) {
         fmpq_init(r.x + i);
     }
     return r;
@@ -14,7 +15,7 @@ taut_rationals taut_rationals_new(long count)
 
 void taut_rationals_free(taut_rationals *r)
 {
-    for (long i = 0; i < r->count; i++) {
+    for (int64_t i = 0; i < r->count; i++) {
         fmpq_clear(r->x + i);
     }
     flint_free(r->x);

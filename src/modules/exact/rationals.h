@@ -5,14 +5,15 @@
 #include "core/exact.h"
 
 #include <flint/fmpq.h>
+#include <stdint.h>
 
 /* Rationals in order. */
 typedef struct taut_rationals {
     fmpq *x;
-    long count;
+    int64_t count;
 } taut_rationals;
 
-taut_rationals taut_rationals_new(long count);
+taut_rationals taut_rationals_new(int64_t count);
 void taut_rationals_free(taut_rationals *r);
 
 /* The rational a double is, and number i: its text, or its double. */

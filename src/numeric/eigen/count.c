@@ -4,6 +4,7 @@
 #include "numeric/eigen/internal.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { CHUNK = 48 }; /* rows of factors kept: they fit the first-level cache */
@@ -23,7 +24,7 @@ static void count_lanes(const taut_counter *counter, const double *minus, double
     const int n = p->k.n, w = p->k.width, lanes = TAUT_LANES;
     const size_t row = ((size_t)w + 1) * (size_t)lanes, carried = (size_t)w * row;
     double mantissa[TAUT_LANES];
-    long long exponent[TAUT_LANES] = {0};
+    int64_t exponent[TAUT_LANES] = {0};
 
     for (int l = 0; l < lanes; l++) {
         mantissa[l] = 1.0;

@@ -7,6 +7,8 @@
 #include "numeric/band.h"
 #include "numeric/kernel/kernel.h"
 
+#include <stdint.h>
+
 /* K - lambda M with M(i,i) = 1, equal widths. */
 typedef struct taut_pencil {
     taut_band k, m;         /* K, M */
@@ -103,6 +105,6 @@ static inline double *taut_eigen_vector(const taut_eigenpairs *pairs, int j)
 taut_status taut_eigen_dense(const taut_pencil *pencil, taut_arena *arena, taut_eigenpairs *pairs);
 
 /* Numbers in [-1, 1) that depend on the seed only. */
-double taut_eigen_scatter(unsigned long long seed);
+double taut_eigen_scatter(uint64_t seed);
 
 #endif /* TAUT_NUMERIC_EIGEN_INTERNAL_H */

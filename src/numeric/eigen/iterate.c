@@ -41,7 +41,7 @@ static double number_of(uint64_t bits)
     return x - 3.0;
 }
 
-double taut_eigen_scatter(unsigned long long seed)
+double taut_eigen_scatter(uint64_t seed)
 {
     return number_of(mix_bits(seed));
 }

@@ -8,6 +8,7 @@
 
 #include "core/constants.h"
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* Largest loss of orthogonality left to itself, as bounded by the worst case; rounding errors have
@@ -166,7 +167,7 @@ static void recompute_pair(const taut_pencil *pencil, const taut_diagonals *m, i
     const size_t n = (size_t)pairs->n;
     double *x = taut_eigen_vector(pairs, j);
     for (size_t i = 0; i < n; i++) {
-        x[i] = taut_eigen_scatter((unsigned long long)j * n + i);
+        x[i] = taut_eigen_scatter((uint64_t)j * n + i);
     }
     factor_pivoted(pencil, pairs->values[j], factor);
     for (int step = 0; step < STEPS; step++) {

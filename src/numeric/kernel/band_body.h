@@ -366,7 +366,7 @@ TARGET static void lane_dot(int n, const double *x, const double *y, double *xy,
 }
 
 TARGET static void lane_product(int n, size_t stride, const double *x, double *mantissa,
-                                long long *exponent)
+                                int64_t *exponent)
 {
     const v_mask bias = v_all_bits(1023), field = v_all_bits(0x7ff);
     const v_mask fraction = ~(field << 52), one = bias << 52;

@@ -9,6 +9,7 @@
 #define TAUT_NUMERIC_KERNEL_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 enum {
     TAUT_LANES = 24,        /* of every set, or what is solved side by side would tell them apart */
@@ -61,7 +62,7 @@ typedef struct taut_kernel {
     /* mantissa[l] 2^exponent[l] is multiplied by x[i * stride + l], i < n; 1 <= |mantissa| < 2
      * after that. Every |x| must lie between 2^-250 and 2^250. */
     void (*lane_product)(int n, size_t stride, const double *x, double *mantissa,
-                         long long *exponent);
+                         int64_t *exponent);
 
     /* x . y over `count` entries, in 16 sums. Any alignment, here and below. */
     double (*dot)(size_t count, const double *x, const double *y);

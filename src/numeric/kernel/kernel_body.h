@@ -8,6 +8,7 @@
 
 #include "numeric/kernel/kernel.h"
 
+#include <stdint.h>
 #include <string.h>
 
 enum {
@@ -52,9 +53,9 @@ INLINE v_double v_product_error(v_double a, v_double b, v_double p)
 }
 
 /* Where `mask` is all ones a, where it is all zeros b. */
-typedef long long v_mask __attribute__((vector_size(V_SIZE * 8)));
+typedef int64_t v_mask __attribute__((vector_size(V_SIZE * 8)));
 
-INLINE v_mask v_all_bits(long long bits)
+INLINE v_mask v_all_bits(int64_t bits)
 {
     return (v_mask){0} + bits;
 }

@@ -398,9 +398,8 @@ static void test_digits(void)
         const char *reason;
     } cases[] = {{33, 1, 1, "degree"},
                  {13, 2, 3.5, "ill-conditioned"},
-                 {20, 1, 0.02, "ill-conditioned"},
                  {12, 2, 2.5, NULL},
-                 {16, 1, 0.02, NULL}};
+                 {20, 1, 0.02, NULL}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         taut_surface *given = saddle(cases[i].n);
         taut_biharmonic_problem problem = {.given = TAUT_BIHARMONIC_NEIGHBOUR,

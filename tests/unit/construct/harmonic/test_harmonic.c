@@ -108,7 +108,7 @@ static void exact_rows(int n, int m, double mu, const double *row0, const double
 static void test_against_rationals(void)
 {
     static double net[SIZE * SIZE * 3], exact[SIZE * SIZE];
-    static taut_wide work[SIZE * SIZE * 3];
+    static taut_twice work[SIZE * SIZE * 3];
     for (int m = 1; m <= 30; m++) {
         const int n = m % 2 != 0 ? m : m + 1;
         const double mu = m % 3 == 0 ? 0.75 : 1;
@@ -117,7 +117,7 @@ static void test_against_rationals(void)
             row0[3 * j] = random_in(-1, 1);
             row1[3 * j] = random_in(-1, 1);
         }
-        taut_harmonic_from_rows(n, m, mu, row0, row1, work, net);
+        taut_harmonic_from_rows(n, m, taut_twice_of(mu), row0, row1, work, net);
         exact_rows(n, m, mu, row0, row1, exact);
         for (int k = 0; k < (n + 1) * (m + 1); k++) {
             largest = fmax(largest, fabs(exact[k]));
@@ -137,12 +137,14 @@ static void test_amplification(void)
                  {9, 2.1e4, 2.9e3, 0.05},  {11, 9.1e5, 1.8e4, 0.05}, {13, 5.7e7, 1.0e5, 0.05},
                  {15, 4.8e9, 6.2e5, 0.05}, {8, 4.0e3, 0, 0.05},      {10, 1.4e5, 0, 0.05},
                  {12, 7.5e6, 0, 0.05},     {16, 5.2e10, 0, 0.05},    {20, 9.9e14, 0, 0.05}};
-    static taut_wide work[4 * SIZE * SIZE];
+    static taut_twice work[3 * SIZE * SIZE];
+    static double sum[SIZE * SIZE];
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         const int n = table[i].n;
         const int across = n % 2 != 0 ? n : n + 1; /* even: the unconstrained bidegree */
         const double rows = taut_harmonic_rows_amplification(across, n, 1);
-        const double derivative = taut_harmonic_derivative_amplification(across, n, 1, work);
+        const double derivative =
+            taut_harmonic_derivative_amplification(across, n, taut_twice_of(1), work, sum);
         const double unit = table[i].half < 0.5 ? table[i].half : 0;
         const double scale_r = unit > 0 ? pow(10, floor(log10(table[i].rows))) : 1;
         const double scale_d = unit > 0 ? pow(10, floor(log10(table[i].derivative))) : 1;
@@ -172,7 +174,8 @@ static void test_amplification_of_even(void)
 static void test_two_routes(void)
 {
     static double net[SIZE * SIZE * 3], again[SIZE * SIZE * 3];
-    static taut_wide work[4 * SIZE * SIZE];
+    static taut_twice work[3 * SIZE * SIZE];
+    static double sum[SIZE * SIZE];
     for (int trial = 0; trial < 200; trial++) {
         const int m = random_int(1, 9),
                   n = m % 2 != 0 ? m + random_int(0, 2) : m + random_int(1, 3);
@@ -182,20 +185,51 @@ static void test_two_routes(void)
             rows[0][j] = random_in(-1, 1);
             rows[1][j] = random_in(-1, 1);
         }
-        taut_harmonic_from_rows(n, m, mu, rows[0], rows[1], work, net);
+        taut_harmonic_from_rows(n, m, taut_twice_of(mu), rows[0], rows[1], work, net);
         for (int j = 0; j < 3 * (m + 1); j++) {
             cross[j] = n * (net[3 * (m + 1) + j] - net[j]);
         }
-        taut_harmonic_from_derivative(n, m, mu, rows[0], 1, cross, work, again);
+        taut_harmonic_from_derivative(n, m, taut_twice_of(mu), rows[0], 1, cross, work, again);
         for (int k = 0; k < 3 * (n + 1) * (m + 1); k++) {
             largest = fmax(largest, fabs(net[k]));
             apart = fmax(apart, fabs(net[k] - again[k]));
         }
         /* the derivative carries a rounding of the net, which the second route amplifies */
-        const double grows = taut_harmonic_derivative_amplification(n, m, mu, work);
+        const double grows =
+            taut_harmonic_derivative_amplification(n, m, taut_twice_of(mu), work, sum);
         CHECK(apart <= 4 * 0x1p-53 * grows * largest,
               "n=%d m=%d mu=%g: %.3g of the largest, growth %.3g", n, m, mu, apart / largest,
               grows);
+    }
+}
+
+/* What leaves the range of numbers is infinite, not lost; what does not leave it is told, though powers of mu do. */
+static void test_range(void)
+{
+    static taut_twice work[3 * SIZE * SIZE];
+    static double sum[SIZE * SIZE];
+    static const double huge[2] = {1e60, 1e300};
+    for (int k = 0; k < 2; k++) {
+        const double mu = huge[k];
+        CHECK(isinf(taut_harmonic_rows_amplification(13, 12, mu)), "rows, mu=%g", mu);
+        CHECK(isinf(taut_harmonic_derivative_amplification(13, 12, taut_twice_of(mu), work, sum)),
+              "derivative, mu=%g", mu);
+    }
+    /* m = 2: 1 and u, and 2 mu (u - u^3) / 6 or the like, are all that there is */
+    CHECK(taut_harmonic_rows_amplification(3, 2, 1e300) > 1e299, "rows");
+    CHECK(taut_harmonic_derivative_amplification(3, 2, taut_twice_of(1e300), work, sum) > 1e299 &&
+              taut_harmonic_derivative_amplification(3, 2, taut_twice_of(1e300), work, sum) < 1e303,
+          "derivative");
+    /* mu^13 is no number any more, and its term is nothing */
+    double row[3 * SIZE] = {0}, net[3 * SIZE * SIZE];
+    for (int j = 0; j <= 30; j++) {
+        row[3 * j] = j % 2 == 0 ? 1 : -1;
+    }
+    taut_harmonic_from_rows(31, 30, taut_twice_of(1e-30), row, row, work, net);
+    for (int i = 0; i <= 31; i++) {
+        for (int j = 0; j <= 30; j++) {
+            CHECK_NEAR(net[3 * (31 * i + j)], row[3 * j], 1e-15, "i=%d j=%d", i, j);
+        }
     }
 }
 
@@ -204,6 +238,7 @@ int main(void)
     random_seed(20260301);
     start();
     test_against_rationals();
+    test_range();
     test_amplification();
     test_amplification_of_even();
     test_two_routes();

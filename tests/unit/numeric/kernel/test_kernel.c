@@ -239,7 +239,7 @@ static void test_dot(const taut_kernel *kernel)
 static void test_product(const taut_kernel *kernel)
 {
     double mantissa[TAUT_LANES], *x = numbers((size_t)N * (size_t)TAUT_LANES * 2);
-    long long exponent[TAUT_LANES];
+    int64_t exponent[TAUT_LANES];
     double expected[TAUT_LANES];
     int power[TAUT_LANES];
     for (int l = 0; l < TAUT_LANES; l++) {
@@ -365,7 +365,7 @@ static void keep_lanes(const taut_kernel *kernel, transcript *all)
 {
     double *x = numbers((size_t)N * TAUT_LANES), *y = numbers((size_t)N * TAUT_LANES);
     double xy[TAUT_LANES], xx[TAUT_LANES], mantissa[TAUT_LANES], power[TAUT_LANES];
-    long long exponent[TAUT_LANES] = {0};
+    int64_t exponent[TAUT_LANES] = {0};
     for (int l = 0; l < TAUT_LANES; l++) {
         mantissa[l] = 1.0;
     }
