@@ -180,7 +180,7 @@ static double isothermal_sum(const taut_integrals *in, const double *iso)
 /* The square root of the integral has dimension length^2 (u v)^-1/2. */
 static double isothermality_scaled(const taut_integrals *in, double root, double both)
 {
-    return both > 0 ? ldexp(root / both, -((in->shift[0] + in->shift[1]) >> 1)) : 0;
+    return both == 0 ? 0 : ldexp(root / both, -((in->shift[0] + in->shift[1]) >> 1));
 }
 
 static double isothermality_of(const taut_integrals *in, const double *iso)

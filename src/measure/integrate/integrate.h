@@ -56,6 +56,7 @@ typedef struct taut_integrals {
     int scale, shift[2];
 } taut_integrals;
 
+/* All NaN where weights are further apart than TAUT_SPREAD_MAX (geometry/nurbs/spread.h). TAUT_NO_MEMORY. */
 taut_status taut_integrate(const taut_surface *surface, const taut_integrand *integrand,
                            int threads, taut_integrals *integrals);
 

@@ -140,11 +140,60 @@ static void test_told(void)
     taut_surface_free(peak);
 }
 
+/* Beyond 2^43 the layer is thinner than any cell: there is no number, not that of a surface without
+ * it. Up to there the figures are whole; on one line of the net only, or in one span only. */
+static void test_apart(void)
+{
+    static const int places[3] = {4, 1, 0};
+    for (int place = 0; place < 3; place++) {
+        for (int k = 0; k < 3; k++) {
+            const double weight = k == 0 ? 0x1.8p43 : k == 1 ? 1e20 : 1e-30;
+            taut_surface *s = make_peak(weight, places[place], 0.55);
+            const taut_surface_measure m = measured(s);
+            double area = 0, area_error = 0, figure = 0;
+            CHECK(isnan(m.area) && isnan(m.area_error) && isnan(m.mean_abs_mean), "%g", weight);
+            CHECK(isnan(m.dirichlet_energy) && isnan(m.dirichlet_energy_error), "%g", weight);
+            CHECK(isnan(m.bending_energy) && isnan(m.bending_energy_error), "%g", weight);
+            CHECK(isnan(m.isothermality) && isnan(m.isothermality_error), "%g", weight);
+            CHECK(taut_surface_area(s, &area, &area_error) == TAUT_OK && isnan(area) &&
+                      isnan(area_error),
+                  "%g", weight);
+            CHECK(taut_surface_isothermality(s, &figure) == TAUT_OK && isnan(figure), "%g", weight);
+            taut_surface_free(s);
+        }
+    }
+    double area = 0, area_error = 0;
+    taut_surface *s = make_peak(0x1p43, 4, 0.55);
+    CHECK(taut_surface_area(s, &area, &area_error) == TAUT_OK && area > 4 && area < 8 &&
+              area_error < 1e-9 * area,
+          "%g +- %g", area, area_error);
+    taut_surface_free(s);
+}
+
+/* Far apart, but by one factor a row and one a column: lines do not meet such weights, only the whole
+ * net does. The plane square has the area 1, whatever its weights. */
+static void test_products(void)
+{
+    double points[9][3], weights[9];
+    for (int k = 0; k < 9; k++) {
+        points[k][0] = 0.5 * (k / 3);
+        points[k][1] = 0.5 * (k % 3);
+        points[k][2] = 0;
+        weights[k] = ldexp(1, 16 * (k / 3) + 16 * (k % 3));
+    }
+    taut_surface *s =
+        shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, 0, 1), points[0], weights);
+    CHECK_NEAR(measured(s).area, 1, 1e-11, "products");
+    taut_surface_free(s);
+}
+
 int main(void)
 {
     test_one_weight();
     test_growth();
     test_moderate();
     test_told();
+    test_apart();
+    test_products();
     return check_failures != 0;
 }
