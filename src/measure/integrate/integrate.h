@@ -22,6 +22,9 @@ enum { TAUT_FIELDS_MAX = 22 };
  * itself. */
 typedef struct taut_bounds {
     double of[6];
+    /* Of |x_u x x_v| over the product of their bounds, at most 1: coordinates are rounded each by
+     * itself, and in a thin net along an axis no two that are multiplied are large. */
+    double cross;
 } taut_bounds;
 
 /* The functions to be integrated, at `count` nodes: x[3*k + c][stride] is component c of vector k,
