@@ -7,9 +7,7 @@
 #include "taut/construct.h"
 #include "taut/model.h"
 
-/* The problem, or the model, of a document; path NULL: it came from no file. */
-taut_status taut_problem_document_read(const taut_json *document, const char *path,
-                                       taut_problem **problem, taut_error *error);
+/* The model of a document. */
 taut_status taut_model_document_read(const taut_json *document, taut_model **model,
                                      taut_error *error);
 

@@ -2,6 +2,7 @@
 #include "core/fail.h"
 #include "io/format.h"
 #include "io/model/model.h"
+#include "io/problem/read.h"
 #include "taut/read.h"
 
 /* What a file turns out to hold: one of them. */

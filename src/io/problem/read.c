@@ -5,6 +5,7 @@
 #include "core/memory.h"
 #include "io/model/model.h"
 #include "io/problem/document_ops.h"
+#include "io/problem/read.h"
 
 #include <stdio.h>
 #include <string.h>
