@@ -48,7 +48,7 @@ typedef enum taut_status {
       "start it again")                                                                            \
     X("not-installed", "a part of taut that needs a library on demand is not there",               \
       "install the package that the message names and build taut again")                           \
-    X("not-exact", "rational arithmetic was asked for where there is none",                        \
+    X("no-rationals", "rational arithmetic was asked for where there is none",                     \
       "leave out `exact` (--exact)")                                                               \
     X("fault", "a fault of taut's own", "report it, with the document")
 

@@ -36,7 +36,7 @@ ROWS = [
     (["make", "--json", "nothing.json"], 4, "nothing-known", "/points", 0, 1),
     (["make", "--json", "dirichlet-tent.json", "-o", "no/such/folder.json"], 5, "write", "no/such/folder.json", None, None),
     (["make", "--json", "dirichlet-tent.json", "--report", "no/such.json"], 5, "write", "no/such.json", None, None),
-    (["make", "--json", "dirichlet-tent.json", "--exact"], 2, "not-exact", "dirichlet-tent.json", None, None),
+    (["make", "--json", "dirichlet-tent.json", "--exact"], 2, "no-rationals", "dirichlet-tent.json", None, None),
     (["certify", "--json", "broken.json"], 3, "syntax", "broken.json:2:15", None, ...),
     (["measure", "--json", "absent.json"], 5, "read", "absent.json", None, None),
     (["measure", "--json", "model.json", "--surface", "s"], 2, "name", "", None, None),
