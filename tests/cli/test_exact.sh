@@ -95,5 +95,5 @@ cat > rational.json <<'JSON'
 { "taut": 1, "surfaces": [ { "name": "w", "u": { "type": "bezier", "degree": 1 }, "v": { "type": "bezier", "degree": 1 },
   "points": [[[0,0,0],["1/3",0,0]],[[0,1,0],[1,1,0]]], "weights": [[1,1],[1,2]] } ] }
 JSON
-refused 4 'no-rationals rational\.json' split rational.json --u 0.5 --exact
+refused 4 'not-exact rational\.json' split rational.json --u 0.5 --exact
 finish
