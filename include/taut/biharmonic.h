@@ -74,6 +74,13 @@ TAUT_API taut_status taut_biharmonic_make(const taut_biharmonic_problem *problem
                                           const taut_make_options *options, taut_model **model,
                                           taut_error *error);
 
+/* The certificate: claims biharmonic, boundary, of neighbours continuity and least-bending, and identity; figures
+ * bending_energy. problem may be NULL: then without boundary. */
+TAUT_API taut_status taut_biharmonic_certify(const taut_model *model,
+                                             const taut_biharmonic_problem *problem,
+                                             const taut_certify_options *options,
+                                             taut_certificate **certificate, taut_error *error);
+
 #ifdef __cplusplus
 }
 #endif

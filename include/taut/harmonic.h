@@ -98,6 +98,13 @@ TAUT_API taut_status taut_harmonic_make(const taut_harmonic_problem *problem,
                                         const taut_make_options *options, taut_model **model,
                                         taut_error *error);
 
+/* The certificate: claims harmonic, boundary (nearest, of a fit), identity; figures dirichlet_energy, isothermality, and of
+ * a fit boundary_gap and where it is. problem may be NULL: then without boundary. */
+TAUT_API taut_status taut_harmonic_certify(const taut_model *model,
+                                           const taut_harmonic_problem *problem,
+                                           const taut_certify_options *options,
+                                           taut_certificate **certificate, taut_error *error);
+
 /* How the surface beyond the edge is found. */
 typedef enum taut_extension_given {
     TAUT_EXTENSION_C1 = 0, /* equal derivatives: the polynomial itself carried on: `c1` */
@@ -135,6 +142,14 @@ typedef struct taut_harmonic_extension_problem {
 TAUT_API taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *problem,
                                                   const taut_make_options *options,
                                                   taut_model **model, taut_error *error);
+
+/* The certificate: claims harmonic, boundary, continuity, with g1 contact, else merged, and identity; the figures of
+ * taut_harmonic_certify, one number a surface. problem may be NULL: then without boundary. */
+TAUT_API taut_status taut_harmonic_extension_certify(const taut_model *model,
+                                                     const taut_harmonic_extension_problem *problem,
+                                                     const taut_certify_options *options,
+                                                     taut_certificate **certificate,
+                                                     taut_error *error);
 
 #ifdef __cplusplus
 }

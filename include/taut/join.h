@@ -12,8 +12,9 @@
  *           does not depend on parameters
  *
  * Two derivatives are equal when they differ by at most 1e-9 of what the derivative of that order
- * could be for nets of this size (2^k n!/(n-k)! times the size for Bezier nets); a gap is none when
- * it is at most 1e-9 of the size of the larger net. Source of the C^k test: [NiWang2015] section
+ * could be for nets of this size (2^k n!/(n-k)! times the size for Bezier nets; with weights, what
+ * the quotient rule allows at the point, so that heavy rows elsewhere excuse nothing); a gap is none
+ * when it is at most 1e-9 of the size of the larger net. Source of the C^k test: [NiWang2015] section
  * 2.6 (3), section 3 algorithm E.
  */
 #ifndef TAUT_JOIN_H

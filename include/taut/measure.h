@@ -90,7 +90,9 @@ typedef struct taut_jacobian {
  * planar. TAUT_BAD_ARGUMENT, TAUT_NO_MEMORY. */
 TAUT_API taut_status taut_surface_jacobian(const taut_surface *surface, taut_jacobian *jacobian);
 
-/* Integrals beyond the range of doubles are NaN. */
+/* Integrals beyond the range of doubles are NaN, and so are those of a rational surface where weights of one span are
+ * more than 2^43 apart along a line of the net: the layers they make are thinner than any cell, and their errors are NaN
+ * too. */
 typedef struct taut_surface_measure {
     double area;
     double area_error; /* 0 when area is good to 1e-10 relative; else its error; so the others */
@@ -128,8 +130,8 @@ TAUT_API taut_status taut_measure_curve(const taut_curve *curve,
                                         taut_curve_measure *measure, taut_error *error);
 
 /* The integrals alone, each good to 1e-10 relative or better (adaptive Gauss quadrature, or exact
- * where the integrand is polynomial); NaN where one is above the range of doubles. *error_estimate
- * may be NULL. */
+ * where the integrand is polynomial); NaN where one is above the range of doubles, or where weights are too far apart, as
+ * above. *error_estimate may be NULL. */
 TAUT_API taut_status taut_surface_area(const taut_surface *surface, double *area,
                                        double *error_estimate);
 TAUT_API taut_status taut_surface_dirichlet_energy(const taut_surface *surface, double *energy);

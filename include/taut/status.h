@@ -49,6 +49,8 @@ typedef enum taut_status {
     X("time", "the time allowed was over before there was anything to show", "allow more time")    \
     X("not-installed", "a part of taut that needs a library on demand is not there",               \
       "install the package that the message names and build taut again")                           \
+    X("no-rationals", "rational arithmetic was asked for where there is none",                     \
+      "leave out `exact` (--exact)")                                                               \
     X("fault", "a fault of taut's own", "report it, with the document")
 
 /* What went wrong, as data first. Plain data: copy it, keep it, no free. */

@@ -91,7 +91,7 @@ taut_status taut_certify(const taut_model *model, const taut_problem *problem,
                          "problem too");
     }
     if (options != NULL && options->exact && !ops_table[construct]->exact) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "no-rationals", NULL, taut_none, taut_none,
                          "rational arithmetic is for harmonic and harmonic-extension, not for %s",
                          taut_construct_name(construct));
     }

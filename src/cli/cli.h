@@ -196,15 +196,22 @@ int cli_pair(const char *word, double *a, double *b);
 
 /* From now on what goes wrong is told as JSON: one line on standard error. */
 void cli_speak_json(void);
+/* From now on a signal that stops the program is told too, and what is half written goes. */
+void cli_catch_signals(void);
 int cli_speaks_json(void);
 
 /* Prints "taut: WHERE: message", or the error as JSON, and returns the status's exit code. */
 int cli_fail(const taut_error *error);
 /* The same about a document: where the place is a JSON pointer the file's name comes first. */
 int cli_fail_in(const char *file, const taut_error *error);
+/* The same, told to a program with the place where it happened, a path: the sentence has it already. */
+int cli_fail_at(const char *path, const taut_error *error);
 /* Prints "taut: message" and returns 2: the command line is wrong. `reason` is a word of the list
  * above. */
 int cli_misuse(const char *reason, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* The same of one path. */
+int cli_misuse_path(const char *reason, const char *path, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 /* "taut: OPTION WORD: expected EXPECTED", and 2: the value of an option is wrong. */
 int cli_misuse_value(const char *option, const char *word, const char *expected, ...)
     __attribute__((format(printf, 3, 4)));

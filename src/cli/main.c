@@ -83,6 +83,9 @@ int main(int argc, char **argv)
             cli_speak_json(); /* also of what is wrong with the words before */
         }
     }
+    if (cli_speaks_json()) {
+        cli_catch_signals();
+    }
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once, */
     signal(SIGXFSZ, SIG_IGN); /* and so is a file that grows past its limit */
     if (argc < 2) {

@@ -30,7 +30,7 @@ static int stage(taut_outputs *outputs, const cli_options *options, cli_report *
         chosen.bound = &bounds[report->output_count];
         if (taut_outputs_model(outputs, report->model, options->outputs[i], &chosen, &error) !=
             TAUT_OK) {
-            code = cli_fail(&error);
+            code = cli_fail_at(options->outputs[i], &error);
         }
         written[report->output_count++] = options->outputs[i];
     }
@@ -45,7 +45,7 @@ static int stage_report(taut_outputs *outputs, const char *path, const cli_repor
     const taut_status status =
         is_whole ? taut_outputs_record(outputs, record, path, &error) : TAUT_NO_MEMORY;
     taut_record_free(record);
-    return !is_whole ? cli_no_memory() : status == TAUT_OK ? 0 : cli_fail(&error);
+    return !is_whole ? cli_no_memory() : status == TAUT_OK ? 0 : cli_fail_at(path, &error);
 }
 
 /* Writes everything and tells what happened. */

@@ -82,7 +82,7 @@ static int stage_one(batch *b, taut_outputs *outputs, taut_write_options *chosen
         chosen->bound = &b->bounds[at];
         if (!holds_all(path) && taut_outputs_model(outputs, b->made[i].model, b->paths[at], chosen,
                                                    &error) != TAUT_OK) {
-            code = cli_fail(&error);
+            code = cli_fail_at(b->paths[at], &error);
         }
     }
     report->seconds_written = cli_seconds() - start;
@@ -105,7 +105,7 @@ static int stage_lists(batch *b, taut_outputs *outputs, const taut_write_options
         taut_error error;
         if (holds_all(path) &&
             taut_outputs_models(outputs, b->count, models, path, chosen, &error) != TAUT_OK) {
-            code = cli_fail(&error);
+            code = cli_fail_at(path, &error);
         }
     }
     free(models);
@@ -141,7 +141,7 @@ static int stage_report(const batch *b, taut_outputs *outputs)
     }
     status = taut_outputs_record(outputs, list, b->options->report, &error);
     taut_record_free(list);
-    return status == TAUT_OK ? 0 : cli_fail(&error);
+    return status == TAUT_OK ? 0 : cli_fail_at(b->options->report, &error);
 }
 
 static void print_one(const batch *b, int i)

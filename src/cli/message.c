@@ -129,6 +129,11 @@ int cli_fail_in(const char *file, const taut_error *error)
     return print_error(&placed, error->where[0] != '\0' ? error->where : placed.where);
 }
 
+int cli_fail_at(const char *path, const taut_error *error)
+{
+    return print_error(error, error->where[0] != '\0' ? error->where : path);
+}
+
 static taut_error misuse(const char *reason)
 {
     taut_error error = {.status = TAUT_BAD_ARGUMENT, .found = (double)NAN, .limit = (double)NAN};
@@ -144,6 +149,16 @@ int cli_misuse(const char *reason, const char *format, ...)
     vsnprintf(error.message, sizeof error.message, format, arguments);
     va_end(arguments);
     return cli_fail(&error);
+}
+
+int cli_misuse_path(const char *reason, const char *path, const char *format, ...)
+{
+    taut_error error = misuse(reason);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(error.message, sizeof error.message, format, arguments);
+    va_end(arguments);
+    return cli_fail_at(path, &error);
 }
 
 int cli_misuse_value(const char *option, const char *word, const char *expected, ...)

@@ -9,21 +9,37 @@
 
 static const taut_outputs *volatile at_risk; /* what a signal must remove */
 
+#define STOPPED(code)                                                                              \
+    "{ \"error\": { \"exit\": " code                                                               \
+    ", \"reason\": \"interrupted\", \"where\": \"\", \"message\": "                                \
+    "\"stopped on request\", \"found\": null, \"expected\": null } }\n"
+
+/* One line for a program, made beforehand: a handler may not format. */
+static void tell_signal(int number)
+{
+    static const struct {
+        int number;
+        const char *line;
+    } lines[] = {{SIGINT, STOPPED("130")}, {SIGTERM, STOPPED("143")}, {SIGHUP, STOPPED("129")}};
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        if (lines[i].number == number && cli_speaks_json()) {
+            (void)!write(STDERR_FILENO, lines[i].line, strlen(lines[i].line));
+        }
+    }
+}
+
 static void interrupted(int number)
 {
     if (at_risk != NULL) {
         taut_outputs_abandon(at_risk);
     }
+    tell_signal(number);
     _exit(128 + number); /* 130 for an interrupt */
 }
 
-int cli_outputs_new(taut_outputs **outputs)
+void cli_catch_signals(void)
 {
     const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    if (taut_outputs_new(outputs) != TAUT_OK) {
-        return cli_no_memory();
-    }
-    at_risk = *outputs;
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
         struct sigaction action, before;
         memset(&action, 0, sizeof action);
@@ -34,6 +50,15 @@ int cli_outputs_new(taut_outputs **outputs)
         }
         sigaction(signals[i], &action, NULL);
     }
+}
+
+int cli_outputs_new(taut_outputs **outputs)
+{
+    if (taut_outputs_new(outputs) != TAUT_OK) {
+        return cli_no_memory();
+    }
+    at_risk = *outputs;
+    cli_catch_signals();
     return 0;
 }
 
@@ -98,11 +123,13 @@ int cli_check_outputs(const cli_options *options)
     for (int i = 0; i < options->output_count; i++) {
         taut_error error;
         if (taut_formats_ending(taut_draw_formats(), options->outputs[i], &error) == NULL) {
-            return cli_misuse(error.reason, "-o %s: %s", options->outputs[i], error.message);
+            return cli_misuse_path(error.reason, options->outputs[i], "-o %s: %s",
+                                   options->outputs[i], error.message);
         }
         for (int j = 0; j < i; j++) {
             if (strcmp(options->outputs[i], options->outputs[j]) == 0) {
-                return cli_misuse("option", "-o %s is given twice", options->outputs[i]);
+                return cli_misuse_path("option", options->outputs[i], "-o %s is given twice",
+                                       options->outputs[i]);
             }
         }
     }
@@ -152,7 +179,7 @@ int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double 
         chosen.bound = &bounds[i];
         if (taut_outputs_model(outputs, stands_in ? nurbs : model, paths[i], &chosen, &error) !=
             TAUT_OK) {
-            code = cli_fail(&error);
+            code = cli_fail_at(paths[i], &error);
         }
     }
     if (code == 0) {
@@ -199,7 +226,7 @@ int cli_write_models(int count, const taut_model *const *models, const cli_optio
     for (int i = 0; i < options->output_count && code == 0; i++) {
         if (taut_outputs_models(outputs, count, models, options->outputs[i], &chosen, &error) !=
             TAUT_OK) {
-            code = cli_fail(&error);
+            code = cli_fail_at(options->outputs[i], &error);
         }
     }
     if (code == 0) {

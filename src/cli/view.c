@@ -26,7 +26,7 @@ static int write_pages(const taut_model *model, const cli_options *options)
     }
     for (int i = 0; i < count && code == 0; i++) {
         if (taut_outputs_model(outputs, model, paths[i], &chosen, &error) != TAUT_OK) {
-            code = cli_fail(&error);
+            code = cli_fail_at(paths[i], &error);
         }
     }
     if (code == 0) {
@@ -35,6 +35,15 @@ static int write_pages(const taut_model *model, const cli_options *options)
     cli_monitor_done();
     cli_outputs_free(outputs);
     return code;
+}
+
+/* A page goes to standard output, to a device, or to a name that says so or says nothing. */
+static int is_page(const char *path)
+{
+    const char *name = strrchr(path, '/') != NULL ? strrchr(path, '/') + 1 : path;
+    const char *dot = strrchr(name, '.');
+    return strncmp(path, "/dev/", strlen("/dev/")) == 0 || dot == NULL ||
+           strcmp(dot, ".html") == 0 || strcmp(dot, ".htm") == 0;
 }
 
 static int run(const cli_options *options)
@@ -46,6 +55,14 @@ static int run(const cli_options *options)
     if (options->output_count == 0 && isatty(STDOUT_FILENO)) {
         return cli_misuse("option",
                           "`taut view` needs -o FILE.html here: a page is not for a terminal");
+    }
+    for (int i = 0; i < options->output_count; i++) {
+        if (!is_page(options->outputs[i])) {
+            return cli_misuse_path("format", options->outputs[i],
+                                   "-o %s: `taut view` writes pages, which end in .html; `taut "
+                                   "convert` writes the other formats",
+                                   options->outputs[i]);
+        }
     }
     if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);

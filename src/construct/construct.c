@@ -38,7 +38,7 @@ taut_status taut_make(const taut_problem *problem, const taut_make_options *opti
                          "an argument of taut_make is out of its range");
     }
     if (chosen->exact && !ops_table[problem->construct]->exact) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "no-rationals", NULL, taut_none, taut_none,
                          "rational arithmetic is for harmonic and harmonic-extension, not for %s",
                          taut_construct_name(problem->construct));
     }

@@ -88,9 +88,9 @@ for mend in corner project raise; do
     contains err.txt 'harmonic +holds \([a-z]+\): 0, limit 0'
     contains m.json "\"kind\": \"$mend\""
 done
-refused 2 'argument .*/dirichlet-bicubic\.json' make "$SOURCE/examples/dirichlet-bicubic.json" --exact
-refused 2 'argument /fit' make "$SOURCE/examples/harmonic-fit.json" --exact
-refused 2 'argument /contact' make "$SOURCE/examples/harmonic-neighbour.json" --exact
+refused 2 'no-rationals .*/dirichlet-bicubic\.json' make "$SOURCE/examples/dirichlet-bicubic.json" --exact
+refused 2 'no-rationals /fit' make "$SOURCE/examples/harmonic-fit.json" --exact
+refused 2 'no-rationals /contact' make "$SOURCE/examples/harmonic-neighbour.json" --exact
 cat > rational.json <<'JSON'
 { "taut": 1, "surfaces": [ { "name": "w", "u": { "type": "bezier", "degree": 1 }, "v": { "type": "bezier", "degree": 1 },
   "points": [[[0,0,0],["1/3",0,0]],[[0,1,0],[1,1,0]]], "weights": [[1,1],[1,2]] } ] }

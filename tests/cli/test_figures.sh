@@ -61,7 +61,7 @@ run 0 convert saddle.json other.json -o two.svg -o two.pdf --combs
 contains two.svg '>saddle<'
 contains two.svg '>other<'
 [ -s two.pdf ] || complain "no two.pdf"
-refused 2 'several found 2 expected 1' convert saddle.json other.json -o two.obj
+refused 2 'several two\.obj found 2 expected 1' convert saddle.json other.json -o two.obj
 refused 5 'read missing\.json' convert saddle.json missing.json -o none.svg
 absent two.obj none.svg
 

@@ -134,7 +134,7 @@ awk 'BEGIN {
         for (j = 0; j < 20; j++) printf "%s[%d,%d,0]", j ? "," : "", i, j
         printf "]" }
     printf "]}]}" }' > plane.json
-refused 2 'too-fine found 361038001 expected 50000000' convert plane.json -o x.obj --divide 1000
+refused 2 'too-fine x\.obj found 361038001 expected 50000000' convert plane.json -o x.obj --divide 1000
 absent x.obj
 
 # Whoever waits for five seconds of work is told, also through a pipe: here for the area of a net that folds over.

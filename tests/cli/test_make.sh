@@ -55,9 +55,9 @@ refused 2 'operand' make saddle.json more.json
 contains err.txt 'does not know what to do with more\.json'
 refused 2 'option' make saddle.json -o
 contains err.txt '-o needs a value'
-refused 2 'format' make saddle.json -o model.xyz
+refused 2 'format model\.xyz' make saddle.json -o model.xyz
 contains err.txt 'the ending of model\.xyz'
-refused 2 'option' make saddle.json -o a.json -o a.json
+refused 2 'option a\.json' make saddle.json -o a.json -o a.json
 contains err.txt 'a\.json is given twice'
 refused 2 'value --tolerance 1,5 found null expected a number from 1e-14 to 1' make saddle.json --tolerance 1,5
 refused 2 'value --tolerance nan' make saddle.json --tolerance nan
@@ -73,7 +73,9 @@ contains err.txt 'at least one -o'
 refused 2 'name' measure m.json --surface other
 contains err.txt '--surface other'
 refused 2 'name' example nonsense
-contains err.txt 'there are: [a-z]'
+contains err.txt 'nonsense.*taut example. lists them'
+refused 2 'name' example dirichlet-tnt
+contains err.txt 'did you mean .*dirichlet-tent'
 refused 2 'name' schema nonsense
 contains err.txt 'there are: .*problem'
 absent model.xyz a.json more.json

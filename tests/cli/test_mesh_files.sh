@@ -49,7 +49,7 @@ run 0 convert tube.json -o quasi.vtu --surface quasi
 for ending in stl ply obj; do
     run 0 convert tube.json -o pipe.$ending --surface tube
 done
-refused 2 'surface found 0 expected 1' convert tube.json -o never.stl --surface other
+refused 2 'surface never\.stl found 0 expected 1' convert tube.json -o never.stl --surface other
 absent never.stl
 
 # Sizes say how many triangles there are: two for bottom and top, four for the front with its knot and so for all sides

@@ -129,4 +129,19 @@ done | { cat; printf '\003'; } |
 code=$?
 [ "$code" = 130 ] || complain "interrupted: exit $code, expected 130: $(cat seen.txt)"
 absent long-film.json long.obj
+
+# With --json a program is told too, wherever the signal finds it: one line, and nothing else.
+for signal in INT TERM; do
+    [ "$signal" = INT ] && expected=130 || expected=143
+    env --default-signal=$signal "$TAUT" make long.json --json -o long-film.json > out.txt 2> err.txt &
+    film=$!
+    sleep 0.5
+    kill -$signal "$film"
+    wait "$film"
+    code=$?
+    [ "$code" = "$expected" ] || complain "$signal: exit $code, expected $expected: $(cat err.txt)"
+    contains err.txt "^{ .error.: { .exit.: $expected, .reason.: .interrupted., .where.: .., .message.: .stopped on request., "
+    [ "$(wc -l < err.txt)" = 1 ] || complain "$signal: not one line: $(cat err.txt)"
+    absent long-film.json
+done
 finish

@@ -240,6 +240,9 @@ taut_status taut_identity_fill(const taut_surface *surface, int edge, taut_arena
 /* ---- values and bounds ---- */
 
 enum { PARTS = 5 }; /* D, M, P, W, Q */
+/* Of an edge that resists everywhere, as where a single coordinate is 1e100: what is not bounded after so many is left out,
+ * as at the last level. Edges of real patches take some hundreds. */
+enum { PIECES_MORE = 1 << 13 };
 static const double slack = 1 + 0x1p-40;
 
 /* sum_j a_j B_j(t), stable: the recurrence on binomial terms, from the nearer end. */
@@ -352,6 +355,7 @@ typedef struct run {
     const taut_bounding *how;
     int64_t size;
     double least_m; /* pieces on which |M| may be less are left out */
+    long pieces;    /* that may still be looked at */
     double bound, covered, sine;
 } run;
 
@@ -387,8 +391,9 @@ static void bound_below(run *b, int levels, double share, double *stack, const d
 {
     double *here[PARTS], *left[PARTS], more[PARTS];
     places(b->identity, stack, here);
+    b->pieces--;
     if (levels <= 0 && (is_done(b, levels, share, here, error) || levels <= -b->how->more ||
-                        is_hopeless(b, here, error) ||
+                        b->pieces <= 0 || is_hopeless(b, here, error) ||
                         largest_length(b->identity->degree[1], here[1]) < b->least_m)) {
         return;
     }
@@ -417,6 +422,7 @@ static void bound_edge(run *b, double *scratch)
         error[k] = 4 * TAUT_UNIT_ROUNDOFF * largest_of(count - 1, from[k]);
     }
     b->bound = b->covered = b->sine = 0.0;
+    b->pieces = (2L << b->how->levels) + PIECES_MORE;
     bound_below(b, b->how->levels, 1.0, scratch, error);
 }
 

@@ -408,3 +408,11 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
 }
 
 const taut_certify_ops taut_certify_biharmonic = {.certify = certify, .identify = identify};
+
+taut_status taut_biharmonic_certify(const taut_model *model, const taut_biharmonic_problem *problem,
+                                    const taut_certify_options *options,
+                                    taut_certificate **certificate, taut_error *error)
+{
+    return taut_certify_with(&taut_certify_biharmonic, "biharmonic", model, problem, options,
+                             certificate, error);
+}

@@ -40,4 +40,8 @@ static inline taut_verdict taut_certify_above(double value, double limit)
 /* What to say of a claim whose numbers are not finite. */
 #define TAUT_CERTIFY_OUT_OF_RANGE "a value leaves the range of doubles"
 
+/* And where weights are further apart than geometry/nurbs/spread.h lets any rule see. */
+#define TAUT_CERTIFY_WEIGHTS_APART                                                                 \
+    "weights of a span are more than 2^43 apart: no rule sees the layers they make"
+
 #endif /* TAUT_CERTIFY_COMMON_VERDICT_H */

@@ -30,6 +30,7 @@
 #include "core/vec3.h"
 #include "geometry/exponent.h"
 #include "geometry/keep.h"
+#include "geometry/nurbs/spread.h"
 #include "measure/integrate/integrals.h"
 #include "numeric/quadrature.h"
 
@@ -137,6 +138,8 @@ typedef struct finding {
     double error;    /* proved: it is at most that much more for all that is not exact */
     int at_u, at_v;
     int unknowns;
+    int nodes;     /* of the last rule, where none is bounded */
+    int is_unseen; /* weights are too far apart for any */
 } finding;
 
 /* How much more than its own gradient says the point does: moves of a point of little weight are as
@@ -232,10 +235,8 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
         return status;
     }
     *found = judge_gradient(r, gradient);
-    while (!*settled && isfinite(found->residual) && rule.nodes < TAUT_GAUSS_MAX) {
+    while (!*settled && isfinite(found->residual) && taut_gradient_raise(&rule, gradient)) {
         const double before = found->residual;
-        const int more = rule.nodes + rule.nodes / 2;
-        rule.nodes = more < TAUT_GAUSS_MAX ? more : TAUT_GAUSS_MAX;
         taut_dirichlet_gradient_clear(gradient);
         status = taut_dirichlet_gradient_new(r->surface, r->aspect, &rule, gradient);
         if (status != TAUT_OK) {
@@ -246,12 +247,18 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
                        fmax(0.25 * found->limit, 0x1p-10 * fmin(found->residual, before)) ||
                    fmax(found->residual, before) <= found->limit;
     }
+    found->nodes = rule.nodes;
     return TAUT_OK;
 }
 
 static taut_status find_gradient(const request *r, taut_dirichlet_gradient *gradient,
                                  finding *found, taut_claim_kind *kind, int *settled)
 {
+    if (taut_weight_spread(r->surface) > TAUT_SPREAD_MAX) {
+        *found = (finding){.residual = NAN, .limit = largest_limit, .noise = NAN, .is_unseen = 1};
+        *settled = 1;
+        return TAUT_OK;
+    }
     const taut_status status = find_bounded(r, gradient, found, kind);
 
     if (status != TAUT_OK || *kind == TAUT_BOUND) {
@@ -288,12 +295,16 @@ static taut_status add_stationary(const request *r, const finding *found, taut_c
     }
     if (!settled) {
         claim.holds = TAUT_UNDECIDED;
-        snprintf(where, sizeof where, "%d Gauss nodes do not settle the integrals", TAUT_GAUSS_MAX);
+        snprintf(where, sizeof where, "%d Gauss nodes do not settle the integrals", found->nodes);
     }
     if (found->unknowns == 0) {
         claim.holds = TAUT_UNDECIDED;
         snprintf(where, sizeof where, "%s%s", TAUT_KNOWN_ALL,
                  r->problem != NULL ? "" : TAUT_KNOWN_AS_TOLD);
+    }
+    if (found->is_unseen) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, TAUT_CERTIFY_WEIGHTS_APART);
     }
     return taut_certificate_add(certificate, &claim);
 }
@@ -313,6 +324,11 @@ static taut_status add_aspect(const request *r, const taut_dirichlet_gradient *g
         a == 0 && b == 0 ? 0 : fabs(2 * taut_log(r->aspect) + taut_log(a) - taut_log(b));
     claim.limit = fmin(found->noise * (1 + fmax(ratio, 1 / ratio)), largest_limit);
     claim.holds = claim.residual <= claim.limit ? TAUT_TRUE : TAUT_FALSE;
+    if (found->is_unseen) {
+        claim.residual = NAN;
+        claim.holds = TAUT_UNDECIDED;
+        claim.where = TAUT_CERTIFY_WEIGHTS_APART;
+    }
     return taut_certificate_add(certificate, &claim);
 }
 

@@ -16,6 +16,7 @@
 #include "geometry/grid/table.h"
 #include "geometry/keep.h"
 #include "geometry/nurbs/cells.h"
+#include "geometry/nurbs/spread.h"
 #include "numeric/quadrature.h"
 
 #include <float.h>
@@ -38,6 +39,8 @@ static const double dirichlet_goal = 0x1p-50, area_goal = 0x1p-46, points_most =
                     pairs_most = 1e6;
 /* Of the goal: what is missed on a cell that is not to be halved. */
 static const double share_of_cell = 0x1p-4;
+/* Gauss points that rules may be raised to where no bound decides: about a second of work. */
+static const double raised_most = 0x1p24;
 
 /* Gauss nodes on every span of a direction; slopes in the table are over the unit interval. */
 typedef struct axis {
@@ -549,6 +552,9 @@ static taut_status gradient_new(const taut_surface *surface, int is_area, double
     }
     made.roundings = w.roundings;
     made.remainder = rule->remainder;
+    made.points = (double)w.u.count * w.v.count;
+    made.spans = (double)taut_basis_span_count(taut_surface_u(surface)) *
+                 taut_basis_span_count(taut_surface_v(surface));
     *gradient = made;
     return TAUT_OK;
 }
@@ -752,6 +758,10 @@ taut_status taut_gradient_plan(const taut_surface *surface, int is_area, double 
         *rule = (taut_gradient_rule){.nodes = local + 1}; /* exact with one node less */
         return TAUT_OK;
     }
+    if (taut_weight_spread(surface) > TAUT_SPREAD_MAX) {
+        *rule = made;
+        return TAUT_OK;
+    }
     taut_arena *arena = taut_arena_new();
     const taut_status status = plan_rule(surface, is_area, aspect, arena, &made);
 
@@ -762,6 +772,21 @@ taut_status taut_gradient_plan(const taut_surface *surface, int is_area, double 
         taut_gradient_rule_clear(&made);
     }
     return status;
+}
+
+int taut_gradient_raise(taut_gradient_rule *rule, const taut_dirichlet_gradient *before)
+{
+    const int more = rule->nodes + rule->nodes / 2;
+    const int nodes = more < TAUT_GAUSS_MAX ? more : TAUT_GAUSS_MAX;
+    const double growth = (double)nodes / rule->nodes;
+    const double most =
+        fmax(raised_most, before->spans * (double)TAUT_GAUSS_MAX * (double)TAUT_GAUSS_MAX);
+
+    if (nodes == rule->nodes || before->points * growth * growth > most) {
+        return 0;
+    }
+    rule->nodes = nodes;
+    return 1;
 }
 
 void taut_gradient_rule_clear(taut_gradient_rule *rule)

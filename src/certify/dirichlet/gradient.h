@@ -26,6 +26,8 @@ typedef struct taut_dirichlet_gradient {
     double remainder; /* of the rule: what quadrature may be off by in any derivative */
     double area;      /* in squares of the unit; 0 of the Dirichlet energy's gradient */
     int unit;         /* the unit is 2 to this power */
+    double points;    /* of quadrature, */
+    double spans;     /* on so many pairs of spans */
 } taut_dirichlet_gradient;
 
 /* Where the nodes are: so many Gauss nodes (1..TAUT_GAUSS_MAX) a cell. */
@@ -41,6 +43,11 @@ typedef struct taut_gradient_rule {
 taut_status taut_gradient_plan(const taut_surface *surface, int is_area, double aspect,
                                taut_gradient_rule *rule);
 void taut_gradient_rule_clear(taut_gradient_rule *rule);
+
+/* rule->nodes half as many again, at most TAUT_GAUSS_MAX; or 0 where that is reached, or where they would be more than
+ * 2^24 Gauss points and more than those of TAUT_GAUSS_MAX nodes on every span: cells that are cut because weights are
+ * far apart do not pay for more. `before` is the gradient by the rule as it stands. */
+int taut_gradient_raise(taut_gradient_rule *rule, const taut_dirichlet_gradient *before);
 
 /* TAUT_NO_MEMORY. */
 taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect,

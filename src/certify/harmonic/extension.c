@@ -286,3 +286,12 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
 
 const taut_certify_ops taut_certify_harmonic_extension = {
     .certify = certify, .identify = identify, .exact = 1};
+
+taut_status taut_harmonic_extension_certify(const taut_model *model,
+                                            const taut_harmonic_extension_problem *problem,
+                                            const taut_certify_options *options,
+                                            taut_certificate **certificate, taut_error *error)
+{
+    return taut_certify_with(&taut_certify_harmonic_extension, "harmonic-extension", model, problem,
+                             options, certificate, error);
+}

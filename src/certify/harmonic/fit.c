@@ -75,25 +75,39 @@ static double share(const product *p)
     return p->squared > 0 ? most / sqrt(p->squared) : 0;
 }
 
+/* (x + i y)^k by multiplying k times: in a thin rectangle one of the parts is small beside the other, and
+ * keeps its digits, which the sine of an angle near a multiple of pi does not. */
+static void raise_power(double x, double y, int k, double *re, double *im)
+{
+    double a = 1, b = 0;
+    for (int i = 0; i < k; i++) {
+        const double c = a * x - b * y;
+        b = a * y + b * x;
+        a = c;
+    }
+    *re = a;
+    *im = b;
+}
+
 /* The largest of the products with Re and Im of the k-th power, of those that the bidegree has: the
  * pure power of u is in Re, that of v in the one where i^k is. */
 static double power_product(const fit *f, int k, int nodes, const double *t, const double *w)
 {
     const int real = k <= f->n && (k <= f->m || k % 2 != 0);
     const int imaginary = k > 0 && (k <= f->m || k % 2 == 0);
+    const double diagonal = taut_hypot(f->half[0], f->half[1]);
     product re = {{0, 0, 0}, 0}, im = {{0, 0, 0}, 0};
 
     for (int side = 0; side < 4; side++) {
         for (int s = 0; s < nodes; s++) {
             const double end = side % 2 == 0 ? -1 : 1;
-            const double x = f->half[0] * (side < 2 ? end : t[s]);
-            const double y = f->half[1] * (side < 2 ? t[s] : end);
-            const double size = taut_pow(taut_hypot(x, y) / taut_hypot(f->half[0], f->half[1]), k);
-            const double angle = k * taut_atan2(y, x);
-            double d[3];
+            const double x = f->half[0] / diagonal * (side < 2 ? end : t[s]);
+            const double y = f->half[1] / diagonal * (side < 2 ? t[s] : end);
+            double d[3], real_part = 0, imaginary_part = 0;
+            raise_power(x, y, k, &real_part, &imaginary_part);
             apart_at(f, side, 0.5 + 0.5 * t[s], d);
-            add_node(&re, w[s], size * taut_cos(angle), d);
-            add_node(&im, w[s], size * taut_sin(angle), d);
+            add_node(&re, w[s], real_part, d);
+            add_node(&im, w[s], imaginary_part, d);
         }
     }
     return fmax(real ? share(&re) : 0, imaginary ? share(&im) : 0);

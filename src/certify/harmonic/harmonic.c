@@ -315,3 +315,11 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
 
 const taut_certify_ops taut_certify_harmonic = {
     .certify = certify, .identify = identify, .exact = 1};
+
+taut_status taut_harmonic_certify(const taut_model *model, const taut_harmonic_problem *problem,
+                                  const taut_certify_options *options,
+                                  taut_certificate **certificate, taut_error *error)
+{
+    return taut_certify_with(&taut_certify_harmonic, "harmonic", model, problem, options,
+                             certificate, error);
+}

@@ -46,6 +46,7 @@
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "geometry/exponent.h"
+#include "geometry/nurbs/spread.h"
 #include "measure/integrate/integrals.h"
 #include "numeric/quadrature.h"
 
@@ -79,6 +80,8 @@ typedef struct finding {
     double largest;  /* derivative of any point */
     int at_u, at_v;
     int unknowns;
+    int nodes;     /* of the last rule, where none is bounded */
+    int is_unseen; /* weights are too far apart for any */
 } finding;
 
 /* Is the net of the surface another one than the problem's? */
@@ -364,10 +367,8 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
         return status;
     }
     *found = judge_gradient(r, gradient);
-    while (!*settled && isfinite(found->residual) && rule.nodes < TAUT_GAUSS_MAX) {
+    while (!*settled && isfinite(found->residual) && taut_gradient_raise(&rule, gradient)) {
         const double before = found->residual;
-        const int more = rule.nodes + rule.nodes / 2;
-        rule.nodes = more < TAUT_GAUSS_MAX ? more : TAUT_GAUSS_MAX;
         taut_dirichlet_gradient_clear(gradient);
         status = taut_area_gradient_new(r->surface, &rule, gradient);
         if (status != TAUT_OK) {
@@ -379,6 +380,7 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
         *settled = fmax(found->residual, before) <= found->noise ||
                    apart <= fmax(enough, fmax(found->noise, 1e-2 * found->residual));
     }
+    found->nodes = rule.nodes;
     return TAUT_OK;
 }
 
@@ -386,6 +388,11 @@ static taut_status find_gradient(const request *r, taut_gradient_rule *rule,
                                  taut_dirichlet_gradient *gradient, finding *found,
                                  taut_claim_kind *kind, int *settled)
 {
+    if (taut_weight_spread(r->surface) > TAUT_SPREAD_MAX) {
+        *found = (finding){.residual = NAN, .noise = NAN, .is_unseen = 1};
+        *settled = 1;
+        return TAUT_OK;
+    }
     const taut_status status = find_bounded(r, rule, gradient, found, kind);
 
     if (status != TAUT_OK || *kind == TAUT_BOUND) {
@@ -540,12 +547,16 @@ static taut_status add_stationary(const request *r, const finding *found, int is
     }
     if (!settled && claim.holds == TAUT_FALSE) {
         claim.holds = TAUT_UNDECIDED;
-        snprintf(where, sizeof where, "%d Gauss nodes do not settle the integrals", TAUT_GAUSS_MAX);
+        snprintf(where, sizeof where, "%d Gauss nodes do not settle the integrals", found->nodes);
     }
     if (found->unknowns == 0) {
         claim.holds = TAUT_UNDECIDED;
         snprintf(where, sizeof where, "%s%s", TAUT_KNOWN_ALL,
                  r->problem != NULL ? "" : TAUT_KNOWN_AS_TOLD);
+    }
+    if (found->is_unseen) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, TAUT_CERTIFY_WEIGHTS_APART);
     }
     return taut_certificate_add(certificate, &claim);
 }

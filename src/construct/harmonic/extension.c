@@ -121,7 +121,7 @@ static taut_status check_problem(const taut_harmonic_extension_problem *problem,
                                   "bad parameter: c is %.17g", g1->c);
     }
     if (exact) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/contact", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "no-rationals", "/contact", taut_none, taut_none,
                          "contact \"g1\" is not done in rational arithmetic");
     }
     return TAUT_OK;

@@ -269,8 +269,8 @@ static taut_status solve_net(taut_harmonic_task *task, int exact, taut_error *er
 {
     taut_status status = TAUT_OK;
     if (task->problem->given == TAUT_HARMONIC_BOUNDARY) {
-        return exact ? taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/fit", taut_none, taut_none,
-                                 "\"fit\" is not done in rational arithmetic")
+        return exact ? taut_fail(error, TAUT_BAD_ARGUMENT, "no-rationals", "/fit", taut_none,
+                                 taut_none, "\"fit\" is not done in rational arithmetic")
                      : taut_harmonic_fit(task, error);
     }
     status = taut_harmonic_collect(task, error);

@@ -28,6 +28,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
+#include "geometry/nurbs/spread.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -323,9 +324,18 @@ static taut_status minimise(work *w, taut_error *error)
 /* The area of the Dirichlet surface, scaled, and a rule for it. */
 static taut_status measure_first(work *w, taut_error *error)
 {
+    const double spread = taut_weight_spread(w->surface);
     double halves[2] = {0, 0};
     taut_status status = TAUT_OK;
 
+    if (spread > TAUT_SPREAD_MAX) {
+        return taut_fail(error, TAUT_NOT_CONVERGED, "weights-vary", "/weights", spread,
+                         TAUT_SPREAD_MAX,
+                         "two weights of one span are a factor of %.3g apart, expected at most "
+                         "%.3g: the surface turns in a layer thinner than any rule sees, and its "
+                         "area is not known; bring the weights nearer to each other",
+                         spread, TAUT_SPREAD_MAX);
+    }
     scale_points(w, taut_surface_points(w->surface));
     status = find_rule(w, &w->dirichlet_area, error);
     if (status != TAUT_OK) {

@@ -1,9 +1,36 @@
 #include "measure/curvature/scan.h"
 
+#include "geometry/exponent.h"
 #include "geometry/keep.h"
 #include "geometry/net.h"
 
 #include <string.h>
+
+/* Sizes of a net from the origin: beyond that, differences of sums at points lose three digits. */
+static const double far_away = 1024;
+
+static int is_far(const taut_surface *surface)
+{
+    const size_t count = taut_point_count(surface);
+    const double *points = taut_surface_points(surface);
+    return taut_largest(count, points) / far_away > 2 * taut_half_size(count, points);
+}
+
+/* net[k] = x - the first point, which is in *centre; NULL when memory runs out. */
+static const double *centred_net(taut_arena *arena, const double *points, size_t count,
+                                 double centre[3])
+{
+    double *net = taut_arena_take(arena, 3 * count, sizeof(double));
+
+    if (net == NULL) {
+        return NULL;
+    }
+    memcpy(centre, points, 3 * sizeof(double));
+    for (size_t k = 0; k < 3 * count; k++) {
+        net[k] = points[k] - centre[k % 3];
+    }
+    return net;
+}
 
 /* net[k] = (w (x - centre), w), the centre the middle point of the list; NULL when memory runs out. */
 static const double *homogeneous_net(taut_arena *arena, const taut_surface *surface, size_t count,
@@ -50,8 +77,11 @@ taut_status taut_scan_new(taut_arena *arena, const taut_surface *surface, const 
     }
     made->dim = taut_surface_weights(surface) != NULL ? 4 : 3;
     made->columns = taut_basis_count(bv);
+    made->is_far = is_far(surface);
     made->net = made->dim == 4 ? homogeneous_net(arena, surface, count, made->centre)
-                               : taut_surface_points(surface);
+                : made->is_far
+                    ? centred_net(arena, taut_surface_points(surface), count, made->centre)
+                    : taut_surface_points(surface);
     status = keep_table(arena, bu, u, &made->u);
     if (status != TAUT_OK) {
         return status;
@@ -130,7 +160,7 @@ void taut_scan_line(const taut_scan *scan, int i, double *scratch, double *value
         }
         contract_v(scan, j, 4, scratch, h);
         taut_net_project(2, h, out);
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3 && !scan->is_far; c++) {
             out[c] += scan->centre[c];
         }
     }

@@ -3,7 +3,9 @@
  * As taut_surface_eval_grid, but one-sided where asked for, without keeping the grid, and with
  * derivatives from differences: as the derivatives of the basis functions sum to 0,
  *     sum_a N_a' P_a = sum_a N_a' (P_a - P_first),
- * whose rounding is that of the net near by, not of its distance from the origin.
+ * whose rounding is that of the net near by, not of its distance from the origin. Sums over the first direction are
+ * rounded before the second one takes their differences, so that a net far away (a thousand times its size) is
+ * brought to the origin first, and positions are told from there: no one needs these but to judge rounding.
  */
 #ifndef TAUT_MEASURE_CURVATURE_SCAN_H
 #define TAUT_MEASURE_CURVATURE_SCAN_H
@@ -20,6 +22,7 @@ typedef struct taut_scan {
     int columns;
     const double *net; /* [rows][columns][dim], homogeneous with weights */
     double centre[3];  /* taken off a homogeneous net */
+    int is_far;        /* from the origin: taken off any net, and off the positions told */
 } taut_scan;
 
 /* In the arena. The surface must outlive the scan. TAUT_NO_MEMORY, also where the arena has failed;

@@ -32,10 +32,16 @@ static void taylor_basis(const taut_basis *basis, int span, double t, int order,
     }
 }
 
-/* Adds row a of the net to the homogeneous jets h[0..3]; the largest coordinate goes to *size, the
- * extreme weights to range[]. */
+/* What rounding is judged by: the largest coordinate, the extreme weights, and w with the absolute
+ * values of the functions. */
+typedef struct extent {
+    double size, range[2];
+    taut_jet gross;
+} extent;
+
+/* Adds row a of the net to the homogeneous jets h[0..3] and to the extent. */
 static void add_row(const patch *p, int a, int order, const double *nu, const double *nv,
-                    taut_jet h[4], double *size, double range[2])
+                    taut_jet h[4], extent *e)
 {
     const double unit = p->weights != NULL ? p->weights[0] : 1;
     for (int b = 0; b < p->local[1]; b++) {
@@ -44,18 +50,43 @@ static void add_row(const patch *p, int a, int order, const double *nu, const do
         double q[4] = {0, 0, 0, w};
         for (int c = 0; c < 3; c++) {
             const double value = (p->points[3 * at + c] / 2 - p->origin[c] / 2) * p->factor;
-            *size = fmax(*size, fabs(value));
+            e->size = fmax(e->size, fabs(value));
             q[c] = w * value;
         }
-        range[0] = fmin(range[0], w);
-        range[1] = fmax(range[1], w);
+        e->range[0] = fmin(e->range[0], w);
+        e->range[1] = fmax(e->range[1], w);
         for (int k = 0; k < (order + 1) * (order + 2) / 2; k++) {
             const double n = nu[taut_jet_power[k][0] * p->local[0] + a] *
                              nv[taut_jet_power[k][1] * p->local[1] + b];
             for (int c = 0; c < 4; c++) {
                 h[c].c[k] += n * q[c];
             }
+            e->gross.c[k] += fabs(n) * w;
         }
+    }
+}
+
+/* The lesser of two bounds. Of the extreme weights, for those that are near each other; and for those
+ * that are not, by the quotient rule with every term made positive,
+ *
+ *     b_k = (size g_k + sum_(l < k) b_l g_(k-l)) / w,   g = e->gross, g_0 = w, b_0 = size:
+ *
+ * a weight that is nothing beside w at this place adds nothing to its derivatives. */
+static void bound_rounding(const extent *e, int is_rational, int count, const double *sum_u,
+                           const double *sum_v, double *bound)
+{
+    taut_jet steep = {{e->size}};
+    for (int k = 0; k < count; k++) {
+        double sum = e->size * e->gross.c[k];
+        for (int l = 0; l < k; l++) {
+            const int i = taut_jet_power[k][0] - taut_jet_power[l][0];
+            const int j = taut_jet_power[k][1] - taut_jet_power[l][1];
+            sum += i >= 0 && j >= 0 ? steep.c[l] * e->gross.c[taut_jet_index(i, j)] : 0;
+        }
+        steep.c[k] = sum / e->gross.c[0];
+        bound[k] = fmin(is_rational ? steep.c[k] : INFINITY, e->size * (e->range[1] / e->range[0]) *
+                                                                 sum_u[taut_jet_power[k][0]] *
+                                                                 sum_v[taut_jet_power[k][1]]);
     }
 }
 
@@ -74,7 +105,7 @@ void taut_spot_at(const taut_surface *surface, int su, int sv, double u, double 
     double nu[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
     double nv[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
     double sum_u[TAUT_ORDER_MAX + 1], sum_v[TAUT_ORDER_MAX + 1];
-    double size = 0, range[2] = {1, 1};
+    extent e = {.size = 0, .range = {1, 1}};
     taut_jet h[4];
 
     memcpy(p.origin, p.points, sizeof p.origin);
@@ -83,16 +114,13 @@ void taut_spot_at(const taut_surface *surface, int su, int sv, double u, double 
     taylor_basis(bu, su, u, order, shift[0], nu, sum_u);
     taylor_basis(bv, sv, v, order, shift[1], nv, sum_v);
     for (int a = 0; a < p.local[0]; a++) {
-        add_row(&p, a, order, nu, nv, h, &size, range);
+        add_row(&p, a, order, nu, nv, h, &e);
     }
     for (int c = 0; c < 3; c++) {
         spot->x[c] = weights != NULL ? taut_jet_divide(&h[c], &h[3]) : h[c];
         spot->x[c].c[0] += p.origin[c] / 2 * p.factor;
     }
-    for (int k = 0; k < (order + 1) * (order + 2) / 2; k++) {
-        spot->bound[k] = size * (range[1] / range[0]) * sum_u[taut_jet_power[k][0]] *
-                         sum_v[taut_jet_power[k][1]];
-    }
+    bound_rounding(&e, weights != NULL, (order + 1) * (order + 2) / 2, sum_u, sum_v, spot->bound);
     for (int c = 0; c < 3; c++) {
         memset(spot->x[c].c + (order + 1) * (order + 2) / 2, 0,
                (size_t)(TAUT_JET - (order + 1) * (order + 2) / 2) * sizeof(double));

@@ -79,6 +79,17 @@ void taut_cell_work_init(const taut_scaled_surface *scaled, int row, taut_arena 
     }
 }
 
+/* What the products of two of the sizes are over the square of the largest; eight times that, so that only
+ * nets far longer than they are wide and high have less than 1. */
+static double cross_share(const double sizes[3], double size)
+{
+    double most = 0;
+    for (int c = 0; c < 3 && size > 0; c++) {
+        most = fmax(most, (sizes[c] / size) * (sizes[(c + 1) % 3] / size));
+    }
+    return size > 0 ? fmin(1, 8 * most) : 1;
+}
+
 void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell_work *work)
 {
     const size_t columns = (size_t)taut_basis_count(scaled->basis[1]);
@@ -89,7 +100,8 @@ void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell
     const double unit = scaled->dim == 4 ? scaled->weights[first] : 1;
     double *out = work->net;
 
-    work->size = 0;
+    double sizes[3] = {0};
+
     for (int a = 0; a < scaled->local[0]; a++) {
         const size_t row = first + (size_t)a * columns;
         for (int b = 0; b < scaled->local[1]; b++) {
@@ -97,7 +109,7 @@ void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell
             const double w = scaled->dim == 4 ? scaled->weights[row + (size_t)b] / unit : 1;
             for (int c = 0; c < 3; c++) {
                 const double value = (x[c] / 2 - origin[c] / 2) * factor;
-                work->size = fmax(work->size, fabs(value));
+                sizes[c] = fmax(sizes[c], fabs(value));
                 out[c] = scaled->dim == 4 ? w * value : value;
             }
             if (scaled->dim == 4) {
@@ -106,6 +118,8 @@ void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell
             out += scaled->dim;
         }
     }
+    work->size = fmax(sizes[0], fmax(sizes[1], sizes[2]));
+    work->cross = cross_share(sizes, work->size);
 }
 
 /* polygons[k][b][c] = sum_a N_a^(k)(u_i) net[a][b][c]. */
@@ -211,7 +225,7 @@ static taut_bounds rational_bounds(const taut_scaled_surface *scaled, const taut
                                    const taut_cell_work *work)
 {
     const double *w = work->field + 3 * (size_t)work->stride;
-    taut_bounds bounds = {{work->size}};
+    taut_bounds bounds = {{work->size}, work->cross};
     double least = INFINITY, r[6] = {0};
 
     for (int j = 0; j < count; j++) {
@@ -234,7 +248,7 @@ static taut_bounds rational_bounds(const taut_scaled_surface *scaled, const taut
 static taut_bounds bounds_of(const taut_scaled_surface *scaled, const taut_nodes *u,
                              const taut_nodes *v, int order, int count, const taut_cell_work *work)
 {
-    taut_bounds bounds = {{0}};
+    taut_bounds bounds = {{0}, work->cross};
     if (scaled->dim == 4) {
         return rational_bounds(scaled, u, v, order, count, work);
     }

@@ -10,6 +10,7 @@
  */
 #include "measure/integrate/integrals.h"
 
+#include "core/elementary/elementary.h"
 #include "measure/integrate/integrate.h"
 #include "taut/measure.h"
 
@@ -27,9 +28,19 @@ static const taut_goal all_goals[] = {{1e-11, 1e-15}, {1e-11, 1e-18}, {1e-11, 1e
                                       {1e-11, 1e-18}, {INFINITY, 0},  {2e-7, 1e-12}};
 static const taut_goal mean_goals[] = {{1e-11, 1e-15}, {INFINITY, 0}, {2e-7, 1e-12}};
 
+/* Squares of lengths below this lose digits, or all of them: of points scaled to size 1 only where
+ * a net is 1e130 times longer than wide. */
+static const double smallest = 0x1p-900;
+
 /* The vectors at node j of a batch. */
 #define AT(k, c) (x[(3 * (k) + (c)) * stride + j])
 #define DOT(k, l) (AT(k, 0) * AT(l, 0) + AT(k, 1) * AT(l, 1) + AT(k, 2) * AT(l, 2))
+
+/* The length of a vector whose square leaves the range of doubles. */
+static double length_beyond(const double n[3])
+{
+    return taut_hypot(taut_hypot(n[0], n[1]), n[2]);
+}
 
 /* n[0..2] = x_u x x_v, w its size, reference[0] what w's rounding is proportional to. */
 static void normal_fields(int count, int stride, const double *x, const taut_bounds *bounds,
@@ -42,8 +53,9 @@ static void normal_fields(int count, int stride, const double *x, const taut_bou
         n[j] = n0;
         n[stride + j] = n1;
         n[2 * stride + j] = n2;
-        w[j] = sqrt(n0 * n0 + n1 * n1 + n2 * n2);
-        reference[j] = bounds->of[TAUT_XU] * bounds->of[TAUT_XV];
+        const double square = n0 * n0 + n1 * n1 + n2 * n2;
+        w[j] = square > smallest ? sqrt(square) : length_beyond((const double[3]){n0, n1, n2});
+        reference[j] = bounds->cross * bounds->of[TAUT_XU] * bounds->of[TAUT_XV];
     }
 }
 
@@ -112,9 +124,10 @@ static void mean_fields(int count, int stride, const double *x, const taut_bound
         const double n = AT(TAUT_XVV, 0) * n0 + AT(TAUT_XVV, 1) * n1 + AT(TAUT_XVV, 2) * n2;
         const double bound = bounds->of[TAUT_XUU] * g + 2 * bounds->of[TAUT_XUV] * fabs(f) +
                              bounds->of[TAUT_XVV] * e;
+        const int is_beyond = e * g < smallest && (n0 != 0 || n1 != 0 || n2 != 0);
         const int regular = w2 > 0x1p-80 * e * g;
         const double w = sqrt(w2);
-        s[j] = regular ? (l * g - 2 * m * f + n * e) / (2 * w2) : 0;
+        s[j] = is_beyond ? (double)NAN : regular ? (l * g - 2 * m * f + n * e) / (2 * w2) : 0;
         pair[j] = fabs(s[j]);
         pair[stride + j] = regular ? bound / (2 * w) : 0;
         square[j] = regular ? s[j] * s[j] / w : 0;
@@ -180,7 +193,7 @@ static double isothermal_sum(const taut_integrals *in, const double *iso)
 /* The square root of the integral has dimension length^2 (u v)^-1/2. */
 static double isothermality_scaled(const taut_integrals *in, double root, double both)
 {
-    return both > 0 ? ldexp(root / both, -((in->shift[0] + in->shift[1]) >> 1)) : 0;
+    return both == 0 ? 0 : ldexp(root / both, -((in->shift[0] + in->shift[1]) >> 1));
 }
 
 static double isothermality_of(const taut_integrals *in, const double *iso)

@@ -8,6 +8,7 @@
 #include "measure/integrate/job.h"
 
 #include "core/memory.h"
+#include "geometry/nurbs/spread.h"
 #include "measure/integrate/near_zero.h"
 #include "platform/parallel.h"
 
@@ -336,10 +337,23 @@ static taut_status run_job(const taut_surface *surface, int threads, taut_job *j
     return TAUT_OK;
 }
 
+/* No number at all, where a number would be that of a surface without its layers. */
+static taut_status find_nothing(const taut_integrand *integrand, taut_integrals *integrals)
+{
+    for (int f = 0; f < 2 * integrand->count; f++) {
+        integrals->value[f] = integrals->error[f] = nan("");
+    }
+    integrals->scale = integrals->shift[0] = integrals->shift[1] = 0;
+    return TAUT_OK;
+}
+
 taut_status taut_integrate(const taut_surface *surface, const taut_integrand *integrand,
                            int threads, taut_integrals *integrals)
 {
     taut_job job = {.integrand = integrand};
+    if (taut_weight_spread(surface) > TAUT_SPREAD_MAX) {
+        return find_nothing(integrand, integrals);
+    }
     const taut_status status = run_job(surface, threads, &job, integrals);
     clear_job(&job);
     return status;

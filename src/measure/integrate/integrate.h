@@ -22,6 +22,9 @@ enum { TAUT_FIELDS_MAX = 22 };
  * itself. */
 typedef struct taut_bounds {
     double of[6];
+    /* Of |x_u x x_v| over the product of their bounds, at most 1: coordinates are rounded each by
+     * itself, and in a thin net along an axis no two that are multiplied are large. */
+    double cross;
 } taut_bounds;
 
 /* The functions to be integrated, at `count` nodes: x[3*k + c][stride] is component c of vector k,
@@ -56,6 +59,7 @@ typedef struct taut_integrals {
     int scale, shift[2];
 } taut_integrals;
 
+/* All NaN where weights are further apart than TAUT_SPREAD_MAX (geometry/nurbs/spread.h). TAUT_NO_MEMORY. */
 taut_status taut_integrate(const taut_surface *surface, const taut_integrand *integrand,
                            int threads, taut_integrals *integrals);
 

@@ -50,6 +50,7 @@ typedef struct taut_cell_work {
     double *kept[TAUT_KEPT_MAX]; /* [TAUT_NODES_KEPT] each */
     int stride;                  /* nodes handled at a time */
     double size;                 /* of the cell's net, largest distance of a coordinate */
+    double cross;                /* see taut_bounds */
 } taut_cell_work;
 
 /* In the arena, whose status tells whether all is there. `row` is the largest number of nodes in v. */

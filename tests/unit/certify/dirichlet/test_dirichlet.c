@@ -3,6 +3,7 @@
 #include "check.h"
 #include "problems.h"
 
+#include "certify/common/verdict.h"
 #include "certify/dirichlet/gradient.h"
 #include "taut/measure.h"
 
@@ -374,6 +375,59 @@ static void test_refusals(void)
     problem_free(&other);
 }
 
+/* One weight so large that no rule sees its layer: undecided, and no figures, whatever the surface. */
+static void test_weights_apart(void)
+{
+    static const double weights[9] = {1, 1, 1, 1, 1e20, 1, 1, 1, 1};
+    test_problem problem = problem_new(basis_uniform(2, 3), basis_uniform(2, 3));
+    taut_surface *surface = NULL;
+    taut_model *heavy = NULL;
+
+    problem_random_boundary(&problem);
+    problem.data.aspect_auto = 1;
+    taut_model *model = problem_make(&problem, NULL);
+    const taut_surface *light = taut_model_surface(model, 0);
+    CHECK(taut_surface_new("", taut_surface_u(light), taut_surface_v(light),
+                           taut_surface_points(light), weights, &surface, NULL) == TAUT_OK,
+          "surface");
+    CHECK(taut_model_new(&heavy) == TAUT_OK && taut_model_add_surface(heavy, surface) == TAUT_OK,
+          "model");
+    taut_model_set_details(heavy, taut_record_copy(taut_model_details(model)));
+    problem.data.weights = weights;
+    taut_certificate *certificate = certify(heavy, &problem);
+    const taut_claim *stationary = claim_of(certificate, "stationary");
+    CHECK(stationary->holds == TAUT_UNDECIDED &&
+              strcmp(stationary->where, TAUT_CERTIFY_WEIGHTS_APART) == 0,
+          "%s", stationary->where);
+    CHECK(claim_of(certificate, "aspect")->holds == TAUT_UNDECIDED, "aspect");
+    const taut_record *figures = taut_certificate_figures(certificate);
+    CHECK(isnan(taut_record_number(taut_record_get(figures, "area"))), "area");
+    CHECK(isnan(taut_record_number(taut_record_get(figures, "isothermality"))), "isothermality");
+    taut_certificate_free(certificate);
+    taut_model_free(heavy);
+    taut_model_free(model);
+    problem_free(&problem);
+}
+
+/* Nodes are raised by half, and no further than the Gauss points that may be spent: on one span
+ * 2^24, on many as many as there are without cells. */
+static void test_raised(void)
+{
+    taut_gradient_rule rule = {.nodes = 10};
+    taut_dirichlet_gradient before = {.points = 100, .spans = 1};
+    CHECK(taut_gradient_raise(&rule, &before) && rule.nodes == 15, "%d", rule.nodes);
+    before.points = 0x1p24;
+    CHECK(!taut_gradient_raise(&rule, &before) && rule.nodes == 15, "%d", rule.nodes);
+    before.points = 0x1p24 / 2.2;
+    CHECK(taut_gradient_raise(&rule, &before) && rule.nodes == 22, "%d", rule.nodes);
+    before = (taut_dirichlet_gradient){.points = 1e6 * 22 * 22, .spans = 1e6};
+    CHECK(taut_gradient_raise(&rule, &before) && rule.nodes == 33, "%d", rule.nodes);
+    rule.nodes = 200;
+    before.points = 1e6 * 200 * 200;
+    CHECK(taut_gradient_raise(&rule, &before) && rule.nodes == 256, "%d", rule.nodes);
+    CHECK(!taut_gradient_raise(&rule, &before), "no more");
+}
+
 int main(void)
 {
     random_seed(20260304);
@@ -386,6 +440,8 @@ int main(void)
     test_sizes();
     test_gradient();
     test_layers();
+    test_weights_apart();
+    test_raised();
     test_refusals();
     return check_failures != 0;
 }

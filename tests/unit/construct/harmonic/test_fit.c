@@ -104,6 +104,29 @@ static void test_nearest(void)
     CHECK(worst < 8, "products up to %.3g of (n + m) 2^-53", worst);
 }
 
+/* Rectangles a billion times longer than wide: powers of z have a part that is small beside the other. */
+static void test_thin(void)
+{
+    static bezier_net g;
+    for (int trial = 0; trial < 24; trial++) {
+        const int n = random_int(1, 6), m = random_int(1, 6);
+        const double narrow = random_log(1e-9, 1e-3);
+        taut_model *model = NULL;
+        start(&g, n, m, trial % 2 == 0 ? 1 : narrow, trial % 2 == 0 ? narrow : 1);
+        bezier_net_fill(&g, 0, 1);
+        bezier_net_know(&g, BEZIER_NET_FRAME);
+        const taut_harmonic_problem problem = problem_of(&g, 1);
+        CHECK(taut_harmonic_make(&problem, NULL, &model, NULL) == TAUT_OK, "n=%d m=%d", n, m);
+        taut_certificate *certificate =
+            certificate_of(model, TAUT_CONSTRUCT_INDEX_harmonic, &problem);
+        CHECK(taut_certificate_holds(certificate) == TAUT_TRUE, "n=%d m=%d, %g: %.3g", n, m, narrow,
+              claim_of(certificate, "nearest")->residual);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+        bezier_net_end(&g);
+    }
+}
+
 /* One point four times, and rows of a plane: no NaN. The gap of a square bent at one corner is
  * told. */
 static void test_degenerate(void)
@@ -183,6 +206,7 @@ int main(void)
     random_seed(20261122);
     test_reproduces();
     test_nearest();
+    test_thin();
     test_degenerate();
     test_refusals();
     test_degree();

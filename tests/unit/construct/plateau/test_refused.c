@@ -213,11 +213,32 @@ static void test_range(void)
     CHECK(seen == 2, "%d films were too large", seen);
 }
 
+/* A layer that no rule sees is no reason to say that the film has no area. */
+static void test_weights_apart(void)
+{
+    const refusal e = {TAUT_NOT_CONVERGED, "/weights", "weights-vary", 1e20, 0x1p43};
+    test_problem net = problem_new(basis_uniform(2, 3), basis_uniform(2, 3));
+    taut_plateau_problem problem = {.method = TAUT_PLATEAU_FULL};
+
+    for (int k = 0; k < 9; k++) {
+        if (k != 4) {
+            problem_know(&net, k / 3, k % 3, k / 3, k % 3, 0);
+        }
+    }
+    problem_random_weights(&net, 1);
+    net.weights[4] = 1e20;
+    problem = film_problem(&net, TAUT_PLATEAU_FULL);
+    problem.net.weights = net.weights;
+    refused(&problem, &e);
+    problem_free(&net);
+}
+
 int main(void)
 {
     test_numbers();
     test_members();
     test_fits();
     test_range();
+    test_weights_apart();
     return check_failures != 0;
 }

@@ -110,11 +110,43 @@ static void test_singular(void)
     }
 }
 
+/* A hill of size 1, up to 2^52 from the origin, where its points are still whole: the figures stay, with
+ * weights and without. */
+static void test_far(void)
+{
+    static const double weights[9] = {1, 1, 1, 1, 2, 1, 1, 1, 1};
+    for (int rational = 0; rational < 2; rational++) {
+        taut_surface_measure near = {0};
+        for (int k = 0; k <= 52; k += 13) {
+            const double away = k > 0 ? ldexp(1, k) : 0;
+            double points[9][3];
+            for (int i = 0; i < 9; i++) {
+                points[i][0] = away + i / 3;
+                points[i][1] = away + i % 3;
+                points[i][2] = away + (i == 4);
+            }
+            taut_surface *s = shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, 0, 1), points[0],
+                                            rational ? weights : NULL);
+            taut_surface_measure m;
+            CHECK(taut_measure_surface(s, NULL, &m, NULL) == TAUT_OK, "2^%d", k);
+            near = k == 0 ? m : near;
+            CHECK_NEAR(m.max_abs_mean, rational ? 1 : 0.5, 1e-13, "2^%d", k);
+            CHECK_NEAR(m.max_abs_mean, near.max_abs_mean, 1e-13, "2^%d", k);
+            CHECK_NEAR(m.max_gaussian, near.max_gaussian, 1e-13, "2^%d", k);
+            CHECK_NEAR(m.min_gaussian, near.min_gaussian, 1e-13, "2^%d", k);
+            CHECK(m.singular_points == 0 && m.mean_abs_mean < m.max_abs_mean, "2^%d: %ld", k,
+                  m.singular_points);
+            taut_surface_free(s);
+        }
+    }
+}
+
 int main(void)
 {
     test_torus();
     test_knots();
     test_decimal_knot();
     test_singular();
+    test_far();
     return check_failures != 0;
 }

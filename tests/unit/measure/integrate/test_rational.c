@@ -140,11 +140,98 @@ static void test_told(void)
     taut_surface_free(peak);
 }
 
+/* Beyond 2^43 the layer is thinner than any cell: there is no number, not that of a surface without
+ * it. Up to there the figures are whole; on one line of the net only, or in one span only. */
+static void test_apart(void)
+{
+    static const int places[3] = {4, 1, 0};
+    for (int place = 0; place < 3; place++) {
+        for (int k = 0; k < 3; k++) {
+            const double weight = k == 0 ? 0x1.8p43 : k == 1 ? 1e20 : 1e-30;
+            taut_surface *s = make_peak(weight, places[place], 0.55);
+            const taut_surface_measure m = measured(s);
+            double area = 0, area_error = 0, figure = 0;
+            CHECK(isnan(m.area) && isnan(m.area_error) && isnan(m.mean_abs_mean), "%g", weight);
+            CHECK(isnan(m.dirichlet_energy) && isnan(m.dirichlet_energy_error), "%g", weight);
+            CHECK(isnan(m.bending_energy) && isnan(m.bending_energy_error), "%g", weight);
+            CHECK(isnan(m.isothermality) && isnan(m.isothermality_error), "%g", weight);
+            CHECK(taut_surface_area(s, &area, &area_error) == TAUT_OK && isnan(area) &&
+                      isnan(area_error),
+                  "%g", weight);
+            CHECK(taut_surface_isothermality(s, &figure) == TAUT_OK && isnan(figure), "%g", weight);
+            taut_surface_free(s);
+        }
+    }
+    double area = 0, area_error = 0;
+    taut_surface *s = make_peak(0x1p43, 4, 0.55);
+    CHECK(taut_surface_area(s, &area, &area_error) == TAUT_OK && area > 4 && area < 8 &&
+              area_error < 1e-9 * area,
+          "%g +- %g", area, area_error);
+    taut_surface_free(s);
+}
+
+/* Far apart, but by one factor a row and one a column: lines do not meet such weights, only the whole
+ * net does. The plane square has the area 1, whatever its weights. */
+static void test_products(void)
+{
+    double points[9][3], weights[9];
+    for (int k = 0; k < 9; k++) {
+        points[k][0] = 0.5 * (k / 3);
+        points[k][1] = 0.5 * (k % 3);
+        points[k][2] = 0;
+        weights[k] = ldexp(1, 16 * (k / 3) + 16 * (k % 3));
+    }
+    taut_surface *s =
+        shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, 0, 1), points[0], weights);
+    CHECK_NEAR(measured(s).area, 1, 1e-11, "products");
+    taut_surface_free(s);
+}
+
+/* int sqrt(1 + h_v^2) dv over [0, 1], h_v = c (2 v - 1). */
+static double arc_of_parabola(double c)
+{
+    return c > 0 ? 0.5 * sqrt(1 + c * c) + 0.5 * asinh(c) / c : 1;
+}
+
+/* (L u, v, h(u, v)) for L up to the end of the doubles, as far as L may be from the width 1: the area is
+ * L times that of h_v alone, h_v = 5 u (1 - u) (2 v - 1). Coordinates are rounded each by itself: no
+ * error is told. |H| is not where squares leave the range of doubles. */
+static void test_long(void)
+{
+    static const double lengths[] = {1e10, 1e15, 1e100, 1e154, 1e160, 1e200, 1e300};
+    enum { STEPS = 1000 };
+    double raised = 0;
+
+    for (int k = 0; k <= STEPS; k++) { /* Simpson's rule */
+        const double u = (double)k / STEPS, weight = k % STEPS == 0 ? 1 : k % 2 == 1 ? 4 : 2;
+        raised += weight / (3 * STEPS) * arc_of_parabola(5 * u * (1 - u));
+    }
+    for (int k = 0; k < 14; k++) {
+        const double length = lengths[k / 2];
+        double points[9][3];
+        for (int i = 0; i < 9; i++) {
+            points[i][0] = length * 0.5 * (i / 3);
+            points[i][1] = 0.5 * (i % 3);
+            points[i][2] = k % 2 == 0 || i / 3 != 1 ? 0 : i == 4 ? -0.25 : 1;
+        }
+        taut_surface *s =
+            shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, 0, 1), points[0], NULL);
+        const taut_surface_measure m = measured(s);
+        CHECK_NEAR(m.area / length, k % 2 == 0 ? 1 : raised, 1e-11, "%g", length);
+        CHECK(m.area_error == 0, "%g: %g", length, m.area_error);
+        CHECK(length < 1e150 || isnan(m.mean_abs_mean), "%g: %g", length, m.mean_abs_mean);
+        taut_surface_free(s);
+    }
+}
+
 int main(void)
 {
     test_one_weight();
     test_growth();
     test_moderate();
     test_told();
+    test_apart();
+    test_products();
+    test_long();
     return check_failures != 0;
 }

@@ -298,6 +298,39 @@ static void test_beside(void)
     taut_surface_free(beside);
 }
 
+/* Weights that fall by a factor a row: the surface cut in two, seen from either side, and folded back
+ * over itself. What the weights of rows far from the edge are is nothing to the edge. */
+static void test_steep_weights(void)
+{
+    static const double factors[] = {1e-4, 1e-3, 1e3, 1e4, 1e5};
+    for (int f = 0; f < 5; f++) {
+        double points[16][3], weights[16];
+        for (int k = 0; k < 16; k++) {
+            points[k][0] = k / 4 / 3.0;
+            points[k][1] = k % 4 / 3.0;
+            points[k][2] = 0.1 * (k / 4) * (k % 4);
+            weights[k] = pow(factors[f], k / 4);
+        }
+        taut_surface *whole =
+            shape_surface(shape_bezier(3, 0, 1), shape_bezier(3, 0, 1), points[0], weights);
+        taut_surface *back = shape_reversed(whole);
+        taut_model *pieces = NULL;
+        const taut_join fold = joined(whole, TAUT_EDGE_U1, back, TAUT_EDGE_U0);
+        CHECK(fold.c_order == 0 && fold.g_order == 0, "%g: c %d, g %d", factors[f], fold.c_order,
+              fold.g_order);
+        CHECK_NEAR(fold.max_tangent_angle, TAUT_PI, 1e-9, "%g", factors[f]);
+        CHECK(taut_surface_split(whole, TAUT_ALONG_U, 0.3, &pieces, NULL) == TAUT_OK, "split");
+        const taut_join cut = joined(taut_model_surface(pieces, 0), TAUT_EDGE_U1,
+                                     taut_model_surface(pieces, 1), TAUT_EDGE_U0);
+        CHECK(cut.c_order == 3 && cut.g_order == 3 && cut.kind == TAUT_JOIN_BOUND, "%g: c %d, g %d",
+              factors[f], cut.c_order, cut.g_order);
+        CHECK(cut.gap_bound < 1e-11, "%g: %g", factors[f], cut.gap_bound);
+        taut_model_free(pieces);
+        taut_surface_free(whole);
+        taut_surface_free(back);
+    }
+}
+
 int main(void)
 {
     random_seed(20260304);
@@ -310,6 +343,7 @@ int main(void)
     test_gaps_and_sizes();
     test_beside();
     test_splines();
+    test_steep_weights();
     test_names_and_record();
     return check_failures != 0;
 }
