@@ -69,11 +69,12 @@ void taut_pipe_edge_eval(const taut_surface *s, int last, double v, int order, d
  * residual, what rounding leaves of it, and where. */
 typedef struct taut_pipe_meeting {
     double residual, noise;
+    taut_claim_kind kind; /* a check where the residual is of places only */
     char where[64];
 } taut_pipe_meeting;
 
 /* The larger of gap over radius and sine between the normals, bounded all along; jumps of principal
- * curvatures, sampled. TAUT_NO_MEMORY. */
+ * curvatures, bounded where that decides, else sampled. TAUT_NO_MEMORY. */
 taut_status taut_pipe_measure_joint(const taut_pipe_parts *parts, int side,
                                     taut_pipe_meeting *meeting);
 taut_status taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
