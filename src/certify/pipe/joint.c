@@ -567,11 +567,7 @@ taut_status taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
         const double bound = bound_curvatures(parts, side, arena);
         const taut_status status = taut_arena_status(arena);
         taut_arena_free(arena);
-        if (bound <= taut_pipe_held(meeting->noise)) {
-            meeting->residual = bound;
-            meeting->kind = TAUT_BOUND;
-            meeting->where[0] = '\0';
-        }
+        meeting->kind = bound <= taut_pipe_held(meeting->noise) ? TAUT_BOUND : TAUT_CHECK;
         return status;
     }
     return TAUT_OK;

@@ -120,8 +120,8 @@ static void test_claims(void)
     }
 }
 
-/* A point of the third ring moved outwards, twice as far each time as long as the claim holds: what is
- * told grows with it, and not only once it is too much. */
+/* A point of the third ring moved outwards, a quarter farther each time as long as the claim holds: what
+ * is proved, of all of the ring, is more than what is seen of it, and gives up first. */
 static void test_bound(void)
 {
     static edit_model edit;
@@ -132,9 +132,8 @@ static void test_bound(void)
         .joint = TAUT_PIPE_G2};
     taut_model *model = pipe_made(&problem, 1e-6);
     forge_pool pool = {malloc((size_t)1 << 20), (size_t)1 << 20, 0};
-    double first = 0, largest = 0;
-    int holds = 1;
-    for (double move = 1e-18; move < 1e-3 && holds; move *= 2) {
+    int holds = 1, seen_only = 0;
+    for (double move = 1e-18; move < 1e-3 && holds; move *= 1.25) {
         taut_certificate *certificate = NULL;
         pool.used = 0;
         edit_open(model, "pipe", &pool, &edit);
@@ -151,13 +150,12 @@ static void test_bound(void)
         holds = claim->holds == TAUT_TRUE;
         if (move == 1e-18) {
             CHECK(holds && claim->kind == TAUT_BOUND, "proved");
-            first = claim->residual;
         }
-        largest = holds && claim->kind == TAUT_BOUND ? claim->residual : largest;
+        seen_only += holds && claim->kind == TAUT_CHECK;
         taut_certificate_free(certificate);
         taut_model_free(moved);
     }
-    CHECK(!holds && largest > 1.5 * first, "%g, then %g", first, largest);
+    CHECK(!holds && seen_only > 0, "it is proved up to the limit");
     free(pool.bytes);
     taut_model_free(model);
 }
