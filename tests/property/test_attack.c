@@ -301,7 +301,7 @@ static const attack_row rows[] = {
     {"pipe", "ends", "pipe-paper", axis_start, 0},
     {"pipe", "optimal", "pipe-auto", axis_shape, ONE_WAY | OPEN},
     {"pipe", "regular", "pipe-canal", shrink, ANY | ALONE | ONE_WAY},
-    {"pipe", "graph", "pipe-canal", pipe_middle, ANY | ONE_WAY},
+    {"pipe", "graph", "pipe-canal", shrink, ANY | ALONE | ONE_WAY},
     {"pipe", "joints", "pipe-run-coil", run_joint, ONE_WAY | OPEN},
     {"pipe", "curvatures", "pipe-run-harness", run_curvature, ONE_WAY | OPEN},
     {"pipe", "bend_radius", "pipe-run-coil", shrink, ONE_WAY | ALONE | OPEN},

@@ -12,7 +12,7 @@
  *               points in doubles leaves 2^-53 G, and summing leaves a few times that.
  *   known       largest distance of a known point from the problem's, over their size; 0 exactly.
  *   aspect      where the aspect was searched for: |log(lambda^2 iint |x_u|^2 / iint |x_v|^2)|
- *               (section 7.3).
+ *               (section 7.3), with the remainder of the rule and rounding.
  *   regular     where the problem asks (certify/common/regular.h).
  */
 #include "taut/dirichlet.h"
@@ -309,10 +309,29 @@ static taut_status add_stationary(const request *r, const finding *found, taut_c
     return taut_certificate_add(certificate, &claim);
 }
 
+/* What the logarithm of lambda^2 iint |x_u|^2 / iint |x_v|^2 may be off by. As x_u = sum phi_u P, the
+ * rule for iint |x_u|^2 = sum P . iint phi_u x_u misses no more than 3 count |P| times what it misses
+ * of the gradient, whose bound is that of both parts apart; |P| < 1 about the first point. Then
+ * rounding of the slopes, and of the sum of the terms. */
+static double aspect_error(const request *r, const taut_dirichlet_gradient *g)
+{
+    const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
+    const double form =
+        r->aspect * (taut_basis_hi(v) - taut_basis_lo(v)) / (taut_basis_hi(u) - taut_basis_lo(u));
+    const double roundings = TAUT_UNIT_ROUNDOFF * (g->roundings + ROUNDINGS);
+    const double terms = TAUT_UNIT_ROUNDOFF * (g->points + 16);
+    const double missed = 3.0 * r->nu * r->nv * g->remainder * fmax(form, 1 / form);
+    const double a = (missed / r->aspect + roundings * g->halves_gross[0]) / g->halves[0] + terms;
+    const double b = (missed * r->aspect + roundings * g->halves_gross[1]) / g->halves[1] + terms;
+    /* |log(1 + x)| <= |x| / (1 - |x|); and rounding of the logarithms */
+    return a < 0.5 && b < 0.5 ? a / (1 - a) + b / (1 - b) + 8 * TAUT_UNIT_ROUNDOFF : INFINITY;
+}
+
 /* lambda^2 iint |x_u|^2 = iint |x_v|^2. The points carry the rounding that `stationary` allows for;
  * it weighs more in the lesser integral, by the root of their ratio over the unit square. */
 static taut_status add_aspect(const request *r, const taut_dirichlet_gradient *gradient,
-                              const finding *found, taut_certificate *certificate)
+                              const finding *found, taut_claim_kind kind,
+                              taut_certificate *certificate)
 {
     const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
     const double ratio =
@@ -323,8 +342,16 @@ static taut_status add_aspect(const request *r, const taut_dirichlet_gradient *g
     claim.residual =
         a == 0 && b == 0 ? 0 : fabs(2 * taut_log(r->aspect) + taut_log(a) - taut_log(b));
     claim.limit = fmin(found->noise * (1 + fmax(ratio, 1 / ratio)), largest_limit);
-    claim.holds = claim.residual <= claim.limit ? TAUT_TRUE : TAUT_FALSE;
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    if (kind == TAUT_BOUND) { /* the rule's remainder is known */
+        const double error = a == 0 && b == 0 ? 0 : aspect_error(r, gradient);
+        if (claim.residual + error <= claim.limit || claim.residual - error > claim.limit) {
+            claim.kind = TAUT_BOUND;
+            claim.residual += claim.holds == TAUT_TRUE ? error : 0;
+        }
+    }
     if (found->is_unseen) {
+        claim.kind = TAUT_CHECK;
         claim.residual = NAN;
         claim.holds = TAUT_UNDECIDED;
         claim.where = TAUT_CERTIFY_WEIGHTS_APART;
@@ -383,7 +410,7 @@ static taut_status add_claims(const request *r, taut_dirichlet_gradient *gradien
         }
     }
     if (r->is_searched) {
-        status = add_aspect(r, gradient, &found, certificate);
+        status = add_aspect(r, gradient, &found, kind, certificate);
         if (status != TAUT_OK) {
             return status;
         }

@@ -476,6 +476,11 @@ static double square(const double *x)
     return x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
 }
 
+static double sizes_of(const double *x)
+{
+    return fabs(x[0]) + fabs(x[1]) + fabs(x[2]);
+}
+
 /* One line, from the values of its points. */
 static void integrate_line(work *w, int line, const double *values, taut_dirichlet_gradient *g)
 {
@@ -493,6 +498,12 @@ static void integrate_line(work *w, int line, const double *values, taut_dirichl
         gather_point(w, k, out);
         if ((k + 1) % w->nodes == 0) {
             end_cell(w, k);
+        }
+        if (!w->is_area) { /* out[0][3], out[1][3]: factor, weight over w, and rounding of the slope */
+            g->halves_gross[0] +=
+                2 * sizes_of(x + 3 * TAUT_XU) * out[0][3] * sums[0] / w->fu * w->v.length;
+            g->halves_gross[1] +=
+                2 * sizes_of(x + 3 * TAUT_XV) * out[1][3] * sums[0] / w->fv * w->u.length;
         }
         g->halves[0] += weight * square(x + 3 * TAUT_XU) * area;
         g->halves[1] += weight * square(x + 3 * TAUT_XV) * area;

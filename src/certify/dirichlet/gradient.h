@@ -21,13 +21,15 @@ typedef struct taut_dirichlet_gradient {
                     *     rho = |u| (k/du + |w_u|/w) + |v| (h/dv + |w_v|/w)
                     * points as stored, not centred; k, h functions alive, du, dv widths of spans
                     * (at most 1 on hyperbolic bases, whose layers are as wide) */
-    double halves[2]; /* iint |x_u|^2, iint |x_v|^2, in squares of the unit */
-    double roundings; /* so many of 2^-53 gross the sums themselves may be off by */
-    double remainder; /* of the rule: what quadrature may be off by in any derivative */
-    double area;      /* in squares of the unit; 0 of the Dirichlet energy's gradient */
-    int unit;         /* the unit is 2 to this power */
-    double points;    /* of quadrature, */
-    double spans;     /* on so many pairs of spans */
+    double halves[2];       /* iint |x_u|^2, iint |x_v|^2, in squares of the unit */
+    double halves_gross[2]; /* of the Dirichlet energy: what rounding acts on in either, 2^-53
+                             * roundings of it */
+    double roundings;       /* so many of 2^-53 gross the sums themselves may be off by */
+    double remainder;       /* of the rule: what quadrature may be off by in any derivative */
+    double area;            /* in squares of the unit; 0 of the Dirichlet energy's gradient */
+    int unit;               /* the unit is 2 to this power */
+    double points;          /* of quadrature, summed one after the other, */
+    double spans;           /* on so many pairs of spans */
 } taut_dirichlet_gradient;
 
 /* Where the nodes are: so many Gauss nodes (1..TAUT_GAUSS_MAX) a cell. */

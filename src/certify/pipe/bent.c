@@ -11,19 +11,27 @@
 
 enum { DEPTH = 40, VISITS = 4000 };
 
-/* Is f positive everywhere? */
-static int is_positive(taut_arena *arena, const taut_field *f, int depth, int *left)
+static int sign_below(taut_arena *arena, const taut_field *f, int depth, int *left)
 {
     taut_field halves[2];
+    int first = 0;
     if (taut_field_low(f) > 0) {
         return 1;
     }
-    if (depth == DEPTH || --*left <= 0 || f->a == NULL || !(f->a[0] + f->e[0] > 0)) {
+    if (f->a != NULL && (f->a[0] + f->e[0] <= 0 || f->a[f->p] + f->e[f->p] <= 0)) {
+        return -1;
+    }
+    if (depth == DEPTH || --*left <= 0 || f->a == NULL) {
         return 0;
     }
     taut_field_halve(arena, f, 0, &halves[0], &halves[1]);
-    return is_positive(arena, &halves[0], depth + 1, left) &&
-           is_positive(arena, &halves[1], depth + 1, left);
+    first = sign_below(arena, &halves[0], depth + 1, left);
+    return first != 1 ? first : sign_below(arena, &halves[1], depth + 1, left);
+}
+
+int taut_pipe_sign_of(taut_arena *arena, const taut_field *f, int *left)
+{
+    return sign_below(arena, f, 0, left);
 }
 
 static int prove_curve(taut_arena *arena, const taut_pipe_parts *parts, const taut_curve *curve,
@@ -42,7 +50,8 @@ static int prove_curve(taut_arena *arena, const taut_pipe_parts *parts, const ta
     const taut_field cube = taut_field_product(arena, &square, &speed);
     const taut_field bend = taut_field_dot(arena, across, across);
     const taut_field room = taut_field_combine(arena, limit * limit, &cube, -1, &bend);
-    return is_positive(arena, &speed, 0, &left) && is_positive(arena, &room, 0, &left);
+    return taut_pipe_sign_of(arena, &speed, &left) > 0 &&
+           taut_pipe_sign_of(arena, &room, &left) > 0;
 }
 
 taut_status taut_pipe_prove_bend(const taut_pipe_parts *parts, double limit, int *proved)

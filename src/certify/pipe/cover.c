@@ -1,4 +1,4 @@
-/* cover.c -- proof that a surface is the round tube of radius a about its axis, all of it and once.
+/* cover.c -- proof that a surface is the tube of circles about its axis, all of it and once.
  *
  * With R = x - P(s), m the least of |P'|^2 - (x - P) . P'' from s to the foot of x on the axis, and
  * eta = (R . P')^2 / m, the distance r of x from the axis there is bounded by
@@ -8,6 +8,12 @@
  * as (x - P(s))^2 / 2 has the slope -R . P' and bends by m at least. The numerators of R . R - a^2,
  * R . P' and the bend are polynomials with Bernstein coefficients around their values; patches are
  * halved until |r - a| is bounded near the largest that is seen.
+ *
+ * Where the radius a(s) changes, 2 f = |x - P|^2 - a^2 is at its least, in s, at the sphere that x
+ * touches or is nearest to: of a canal surface the same holds with f' = -(R . P' + a a') in place of
+ * -R . P', and m bounds the bend of f. The circle of a naive sweep is that of the foot, to which
+ * a^2 / 2 changes by a a' delta, delta = R . P' / (|P'|^2 - R . P'') but for terms of second order,
+ * which are bounded.
  *
  * That the tube is near the surface too, and is gone around once: the rings close, the first one
  * winds once about the axis, and P' . (R x R_v) has one sign, so that the angle about the axis grows
@@ -44,24 +50,55 @@ static double wanted_of(const prover *p)
     return fmax(near_enough * p->cover->found, small_enough * p->sweep->tolerance);
 }
 
-/* The least bend of (x - P)^2 / 2 from s to the foot, and the largest |R . P'|. */
-static double least_bend(taut_arena *arena, const prover *p, const taut_pipe_patch *patch,
-                         double longest, double *slope)
+/* What is known of a patch because it is known of the one that it is a part of. */
+typedef struct known {
+    int turned;         /* the rings turn about the axis as a whole does */
+    double slope, bend; /* the largest |f'|, and m; bend 0: not known yet */
+    double move, third; /* how far the foot is at most, and the largest change of the bend by s */
+} known;
+
+/* R . P', and of a canal surface R . P' + a a'. */
+static taut_field slope_field(taut_arena *arena, const prover *p, const taut_pipe_patch *patch)
 {
-    const double *most = p->sweep->most;
     const taut_field along = taut_field_dot(arena, patch->way, patch->first);
+    if (!p->sweep->changes || !p->sweep->parts->canal) {
+        return along;
+    }
+    const taut_field growth = taut_field_product(arena, &patch->w, &patch->half[1]);
+    return taut_field_sum(arena, &along, &growth);
+}
+
+/* w times the bend of f. */
+static taut_field bend_field(taut_arena *arena, const prover *p, const taut_pipe_patch *patch)
+{
     const taut_field speed = taut_field_dot(arena, patch->first, patch->first);
     const taut_field turn = taut_field_dot(arena, patch->way, patch->second);
     const taut_field weighted = taut_field_product(arena, &patch->w, &speed);
     const taut_field bend = taut_field_difference(arena, &weighted, &turn);
+    if (!p->sweep->changes || !p->sweep->parts->canal) {
+        return bend;
+    }
+    const taut_field growth = taut_field_product(arena, &patch->w, &patch->half[2]);
+    return taut_field_difference(arena, &bend, &growth);
+}
+
+/* The least bend of f from s to the foot, and the largest |f'|. */
+static void find_least_bend(taut_arena *arena, const prover *p, const taut_pipe_patch *patch,
+                            double longest, known *k)
+{
+    const double *most = p->sweep->most;
+    const taut_field along = slope_field(arena, p, patch);
+    const taut_field bend = bend_field(arena, p, patch);
     const double here = taut_field_low(&bend) / taut_field_high(&patch->w);
-    double move = 0, least = 0;
-    *slope = taut_field_largest(&along) / taut_field_low(&patch->w) * rounded;
-    move = 2 * *slope / here; /* the foot is nearer, if the bend halves at most on the way */
-    const double first = taut_pipe_longest(patch->first) + move * most[2];
-    const double second = taut_pipe_longest(patch->second) + move * most[3];
-    least = here - move * (3 * first * second + (longest + move * first) * most[3]);
-    return here > 0 && least > 0.5 * here ? least / rounded : NAN;
+    double least = 0;
+    k->slope = taut_field_largest(&along) / taut_field_low(&patch->w) * rounded;
+    k->move = 2 * k->slope / here; /* the foot is nearer, if the bend halves at most on the way */
+    const double first = taut_pipe_longest(patch->first) + k->move * most[2];
+    const double second = taut_pipe_longest(patch->second) + k->move * most[3];
+    k->third = 3 * first * second + (longest + k->move * first) * most[3] +
+               (p->sweep->changes ? p->sweep->half_most[1] : 0);
+    least = here - k->move * k->third;
+    k->bend = here > 0 && least > 0.5 * here ? least / rounded : NAN;
 }
 
 /* The distance from the point of the tube that looks the same way from the same place of the axis,
@@ -76,30 +113,105 @@ static double at_same_place(taut_arena *arena, const taut_pipe_patch *patch, dou
                      : INFINITY;
 }
 
-/* What is known of a patch because it is known of the one that it is a part of. */
-typedef struct known {
-    int turned;         /* the rings turn about the axis as a whole does */
-    double slope, bend; /* the largest |R . P'|, and m; bend 0: not known yet */
-} known;
+/* w^2 (|R|^2 - a^2). */
+static taut_field apart_field(taut_arena *arena, const prover *p, const taut_pipe_patch *patch)
+{
+    const double a = p->sweep->radius, square = a * a;
+    const taut_field rr = taut_field_dot(arena, patch->way, patch->way);
+    const taut_field ww = taut_field_product(arena, &patch->w, &patch->w);
+    if (!p->sweep->changes) {
+        return taut_field_combine(arena, 1, &rr, -square, &ww);
+    }
+    const taut_field wide = taut_field_product(arena, &ww, &patch->half[0]);
+    return taut_field_combine(arena, 1, &rr, -2, &wide);
+}
+
+/* The range of f / g, g > 0: about its value in the middle, so that what f has in common with g cancels.
+ * NAN where g is not known to be positive. */
+static void range_of(taut_arena *arena, const taut_field *f, const taut_field *g, double range[2])
+{
+    const double least = taut_field_low(g), most = taut_field_high(g);
+    const double middle = taut_field_value(f, 0.5, 0.5) / taut_field_value(g, 0.5, 0.5);
+    const taut_field rest = taut_field_combine(arena, 1, f, -middle, g);
+    const double low = taut_field_low(&rest), high = taut_field_high(&rest);
+    const double below = low / (low < 0 ? least : most), above = high / (high > 0 ? least : most);
+    range[0] = middle + below - 8 * TAUT_UNIT_ROUNDOFF * (fabs(middle) + fabs(below));
+    range[1] = middle + above + 8 * TAUT_UNIT_ROUNDOFF * (fabs(middle) + fabs(above));
+    if (!(least > 0)) {
+        range[0] = range[1] = NAN;
+    }
+}
+
+/* |R|^2 - a^2 less what a^2 gains to the foot, to first order. */
+static void gain_to_foot(taut_arena *arena, const prover *p, const taut_pipe_patch *patch,
+                         const taut_field *apart, const taut_field *ww, double range[2])
+{
+    const taut_field bend = bend_field(arena, p, patch), along = slope_field(arena, p, patch);
+    const taut_field bent = taut_field_product(arena, &bend, apart);
+    const taut_field gain = taut_field_product(arena, &along, &patch->half[1]);
+    const taut_field gained = taut_field_product(arena, ww, &gain);
+    const taut_field all = taut_field_combine(arena, 1, &bent, -2, &gained);
+    const taut_field weighted = taut_field_product(arena, ww, &bend);
+    range_of(arena, &all, &weighted, range);
+}
+
+/* bound_of where the radius changes. */
+static double changing_bound(taut_arena *arena, const prover *p, const taut_pipe_patch *patch,
+                             const taut_field *apart, known *k)
+{
+    const taut_field ww = taut_field_product(arena, &patch->w, &patch->w);
+    const double widest = 2 * taut_field_high(&patch->half[0]);
+    const double narrowest = 2 * taut_field_low(&patch->half[0]);
+    double range[2], a = 0, over = 0;
+    range_of(arena, apart, &ww, range);
+    const double longest = sqrt(fmax(widest + range[1], 0)) * rounded;
+    if (!(narrowest > 0)) {
+        return INFINITY;
+    }
+    if (!(k->slope * k->slope < negligible * wanted_of(p) * narrowest * k->bend)) {
+        find_least_bend(arena, p, patch, longest, k);
+    }
+    if (!p->sweep->parts->canal && !(k->bend > 0)) {
+        const double far =
+            at_same_place(arena, patch, k->slope, narrowest, range[0], range[1], sqrt(narrowest));
+        return far / p->sweep->radius * rounded;
+    }
+    if (!p->sweep->parts->canal) {
+        gain_to_foot(arena, p, patch, apart, &ww, range);
+        over =
+            k->move * k->move *
+            (2 * taut_field_largest(&patch->half[1]) * k->third / k->bend + p->sweep->half_most[0]);
+    }
+    a = sqrt(narrowest) - k->move * p->sweep->rate;
+    const double below = range[0] - k->slope * k->slope / k->bend - over;
+    const double square = a > 0 ? a * a : 0;
+    const double above = range[1] + over;
+    const double bound =
+        taut_certify_max(above / (2 * a), -below / (sqrt(fmax(square + below, 0)) + a));
+    return a > 0 && isfinite(bound)
+               ? fmax(bound / p->sweep->radius * rounded, 4 * TAUT_UNIT_ROUNDOFF)
+               : INFINITY;
+}
 
 /* |r - a| / a at most; INFINITY where it is not bounded. */
 static double bound_of(taut_arena *arena, const prover *p, const taut_pipe_patch *patch, known *k)
 {
     const double a = p->sweep->radius, square = a * a;
     const double low = taut_field_low(&patch->w), high = taut_field_high(&patch->w);
-    const taut_field rr = taut_field_dot(arena, patch->way, patch->way);
-    const taut_field ww = taut_field_product(arena, &patch->w, &patch->w);
-    const taut_field apart = taut_field_combine(arena, 1, &rr, -square, &ww);
+    const taut_field apart = apart_field(arena, p, patch);
     const double least = taut_field_low(&apart), most = taut_field_high(&apart);
     double bound = 0;
 
     if (!(low > 0) || !isfinite(least) || !isfinite(most)) {
         return INFINITY;
     }
+    if (p->sweep->changes) {
+        return changing_bound(arena, p, patch, &apart, k);
+    }
     const double above = most / (most > 0 ? low * low : high * high);
     const double longest = sqrt(fmax(square + above, 0)) * rounded;
     if (!(k->slope * k->slope < negligible * wanted_of(p) * square * k->bend)) {
-        k->bend = least_bend(arena, p, patch, longest, &k->slope);
+        find_least_bend(arena, p, patch, longest, k);
     }
     const double below =
         least / (least < 0 ? low * low : high * high) - k->slope * k->slope / k->bend;
@@ -136,7 +248,14 @@ static double miss_at(const prover *p, double u, double v, const taut_pipe_patch
     const double part = (u - taut_basis_lo(basis)) / (taut_basis_hi(basis) - taut_basis_lo(basis));
     taut_surface_eval(s->surface, u, v, 0, x);
     taut_pipe_to_local(line, x, local);
+    if (s->changes && s->parts->canal) {
+        double convex = 0;
+        return taut_pipe_canal_miss(s->parts, local, u, &convex);
+    }
     taut_pipe_find_foot(line, local, s->from + part * (s->to - s->from), &piece, &foot, offset);
+    if (s->changes) {
+        return taut_pipe_section_miss(s->parts, piece, foot, offset);
+    }
     return fabs(taut_norm(offset) - s->radius) / s->radius;
 }
 

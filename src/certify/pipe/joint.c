@@ -6,7 +6,8 @@
  *     H = (E N - 2 F M + G L) / (2 (E G - F^2)),   K = (L N - M^2) / (E G - F^2)
  *     H +- sqrt(H^2 - K)
  *
- * of both surfaces at each place of the ring they share. Where tangent planes agree along a ring,
+ * of both surfaces at each place of the ring they share, first looked at in places; where these
+ * show no jump, both second forms are bounded against the cylinder's by coefficients. Where tangent planes agree along a ring,
  * only the curvature across it can differ, so that equal principal curvatures are an equal second
  * form.
  *
@@ -316,7 +317,7 @@ taut_status taut_pipe_measure_joint(const taut_pipe_parts *parts, int side,
     taut_arena *const arena = taut_arena_new();
     joint_edge edges[2];
     taut_status status = TAUT_OK;
-    *meeting = (taut_pipe_meeting){.where = ""};
+    *meeting = (taut_pipe_meeting){.kind = TAUT_BOUND};
     const int is_known = edge_of(parts, side, parts->blend, side == 1, arena, &edges[0]) &&
                          edge_of(parts, side, parts->pipes[side], side == 0, arena, &edges[1]);
     if (is_known && are_alike(&edges[0], &edges[1])) {
@@ -396,12 +397,158 @@ static double noise_of(const taut_pipe_parts *parts, int side)
            parts->flatness;
 }
 
+/* The third ring from an edge, less what of it is along the second: way_j = (p2_j - p_j) - k way1_j,
+ * with N', N'' of the second and of the third. 0: there is none, and x_uu is along x_u. -1: other
+ * weights, or no memory. */
+static int third_ring(const taut_pipe_parts *parts, int side, const joint_edge *e, int last,
+                      taut_arena *arena, double (**ways)[3], double slopes[2])
+{
+    const taut_basis *u = taut_surface_u(e->surface);
+    const int nu = taut_basis_count(u), count = taut_basis_degree(u) + 1;
+    const int span = last ? taut_basis_span_count(u) - 1 : 0;
+    const int row = last ? nu - 1 : 0, step = last ? -1 : 1, at = last ? count - 1 : 0;
+    const double *d = parts->line.tangent[side], *third = e->ring + 6 * step * e->count;
+    double n[3 * LOCAL], sums[2] = {0, 0};
+
+    if (count < 2 || count > LOCAL) {
+        return -1;
+    }
+    taut_basis_eval(u, span, last ? taut_basis_hi(u) : taut_basis_lo(u), 2, n);
+    slopes[0] = fabs(n[count + at + step]);
+    slopes[1] = count > 2 ? fabs(n[2 * count + at + 2 * step]) : 0;
+    if (count == 2) {
+        return 0;
+    }
+    *ways = taut_arena_take(arena, (size_t)e->count, sizeof **ways);
+    if (*ways == NULL || !have_same_weights(e->surface, row, row + 2 * step)) {
+        return -1;
+    }
+    for (int j = 0; j < e->count; j++) {
+        taut_difference(third + 3 * j, e->ring + 3 * j, (*ways)[j]);
+        sums[0] += taut_dot((*ways)[j], d);
+        sums[1] += taut_dot(e->ways[j], d);
+    }
+    for (int j = 0; j < e->count; j++) {
+        taut_add_scaled(-sums[0] / sums[1], e->ways[j], (*ways)[j]);
+    }
+    return 1;
+}
+
+/* The largest length of vectors. */
+static double longest_way(const double (*ways)[3], int count)
+{
+    double most = 0;
+    for (int j = 0; j < count; j++) {
+        most = taut_certify_max(most, taut_norm(ways[j]));
+    }
+    return most;
+}
+
+/* What is known of the rings about an edge. */
+typedef struct edge_rings {
+    const joint_edge *edge;
+    double (*third)[3]; /* NULL: none */
+    double slopes[2];   /* N' and N'' */
+    double rounding[2]; /* of the ways to the second and to the third */
+    double lean;        /* of the normals from the cylinder's, at most */
+} edge_rings;
+
+/* How far the second form is from that of the cylinder, at most, over span j. With A the ways, S the
+ * ring's slope, W the third ring's ways, n, f_2 along the ring and f_1 = n x f_2 across:
+ *
+ *     II(f_2, f_2) <= k = |x_vv| / |x_v|^2,   it differs by no more than the normals times k
+ *     II(f_1, f_2)  = det(A, S, A') w / |A x S|^2 - (Q/P) k,   Q/P = A . S / |A x S|
+ *     II(f_1, f_1)  = (N''/N'^2) det(A, S, W) |S|^2 w / |A x S|^3 - 2 (Q/P) II(f_1, f_2) - (Q/P)^2 k
+ */
+static double form_on_span(taut_arena *arena, const edge_rings *r, int j)
+{
+    const joint_edge *e = r->edge;
+    const double(*ring)[3] = (const double(*)[3])(const void *)e->ring;
+    taut_field x[4], slope[3], way[4], turn[3], third[4], unused[3], normal[3], second[3];
+    double bend = 0;
+    ring_fields(arena, e, ring, e->ring, j, x, slope);
+    ring_fields(arena, e, (const double(*)[3])e->ways, NULL, j, way, turn);
+    taut_field_cross(arena, way, slope, normal);
+    const taut_field w_slope = taut_field_du(arena, &x[3]);
+    for (int k = 0; k < 3; k++) {
+        const taut_field du = taut_field_du(arena, &slope[k]);
+        const taut_field a = taut_field_product(arena, &du, &x[3]);
+        const taut_field b = taut_field_product(arena, &slope[k], &w_slope);
+        second[k] = taut_field_combine(arena, 1, &a, -2, &b);
+    }
+    const double high = taut_field_high(&x[3]), most = taut_pipe_longest(slope);
+    const double least = shortest(arena, slope), upright = shortest(arena, normal);
+    const double unit = ldexp(1, -e->exponent),
+                 k = taut_pipe_longest(second) * high / (least * least);
+    const taut_field along = taut_field_dot(arena, way, slope);
+    const taut_field twist = taut_field_dot(arena, normal, turn);
+    const double part = taut_field_largest(&along) / upright;
+    /* the ways' own rounding turns with the functions around: twice their degree at most */
+    const double turned = 2 * LOCAL * r->rounding[0] * unit * high * high / upright;
+    const double mixed =
+        taut_field_largest(&twist) * high / (upright * upright) + turned * high + part * k;
+    if (r->third != NULL) {
+        ring_fields(arena, e, (const double(*)[3])r->third, NULL, j, third, unused);
+        const taut_field off = taut_field_dot(arena, normal, third);
+        bend = (taut_field_largest(&off) / upright + r->rounding[1] * unit * high) * r->slopes[1] /
+               (r->slopes[0] * r->slopes[0]) * most * most * high / (upright * upright);
+    }
+    const double across = bend + 2 * part * mixed + part * part * k, lean = 1.5 * r->lean * k;
+    return sqrt(across * across + 2 * mixed * mixed + lean * lean) * (1 + 256 * DBL_EPSILON);
+}
+
+/* The largest difference of principal curvatures, times the radius: no more than both second forms
+ * differ from the cylinder's, as eigenvalues of symmetric matrices do. NAN: not bounded. */
+static double bound_curvatures(const taut_pipe_parts *parts, int side, taut_arena *arena)
+{
+    const int lasts[2] = {side == 1, side == 0};
+    const double *d = parts->line.tangent[side];
+    joint_edge edges[2];
+    edge_rings rings[2] = {{.edge = &edges[0]}, {.edge = &edges[1]}};
+    double worst = 0;
+    if (!edge_of(parts, side, parts->blend, lasts[0], arena, &edges[0]) ||
+        !edge_of(parts, side, parts->pipes[side], lasts[1], arena, &edges[1]) ||
+        !are_alike(&edges[0], &edges[1]) ||
+        memcmp(edges[0].ring, edges[1].ring, 3 * (size_t)edges[0].count * sizeof(double)) != 0) {
+        return NAN;
+    }
+    for (int i = 0; i < 2; i++) {
+        edge_rings *const r = &rings[i];
+        const int is_known =
+            third_ring(parts, side, &edges[i], lasts[i], arena, &r->third, r->slopes);
+        double least = 0;
+        r->lean = lean_of_ways(&edges[i], d, &least);
+        if (is_known < 0 || !(least > 0)) {
+            return NAN;
+        }
+        r->rounding[0] =
+            DBL_EPSILON * longest_way((const double(*)[3])edges[i].ways, edges[i].count);
+        r->rounding[1] =
+            is_known ? 4 * DBL_EPSILON * longest_way((const double(*)[3])r->third, edges[i].count) +
+                           4 * r->rounding[0]
+                     : 0;
+    }
+    for (int j = 0; j < taut_basis_span_count(taut_surface_v(parts->blend)); j++) {
+        joint_bound b = {.upright = 1};
+        bound_on_span(arena, edges, (const double(*)[3])edges[0].ways, d, j, &b);
+        double sum = 0;
+        for (int i = 0; i < 2; i++) {
+            edge_rings r = rings[i];
+            const double lean = r.lean / (b.upright * b.upright);
+            r.lean = lean < b.lean[i] ? lean : b.lean[i];
+            sum += form_on_span(arena, &r, j);
+        }
+        worst = taut_certify_max(worst, sum);
+    }
+    return worst * ldexp(parts->radius, -edges[0].exponent);
+}
+
 taut_status taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
                                          taut_pipe_meeting *meeting)
 {
     const taut_basis *v = taut_surface_v(parts->blend), *w = taut_surface_v(parts->pipes[side]);
 
-    *meeting = (taut_pipe_meeting){.noise = noise_of(parts, side)};
+    *meeting = (taut_pipe_meeting){.noise = noise_of(parts, side), .kind = TAUT_CHECK};
     for (int k = 0; k <= AROUND; k++) {
         const double part = (double)k / AROUND;
         const double at = taut_basis_lo(v) + (taut_basis_hi(v) - taut_basis_lo(v)) * part;
@@ -415,6 +562,14 @@ taut_status taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
             snprintf(meeting->where, sizeof meeting->where, "v = %.6g", at);
         }
     }
+    if (meeting->residual <= taut_pipe_held(meeting->noise)) { /* else it is refused already */
+        taut_arena *const arena = taut_arena_new();
+        const double bound = bound_curvatures(parts, side, arena);
+        const taut_status status = taut_arena_status(arena);
+        taut_arena_free(arena);
+        meeting->kind = bound <= taut_pipe_held(meeting->noise) ? TAUT_BOUND : TAUT_CHECK;
+        return status;
+    }
     return TAUT_OK;
 }
 
@@ -422,7 +577,8 @@ taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
                                       taut_certificate *certificate)
 {
     taut_pipe_meeting m;
-    (void)taut_pipe_measure_curvatures(parts, side, &m);
-    return taut_pipe_add_claim(side == 0 ? "curvature1" : "curvature2", TAUT_CHECK, m.residual, 0,
-                               m.noise, m.where, certificate);
+    const taut_status status = taut_pipe_measure_curvatures(parts, side, &m);
+    return status != TAUT_OK ? status
+                             : taut_pipe_add_claim(side == 0 ? "curvature1" : "curvature2", m.kind,
+                                                   m.residual, 0, m.noise, m.where, certificate);
 }

@@ -69,11 +69,12 @@ void taut_pipe_edge_eval(const taut_surface *s, int last, double v, int order, d
  * residual, what rounding leaves of it, and where. */
 typedef struct taut_pipe_meeting {
     double residual, noise;
+    taut_claim_kind kind; /* a check where the residual is of places only */
     char where[64];
 } taut_pipe_meeting;
 
 /* The larger of gap over radius and sine between the normals, bounded all along; jumps of principal
- * curvatures, sampled. TAUT_NO_MEMORY. */
+ * curvatures, bounded where that decides, else sampled. TAUT_NO_MEMORY. */
 taut_status taut_pipe_measure_joint(const taut_pipe_parts *parts, int side,
                                     taut_pipe_meeting *meeting);
 taut_status taut_pipe_measure_curvatures(const taut_pipe_parts *parts, int side,
@@ -115,7 +116,7 @@ taut_status taut_pipe_prove_bend(const taut_pipe_parts *parts, double limit, int
 taut_status taut_pipe_claim_embedded(const taut_pipe_parts *parts, const char *where,
                                      taut_certificate *certificate);
 
-/* The claims: joint.c, tube.c, caps.c, ends.c. Each adds one, or returns TAUT_NO_MEMORY. */
+/* The claims: joint.c, tube.c, envelope.c, caps.c, ends.c. Each adds one, or returns TAUT_NO_MEMORY. */
 taut_status taut_pipe_claim_joint(const taut_pipe_parts *parts, int side,
                                   taut_certificate *certificate);
 taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
@@ -126,6 +127,8 @@ taut_status taut_pipe_claim_run_tube(const taut_pipe_parts *parts, int count,
                                      const taut_surface *const *surfaces,
                                      const taut_curve *const *curves, double tolerance,
                                      double *fit_error, taut_certificate *certificate);
+/* `regular` and `graph` of the canal surface about the axis. */
+taut_status taut_pipe_claim_envelope(const taut_pipe_parts *parts, taut_certificate *certificate);
 /* `caps`, where there are any, over the free ends of the first and the last surface. */
 taut_status taut_pipe_claim_caps(const taut_model *model, const taut_pipe_parts *parts,
                                  const taut_surface *const ends[2], taut_certificate *certificate);

@@ -4,6 +4,7 @@
  *     curvature1, -2  equal principal curvatures; about a quintic               joint.c
  *     embedded        radius over the largest radius of the composite axis      reach.c
  *     tube            the surfaces are at the radius from the axis              tube.c
+ *     regular, graph  of a canal surface                                        envelope.c
  *     ends            the axis starts and ends as asked; with a problem         ends.c
  *     optimal         no neighbour of chosen shape numbers is better            ends.c
  *
@@ -186,6 +187,12 @@ static taut_status add_claims(const taut_model *model, const taut_pipe_parts *pa
         return status;
     }
     status = taut_pipe_claim_tube(parts, tolerance, &fit_error, certificate);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (parts->canal) {
+        status = taut_pipe_claim_envelope(parts, certificate);
+    }
     if (status != TAUT_OK) {
         return status;
     }

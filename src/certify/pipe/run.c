@@ -175,6 +175,7 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
 {
     const taut_pipe_line *line = &run->parts.line;
     taut_pipe_meeting worst = {.noise = 1};
+    taut_claim_kind kind = TAUT_BOUND; /* a check if any joint is one */
     char where[160] = "";
     for (int i = 0; i + !line->closed < run->count; i++) {
         const int next = (i + 1) % run->count;
@@ -189,6 +190,7 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
         if (status != TAUT_OK) {
             return status;
         }
+        kind = m.kind == TAUT_CHECK ? TAUT_CHECK : kind;
         if (curved && side == 1 && is_blend(run, next)) { /* both are rounded */
             m.noise += noise_of_other(run, i, next);
         }
@@ -203,8 +205,8 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
                      m.where);
         }
     }
-    return taut_pipe_add_claim(curved ? "curvatures" : "joints", curved ? TAUT_CHECK : TAUT_BOUND,
-                               worst.residual, 0, worst.noise, where, certificate);
+    return taut_pipe_add_claim(curved ? "curvatures" : "joints", kind, worst.residual, 0,
+                               worst.noise, where, certificate);
 }
 
 /* The piece at an arc length from the start of the run, and how far along it. */

@@ -129,6 +129,30 @@ void taut_pipe_sweep_line(taut_arena *arena, int side, double length, taut_pipe_
     }
 }
 
+/* r = r_0 + (r_1 - r_0) t^2 (3 - 2 t), with the quintic t^3 (10 - 15 t + 6 t^2): by coefficients
+ * the first half of them is r_0 and the second r_1. */
+void taut_pipe_sweep_radii(taut_arena *arena, taut_pipe_sweep *sweep)
+{
+    const taut_pipe_parts *parts = sweep->parts;
+    const int degree = parts->quintic ? 5 : 3;
+    const double scale = parts->line.scale;
+    taut_field r = taut_field_new(arena, degree, 0);
+    for (int i = 0; i <= degree && r.a != NULL; i++) {
+        r.a[i] = parts->ellipses[2 * i > degree].a / scale;
+        r.e[i] = unit * r.a[i];
+    }
+    const taut_field slope = taut_field_du(arena, &r), square = taut_field_product(arena, &r, &r);
+    const taut_field none = taut_field_constant(arena, 0);
+    sweep->changes = 1;
+    sweep->rate = taut_field_largest(&slope);
+    sweep->half[0] = taut_field_combine(arena, 0.5, &square, 0, &none);
+    for (int order = 1; order < 4; order++) {
+        sweep->half[order] = taut_field_du(arena, &sweep->half[order - 1]);
+    }
+    sweep->half_most[0] = taut_field_largest(&sweep->half[2]);
+    sweep->half_most[1] = taut_field_largest(&sweep->half[3]);
+}
+
 /* f on [lo, hi], 0 <= lo < hi <= 1. */
 static taut_field cut_field(taut_arena *arena, const taut_field *f, double lo, double hi)
 {
@@ -205,6 +229,14 @@ int taut_pipe_patch_of(taut_arena *arena, const taut_pipe_sweep *sweep, int i, i
         const taut_field moved = taut_field_product(arena, &x[3], &at[k]);
         patch->way[k] = taut_field_difference(arena, &x[k], &moved);
     }
+    memset(patch->half, 0, sizeof patch->half);
+    for (int k = 0; k < 3 && sweep->changes; k++) {
+        const taut_field part = cut_field(arena, &sweep->half[k], lo, hi);
+        patch->half[k] = taut_field_copy(arena, &part);
+        if (!is_unit) {
+            add_shift(&patch->half[k], taut_field_largest(&sweep->half[k + 1]));
+        }
+    }
     taut_pipe_patch_place(sweep, i, j, patch);
     return 1;
 }
@@ -222,6 +254,9 @@ void taut_pipe_patch_halve(taut_arena *arena, const taut_pipe_patch *patch, int 
         }
     }
     taut_field_halve(arena, &patch->w, direction, &halves[0].w, &halves[1].w);
+    for (int k = 0; k < 3 && direction == 0 && patch->half[0].a != NULL; k++) {
+        taut_field_halve(arena, &patch->half[k], 0, &halves[0].half[k], &halves[1].half[k]);
+    }
     if (direction == 0) {
         halves[0].u[1] = halves[1].u[0] = 0.5 * (patch->u[0] + patch->u[1]);
     } else {

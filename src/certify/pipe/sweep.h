@@ -16,14 +16,19 @@ typedef struct taut_pipe_sweep {
     taut_field axis[4][3]; /* P and its derivatives by s, 0 <= s <= 1, local */
     double most[4];        /* their largest lengths */
     double from, to;       /* its parameters on the line */
-    double radius;         /* local */
+    double radius;         /* local; of a radius that changes the larger one */
     double tolerance;      /* over the radius */
     int straight;          /* nonzero: a line, along which places count too */
+    int changes;           /* nonzero: the radius r changes along the axis */
+    taut_field half[4];    /* then: r^2 / 2 and its derivatives by s, */
+    double rate;           /* the largest |dr/ds|, */
+    double half_most[2];   /* the largest of the second and the third derivative */
 } taut_pipe_sweep;
 
 /* A rectangle of a surface: w R, w, P' and P'' over it, each on [0, 1]^2. */
 typedef struct taut_pipe_patch {
     taut_field way[3], w, first[3], second[3];
+    taut_field half[3]; /* r^2 / 2 and two derivatives by s, where r changes */
     double u[2], v[2];
 } taut_pipe_patch;
 
@@ -52,6 +57,10 @@ int taut_pipe_patch_of(taut_arena *arena, const taut_pipe_sweep *sweep, int i, i
 void taut_pipe_patch_halve(taut_arena *arena, const taut_pipe_patch *patch, int direction,
                            taut_pipe_patch halves[2]);
 
+/* +1: f is proved to be positive everywhere; -1: it is not so somewhere, rounding counted; 0: neither
+ * is known (bent.c). *left: the pieces that may still be looked at. */
+int taut_pipe_sign_of(taut_arena *arena, const taut_field *f, int *left);
+
 /* How often the rings go around the axis, +1 or -1; 0 where that is not so or not proved, with the
  * reason. The first ring is looked at; the others go around as often where the tube is proved. */
 int taut_pipe_winding(taut_arena *arena, const taut_pipe_sweep *sweep, taut_pipe_cover *cover);
@@ -60,7 +69,9 @@ double taut_pipe_ring_gap(taut_arena *arena, const taut_pipe_sweep *sweep);
 
 /* Both, as far as they make the surface what it should be: what taut_pipe_winding returns. */
 int taut_pipe_cover_rings(taut_arena *arena, const taut_pipe_sweep *sweep, taut_pipe_cover *cover);
-/* Is the surface the round tube? TAUT_NO_MEMORY. */
+/* The radius from one of parts->ellipses to the other, as sections change (section.c). */
+void taut_pipe_sweep_radii(taut_arena *arena, taut_pipe_sweep *sweep);
+/* Is the surface the tube of circles? TAUT_NO_MEMORY. */
 taut_status taut_pipe_cover_round(const taut_pipe_sweep *sweep, taut_pipe_cover *cover);
 
 #endif /* TAUT_CERTIFY_PIPE_SWEEP_H */

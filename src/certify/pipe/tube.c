@@ -1,9 +1,9 @@
 /* tube.c -- are the surfaces the tube?
  *
  *   tube  over all surfaces: | distance from the axis - radius | / radius, where the axis is the curve
- *         and its tangent lines at the ends: a bound, for round pipes (cover.c). With sections, and
- *         of canal surfaces, a check: their frame is a solution of a differential equation, not a
- *         polynomial, and what they are held against is known at places. These are eight of every
+ *         and its tangent lines at the ends: a bound, for circles of one radius and of two (cover.c).
+ *         With elliptic sections a check: their frame is a solution of a differential equation, not
+ *         a polynomial, and what they are held against is known at places. These are eight of every
  *         span both ways; what lies between them is estimated by second differences.
  */
 #include "certify/common/verdict.h"
@@ -19,30 +19,9 @@ enum { PER_SPAN = 8 };
 
 /* The largest deviation gathered while surfaces are gone over. */
 typedef struct deviation {
-    double worst, convex, graph; /* of canal surfaces: the least */
+    double worst;
     char where[80];
 } deviation;
-
-/* A place on the blend of a canal surface: from the spheres, and whether its normal, that of the
- * sphere, looks away from the axis: where it does everywhere, the surface is a graph over the tube.
- */
-static double record_canal(deviation *d, const taut_pipe_parts *parts, const double x[3], double t,
-                           const double offset[3], const double normal[3])
-{
-    double convex = 0;
-    const double residual = taut_pipe_canal_miss(parts, x, t, &convex);
-    d->convex = fmin(d->convex, convex);
-    d->graph = fmin(d->graph, fabs(taut_dot(normal, offset)) / taut_norm(offset));
-    return residual;
-}
-
-/* How far a place is from the tube, over the radius: its way from the axis, at s of a piece. */
-static double miss_of(const taut_pipe_parts *parts, int piece, double s, const double offset[3])
-{
-    return parts->ellipses[0].a > 0
-               ? taut_pipe_section_miss(parts, piece, s, offset)
-               : (taut_norm(offset) * parts->line.scale - parts->radius) / parts->radius;
-}
 
 static void record(deviation *d, double residual, const char *name, double u, double v)
 {
@@ -53,18 +32,14 @@ static void record(deviation *d, double residual, const char *name, double u, do
 }
 
 /* What the blend misses by at one place. */
-static double blend_miss(deviation *d, const taut_pipe_parts *parts, double u, double v)
+static double blend_miss(const taut_pipe_parts *parts, double u, double v)
 {
-    double x[3][3], local[3], offset[3], normal[3], foot = 0;
+    double x[3], local[3], offset[3], foot = 0;
     int piece = 0;
-    taut_surface_eval(parts->blend, u, v, 1, x[0]);
-    taut_pipe_to_local(&parts->line, x[0], local);
+    taut_surface_eval(parts->blend, u, v, 0, x);
+    taut_pipe_to_local(&parts->line, x, local);
     taut_pipe_find_foot(&parts->line, local, u, &piece, &foot, offset);
-    if (parts->canal) {
-        taut_pipe_unit_normal(x[TAUT_XU], x[TAUT_XV], normal);
-        return record_canal(d, parts, local, u, offset, normal);
-    }
-    return miss_of(parts, piece, foot, offset);
+    return taut_pipe_section_miss(parts, piece, foot, offset);
 }
 
 /* |a - 2 b + c|, the second difference. */
@@ -113,8 +88,8 @@ static taut_status record_blend(deviation *d, const taut_pipe_parts *parts)
     }
     for (int i = 0; i < taut_basis_span_count(u); i++) {
         for (int n = 0; n < (PER_SPAN + 1) * around; n++) {
-            rows[n / around][n % around] = blend_miss(
-                d, parts, place_of(u, PER_SPAN * i + n / around), place_of(v, n % around));
+            rows[n / around][n % around] =
+                blend_miss(parts, place_of(u, PER_SPAN * i + n / around), place_of(v, n % around));
         }
         for (int n = 0; n < (PER_SPAN + 1) * around; n++) {
             record(d, upper_estimate((const double *const *)rows, around, n / around, n % around),
@@ -146,7 +121,8 @@ static void record_pipe(deviation *d, const taut_pipe_parts *parts, int side)
         along -= side == 0 ? (part - 1) * parts->drawn[0] : part * parts->drawn[1];
         record(d,
                taut_certify_max(fabs(along) / radius,
-                                fabs(miss_of(parts, side == 0 ? 0 : line->count - 1, side, foot))),
+                                fabs(taut_pipe_section_miss(parts, side == 0 ? 0 : line->count - 1,
+                                                            side, foot))),
                side == 0 ? "pipe1" : "pipe2", at, phi);
     }
 }
@@ -181,18 +157,6 @@ static taut_status record_rings(deviation *d, const taut_pipe_parts *parts, doub
     status = taut_arena_status(arena);
     taut_arena_free(arena);
     return status;
-}
-
-/* A claim about the least value of something that must stay positive. */
-static taut_status claim_above(const char *name, double value, taut_certificate *certificate)
-{
-    const taut_claim claim = {.claim = name,
-                              .kind = TAUT_CHECK,
-                              .residual = value,
-                              .limit = 1e-6,
-                              .holds = value > 1e-6 ? TAUT_TRUE : TAUT_FALSE,
-                              .where = ""};
-    return taut_certificate_add(certificate, &claim);
 }
 
 /* The verdict over several surfaces. */
@@ -263,10 +227,13 @@ static taut_status add_sweep(const taut_pipe_parts *parts, const taut_surface *s
     sweep->parts = parts;
     sweep->surface = surface;
     sweep->name = taut_surface_name(surface);
-    sweep->radius = parts->radius / parts->line.scale;
+    sweep->radius = sweep->radius > 0 ? sweep->radius : parts->radius / parts->line.scale;
     sweep->tolerance = tolerance;
     if (curve != NULL) {
         taut_pipe_sweep_curve(arena, curve, sweep);
+    }
+    if (curve != NULL && parts->unlike) {
+        taut_pipe_sweep_radii(arena, sweep);
     }
     if (taut_pipe_sweep_derive(arena, sweep)) {
         status = taut_pipe_cover_round(sweep, &cover);
@@ -295,6 +262,7 @@ static taut_status claim_round(const taut_pipe_parts *parts, double tolerance, d
     *fit_error = all.worst.fault != NULL ? all.worst.found : all.worst.bound;
     for (int side = 0; side < 2 && status == TAUT_OK; side++) {
         sweep = (taut_pipe_sweep){.parts = parts, .straight = 1};
+        sweep.radius = parts->unlike ? parts->ellipses[side].a / line->scale : 0;
         taut_pipe_sweep_line(arena, side, parts->drawn[side], &sweep);
         status = add_sweep(parts, parts->pipes[side], NULL, tolerance, &sweep, arena, &all);
     }
@@ -333,9 +301,9 @@ taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance,
 {
     /* rounding of the control points, and of the tangent over the length of a straight pipe */
     const double noise = tube_noise(parts);
-    deviation d = {.worst = 0, .convex = INFINITY, .graph = INFINITY, .where = ""};
+    deviation d = {.worst = 0, .where = ""};
     taut_status status = TAUT_OK;
-    if (!(parts->ellipses[0].a > 0)) {
+    if (!(parts->ellipses[0].a > 0) || parts->unlike) {
         return claim_round(parts, tolerance, fit_error, certificate);
     }
     status = record_blend(&d, parts);
@@ -348,10 +316,6 @@ taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance,
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_pipe_add_claim("tube", TAUT_CHECK, d.worst, tolerance, tolerance + noise, d.where,
-                                 certificate);
-    if (status == TAUT_OK && parts->canal) {
-        status = claim_above("regular", d.convex, certificate);
-    }
-    return status == TAUT_OK && parts->canal ? claim_above("graph", d.graph, certificate) : status;
+    return taut_pipe_add_claim("tube", TAUT_CHECK, d.worst, tolerance, tolerance + noise, d.where,
+                               certificate);
 }

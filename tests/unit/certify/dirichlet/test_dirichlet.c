@@ -1,6 +1,7 @@
 /* test_dirichlet.c -- what the certificate of a Dirichlet surface accepts, and what it must not. */
 #include "certificates.h"
 #include "check.h"
+#include "core/constants.h"
 #include "problems.h"
 
 #include "certify/common/verdict.h"
@@ -199,6 +200,10 @@ static void test_aspect(void)
     model = problem_make(&problem, NULL);
     certificate = certify(model, &problem);
     CHECK(claim_of(certificate, "aspect")->holds == TAUT_TRUE, "best");
+    /* not 0: at least what adding up the terms rounds */
+    CHECK(claim_of(certificate, "aspect")->kind == TAUT_BOUND &&
+              claim_of(certificate, "aspect")->residual > 16 * TAUT_UNIT_ROUNDOFF,
+          "proved: %g", claim_of(certificate, "aspect")->residual);
     taut_certificate_free(certificate);
     certificate = certify(model, NULL);
     CHECK(taut_certificate_holds(certificate) == TAUT_TRUE, "from the details");
@@ -213,6 +218,7 @@ static void test_aspect(void)
     problem.data.aspect = 0;
     certificate = certify(model, &problem);
     CHECK(claim_of(certificate, "stationary")->holds == TAUT_TRUE, "it is stationary");
+    CHECK(claim_of(certificate, "aspect")->kind == TAUT_BOUND, "proved to be another");
     CHECK(claim_of(certificate, "aspect")->holds == TAUT_FALSE, "for an aspect that is not best");
     taut_certificate_free(certificate);
     taut_record_free(details);
