@@ -10,6 +10,7 @@
 
 #include <signal.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 enum { TAUT_PATH_ROOM = 4096, TAUT_OWN_ROOM = 32, TAUT_SUFFIX_ROOM = 32 };
@@ -42,7 +43,7 @@ int taut_system_helper(const char *name, const char *variable, char path[TAUT_PA
 FILE *taut_system_helper_request(int *reason);
 
 typedef struct taut_helper {
-    long long process, answer; /* as the system numbers them */
+    int64_t process, answer; /* as the system numbers them */
     double deadline;           /* on a clock of the system's own */
 } taut_helper;
 

@@ -355,7 +355,7 @@ typedef struct run {
     const taut_bounding *how;
     int64_t size;
     double least_m; /* pieces on which |M| may be less are left out */
-    long pieces;    /* that may still be looked at */
+    int64_t pieces; /* that may still be looked at */
     double bound, covered, sine;
 } run;
 
@@ -422,7 +422,7 @@ static void bound_edge(run *b, double *scratch)
         error[k] = 4 * TAUT_UNIT_ROUNDOFF * largest_of(count - 1, from[k]);
     }
     b->bound = b->covered = b->sine = 0.0;
-    b->pieces = (2L << b->how->levels) + PIECES_MORE;
+    b->pieces = ((int64_t)2 << b->how->levels) + PIECES_MORE;
     bound_below(b, b->how->levels, 1.0, scratch, error);
 }
 

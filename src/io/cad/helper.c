@@ -201,7 +201,7 @@ static FILE *write_request(const taut_cad_job *job, int count, const taut_cad_it
 static double time_for(const taut_cad_job *job, FILE *request)
 {
     taut_source file;
-    double size = (double)ftell(request);
+    double size = (double)ftello(request);
     if (job->path != NULL && taut_system_open(job->path, &file) == 0) {
         size += file.size > 0 ? file.size : 0;
         taut_system_close(&file);
