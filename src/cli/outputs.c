@@ -1,39 +1,27 @@
 /* outputs.c -- writing what a command made, whole or not at all, also when interrupted. */
 #include "cli/cli.h"
+#include "platform/system.h"
 
 #include <math.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
-static const taut_outputs *volatile at_risk; /* what a signal must remove */
+static const taut_outputs *volatile at_risk; /* what an interrupt must remove */
 
-static void interrupted(int number)
+static void remove_risk(void)
 {
     if (at_risk != NULL) {
         taut_outputs_abandon(at_risk);
     }
-    _exit(128 + number); /* 130 for an interrupt */
 }
 
 int cli_outputs_new(taut_outputs **outputs)
 {
-    const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     if (taut_outputs_new(outputs) != TAUT_OK) {
         return cli_no_memory();
     }
     at_risk = *outputs;
-    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
-        struct sigaction action, before;
-        memset(&action, 0, sizeof action);
-        action.sa_handler = interrupted;
-        if (sigaction(signals[i], NULL, &before) == 0 && signals[i] == SIGHUP &&
-            before.sa_handler == SIG_IGN) {
-            continue; /* nohup: whoever started us wants us to outlive the terminal */
-        }
-        sigaction(signals[i], &action, NULL);
-    }
+    taut_system_on_interrupt(remove_risk);
     return 0;
 }
 
@@ -172,7 +160,7 @@ int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double 
 
 void cli_label(const char *file, char *text, size_t size)
 {
-    const char *name = strrchr(file, '/') != NULL ? strrchr(file, '/') + 1 : file;
+    const char *name = taut_system_last_part(file);
     const char *dot = strrchr(name, '.');
     const size_t length = dot != NULL && dot > name ? (size_t)(dot - name) : strlen(name);
     snprintf(text, size, "%.*s", (int)(length < size ? length : size - 1), name);

@@ -75,7 +75,6 @@ static void list_endings(char *list, size_t size)
 
 int taut_format_of(const char *path, taut_error *error)
 {
-    const char *slash = NULL;
     char list[200];
     int i = 0;
 
@@ -84,8 +83,7 @@ int taut_format_of(const char *path, taut_error *error)
                   "a format needs a path");
         return -1;
     }
-    slash = strrchr(path, '/');
-    i = find_ending(slash != NULL ? slash + 1 : path);
+    i = find_ending(taut_system_last_part(path));
     if (i >= 0) {
         return i;
     }

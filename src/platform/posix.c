@@ -11,11 +11,15 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <locale.h>
 #include <pthread.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
 #include <sys/stat.h>
+#include <sys/time.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { TRIES = 64, LINKS_MAX = 40 };
@@ -109,6 +113,41 @@ const void *taut_system_module(const char *name)
         handle = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     }
     return handle != NULL ? dlsym(handle, "taut_module_table") : NULL;
+}
+
+/* ---- paths and numbers ---- */
+
+const char *taut_system_last_part(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
+}
+
+int taut_system_is_rooted(const char *path)
+{
+    return path[0] == '/';
+}
+
+int taut_system_number(char *text, taut_plain_locale *plain, double *value)
+{
+    if (plain->made == NULL) {
+        plain->made = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    }
+    if (plain->made == NULL) {
+        return 0;
+    }
+    const locale_t before = uselocale(plain->made);
+    *value = strtod(text, NULL);
+    uselocale(before);
+    return 1;
+}
+
+void taut_plain_locale_free(taut_plain_locale *plain)
+{
+    if (plain->made != NULL) {
+        freelocale(plain->made);
+        plain->made = NULL;
+    }
 }
 
 /* ---- reading ---- */
@@ -452,4 +491,79 @@ int taut_system_open_device(const char *target, FILE **stream)
 FILE *taut_system_spool(char **text, size_t *length)
 {
     return open_memstream(text, length);
+}
+
+int taut_system_spooled(FILE *spool, char **text, size_t *length)
+{
+    (void)text;
+    (void)length;
+    return fclose(spool);
+}
+
+/* ---- the program ---- */
+
+int taut_system_begin(int *count, char ***words)
+{
+    (void)count;
+    (void)words;
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once, */
+    signal(SIGXFSZ, SIG_IGN); /* and so is a file that grows past its limit */
+    return 0;
+}
+
+int taut_system_is_terminal(taut_standard stream)
+{
+    return isatty((int)stream);
+}
+
+double taut_system_clock(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static const char *notice; /* what the alarm says */
+
+static void ring(int number)
+{
+    const ssize_t done = write(STDERR_FILENO, notice, strlen(notice));
+    (void)done; /* there is nobody else to tell */
+    (void)number;
+}
+
+void taut_system_alarm(int seconds, const char *text)
+{
+    const struct itimerval once = {{0, 0}, {seconds, 0}};
+    struct sigaction action;
+    notice = text;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = ring;
+    action.sa_flags = SA_RESTART; /* reading and writing go on */
+    sigaction(SIGPROF, &action, NULL);
+    setitimer(ITIMER_PROF, &once, NULL);
+}
+
+static void (*volatile tidy_up)(void);
+
+static void interrupted(int number)
+{
+    tidy_up();
+    _exit(128 + number); /* 130 for an interrupt */
+}
+
+void taut_system_on_interrupt(void (*tidy)(void))
+{
+    const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    tidy_up = tidy;
+    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
+        struct sigaction action, before;
+        memset(&action, 0, sizeof action);
+        action.sa_handler = interrupted;
+        if (sigaction(signals[i], NULL, &before) == 0 && signals[i] == SIGHUP &&
+            before.sa_handler == SIG_IGN) {
+            continue; /* nohup: whoever started us wants us to outlive the terminal */
+        }
+        sigaction(signals[i], &action, NULL);
+    }
 }

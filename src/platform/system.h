@@ -28,6 +28,21 @@ void taut_system_threads(int count, void (*run)(void *context, int part), void *
  * NULL where there is none. */
 const void *taut_system_module(const char *name);
 
+/* ---- paths and numbers ---- */
+
+/* What stands after the last separator of folders: a part of `path`. */
+const char *taut_system_last_part(const char *path);
+/* Does the path begin at a root, so that no folder can go before it? */
+int taut_system_is_rooted(const char *path);
+
+/* A place for the "C" locale, made when it is first needed. Zero-initialise. */
+typedef struct taut_plain_locale {
+    void *made;
+} taut_plain_locale;
+/* strtod in the "C" locale. 0: no memory. `text` may be written to and is as it was afterwards. */
+int taut_system_number(char *text, taut_plain_locale *plain, double *value);
+void taut_plain_locale_free(taut_plain_locale *plain);
+
 /* ---- reading ---- */
 
 typedef struct taut_source {
@@ -87,7 +102,30 @@ void taut_system_remove(const taut_new_file *file);
 /* A stream that appends to a device. */
 int taut_system_open_device(const char *target, FILE **stream);
 
-/* A stream into memory, malloc's: *text and *length are there when it is closed. NULL: no memory. */
+/* A stream that keeps what is written; both calls get the same *text and *length. NULL: no memory. */
 FILE *taut_system_spool(char **text, size_t *length);
+/* Closes it: *text, malloc's, is there. EOF, with errno: it could not be kept. */
+int taut_system_spooled(FILE *spool, char **text, size_t *length);
+
+/* ---- the program: nothing of this in wasi.c, where there is none ---- */
+
+/* Once, first of all: words in UTF-8, standard streams that pass bytes on as they are, a write that
+ * cannot be done an error and not the end. */
+int taut_system_begin(int *count, char ***words);
+
+/* Is this stream a terminal that a person sees, which understands "\r\033[K"? */
+typedef enum taut_standard { TAUT_STANDARD_OUTPUT = 1, TAUT_STANDARD_ERROR } taut_standard;
+int taut_system_is_terminal(taut_standard stream);
+
+/* A clock that only goes forward, in seconds. */
+double taut_system_clock(void);
+
+/* Writes `text`, which stays, on standard error once the process has worked so many seconds: those
+ * of the processor, as a busy machine is no news of ours. */
+void taut_system_alarm(int seconds, const char *text);
+
+/* From now on an interrupt calls `tidy`, which may do what a signal handler may, and ends the process:
+ * status 130. The second and later calls only change `tidy`. */
+void taut_system_on_interrupt(void (*tidy)(void));
 
 #endif /* TAUT_PLATFORM_SYSTEM_H */

@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <locale.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -33,6 +34,41 @@ const void *taut_system_module(const char *name)
 {
     (void)name;
     return NULL;
+}
+
+/* ---- paths and numbers ---- */
+
+const char *taut_system_last_part(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
+}
+
+int taut_system_is_rooted(const char *path)
+{
+    return path[0] == '/';
+}
+
+int taut_system_number(char *text, taut_plain_locale *plain, double *value)
+{
+    if (plain->made == NULL) {
+        plain->made = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    }
+    if (plain->made == NULL) {
+        return 0;
+    }
+    const locale_t before = uselocale(plain->made);
+    *value = strtod(text, NULL);
+    uselocale(before);
+    return 1;
+}
+
+void taut_plain_locale_free(taut_plain_locale *plain)
+{
+    if (plain->made != NULL) {
+        freelocale(plain->made);
+        plain->made = NULL;
+    }
 }
 
 /* ---- reading ---- */
@@ -168,4 +204,11 @@ int taut_system_open_device(const char *target, FILE **stream)
 FILE *taut_system_spool(char **text, size_t *length)
 {
     return open_memstream(text, length);
+}
+
+int taut_system_spooled(FILE *spool, char **text, size_t *length)
+{
+    (void)text;
+    (void)length;
+    return fclose(spool);
 }

@@ -54,6 +54,7 @@ catches layers src/io/x.c 'io may not include' '#include "draw/figure.h"\n'
 catches layers src/modules/cairo/x.c 'modules/cairo may not include' '#include "geometry/net.h"\n'
 catches layers src/modules/other/x.c 'may not include' '#include <cairo.h>\n'
 catches layers src/cli/x.c 'cli may not include' '  # include "core/memory.h"\n'
+catches layers src/cli/x.c 'cli may not include' '#include "platform/module.h"\n'
 catches layers src/geometry/x.c 'geometry may not include' '#include <jansson.h>\n'
 catches layers src/geometry/x.c 'without its layer' '#include "net.h"\n'
 catches layers src/geometry/x.c 'name the layer' '#include "geometry/../cli/c.h"\n'
@@ -62,6 +63,15 @@ catches layers src/x.c 'in no layer' 'int x;\n'
 catches layers src/core/x.c 'a circle of 2 files' \
     'int taut_x(void)\n{\n    return taut_y();\n}\n'
 catches layers include/taut/x.h 'may not include' '#include "core/memory.h"\n'
+catches layers src/core/x.c 'belongs to one system' '#include <unistd.h>\n'
+catches layers src/cli/x.c 'belongs to one system' '#include <windows.h>\n'
+catches layers src/core/x.c 'which system this is' '#ifdef _WIN32\n#endif\n'
+catches layers include/taut/x.h 'which system this is' '#if defined(__linux__)\n#endif\n'
+fresh
+mkdir -p "$tree/src/platform"
+printf '#if defined(__linux__)\n#include <unistd.h>\n#endif\n/* not __APPLE__ */\n' > "$tree/src/platform/x.c"
+printf '/* __APPLE__ */\n' > "$tree/src/core/x.c"
+passes layers
 
 catches words src/core/x.c 'a // comment' 'int x; // why\n'
 catches words src/core/x.c 'a // comment' '/* one */ char *s = "a \\" /*"; // two\n'

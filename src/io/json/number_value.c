@@ -132,22 +132,17 @@ static int slow_value(const char *text, size_t length, taut_plain_locale *plain,
 {
     char small[128];
     char *copy = length < sizeof small ? small : taut_alloc(length + 1, 1);
-    locale_t before = (locale_t)0;
+    int is_read = 0;
 
-    if (plain->locale == (locale_t)0) {
-        plain->locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    }
-    if (copy != NULL && plain->locale != (locale_t)0) {
+    if (copy != NULL) {
         memcpy(copy, text, length);
         copy[length] = '\0';
-        before = uselocale(plain->locale);
-        *value = strtod(copy, NULL);
-        uselocale(before);
+        is_read = taut_system_number(copy, plain, value);
     }
     if (copy != small) {
         taut_free(copy);
     }
-    return copy != NULL && plain->locale != (locale_t)0;
+    return is_read;
 }
 
 int taut_number_value(const char *text, size_t length, taut_plain_locale *plain, double *value)
@@ -170,14 +165,6 @@ int taut_number_value(const char *text, size_t length, taut_plain_locale *plain,
     }
     *value = text[0] == '-' ? -size : size;
     return 1;
-}
-
-void taut_plain_locale_free(taut_plain_locale *plain)
-{
-    if (plain->locale != (locale_t)0) {
-        freelocale(plain->locale);
-        plain->locale = (locale_t)0;
-    }
 }
 
 /* A whole number as its first digits, at most 19, times a power of ten. */

@@ -224,7 +224,7 @@ static void test_depth(void)
 /* A decimal as strtod reads it. */
 static void check_decimal(const char *text)
 {
-    taut_plain_locale plain = {(locale_t)0};
+    taut_plain_locale plain = {NULL};
     const double expected = strtod(text, NULL);
     const size_t length = strlen(text);
     double found = 0;
