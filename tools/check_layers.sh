@@ -22,7 +22,7 @@ shell:     core numeric/quadrature.h basis geometry measure mesh
 io:        core platform numeric/bernstein.h basis geometry problem measure mesh shell
 draw:      core platform basis geometry measure mesh io
 page:      core basis geometry measure mesh io draw
-cli:       core/elementary/elementary.h platform/system.h
+cli:       core/decimal.h core/elementary/elementary.h core/printf.h platform/system.h
 web:       core io
 modules/*: core draw
 modules/exact: core <flint/fmpq.h>
@@ -36,7 +36,7 @@ standard='assert complex ctype errno fenv float immintrin inttypes limits locale
 stdbool stddef stdint stdio stdlib stdnoreturn string strings time'
 
 # What belongs to one system: only in src/platform, and where a process of its own reads CAD files.
-system='dirent dlfcn fcntl io process pthread shellapi sys/mman sys/random sys/resource sys/stat sys/time sys/types sys/wait
+system='dirent dlfcn fcntl io malloc ntsecapi process pthread shellapi sys/mman sys/random sys/resource sys/stat sys/time sys/types sys/wait
 termios threads unistd windows'
 system_names='_WIN32|_WIN64|__MINGW32__|__linux__|__gnu_linux__|__APPLE__|__wasi__|__unix__|__GLIBC__|__CYGWIN__'
 system_files='src/platform/[^/]*|src/io/cad/(cad|child)\.c'

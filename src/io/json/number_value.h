@@ -2,17 +2,15 @@
 #ifndef TAUT_IO_JSON_NUMBER_VALUE_H
 #define TAUT_IO_JSON_NUMBER_VALUE_H
 
-#include "platform/system.h"
-
 #include <stddef.h>
 
 /* The length of the JSON number (RFC 8259, section 6) at the beginning of text[0..room-1]; 0 if
  * there is none. */
 size_t taut_number_length(const char *text, size_t room);
 
-/* The double nearest to the decimal text[0..length-1], a JSON number, whatever the locale: as
- * strtod, infinite where it is too large. 0 when memory runs out. */
-int taut_number_value(const char *text, size_t length, taut_plain_locale *plain, double *value);
+/* The double nearest to the decimal text[0..length-1], a JSON number, whatever the locale: infinite
+ * where it is too large. */
+double taut_number_value(const char *text, size_t length);
 
 enum { TAUT_RATIONAL_MAX = 20000 }; /* bytes */
 
