@@ -3,7 +3,7 @@
 TAUT = build/release/bin/taut
 
 .PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-evaluate bench-plateau format check mutants reproduction reference install deb wasm \
-  clean help
+  windows clean help
 
 demo: build
 	@mkdir -p out
@@ -46,6 +46,12 @@ wasm: build
 	@cmake --preset wasm
 	@cmake --build --preset wasm
 	@node --test tests/web/test_web.mjs
+
+windows:
+	@tools/deps.sh windows
+	@cmake --preset mingw
+	@cmake --build --preset mingw --target product
+	@cd build/mingw && cpack -B .. && rm -r ../_CPack_Packages
 
 format:
 	@tools/check_format.sh --fix

@@ -1,11 +1,18 @@
 # libtaut: every source of every layer but the program's and the modules'.
 add_custom_target(product) # all that is installed, without tests and benchmarks
 
-find_package(PkgConfig REQUIRED)
-find_package(Threads REQUIRED)
+if(WIN32)
+  set(system_libraries advapi32 shell32) # chance, and the words of the command line
+  set(other_systems "/platform/(posix|wasi).c|/io/cad/(cad|child).c")
+else()
+  find_package(PkgConfig REQUIRED)
+  find_package(Threads REQUIRED)
+  set(system_libraries Threads::Threads m dl)
+  set(other_systems "/platform/(windows|wasi).c|/io/cad/absent.c")
+endif()
 
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
-list(FILTER library_sources EXCLUDE REGEX "/src/(cli|modules|web)/|/platform/wasi.c")
+list(FILTER library_sources EXCLUDE REGEX "/src/(cli|modules|web)/|${other_systems}")
 
 # The page of `taut view`: our scripts and the part of three.js they need (src/page/viewer/three/bundle.sh makes it).
 file(GLOB viewer_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/page/viewer/page.* ${CMAKE_SOURCE_DIR}/src/page/viewer/script/*.js)
@@ -13,15 +20,26 @@ taut_embed(${CMAKE_BINARY_DIR}/generated/viewer.c taut_viewer_files page/viewer_
   ${viewer_files} ${CMAKE_SOURCE_DIR}/src/page/viewer/three/three.min.js)
 
 add_library(taut_objects OBJECT ${library_sources} ${CMAKE_BINARY_DIR}/generated/viewer.c)
-target_link_libraries(taut_objects PUBLIC taut_flags Threads::Threads)
+target_link_libraries(taut_objects PUBLIC taut_flags ${system_libraries})
 
 add_library(taut_static STATIC $<TARGET_OBJECTS:taut_objects>)
 set_target_properties(taut_static PROPERTIES OUTPUT_NAME taut)
-target_link_libraries(taut_static PUBLIC taut_flags Threads::Threads m dl)
+target_link_libraries(taut_static PUBLIC taut_flags ${system_libraries})
 
 add_library(taut_shared SHARED $<TARGET_OBJECTS:taut_objects>)
 set_target_properties(taut_shared PROPERTIES OUTPUT_NAME taut VERSION ${PROJECT_VERSION} SOVERSION 0)
-target_link_libraries(taut_shared PRIVATE taut_flags Threads::Threads m dl)
+target_link_libraries(taut_shared PRIVATE taut_flags ${system_libraries})
+if(WIN32)
+  # The objects are those of programs too, so a list says what leaves the DLL.
+  file(STRINGS ${CMAKE_SOURCE_DIR}/tools/symbols.txt symbols REGEX "^taut_")
+  list(JOIN symbols "\n" symbols)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/taut.def CONTENT "EXPORTS\n${symbols}\n" @ONLY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tools/symbols.txt)
+  target_sources(taut_shared PRIVATE ${CMAKE_BINARY_DIR}/generated/taut.def)
+  target_compile_definitions(taut_objects PRIVATE TAUT_STATIC)
+  target_compile_definitions(taut_static INTERFACE TAUT_STATIC)
+  set_target_properties(taut_shared PROPERTIES RUNTIME_OUTPUT_NAME taut-0) # libtaut-0.dll; its import library is libtaut.dll.a
+endif()
 add_dependencies(product taut_shared)
 
 # Kernels for one instruction set each, chosen at run time. None may fuse a product with a sum: all give the same bytes.

@@ -55,7 +55,8 @@ static taut_status split_surfaces(const taut_model *model, taut_arena *arena, ta
     panes->of = taut_model_surface_count(model);
     panes->count = panes->of < TAUT_PANES_MAX ? panes->of : TAUT_PANES_MAX;
     for (int k = 0; k < panes->count; k++) {
-        const int i = (int)((long)k * (panes->of - 1) / (panes->count > 1 ? panes->count - 1 : 1));
+        const int i =
+            (int)((long long)k * (panes->of - 1) / (panes->count > 1 ? panes->count - 1 : 1));
         panes->pane[k] = (taut_pane){
             .model = model, .surface = i, .label = taut_surface_name(taut_model_surface(model, i))};
         if (has_frames) {

@@ -127,7 +127,7 @@ taut_status taut_parts_sample_curve(const taut_curve *curve, int most, taut_aren
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i <= steps && status == TAUT_OK; i++) {
-        const int span = most > spans ? i / per : (int)((long)i * spans / steps);
+        const int span = most > spans ? i / per : (int)((long long)i * spans / steps);
         const double s = (double)(i % per) / per;
         const double t =
             i % per == 0 ? breaks[span]

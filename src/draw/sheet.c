@@ -63,7 +63,7 @@ static taut_status fill_lines(const taut_basis *basis, int cells, taut_arena *ar
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i <= count; i++) {
-        const int span = cells > spans ? i / per : (int)((long)i * spans / count);
+        const int span = cells > spans ? i / per : (int)((long long)i * spans / count);
         const int part = i % per;
         const double s = (double)part / per;
         lines->at[i] = part == 0

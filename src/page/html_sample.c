@@ -34,7 +34,7 @@ static taut_status fill_lines(const taut_basis *basis, int cells, taut_arena *ar
                                               : b;
             lines->is_knot[i] = part == 0 && span > 0;
         } else {
-            lines->at[i] = breaks[(int)((long)i * spans / cells)];
+            lines->at[i] = breaks[(int)((long long)i * spans / cells)];
             lines->is_knot[i] = 0;
         }
     }

@@ -11,7 +11,6 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <locale.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -22,7 +21,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { TRIES = 64, LINKS_MAX = 40 };
+enum { TRIES = 64, LINKS_MAX = 40, STACK = 4 << 20 /* musl gives 128 KiB */ };
 
 /* strerror_r, whichever of its two kinds the C library has. */
 static const char *text_filled(int failed, const char *text)
@@ -40,6 +39,33 @@ const char *taut_system_reason(int number, char *text, size_t size)
 {
     return _Generic(strerror_r(number, text, size), int: text_filled, char *: text_returned)(
         strerror_r(number, text, size), text);
+}
+
+/* ---- memory ---- */
+
+void *taut_system_take(size_t bytes)
+{
+    return malloc(bytes);
+}
+
+void *taut_system_take_aligned(size_t bytes)
+{
+    return aligned_alloc(64, bytes);
+}
+
+void *taut_system_take_zero(size_t bytes)
+{
+    return calloc(1, bytes);
+}
+
+void *taut_system_resize(void *block, size_t bytes)
+{
+    return realloc(block, bytes);
+}
+
+void taut_system_release(void *block)
+{
+    free(block);
 }
 
 /* ---- threads and modules ---- */
@@ -62,10 +88,14 @@ void taut_system_threads(int count, void (*run)(void *context, int part), void *
     job jobs[TAUT_THREADS_MAX];
     pthread_t handles[TAUT_THREADS_MAX];
     int started[TAUT_THREADS_MAX];
+    pthread_attr_t attributes;
+    const int is_sized =
+        pthread_attr_init(&attributes) == 0 && pthread_attr_setstacksize(&attributes, STACK) == 0;
 
     for (int p = count - 1; p >= 0; p--) {
         jobs[p] = (job){run, context, p};
-        started[p] = p > 0 && pthread_create(&handles[p], NULL, run_job, &jobs[p]) == 0;
+        started[p] =
+            p > 0 && is_sized && pthread_create(&handles[p], &attributes, run_job, &jobs[p]) == 0;
         if (!started[p]) {
             run_job(&jobs[p]);
         }
@@ -74,6 +104,9 @@ void taut_system_threads(int count, void (*run)(void *context, int part), void *
         if (started[p]) {
             pthread_join(handles[p], NULL);
         }
+    }
+    if (is_sized) {
+        pthread_attr_destroy(&attributes);
     }
 }
 
@@ -115,7 +148,12 @@ const void *taut_system_module(const char *name)
     return handle != NULL ? dlsym(handle, "taut_module_table") : NULL;
 }
 
-/* ---- paths and numbers ---- */
+const char *taut_system_lacks_modules(void)
+{
+    return NULL;
+}
+
+/* ---- paths ---- */
 
 const char *taut_system_last_part(const char *path)
 {
@@ -126,28 +164,6 @@ const char *taut_system_last_part(const char *path)
 int taut_system_is_rooted(const char *path)
 {
     return path[0] == '/';
-}
-
-int taut_system_number(char *text, taut_plain_locale *plain, double *value)
-{
-    if (plain->made == NULL) {
-        plain->made = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    }
-    if (plain->made == NULL) {
-        return 0;
-    }
-    const locale_t before = uselocale(plain->made);
-    *value = strtod(text, NULL);
-    uselocale(before);
-    return 1;
-}
-
-void taut_plain_locale_free(taut_plain_locale *plain)
-{
-    if (plain->made != NULL) {
-        freelocale(plain->made);
-        plain->made = NULL;
-    }
 }
 
 /* ---- reading ---- */
@@ -315,6 +331,11 @@ int taut_system_target(const char *path, taut_target_kind *kind, char target[TAU
         reason = check_file(target, place);
     }
     return reason;
+}
+
+int taut_system_same_target(const char *a, const char *b)
+{
+    return strcmp(a, b) == 0;
 }
 
 /* ---- writing ---- */

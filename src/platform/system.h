@@ -1,5 +1,5 @@
 /* system.h -- all that taut asks of an operating system: nothing else in the library does. One file
- * for each: posix.c, wasi.c.
+ * for each: posix.c, windows.c, wasi.c.
  *
  * Functions that return a reason return a number of errno.h, 0 where all went well. Paths are as the
  * user wrote them unless they are said to be spelled in full. A stream and a descriptor that are
@@ -17,6 +17,15 @@ enum { TAUT_PATH_ROOM = 4096, TAUT_OWN_ROOM = 32, TAUT_SUFFIX_ROOM = 32 };
 /* What a number of errno.h means, in `text`. */
 const char *taut_system_reason(int number, char *text, size_t size);
 
+/* ---- memory: what core/memory.h stands on ---- */
+
+/* As malloc, calloc, realloc and free; the second at a multiple of 64, which `bytes` is too. */
+void *taut_system_take(size_t bytes);
+void *taut_system_take_aligned(size_t bytes);
+void *taut_system_take_zero(size_t bytes);
+void *taut_system_resize(void *block, size_t bytes);
+void taut_system_release(void *block);
+
 /* ---- threads and modules ---- */
 
 /* Calls run(context, 0 .. count-1), each on a thread of its own, part 0 on this one; a part whose
@@ -27,21 +36,15 @@ void taut_system_threads(int count, void (*run)(void *context, int part), void *
 /* The symbol `taut_module_table` of the module `taut-<name>` (platform/module.h), which stays loaded;
  * NULL where there is none. */
 const void *taut_system_module(const char *name);
+/* NULL where modules can be installed; else what is to be said of one: "is not there ...". */
+const char *taut_system_lacks_modules(void);
 
-/* ---- paths and numbers ---- */
+/* ---- paths ---- */
 
 /* What stands after the last separator of folders: a part of `path`. */
 const char *taut_system_last_part(const char *path);
 /* Does the path begin at a root, so that no folder can go before it? */
 int taut_system_is_rooted(const char *path);
-
-/* A place for the "C" locale, made when it is first needed. Zero-initialise. */
-typedef struct taut_plain_locale {
-    void *made;
-} taut_plain_locale;
-/* strtod in the "C" locale. 0: no memory. `text` may be written to and is as it was afterwards. */
-int taut_system_number(char *text, taut_plain_locale *plain, double *value);
-void taut_plain_locale_free(taut_plain_locale *plain);
 
 /* ---- reading ---- */
 
@@ -68,6 +71,9 @@ typedef enum taut_target_kind {
  * so that two names of one file are told to be one. EISDIR, EACCES, ENOENT (the folder) ...: nothing
  * can be written there. */
 int taut_system_target(const char *path, taut_target_kind *kind, char target[TAUT_PATH_ROOM]);
+
+/* Do two full names of targets mean one file? */
+int taut_system_same_target(const char *a, const char *b);
 
 typedef enum taut_place {
     TAUT_PLACE_NONE,

@@ -8,7 +8,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <locale.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -19,6 +18,33 @@ enum { TRIES = 64 };
 const char *taut_system_reason(int number, char *text, size_t size)
 {
     return strerror_r(number, text, size) == 0 ? text : "unknown reason";
+}
+
+/* ---- memory ---- */
+
+void *taut_system_take(size_t bytes)
+{
+    return malloc(bytes);
+}
+
+void *taut_system_take_aligned(size_t bytes)
+{
+    return aligned_alloc(64, bytes);
+}
+
+void *taut_system_take_zero(size_t bytes)
+{
+    return calloc(1, bytes);
+}
+
+void *taut_system_resize(void *block, size_t bytes)
+{
+    return realloc(block, bytes);
+}
+
+void taut_system_release(void *block)
+{
+    free(block);
 }
 
 /* ---- threads and modules ---- */
@@ -36,7 +62,12 @@ const void *taut_system_module(const char *name)
     return NULL;
 }
 
-/* ---- paths and numbers ---- */
+const char *taut_system_lacks_modules(void)
+{
+    return NULL;
+}
+
+/* ---- paths ---- */
 
 const char *taut_system_last_part(const char *path)
 {
@@ -47,28 +78,6 @@ const char *taut_system_last_part(const char *path)
 int taut_system_is_rooted(const char *path)
 {
     return path[0] == '/';
-}
-
-int taut_system_number(char *text, taut_plain_locale *plain, double *value)
-{
-    if (plain->made == NULL) {
-        plain->made = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    }
-    if (plain->made == NULL) {
-        return 0;
-    }
-    const locale_t before = uselocale(plain->made);
-    *value = strtod(text, NULL);
-    uselocale(before);
-    return 1;
-}
-
-void taut_plain_locale_free(taut_plain_locale *plain)
-{
-    if (plain->made != NULL) {
-        freelocale(plain->made);
-        plain->made = NULL;
-    }
 }
 
 /* ---- reading ---- */
@@ -134,6 +143,11 @@ int taut_system_target(const char *path, taut_target_kind *kind, char target[TAU
     strcat(target, path);
     *kind = place == TAUT_PLACE_OTHER ? TAUT_TARGET_DEVICE : TAUT_TARGET_FILE;
     return place == TAUT_PLACE_FOLDER ? EISDIR : 0;
+}
+
+int taut_system_same_target(const char *a, const char *b)
+{
+    return strcmp(a, b) == 0;
 }
 
 /* ---- writing ---- */

@@ -71,7 +71,7 @@ typedef struct work {
     const taut_tangents *root; /* of the span, to evaluate */
     leaf stack[LEVELS];
     size_t size; /* of a block */
-    long budget;
+    long long budget;
     int closer, grid;
     int searches, done;     /* done: it is singular, or the budget is spent */
     double searched;        /* the smallest sine after the last search */
@@ -476,7 +476,7 @@ static taut_status visit_span(work *w, taut_tangents *tangents)
     taut_status status = TAUT_OK;
     if (first->block == NULL) {
         w->size = taut_tangents_size(tangents);
-        w->budget += (long)(ALL_NUMBERS / w->size);
+        w->budget += (long long)(ALL_NUMBERS / w->size);
         first->block = taut_alloc(w->size, sizeof *first->block);
         if (first->block == NULL) {
             return TAUT_NO_MEMORY;
@@ -610,7 +610,7 @@ static taut_status visit_surface(work *w)
     int *const span = w->span;
     taut_status status = TAUT_OK;
     w->exponent[0] = size_of(w->surface, w->origin);
-    w->budget = (long)MORE_PIECES * spans[0] * spans[1];
+    w->budget = (long long)MORE_PIECES * spans[0] * spans[1];
     w->grid = (int)fmax(GRID_LEAST, GRID / sqrt((double)spans[0] * spans[1]));
     if (weights != NULL) {
         stop(w, weights);

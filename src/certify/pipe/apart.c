@@ -44,7 +44,7 @@ typedef struct prover {
     int count;
     double near;    /* 2 a, and what rounding adds */
     double rounded; /* of a distance */
-    long left;      /* pairs that may still be looked at */
+    long long left; /* pairs that may still be looked at */
     taut_pipe_apart *out;
 } prover;
 
@@ -388,7 +388,7 @@ taut_status taut_pipe_prove_apart(const taut_pipe_line *line, double radius, tau
     }
     p.rounded = 16 * TAUT_UNIT_ROUNDOFF * size + 2 * line->noise;
     p.near = 2 * radius * (1 + 1e-11);
-    p.left = VISITS + (long)VISITS_PER_PIECE * p.count;
+    p.left = VISITS + (long long)VISITS_PER_PIECE * p.count;
     for (int i = 0; i < p.count && out->proved; i++) {
         for (int j = i; j < p.count; j++) {
             visit(&p, &p.parts[i], &p.parts[j]);
