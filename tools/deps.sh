@@ -1,5 +1,5 @@
 #!/bin/sh
-# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check bench wasm windows night.
+# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check bench wasm windows.
 #
 # A need is met when its command runs, its pkg-config file is found or its header compiles, however it came to the
 # machine; only unmet needs become packages. With nothing missing no network is touched.
@@ -50,10 +50,6 @@ wasm  cmd:node                       nodejs                 runs its tests
 windows cmd:x86_64-w64-mingw32-gcc-win32 gcc-mingw-w64-x86-64-win32 compiles for Windows
 windows cmd:python3                  python3                runs the tests of the program for Windows
 windows file:/usr/lib/wine/wine64    wine64                 is the Windows they run on
-night cmd:musl-gcc                   musl-tools             another C library
-night cmd:aarch64-linux-gnu-gcc      gcc-aarch64-linux-gnu  compiles for another processor
-night file:/usr/aarch64-linux-gnu/include/stdlib.h libc6-dev-arm64-cross its C library
-night cmd:qemu-aarch64               qemu-user              is that processor
 bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of the Dirichlet solver
 bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
 bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
@@ -82,8 +78,8 @@ is_there() {
 packages=
 seen=' '
 for group in "$@"; do
-    case $group in build | test | browser | check | bench | wasm | windows | night) ;; *)
-        echo "deps.sh: no group \"$group\"; there are build, test, browser, check, bench, wasm, windows and night" >&2
+    case $group in build | test | browser | check | bench | wasm | windows) ;; *)
+        echo "deps.sh: no group \"$group\"; there are build, test, browser, check, bench, wasm and windows" >&2
         exit 2
         ;;
     esac
