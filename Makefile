@@ -3,7 +3,7 @@
 TAUT = build/release/bin/taut
 
 .PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau format check mutants reproduction reference install deb wasm \
-  python bench-python clean help
+  python bench-python windows clean help
 
 demo: build
 	@mkdir -p out
@@ -54,6 +54,12 @@ python: build
 
 bench-python: build
 	@tools/python.sh bench
+
+windows:
+	@tools/deps.sh windows
+	@cmake --preset mingw
+	@cmake --build --preset mingw --target product
+	@cd build/mingw && cpack -B .. && rm -r ../_CPack_Packages
 
 format:
 	@tools/check_format.sh --fix

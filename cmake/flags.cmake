@@ -5,10 +5,18 @@ target_compile_options(taut_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wvla -fno-math-errno
   $<$<CONFIG:Release>:-Wframe-larger-than=65536>
   $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes;-Wmissing-prototypes>
-  -ffp-contract=off -fvisibility=hidden -fPIC)
+  -ffp-contract=off -fvisibility=hidden $<$<NOT:$<PLATFORM_ID:Windows>>:-fPIC>)
 target_compile_definitions(taut_flags INTERFACE _POSIX_C_SOURCE=200809L _XOPEN_SOURCE=700)
 target_include_directories(taut_flags INTERFACE
   ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src)
+if(WIN32)
+  # The stack there is aligned to 16 bytes, and gcc keeps vectors of 32 and 64 on it as if it were not: no move asks for more.
+  target_compile_options(taut_flags INTERFACE -Wa,-muse-unaligned-vector-move
+    -Wno-float-conversion) # MinGW's isfinite() and its like convert in branches that are not taken
+  # Numbers are written and read by MinGW, not by the C library of the system.
+  target_compile_definitions(taut_flags INTERFACE __USE_MINGW_ANSI_STDIO=1 _WIN32_WINNT=0x0601 UNICODE)
+  target_link_options(taut_flags INTERFACE -static-libgcc)
+endif()
 if(TAUT_WERROR)
   target_compile_options(taut_flags INTERFACE -Werror)
 endif()

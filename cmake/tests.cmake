@@ -1,7 +1,12 @@
 # Every tests/<kind>/**/test_*.c is one program and one ctest; every tests/cli/test_*.sh one ctest.
 # A test that needs a library the product does not names it in a line `links: <package> ...` near its top. One that ends with 77
-# says what it lacks and how to get it; it is reported as skipped.
+# says what it lacks and how to get it; it is reported as skipped. On Windows those are left out that link something, and those that
+# say `needs: posix`, or a module, near their top.
 file(GLOB support_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.c ${CMAKE_SOURCE_DIR}/tests/support/oracle/*.c)
+if(WIN32)
+  list(FILTER support_sources EXCLUDE REGEX "/folder_add.c")
+  list(APPEND support_sources ${CMAKE_SOURCE_DIR}/tests/support/windows/posix.c)
+endif()
 add_library(taut_test_support STATIC ${support_sources})
 target_include_directories(taut_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests/support)
 target_link_libraries(taut_test_support PUBLIC taut_draw_static taut_embedded_files)
@@ -10,32 +15,42 @@ foreach(part taut_module_exact taut_cad) # loaded or started by tests when they 
     add_dependencies(taut_test_support ${part})
   endif()
 endforeach()
-
-# What OpenCASCADE sees in a STEP file, where it is installed: for tests that link step-probe, and as a program.
-set(probe_libraries)
-foreach(toolkit TKXDESTEP TKXCAF TKLCAF TKCAF TKCDF)
-  find_library(OCCT_${toolkit} ${toolkit})
-  list(APPEND probe_libraries ${OCCT_${toolkit}})
-endforeach()
-if(TARGET taut_cad AND NOT probe_libraries MATCHES "NOTFOUND")
-  add_library(step-probe STATIC ${CMAKE_SOURCE_DIR}/tests/support/cad/probe.cpp)
-  target_include_directories(step-probe SYSTEM PRIVATE ${OCCT_INCLUDE})
-  target_link_libraries(step-probe PRIVATE taut_flags ${probe_libraries} ${OCCT_LIBRARIES})
-  if(TAUT_SANITIZE)
-    set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/support/cad/probe.cpp PROPERTIES
-      COMPILE_OPTIONS "-fno-sanitize=vptr,function")
-  endif()
-else()
-  add_library(step-probe STATIC ${CMAKE_SOURCE_DIR}/tests/support/cad/absent.c)
-  target_link_libraries(step-probe PRIVATE taut_flags)
+if(WIN32)
+  target_compile_options(taut_test_support PUBLIC -include ${CMAKE_SOURCE_DIR}/tests/support/windows/posix.h)
 endif()
-target_include_directories(step-probe PUBLIC ${CMAKE_SOURCE_DIR}/tests/support/cad)
-add_executable(probe_step ${CMAKE_SOURCE_DIR}/tests/support/cad/main.c)
-target_link_libraries(probe_step PRIVATE step-probe taut_flags)
-set_target_properties(probe_step PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+
+if(NOT WIN32)
+  # What OpenCASCADE sees in a STEP file, where it is installed: for tests that link step-probe, and as a program.
+  set(probe_libraries)
+  foreach(toolkit TKXDESTEP TKXCAF TKLCAF TKCAF TKCDF)
+    find_library(OCCT_${toolkit} ${toolkit})
+    list(APPEND probe_libraries ${OCCT_${toolkit}})
+  endforeach()
+  if(TARGET taut_cad AND NOT probe_libraries MATCHES "NOTFOUND")
+    add_library(step-probe STATIC ${CMAKE_SOURCE_DIR}/tests/support/cad/probe.cpp)
+    target_include_directories(step-probe SYSTEM PRIVATE ${OCCT_INCLUDE})
+    target_link_libraries(step-probe PRIVATE taut_flags ${probe_libraries} ${OCCT_LIBRARIES})
+    if(TAUT_SANITIZE)
+      set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/support/cad/probe.cpp PROPERTIES
+        COMPILE_OPTIONS "-fno-sanitize=vptr,function")
+    endif()
+  else()
+    add_library(step-probe STATIC ${CMAKE_SOURCE_DIR}/tests/support/cad/absent.c)
+    target_link_libraries(step-probe PRIVATE taut_flags)
+  endif()
+  target_include_directories(step-probe PUBLIC ${CMAKE_SOURCE_DIR}/tests/support/cad)
+  add_executable(probe_step ${CMAKE_SOURCE_DIR}/tests/support/cad/main.c)
+  target_link_libraries(probe_step PRIVATE step-probe taut_flags)
+  set_target_properties(probe_step PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+endif()
 
 # What the sanitizers are told: which leaks are not ours.
 set(sanitizer_options "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0")
+
+# Under wine: no message of its own, no window, and its folder in the build.
+if(WIN32)
+  set(wine_options ";WINEPREFIX=${CMAKE_BINARY_DIR}/wine;WINEDEBUG=-all;WINEDLLOVERRIDES=mscoree=\\;mshtml=\\;winemenubuilder.exe=")
+endif()
 
 function(taut_test file)
   file(RELATIVE_PATH name ${CMAKE_SOURCE_DIR}/tests ${file})
@@ -45,11 +60,19 @@ function(taut_test file)
   file(STRINGS ${file} links REGEX "(^| )links: [a-z]" LIMIT_COUNT 1)
   string(REGEX REPLACE "^.*links: ([a-z0-9 -]*).*$" "\\1" links "${links}")
   separate_arguments(links)
+  file(STRINGS ${file} needs REGEX "^ \\* needs: [a-z]" LIMIT_COUNT 1)
+  if(WIN32 AND (links OR needs))
+    return()
+  endif()
   add_executable(test-${target} ${file})
   target_link_libraries(test-${target} PRIVATE taut_test_support ${links} m)
   set_target_properties(test-${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   add_test(NAME ${name} COMMAND test-${target} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 600 SKIP_RETURN_CODE 77 ENVIRONMENT "OPENBLAS_NUM_THREADS=1;${sanitizer_options}")
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600 SKIP_RETURN_CODE 77
+    ENVIRONMENT "OPENBLAS_NUM_THREADS=1;${sanitizer_options}${wine_options}")
+  if(WIN32)
+    set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED wine)
+  endif()
 endfunction()
 
 file(GLOB_RECURSE test_files CONFIGURE_DEPENDS
@@ -65,10 +88,18 @@ foreach(file IN LISTS fault_files)
   taut_test(${file})
   get_filename_component(short ${file} NAME_WE)
   string(REPLACE "test_" "" short ${short})
+  if(NOT TARGET test-fault-${short})
+    continue()
+  endif()
   target_sources(test-fault-${short} PRIVATE
     ${CMAKE_SOURCE_DIR}/tests/fault/failing_memory.c ${CMAKE_SOURCE_DIR}/tests/fault/fault.c
     ${CMAKE_SOURCE_DIR}/tests/fault/calls.c)
 endforeach()
+
+if(WIN32)
+  include(windows_tests) # the program, by a script that needs no shell
+  return()
+endif()
 
 file(GLOB cli_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/cli/test_*.sh)
 foreach(file IN LISTS cli_tests)

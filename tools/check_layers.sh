@@ -22,7 +22,7 @@ shell:     core numeric/quadrature.h basis geometry measure mesh
 io:        core platform numeric/bernstein.h basis geometry problem measure mesh shell
 draw:      core platform basis geometry measure mesh io
 page:      core basis geometry measure mesh io draw
-cli:       core/elementary/elementary.h
+cli:       core/decimal.h core/elementary/elementary.h core/printf.h platform/system.h
 web:       core io
 modules/*: core draw
 modules/exact: core <flint/fmpq.h>
@@ -31,10 +31,15 @@ cad:       io/cad/wire.h <*.hxx>
 include/taut:
 '
 
-# Standard C, POSIX, and what the compilers bring.
-standard='assert complex ctype dirent dlfcn errno fcntl fenv float immintrin inttypes limits locale math poll pthread
-setjmp signal spawn stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string strings sys/mman sys/random
-sys/resource sys/stat sys/time sys/types sys/wait termios threads time unistd'
+# Standard C, what the compilers bring, and what all systems have of POSIX.
+standard='assert complex ctype errno fenv float immintrin inttypes limits locale math setjmp signal stdalign stdarg stdatomic
+stdbool stddef stdint stdio stdlib stdnoreturn string strings time'
+
+# What belongs to one system: only in src/platform, and in the program that reads CAD files.
+system='dirent dlfcn fcntl io malloc ntsecapi poll process pthread shellapi spawn sys/mman sys/random sys/resource sys/stat sys/time sys/types sys/wait
+termios threads unistd windows'
+system_names='_WIN32|_WIN64|__MINGW32__|__linux__|__gnu_linux__|__APPLE__|__wasi__|__unix__|__GLIBC__|__CYGWIN__'
+system_files='src/platform/[^/]*|cad/[^/]*'
 
 list=$(find src cad include/taut -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' 2>/dev/null | sort)
 if [ -z "$list" ]; then
@@ -42,7 +47,7 @@ if [ -z "$list" ]; then
     exit 1
 fi
 # shellcheck disable=SC2086
-TABLE="$table" STANDARD="$standard" awk '
+TABLE="$table" STANDARD="$standard" SYSTEM="$system" NAMES="$system_names" FILES="$system_files" awk '
     BEGIN {
         rows = split(ENVIRON["TABLE"], row, "\n")
         for (r = 1; r <= rows; r++) {
@@ -61,6 +66,12 @@ TABLE="$table" STANDARD="$standard" awk '
         for (i = 1; i <= n; i++) {
             standard["<" word[i] ".h>"] = 1
         }
+        n = split(ENVIRON["SYSTEM"], word, /[ \n]+/)
+        for (i = 1; i <= n; i++) {
+            system_header["<" word[i] ".h>"] = 1
+        }
+        names = "(^|[^A-Za-z0-9_])(" ENVIRON["NAMES"] ")([^A-Za-z0-9_]|$)"
+        files = "^(" ENVIRON["FILES"] ")$"
     }
     FNR == 1 {
         depth = split(FILENAME, part, "/")
@@ -81,6 +92,10 @@ TABLE="$table" STANDARD="$standard" awk '
         printf "%s:%d: %s\n", FILENAME, FNR, what
         bad = 1
     }
+    # How symbols leave a DLL has to be said in the one public header that says how symbols leave.
+    /^[ \t]*#/ && $0 ~ names && FILENAME !~ files && FILENAME != "include/taut/export.h" {
+        complain("asks which system this is: only src/platform does")
+    }
     /^[ \t]*#[ \t]*include/ {
         what = $0
         sub(/^[ \t]*#[ \t]*include[ \t]*/, "", what)
@@ -89,7 +104,11 @@ TABLE="$table" STANDARD="$standard" awk '
             if (header ~ /\.hxx>$/) {
                 header = "<*.hxx>"
             }
-            if (!(header in standard) && !((layer, header) in allowed) \
+            if (header in system_header) {
+                if (FILENAME !~ files) {
+                    complain(header " belongs to one system: only src/platform includes it")
+                }
+            } else if (!(header in standard) && !((layer, header) in allowed) \
                 && !(FILENAME ~ /\.[ch]pp$/ && header ~ /^<[a-z_]+>$/)) {
                 complain(layer " may not include " header)
             }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check bench wasm.
+# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check bench wasm windows.
 #
 # A need is met when its command runs, its pkg-config file is found or its header compiles, however it came to the
 # machine; only unmet needs become packages. With nothing missing no network is touched.
@@ -55,6 +55,9 @@ wasm  file:/usr/include/wasm32-wasi/stdlib.h wasi-libc      the C library of Web
 wasm  file:/usr/lib/llvm-14/lib/clang/14.0.6/lib/wasi/libclang_rt.builtins-wasm32.a libclang-rt-14-dev-wasm32 what the compiler calls there
 wasm  cmd:wasm-opt                   binaryen               makes the module smaller and faster
 wasm  cmd:node                       nodejs                 runs its tests
+windows cmd:x86_64-w64-mingw32-gcc-win32 gcc-mingw-w64-x86-64-win32 compiles for Windows
+windows cmd:python3                  python3                runs the tests of the program for Windows
+windows file:/usr/lib/wine/wine64    wine64                 is the Windows they run on
 bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of the Dirichlet solver
 bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
 bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
@@ -83,8 +86,8 @@ is_there() {
 packages=
 seen=' '
 for group in "$@"; do
-    case $group in build | test | browser | check | bench | wasm) ;; *)
-        echo "deps.sh: no group \"$group\"; there are build, test, browser, check, bench and wasm" >&2
+    case $group in build | test | browser | check | bench | wasm | windows) ;; *)
+        echo "deps.sh: no group \"$group\"; there are build, test, browser, check, bench, wasm and windows" >&2
         exit 2
         ;;
     esac

@@ -3,6 +3,7 @@
 #ifndef TAUT_CLI_H
 #define TAUT_CLI_H
 
+#include "core/printf.h"
 #include "taut/taut.h"
 
 #include <stddef.h>
@@ -208,13 +209,13 @@ int cli_fail_in(const char *file, const taut_error *error);
 int cli_fail_at(const char *path, const taut_error *error);
 /* Prints "taut: message" and returns 2: the command line is wrong. `reason` is a word of the list
  * above. */
-int cli_misuse(const char *reason, const char *format, ...) __attribute__((format(printf, 2, 3)));
+int cli_misuse(const char *reason, const char *format, ...) TAUT_PRINTF(2, 3);
 /* The same of one path. */
 int cli_misuse_path(const char *reason, const char *path, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+    TAUT_PRINTF(3, 4);
 /* "taut: OPTION WORD: expected EXPECTED", and 2: the value of an option is wrong. */
 int cli_misuse_value(const char *option, const char *word, const char *expected, ...)
-    __attribute__((format(printf, 3, 4)));
+    TAUT_PRINTF(3, 4);
 /* Memory ran out: 6, after its message. */
 int cli_no_memory(void);
 /* The known word nearest to a wrong one, or NULL if none is near; words ended by NULL. */

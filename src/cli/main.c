@@ -1,8 +1,8 @@
 /* main.c -- finds the command and runs it. */
 #include "cli/cli.h"
 #include "cli/command_list.h"
+#include "platform/system.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,6 +78,9 @@ int main(int argc, char **argv)
 {
     const char *names[COMMAND_COUNT + 3] = {"--help", "--version"};
 
+    if (taut_system_begin(&argc, &argv) != 0) {
+        return cli_no_memory();
+    }
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
         if (strncmp(argv[i], "--json", strlen("--json")) == 0) {
             cli_speak_json(); /* also of what is wrong with the words before */
@@ -86,8 +89,6 @@ int main(int argc, char **argv)
     if (cli_speaks_json()) {
         cli_catch_signals();
     }
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once, */
-    signal(SIGXFSZ, SIG_IGN); /* and so is a file that grows past its limit */
     if (argc < 2) {
         return cli_misuse("command", "no command; `taut --help` lists them");
     }

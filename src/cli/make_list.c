@@ -4,6 +4,7 @@
  * wrong, or asks for what does not exist, leaves nothing.
  */
 #include "cli/make.h"
+#include "platform/system.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -24,8 +25,7 @@ typedef struct batch {
 /* The % of a file's name that its number takes the place of, or NULL; folders keep theirs. */
 static const char *percent_of(const char *path)
 {
-    const char *slash = strrchr(path, '/');
-    return strchr(slash != NULL ? slash : path, '%');
+    return strchr(taut_system_last_part(path), '%');
 }
 
 /* Does all of the list go into this one file? */

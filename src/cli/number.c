@@ -1,5 +1,6 @@
 /* number.c -- words of the command line as numbers, whatever the locale. */
 #include "cli/cli.h"
+#include "core/decimal.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -38,7 +39,7 @@ int cli_number(const char *word, double *value)
     if (!looks_like_number(word)) {
         return 0;
     }
-    found = strtod(word, NULL); /* the program never leaves the C locale */
+    found = taut_decimal_value(word, strlen(word));
     if (!isfinite(found)) {
         return 0;
     }

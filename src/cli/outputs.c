@@ -1,55 +1,38 @@
 /* outputs.c -- writing what a command made, whole or not at all, also when interrupted. */
 #include "cli/cli.h"
+#include "platform/system.h"
 
 #include <math.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
-static const taut_outputs *volatile at_risk; /* what a signal must remove */
+static const taut_outputs *volatile at_risk; /* what an interrupt must remove */
 
 #define STOPPED(code)                                                                              \
     "{ \"error\": { \"exit\": " code                                                               \
     ", \"reason\": \"interrupted\", \"where\": \"\", \"message\": "                                \
     "\"stopped on request\", \"found\": null, \"expected\": null } }\n"
 
-/* One line for a program, made beforehand: a handler may not format. */
-static void tell_signal(int number)
+/* Removes what is half done; one line for a program, made beforehand: a handler may not format. */
+static void stopped(int code)
 {
     static const struct {
-        int number;
+        int code;
         const char *line;
-    } lines[] = {{SIGINT, STOPPED("130")}, {SIGTERM, STOPPED("143")}, {SIGHUP, STOPPED("129")}};
-    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
-        if (lines[i].number == number && cli_speaks_json()) {
-            (void)!write(STDERR_FILENO, lines[i].line, strlen(lines[i].line));
-        }
-    }
-}
-
-static void interrupted(int number)
-{
+    } lines[] = {{130, STOPPED("130")}, {143, STOPPED("143")}, {129, STOPPED("129")}};
     if (at_risk != NULL) {
         taut_outputs_abandon(at_risk);
     }
-    tell_signal(number);
-    _exit(128 + number); /* 130 for an interrupt */
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        if (lines[i].code == code && cli_speaks_json()) {
+            taut_system_say(lines[i].line);
+        }
+    }
 }
 
 void cli_catch_signals(void)
 {
-    const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
-        struct sigaction action, before;
-        memset(&action, 0, sizeof action);
-        action.sa_handler = interrupted;
-        if (sigaction(signals[i], NULL, &before) == 0 && signals[i] == SIGHUP &&
-            before.sa_handler == SIG_IGN) {
-            continue; /* nohup: whoever started us wants us to outlive the terminal */
-        }
-        sigaction(signals[i], &action, NULL);
-    }
+    taut_system_on_interrupt(stopped);
 }
 
 int cli_outputs_new(taut_outputs **outputs)
@@ -200,7 +183,7 @@ int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double 
 
 void cli_label(const char *file, char *text, size_t size)
 {
-    const char *name = strrchr(file, '/') != NULL ? strrchr(file, '/') + 1 : file;
+    const char *name = taut_system_last_part(file);
     const char *dot = strrchr(name, '.');
     const size_t length = dot != NULL && dot > name ? (size_t)(dot - name) : strlen(name);
     snprintf(text, size, "%.*s", (int)(length < size ? length : size - 1), name);

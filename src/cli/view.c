@@ -1,8 +1,8 @@
 /* view.c -- taut view: a model as a page to turn it in. */
 #include "cli/cli.h"
+#include "platform/system.h"
 
 #include <string.h>
-#include <unistd.h>
 
 /* One model into each -o, or into standard output, whatever the path: a page is what was asked. */
 static int write_pages(const taut_model *model, const cli_options *options)
@@ -52,7 +52,7 @@ static int run(const cli_options *options)
     taut_error error;
     int code = 0;
 
-    if (options->output_count == 0 && isatty(STDOUT_FILENO)) {
+    if (options->output_count == 0 && taut_system_is_terminal(TAUT_STANDARD_OUTPUT)) {
         return cli_misuse("option",
                           "`taut view` needs -o FILE.html here: a page is not for a terminal");
     }

@@ -2,6 +2,7 @@
 #ifndef TAUT_CORE_FAIL_H
 #define TAUT_CORE_FAIL_H
 
+#include "core/printf.h"
 #include "taut/status.h"
 
 /* Fills *error (if not NULL) and returns `status`. `reason` is a word of the list of the room that
@@ -9,13 +10,12 @@
  * `where` may be NULL; found and limit are taut_none if there are none. The message is one
  * sentence, cut if too long. */
 taut_status taut_fail(taut_error *error, taut_status status, const char *reason, const char *where,
-                      double found, double limit, const char *format, ...)
-    __attribute__((format(printf, 7, 8)));
+                      double found, double limit, const char *format, ...) TAUT_PRINTF(7, 8);
 /* The same where words say what should have been there: the message is "<format>, expected
  * <expected>". */
 taut_status taut_fail_expected(taut_error *error, taut_status status, const char *reason,
                                const char *where, double found, const char *expected,
-                               const char *format, ...) __attribute__((format(printf, 7, 8)));
+                               const char *format, ...) TAUT_PRINTF(7, 8);
 
 /* TAUT_NO_MEMORY with its usual sentence. */
 taut_status taut_fail_memory(taut_error *error);

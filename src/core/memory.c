@@ -1,7 +1,8 @@
 #include "core/memory.h"
 
+#include "platform/system.h"
+
 #include <stdint.h>
-#include <stdlib.h>
 
 /* The product in *bytes, at least 1; 0 when it overflows. */
 static int multiply_sizes(size_t count, size_t size, size_t *bytes)
@@ -16,19 +17,19 @@ static int multiply_sizes(size_t count, size_t size, size_t *bytes)
 void *taut_alloc(size_t count, size_t size)
 {
     size_t bytes = 0;
-    return multiply_sizes(count, size, &bytes) ? malloc(bytes) : NULL;
+    return multiply_sizes(count, size, &bytes) ? taut_system_take(bytes) : NULL;
 }
 
 void *taut_alloc_zero(size_t count, size_t size)
 {
     size_t bytes = 0;
-    return multiply_sizes(count, size, &bytes) ? calloc(1, bytes) : NULL;
+    return multiply_sizes(count, size, &bytes) ? taut_system_take_zero(bytes) : NULL;
 }
 
 void *taut_realloc(void *block, size_t count, size_t size)
 {
     size_t bytes = 0;
-    return multiply_sizes(count, size, &bytes) ? realloc(block, bytes) : NULL;
+    return multiply_sizes(count, size, &bytes) ? taut_system_resize(block, bytes) : NULL;
 }
 
 void *taut_alloc_aligned(size_t count, size_t size)
@@ -37,10 +38,10 @@ void *taut_alloc_aligned(size_t count, size_t size)
     if (!multiply_sizes(count, size, &bytes)) {
         return NULL;
     }
-    return aligned_alloc(64, (bytes + 63) / 64 * 64);
+    return taut_system_take_aligned((bytes + 63) / 64 * 64);
 }
 
 void taut_free(void *block)
 {
-    free(block);
+    taut_system_release(block);
 }

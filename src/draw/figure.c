@@ -12,6 +12,7 @@
 #include "io/format.h"
 #include "mesh/colour.h"
 #include "platform/module.h"
+#include "platform/system.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -230,15 +231,13 @@ static taut_status paint_page(figure *f, const taut_canvas_ops *ops, const char 
 /* What paint_page() says, in words; errno is of its last write. */
 static taut_status fail_painting(taut_status status, taut_error *error)
 {
-    char reason[128] = "the device took no more";
+    char text[128];
     if (status != TAUT_IO) {
         return taut_fail_status(error, status);
     }
-    if (errno != 0) {
-        strerror_r(errno, reason, sizeof reason);
-    }
-    return taut_fail(error, TAUT_IO, "write", NULL, taut_none, taut_none,
-                     "the figure could not be written: %s", reason);
+    return taut_fail(
+        error, TAUT_IO, "write", NULL, taut_none, taut_none, "the figure could not be written: %s",
+        errno != 0 ? taut_system_reason(errno, text, sizeof text) : "the device took no more");
 }
 
 /* Everything up to the page, from sampled panes that are aimed. */

@@ -106,9 +106,8 @@ const taut_format_row *taut_format_find(const taut_formats *more, const char *pa
     if (check_version(more, error) != TAUT_OK) {
         return NULL;
     }
-    const char *slash = strrchr(path, '/');
-    find_ending(&own, slash != NULL ? slash + 1 : path, &found);
-    find_ending(more, slash != NULL ? slash + 1 : path, &found);
+    find_ending(&own, taut_system_last_part(path), &found);
+    find_ending(more, taut_system_last_part(path), &found);
     if (found != NULL) {
         return found;
     }

@@ -12,14 +12,16 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
 
-enum { TRIES = 64, LINKS_MAX = 40 };
+enum { TRIES = 64, LINKS_MAX = 40, STACK = 4 << 20 /* musl gives 128 KiB */ };
 
 /* strerror_r, whichever of its two kinds the C library has. */
 static const char *text_filled(int failed, const char *text)
@@ -47,6 +49,33 @@ double taut_system_seconds(void)
                : 0;
 }
 
+/* ---- memory ---- */
+
+void *taut_system_take(size_t bytes)
+{
+    return malloc(bytes);
+}
+
+void *taut_system_take_aligned(size_t bytes)
+{
+    return aligned_alloc(64, bytes);
+}
+
+void *taut_system_take_zero(size_t bytes)
+{
+    return calloc(1, bytes);
+}
+
+void *taut_system_resize(void *block, size_t bytes)
+{
+    return realloc(block, bytes);
+}
+
+void taut_system_release(void *block)
+{
+    free(block);
+}
+
 /* ---- threads and modules ---- */
 
 typedef struct job {
@@ -67,10 +96,14 @@ void taut_system_threads(int count, void (*run)(void *context, int part), void *
     job jobs[TAUT_THREADS_MAX];
     pthread_t handles[TAUT_THREADS_MAX];
     int started[TAUT_THREADS_MAX];
+    pthread_attr_t attributes;
+    const int is_sized =
+        pthread_attr_init(&attributes) == 0 && pthread_attr_setstacksize(&attributes, STACK) == 0;
 
     for (int p = count - 1; p >= 0; p--) {
         jobs[p] = (job){run, context, p};
-        started[p] = p > 0 && pthread_create(&handles[p], NULL, run_job, &jobs[p]) == 0;
+        started[p] =
+            p > 0 && is_sized && pthread_create(&handles[p], &attributes, run_job, &jobs[p]) == 0;
         if (!started[p]) {
             run_job(&jobs[p]);
         }
@@ -79,6 +112,9 @@ void taut_system_threads(int count, void (*run)(void *context, int part), void *
         if (started[p]) {
             pthread_join(handles[p], NULL);
         }
+    }
+    if (is_sized) {
+        pthread_attr_destroy(&attributes);
     }
 }
 
@@ -188,6 +224,24 @@ int taut_system_helper(const char *name, const char *variable, char path[TAUT_PA
         }
     }
     return 0;
+}
+
+const char *taut_system_lacks_modules(void)
+{
+    return NULL;
+}
+
+/* ---- paths ---- */
+
+const char *taut_system_last_part(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
+}
+
+int taut_system_is_rooted(const char *path)
+{
+    return path[0] == '/';
 }
 
 /* ---- reading ---- */
@@ -355,6 +409,11 @@ int taut_system_target(const char *path, taut_target_kind *kind, char target[TAU
         reason = check_file(target, place);
     }
     return reason;
+}
+
+int taut_system_same_target(const char *a, const char *b)
+{
+    return strcmp(a, b) == 0;
 }
 
 /* ---- writing ---- */
@@ -531,4 +590,77 @@ int taut_system_open_device(const char *target, FILE **stream)
 FILE *taut_system_spool(char **text, size_t *length)
 {
     return open_memstream(text, length);
+}
+
+int taut_system_spooled(FILE *spool, char **text, size_t *length)
+{
+    (void)text;
+    (void)length;
+    return fclose(spool);
+}
+
+/* ---- the program ---- */
+
+int taut_system_begin(int *count, char ***words)
+{
+    (void)count;
+    (void)words;
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once, */
+    signal(SIGXFSZ, SIG_IGN); /* and so is a file that grows past its limit */
+    return 0;
+}
+
+int taut_system_is_terminal(taut_standard stream)
+{
+    return isatty((int)stream);
+}
+
+static const char *notice; /* what the alarm says */
+
+static void ring(int number)
+{
+    const ssize_t done = write(STDERR_FILENO, notice, strlen(notice));
+    (void)done; /* there is nobody else to tell */
+    (void)number;
+}
+
+void taut_system_alarm(int seconds, const char *text)
+{
+    const struct itimerval once = {{0, 0}, {seconds, 0}};
+    struct sigaction action;
+    notice = text;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = ring;
+    action.sa_flags = SA_RESTART; /* reading and writing go on */
+    sigaction(SIGPROF, &action, NULL);
+    setitimer(ITIMER_PROF, &once, NULL);
+}
+
+void taut_system_say(const char *text)
+{
+    (void)!write(STDERR_FILENO, text, strlen(text));
+}
+
+static void (*volatile tidy_up)(int code);
+
+static void interrupted(int number)
+{
+    tidy_up(128 + number);
+    _exit(128 + number); /* 130 for an interrupt */
+}
+
+void taut_system_on_interrupt(void (*tidy)(int code))
+{
+    const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    tidy_up = tidy;
+    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
+        struct sigaction action, before;
+        memset(&action, 0, sizeof action);
+        action.sa_handler = interrupted;
+        if (sigaction(signals[i], NULL, &before) == 0 && signals[i] == SIGHUP &&
+            before.sa_handler == SIG_IGN) {
+            continue; /* nohup: whoever started us wants us to outlive the terminal */
+        }
+        sigaction(signals[i], &action, NULL);
+    }
 }

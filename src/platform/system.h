@@ -1,5 +1,5 @@
 /* system.h -- all that taut asks of an operating system: nothing else in the library does. One file
- * for each: posix.c, wasi.c.
+ * for each: posix.c, windows.c, wasi.c.
  *
  * Functions that return a reason return a number of errno.h, 0 where all went well. Paths are as the
  * user wrote them unless they are said to be spelled in full. A stream and a descriptor that are
@@ -21,6 +21,15 @@ const char *taut_system_reason(int number, char *text, size_t size);
 /* Seconds of a clock that only goes forward, from anywhere. */
 double taut_system_seconds(void);
 
+/* ---- memory: what core/memory.h stands on ---- */
+
+/* As malloc, calloc, realloc and free; the second at a multiple of 64, which `bytes` is too. */
+void *taut_system_take(size_t bytes);
+void *taut_system_take_aligned(size_t bytes);
+void *taut_system_take_zero(size_t bytes);
+void *taut_system_resize(void *block, size_t bytes);
+void taut_system_release(void *block);
+
 /* ---- threads and modules ---- */
 
 /* Calls run(context, 0 .. count-1), each on a thread of its own, part 0 on this one; a part whose
@@ -31,6 +40,15 @@ void taut_system_threads(int count, void (*run)(void *context, int part), void *
 /* The symbol `taut_module_table` of the module `taut-<name>` (platform/module.h), which stays loaded;
  * NULL where there is none. */
 const void *taut_system_module(const char *name);
+/* NULL where modules can be installed; else what is to be said of one: "is not there ...". */
+const char *taut_system_lacks_modules(void);
+
+/* ---- paths ---- */
+
+/* What stands after the last separator of folders: a part of `path`. */
+const char *taut_system_last_part(const char *path);
+/* Does the path begin at a root, so that no folder can go before it? */
+int taut_system_is_rooted(const char *path);
 
 /* ---- a helper: a program of ours in a process of its own ---- */
 
@@ -91,6 +109,9 @@ typedef enum taut_target_kind {
  * can be written there. */
 int taut_system_target(const char *path, taut_target_kind *kind, char target[TAUT_PATH_ROOM]);
 
+/* Do two full names of targets mean one file? */
+int taut_system_same_target(const char *a, const char *b);
+
 typedef enum taut_place {
     TAUT_PLACE_NONE,
     TAUT_PLACE_FILE,
@@ -124,7 +145,29 @@ void taut_system_remove(const taut_new_file *file);
 /* A stream that appends to a device. */
 int taut_system_open_device(const char *target, FILE **stream);
 
-/* A stream into memory, malloc's: *text and *length are there when it is closed. NULL: no memory. */
+/* A stream that keeps what is written; both calls get the same *text and *length. NULL: no memory. */
 FILE *taut_system_spool(char **text, size_t *length);
+/* Closes it: *text, malloc's, is there. EOF, with errno: it could not be kept. */
+int taut_system_spooled(FILE *spool, char **text, size_t *length);
+
+/* ---- the program: nothing of this in wasi.c, where there is none ---- */
+
+/* Once, first of all: words in UTF-8, standard streams that pass bytes on as they are, a write that
+ * cannot be done an error and not the end. */
+int taut_system_begin(int *count, char ***words);
+
+/* Is this stream a terminal that a person sees, which understands "\r\033[K"? */
+typedef enum taut_standard { TAUT_STANDARD_OUTPUT = 1, TAUT_STANDARD_ERROR } taut_standard;
+int taut_system_is_terminal(taut_standard stream);
+
+/* Writes `text`, which stays, on standard error once the process has worked so many seconds: those
+ * of the processor, as a busy machine is no news of ours. */
+void taut_system_alarm(int seconds, const char *text);
+
+/* From now on an interrupt calls `tidy`, which may do what a signal handler may, and ends the process: `code`, 130 where a
+ * person asked, is its exit status. The second and later calls only change `tidy`. */
+void taut_system_on_interrupt(void (*tidy)(int code));
+/* On standard error, also in a signal handler. */
+void taut_system_say(const char *text);
 
 #endif /* TAUT_PLATFORM_SYSTEM_H */

@@ -29,6 +29,33 @@ double taut_system_seconds(void)
                : 0;
 }
 
+/* ---- memory ---- */
+
+void *taut_system_take(size_t bytes)
+{
+    return malloc(bytes);
+}
+
+void *taut_system_take_aligned(size_t bytes)
+{
+    return aligned_alloc(64, bytes);
+}
+
+void *taut_system_take_zero(size_t bytes)
+{
+    return calloc(1, bytes);
+}
+
+void *taut_system_resize(void *block, size_t bytes)
+{
+    return realloc(block, bytes);
+}
+
+void taut_system_release(void *block)
+{
+    free(block);
+}
+
 /* ---- threads and modules ---- */
 
 void taut_system_threads(int count, void (*run)(void *context, int part), void *context)
@@ -84,6 +111,24 @@ taut_helper_fate taut_system_helper_end(const taut_helper *helper, int *number)
     (void)helper;
     *number = 0;
     return TAUT_HELPER_UNKNOWN;
+}
+
+const char *taut_system_lacks_modules(void)
+{
+    return NULL;
+}
+
+/* ---- paths ---- */
+
+const char *taut_system_last_part(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
+}
+
+int taut_system_is_rooted(const char *path)
+{
+    return path[0] == '/';
 }
 
 /* ---- reading ---- */
@@ -149,6 +194,11 @@ int taut_system_target(const char *path, taut_target_kind *kind, char target[TAU
     strcat(target, path);
     *kind = place == TAUT_PLACE_OTHER ? TAUT_TARGET_DEVICE : TAUT_TARGET_FILE;
     return place == TAUT_PLACE_FOLDER ? EISDIR : 0;
+}
+
+int taut_system_same_target(const char *a, const char *b)
+{
+    return strcmp(a, b) == 0;
 }
 
 /* ---- writing ---- */
@@ -219,4 +269,11 @@ int taut_system_open_device(const char *target, FILE **stream)
 FILE *taut_system_spool(char **text, size_t *length)
 {
     return open_memstream(text, length);
+}
+
+int taut_system_spooled(FILE *spool, char **text, size_t *length)
+{
+    (void)text;
+    (void)length;
+    return fclose(spool);
 }

@@ -2,10 +2,10 @@
  * of the blocks alive. Linked into a fault test, it takes the place of the library's own. */
 #include "core/memory.h"
 #include "fault.h"
+#include "platform/system.h"
 
 #include <stdatomic.h>
 #include <stdint.h>
-#include <stdlib.h>
 
 static atomic_long countdown = 0; /* 0: never fails; k: the k-th allocation from now does */
 static atomic_int keep_failing = 0;
@@ -71,19 +71,19 @@ static void *counted(void *block)
 void *taut_alloc(size_t count, size_t size)
 {
     const size_t bytes = grant(count, size);
-    return bytes > 0 ? counted(malloc(bytes)) : NULL;
+    return bytes > 0 ? counted(taut_system_take(bytes)) : NULL;
 }
 
 void *taut_alloc_zero(size_t count, size_t size)
 {
     const size_t bytes = grant(count, size);
-    return bytes > 0 ? counted(calloc(1, bytes)) : NULL;
+    return bytes > 0 ? counted(taut_system_take_zero(bytes)) : NULL;
 }
 
 void *taut_alloc_aligned(size_t count, size_t size)
 {
     const size_t bytes = grant(count, size);
-    return bytes > 0 ? counted(aligned_alloc(64, (bytes + 63) / 64 * 64)) : NULL;
+    return bytes > 0 ? counted(taut_system_take_aligned((bytes + 63) / 64 * 64)) : NULL;
 }
 
 void *taut_realloc(void *block, size_t count, size_t size)
@@ -92,7 +92,7 @@ void *taut_realloc(void *block, size_t count, size_t size)
     if (bytes == 0) {
         return NULL;
     }
-    return block != NULL ? realloc(block, bytes) : counted(malloc(bytes));
+    return block != NULL ? taut_system_resize(block, bytes) : counted(taut_system_take(bytes));
 }
 
 void taut_free(void *block)
@@ -100,5 +100,5 @@ void taut_free(void *block)
     if (block != NULL) {
         atomic_fetch_sub(&live, 1);
     }
-    free(block);
+    taut_system_release(block);
 }

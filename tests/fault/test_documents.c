@@ -10,7 +10,6 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #define TEN "1234567890"
@@ -135,7 +134,7 @@ static taut_status write_all(const void *context, void **result, taut_error *err
         CHECK(unlink(name) == 0, "%s is not in place", name);
     }
     /* nothing else is there; after a failure, nothing at all */
-    CHECK(rmdir(out) == 0 && mkdir(out, 0700) == 0, "something was left in %s", out);
+    CHECK(rmdir(out) == 0 && folder_add(out) == 0, "something was left in %s", out);
     return status;
 }
 
@@ -161,7 +160,7 @@ int main(void)
     folder_make();
     snprintf(path, sizeof path, "%s", in_folder("m.json"));
     snprintf(out, sizeof out, "%s", in_folder("out"));
-    CHECK(mkdir(out, 0700) == 0, "%s", out);
+    CHECK(folder_add(out) == 0, "%s", out);
     CHECK(taut_model_read_text(model_text, sizeof model_text - 1, "text", &model, NULL) == TAUT_OK,
           "model");
     CHECK(taut_model_write(model, path, NULL, NULL) == TAUT_OK, "written");

@@ -6,6 +6,7 @@
 #include "core/memory.h"
 #include "draw/figure.h"
 #include "page/html_page.h"
+#include "platform/system.h"
 
 #include <stdlib.h>
 
@@ -15,10 +16,10 @@ static taut_status draw(const void *context, void **result, taut_error *error)
         .divide = 2, .colour = TAUT_COLOUR_GAUSSIAN, .title = "title"};
     char *text = NULL;
     size_t length = 0;
-    FILE *out = open_memstream(&text, &length); /* not from our allocator */
+    FILE *out = taut_system_spool(&text, &length); /* not from our allocator */
     const taut_status status = taut_draw_figure(context, &options, "svg", out, error);
     (void)result;
-    fclose(out);
+    CHECK(taut_system_spooled(out, &text, &length) == 0, "kept");
     CHECK(status != TAUT_OK || length > 1000, "a figure of %zu bytes", length);
     free(text);
     return status;
@@ -34,10 +35,10 @@ static taut_status draw_marks(const void *context, void **result, taut_error *er
     const taut_model *models[2] = {context, context};
     char *text = NULL;
     size_t length = 0;
-    FILE *out = open_memstream(&text, &length);
+    FILE *out = taut_system_spool(&text, &length);
     const taut_status status = taut_draw_figures(2, models, &options, "svg", out, error);
     (void)result;
-    fclose(out);
+    CHECK(taut_system_spooled(out, &text, &length) == 0, "kept");
     CHECK(status != TAUT_OK || length > 1000, "a figure of %zu bytes", length);
     free(text);
     return status;

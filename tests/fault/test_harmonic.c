@@ -1,5 +1,8 @@
 /* test_harmonic.c -- harmonic and biharmonic surfaces when memory runs out: each way of making
- * them, in doubles and in rationals, and their certificates. */
+ * them, in doubles and in rationals, and their certificates.
+ *
+ * needs: exact
+ */
 #include "calls.h"
 #include "check.h"
 #include "fault.h"

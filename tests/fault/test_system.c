@@ -1,7 +1,10 @@
 /* test_system.c -- calls of the system that fail, and processes that die: each is told with its
  * reason, leaves no file and no process behind, and what can go on without it does.
  *
- * Functions of the C library are put before its own here; each fails once when it is asked to. */
+ * Functions of the C library are put before its own here; each fails once when it is asked to.
+ *
+ * needs: posix
+ */
 #define _GNU_SOURCE /* RTLD_NEXT, getrandom */
 #include "calls.h"
 #include "check.h"

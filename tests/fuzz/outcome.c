@@ -1,6 +1,7 @@
 #include "outcome.h"
 
 #include "io/format.h"
+#include "platform/system.h"
 #include "taut/read.h"
 
 #include <math.h>
@@ -28,10 +29,10 @@ static char *text_of(const taut_model *model, size_t *length)
 {
     const taut_write_options options = {0};
     char *text = NULL;
-    FILE *out = open_memstream(&text, length);
+    FILE *out = taut_system_spool(&text, length);
     require(out != NULL);
     require(taut_format_json.write(model, &options, out, NULL) == TAUT_OK);
-    require(fclose(out) == 0);
+    require(taut_system_spooled(out, &text, length) == 0);
     return text;
 }
 

@@ -3,6 +3,8 @@
 #ifndef TAUT_TEST_CHECK_H
 #define TAUT_TEST_CHECK_H
 
+#include "core/printf.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -31,7 +33,7 @@ extern int check_failures; /* counted; a test's main returns check_failures != 0
     } while (0)
 
 void check_fail(const char *file, int line, const char *what);
-void check_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void check_say(const char *format, ...) TAUT_PRINTF(1, 2);
 
 /* splitmix64; TAUT_TEST_SEED in the environment replaces the seed, which is printed on failure. */
 void random_seed(uint64_t seed);

@@ -39,8 +39,10 @@ int folder_entries(void)
 static int remove_inside(const char *path, const struct stat *about, int kind, struct FTW *place)
 {
     (void)about;
-    (void)kind;
-    return place->level > 0 ? remove(path) : 0;
+    if (place->level == 0) {
+        return 0;
+    }
+    return kind == FTW_DP ? rmdir(path) : unlink(path);
 }
 
 void folder_empty(void)

@@ -19,4 +19,7 @@ void file_put_text(const char *path, const char *text);
  * be NULL. */
 char *file_bytes(const char *path, size_t *length);
 
+/* Makes another folder; 0 where that went well. */
+int folder_add(const char *path);
+
 #endif /* TAUT_TEST_FOLDER_H */

@@ -3,6 +3,8 @@
  * (preset `thread`), and both find the same bytes.
  *
  * links: pthread
+ *
+ * needs: posix
  */
 #include "check.h"
 #include "cli/embedded_files.h"

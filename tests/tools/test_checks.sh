@@ -58,6 +58,7 @@ catches layers src/core/x.c 'x.c:1: `0.5L`' 'double x = 0.5L;\n'
 catches layers src/core/x.c 'x.c:1: `3L`' 'double x = 3L;\n'
 catches layers include/taut/x.h 'x.h:1: `long`' 'long double x;\n'
 catches layers src/cli/x.c 'cli may not include' '  # include "core/memory.h"\n'
+catches layers src/cli/x.c 'cli may not include' '#include "platform/module.h"\n'
 catches layers src/geometry/x.c 'geometry may not include' '#include <jansson.h>\n'
 catches layers src/geometry/x.c 'without its layer' '#include "net.h"\n'
 catches layers src/geometry/x.c 'name the layer' '#include "geometry/../cli/c.h"\n'
@@ -66,6 +67,15 @@ catches layers src/x.c 'in no layer' 'int x;\n'
 catches layers src/core/x.c 'a circle of 2 files' \
     'int taut_x(void)\n{\n    return taut_y();\n}\n'
 catches layers include/taut/x.h 'may not include' '#include "core/memory.h"\n'
+catches layers src/core/x.c 'belongs to one system' '#include <unistd.h>\n'
+catches layers src/cli/x.c 'belongs to one system' '#include <windows.h>\n'
+catches layers src/core/x.c 'which system this is' '#ifdef _WIN32\n#endif\n'
+catches layers include/taut/x.h 'which system this is' '#if defined(__linux__)\n#endif\n'
+fresh
+mkdir -p "$tree/src/platform"
+printf '#if defined(__linux__)\n#include <unistd.h>\n#endif\n/* not __APPLE__ */\n' > "$tree/src/platform/x.c"
+printf '/* __APPLE__ */\n' > "$tree/src/core/x.c"
+passes layers
 
 catches words src/core/x.c 'a // comment' 'int x; // why\n'
 catches words src/core/x.c 'a // comment' '/* one */ char *s = "a \\" /*"; // two\n'

@@ -63,7 +63,7 @@ static int is_taken(const taut_outputs *outputs, const taut_staged *staged)
 {
     const taut_staged *other = atomic_load(&outputs->first);
     while (other != NULL && !(other->is_ready && other->kind == staged->kind &&
-                              strcmp(other->target, staged->target) == 0)) {
+                              taut_system_same_target(other->target, staged->target))) {
         other = other->next;
     }
     return other != NULL && staged->kind != TAUT_TARGET_DEVICE;

@@ -72,7 +72,9 @@ taut_status taut_staged_close(taut_staged *staged, taut_error *error)
     staged->file = NULL;
     errno = 0;
     failed = ferror(file) != 0;
-    failed |= fclose(file) != 0;
+    failed |= (staged->kind == TAUT_TARGET_FILE
+                   ? fclose(file)
+                   : taut_system_spooled(file, &staged->spool, &staged->spool_length)) != 0;
     if (failed) {
         const int reason = errno != 0 ? errno : EIO;
         taut_staged_drop(staged);

@@ -30,7 +30,8 @@ static taut_status write_stream(const taut_format_ops *ops, const taut_model *mo
     }
     const taut_status status = ops->write(model, options, stream, error);
     const int failed = ferror(stream);
-    if ((fclose(stream) != 0 || failed) && (status == TAUT_OK || status == TAUT_IO)) {
+    if ((taut_system_spooled(stream, bytes, length) != 0 || failed) &&
+        (status == TAUT_OK || status == TAUT_IO)) {
         return taut_fail_memory(error); /* nothing else ends a stream into memory */
     }
     return status;

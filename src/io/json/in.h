@@ -8,6 +8,7 @@
 #ifndef TAUT_IO_JSON_IN_H
 #define TAUT_IO_JSON_IN_H
 
+#include "core/printf.h"
 #include "io/json/tree.h"
 #include "taut/record.h"
 
@@ -103,14 +104,13 @@ void taut_reader_optional_word(taut_reader *reader, const char *key, const char 
 /* TAUT_BAD_INPUT at this place: "found <what is there>, expected <expected>". The reason is
  * "missing" where nothing is there, else "value" where numbers or a list are, else "type". */
 taut_status taut_json_expected(const taut_json *at, taut_error *error, const char *expected, ...)
-    __attribute__((format(printf, 3, 4)));
+    TAUT_PRINTF(3, 4);
 /* The same for this reason, where something is there. */
 taut_status taut_json_refuse(const taut_json *at, taut_error *error, const char *reason,
-                             const char *expected, ...) __attribute__((format(printf, 4, 5)));
+                             const char *expected, ...) TAUT_PRINTF(4, 5);
 /* TAUT_BAD_INPUT at this place with a sentence of one's own. */
 taut_status taut_json_fail(const taut_json *at, taut_error *error, const char *reason, double found,
-                           double limit, const char *format, ...)
-    __attribute__((format(printf, 6, 7)));
+                           double limit, const char *format, ...) TAUT_PRINTF(6, 7);
 /* Puts the pointer of this place before error->where, and returns `status`: for errors that come
  * from checks below that know only the rest of the way. */
 taut_status taut_json_within(const taut_json *at, taut_status status, taut_error *error);

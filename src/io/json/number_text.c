@@ -12,9 +12,11 @@
  *     2 |D 2^sh - m 5^q| < 5^q
  *
  * All of it is whole-number arithmetic. Ties, and numbers outside of about 1e-11 to 1e15, take the
- * slow way by printf and strtod.
+ * slow way of core/decimal.h.
  */
 #include "io/json/number_text.h"
+
+#include "core/decimal.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -153,27 +155,21 @@ static int exact_decimal(double x, decimal *value)
     return 0;
 }
 
-/* The slow way for any x > 0: the first precision that reads back. The locale's decimal point is
- * skipped, whatever it is. */
+/* The slow way for any x > 0: the first precision that reads back. */
 static decimal printed_decimal(double x)
 {
-    char text[64];
     uint64_t digits = 0;
-    int exponent = 0, precision = 15;
-
-    for (; precision <= 17; precision++) {
-        snprintf(text, sizeof text, "%.*e", precision - 1, x);
-        if (strtod(text, NULL) == x) {
+    int exponent = 0;
+    for (int precision = 15; precision <= 17; precision++) {
+        char text[40];
+        digits = taut_decimal_digits(x, precision, &exponent);
+        int length = put_digits(digits, text);
+        length += sprintf(text + length, "e%d", exponent);
+        if (precision == 17 || taut_decimal_value(text, (size_t)length) == x) {
             break;
         }
     }
-    for (const char *c = text; *c != 'e'; c++) {
-        if (*c >= '0' && *c <= '9') {
-            digits = 10 * digits + (uint64_t)(*c - '0');
-        }
-    }
-    exponent = atoi(strchr(text, 'e') + 1);
-    return stripped(digits, exponent - ((precision < 17 ? precision : 17) - 1));
+    return stripped(digits, exponent);
 }
 
 size_t taut_number_text(double x, char text[TAUT_NUMBER_ROOM])

@@ -9,11 +9,11 @@
  *                              bits: rounded by hand, half to even, knowing whether there is a
  *                              rest
  *
- * All else goes to strtod in the "C" locale.
+ * All else takes the long way of core/decimal.h.
  */
 #include "io/json/number_value.h"
 
-#include "core/memory.h"
+#include "core/decimal.h"
 #include "core/twice.h"
 
 #include <float.h>
@@ -127,37 +127,14 @@ static double divide(uint64_t d, int q)
     return ldexp((double)m, drop + b - a - q - 63);
 }
 
-/* strtod in the "C" locale, on a copy that is ended. */
-static int slow_value(const char *text, size_t length, taut_plain_locale *plain, double *value)
-{
-    char small[128];
-    char *copy = length < sizeof small ? small : taut_alloc(length + 1, 1);
-    locale_t before = (locale_t)0;
-
-    if (plain->locale == (locale_t)0) {
-        plain->locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    }
-    if (copy != NULL && plain->locale != (locale_t)0) {
-        memcpy(copy, text, length);
-        copy[length] = '\0';
-        before = uselocale(plain->locale);
-        *value = strtod(copy, NULL);
-        uselocale(before);
-    }
-    if (copy != small) {
-        taut_free(copy);
-    }
-    return copy != NULL && plain->locale != (locale_t)0;
-}
-
-int taut_number_value(const char *text, size_t length, taut_plain_locale *plain, double *value)
+double taut_number_value(const char *text, size_t length)
 {
     uint64_t d = 0;
     int k = 0;
     double size = 0;
 
     if (!split_decimal(text, length, &d, &k)) {
-        return slow_value(text, length, plain, value);
+        return taut_decimal_value(text, length);
     }
     if (d == 0) {
         size = 0;
@@ -166,18 +143,9 @@ int taut_number_value(const char *text, size_t length, taut_plain_locale *plain,
     } else if (k < 0 && k >= -POWERS) {
         size = divide(d, -k);
     } else {
-        return slow_value(text, length, plain, value);
+        return taut_decimal_value(text, length);
     }
-    *value = text[0] == '-' ? -size : size;
-    return 1;
-}
-
-void taut_plain_locale_free(taut_plain_locale *plain)
-{
-    if (plain->locale != (locale_t)0) {
-        freelocale(plain->locale);
-        plain->locale = (locale_t)0;
-    }
+    return text[0] == '-' ? -size : size;
 }
 
 /* A whole number as its first digits, at most 19, times a power of ten. */

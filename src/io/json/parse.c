@@ -83,7 +83,6 @@ static void free_pool(json_pool *pool)
 typedef struct json_scan {
     const char *begin, *at, *end;
     json_pool *pool; /* where strings go */
-    taut_plain_locale plain;
     int no_memory;
     const char *place;    /* in the text */
     const char *reason;   /* a word */
@@ -129,7 +128,7 @@ static int64_t hex_digits(const char *at, const char *end)
         if (digit == NULL) {
             return -1;
         }
-        value = 16 * value + (digit - digits) % 16;
+        value = 16 * value + (long)(digit - digits) % 16;
     }
     return value;
 }
@@ -273,12 +272,9 @@ static int scan_word(json_scan *scan, taut_json_value *value)
     const size_t room = (size_t)(scan->end - scan->at);
     const size_t number = taut_number_length(scan->at, room);
     const char *after = scan->at + number;
-    double x = 0;
 
     if (number > 0 && word_length(after, scan->end) == 0) {
-        if (!taut_number_value(scan->at, number, &scan->plain, &x)) {
-            return stop_memory(scan);
-        }
+        const double x = taut_number_value(scan->at, number);
         if (!isfinite(x)) {
             return stop_for(scan, "value", scan->at, "%s does not fit double precision");
         }
@@ -602,7 +598,6 @@ taut_status taut_json_parse(const char *text, size_t length, const char *name,
     if (!parse_all(&p, &made->root)) {
         status = p.scan.no_memory ? taut_fail_memory(error) : report_stop(&p.scan, name, error);
     }
-    taut_plain_locale_free(&p.scan.plain);
     taut_free(p.items);
     taut_free(p.members);
     if (status != TAUT_OK) {

@@ -4,6 +4,7 @@
 #include "geometry/keep.h"
 #include "io/problem/member.h"
 #include "io/problem/net_document.h"
+#include "platform/system.h"
 #include "taut/limits.h"
 #include "taut/read.h"
 
@@ -31,7 +32,7 @@ static taut_status find_path(const taut_json *at, const taut_problem *problem, c
     if (name[0] == '\0' || strcmp(name, "-") == 0) {
         return taut_json_refuse(at, error, "value", "the name of a file");
     }
-    folder = name[0] == '/' ? "" : problem->folder;
+    folder = taut_system_is_rooted(name) ? "" : problem->folder;
     if (snprintf(path, PATH_ROOM, "%s%s", folder, name) >= PATH_ROOM) {
         return taut_json_refuse(at, error, "value", "a shorter name");
     }

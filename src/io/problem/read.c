@@ -8,6 +8,7 @@
 #include "io/model/model.h"
 #include "io/problem/document_ops.h"
 #include "io/problem/read.h"
+#include "platform/system.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -65,16 +66,16 @@ static taut_status check_members(const taut_json *document, const taut_document_
 /* Other files that the document names lie beside it. */
 static taut_status set_folder(taut_problem *problem, const char *path, taut_error *error)
 {
-    const char *slash = path != NULL ? strrchr(path, '/') : NULL;
+    const char *name = path != NULL ? taut_system_last_part(path) : NULL;
     char *folder = NULL;
-    if (slash == NULL) {
+    if (name == path) {
         return TAUT_OK;
     }
     folder = taut_arena_text(problem->arena, path);
     if (folder == NULL) {
         return taut_fail_memory(error);
     }
-    folder[slash - path + 1] = '\0';
+    folder[name - path] = '\0';
     problem->folder = folder;
     return TAUT_OK;
 }

@@ -1,8 +1,12 @@
-/* test_figure.c -- whole figures: their structure, that they repeat, hostile models, faults. */
+/* test_figure.c -- whole figures: their structure, that they repeat, hostile models, faults.
+ *
+ * needs: cairo
+ */
 #include "check.h"
 #include "shapes.h"
 
 #include "draw/figure.h"
+#include "platform/system.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -51,10 +55,10 @@ static char *draw(const taut_model *model, const taut_write_options *options, co
                   size_t *size, taut_status expected)
 {
     char *bytes = NULL;
-    FILE *out = open_memstream(&bytes, size);
+    FILE *out = taut_system_spool(&bytes, size);
     taut_error error = {.status = TAUT_OK};
     const taut_status status = taut_draw_figure(model, options, kind, out, &error);
-    fclose(out);
+    CHECK(taut_system_spooled(out, &bytes, size) == 0, "%s", kind);
     CHECK(status == expected, "%s: %s, %s", kind, taut_status_text(status), error.message);
     CHECK(status == TAUT_OK || (error.status == status && error.message[0] != '\0'), "%s says why",
           kind);
@@ -325,11 +329,11 @@ static void test_options(void)
             free(svg);
         }
     }
-    FILE *out = open_memstream(&svg, &size);
+    FILE *out = taut_system_spool(&svg, &size);
     CHECK(taut_draw_figures(3, models, &(taut_write_options){.labels = labels, .combs = 1}, "svg",
                             out, NULL) == TAUT_OK,
           "three models");
-    fclose(out);
+    CHECK(taut_system_spooled(out, &svg, &size) == 0, "three models");
     for (int i = 0; i < 3; i++) {
         CHECK(strstr(svg, labels[i]) != NULL, "%s", labels[i]);
     }

@@ -1,5 +1,8 @@
 /* test_sizes.c -- as much as there may be, and one more: told by number, before memory is taken for
- * it, or left out and said so; and the least there may be. */
+ * it, or left out and said so; and the least there may be.
+ *
+ * needs: posix
+ */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS, MAP_NORESERVE */
 #include "check.h"
 #include "folder.h"

@@ -185,8 +185,8 @@ static void test_torsion(void)
         const double torsion = figure_of(certificate, "total_torsion");
         CHECK(isnan(cases[i].torsion) ? isnan(torsion) : fabs(torsion - cases[i].torsion) < 1e-11,
               "case %zu: %.15g", i, torsion);
-        CHECK(isnan(torsion) == (taut_record_get(taut_certificate_figures(certificate),
-                                                 "total_torsion_open") != NULL),
+        CHECK((isnan(torsion) != 0) == (taut_record_get(taut_certificate_figures(certificate),
+                                                        "total_torsion_open") != NULL),
               "case %zu: the reason", i);
         taut_certificate_free(certificate);
         taut_model_free(model);

@@ -235,7 +235,7 @@ static void test_perturbed(void)
         CHECK(!(p.lower > area), "size %g: %.17g above %.17g", size, p.lower, area);
         CHECK(p.holds != TAUT_FALSE, "nothing was asked for");
         CHECK(p.holds != TAUT_TRUE || p.residual <= 1e-6, "%g", p.residual);
-        refused += isnan(p.lower);
+        refused += isnan(p.lower) != 0;
         weaker += p.lower < area * (1 - 1e-9);
         taut_plateau_witness_free(witness);
         taut_surface_free(surface);

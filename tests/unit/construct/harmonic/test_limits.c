@@ -1,5 +1,8 @@
 /* test_limits.c -- harmonic surfaces at the edges of what is legal: far from the origin,
- * one point, collapsed rows, planes, degree 1; and the refusals, each of its own kind. */
+ * one point, collapsed rows, planes, degree 1; and the refusals, each of its own kind.
+ *
+ * needs: exact
+ */
 #include "bezier_net.h"
 #include "certificates.h"
 #include "check.h"

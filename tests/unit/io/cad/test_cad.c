@@ -1,5 +1,8 @@
 /* test_cad.c -- STEP and IGES: what is written comes back the same, what is approximated lies
- * within the bound that is told, and broken files are refused. */
+ * within the bound that is told, and broken files are refused.
+ *
+ * needs: posix
+ */
 #include "check.h"
 #include "folder.h"
 #include "models.h"

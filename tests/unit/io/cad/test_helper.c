@@ -1,5 +1,8 @@
 /* test_helper.c -- taut-cad as a process: programs that are none, that die, that never end; hosts with threads, with signals
- * of their own, with standard files closed; and nothing is left of any of it. */
+ * of their own, with standard files closed; and nothing is left of any of it.
+ *
+ * needs: posix
+ */
 #include "check.h"
 #include "fake_cad.h"
 #include "folder.h"

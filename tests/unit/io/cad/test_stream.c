@@ -1,5 +1,8 @@
 /* test_stream.c -- what taut-cad tells of a CAD file, whole, cut short, and with any byte
- * changed. */
+ * changed.
+ *
+ * needs: posix
+ */
 #include "check.h"
 
 #include "io/cad/answer.h"

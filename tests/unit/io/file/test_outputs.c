@@ -1,4 +1,7 @@
-/* test_outputs.c -- outputs that appear together or not at all. */
+/* test_outputs.c -- outputs that appear together or not at all.
+ *
+ * needs: posix
+ */
 #include "check.h"
 #include "folder.h"
 #include "models.h"

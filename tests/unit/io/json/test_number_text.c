@@ -1,4 +1,7 @@
-/* test_number_text.c -- numbers as text: against printf and strtod, digit by digit. */
+/* test_number_text.c -- numbers as text: against printf and strtod, digit by digit.
+ *
+ * needs: strtod, of the C library, that rounds right
+ */
 #include "check.h"
 
 #include "io/json/number_text.h"

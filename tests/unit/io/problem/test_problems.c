@@ -1,4 +1,6 @@
 /* test_problems.c -- what is read of a good problem, number by number; files that cannot be read.
+ *
+ * needs: posix
  */
 #include "check.h"
 #include "folder.h"

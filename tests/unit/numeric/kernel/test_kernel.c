@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { N = 41, WIDTH_MAX = 8, RHS = 3, DEPTH_MAX = 70, LONG_MAX = 100 };
+enum { N = 41, WIDTH_MAX = 8, RHS = 3, DEPTH_MAX = 70, LENGTH_MAX = 100 };
 
 static const char *const names[] = {"baseline", "avx2", "avx512"};
 
@@ -183,7 +183,7 @@ static void test_counts(const taut_kernel *kernel)
 /* Sums that cancel to about 2^-70 of their terms keep their leading digits when taken exactly. */
 static void test_vectors(const taut_kernel *kernel)
 {
-    for (size_t count = 0; count <= LONG_MAX; count++) {
+    for (size_t count = 0; count <= LENGTH_MAX; count++) {
         double *x = numbers(count + 1), *c = numbers(count + 1), *y = numbers(count + 1),
                *old = numbers(count + 1);
         double *high = numbers(count + 1), *low = numbers(count + 1);
@@ -267,7 +267,7 @@ static void test_product(const taut_kernel *kernel)
 
 static void test_long_dot(const taut_kernel *kernel)
 {
-    for (size_t count = 0; count <= LONG_MAX; count++) {
+    for (size_t count = 0; count <= LENGTH_MAX; count++) {
         double *x = numbers(count + 1), *y = numbers(count + 1), sum = 0.0;
         for (size_t i = 0; i < count; i++) {
             sum += x[i] * y[i];
@@ -282,7 +282,7 @@ static void test_long_dot(const taut_kernel *kernel)
 /* M x by diagonals against the definition, for any length and width. */
 static void test_diagonals(const taut_kernel *kernel)
 {
-    for (size_t n = 1; n <= LONG_MAX; n += 1 + n / 5) {
+    for (size_t n = 1; n <= LENGTH_MAX; n += 1 + n / 5) {
         for (size_t width = 0; width <= WIDTH_MAX; width++) {
             double *a = numbers(n * (width + 1)), *x = numbers(n), *y = numbers(n);
             kernel->diagonals_multiply(n, width, a, x, y);
@@ -415,7 +415,7 @@ static void test_same(const taut_kernel *kernel)
         keep_band(set, 3, all);
         keep_band(set, WIDTH_MAX, all);
         keep_lanes(set, all);
-        for (size_t count = 1; count <= LONG_MAX; count += 3) {
+        for (size_t count = 1; count <= LENGTH_MAX; count += 3) {
             keep_vectors(set, count, all);
         }
     }

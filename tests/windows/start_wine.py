@@ -1,0 +1,13 @@
+#!/usr/bin/env python3
+"""start_wine.py WINE -- makes wine's folder (WINEPREFIX) and leaves its server running for two minutes more than it is used, so
+that not every test starts a Windows of its own."""
+import os
+import subprocess
+import sys
+
+wine = sys.argv[1]
+server = next((p for n in ("wineserver64", "wineserver") if os.path.exists(p := os.path.join(os.path.dirname(wine), n))), "wineserver")
+# the server, which stays, must not keep our own output open
+quiet = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+subprocess.run([server, "-p120"], **quiet, timeout=60)
+sys.exit(subprocess.run([wine, "cmd", "/c", "exit 0"], **quiet, timeout=170).returncode)
