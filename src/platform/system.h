@@ -107,6 +107,12 @@ FILE *taut_system_spool(char **text, size_t *length);
 /* Closes it: *text, malloc's, is there. EOF, with errno: it could not be kept. */
 int taut_system_spooled(FILE *spool, char **text, size_t *length);
 
+/* A file that grows in place, open for reading from its begin and for writing, made where there is none; EISDIR, and EINVAL
+ * where it is no regular file. */
+int taut_system_open_growing(const char *path, FILE **stream);
+/* Cuts it after so many bytes, and goes to its end. */
+int taut_system_cut(FILE *stream, double length);
+
 /* ---- the program: nothing of this in wasi.c, where there is none ---- */
 
 /* Once, first of all: words in UTF-8, standard streams that pass bytes on as they are, a write that
