@@ -35,6 +35,7 @@ typedef struct cli_options {
     int divide;
     int quiet;
     int json;
+    int lines; /* make --lines */
     int markdown;
     int flag_u; /* refine --u */
     int flag_v;
@@ -216,6 +217,10 @@ int cli_misuse_path(const char *reason, const char *path, const char *format, ..
 /* "taut: OPTION WORD: expected EXPECTED", and 2: the value of an option is wrong. */
 int cli_misuse_value(const char *option, const char *word, const char *expected, ...)
     TAUT_PRINTF(3, 4);
+/* The error as a record { "error": { ... } }, the caller's; `where` is the pointer, or what else says the place. */
+taut_record *cli_error_record(const taut_error *error, const char *where);
+/* JSON text in one line, in place: its ends of lines and what follows them become a blank each, the last one goes. */
+size_t cli_one_line(char *text, size_t length);
 /* Memory ran out: 6, after its message. */
 int cli_no_memory(void);
 /* The known word nearest to a wrong one, or NULL if none is near; words ended by NULL. */

@@ -98,8 +98,12 @@ static int run(const cli_options *options)
 {
     taut_problem_list *list = NULL;
     taut_error error;
-    int code = cli_check_outputs(options);
+    int code = 0;
 
+    if (options->lines) {
+        return cli_make_lines(options);
+    }
+    code = cli_check_outputs(options);
     if (code != 0) {
         return code;
     }
@@ -123,6 +127,8 @@ static const cli_option options_of_make[] = {
     CLI_THREADS,
     CLI_FIGURE,
     CLI_EXACT,
+    {"--lines", CLI_FLAG, offsetof(cli_options, lines), 0, 0, 0, NULL,
+     "a problem a line, a model or an error a line; goes on where it was stopped"},
     {"--json", CLI_FLAG, offsetof(cli_options, json), 0, 0, 0, NULL,
      "report, and tell what goes wrong, as JSON on standard error"},
     {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},
@@ -142,7 +148,10 @@ const cli_command cli_command_make = {
             "give\n"
             "FILE-0.obj, FILE-1.obj, ... A % in the name takes the number, in JSON too. One that "
             "fails\n"
-            "leaves no file of any.\n",
+            "leaves no file of any.\n"
+            "With --lines problems and models stand one a line (JSON Lines), and one that fails is "
+            "a line\n"
+            "too; started again it makes the lines that are missing.\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_make,

@@ -18,4 +18,8 @@ int cli_make_model(const taut_problem *problem, const cli_options *options, cons
 /* All the documents of a list. 0 or the exit code. */
 int cli_make_list(const taut_problem_list *list, const cli_options *options);
 
+/* One problem a line of options->files[0], one model or one error a line of the only output, or of standard output. 0 or the exit
+ * code. */
+int cli_make_lines(const cli_options *options);
+
 #endif /* TAUT_CLI_MAKE_H */

@@ -55,13 +55,10 @@ static void add_number_or_null(taut_record *record, const char *key, double valu
     }
 }
 
-/* { "error": { ... } } in one line; `where` is the pointer, or what else says the place. */
-static void print_json(const taut_error *error, const char *where)
+taut_record *cli_error_record(const taut_error *error, const char *where)
 {
     taut_record *record = taut_record_new();
     taut_record *object = taut_record_add_object(record, "error");
-    char *text = NULL;
-    size_t length = 0;
 
     taut_record_add_number(object, "exit", taut_status_exit_code(error->status));
     taut_record_add_text(object, "reason", reason_of(error));
@@ -73,6 +70,33 @@ static void print_json(const taut_error *error, const char *where)
     } else {
         add_number_or_null(object, "expected", error->limit);
     }
+    return record;
+}
+
+size_t cli_one_line(char *text, size_t length)
+{
+    size_t end = 0;
+    while (length > 0 && text[length - 1] == '\n') {
+        length--;
+    }
+    for (size_t i = 0; i < length;
+         i++) { /* texts have no line ends of their own: those that are there are the layout's */
+        const int is_end = text[i] == '\n';
+        text[end++] = is_end ? ' ' : text[i];
+        while (is_end && i + 1 < length && text[i + 1] == ' ') {
+            i++;
+        }
+    }
+    text[end] = '\0';
+    return end;
+}
+
+static void print_json(const taut_error *error, const char *where)
+{
+    taut_record *record = cli_error_record(error, where);
+    char *text = NULL;
+    size_t length = 0;
+
     if (taut_record_status(record) != TAUT_OK ||
         taut_record_write(record, &text, &length) != TAUT_OK) {
         fprintf(stderr,
@@ -80,17 +104,9 @@ static void print_json(const taut_error *error, const char *where)
                 "\"message\": \"memory ran out\", \"found\": null, \"expected\": null } }\n",
                 taut_status_exit_code(error->status), reason_of(error));
     } else {
-        /* texts have no line ends of their own: those that are there are the layout's */
-        for (size_t i = 0; i < length; i++) {
-            if (text[i] != '\n') {
-                fputc(text[i], stderr);
-                continue;
-            }
-            while (i + 1 < length && text[i + 1] == ' ') {
-                i++;
-            }
-            fputc(i + 1 < length ? ' ' : '\n', stderr);
-        }
+        length = cli_one_line(text, length);
+        fwrite(text, 1, length, stderr);
+        fputc('\n', stderr);
     }
     taut_text_free(text);
     taut_record_free(record);

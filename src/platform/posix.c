@@ -587,6 +587,34 @@ int taut_system_open_device(const char *target, FILE **stream)
     return reason;
 }
 
+int taut_system_open_growing(const char *path, FILE **stream)
+{
+    const int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    struct stat about;
+    int reason = 0;
+    if (file < 0 || fstat(file, &about) != 0) {
+        reason = errno;
+    } else if (!S_ISREG(about.st_mode)) {
+        reason = S_ISDIR(about.st_mode) ? EISDIR : EINVAL;
+    } else {
+        *stream = fdopen(file, "r+");
+        reason = *stream != NULL ? 0 : ENOMEM;
+    }
+    if (reason != 0 && file >= 0) {
+        close(file);
+    }
+    return reason;
+}
+
+int taut_system_cut(FILE *stream, double length)
+{
+    if (fflush(stream) != 0 || ftruncate(fileno(stream), (off_t)length) != 0 ||
+        fseeko(stream, 0, SEEK_END) != 0) {
+        return errno;
+    }
+    return 0;
+}
+
 FILE *taut_system_spool(char **text, size_t *length)
 {
     return open_memstream(text, length);

@@ -62,7 +62,7 @@ FILE *taut_system_helper_request(int *reason);
 
 typedef struct taut_helper {
     int64_t process, answer; /* as the system numbers them */
-    double deadline;           /* on a clock of the system's own */
+    double deadline;         /* on a clock of the system's own */
 } taut_helper;
 
 /* Starts `program`, without arguments: its standard input is `request` from its begin, which has been flushed and
@@ -149,6 +149,12 @@ int taut_system_open_device(const char *target, FILE **stream);
 FILE *taut_system_spool(char **text, size_t *length);
 /* Closes it: *text, malloc's, is there. EOF, with errno: it could not be kept. */
 int taut_system_spooled(FILE *spool, char **text, size_t *length);
+
+/* A file that grows in place, open for reading from its begin and for writing, made where there is none; EISDIR, and EINVAL
+ * where it is no regular file. */
+int taut_system_open_growing(const char *path, FILE **stream);
+/* Cuts it after so many bytes, and goes to its end. */
+int taut_system_cut(FILE *stream, double length);
 
 /* ---- the program: nothing of this in wasi.c, where there is none ---- */
 

@@ -550,6 +550,39 @@ int taut_system_open_device(const char *target, FILE **stream)
     return *stream != NULL ? 0 : EMFILE;
 }
 
+int taut_system_open_growing(const char *path, FILE **stream)
+{
+    wchar_t full[WIDE_ROOM];
+    const int reason = full_of(path, full);
+    if (reason != 0) {
+        return reason;
+    }
+    const taut_place place = place_of(full);
+    if (place == TAUT_PLACE_FOLDER || place == TAUT_PLACE_OTHER || is_device(full)) {
+        return place == TAUT_PLACE_FOLDER ? EISDIR : EINVAL;
+    }
+    const HANDLE handle = CreateFileW(full, GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ, NULL,
+                                      OPEN_ALWAYS, FILE_ATTRIBUTE_NORMAL, NULL);
+    if (handle == INVALID_HANDLE_VALUE) {
+        return last_reason();
+    }
+    const int file = descriptor_of(handle, _O_RDWR);
+    *stream = file >= 0 ? _fdopen(file, "r+b") : NULL;
+    if (*stream == NULL && file >= 0) {
+        _close(file);
+    }
+    return *stream != NULL ? 0 : EMFILE;
+}
+
+int taut_system_cut(FILE *stream, double length)
+{
+    if (fflush(stream) != 0) {
+        return errno;
+    }
+    const errno_t reason = _chsize_s(_fileno(stream), (long long)length);
+    return reason != 0 ? reason : _fseeki64(stream, 0, SEEK_END) == 0 ? 0 : errno;
+}
+
 /* The C library has no streams into memory: a file that Windows need not write to a disk, and that
  * is gone when it is closed. */
 FILE *taut_system_spool(char **text, size_t *length)
