@@ -38,6 +38,7 @@
 
 /* For every call */
 #include "taut/export.h"
+#include "taut/film.h"
 #include "taut/limits.h"
 #include "taut/monitor.h"
 #include "taut/status.h"
