@@ -37,7 +37,7 @@ static const double residual_agreement = 0.1; /* of the tolerance */
 static const double area_none = 1e-12;        /* of the size squared */
 static const double step_least = 0x1p-10;     /* of the logarithm of the factor of all forces */
 static const double theta_least = 1e-6;       /* of the metric operator in every step */
-static const double work_most = 2e11;         /* flops of one minimum: minutes */
+static const double work_most = 2e11;         /* flops of all films on the way: minutes */
 
 typedef struct work {
     const taut_film_space *space;
@@ -215,8 +215,7 @@ static taut_status find_film(work *w, double factor, taut_error *error)
     taut_status status = take_rule(w, 0, factor);
     double residual = 0;
 
-    w->region.iterations = 0;
-    w->region.work = 0;
+    w->region.iterations = 0; /* its work goes on to be counted: all films on the way share it */
     if (status != TAUT_OK) {
         return taut_fail_memory(error);
     }
