@@ -50,7 +50,7 @@ typedef struct taut_film_problem {
 /* Reasons: word, meaning, remedy. */
 #define TAUT_FILM_REASON_LIST(X)                                                                   \
     X("not-yet", "a member or a word of films that this version cannot do", "leave it out")        \
-    X("basis", "a basis is not of type bezier or bspline, or its degree is below 2",               \
+    X("basis", "a basis is not of type bezier or bspline of degree 2 or more, or could crease",    \
       "take a bspline of degree 4, say")                                                           \
     X("corner-missing", "a corner is not given, and no curve of its edges ends there",             \
       "give the corner")                                                                           \

@@ -50,6 +50,7 @@ film 3 'value /tension' '"tension": 0'
 film 3 'value /tolerance' '"tolerance": 0.1'
 film 3 'value /equilibrium' '"equilibrium": 1'
 film 3 'basis /u' '"u": { "type": "bspline", "degree": 1, "count": 5 }'
+film 3 'basis /u found 3 expected inner knots' '"u": { "type": "bspline", "degree": 3, "knots": [0, 0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1, 1] }'
 film 3 'basis /v' '"v": { "type": "c-bezier", "alpha": 1 }'
 film 3 'size /u found 2600 expected 2500' '"u": { "type": "bspline", "degree": 2, "count": 50 }, "v": { "type": "bspline", "degree": 2, "count": 52 }'
 for member in '"force_density": [1, 1]' '"prestress": [1, 1]' '"patches": []' '"seams": [["u0", "u1"]]' '"cells": []' \

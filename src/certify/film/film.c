@@ -289,7 +289,7 @@ static taut_status add_cables(const request *r, taut_certificate *certificate)
 typedef struct finding {
     double residual; /* along moves, or of all coordinates as it counts */
     double area, lengths[4];
-    double lowest;
+    double lowest, relative; /* eigenvalue, and times size^2 over the tension */
     int below, at;
     int settled;
 } finding;
@@ -387,8 +387,10 @@ static taut_status find_stability(const request *r, finding *found)
         status = taut_film_moves_new(&sheet, moments, &moves);
     }
     if (status == TAUT_OK) {
-        status = taut_film_moves_lowest(&sheet, &moves, ldexp(2 * r->half, -sheet.unit),
+        status = taut_film_moves_lowest(&sheet, &moves, ldexp(r->half, 1 - sheet.unit),
                                         stable_limit, &found->lowest, &found->below);
+        const double size = ldexp(r->half, 1 - sheet.unit);
+        found->relative = found->lowest * size * size;
         found->lowest = ldexp(found->lowest * sheet.tension, -2 * sheet.unit);
     }
     taut_arena_free(arena);
@@ -416,13 +418,11 @@ static taut_status add_stationary(const request *r, const finding *found,
     return taut_certificate_add(certificate, &claim);
 }
 
-static taut_status add_stable(const request *r, const finding *found, taut_certificate *certificate)
+static taut_status add_stable(const finding *found, taut_certificate *certificate)
 {
-    const double size = 2 * r->half;
-    const double tension = r->problem->tension > 0 ? r->problem->tension : 1;
     taut_claim claim = {.claim = "stable",
                         .kind = TAUT_CHECK,
-                        .residual = found->lowest / tension * size * size,
+                        .residual = found->relative,
                         .limit = stable_limit,
                         .where = ""};
 
@@ -539,7 +539,7 @@ static taut_status add_figures(const request *r, const finding *found, int threa
 
 static taut_status prove(const request *r, int threads, taut_certificate *certificate)
 {
-    finding found = {.lowest = NAN, .below = -1};
+    finding found = {.lowest = NAN, .relative = NAN, .below = -1};
     taut_status status = add_held(r, certificate);
 
     if (status == TAUT_OK) {
@@ -555,7 +555,7 @@ static taut_status prove(const request *r, int threads, taut_certificate *certif
         status = add_stationary(r, &found, certificate);
     }
     if (status == TAUT_OK) {
-        status = add_stable(r, &found, certificate);
+        status = add_stable(&found, certificate);
     }
     if (status == TAUT_OK) {
         status = add_least(certificate);

@@ -20,6 +20,21 @@
 
 static const double tolerance_least = 1e-14, tolerance_most = 1e-3;
 
+/* Is an inner knot repeated so often that nothing but the energy keeps the film from a crease? */
+static int has_crease(const taut_basis *basis)
+{
+    const int p = taut_basis_degree(basis), n = taut_basis_count(basis);
+    taut_basis_spec spec;
+
+    taut_basis_spec_of(basis, &spec);
+    for (int k = p + 1; spec.knots != NULL && k + p - 1 < n; k++) {
+        if (spec.knots[k] == spec.knots[k + p - 1]) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static taut_status check_basis(const taut_basis *basis, const char *where, taut_error *error)
 {
     const char *type = taut_basis_type(basis);
@@ -28,6 +43,14 @@ static taut_status check_basis(const taut_basis *basis, const char *where, taut_
         return taut_fail_expected(error, TAUT_BAD_INPUT, "basis", where, taut_none,
                                   "bezier or bspline of degree 2 or more",
                                   "found a basis of type \"%s\" and degree %d", type, degree);
+    }
+    if (has_crease(basis)) {
+        return taut_fail_expected(
+            error, TAUT_BAD_INPUT, "basis", where, degree,
+            "inner knots that are repeated less often",
+            "found a knot repeated as often as the degree, %d, where the film "
+            "could crease",
+            degree);
     }
     return TAUT_OK;
 }

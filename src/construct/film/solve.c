@@ -185,10 +185,11 @@ static taut_status polish(work *w, double *before, taut_error *error)
 
 static taut_status refuse_rules(const work *w, taut_error *error)
 {
-    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->region.residual,
-                     w->region.tolerance,
-                     "no Gauss rule settles the film: it is nearly folded somewhere, as where two "
-                     "edges meet at a very small angle; raise the forces, or the tolerance");
+    return taut_fail(
+        error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->region.residual, w->region.tolerance,
+        "no Gauss rule settles the film: it varies too fast for its knots somewhere, as where "
+        "two edges meet at a very small angle; even out the knots, raise the forces "
+        "or the tolerance");
 }
 
 /* The next rule: *agree where it gives the same energy, and derivatives within the tolerance. */
