@@ -42,6 +42,7 @@
 /* For every call */
 #include "taut/abi.h"
 #include "taut/export.h"
+#include "taut/film.h"
 #include "taut/limits.h"
 #include "taut/monitor.h"
 #include "taut/status.h"

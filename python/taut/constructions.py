@@ -128,6 +128,35 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
     return made_of("dirichlet", said, known, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 
+def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
+        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
+        corners: Mapping[str, npt.ArrayLike] | None = None,
+        edges: Mapping[str, Union[Literal["fixed"], Mapping[str, CurveLike], Mapping[str, Mapping[str, float]]]] | None = None,
+        tension: float | None = None, tolerance: float | None = None, max_iterations: int | None = None,
+        equilibrium: float | None = None, method: Literal["full"] | None = None, accept: Literal["minimum"] | None = None,
+        least: bool | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+    """The film of least energy between edges that are held or drawn by cables.
+
+    u                      A function basis on a parameter range; its functions are as many as the points along it.
+    v                      A function basis on a parameter range; its functions are as many as the points along it.
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    name                   at most 255 bytes of UTF-8
+    corners                where no curve ends
+    edges                  as in docs/format.md
+    tension                of the film: a force per length; above 0; 1 if not given
+    tolerance              of the claim stationary; at least 1e-14; 1e-10 if not given
+    max_iterations         at least 1; 200 if not given
+    equilibrium            adds the claim of that name; above 0
+    method                 as in docs/format.md
+    accept                 as in docs/format.md
+    least                  true if not given
+    """
+    said: dict[str, Any] = {"u": u, "v": v, "unit": unit, "name": name, "corners": corners, "edges": edges,
+        "tension": tension, "tolerance": tolerance, "max_iterations": max_iterations, "equilibrium": equilibrium,
+        "method": method, "accept": accept, "least": least}
+    return made_of("film", said, None, threads=threads, progress=progress, strict=strict)
+
+
 def harmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: BasisLike | None = None,
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         from_: Literal["derivative"] | None = None, edge: npt.ArrayLike | None = None,
@@ -266,4 +295,4 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
     return made_of("plateau", said, known, threads=threads, progress=progress, strict=strict)
 
 
-__all__ = ["asymptotic", "biharmonic", "bonnet", "dirichlet", "harmonic", "harmonic_extension", "pipe", "plateau"]
+__all__ = ["asymptotic", "biharmonic", "bonnet", "dirichlet", "film", "harmonic", "harmonic_extension", "pipe", "plateau"]

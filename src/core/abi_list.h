@@ -166,6 +166,23 @@
     X(taut_family_member, shift, "double[2]") \
     X(taut_family_member, motion, "double[3][4]")
 
+#define TAUT_ABI_MEMBERS_taut_film_edge(X) \
+    X(taut_film_edge, kind, "taut_film_edge_kind") \
+    X(taut_film_edge, curve, "const taut_curve *") \
+    X(taut_film_edge, force, "double")
+
+#define TAUT_ABI_MEMBERS_taut_film_problem(X) \
+    X(taut_film_problem, name, "const char *") \
+    X(taut_film_problem, u, "const taut_basis *") \
+    X(taut_film_problem, v, "const taut_basis *") \
+    X(taut_film_problem, corners, "double[4][3]") \
+    X(taut_film_problem, has_corner, "unsigned char[4]") \
+    X(taut_film_problem, edges, "taut_film_edge[4]") \
+    X(taut_film_problem, tension, "double") \
+    X(taut_film_problem, tolerance, "double") \
+    X(taut_film_problem, max_iterations, "int") \
+    X(taut_film_problem, equilibrium, "double")
+
 #define TAUT_ABI_MEMBERS_taut_forms(X) \
     X(taut_forms, e, "double") \
     X(taut_forms, f, "double") \
@@ -409,6 +426,8 @@
     X(taut_extension_g1) \
     X(taut_extension_merge) \
     X(taut_family_member) \
+    X(taut_film_edge) \
+    X(taut_film_problem) \
     X(taut_forms) \
     X(taut_harmonic_boundary) \
     X(taut_harmonic_derivative) \
@@ -470,6 +489,10 @@
     X(TAUT_EXTENSION_C1, "c1") \
     X(TAUT_EXTENSION_G1, "g1") \
     X(TAUT_EXTENSION_MERGE, "merge")
+
+#define TAUT_ABI_VALUES_taut_film_edge_kind(X) \
+    X(TAUT_FILM_FIXED, "fixed") \
+    X(TAUT_FILM_CABLE, "cable")
 
 #define TAUT_ABI_VALUES_taut_harmonic_even(X) \
     X(TAUT_EVEN_REFUSE, "refuse") \
@@ -566,6 +589,7 @@
     X(taut_colour) \
     X(taut_edge) \
     X(taut_extension_given) \
+    X(taut_film_edge_kind) \
     X(taut_harmonic_even) \
     X(taut_harmonic_given) \
     X(taut_jacobian_state) \
@@ -595,6 +619,7 @@
     X(TAUT_ASYMPTOTIC_U0V1, "TAUT_ASYMPTOTIC_U0V1") \
     X(TAUT_ASYMPTOTIC_U1V1, "TAUT_ASYMPTOTIC_U1V1") \
     X(TAUT_ORDER_MAX, "TAUT_ORDER_MAX") \
+    X(TAUT_FILM_POINTS_MAX, "TAUT_FILM_POINTS_MAX") \
     X(TAUT_DEGREE_MAX, "TAUT_DEGREE_MAX") \
     X(TAUT_COUNT_MAX, "TAUT_COUNT_MAX") \
     X(TAUT_POINTS_MAX, "TAUT_POINTS_MAX") \

@@ -15,6 +15,7 @@
     X(biharmonic, "biharmonic")                                                                    \
     X(bonnet, "bonnet")                                                                            \
     X(dirichlet, "dirichlet")                                                                      \
+    X(film, "film")                                                                                \
     X(harmonic, "harmonic")                                                                        \
     X(harmonic_extension, "harmonic-extension")                                                    \
     X(pipe, "pipe")                                                                                \

@@ -431,7 +431,12 @@ taut_area_value taut_area_functional_value(taut_area_functional *functional, con
             add_elements(functional, line, cell, &sum, &value);
         }
     }
-    return sum_up(&sum, value);
+    value = sum_up(&sum, value);
+    for (int k = 0; k < functional->cable_count; k++) {
+        const taut_area_cable *cable = functional->cables + k;
+        value.area += cable->tension * taut_area_cable_length(cable, net);
+    }
+    return value;
 }
 
 taut_area_value taut_area_functional_gradient(taut_area_functional *functional, const double *net,
@@ -463,7 +468,12 @@ taut_area_value taut_area_functional_gradient(taut_area_functional *functional, 
         spread_line(functional, line);
     }
     store_sums(functional, gradient);
-    return sum_up(&sum, value);
+    value = sum_up(&sum, value);
+    for (int k = 0; k < functional->cable_count; k++) {
+        taut_area_cable *cable = functional->cables + k;
+        value.area += cable->tension * taut_area_cable_gradient(cable, net, gradient);
+    }
+    return value;
 }
 
 void taut_area_functional_product(taut_area_functional *functional, double theta,
@@ -484,4 +494,7 @@ void taut_area_functional_product(taut_area_functional *functional, double theta
         spread_line(functional, line);
     }
     store_sums(functional, product);
+    for (int k = 0; k < functional->cable_count; k++) {
+        taut_area_cable_product(functional->cables + k, theta, direction, product);
+    }
 }

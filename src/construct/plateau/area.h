@@ -22,6 +22,7 @@
 #define TAUT_CONSTRUCT_PLATEAU_AREA_H
 
 #include "construct/plateau/area_kernel.h"
+#include "construct/plateau/cable.h"
 #include "core/arena.h"
 #include "taut/basis.h"
 
@@ -57,11 +58,13 @@ typedef struct taut_area_functional {
     double *spread;       /* [2][width] */
     double *elements;     /* [2][group]: W of a cell; weights */
     double work;          /* about so many flops were spent on it, its factors included */
+    taut_area_cable *cables; /* [cable_count], borrowed: they count beside the area, everywhere */
+    int cable_count;         /* 0 at first */
 } taut_area_functional;
 
 /* What a net is worth. */
 typedef struct taut_area_value {
-    double area;
+    double area;  /* with r L of each cable */
     double least; /* smallest W over the area (the mean of W) */
 } taut_area_value;
 

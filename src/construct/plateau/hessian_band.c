@@ -266,6 +266,32 @@ static void add_element(taut_area_hessian *hessian, const taut_area_functional *
     }
 }
 
+/* Adds r p' q' (I - t t^T) / |x_t| of a node, and r p' q' / |x_t| to the metric, for the points
+ * that are alive there. */
+static void add_cable_node(taut_area_hessian *hessian, const taut_area_cable *cable, int node)
+{
+    const double *slope = cable->slope + (size_t)node * (size_t)cable->local;
+    const double *t = cable->state + (size_t)node * TAUT_AREA_CABLE_STATE;
+    const double across[6] = {1 - t[0] * t[0], -t[1] * t[0], 1 - t[1] * t[1],
+                              -t[2] * t[0],    -t[2] * t[1], 1 - t[2] * t[2]};
+    const int *index = hessian->index + cable->first + (size_t)cable->alive[node] * cable->step;
+
+    for (int p = 0; p < cable->local; p++) {
+        const int a = index[(size_t)p * cable->step];
+        for (int q = 0; a >= 0 && q <= p; q++) {
+            const int b = index[(size_t)q * cable->step];
+            double block[BLOCK] = {0};
+            block[9] = cable->tension * t[3] * slope[p] * slope[q];
+            for (int c = 0; c < 6; c++) {
+                block[c] = block[9] * across[c];
+            }
+            if (b >= 0) { /* numbers grow along an edge */
+                add_block(hessian, a, b, 1, block);
+            }
+        }
+    }
+}
+
 static void clear_band(taut_band *matrix)
 {
     memset(matrix->a, 0, (size_t)matrix->n * ((size_t)matrix->width + 1) * sizeof(double));
@@ -288,6 +314,26 @@ void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_func
                 add_point(hessian, state);
             }
             add_element(hessian, functional, line, k);
+        }
+    }
+    for (int k = 0; k < functional->cable_count; k++) {
+        for (int node = 0; node < functional->cables[k].nodes; node++) {
+            add_cable_node(hessian, functional->cables + k, node);
+        }
+    }
+}
+
+void taut_area_hessian_stiffen(taut_area_hessian *hessian, const double *directions, double weight)
+{
+    const size_t count = (size_t)hessian->mask->nu * (size_t)hessian->mask->nv;
+
+    for (size_t i = 0; i < count; i++) {
+        const double *p = directions + 6 * i, *q = p + 3;
+        for (int c = 0; c < 3 && hessian->index[i] >= 0; c++) {
+            double *row = taut_band_row(&hessian->second, 3 * hessian->index[i] + c);
+            for (int d = 0; d <= c; d++) {
+                row[c - d] += weight * ((c == d) - p[c] * p[d] - q[c] * q[d]);
+            }
         }
     }
 }

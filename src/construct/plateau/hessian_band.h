@@ -32,6 +32,11 @@ void taut_area_hessian_free(taut_area_hessian *hessian); /* NULL is fine */
 /* Fills both matrices from the state of the functional: once for each net. */
 void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_functional *functional);
 
+/* Stiffens every unknown point against moves other than those given: adds weight (I - P) to its
+ * block of H, P the projector of its two directions, double[nu][nv][2][3], unit and orthogonal, the
+ * second 0 where there is one. The steps of factor 0 are then along them, to 1 / weight. */
+void taut_area_hessian_stiffen(taut_area_hessian *hessian, const double *directions, double weight);
+
 /* Factors B = (1 - theta) H + theta L_g over the unknown points. TAUT_NO_SOLUTION when B is not
  * positive definite: there are no factors then. */
 taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta);

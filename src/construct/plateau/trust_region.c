@@ -296,7 +296,8 @@ static void raise_theta(state *s, int tries)
 /* After a good step: the next theta, not far below where B was indefinite. */
 static void lower_theta(state *s)
 {
-    const double least = fmax(taut_newton_step_floor(s->newton), 1.5 * s->fence);
+    const double given = fmax(taut_newton_step_floor(s->newton), s->region->theta_least);
+    const double least = fmax(given, 1.5 * s->fence);
     s->theta = fmin(s->theta, fmax(least, 0.1 * s->theta));
     s->fence *= 0.25;
 }

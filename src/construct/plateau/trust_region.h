@@ -19,7 +19,9 @@ typedef struct taut_trust_region {
     int has_free_edge;
     double *areas; /* [areas_max]: after each iteration, or NULL */
     int areas_max;
-    double work_max; /* flops, about: more are not spent on the way */
+    double work_max;    /* flops, about: more are not spent on the way */
+    double theta_least; /* theta is not lowered below it: moves that the area does not see then
+                         * stay smooth, and symmetric; at most 1e-6 */
     /* found; iterations and work are added to */
     int iterations;
     double work;

@@ -1,0 +1,97 @@
+/* taut/film.h -- soap films and sails: a surface under tension, with edges held or drawn by cables.
+ *
+ *     E(x) = s A(x) + sum over cables C_k(L_k),     A = iint |x_u x x_v| du dv,  L_k = int |x_t| dt
+ *
+ * is least over the spline space of one patch. s is the tension of the film, a force per length;
+ * C_k = T_k L_k for a cable of given force T_k. Where the film rests its mean curvature is 0, and
+ * each cable is an asymptotic curve of it with curvature s / T_k (docs/film.md).
+ */
+#ifndef TAUT_FILM_H
+#define TAUT_FILM_H
+
+#include "taut/construct.h"
+#include "taut/curve.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The most control points of a film. */
+enum { TAUT_FILM_POINTS_MAX = 2500 };
+/* The least and the most that a force over tension times size may be. */
+#define TAUT_FILM_FORCE_MIN 1e-6
+#define TAUT_FILM_FORCE_MAX 1e6
+
+/* How an edge is held. */
+typedef enum taut_film_edge_kind {
+    TAUT_FILM_FIXED = 0, /* on `curve`, or on the straight line between its corners */
+    TAUT_FILM_CABLE      /* drawn by a cable of the force `force` */
+} taut_film_edge_kind;
+
+typedef struct taut_film_edge {
+    taut_film_edge_kind kind;
+    const taut_curve *curve; /* fixed: fitted to the basis of the edge; or NULL */
+    double force;            /* cable: above 0 */
+} taut_film_edge;
+
+/* Zero means default everywhere. */
+typedef struct taut_film_problem {
+    const char *name;            /* of the surface; NULL: "film" */
+    const taut_basis *u, *v;     /* bezier or bspline of degree 2 or more */
+    double corners[4][3];        /* u0v0, u1v0, u0v1, u1v1 */
+    unsigned char has_corner[4]; /* 0: the end of a curve of its edges */
+    taut_film_edge edges[4];     /* u0, u1 along v; v0, v1 along u */
+    double tension;              /* of the film; 0: 1 */
+    double tolerance;            /* of the claim `stationary`, from 1e-14 to 1e-3; 0: 1e-10 */
+    int max_iterations;          /* 0: 200 */
+    double equilibrium;          /* above 0: the claim of that name, below 1 */
+} taut_film_problem;
+
+/* Reasons: word, meaning, remedy. */
+#define TAUT_FILM_REASON_LIST(X)                                                                   \
+    X("not-yet", "a member or a word of films that this version cannot do", "leave it out")        \
+    X("basis", "a basis is not of type bezier or bspline of degree 2 or more, or could crease",    \
+      "take a bspline of degree 4, say")                                                           \
+    X("corner-missing", "a corner is not given, and no curve of its edges ends there",             \
+      "give the corner")                                                                           \
+    X("curve-ends", "a curve does not end in the corners of its edge",                             \
+      "let u0 and u1 run with v, v0 and v1 with u, from corner to corner")                         \
+    X("curve-fit", "a curve cannot be fitted to the basis of its edge",                            \
+      "lower the degree, or even out the knots")                                                   \
+    X("no-area", "the edges span no area, or two corners are one",                                 \
+      "give corners that are apart, and no line")                                                  \
+    X("crossed", "the corners of a flat film, in their order, bound no polygon",                   \
+      "u0v0, u1v0, u1v1, u0v1 must run round it")                                                  \
+    X("cable-too-weak", "the film draws a cable into another edge",                                \
+      "give the cables the force that the message names, or more")                                 \
+    X("folds", "the film folds on its way to the least energy",                                    \
+      "raise the forces, or move the corners")                                                     \
+    X("not-converged", "the most iterations were made, or no step lowers the energy any more",     \
+      "allow more, raise the tolerance, or take fewer points")                                     \
+    X("overflow", "a point of the film is beyond the range of double precision",                   \
+      "scale the points down")                                                                     \
+    X("ill-conditioned", "the knots or the degree are too extreme for doubles",                    \
+      "lower the degree, or even out the knots")
+
+/* Makes the model: the surface, and each cable as a curve named as its edge ("u0"); details:
+ * unknowns, iterations, method, residual, cables (edge, force, length, unstressed, of each),
+ * supports (the held corners at which cables end), verdict { exists, stable, least }, rivals,
+ * deviation of fitted curves.
+ * TAUT_BAD_INPUT: data out of range, error->where the member. TAUT_NO_SOLUTION: no-area, crossed,
+ * cable-too-weak. TAUT_NOT_CONVERGED: folds, not-converged, curve-fit. */
+TAUT_API taut_status taut_film_make(const taut_film_problem *problem,
+                                    const taut_make_options *options, taut_model **model,
+                                    taut_error *error);
+
+/* The certificate: claims boundary, cables, held, stationary, stable, least (undecided), and
+ * equilibrium where it is asked for; figures energy, area, areas, lengths, tensions, sags,
+ * reactions, lowest_eigenvalue, mean_curvature, cable_geodesic, cable_normal (docs/film.md).
+ * TAUT_BAD_INPUT without a problem: the model does not say what its edges were. */
+TAUT_API taut_status taut_film_certify(const taut_model *model, const taut_film_problem *problem,
+                                       const taut_certify_options *options,
+                                       taut_certificate **certificate, taut_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_FILM_H */

@@ -1,0 +1,611 @@
+/* film.c -- is this film at rest, and on what holds it?
+ *
+ * Claims:
+ *
+ *   boundary    where edges are held: the largest distance of one from its chord or curve, at equal
+ *               parts of their ranges, proved (certify/common/curve_distance.h), over the size of
+ *               the film; of several the one nearest to its limit. Limit: FIT of what a least squares fit of the certificate's own is proved to
+ *               be off by (certify/plateau/fit.h), and rounding, 64 (p + q + n) 2^-53.
+ *   held        largest distance of a corner from the problem's, over the size: 0.
+ *   cables      how many numbers of the curves differ from the edges they are: 0.
+ *   stationary  largest derivative of E along a move that E sees (certify/film/moves.h) over the
+ *               largest in the net, held points too; or, where that is more, tolerance / 1e-6 times
+ *               the same over all coordinates. Limit: the tolerance, at most 1e-6. Nodes are raised
+ *               until the judgement stays.
+ *   stable      lowest eigenvalue of the second variation over those moves, scaled; holds above
+ *               1e-6, by the inertia of the factors.
+ *   least       null: no bound is sought yet.
+ *   equilibrium where it is asked for: the largest defect.
+ */
+#include "taut/film.h"
+
+#include "certify/certify_ops.h"
+#include "certify/common/curve_distance.h"
+#include "certify/common/verdict.h"
+#include "certify/film/lines.h"
+#include "certify/film/moves.h"
+#include "certify/plateau/fit.h"
+#include "core/constants.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+#include "geometry/exponent.h"
+#include "measure/integrate/integrals.h"
+#include "measure/integrate/line.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { GRID = 101 /* as taut_measure_surface */, FIT = 2, RULES = 6, SECOND_EXTRA = 1 };
+static const int extra_nodes[RULES] = {4, 8, 15, 27, 48, 76};
+static const double tolerance_default = 1e-10, largest_limit = 1e-6, stable_limit = 1e-6;
+static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
+static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
+
+/* What is certified. */
+typedef struct request {
+    const taut_model *model;
+    const taut_surface *surface;
+    const taut_film_problem *problem;
+    int nu, nv;
+    double tolerance;
+    double
+        half; /* half the size of the film: of the largest coordinate of a point from the first */
+} request;
+
+static int corner_of(int e, int end)
+{
+    return e < 2 ? e + 2 * end : end + 2 * (e - 2);
+}
+
+static const double *corner_point(const request *r, int c)
+{
+    const size_t i = (size_t)(c % 2 * (r->nu - 1)), j = (size_t)(c / 2 * (r->nv - 1));
+    return taut_surface_points(r->surface) + 3 * (i * (size_t)r->nv + j);
+}
+
+static taut_status read_request(const taut_model *model, const taut_film_problem *problem,
+                                request *r, taut_error *error)
+{
+    *r = (request){.model = model, .surface = taut_model_surface(model, 0), .problem = problem};
+    if (r->surface == NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces", 0, 1,
+                         "the model has no surface, expected the one of its problem");
+    }
+    if (problem == NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "needs-problem", "/edges", taut_none, taut_none,
+                         "the model does not say how its edges were held: give the problem the "
+                         "model was made from too");
+    }
+    if (problem->u == NULL || problem->v == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "a film problem needs two bases");
+    }
+    r->nu = taut_basis_count(taut_surface_u(r->surface));
+    r->nv = taut_basis_count(taut_surface_v(r->surface));
+    if (!taut_basis_equal(problem->u, taut_surface_u(r->surface)) ||
+        !taut_basis_equal(problem->v, taut_surface_v(r->surface)) ||
+        taut_surface_weights(r->surface) != NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces/0/points", taut_none, taut_none,
+                         "the model's net is %d by %d and not on the bases of the problem, %d by "
+                         "%d without weights: they do not belong together",
+                         r->nu, r->nv, taut_basis_count(problem->u), taut_basis_count(problem->v));
+    }
+    r->tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;
+    r->half = taut_half_size(taut_point_count(r->surface), taut_surface_points(r->surface));
+    return TAUT_OK;
+}
+
+/* ---- the edges ---- */
+
+/* What is found of the held edge that comes nearest to its limit, or is farthest beyond it. */
+typedef struct boundary {
+    double residual, limit;
+    int worst, count;
+} boundary;
+
+/* What edge e has to be: to be freed. */
+static taut_status make_wanted(const request *r, int e, taut_curve **curve, taut_error *error)
+{
+    const taut_film_edge *edge = &r->problem->edges[e];
+    const taut_basis_spec spec = {.type = "bezier", .degree = 1};
+    taut_basis *basis = NULL;
+    double ends[2][3];
+
+    if (edge->curve != NULL) {
+        return taut_curve_copy(edge->curve, curve) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    }
+    for (int end = 0; end < 2; end++) {
+        memcpy(ends[end], corner_point(r, corner_of(e, end)), sizeof ends[end]);
+    }
+    taut_status status = taut_basis_new(&spec, 2, &basis, error);
+    if (status == TAUT_OK) {
+        status = taut_curve_new(NULL, basis, ends[0], NULL, curve, error);
+    }
+    taut_basis_free(basis);
+    return status;
+}
+
+/* How near to its curve the space of the problem lets an edge come. */
+static taut_status fit_edge(const taut_curve *wanted, const taut_basis *basis, double *bound,
+                            taut_error *error)
+{
+    taut_curve *fit = NULL;
+    taut_status status = taut_certify_fit(wanted, basis, &fit);
+
+    *bound = INFINITY;
+    if (status == TAUT_OK) {
+        status = taut_certify_distance(fit, wanted, bound, error);
+    } else {
+        status = status == TAUT_NO_MEMORY ? taut_fail_memory(error) : TAUT_OK;
+    }
+    taut_curve_free(fit);
+    return status;
+}
+
+/* One edge against its own limit. */
+static void judge_edge(const request *r, int e, const taut_curve *found, const taut_curve *wanted,
+                       double distance, double fitted, boundary *b)
+{
+    const int degree = taut_basis_degree(taut_curve_t(wanted));
+    const double roundings = taut_basis_degree(taut_curve_t(found)) + (degree >= 0 ? degree : 5) +
+                             taut_basis_count(taut_curve_t(found));
+    const double size = 2 * r->half, away = taut_norm(corner_point(r, 0));
+    const double residual = distance / size;
+    const double limit =
+        FIT * fitted / size + 64 * roundings * TAUT_UNIT_ROUNDOFF * (1 + away / size);
+
+    if (b->count == 0 || !(residual / limit <= b->residual / b->limit)) {
+        b->residual = residual;
+        b->limit = limit;
+        b->worst = e;
+    }
+    b->count++;
+}
+
+static taut_status check_edge(const request *r, int e, boundary *b, taut_error *error)
+{
+    const taut_surface *s = r->surface;
+    taut_curve *wanted = NULL, *found = NULL;
+    double distance = INFINITY, fitted = 0;
+    taut_status status = make_wanted(r, e, &wanted, error);
+
+    if (status == TAUT_OK) {
+        status = taut_certify_edge(taut_surface_u(s), taut_surface_v(s), taut_surface_points(s),
+                                   NULL, e, &found, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_certify_distance(found, wanted, &distance, error);
+    }
+    if (status == TAUT_OK && r->problem->edges[e].curve != NULL) {
+        status = fit_edge(wanted, taut_curve_t(found), &fitted, error);
+    }
+    if (status == TAUT_OK) {
+        judge_edge(r, e, found, wanted, distance, fitted, b);
+    }
+    taut_curve_free(wanted);
+    taut_curve_free(found);
+    return status;
+}
+
+static taut_status add_boundary(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    boundary b = {.worst = 0};
+
+    for (int e = 0; e < 4; e++) {
+        if (r->problem->edges[e].kind == TAUT_FILM_FIXED) {
+            const taut_status status = check_edge(r, e, &b, error);
+            if (status != TAUT_OK) {
+                return status;
+            }
+        }
+    }
+    if (b.count == 0) {
+        return TAUT_OK;
+    }
+    taut_claim claim = {.claim = "boundary",
+                        .kind = TAUT_BOUND,
+                        .residual = b.residual,
+                        .limit = b.limit,
+                        .holds = taut_certify_below(b.residual, b.limit),
+                        .where = edge_names[b.worst]};
+    if (claim.holds == TAUT_UNDECIDED) {
+        claim.where = "the certificate's own fit finds no place to stand";
+    }
+    return taut_certificate_add(certificate, &claim) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* Where a corner has to be, if the problem says so itself. */
+static taut_status add_held(const request *r, taut_certificate *certificate)
+{
+    taut_claim claim = {.claim = "held", .kind = TAUT_EXACT, .holds = TAUT_TRUE, .where = ""};
+
+    for (int c = 0; c < 4; c++) {
+        const double apart = r->problem->has_corner[c]
+                                 ? taut_distance(corner_point(r, c), r->problem->corners[c])
+                                 : 0;
+        if (!(apart / (2 * r->half) <= claim.residual)) {
+            claim.residual = apart / (2 * r->half);
+            claim.where = corner_names[c];
+        }
+    }
+    claim.holds = taut_certify_below(claim.residual, 0);
+    return taut_certificate_add(certificate, &claim);
+}
+
+/* How many coordinates of a curve are not those of its edge; all, where its basis is another. */
+static int count_differences(const request *r, const taut_curve *curve, int e)
+{
+    const taut_basis *basis = e < 2 ? r->problem->v : r->problem->u;
+    const size_t nv = (size_t)r->nv, step = e < 2 ? 1 : nv;
+    const size_t first = e == 1 ? (size_t)(r->nu - 1) * nv : e == 3 ? nv - 1 : 0;
+    const int count = e < 2 ? r->nv : r->nu;
+    int differences = 0;
+
+    if (!taut_basis_equal(taut_curve_t(curve), basis) || taut_curve_weights(curve) != NULL) {
+        return 3 * count;
+    }
+    for (int k = 0; k < count; k++) {
+        const double *x = taut_surface_points(r->surface) + 3 * (first + (size_t)k * step);
+        for (int c = 0; c < 3; c++) {
+            differences += taut_curve_points(curve)[3 * k + c] != x[c];
+        }
+    }
+    return differences;
+}
+
+static int find_curve(const taut_model *model, const char *name)
+{
+    for (int k = 0; k < taut_model_curve_count(model); k++) {
+        if (strcmp(taut_curve_name(taut_model_curve(model, k)), name) == 0) {
+            return k;
+        }
+    }
+    return -1;
+}
+
+static taut_status add_cables(const request *r, taut_certificate *certificate)
+{
+    taut_claim claim = {.claim = "cables", .kind = TAUT_EXACT, .holds = TAUT_TRUE, .where = ""};
+    int count = 0;
+
+    for (int e = 0; e < 4; e++) {
+        if (r->problem->edges[e].kind == TAUT_FILM_CABLE) {
+            const int at = find_curve(r->model, edge_names[e]);
+            const int differences =
+                at < 0 ? 1 : count_differences(r, taut_model_curve(r->model, at), e);
+            claim.where = differences > 0 ? edge_names[e] : claim.where;
+            claim.residual += differences;
+            count++;
+        }
+    }
+    claim.holds = claim.residual == 0 ? TAUT_TRUE : TAUT_FALSE;
+    return count > 0 ? taut_certificate_add(certificate, &claim) : TAUT_OK;
+}
+
+/* ---- at rest ---- */
+
+/* What the derivatives say. */
+typedef struct finding {
+    double residual; /* along moves, or of all coordinates as it counts */
+    double area, lengths[4];
+    double lowest, relative; /* eigenvalue, and times size^2 over the tension */
+    int below, at;
+    int settled;
+} finding;
+
+/* The largest derivative along a coordinate that is not held. */
+static double largest_free(const taut_film_sheet *sheet, const double *gradient, int *point)
+{
+    double largest = 0;
+    for (int i = 0; i < sheet->nu; i++) {
+        for (int j = 0; j < sheet->nv; j++) {
+            const int on_u = i == 0 ? 0 : i == sheet->nu - 1 ? 1 : -1;
+            const int on_v = j == 0 ? 2 : j == sheet->nv - 1 ? 3 : -1;
+            const int free = on_u < 0 && on_v < 0     ? 1
+                             : on_u >= 0 && on_v >= 0 ? 0
+                                                      : sheet->ratios[on_u >= 0 ? on_u : on_v] > 0;
+            const double size = taut_largest_coordinate(gradient + 3 * (i * sheet->nv + j));
+            if (free && !(size <= largest)) {
+                largest = size;
+                *point = i * sheet->nv + j;
+            }
+        }
+    }
+    return largest;
+}
+
+static taut_status find_rest(const request *r, int rule, taut_arena *arena, finding *found)
+{
+    taut_film_sheet sheet;
+    taut_film_moves moves;
+    const size_t count = taut_point_count(r->surface);
+    double *gradient = taut_arena_take(arena, count, 3 * sizeof(double));
+    double *moments = taut_arena_take(arena, count, 3 * sizeof(double));
+    double all = 0;
+    int at_move = 0, at_free = 0;
+
+    if (taut_arena_status(arena) != TAUT_OK ||
+        taut_film_sheet_new(r->surface, r->problem, extra_nodes[rule], arena, &sheet) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_film_sheet_gradient(&sheet, gradient, moments, &found->area, found->lengths);
+    if (taut_film_moves_new(&sheet, moments, &moves) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t k = 0; k < count; k++) {
+        all = taut_certify_max(all, taut_largest_coordinate(gradient + 3 * k));
+    }
+    const double along = taut_film_moves_largest(&moves, gradient, &at_move) / all;
+    const double free =
+        largest_free(&sheet, gradient, &at_free) / all * (r->tolerance / largest_limit);
+    found->residual = taut_certify_max(along, free);
+    found->at = along >= free ? at_move : at_free;
+    found->area = ldexp(found->area, 2 * sheet.unit);
+    for (int e = 0; e < 4; e++) {
+        found->lengths[e] = ldexp(found->lengths[e], sheet.unit);
+    }
+    return TAUT_OK;
+}
+
+/* Nodes are raised until what is found stays, to a quarter of what is allowed. */
+static taut_status settle_rest(const request *r, finding *found)
+{
+    const double limit = fmin(r->tolerance, largest_limit);
+    double before = INFINITY;
+
+    for (int rule = 0; rule < RULES && !found->settled; rule++) {
+        taut_arena *arena = taut_arena_new();
+        const taut_status status = find_rest(r, rule, arena, found);
+        taut_arena_free(arena);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        found->settled = (found->residual <= limit && before <= limit) ||
+                         fabs(found->residual - before) <= 0.25 * fmin(found->residual, before);
+        before = found->residual;
+    }
+    return TAUT_OK;
+}
+
+static taut_status find_stability(const request *r, finding *found)
+{
+    taut_arena *arena = taut_arena_new();
+    const size_t count = taut_point_count(r->surface);
+    double *gradient = taut_arena_take(arena, count, 3 * sizeof(double));
+    double *moments = taut_arena_take(arena, count, 3 * sizeof(double));
+    double area = 0, lengths[4];
+    taut_film_sheet sheet;
+    taut_film_moves moves;
+    taut_status status = taut_arena_status(arena);
+
+    if (status == TAUT_OK) {
+        status = taut_film_sheet_new(r->surface, r->problem, SECOND_EXTRA, arena, &sheet);
+    }
+    if (status == TAUT_OK) {
+        taut_film_sheet_gradient(&sheet, gradient, moments, &area, lengths);
+        status = taut_film_moves_new(&sheet, moments, &moves);
+    }
+    if (status == TAUT_OK) {
+        status = taut_film_moves_lowest(&sheet, &moves, ldexp(r->half, 1 - sheet.unit),
+                                        stable_limit, &found->lowest, &found->below);
+        const double size = ldexp(r->half, 1 - sheet.unit);
+        found->relative = found->lowest * size * size;
+        found->lowest = ldexp(found->lowest * sheet.tension, -2 * sheet.unit);
+    }
+    taut_arena_free(arena);
+    return status == TAUT_NOT_CONVERGED ? TAUT_OK : status;
+}
+
+static taut_status add_stationary(const request *r, const finding *found,
+                                  taut_certificate *certificate)
+{
+    char where[64];
+    taut_claim claim = {.claim = "stationary",
+                        .kind = TAUT_CHECK,
+                        .residual = found->residual,
+                        .limit = fmin(r->tolerance, largest_limit),
+                        .where = where};
+
+    snprintf(where, sizeof where, "/surfaces/0/points/%d/%d", found->at / r->nv, found->at % r->nv);
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    if (claim.holds == TAUT_UNDECIDED) {
+        snprintf(where, sizeof where, TAUT_CERTIFY_OUT_OF_RANGE);
+    } else if (!found->settled) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, "no Gauss rule settles the integrals");
+    }
+    return taut_certificate_add(certificate, &claim);
+}
+
+static taut_status add_stable(const finding *found, taut_certificate *certificate)
+{
+    taut_claim claim = {.claim = "stable",
+                        .kind = TAUT_CHECK,
+                        .residual = found->relative,
+                        .limit = stable_limit,
+                        .where = ""};
+
+    claim.holds = found->below < 0    ? TAUT_UNDECIDED
+                  : found->below == 0 ? taut_certify_above(claim.residual, claim.limit)
+                                      : TAUT_FALSE;
+    if (claim.holds == TAUT_UNDECIDED) {
+        claim.where = "no eigenvalue is found";
+    }
+    return taut_certificate_add(certificate, &claim);
+}
+
+static taut_status add_least(taut_certificate *certificate)
+{
+    const taut_claim claim = {.claim = "least",
+                              .kind = TAUT_BOUND,
+                              .residual = taut_none,
+                              .limit = largest_limit,
+                              .holds = TAUT_UNDECIDED,
+                              .where = "no bound is sought for films yet"};
+    return taut_certificate_add(certificate, &claim);
+}
+
+/* ---- figures ---- */
+
+static void add_lists(const request *r, const finding *found, const taut_film_sheet *sheet,
+                      taut_record *figures)
+{
+    double lengths[4], tensions[4], sags[4], energy = sheet->tension * found->area;
+    int count = 0;
+
+    for (int e = 0; e < 4; e++) {
+        if (r->problem->edges[e].kind == TAUT_FILM_CABLE) {
+            lengths[count] = found->lengths[e];
+            tensions[count] = r->problem->edges[e].force;
+            sags[count++] = taut_film_sag(sheet, e);
+            energy += r->problem->edges[e].force * found->lengths[e];
+        }
+    }
+    taut_record_add_number(figures, "energy", energy);
+    taut_record_add_number(figures, "area", found->area);
+    taut_record_add_numbers(figures, "areas", 1, &found->area);
+    taut_record_add_numbers(figures, "lengths", count, lengths);
+    taut_record_add_numbers(figures, "tensions", count, tensions);
+    taut_record_add_numbers(figures, "sags", count, sags);
+}
+
+static void add_reactions(const taut_film_sheet *sheet, taut_record *figures)
+{
+    double forces[4][3], balance = 0;
+    unsigned char has[4];
+    taut_record *reactions = taut_record_add_list(figures, "reactions");
+
+    taut_film_reactions(sheet, forces, has, &balance);
+    for (int c = 0; c < 4; c++) {
+        if (has[c]) {
+            taut_record_add_numbers(reactions, NULL, 3, forces[c]);
+        }
+    }
+    taut_record_add_number(figures, "balance", balance);
+}
+
+static taut_status add_equilibrium(const request *r, double largest, taut_certificate *certificate)
+{
+    taut_claim claim = {.claim = "equilibrium",
+                        .kind = TAUT_CHECK,
+                        .residual = largest,
+                        .limit = r->problem->equilibrium,
+                        .where = ""};
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    return r->problem->equilibrium > 0 ? taut_certificate_add(certificate, &claim) : TAUT_OK;
+}
+
+static taut_status fill_figures(const request *r, const finding *found, int threads,
+                                taut_arena *arena, taut_record *figures,
+                                taut_certificate *certificate)
+{
+    taut_mean_figures measure;
+    taut_film_sheet sheet;
+    taut_status status = taut_film_sheet_new(r->surface, r->problem, SECOND_EXTRA, arena, &sheet);
+
+    if (status == TAUT_OK) {
+        status = taut_mean_figures_of(r->surface, GRID, threads, &measure);
+    }
+    if (status != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    const taut_film_defects defects = taut_film_defects_of(&sheet);
+    const double mean = 4 * measure.max_abs * r->half;
+    add_lists(r, found, &sheet, figures);
+    add_reactions(&sheet, figures);
+    taut_record_add_number(figures, "lowest_eigenvalue", found->lowest);
+    taut_record_add_number(figures, "mean_curvature", mean);
+    taut_record_add_number(figures, "cable_geodesic", defects.geodesic);
+    taut_record_add_number(figures, "cable_normal", defects.normal);
+    status = add_equilibrium(
+        r, taut_certify_max(mean, taut_certify_max(defects.geodesic, defects.normal)), certificate);
+    return status == TAUT_OK ? taut_record_status(figures) : status;
+}
+
+static taut_status add_figures(const request *r, const finding *found, int threads,
+                               taut_certificate *certificate)
+{
+    taut_arena *arena = taut_arena_new();
+    taut_record *figures = taut_record_new();
+    const taut_status status = fill_figures(r, found, threads, arena, figures, certificate);
+
+    taut_certificate_set_figures(certificate, figures);
+    taut_arena_free(arena);
+    return status;
+}
+
+/* ---- the whole ---- */
+
+static taut_status prove(const request *r, int threads, taut_certificate *certificate)
+{
+    finding found = {.lowest = NAN, .relative = NAN, .below = -1};
+    taut_status status = add_held(r, certificate);
+
+    if (status == TAUT_OK) {
+        status = add_cables(r, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = settle_rest(r, &found);
+    }
+    if (status == TAUT_OK) {
+        status = find_stability(r, &found);
+    }
+    if (status == TAUT_OK) {
+        status = add_stationary(r, &found, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = add_stable(&found, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = add_least(certificate);
+    }
+    return status == TAUT_OK ? add_figures(r, &found, threads, certificate) : status;
+}
+
+static taut_status certify(const taut_model *model, const void *data,
+                           const taut_certify_options *options, taut_certificate *certificate,
+                           taut_error *error)
+{
+    request r;
+    taut_status status = read_request(model, data, &r, error);
+
+    if (status == TAUT_OK) {
+        status = add_boundary(&r, certificate, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return prove(&r, options->threads > 0 ? options->threads : 1, certificate) == TAUT_OK
+               ? TAUT_OK
+               : taut_fail_memory(error);
+}
+
+static void identify(const taut_model *model, const void *data, taut_identity *identity)
+{
+    const taut_film_problem *problem = data;
+
+    (void)model;
+    if (problem == NULL) {
+        taut_identity_surface(identity, 0, NULL, NULL, NULL);
+        return;
+    }
+    const taut_expected_basis u = {.same = problem->u}, v = {.same = problem->v};
+    taut_identity_surface(identity, 0, problem->name != NULL ? problem->name : "film", &u, &v);
+    for (int e = 0; e < 4; e++) {
+        if (problem->edges[e].kind == TAUT_FILM_CABLE) {
+            taut_identity_curve(identity, taut_identity_find_curve(identity, edge_names[e]),
+                                edge_names[e], e < 2 ? &v : &u);
+        }
+    }
+}
+
+const taut_certify_ops taut_certify_film = {.certify = certify, .identify = identify};
+
+taut_status taut_film_certify(const taut_model *model, const taut_film_problem *problem,
+                              const taut_certify_options *options, taut_certificate **certificate,
+                              taut_error *error)
+{
+    return taut_certify_with(&taut_certify_film, "film", model, problem, options, certificate,
+                             error);
+}

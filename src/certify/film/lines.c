@@ -1,0 +1,138 @@
+#include "certify/film/lines.h"
+
+#include "certify/common/verdict.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { GRID = 101 }; /* as the mean curvature is looked at */
+
+/* A place on an edge, scaled. */
+typedef struct spot {
+    double x[3], d[3], dd[3]; /* the curve and its derivatives along the edge */
+    double out[3];            /* the conormal, outwards, unit */
+    double normal[3];         /* of the surface, unit */
+    double speed;
+} spot;
+
+static double parameter(const taut_basis *basis, int k)
+{
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    return k == GRID - 1 ? hi : lo + (hi - lo) * k / (GRID - 1);
+}
+
+/* out points from the film to beyond its edge. */
+static void look(const taut_film_sheet *sheet, int e, double at, spot *s)
+{
+    const taut_surface *surface = sheet->surface;
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const double end_u = e == 0 ? taut_basis_lo(u) : taut_basis_hi(u);
+    const double end_v = e == 2 ? taut_basis_lo(v) : taut_basis_hi(v);
+    double values[TAUT_SURFACE_VECTORS(2)][3];
+
+    (void)taut_surface_eval(surface, e < 2 ? end_u : at, e < 2 ? at : end_v, 2, values[0]);
+    for (int k = 0; k < TAUT_SURFACE_VECTORS(2); k++) {
+        for (int c = 0; c < 3; c++) {
+            const double from = k == TAUT_X ? sheet->origin[c] : 0;
+            values[k][c] = ldexp(values[k][c] - from, -sheet->unit);
+        }
+    }
+    const double *inwards = values[e < 2 ? TAUT_XU : TAUT_XV];
+    memcpy(s->x, values[TAUT_X], sizeof s->x);
+    memcpy(s->d, values[e < 2 ? TAUT_XV : TAUT_XU], sizeof s->d);
+    memcpy(s->dd, values[e < 2 ? TAUT_XVV : TAUT_XUU], sizeof s->dd);
+    taut_cross(values[TAUT_XU], values[TAUT_XV], s->normal);
+    s->speed = taut_length(s->d);
+    const double sign = e % 2 == 0 ? -1 : 1; /* the parameter across grows inwards at u0 and v0 */
+    const double along = taut_dot(inwards, s->d) / (s->speed * s->speed);
+    for (int c = 0; c < 3; c++) {
+        s->out[c] = sign * (inwards[c] - along * s->d[c]);
+    }
+    const double w = taut_length(s->normal), width = taut_length(s->out);
+    for (int c = 0; c < 3; c++) {
+        s->normal[c] /= w;
+        s->out[c] /= width;
+    }
+}
+
+static const taut_basis *basis_of(const taut_film_sheet *sheet, int e)
+{
+    return e < 2 ? taut_surface_v(sheet->surface) : taut_surface_u(sheet->surface);
+}
+
+taut_film_defects taut_film_defects_of(const taut_film_sheet *sheet)
+{
+    taut_film_defects found = {0, 0};
+
+    for (int e = 0; e < 4; e++) {
+        for (int k = 0; k < GRID && sheet->ratios[e] > 0; k++) {
+            spot s;
+            look(sheet, e, parameter(basis_of(sheet, e), k), &s);
+            const double square = s.speed * s.speed, r = sheet->ratios[e];
+            found.geodesic =
+                taut_certify_max(found.geodesic, fabs(r * taut_dot(s.dd, s.out) / square - 1));
+            found.normal =
+                taut_certify_max(found.normal, fabs(r * taut_dot(s.dd, s.normal) / square));
+        }
+    }
+    return found;
+}
+
+double taut_film_sag(const taut_film_sheet *sheet, int e)
+{
+    spot first, last;
+    double chord[3], largest = 0;
+
+    look(sheet, e, parameter(basis_of(sheet, e), 0), &first);
+    look(sheet, e, parameter(basis_of(sheet, e), GRID - 1), &last);
+    taut_difference(last.x, first.x, chord);
+    const double length = taut_length(chord);
+    for (int k = 1; k < GRID - 1; k++) {
+        spot s;
+        double from[3], across[3];
+        look(sheet, e, parameter(basis_of(sheet, e), k), &s);
+        taut_difference(s.x, first.x, from);
+        taut_cross(from, chord, across);
+        largest = taut_certify_max(largest, taut_length(across) / (length * length));
+    }
+    return largest;
+}
+
+/* sum += int nu ds over a held edge, in scaled lengths; *size that of int ds. */
+static void add_held(const taut_film_sheet *sheet, int e, double sum[3], double *size)
+{
+    const taut_film_nodes *nodes = e < 2 ? &sheet->v : &sheet->u;
+    for (int k = 0; k < nodes->table->count; k++) {
+        spot s;
+        look(sheet, e, nodes->at[k], &s);
+        taut_add_scaled(-nodes->weights[k] * s.speed, s.out, sum);
+        *size += nodes->weights[k] * s.speed;
+    }
+}
+
+void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsigned char has[4],
+                         double *balance)
+{
+    double sum[3] = {0, 0, 0}, size = 0;
+
+    memset(forces, 0, 12 * sizeof(double));
+    memset(has, 0, 4);
+    for (int e = 0; e < 4; e++) {
+        if (!(sheet->ratios[e] > 0)) {
+            add_held(sheet, e, sum, &size);
+            continue;
+        }
+        for (int end = 0; end < 2; end++) {
+            const int corner = e < 2 ? e + 2 * end : end + 2 * (e - 2);
+            const double sign = end == 0 ? 1 : -1, r = sheet->ratios[e];
+            spot s;
+            look(sheet, e, parameter(basis_of(sheet, e), end * (GRID - 1)), &s);
+            has[corner] = 1;
+            taut_add_scaled(sign * sheet->problem->edges[e].force / s.speed, s.d, forces[corner]);
+            taut_add_scaled(sign * r / s.speed, s.d, sum);
+            size += r;
+        }
+    }
+    *balance = taut_length(sum) / size;
+}

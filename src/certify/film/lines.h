@@ -1,0 +1,28 @@
+/* lines.h -- what the edges of a film do: its cables' bends, and the forces on what holds it.
+ *
+ *     T c'' = s nu      along a cable, nu the conormal of the film pointing outwards
+ *     k_g = c'' . nu,  k_n = c'' . n     so that k_g T / s = 1, k_n = 0 where the film is at rest
+ */
+#ifndef TAUT_CERTIFY_FILM_LINES_H
+#define TAUT_CERTIFY_FILM_LINES_H
+
+#include "certify/film/sheet.h"
+
+/* Largest over places of a uniform grid on every cable, its ends too. */
+typedef struct taut_film_defects {
+    double geodesic; /* |k_g T / s - 1| */
+    double normal;   /* |k_n| T / s */
+} taut_film_defects;
+
+taut_film_defects taut_film_defects_of(const taut_film_sheet *sheet);
+
+/* The largest distance of cable e from its chord over the chord, at places of the same grid. */
+double taut_film_sag(const taut_film_sheet *sheet, int e);
+
+/* forces[c]: what the cables that end in corner c pull it with, in the user's unit; has[c]: is it
+ * the end of one? *balance: |sum of these and of s nu over the held edges| over the sum of their
+ * sizes, 0 where all is in balance. */
+void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsigned char has[4],
+                         double *balance);
+
+#endif /* TAUT_CERTIFY_FILM_LINES_H */

@@ -1,0 +1,431 @@
+#include "certify/film/moves.h"
+
+#include "core/vec3.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { INVERSIONS = 60, SHIFTS = 60 };
+static const double settled = 1e-10; /* share: of the eigenvalue from one inversion to the next */
+
+/* ---- which moves there are ---- */
+
+static void make_unit(double x[3])
+{
+    const double size = taut_norm(x);
+    for (int c = 0; c < 3 && size > 0; c++) {
+        x[c] /= size;
+    }
+}
+
+/* The edge of a point that is no corner, -1 inside, -2 at a corner. */
+static int edge_of(const taut_film_sheet *sheet, int i, int j)
+{
+    const int on_u = i == 0 ? 0 : i == sheet->nu - 1 ? 1 : -1;
+    const int on_v = j == 0 ? 2 : j == sheet->nv - 1 ? 3 : -1;
+    return on_u >= 0 && on_v >= 0 ? -2 : on_u >= 0 ? on_u : on_v;
+}
+
+/* The tangent of edge e at the Greville abscissa of function k. */
+static void find_tangent(const taut_film_sheet *sheet, int e, int k, double t[3])
+{
+    const taut_basis *basis =
+        e < 2 ? taut_surface_v(sheet->surface) : taut_surface_u(sheet->surface);
+    const int degree = taut_basis_degree(basis), n = taut_basis_count(basis);
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    double values[2 * (TAUT_DEGREE_MAX + 1)], at = 0;
+    size_t first = 0, step = 0;
+    int count = 0;
+    taut_basis_spec spec;
+
+    taut_basis_spec_of(basis, &spec);
+    for (int p = 1; p <= degree; p++) {
+        at += (spec.knots != NULL ? spec.knots[k + p] : lo) / degree;
+    }
+    at = spec.knots != NULL ? fmin(hi, fmax(lo, at)) : lo + (hi - lo) * k / (n - 1);
+    const int span = taut_basis_span(basis, at);
+    memset(t, 0, 3 * sizeof(double));
+    if (taut_basis_eval(basis, span, at, 1, values) != TAUT_OK) {
+        return;
+    }
+    taut_film_sheet_edge(sheet, e, &first, &step, &count);
+    for (int a = 0; a <= degree; a++) {
+        taut_add_scaled(
+            values[degree + 1 + a],
+            sheet->points + 3 * (first + (size_t)(taut_basis_first(basis, span) + a) * step), t);
+    }
+    make_unit(t);
+}
+
+static void add_move(taut_film_moves *moves, int point, const double direction[3])
+{
+    if (taut_dot(direction, direction) > 0.5) { /* unit, or none */
+        moves->point[moves->count] = point;
+        memcpy(moves->direction + 3 * moves->count, direction, 3 * sizeof(double));
+        moves->count++;
+    }
+}
+
+static void add_across(taut_film_moves *moves, int point, const double t[3])
+{
+    const double x = fabs(t[0]), y = fabs(t[1]), z = fabs(t[2]);
+    double axis[3] = {0, 0, 0}, p[3], q[3];
+
+    axis[x <= y && x <= z ? 0 : y <= z ? 1 : 2] = 1; /* least along the tangent */
+    taut_cross(t, axis, p);
+    make_unit(p);
+    taut_cross(t, p, q);
+    add_move(moves, point, p);
+    add_move(moves, point, q);
+}
+
+taut_status taut_film_moves_new(const taut_film_sheet *sheet, const double *moments,
+                                taut_film_moves *moves)
+{
+    const size_t points = (size_t)sheet->nu * (size_t)sheet->nv;
+
+    *moves = (taut_film_moves){.count = 0};
+    moves->point = taut_arena_take(sheet->arena, 2 * points, sizeof(int));
+    moves->direction = taut_arena_take(sheet->arena, 2 * points, 3 * sizeof(double));
+    moves->first = taut_arena_take(sheet->arena, points + 1, sizeof(int));
+    if (taut_arena_status(sheet->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < sheet->nu; i++) {
+        for (int j = 0; j < sheet->nv; j++) {
+            const int at = i * sheet->nv + j, e = edge_of(sheet, i, j);
+            double x[3];
+            moves->first[at] = moves->count;
+            if (e == -1) {
+                memcpy(x, moments + 3 * at, sizeof x);
+                make_unit(x);
+                add_move(moves, at, x);
+            } else if (e >= 0 && sheet->ratios[e] > 0) {
+                find_tangent(sheet, e, e < 2 ? j : i, x);
+                add_across(moves, at, x);
+            }
+        }
+    }
+    moves->first[points] = moves->count;
+    return TAUT_OK;
+}
+
+double taut_film_moves_largest(const taut_film_moves *moves, const double *gradient, int *point)
+{
+    double largest = 0;
+    *point = 0;
+    for (int k = 0; k < moves->count; k++) {
+        const double size =
+            fabs(taut_dot(gradient + 3 * (size_t)moves->point[k], moves->direction + 3 * k));
+        if (!(size <= largest)) {
+            largest = size;
+            *point = moves->point[k];
+        }
+    }
+    return largest;
+}
+
+/* ---- matrices: rows from the first entry that is not 0 to the diagonal ---- */
+
+typedef struct profile {
+    int count;
+    const int *begin; /* [count]: column of the first entry of a row */
+    const size_t *at; /* [count]: row i, column j at a[at[i] + j - begin[i]] */
+    size_t size;
+} profile;
+
+typedef struct pencil {
+    profile shape;
+    double *k, *m, *factor; /* [size] */
+} pencil;
+
+static taut_status make_pencil(const taut_film_sheet *sheet, const taut_film_moves *moves,
+                               pencil *p)
+{
+    taut_arena *arena = sheet->arena;
+    const taut_table *u = sheet->u.table, *v = sheet->v.table;
+    int *begin = taut_arena_take(arena, (size_t)moves->count, sizeof(int));
+    size_t *at = taut_arena_take(arena, (size_t)moves->count, sizeof(size_t));
+
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    p->shape = (profile){.count = moves->count, .begin = begin, .at = at};
+    for (int k = 0; k < moves->count; k++) {
+        const int i = moves->point[k] / sheet->nv, j = moves->point[k] % sheet->nv;
+        const int least_i = i - u->local + 1 > 0 ? i - u->local + 1 : 0;
+        const int least_j = j - v->local + 1 > 0 ? j - v->local + 1 : 0;
+        begin[k] = moves->first[least_i * sheet->nv + least_j];
+        begin[k] = begin[k] > k ? k : begin[k];
+        at[k] = p->shape.size;
+        p->shape.size += (size_t)(k - begin[k] + 1);
+    }
+    p->k = taut_arena_take(arena, p->shape.size, sizeof(double));
+    p->m = taut_arena_take(arena, p->shape.size, sizeof(double));
+    p->factor = taut_arena_take(arena, p->shape.size, sizeof(double));
+    return taut_arena_status(arena);
+}
+
+static size_t entry(const profile *shape, int i, int j)
+{
+    return shape->at[i] + (size_t)(j - shape->begin[i]);
+}
+
+/* What a move is at a node. */
+typedef struct moved {
+    int index;
+    double value, u, v; /* N, N_u, N_v */
+    double along;       /* n . direction */
+    const double *direction;
+} moved;
+
+static int gather(const taut_film_sheet *sheet, const taut_film_moves *moves, int a, int b,
+                  const double n[3], moved *list)
+{
+    const taut_table *u = sheet->u.table, *v = sheet->v.table;
+    int count = 0;
+    for (int i = 0; i < u->local; i++) {
+        for (int j = 0; j < v->local; j++) {
+            const int point = (u->first[a] + i) * sheet->nv + v->first[b] + j;
+            const double nu = taut_table_row(u, a, 0)[i], du = taut_table_row(u, a, 1)[i];
+            const double nv = taut_table_row(v, b, 0)[j], dv = taut_table_row(v, b, 1)[j];
+            for (int k = moves->first[point]; k < moves->first[point + 1]; k++) {
+                const double *direction = moves->direction + 3 * k;
+                list[count++] = (moved){.index = k,
+                                        .value = nu * nv,
+                                        .u = du * nv,
+                                        .v = nu * dv,
+                                        .along = taut_dot(n, direction),
+                                        .direction = direction};
+            }
+        }
+    }
+    return count;
+}
+
+static void add_place(pencil *p, const taut_film_place *place, const double n[3], const moved *list,
+                      int count)
+{
+    const double e = place->weight * place->e / place->w, f = place->weight * place->f / place->w,
+                 g = place->weight * place->g / place->w, mass = place->weight * place->w;
+
+    for (int x = 0; x < count; x++) {
+        const moved *s = &list[x];
+        const double along_u = s->along * (g * s->u - f * s->v),
+                     along_v = s->along * (e * s->v - f * s->u);
+        for (int y = 0; y <= x; y++) {
+            const moved *o = &list[y];
+            const double turn = place->weight * taut_det(s->direction, o->direction, n) *
+                                (s->u * o->v - o->u * s->v);
+            const size_t at = entry(&p->shape, s->index, o->index);
+            p->k[at] += o->along * (along_u * o->u + along_v * o->v) + turn;
+            p->m[at] += mass * s->along * s->value * o->along * o->value;
+        }
+    }
+}
+
+/* Across the cable of edge e. */
+static void add_cable(const taut_film_sheet *sheet, const taut_film_moves *moves, int e,
+                      double size, pencil *p)
+{
+    const taut_film_nodes *nodes = e < 2 ? &sheet->v : &sheet->u;
+    const taut_table *table = nodes->table;
+    size_t first = 0, step = 0;
+    int count = 0;
+
+    taut_film_sheet_edge(sheet, e, &first, &step, &count);
+    for (int node = 0; node < table->count; node++) {
+        double t[3];
+        taut_film_sheet_slope(sheet, e, node, t);
+        const double speed = taut_length(t), weight = nodes->weights[node];
+        for (int c = 0; c < 3; c++) {
+            t[c] /= speed;
+        }
+        for (int x = 0; x < table->local; x++) {
+            const size_t px = first + (size_t)(table->first[node] + x) * step;
+            for (int k = moves->first[px]; k < moves->first[px + 1]; k++) {
+                const double *s = moves->direction + 3 * k, s_t = taut_dot(s, t);
+                for (int y = 0; y <= x; y++) {
+                    const size_t py = first + (size_t)(table->first[node] + y) * step;
+                    for (int o = moves->first[py]; o < moves->first[py + 1] && o <= k; o++) {
+                        const double *d = moves->direction + 3 * o;
+                        const double across = taut_dot(s, d) - s_t * taut_dot(d, t);
+                        const size_t at = entry(&p->shape, k, o);
+                        const double *n = taut_table_row(table, node, 0);
+                        const double *slope = taut_table_row(table, node, 1);
+                        p->k[at] +=
+                            sheet->ratios[e] * weight / speed * slope[x] * slope[y] * across;
+                        p->m[at] += size * weight * speed * n[x] * n[y] * across;
+                    }
+                }
+            }
+        }
+    }
+}
+
+static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_moves *moves,
+                               double size, pencil *p)
+{
+    const size_t most = 2 * (size_t)sheet->u.table->local * (size_t)sheet->v.table->local;
+    moved *list = taut_arena_take(sheet->arena, most, sizeof *list);
+
+    if (list == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int a = 0; a < sheet->u.table->count; a++) {
+        for (int b = 0; b < sheet->v.table->count; b++) {
+            taut_film_place place;
+            double n[3];
+            taut_film_sheet_place(sheet, a, b, &place);
+            for (int c = 0; c < 3; c++) {
+                n[c] = place.normal[c] / place.w;
+            }
+            add_place(p, &place, n, list, gather(sheet, moves, a, b, n, list));
+        }
+    }
+    for (int e = 0; e < 4; e++) {
+        if (sheet->ratios[e] > 0) {
+            add_cable(sheet, moves, e, size, p);
+        }
+    }
+    return TAUT_OK;
+}
+
+/* ---- eigenvalues ---- */
+
+/* factor = the factors L D L^T of K - shift M; how many of D are not above 0: as many eigenvalues
+ * are not above the shift (Sylvester). */
+static int factorise(pencil *p, double shift)
+{
+    const profile *s = &p->shape;
+    int below = 0;
+
+    for (size_t k = 0; k < s->size; k++) {
+        p->factor[k] = p->k[k] - shift * p->m[k];
+    }
+    for (int i = 0; i < s->count; i++) {
+        double *row = p->factor + s->at[i];
+        for (int j = s->begin[i]; j < i; j++) { /* row holds L D until its end */
+            const double *other = p->factor + s->at[j];
+            const int from = s->begin[j] > s->begin[i] ? s->begin[j] : s->begin[i];
+            double sum = row[j - s->begin[i]];
+            for (int k = from; k < j; k++) {
+                sum -= row[k - s->begin[i]] * other[k - s->begin[j]];
+            }
+            row[j - s->begin[i]] = sum;
+        }
+        double pivot = row[i - s->begin[i]];
+        for (int j = s->begin[i]; j < i; j++) {
+            const double d = p->factor[entry(s, j, j)], product = row[j - s->begin[i]];
+            row[j - s->begin[i]] = product / d;
+            pivot -= product * (product / d);
+        }
+        row[i - s->begin[i]] = pivot;
+        below += !(pivot > 0);
+    }
+    return below;
+}
+
+static void solve(const pencil *p, double *x)
+{
+    const profile *s = &p->shape;
+    for (int i = 0; i < s->count; i++) {
+        const double *row = p->factor + s->at[i];
+        for (int j = s->begin[i]; j < i; j++) {
+            x[i] -= row[j - s->begin[i]] * x[j];
+        }
+    }
+    for (int i = 0; i < s->count; i++) {
+        x[i] /= p->factor[entry(s, i, i)];
+    }
+    for (int i = s->count - 1; i >= 0; i--) {
+        const double *row = p->factor + s->at[i];
+        for (int j = s->begin[i]; j < i; j++) {
+            x[j] -= row[j - s->begin[i]] * x[i];
+        }
+    }
+}
+
+static void multiply(const profile *s, const double *a, const double *x, double *y)
+{
+    memset(y, 0, (size_t)s->count * sizeof(double));
+    for (int i = 0; i < s->count; i++) {
+        const double *row = a + s->at[i];
+        for (int j = s->begin[i]; j < i; j++) {
+            y[i] += row[j - s->begin[i]] * x[j];
+            y[j] += row[j - s->begin[i]] * x[i];
+        }
+        y[i] += row[i - s->begin[i]] * x[i];
+    }
+}
+
+static double dot(int n, const double *a, const double *b)
+{
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+/* Inverse iterations by factors of K - shift M that are positive definite. */
+static taut_status iterate(const pencil *p, double *x, double *y, double *lowest)
+{
+    const int n = p->shape.count;
+    double before = INFINITY;
+    unsigned seed = 12345;
+
+    for (int i = 0; i < n; i++) { /* a vector that no symmetry shares */
+        seed = 1664525u * seed + 1013904223u;
+        x[i] = (double)(seed >> 8) * 0x1p-24 - 0.25;
+    }
+    for (int k = 0; k < INVERSIONS; k++) {
+        multiply(&p->shape, p->m, x, y);
+        const double size = sqrt(dot(n, x, y));
+        if (!(size > 0) || !isfinite(size)) {
+            return TAUT_NOT_CONVERGED;
+        }
+        for (int i = 0; i < n; i++) {
+            x[i] = y[i] / size;
+        }
+        solve(p, x);
+        multiply(&p->shape, p->m, x, y);
+        const double mass = dot(n, x, y);
+        multiply(&p->shape, p->k, x, y);
+        *lowest = dot(n, x, y) / mass;
+        if (fabs(*lowest - before) <= settled * fabs(*lowest)) {
+            return TAUT_OK;
+        }
+        before = *lowest;
+    }
+    return isfinite(*lowest) ? TAUT_OK : TAUT_NOT_CONVERGED;
+}
+
+taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film_moves *moves,
+                                   double size, double limit, double *lowest, int *below)
+{
+    pencil p = {.k = NULL};
+    double shift = limit;
+
+    *below = -1;
+    if (moves->count == 0) {
+        return TAUT_NOT_CONVERGED;
+    }
+    double *x = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
+    double *y = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
+    if (taut_arena_status(sheet->arena) != TAUT_OK || make_pencil(sheet, moves, &p) != TAUT_OK ||
+        fill_pencil(sheet, moves, size, &p) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    const int found = factorise(&p, limit);
+    for (int k = 0, under = found; under > 0; k++) {
+        if (k == SHIFTS) {
+            return TAUT_NOT_CONVERGED;
+        }
+        shift = k == 0 ? -1 : 2 * shift;
+        under = factorise(&p, shift);
+    }
+    const taut_status status = iterate(&p, x, y, lowest);
+    *below = status == TAUT_OK ? found : -1;
+    return status;
+}

@@ -1,0 +1,195 @@
+#include "certify/film/sheet.h"
+
+#include "core/vec3.h"
+#include "geometry/exponent.h"
+#include "geometry/keep.h"
+#include "numeric/quadrature.h"
+#include "numeric/sum.h"
+
+#include <math.h>
+#include <string.h>
+
+static taut_status make_nodes(const taut_basis *basis, int extra, taut_arena *arena,
+                              taut_film_nodes *nodes)
+{
+    double node[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX];
+    const double *breaks = taut_basis_breaks(basis);
+    const int spans = taut_basis_span_count(basis), wanted = taut_basis_local(basis) + extra;
+    const int each = wanted < TAUT_GAUSS_MAX ? wanted : TAUT_GAUSS_MAX, count = spans * each;
+    int *span = taut_arena_take(arena, (size_t)count, sizeof(int));
+    taut_table *table = NULL;
+
+    nodes->at = taut_arena_take(arena, (size_t)count, sizeof(double));
+    nodes->weights = taut_arena_take(arena, (size_t)count, sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_gauss_rule(each, node, weight);
+    for (int k = 0; k < count; k++) {
+        const double lo = breaks[k / each], hi = breaks[k / each + 1];
+        span[k] = k / each;
+        nodes->at[k] = fmin(hi, lo + 0.5 * (hi - lo) * (1 + node[k % each]));
+        nodes->weights[k] = 0.5 * (hi - lo) * weight[k % each];
+    }
+    const taut_status status = taut_table_new(basis, count, nodes->at, span, 1, &table);
+    if (status != TAUT_OK || !taut_keep_table(arena, table)) {
+        return TAUT_NO_MEMORY;
+    }
+    nodes->table = table;
+    return TAUT_OK;
+}
+
+static void scale_points(taut_film_sheet *sheet)
+{
+    const double *from = taut_surface_points(sheet->surface);
+    const size_t count = taut_point_count(sheet->surface);
+    const double half = taut_half_size(count, from);
+
+    sheet->unit = half > 0 ? taut_exponent(half) + 1 : 0;
+    memcpy(sheet->origin, from, sizeof sheet->origin);
+    for (size_t k = 0; k < 3 * count; k++) {
+        sheet->points[k] = ldexp(0.5 * from[k] - 0.5 * from[k % 3], 1 - sheet->unit);
+    }
+}
+
+taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_problem *problem,
+                                int extra, taut_arena *arena, taut_film_sheet *sheet)
+{
+    *sheet = (taut_film_sheet){.arena = arena, .surface = surface, .problem = problem};
+    sheet->nu = taut_basis_count(taut_surface_u(surface));
+    sheet->nv = taut_basis_count(taut_surface_v(surface));
+    sheet->points = taut_arena_take(arena, taut_point_count(surface), 3 * sizeof(double));
+    if (sheet->points == NULL ||
+        make_nodes(taut_surface_u(surface), extra, arena, &sheet->u) != TAUT_OK ||
+        make_nodes(taut_surface_v(surface), extra, arena, &sheet->v) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    scale_points(sheet);
+    sheet->tension = problem->tension > 0 ? problem->tension : 1;
+    for (int e = 0; e < 4; e++) {
+        if (problem->edges[e].kind == TAUT_FILM_CABLE) {
+            sheet->ratios[e] = ldexp(problem->edges[e].force / sheet->tension, -sheet->unit);
+        }
+    }
+    return TAUT_OK;
+}
+
+void taut_film_sheet_place(const taut_film_sheet *sheet, int a, int b, taut_film_place *place)
+{
+    const taut_table *u = sheet->u.table, *v = sheet->v.table;
+    const double *n = taut_table_row(u, a, 0), *d = taut_table_row(u, a, 1);
+    const double *m = taut_table_row(v, b, 0), *s = taut_table_row(v, b, 1);
+
+    *place = (taut_film_place){.weight = sheet->u.weights[a] * sheet->v.weights[b]};
+    for (int i = 0; i < u->local; i++) {
+        const double *row = sheet->points + 3 * ((size_t)(u->first[a] + i) * (size_t)sheet->nv +
+                                                 (size_t)v->first[b]);
+        double still[3] = {0, 0, 0}, along[3] = {0, 0, 0};
+        for (int j = 0; j < v->local; j++) {
+            taut_add_scaled(m[j], row + 3 * j, still);
+            taut_add_scaled(s[j], row + 3 * j, along);
+        }
+        taut_add_scaled(d[i], still, place->u);
+        taut_add_scaled(n[i], along, place->v);
+    }
+    taut_cross(place->u, place->v, place->normal);
+    place->e = taut_dot(place->u, place->u);
+    place->f = taut_dot(place->u, place->v);
+    place->g = taut_dot(place->v, place->v);
+    place->w = taut_length(place->normal);
+}
+
+void taut_film_sheet_edge(const taut_film_sheet *sheet, int e, size_t *first, size_t *step,
+                          int *count)
+{
+    const size_t nv = (size_t)sheet->nv;
+    *first = e == 1 ? (size_t)(sheet->nu - 1) * nv : e == 3 ? nv - 1 : 0;
+    *step = e < 2 ? 1 : nv;
+    *count = e < 2 ? sheet->nv : sheet->nu;
+}
+
+void taut_film_sheet_slope(const taut_film_sheet *sheet, int e, int node, double d[3])
+{
+    const taut_table *t = e < 2 ? sheet->v.table : sheet->u.table;
+    const double *slopes = taut_table_row(t, node, 1);
+    size_t first = 0, step = 0;
+    int count = 0;
+
+    taut_film_sheet_edge(sheet, e, &first, &step, &count);
+    memset(d, 0, 3 * sizeof(double));
+    for (int k = 0; k < t->local; k++) {
+        const size_t at = first + (size_t)(t->first[node] + k) * step;
+        taut_add_scaled(slopes[k], sheet->points + 3 * at, d);
+    }
+}
+
+/* The two fluxes and the normal go back to the points that are alive at the node. */
+static void spread_place(const taut_film_sheet *sheet, int a, int b, const taut_film_place *p,
+                         double *gradient, double *moments)
+{
+    const taut_table *u = sheet->u.table, *v = sheet->v.table;
+    const double *n = taut_table_row(u, a, 0), *d = taut_table_row(u, a, 1);
+    const double *m = taut_table_row(v, b, 0), *s = taut_table_row(v, b, 1);
+    double along_u[3], along_v[3];
+
+    for (int c = 0; c < 3; c++) {
+        along_u[c] = p->weight * (p->g * p->u[c] - p->f * p->v[c]) / p->w;
+        along_v[c] = p->weight * (p->e * p->v[c] - p->f * p->u[c]) / p->w;
+    }
+    for (int i = 0; i < u->local; i++) {
+        const size_t row = (size_t)(u->first[a] + i) * (size_t)sheet->nv + (size_t)v->first[b];
+        for (int j = 0; j < v->local; j++) {
+            double *g = gradient + 3 * (row + (size_t)j), *q = moments + 3 * (row + (size_t)j);
+            taut_add_scaled(d[i] * m[j], along_u, g);
+            taut_add_scaled(n[i] * s[j], along_v, g);
+            taut_add_scaled(p->weight * n[i] * m[j], p->normal, q);
+        }
+    }
+}
+
+/* gradient += r dL of the cable of edge e; its length. */
+static double add_cable(const taut_film_sheet *sheet, int e, double *gradient)
+{
+    const taut_film_nodes *nodes = e < 2 ? &sheet->v : &sheet->u;
+    const taut_table *t = nodes->table;
+    size_t first = 0, step = 0;
+    int count = 0;
+    taut_sum sum = {0, 0};
+
+    taut_film_sheet_edge(sheet, e, &first, &step, &count);
+    for (int node = 0; node < t->count; node++) {
+        const double *slopes = taut_table_row(t, node, 1);
+        double d[3];
+        taut_film_sheet_slope(sheet, e, node, d);
+        const double speed = taut_length(d);
+        taut_sum_add(&sum, nodes->weights[node] * speed);
+        for (int k = 0; k < t->local; k++) {
+            const size_t at = first + (size_t)(t->first[node] + k) * step;
+            taut_add_scaled(sheet->ratios[e] * nodes->weights[node] * slopes[k] / speed, d,
+                            gradient + 3 * at);
+        }
+    }
+    return taut_sum_total(&sum);
+}
+
+void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, double *moments,
+                              double *area, double lengths[4])
+{
+    const size_t size = 3 * (size_t)sheet->nu * (size_t)sheet->nv * sizeof(double);
+    taut_sum sum = {0, 0};
+
+    memset(gradient, 0, size);
+    memset(moments, 0, size);
+    for (int a = 0; a < sheet->u.table->count; a++) {
+        for (int b = 0; b < sheet->v.table->count; b++) {
+            taut_film_place place;
+            taut_film_sheet_place(sheet, a, b, &place);
+            taut_sum_add(&sum, place.weight * place.w);
+            spread_place(sheet, a, b, &place, gradient, moments);
+        }
+    }
+    *area = taut_sum_total(&sum);
+    for (int e = 0; e < 4; e++) {
+        lengths[e] = sheet->ratios[e] > 0 ? add_cable(sheet, e, gradient) : 0;
+    }
+}

@@ -1,0 +1,62 @@
+/* sheet.h -- a film at Gauss nodes of the certificate's own: its energy, what it weighs at each
+ * point, and the derivatives of both.
+ *
+ *     E / s = A + sum r_k L_k,      r = force of a cable over the tension s of the film
+ *     dA    = iint ((G x_u - F x_v) . d_u + (E x_v - F x_u) . d_v) / W du dv
+ *     n_a   = iint N_a x_u x x_v du dv
+ *
+ * E, F, G the first fundamental form: the metric form of the gradient, where the construction has
+ * the one of cross products. All in scaled coordinates: the first corner at 0, about size 1.
+ */
+#ifndef TAUT_CERTIFY_FILM_SHEET_H
+#define TAUT_CERTIFY_FILM_SHEET_H
+
+#include "core/arena.h"
+#include "geometry/grid/table.h"
+#include "taut/film.h"
+
+/* Gauss nodes in one direction. */
+typedef struct taut_film_nodes {
+    taut_table *table; /* order 1; of the arena */
+    double *weights;   /* [table->count] */
+    double *at;        /* [table->count] */
+} taut_film_nodes;
+
+typedef struct taut_film_sheet {
+    taut_arena *arena;
+    const taut_surface *surface;
+    const taut_film_problem *problem;
+    int nu, nv;
+    int unit; /* points were divided by 2^unit */
+    double origin[3];
+    double *points;   /* [nu][nv][3], scaled */
+    double tension;   /* of the film, in the user's unit */
+    double ratios[4]; /* r of each cable, scaled; 0: no cable */
+    taut_film_nodes u, v;
+} taut_film_sheet;
+
+/* x, x_u, x_v at a node, scaled. */
+typedef struct taut_film_place {
+    double u[3], v[3], normal[3]; /* x_u, x_v, x_u x x_v */
+    double e, f, g, w;            /* the first fundamental form; W */
+    double weight;
+} taut_film_place;
+
+/* The surface is that of the problem. `extra` nodes a span more than functions alive. The arena
+ * owns it all. TAUT_NO_MEMORY. */
+taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_problem *problem,
+                                int extra, taut_arena *arena, taut_film_sheet *sheet);
+
+void taut_film_sheet_place(const taut_film_sheet *sheet, int a, int b, taut_film_place *place);
+
+/* Where the points of edge e lie: the first, from one to the next, how many. */
+void taut_film_sheet_edge(const taut_film_sheet *sheet, int e, size_t *first, size_t *step,
+                          int *count);
+/* x_t of edge e at a node of its direction. */
+void taut_film_sheet_slope(const taut_film_sheet *sheet, int e, int node, double d[3]);
+
+/* gradient, moments double[nu][nv][3]; *area, and lengths of the cables, all scaled. */
+void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, double *moments,
+                              double *area, double lengths[4]);
+
+#endif /* TAUT_CERTIFY_FILM_SHEET_H */

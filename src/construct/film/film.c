@@ -1,0 +1,280 @@
+/* film.c -- the construction `film`.
+ *
+ *     1. check the data
+ *     2. corners, held edges, the start (construct/film/space.h)
+ *     3. flat sails that are none are refused (construct/film/flat.h)
+ *     4. Newton steps to the least energy (construct/film/solve.h)
+ *     5. the surface, and each cable as a curve: the row of points at its edge, bit for bit
+ */
+#include "taut/film.h"
+
+#include "construct/common/build.h"
+#include "construct/construct_ops.h"
+#include "construct/film/flat.h"
+#include "construct/film/solve.h"
+#include "core/fail.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double tolerance_least = 1e-14, tolerance_most = 1e-3;
+
+/* Is an inner knot repeated so often that nothing but the energy keeps the film from a crease? */
+static int has_crease(const taut_basis *basis)
+{
+    const int p = taut_basis_degree(basis), n = taut_basis_count(basis);
+    taut_basis_spec spec;
+
+    taut_basis_spec_of(basis, &spec);
+    for (int k = p + 1; spec.knots != NULL && k + p - 1 < n; k++) {
+        if (spec.knots[k] == spec.knots[k + p - 1]) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static taut_status check_basis(const taut_basis *basis, const char *where, taut_error *error)
+{
+    const char *type = taut_basis_type(basis);
+    const int degree = taut_basis_degree(basis);
+    if ((strcmp(type, "bezier") != 0 && strcmp(type, "bspline") != 0) || degree < 2) {
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "basis", where, taut_none,
+                                  "bezier or bspline of degree 2 or more",
+                                  "found a basis of type \"%s\" and degree %d", type, degree);
+    }
+    if (has_crease(basis)) {
+        return taut_fail_expected(
+            error, TAUT_BAD_INPUT, "basis", where, degree,
+            "inner knots that are repeated less often",
+            "found a knot repeated as often as the degree, %d, where the film "
+            "could crease",
+            degree);
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_number(double value, double least, double most, const char *where,
+                                taut_error *error)
+{
+    if (!(value >= least && value <= most)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, value, value < least ? least : most,
+                         "found %.17g, expected a number from %.3g to %.3g", value, least, most);
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_edge(const taut_film_edge *edge, int e, taut_error *error)
+{
+    char where[32];
+    if (edge->kind == TAUT_FILM_FIXED) {
+        return TAUT_OK;
+    }
+    snprintf(where, sizeof where, "/edges/%s/cable/force", taut_film_edge_names[e]);
+    if (edge->kind != TAUT_FILM_CABLE || edge->curve != NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "edge %s is neither fixed nor a cable without a curve",
+                         taut_film_edge_names[e]);
+    }
+    if (!(edge->force > 0) || !isfinite(edge->force)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, edge->force, 0,
+                         "the force of cable %s is %.17g, expected a positive number",
+                         taut_film_edge_names[e], edge->force);
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_corner(const taut_film_problem *problem, int c, taut_error *error)
+{
+    for (int k = 0; problem->has_corner[c] && k < 3; k++) {
+        if (!isfinite(problem->corners[c][k])) {
+            char where[32];
+            snprintf(where, sizeof where, "/corners/%s/%d", taut_film_corner_names[c], k);
+            return taut_fail_expected(error, TAUT_BAD_INPUT, "value", where, problem->corners[c][k],
+                                      "a finite number", "found %.17g", problem->corners[c][k]);
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_options(const taut_film_problem *problem, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+
+    if (problem->tension != 0 && !(problem->tension > 0 && isfinite(problem->tension))) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/tension", problem->tension, 0,
+                         "the tension is %.17g, expected a positive number", problem->tension);
+    }
+    if (problem->tolerance != 0) {
+        status =
+            check_number(problem->tolerance, tolerance_least, tolerance_most, "/tolerance", error);
+    }
+    if (status == TAUT_OK && problem->max_iterations != 0) {
+        status = check_number(problem->max_iterations, 1, 1e6, "/max_iterations", error);
+    }
+    if (status == TAUT_OK && !(problem->equilibrium >= 0 && problem->equilibrium < 1)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/equilibrium", problem->equilibrium, 1,
+                         "found %.17g, expected a number above 0 and below 1",
+                         problem->equilibrium);
+    }
+    return status;
+}
+
+static taut_status check_problem(const taut_film_problem *problem, taut_error *error)
+{
+    if (problem == NULL || problem->u == NULL || problem->v == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "a film problem needs two bases");
+    }
+    taut_status status = check_basis(problem->u, "/u", error);
+    if (status == TAUT_OK) {
+        status = check_basis(problem->v, "/v", error);
+    }
+    const double count =
+        (double)taut_basis_count(problem->u) * (double)taut_basis_count(problem->v);
+    if (status == TAUT_OK && count > TAUT_FILM_POINTS_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/u", count, TAUT_FILM_POINTS_MAX,
+                         "%.0f control points, expected at most %d: give fewer to u or v", count,
+                         TAUT_FILM_POINTS_MAX);
+    }
+    for (int k = 0; status == TAUT_OK && k < 4; k++) {
+        status = check_edge(&problem->edges[k], k, error);
+    }
+    for (int k = 0; status == TAUT_OK && k < 4; k++) {
+        status = check_corner(problem, k, error);
+    }
+    return status == TAUT_OK ? check_options(problem, error) : status;
+}
+
+/* ---- the model ---- */
+
+static void describe_cables(const taut_film_space *space, const taut_film_solution *solution,
+                            taut_record *details)
+{
+    taut_record *cables = taut_record_add_list(details, "cables");
+    for (int e = 0; e < 4; e++) {
+        if (space->ratios[e] > 0) {
+            taut_record *cable = taut_record_add_object(cables, NULL);
+            taut_record_add_text(cable, "edge", taut_film_edge_names[e]);
+            taut_record_add_number(cable, "force", space->problem->edges[e].force);
+            taut_record_add_number(cable, "length", solution->lengths[e]);
+        }
+    }
+    taut_record *supports = taut_record_add_list(details, "supports");
+    for (int c = 0; c < 4; c++) {
+        if (space->ratios[c % 2] > 0 || space->ratios[2 + c / 2] > 0) {
+            taut_record_add_text(supports, NULL, taut_film_corner_names[c]);
+        }
+    }
+}
+
+static taut_record *details_of(const taut_film_space *space, const taut_film_solution *solution)
+{
+    taut_record *details = taut_record_new();
+    const taut_film_problem *problem = space->problem;
+    int fitted = 0;
+
+    taut_record_add_number(details, "unknowns", 3 * (double)space->mask.unknowns);
+    taut_record_add_number(details, "iterations", solution->iterations);
+    taut_record_add_text(details, "method", "full");
+    taut_record_add_text(details, "solver", solution->method);
+    taut_record_add_number(details, "residual", solution->residual);
+    describe_cables(space, solution, details);
+    taut_record *verdict = taut_record_add_object(details, "verdict");
+    taut_record_add_text(verdict, "exists", "found");
+    taut_record_add_text(verdict, "stable", "found");
+    taut_record_add_null(verdict, "least");
+    for (int e = 0; e < 4; e++) {
+        fitted += problem->edges[e].curve != NULL;
+    }
+    if (fitted > 0) {
+        taut_record_add_number(details, "deviation", space->deviation);
+    }
+    return details;
+}
+
+static taut_status add_cable(const taut_film_space *space, int e, const double *points,
+                             taut_arena *arena, taut_model *model, taut_error *error)
+{
+    const taut_basis *basis = e < 2 ? space->problem->v : space->problem->u;
+    size_t first = 0, step = 0;
+    int count = 0;
+    taut_curve *curve = NULL;
+
+    taut_film_edge_points(space->nu, space->nv, e, &first, &step, &count);
+    double *row = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
+    if (row == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k < count; k++) {
+        memcpy(row + 3 * k, points + 3 * (first + (size_t)k * step), 3 * sizeof(double));
+    }
+    const taut_status status =
+        taut_curve_new(taut_film_edge_names[e], basis, row, NULL, &curve, error);
+    return status == TAUT_OK ? taut_construct_add_curve(model, curve, error) : status;
+}
+
+/* What a make is given. */
+typedef struct request {
+    const taut_film_problem *problem;
+    const taut_monitor *monitor;
+} request;
+
+static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
+{
+    const request *r = context;
+    const taut_film_problem *problem = r->problem;
+    taut_film_space space;
+    taut_film_solution solution;
+    taut_surface *surface = NULL;
+    taut_status status = taut_film_space_new(problem, arena, &space, error);
+
+    if (status == TAUT_OK) {
+        status = taut_film_flat_check(&space, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_film_solve(&space, r->monitor, arena, &solution, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_surface_new(problem->name != NULL ? problem->name : "film", problem->u,
+                                  problem->v, solution.points, NULL, &surface, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_construct_add_surface(model, surface, error);
+    }
+    for (int e = 0; status == TAUT_OK && e < 4; e++) {
+        if (space.ratios[e] > 0) {
+            status = add_cable(&space, e, solution.points, arena, model, error);
+        }
+    }
+    return status == TAUT_OK
+               ? taut_construct_set_details(model, details_of(&space, &solution), error)
+               : status;
+}
+
+taut_status taut_film_make(const taut_film_problem *problem, const taut_make_options *options,
+                           taut_model **model, taut_error *error)
+{
+    static const taut_make_options none;
+    request r = {.problem = problem,
+                 .monitor = options != NULL ? &options->monitor : &none.monitor};
+    const taut_status status = check_problem(problem, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (model == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "taut_film_make needs a place for the model");
+    }
+    return taut_construct_build(build, &r, model, error);
+}
+
+static taut_status make(const void *data, const taut_make_options *options, taut_model **model,
+                        taut_error *error)
+{
+    return taut_film_make(data, options, model, error);
+}
+
+const taut_construct_ops taut_construct_film = {.make = make};

@@ -1,0 +1,203 @@
+#include "construct/film/polish.h"
+
+#include "construct/film/greville.h"
+#include "construct/plateau/hessian_band.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { STEPS = 8 };
+static const double enough = 1e-14;  /* residual: rounding from here on */
+static const double stiffness = 1e4; /* over the largest of H: what is left moves 1e-4 a step */
+
+typedef struct work {
+    taut_area_functional *functional;
+    const taut_mask *mask;
+    size_t count;
+    double *net, *gradient, *step, *before; /* [nu][nv][3] */
+    double *directions;                     /* [nu][nv][2][3] */
+    double *moments;                        /* [nu][nv][3] */
+} work;
+
+static void make_unit(double x[3])
+{
+    const double size = taut_length(x);
+    for (int c = 0; c < 3; c++) {
+        x[c] = size > 0 ? x[c] / size : 0;
+    }
+}
+
+/* x_u x x_v times the weight at Gauss point (line, k). */
+static void weighted_normal(const work *w, int line, int k, double normal[3])
+{
+    const taut_area_axis *u = &w->functional->u, *v = &w->functional->v;
+    const double *n = u->value + line * u->local, *d = u->slope + line * u->local;
+    const double *m = v->value + k * v->local, *s = v->slope + k * v->local;
+    double xu[3] = {0, 0, 0}, xv[3] = {0, 0, 0};
+
+    for (int a = 0; a < u->local; a++) {
+        const double *row =
+            w->net + 3 * ((size_t)(u->first[line] + a) * (size_t)w->mask->nv + (size_t)v->first[k]);
+        double still[3] = {0, 0, 0}, along[3] = {0, 0, 0};
+        for (int b = 0; b < v->local; b++) {
+            taut_add_scaled(m[b], row + 3 * b, still);
+            taut_add_scaled(s[b], row + 3 * b, along);
+        }
+        taut_add_scaled(d[a], still, xu);
+        taut_add_scaled(n[a], along, xv);
+    }
+    taut_cross(xu, xv, normal);
+    for (int c = 0; c < 3; c++) {
+        normal[c] *= u->weights[line] * v->weights[k];
+    }
+}
+
+static void find_moments(work *w)
+{
+    const taut_area_axis *u = &w->functional->u, *v = &w->functional->v;
+
+    memset(w->moments, 0, 3 * w->count * sizeof(double));
+    for (int line = 0; line < u->count; line++) {
+        for (int k = 0; k < v->count; k++) {
+            double normal[3];
+            weighted_normal(w, line, k, normal);
+            for (int p = 0; p < u->local * v->local; p++) {
+                const int a = p / v->local, b = p % v->local;
+                const size_t at =
+                    (size_t)(u->first[line] + a) * (size_t)w->mask->nv + (size_t)(v->first[k] + b);
+                taut_add_scaled(u->value[line * u->local + a] * v->value[k * v->local + b], normal,
+                                w->moments + 3 * at);
+            }
+        }
+    }
+}
+
+/* Two directions across the tangent of the cable at the Greville abscissa of its function k. */
+static void lay_across(work *w, const taut_area_cable *cable, const taut_basis *basis, double at,
+                       int k)
+{
+    double values[2 * (TAUT_DEGREE_MAX + 1)], t[3] = {0, 0, 0}, axis[3] = {0, 0, 0};
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    const double where = fmin(hi, lo + at * (hi - lo));
+    const int span = taut_basis_span(basis, where), local = cable->local;
+    double *p = w->directions + 6 * (cable->first + (size_t)k * cable->step), *q = p + 3;
+
+    if (taut_basis_eval(basis, span, where, 1, values) != TAUT_OK) {
+        return;
+    }
+    for (int a = 0; a < local; a++) {
+        const size_t from =
+            cable->first + (size_t)(taut_basis_first(basis, span) + a) * cable->step;
+        taut_add_scaled(values[local + a], w->net + 3 * from, t);
+    }
+    make_unit(t);
+    const double x = fabs(t[0]), y = fabs(t[1]), z = fabs(t[2]);
+    axis[x <= y && x <= z ? 0 : y <= z ? 1 : 2] = 1; /* least along the tangent */
+    taut_cross(t, axis, p);
+    make_unit(p);
+    taut_cross(t, p, q);
+}
+
+static void find_directions(work *w, const taut_basis *bases[2], double *const greville[2])
+{
+    find_moments(w);
+    memset(w->directions, 0, 6 * w->count * sizeof(double));
+    for (size_t i = 0; i < w->count; i++) {
+        memcpy(w->directions + 6 * i, w->moments + 3 * i, 3 * sizeof(double));
+        make_unit(w->directions + 6 * i);
+    }
+    for (int k = 0; k < w->functional->cable_count; k++) {
+        const taut_area_cable *cable = w->functional->cables + k;
+        const int along_v = cable->step == 1;
+        const int count = along_v ? w->mask->nv : w->mask->nu;
+        for (int i = 1; i < count - 1; i++) {
+            lay_across(w, cable, bases[along_v], greville[along_v][i], i);
+        }
+    }
+}
+
+/* The gradient of the net, its part along the directions in `step`, and what that is of all. */
+static double look(work *w)
+{
+    double along = 0, all = 0;
+
+    taut_area_functional_gradient(w->functional, w->net, w->gradient);
+    memset(w->step, 0, 3 * w->count * sizeof(double));
+    for (size_t i = 0; i < w->count; i++) {
+        const double *g = w->gradient + 3 * i;
+        all = fmax(all, taut_largest_coordinate(g));
+        for (int k = 0; k < 2 && !w->mask->known[i]; k++) {
+            const double *p = w->directions + 6 * i + 3 * k;
+            const double size = taut_dot(g, p);
+            along = fmax(along, fabs(size));
+            taut_add_scaled(size, p, w->step + 3 * i);
+        }
+    }
+    return all > 0 ? along / all : 0;
+}
+
+static taut_status polish(work *w, taut_area_hessian *hessian, double residual[2])
+{
+    double found = look(w);
+
+    residual[0] = found;
+    for (int k = 0; k < STEPS && found > enough; k++) {
+        taut_area_hessian_assemble(hessian, w->functional);
+        taut_area_hessian_stiffen(hessian, w->directions, stiffness);
+        if (taut_area_hessian_factor(hessian, 0) != TAUT_OK) {
+            break;
+        }
+        taut_area_hessian_solve(hessian, w->step);
+        memcpy(w->before, w->net, 3 * w->count * sizeof(double));
+        for (size_t i = 0; i < 3 * w->count; i++) {
+            w->net[i] -= w->step[i];
+        }
+        const double next = look(w);
+        if (!(next < 0.5 * found)) { /* rounding, or no minimum along these moves */
+            memcpy(w->net, w->before, 3 * w->count * sizeof(double));
+            break;
+        }
+        found = next;
+    }
+    residual[1] = found;
+    look(w);
+    return TAUT_OK;
+}
+
+taut_status taut_film_polish(taut_area_functional *functional, const taut_mask *mask,
+                             const taut_basis *u, const taut_basis *v, double *net,
+                             double residual[2])
+{
+    work w = {.functional = functional, .mask = mask, .net = net};
+    const taut_basis *bases[2] = {u, v};
+    double *greville[2];
+    taut_area_hessian *hessian = NULL;
+
+    residual[0] = residual[1] = 0;
+    if (!taut_area_hessian_pays(functional, mask)) {
+        return TAUT_OK;
+    }
+    taut_arena *arena = taut_arena_new();
+    w.count = (size_t)mask->nu * (size_t)mask->nv;
+    w.gradient = taut_arena_take(arena, w.count, 3 * sizeof(double));
+    w.step = taut_arena_take(arena, w.count, 3 * sizeof(double));
+    w.before = taut_arena_take(arena, w.count, 3 * sizeof(double));
+    w.moments = taut_arena_take(arena, w.count, 3 * sizeof(double));
+    w.directions = taut_arena_take(arena, w.count, 6 * sizeof(double));
+    greville[0] = taut_arena_take(arena, (size_t)mask->nu, sizeof(double));
+    greville[1] = taut_arena_take(arena, (size_t)mask->nv, sizeof(double));
+    taut_status status = taut_arena_status(arena);
+    if (status == TAUT_OK) {
+        status = taut_area_hessian_new(functional, mask, &hessian);
+    }
+    if (status == TAUT_OK) {
+        taut_film_greville(u, greville[0]);
+        taut_film_greville(v, greville[1]);
+        find_directions(&w, bases, greville);
+        status = polish(&w, hessian, residual);
+    }
+    taut_area_hessian_free(hessian);
+    taut_arena_free(arena);
+    return status;
+}

@@ -1,0 +1,20 @@
+/* polish.h -- the last steps of a film, along the moves that its energy sees.
+ *
+ * Where the whole net has come to rest to what moves within the surface let it, those are held and
+ * Newton's steps go on in the others: an inner point along iint N x_u x x_v du dv, a point of a
+ * cable across the tangent at its Greville abscissa. They converge to rounding.
+ */
+#ifndef TAUT_CONSTRUCT_FILM_POLISH_H
+#define TAUT_CONSTRUCT_FILM_POLISH_H
+
+#include "construct/common/mask.h"
+#include "construct/plateau/area.h"
+
+/* Improves net double[nu][nv][3], on the bases u and v, in place. residual:
+ * the largest derivative along those moves over the largest in the net, before and after. Nets whose
+ * factors do not pay stay as they are. TAUT_NO_MEMORY. */
+taut_status taut_film_polish(taut_area_functional *functional, const taut_mask *mask,
+                             const taut_basis *u, const taut_basis *v, double *net,
+                             double residual[2]);
+
+#endif /* TAUT_CONSTRUCT_FILM_POLISH_H */

@@ -1,0 +1,389 @@
+/* solve.c -- from the start to the film at rest.
+ *
+ *     net = the start;  rule = 1 node more than functions alive on a span
+ *     repeat
+ *         minimise A + sum r_k L_k from net (construct/plateau/trust_region.h)
+ *         a few steps along the moves that this sees (construct/film/polish.h)
+ *         the film has a fold: fail
+ *         the next rule
+ *     until it gives the same energy, and derivatives within the tolerance
+ *     failed, and there are cables:
+ *         factor = 2, 4, ..: the start solved with all forces so many times, until one succeeds
+ *         lower it, from film to film, by steps that are halved where one fails
+ *         1 is reached: done; no step is left: cable-too-weak, the last factor told
+ *
+ * Area does not see moves within the surface. The multiplier of the trust region is that of the
+ * metric operator L_g, which does: of all steps that the area holds for equal it takes the one
+ * whose moves are smoothest, so that what a cable does at the edge is carried inside by the
+ * harmonic extension of the metric, and the net does not fold behind it.
+ */
+#include "construct/film/solve.h"
+
+#include "construct/film/polish.h"
+#include "construct/plateau/newton_step.h"
+#include "construct/plateau/trust_region.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { ITERATIONS_DEFAULT = 200, RULES = 8, DOUBLINGS = 8, LOWERINGS = 64 };
+static const double tolerance_default = 1e-10;
+/* Nodes on a span beyond the functions alive there. */
+static const int extra_nodes[RULES] = {1, 3, 6, 10, 16, 26, 42, 68};
+static const double energy_agreement = 1e-13; /* share: two rules that agree */
+static const double residual_agreement = 0.1; /* of the tolerance */
+static const double area_none = 1e-12;        /* of the size squared */
+static const double step_least = 0x1p-10;     /* of the logarithm of the factor of all forces */
+static const double theta_least = 1e-6;       /* of the metric operator in every step */
+static const double work_most = 2e11;         /* flops of all films on the way: minutes */
+
+typedef struct work {
+    const taut_film_space *space;
+    const taut_monitor *monitor;
+    taut_arena *arena; /* of a solve */
+    taut_dirichlet_form form;
+    taut_area_functional *functional;
+    taut_area_cable cables[4];
+    int edges[4]; /* of the cables */
+    int rule;
+    double *net;
+    taut_trust_region region;
+    int iterations; /* of all films on the way */
+    const char *method;
+} work;
+
+static void drop_rule(work *w)
+{
+    taut_area_functional_free(w->functional);
+    taut_arena_free(w->arena);
+    w->functional = NULL;
+    w->arena = NULL;
+}
+
+/* The functional of a rule, all forces `factor` times what they are. */
+static taut_status take_rule(work *w, int rule, double factor)
+{
+    const taut_film_problem *problem = w->space->problem;
+    int found = 0;
+
+    drop_rule(w);
+    w->arena = taut_arena_new();
+    w->rule = rule;
+    for (int e = 0; e < 4; e++) {
+        if (w->space->ratios[e] > 0) {
+            size_t first = 0, step = 0;
+            int count = 0;
+            taut_film_edge_points(w->space->nu, w->space->nv, e, &first, &step, &count);
+            if (taut_area_cable_new(e < 2 ? problem->v : problem->u, extra_nodes[rule] + 1, first,
+                                    step, w->arena, &w->cables[found]) != TAUT_OK) {
+                return TAUT_NO_MEMORY;
+            }
+            w->cables[found].tension = factor * w->space->ratios[e];
+            w->edges[found++] = e;
+        }
+    }
+    if (taut_area_functional_new(problem->u, problem->v, NULL, extra_nodes[rule], &w->functional) !=
+        TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    w->functional->cables = w->cables;
+    w->functional->cable_count = found;
+    return TAUT_OK;
+}
+
+/* Do normals of neighbouring Gauss points of the last gradient's net look apart? */
+static int is_folded(const taut_area_functional *functional)
+{
+    for (int i = 0; i < functional->u.count; i++) {
+        for (int j = 0; j < functional->v.count; j++) {
+            double here[TAUT_AREA_STATE], next[TAUT_AREA_STATE];
+            taut_area_functional_state(functional, i, j, here);
+            if (i + 1 < functional->u.count) {
+                taut_area_functional_state(functional, i + 1, j, next);
+                if (!(taut_dot(here, next) > 0)) {
+                    return 1;
+                }
+            }
+            if (j + 1 < functional->v.count) {
+                taut_area_functional_state(functional, i, j + 1, next);
+                if (!(taut_dot(here, next) > 0)) {
+                    return 1;
+                }
+            }
+        }
+    }
+    return 0;
+}
+
+static taut_status refuse_fold(const work *w, taut_error *error)
+{
+    return taut_fail(error, TAUT_NOT_CONVERGED, "folds", NULL, w->region.iterations, taut_none,
+                     "the film folds after %d steps: its normal turns over from one point to the "
+                     "next; raise the forces of the cables, or move the corners",
+                     w->region.iterations);
+}
+
+/* What ended the trust region, in the words of films. */
+static taut_status tell_ending(const work *w, const taut_error *inner, taut_status status,
+                               taut_error *error)
+{
+    if (status == TAUT_NO_MEMORY) {
+        return taut_fail_memory(error);
+    }
+    if (status == TAUT_INTERRUPTED) {
+        return taut_fail_status(error, status);
+    }
+    if (strcmp(inner->reason, "folds") == 0) {
+        return refuse_fold(w, error);
+    }
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->region.residual,
+                     w->region.tolerance,
+                     "no film after %d steps: the residual is %.3g, expected at most %.3g",
+                     w->region.iterations, w->region.residual, w->region.tolerance);
+}
+
+/* Minimises by the rule of the moment. */
+static taut_status minimise(work *w, taut_error *error)
+{
+    taut_newton_step *newton = NULL;
+    taut_error inner = {.status = TAUT_OK};
+    taut_status status = taut_newton_step_new(w->functional, &w->form, &w->space->mask, NULL, 1,
+                                              w->monitor, &newton);
+
+    if (status == TAUT_NO_MEMORY) {
+        return taut_fail_memory(error);
+    }
+    if (status != TAUT_OK) {
+        return taut_fail(error, TAUT_NOT_CONVERGED, "ill-conditioned", NULL, taut_none, taut_none,
+                         "the system is too ill-conditioned for double precision: the knots or "
+                         "the degree are too extreme");
+    }
+    w->method = taut_newton_step_method(newton);
+    status = taut_trust_region_minimise(w->functional, newton, &w->region, w->net, &inner);
+    taut_newton_step_free(newton);
+    return status == TAUT_OK ? TAUT_OK : tell_ending(w, &inner, status, error);
+}
+
+/* Steps along the moves that the energy sees; refused where the film has a fold. *before: the
+ * residual along them. */
+static taut_status polish(work *w, double *before, taut_error *error)
+{
+    const taut_film_problem *problem = w->space->problem;
+    double residual[2];
+
+    if (taut_film_polish(w->functional, &w->space->mask, problem->u, problem->v, w->net,
+                         residual) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    *before = residual[0];
+    w->region.residual = residual[1];
+    w->region.area = taut_area_functional_value(w->functional, w->net).area;
+    return is_folded(w->functional) ? refuse_fold(w, error) : TAUT_OK;
+}
+
+static taut_status refuse_rules(const work *w, taut_error *error)
+{
+    return taut_fail(
+        error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->region.residual, w->region.tolerance,
+        "no Gauss rule settles the film: it varies too fast for its knots somewhere, as where "
+        "two edges meet at a very small angle; even out the knots, raise the forces "
+        "or the tolerance");
+}
+
+/* The next rule: *agree where it gives the same energy, and derivatives within the tolerance. */
+static taut_status refine_rule(work *w, double factor, int *agree, taut_error *error)
+{
+    const double before = w->region.area;
+    double residual = 0;
+
+    if (take_rule(w, w->rule + 1, factor) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    const double after = taut_area_functional_value(w->functional, w->net).area;
+    if (!(fabs(after - before) <= energy_agreement * after)) {
+        return TAUT_OK;
+    }
+    const taut_status status = polish(w, &residual, error);
+    *agree = residual <= residual_agreement * w->region.tolerance;
+    return status;
+}
+
+/* net: the film that it goes to with all forces `factor` times what they are. */
+static taut_status find_film(work *w, double factor, taut_error *error)
+{
+    taut_status status = take_rule(w, 0, factor);
+    double residual = 0;
+
+    w->region.iterations = 0; /* its work goes on to be counted: all films on the way share it */
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (int agree = 0; status == TAUT_OK && !agree;) {
+        const int before = w->region.iterations;
+        status = minimise(w, error);
+        w->iterations += w->region.iterations - before;
+        if (status == TAUT_OK) {
+            status = polish(w, &residual, error);
+        }
+        if (status == TAUT_OK) {
+            status = w->rule + 1 < RULES ? refine_rule(w, factor, &agree, error)
+                                         : refuse_rules(w, error);
+        }
+    }
+    return status;
+}
+
+/* ---- weak cables ---- */
+
+static taut_status refuse_weak(const work *w, double least, taut_error *error)
+{
+    const taut_film_problem *problem = w->space->problem;
+    const int e = w->edges[0];
+    char where[32] = "/edges/u0/cable";
+    memcpy(where + 7, taut_film_edge_names[e], 2);
+    return taut_fail(error, TAUT_NO_SOLUTION, "cable-too-weak", where, problem->edges[e].force,
+                     least * problem->edges[e].force,
+                     "the cables are too weak for this film: lowered together from where there is "
+                     "a film, the last found is at %.6g times their forces (%.6g for edge %s); "
+                     "below it the film draws a cable into another edge, or folds",
+                     least, least * problem->edges[e].force, taut_film_edge_names[e]);
+}
+
+static taut_status pass_on(const taut_error *inner, taut_error *error)
+{
+    if (error != NULL) {
+        *error = *inner;
+    }
+    return inner->status;
+}
+
+/* net: a film with all forces *factor times, from the start. */
+static taut_status find_strong(work *w, double *factor, taut_error *error)
+{
+    taut_error inner = {.status = TAUT_NOT_CONVERGED};
+    *factor = 1;
+    for (int k = 0; inner.status == TAUT_NOT_CONVERGED && k < DOUBLINGS; k++) {
+        *factor *= 2;
+        memcpy(w->net, w->space->start, 3 * w->space->count * sizeof(double));
+        inner.status = find_film(w, *factor, &inner);
+    }
+    return inner.status == TAUT_OK ? TAUT_OK : pass_on(&inner, error);
+}
+
+/* From the film at `factor` down to 1. `saved` is a net of scratch. Only a film that folds says that
+ * cables are too weak. */
+static taut_status lower_forces(work *w, double factor, double *saved, taut_error *error)
+{
+    const size_t bytes = 3 * w->space->count * sizeof(double);
+    double step = 0.5; /* the factor is multiplied by 1 - step */
+    taut_error inner = {.status = TAUT_OK};
+
+    for (int k = 0; factor > 1 && k < LOWERINGS && step > step_least; k++) {
+        const double next = fmax(1, factor * (1 - step));
+        memcpy(saved, w->net, bytes);
+        inner.status = find_film(w, next, &inner);
+        if (inner.status == TAUT_OK) {
+            factor = next;
+            continue;
+        }
+        if (inner.status != TAUT_NOT_CONVERGED) {
+            break;
+        }
+        memcpy(w->net, saved, bytes);
+        step *= 0.5;
+    }
+    if (factor > 1 && strcmp(inner.reason, "folds") == 0) {
+        return refuse_weak(w, factor, error);
+    }
+    return factor > 1 ? pass_on(&inner, error) : TAUT_OK;
+}
+
+static taut_status try_stronger(work *w, taut_arena *arena, taut_error *error)
+{
+    double factor = 1;
+    double *saved = taut_arena_take(arena, w->space->count, 3 * sizeof(double));
+    taut_status status = saved != NULL ? find_strong(w, &factor, error) : taut_fail_memory(error);
+
+    return status == TAUT_OK ? lower_forces(w, factor, saved, error) : status;
+}
+
+/* ---- the whole ---- */
+
+static int has_cables(const taut_film_space *space)
+{
+    return space->ratios[0] > 0 || space->ratios[1] > 0 || space->ratios[2] > 0 ||
+           space->ratios[3] > 0;
+}
+
+static taut_status find_net(work *w, taut_arena *arena, taut_error *error)
+{
+    taut_status status = take_rule(w, 0, 1);
+
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    w->functional->cable_count = 0; /* the area alone */
+    const double area = taut_area_functional_value(w->functional, w->net).area;
+    if (!(area > area_none)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-area", "/corners", area, area_none,
+                         "the edges span no area: give corners that are not on one line");
+    }
+    taut_error inner = {.status = TAUT_OK};
+    inner.status = find_film(w, 1, &inner);
+    if (inner.status == TAUT_NOT_CONVERGED && has_cables(w->space) &&
+        w->region.iterations < w->region.max_iterations) {
+        return try_stronger(w, arena, error);
+    }
+    return inner.status == TAUT_OK ? TAUT_OK : pass_on(&inner, error);
+}
+
+static taut_status fill_solution(work *w, taut_arena *arena, taut_film_solution *solution,
+                                 taut_error *error)
+{
+    const taut_film_space *space = w->space;
+    const int unit = space->scaling.outer + space->scaling.inner;
+
+    solution->points = taut_arena_take(arena, space->count, 3 * sizeof(double));
+    if (solution->points == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k < w->functional->cable_count; k++) {
+        solution->lengths[w->edges[k]] = ldexp(taut_area_cable_length(&w->cables[k], w->net), unit);
+    }
+    solution->iterations = w->iterations;
+    solution->residual = w->region.residual;
+    solution->method = w->method;
+    return taut_scaling_undo(&space->scaling, space->count, space->points, space->known, w->net,
+                             solution->points, error);
+}
+
+taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *monitor,
+                            taut_arena *arena, taut_film_solution *solution, taut_error *error)
+{
+    const taut_film_problem *problem = space->problem;
+    work w = {.space = space, .monitor = monitor, .method = "none"};
+    taut_status status = TAUT_OK;
+
+    *solution = (taut_film_solution){.points = NULL};
+    w.region.tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;
+    w.region.max_iterations =
+        problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS_DEFAULT;
+    w.region.work_max = work_most;
+    w.region.theta_least = theta_least;
+    w.net = taut_arena_copy(arena, space->start, space->count, 3 * sizeof(double));
+    if (w.net == NULL) {
+        return taut_fail_memory(error);
+    }
+    status = taut_dirichlet_form_new(problem->u, problem->v, NULL, &w.form, error);
+    if (status == TAUT_OK) {
+        status = find_net(&w, arena, error);
+    }
+    if (status == TAUT_OK) {
+        status = fill_solution(&w, arena, solution, error);
+    }
+    taut_dirichlet_form_clear(&w.form);
+    drop_rule(&w);
+    return status;
+}

@@ -1,0 +1,21 @@
+/* solve.h -- the film of least energy in its spline space. */
+#ifndef TAUT_CONSTRUCT_FILM_SOLVE_H
+#define TAUT_CONSTRUCT_FILM_SOLVE_H
+
+#include "construct/film/space.h"
+#include "taut/monitor.h"
+
+typedef struct taut_film_solution {
+    double *points;    /* [nu][nv][3], in the arena: held ones bit for bit */
+    double lengths[4]; /* of the cables; 0: no cable */
+    int iterations;
+    double residual;    /* largest derivative along a move that the energy sees over the largest */
+    const char *method; /* of the steps: "factors" or "conjugate-gradients" */
+} taut_film_solution;
+
+/* TAUT_NO_SOLUTION: no-area, cable-too-weak; TAUT_NOT_CONVERGED: folds, not-converged;
+ * TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
+taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *monitor,
+                            taut_arena *arena, taut_film_solution *solution, taut_error *error);
+
+#endif /* TAUT_CONSTRUCT_FILM_SOLVE_H */

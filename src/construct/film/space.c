@@ -1,0 +1,325 @@
+/* space.c -- corners, edges and the start of a film.
+ *
+ *     corners   as given, or the ends of the curves that meet there
+ *     held      curves fitted by their moments (construct/common/curve_fit.h), straight edges at the
+ *               Greville abscissae, which is the line itself
+ *     start     chords for cables, and inside the net of Coons,
+ *               (1-a) P_0j + a P_nj + (1-b) P_i0 + b P_im - bilinear(corners),
+ *               a, b the Greville abscissae: the surface of Coons of the four edges, exactly
+ */
+#include "construct/film/space.h"
+
+#include "construct/common/curve_fit.h"
+#include "construct/film/greville.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const char *const taut_film_edge_names[4] = {"u0", "u1", "v0", "v1"};
+const char *const taut_film_corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
+
+/* An end of a curve and a corner are one when they are this close, over the size of the boundary. */
+static const double gap_meeting = 1e-9;
+/* Corners are two when they are further apart than this, over the size. */
+static const double gap_apart = 1e-9;
+
+void taut_film_edge_points(int nu, int nv, int e, size_t *first, size_t *step, int *count)
+{
+    const size_t columns = (size_t)nv;
+    *first = e == 1 ? (size_t)(nu - 1) * columns : e == 3 ? columns - 1 : 0;
+    *step = e < 2 ? 1 : columns;
+    *count = e < 2 ? nv : nu;
+}
+
+static const taut_basis *basis_of(const taut_film_problem *problem, int e)
+{
+    return e < 2 ? problem->v : problem->u;
+}
+
+/* ---- corners ---- */
+
+static void evaluate_end(const taut_curve *curve, int end, double x[3])
+{
+    const taut_basis *t = taut_curve_t(curve);
+    (void)taut_curve_eval(curve, end == 0 ? taut_basis_lo(t) : taut_basis_hi(t), 0, x);
+}
+
+/* The two edges that end at corner c, and which end that is. */
+static void edges_at(int c, int edge[2], int end[2])
+{
+    edge[0] = c % 2; /* u0 or u1 */
+    end[0] = c / 2;
+    edge[1] = 2 + c / 2; /* v0 or v1 */
+    end[1] = c % 2;
+}
+
+static taut_status take_corner(const taut_film_problem *problem, int c, double corner[3],
+                               taut_error *error)
+{
+    int edge[2], end[2];
+
+    if (problem->has_corner[c]) {
+        memcpy(corner, problem->corners[c], 3 * sizeof(double));
+        return TAUT_OK;
+    }
+    edges_at(c, edge, end);
+    for (int k = 0; k < 2; k++) {
+        const taut_film_edge *e = &problem->edges[edge[k]];
+        if (e->kind == TAUT_FILM_FIXED && e->curve != NULL) {
+            evaluate_end(e->curve, end[k], corner);
+            return TAUT_OK;
+        }
+    }
+    char where[32];
+    snprintf(where, sizeof where, "/corners/%s", taut_film_corner_names[c]);
+    return taut_fail_expected(error, TAUT_BAD_INPUT, "corner-missing", where, taut_none,
+                              "a point, or a curve that ends there", "corner %s is not given",
+                              taut_film_corner_names[c]);
+}
+
+/* The largest distance of a held point from the first corner. */
+static double boundary_size(const taut_film_space *space)
+{
+    double size = 0;
+    for (int c = 1; c < 4; c++) {
+        size = fmax(size, taut_distance(space->corners[c], space->corners[0]));
+    }
+    for (int e = 0; e < 4; e++) {
+        const taut_curve *curve = space->problem->edges[e].curve;
+        const int n = curve != NULL ? taut_basis_count(taut_curve_t(curve)) : 0;
+        for (int i = 0; i < n; i++) {
+            size = fmax(size, taut_distance(taut_curve_points(curve) + 3 * i, space->corners[0]));
+        }
+    }
+    return size;
+}
+
+static taut_status check_ends(const taut_film_space *space, int e, double size, taut_error *error)
+{
+    for (int end = 0; end < 2; end++) {
+        const int c = taut_film_corner_of(e, end);
+        char where[32];
+        double x[3];
+        evaluate_end(space->problem->edges[e].curve, end, x);
+        const double gap = taut_distance(x, space->corners[c]);
+        if (!(gap <= gap_meeting * size)) {
+            snprintf(where, sizeof where, "/edges/%s/fixed", taut_film_edge_names[e]);
+            return taut_fail(error, TAUT_BAD_INPUT, "curve-ends", where, gap, gap_meeting * size,
+                             "the curve of edge %s misses corner %s by %.3g, expected at most "
+                             "%.3g: u0 and u1 run with v, v0 and v1 with u",
+                             taut_film_edge_names[e], taut_film_corner_names[c], gap,
+                             gap_meeting * size);
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_apart(const taut_film_space *space, double size, taut_error *error)
+{
+    for (int a = 0; a < 4; a++) {
+        for (int b = a + 1; b < 4; b++) {
+            const double gap = taut_distance(space->corners[a], space->corners[b]);
+            if (!(gap > gap_apart * size)) {
+                return taut_fail(
+                    error, TAUT_NO_SOLUTION, "no-area", "/corners", gap, gap_apart * size,
+                    "corners %s and %s are %.3g apart, expected more than %.3g: give "
+                    "corners that differ",
+                    taut_film_corner_names[a], taut_film_corner_names[b], gap, gap_apart * size);
+            }
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status find_corners(taut_film_space *space, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    for (int c = 0; status == TAUT_OK && c < 4; c++) {
+        status = take_corner(space->problem, c, space->corners[c], error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const double size = boundary_size(space);
+    if (!isfinite(size)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "overflow", "/corners", size, taut_none,
+                         "the corners are farther apart than doubles reach: scale them down");
+    }
+    for (int e = 0; status == TAUT_OK && e < 4; e++) {
+        if (space->problem->edges[e].curve != NULL) {
+            status = check_ends(space, e, size, error);
+        }
+    }
+    return status == TAUT_OK ? check_apart(space, size, error) : status;
+}
+
+/* ---- held edges ---- */
+
+static void lay_chord(const double a[3], const double b[3], int count, const double *at,
+                      size_t step, double *points)
+{
+    for (int k = 0; k < count; k++, points += 3 * step) {
+        for (int c = 0; c < 3; c++) {
+            points[c] = k == 0 ? a[c] : k == count - 1 ? b[c] : (1 - at[k]) * a[c] + at[k] * b[c];
+        }
+    }
+}
+
+static taut_status lay_curve(taut_film_space *space, int e, taut_arena *arena, taut_error *error)
+{
+    const taut_film_problem *problem = space->problem;
+    size_t first = 0, step = 0;
+    int count = 0;
+    double ends[2][3], deviation = 0;
+
+    taut_film_edge_points(space->nu, space->nv, e, &first, &step, &count);
+    double *row = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
+    if (row == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int end = 0; end < 2; end++) {
+        memcpy(ends[end], space->corners[taut_film_corner_of(e, end)], sizeof ends[end]);
+    }
+    const taut_status status = taut_curve_fit(problem->edges[e].curve, basis_of(problem, e),
+                                              (const double(*)[3])ends, row, &deviation);
+    if (status == TAUT_NOT_CONVERGED) {
+        char where[32];
+        snprintf(where, sizeof where, "/edges/%s/fixed", taut_film_edge_names[e]);
+        return taut_fail(error, status, "curve-fit", where, taut_none, taut_none,
+                         "the curve of edge %s cannot be fitted to its basis: the knots, the "
+                         "degree or the points are too extreme",
+                         taut_film_edge_names[e]);
+    }
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    space->deviation = fmax(space->deviation, deviation);
+    for (int k = 0; k < count; k++) {
+        memcpy(space->points + 3 * (first + (size_t)k * step), row + 3 * k, 3 * sizeof(double));
+    }
+    return TAUT_OK;
+}
+
+/* Edge e of the points: its curve, or its chord; a cable is its chord for now. */
+static taut_status lay_edge(taut_film_space *space, int e, double *const greville[2],
+                            taut_arena *arena, taut_error *error)
+{
+    size_t first = 0, step = 0;
+    int count = 0;
+
+    taut_film_edge_points(space->nu, space->nv, e, &first, &step, &count);
+    if (space->problem->edges[e].kind == TAUT_FILM_FIXED) {
+        for (int k = 0; k < count; k++) {
+            space->known[first + (size_t)k * step] = 1;
+        }
+        if (space->problem->edges[e].curve != NULL) {
+            return lay_curve(space, e, arena, error);
+        }
+    }
+    lay_chord(space->corners[taut_film_corner_of(e, 0)], space->corners[taut_film_corner_of(e, 1)],
+              count, greville[e < 2], step, space->points + 3 * first);
+    return TAUT_OK;
+}
+
+/* ---- the start ---- */
+
+static void blend(const taut_film_space *space, const double *net, double a, double b, size_t i,
+                  size_t j, double x[3])
+{
+    const size_t nv = (size_t)space->nv, last_u = (size_t)space->nu - 1, last_v = nv - 1;
+    const double *at[8] = {net + 3 * j,
+                           net + 3 * (last_u * nv + j),
+                           net + 3 * (i * nv),
+                           net + 3 * (i * nv + last_v),
+                           net,
+                           net + 3 * (last_u * nv),
+                           net + 3 * last_v,
+                           net + 3 * (last_u * nv + last_v)};
+    const double share[8] = {1 - a,        a,     1 - b, b, -(1 - a) * (1 - b), -a * (1 - b),
+                             -(1 - a) * b, -a * b};
+    memset(x, 0, 3 * sizeof(double));
+    for (int k = 0; k < 8; k++) {
+        taut_add_scaled(share[k], at[k], x);
+    }
+}
+
+static void fill_inside(taut_film_space *space, double *const greville[2])
+{
+    for (int i = 1; i < space->nu - 1; i++) {
+        for (int j = 1; j < space->nv - 1; j++) {
+            blend(space, space->start, greville[0][i], greville[1][j], (size_t)i, (size_t)j,
+                  space->start + 3 * ((size_t)i * (size_t)space->nv + (size_t)j));
+        }
+    }
+}
+
+static taut_status find_ratios(taut_film_space *space, taut_error *error)
+{
+    const taut_film_problem *problem = space->problem;
+    const double s = problem->tension > 0 ? problem->tension : 1;
+
+    for (int e = 0; e < 4; e++) {
+        if (problem->edges[e].kind != TAUT_FILM_CABLE) {
+            continue;
+        }
+        const double ratio =
+            ldexp(problem->edges[e].force / s, -(space->scaling.outer + space->scaling.inner));
+        if (!(ratio >= TAUT_FILM_FORCE_MIN && ratio <= TAUT_FILM_FORCE_MAX)) {
+            char where[32];
+            snprintf(where, sizeof where, "/edges/%s/cable/force", taut_film_edge_names[e]);
+            return taut_fail(
+                error, TAUT_BAD_INPUT, "value", where, problem->edges[e].force, taut_none,
+                "the force of cable %s is %.3g of the film's tension times its size, "
+                "expected %.0e to %.0e",
+                taut_film_edge_names[e], ratio, TAUT_FILM_FORCE_MIN, TAUT_FILM_FORCE_MAX);
+        }
+        space->ratios[e] = ratio;
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_film_space_new(const taut_film_problem *problem, taut_arena *arena,
+                                taut_film_space *space, taut_error *error)
+{
+    double *greville[2];
+    taut_status status = TAUT_OK;
+
+    *space = (taut_film_space){
+        .problem = problem, .nu = taut_basis_count(problem->u), .nv = taut_basis_count(problem->v)};
+    space->count = (size_t)space->nu * (size_t)space->nv;
+    space->points = taut_arena_take(arena, space->count, 3 * sizeof(double));
+    space->start = taut_arena_take(arena, space->count, 3 * sizeof(double));
+    space->known = taut_arena_take(arena, space->count, 1);
+    greville[0] = taut_arena_take(arena, (size_t)space->nu, sizeof(double));
+    greville[1] = taut_arena_take(arena, (size_t)space->nv, sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = find_corners(space, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_film_greville(problem->u, greville[0]);
+    taut_film_greville(problem->v, greville[1]);
+    for (int e = 0; status == TAUT_OK && e < 4; e++) {
+        status = lay_edge(space, e, greville, arena, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int c = 0; c < 4; c++) { /* cables end in corners that are held */
+        const size_t at = (size_t)(c % 2 * (space->nu - 1)) * (size_t)space->nv +
+                          (size_t)(c / 2 * (space->nv - 1));
+        space->known[at] = 1;
+    }
+    if (taut_mask_new(space->nu, space->nv, space->known, arena, &space->mask) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    space->scaling = taut_scaling_of(space->count, space->points, space->known);
+    taut_scaling_apply(&space->scaling, space->count, space->points, NULL, space->start);
+    fill_inside(space, greville);
+    return find_ratios(space, error);
+}

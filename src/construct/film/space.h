@@ -1,0 +1,42 @@
+/* space.h -- the net of a film before it is solved: what is held, and where the rest starts. */
+#ifndef TAUT_CONSTRUCT_FILM_SPACE_H
+#define TAUT_CONSTRUCT_FILM_SPACE_H
+
+#include "construct/common/mask.h"
+#include "construct/common/scaling.h"
+#include "core/arena.h"
+#include "taut/film.h"
+
+typedef struct taut_film_space {
+    const taut_film_problem *problem;
+    int nu, nv;
+    size_t count;         /* nu nv */
+    double corners[4][3]; /* u0v0, u1v0, u0v1, u1v1 */
+    double deviation;     /* of fitted edges from their curves */
+    double *points;       /* [nu][nv][3]: what is held, in the user's unit; else 0 */
+    unsigned char *known; /* [nu][nv] */
+    taut_mask mask;       /* of known */
+    taut_scaling scaling; /* of the points held */
+    double *start;        /* [nu][nv][3], scaled: chords for cables, a Coons net inside */
+    double ratios[4];     /* force over tension of each cable, in the scaled unit; 0: no cable */
+} taut_film_space;
+
+/* Names of edges and corners, as documents have them. */
+extern const char *const taut_film_edge_names[4];
+extern const char *const taut_film_corner_names[4];
+
+/* Which of the corners edge e runs from (end 0) and to (1). */
+static inline int taut_film_corner_of(int e, int end)
+{
+    return e < 2 ? e + 2 * end : end + 2 * (e - 2);
+}
+
+/* Where the points of edge e lie in a net of nu by nv: the first, from one to the next, how many. */
+void taut_film_edge_points(int nu, int nv, int e, size_t *first, size_t *step, int *count);
+
+/* All of it, in the arena. TAUT_BAD_INPUT, TAUT_NO_SOLUTION, TAUT_NOT_CONVERGED by the reasons of
+ * taut/film.h; TAUT_NO_MEMORY. */
+taut_status taut_film_space_new(const taut_film_problem *problem, taut_arena *arena,
+                                taut_film_space *space, taut_error *error);
+
+#endif /* TAUT_CONSTRUCT_FILM_SPACE_H */

@@ -1,0 +1,72 @@
+# test_film.sh -- films from the command line: a sail, its certificate, what cannot be done and what is not there yet.
+. "$SOURCE/tests/cli/cli.sh"
+
+"$TAUT" example film-sail > sail.json
+run 0 make sail.json -o film.json -o film.step -o film.vtu -o film.svg --report report.json
+for claim in held cables stationary stable identity; do
+    contains err.txt "$claim +holds"
+done
+contains err.txt 'least +undecided'
+contains film.json '"name": "u0"'
+contains film.json '"supports": \["u0v0", "u1v0", "u0v1", "u1v1"\]'
+run 0 certify film.json sail.json
+run 3 certify film.json
+contains err.txt 'give the problem'
+sed 's/"force": 2 } }, "v0"/"force": 2.001 } }, "v0"/' sail.json > other.json
+cmp -s sail.json other.json && complain "no force was changed"
+run 1 certify film.json other.json
+contains err.txt 'stationary +DOES NOT HOLD'
+
+film() { # film CODE PATTERN MEMBERS: a flat sail with these members besides
+    printf '{ "taut": 1, "construct": "film", "corners": { "u0v0": [0,0,0], "u1v0": [2,0,0], "u0v1": [0,2,0], "u1v1": [2,2,0] }, %s }' "$3" > flat.json
+    if [ "$1" = 0 ]; then
+        run 0 make flat.json -o flat-film.json
+    else
+        refused "$1" "$2" make flat.json -o none.json --quiet
+        absent none.json
+    fi
+}
+cables() { # cables FORCE
+    for edge in u0 u1 v0 v1; do
+        printf '"%s": { "cable": { "force": %s } }' "$edge" "$1"
+        [ $edge = v1 ] || printf ', '
+    done
+}
+film 0 '' "\"edges\": { $(cables 2) }"
+contains err.txt 'energy +19\.3057836398'
+film 0 '' '"edges": { "u0": "fixed" }, "tolerance": 1e-9, "name": "plate", "method": "full", "accept": "minimum", "least": false'
+contains err.txt 'area +4$'
+film 4 'cable-too-weak /edges/u0/cable found 1\.4 expected 1\.414213562[0-9]*' "\"edges\": { $(cables 1.4) }"
+contains err.txt 'too weak'
+film 3 'value /edges/u0/cable/force found 0 expected a positive number' "\"edges\": { $(cables 0) }"
+film 3 'type /edges/u0/cable/force' "\"edges\": { $(cables '"strong"') }"
+film 3 'missing /edges/u0/cable/force' '"edges": { "u0": { "cable": {} } }'
+film 3 'conflict /edges/u0 found 2 expected 1' '"edges": { "u0": { "cable": { "force": 2 }, "fixed": 1 } }'
+film 3 'missing /edges/u0 found 0 expected 1' '"edges": { "u0": {} }'
+film 3 'name /edges/u0' '"edges": { "u0": "free" }'
+film 3 'type /edges/v1' '"edges": { "v1": 7 }'
+film 3 'unknown-member /edges/w0' '"edges": { "w0": "fixed" }'
+film 3 'value /tension' '"tension": 0'
+film 3 'value /tolerance' '"tolerance": 0.1'
+film 3 'value /equilibrium' '"equilibrium": 1'
+film 3 'basis /u' '"u": { "type": "bspline", "degree": 1, "count": 5 }'
+film 3 'basis /u found 3 expected inner knots' '"u": { "type": "bspline", "degree": 3, "knots": [0, 0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1, 1] }'
+film 3 'basis /v' '"v": { "type": "c-bezier", "alpha": 1 }'
+film 3 'size /u found 2600 expected 2500' '"u": { "type": "bspline", "degree": 2, "count": 50 }, "v": { "type": "bspline", "degree": 2, "count": 52 }'
+for member in '"force_density": [1, 1]' '"prestress": [1, 1]' '"patches": []' '"seams": [["u0", "u1"]]' '"cells": []' \
+    '"start": {}' '"points": []' '"cables": []' '"images": []' '"updates": 1' '"refine": 1' '"boundary": "x.step"'; do
+    name=$(printf '%s' "$member" | sed 's/"\([a-z_]*\)".*/\1/')
+    film 3 "not-yet /$name" "$member"
+done
+film 3 'not-yet /method' '"method": "normal"'
+film 3 'not-yet /accept' '"accept": "stationary"'
+for edge in '{ "slide": {} }' '{ "mirror": {} }' '{ "pole": null }' '{ "cable": { "force": 1 }, "plane": {} }' \
+    '{ "cable": { "length": 3 } }' '{ "cable": { "sag": 0.1 } }' '{ "cable": { "unstressed": 1, "stiffness": 2 } }' \
+    '{ "fixed": { "circle": {} } }'; do
+    film 3 'not-yet /edges/v0/[a-z/]*' "\"edges\": { \"v0\": $edge }"
+done
+sed 's/"u1v1": \[[^]]*\]/"u1v1": null/' sail.json > null.json
+refused 3 'not-yet /corners/u1v1' make null.json --quiet
+sed 's/, "u1v1": \[[^]]*\]//' sail.json > missing.json
+refused 3 'corner-missing /corners/u1v1' make missing.json --quiet
+finish

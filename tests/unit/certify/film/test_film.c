@@ -1,0 +1,189 @@
+/* test_film.c -- certificates of films that are not what they say: each claim notices what it is
+ * about. */
+#include "certificates.h"
+#include "check.h"
+#include "sails.h"
+
+#include <string.h>
+
+/* The film with one coordinate of its surface moved, and its cables with it if they are to follow. */
+static taut_model *moved(const taut_model *model, size_t index, double by, int with_cables)
+{
+    const taut_surface *from = taut_model_surface(model, 0);
+    const int nu = taut_basis_count(taut_surface_u(from));
+    const int nv = taut_basis_count(taut_surface_v(from));
+    double points[3 * 400];
+    taut_surface *surface = NULL;
+    taut_model *made = NULL;
+
+    memcpy(points, taut_surface_points(from), 3 * (size_t)(nu * nv) * sizeof(double));
+    points[index] += by;
+    CHECK(taut_surface_new("film", taut_surface_u(from), taut_surface_v(from), points, NULL,
+                           &surface, NULL) == TAUT_OK &&
+              taut_model_new(&made) == TAUT_OK && taut_model_add_surface(made, surface) == TAUT_OK,
+          "surface");
+    for (int k = 0; k < taut_model_curve_count(model); k++) {
+        const taut_curve *old = taut_model_curve(model, k);
+        const char *name = taut_curve_name(old);
+        const int n = taut_basis_count(taut_curve_t(old)), along_v = name[0] == 'u';
+        const int first = strcmp(name, "u1") == 0   ? (nu - 1) * nv
+                          : strcmp(name, "v1") == 0 ? nv - 1
+                                                    : 0;
+        double row[3 * 20];
+        taut_curve *curve = NULL;
+        for (int i = 0; i < n; i++) {
+            memcpy(row + 3 * i,
+                   with_cables ? points + 3 * (first + i * (along_v ? 1 : nv))
+                               : taut_curve_points(old) + 3 * i,
+                   3 * sizeof(double));
+        }
+        CHECK(taut_curve_new(name, taut_curve_t(old), row, NULL, &curve, NULL) == TAUT_OK &&
+                  taut_model_add_curve(made, curve) == TAUT_OK,
+              "%s", name);
+    }
+    return made;
+}
+
+static taut_verdict verdict(const taut_model *model, const taut_film_problem *problem,
+                            const char *claim, double *residual)
+{
+    taut_certificate *proof = NULL;
+    CHECK(taut_film_certify(model, problem, NULL, &proof, NULL) == TAUT_OK, "%s", claim);
+    const taut_claim *found = claim_of(proof, claim);
+    const taut_verdict holds = found->holds;
+    *residual = found->residual;
+    taut_certificate_free(proof);
+    return holds;
+}
+
+static void expect(const taut_model *model, const taut_film_problem *problem, const char *claim,
+                   taut_verdict expected)
+{
+    double residual = 0;
+    const taut_verdict holds = verdict(model, problem, claim, &residual);
+    CHECK(holds == expected, "%s: %d at %g, expected %d", claim, (int)holds, residual,
+          (int)expected);
+}
+
+static void expect_moved(const taut_model *model, const taut_film_problem *problem, size_t index,
+                         double by, int with_cables, const char *claim, taut_verdict expected)
+{
+    taut_model *other = moved(model, index, by, with_cables);
+    expect(other, problem, claim, expected);
+    taut_model_free(other);
+}
+
+static void test_claims(void)
+{
+    sail s = sail_new(4, 10, sail_saddle, 2);
+    taut_certificate *proof = NULL;
+    taut_model *model = sail_make(&s, &proof);
+    const size_t inside = 3 * (4 * 10 + 5) + 2, cable = 3 * (0 * 10 + 4) + 0, corner = 3 * 9;
+    taut_film_problem other = s.problem;
+
+    expect_moved(model, &s.problem, inside, 1e-7, 1, "stationary", TAUT_FALSE);
+    expect_moved(model, &s.problem, inside, 1e-12, 1, "stationary", TAUT_TRUE);
+    expect_moved(model, &s.problem, cable, 1e-8, 1, "stationary", TAUT_FALSE);
+    expect_moved(model, &s.problem, corner, 0x1p-52, 1, "held", TAUT_FALSE);
+    expect_moved(model, &s.problem, cable, 1e-15, 0, "cables", TAUT_FALSE);
+    expect_moved(model, &s.problem, inside, 1e-3, 0, "cables", TAUT_TRUE);
+    other.edges[3].force *= 1 + 1e-8;
+    expect(model, &other, "stationary", TAUT_FALSE);
+    other = s.problem;
+    other.tension = 1 + 1e-8;
+    expect(model, &other, "stationary", TAUT_FALSE);
+    other = s.problem;
+    other.name = "sail";
+    expect(model, &other, "identity", TAUT_FALSE);
+    other = s.problem;
+    other.equilibrium = 0.5;
+    expect(model, &other, "equilibrium", TAUT_TRUE);
+    other.equilibrium = 1e-3;
+    expect(model, &other, "equilibrium", TAUT_FALSE);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
+/* Cables of a tenth of the force do not keep this film: its second variation has a direction down. */
+static void test_unstable(void)
+{
+    sail s = sail_new(4, 10, sail_square, 1.5);
+    taut_certificate *proof = NULL;
+    taut_model *model = sail_make(&s, &proof);
+    double residual = 0;
+
+    for (int e = 0; e < 4; e++) {
+        s.problem.edges[e].force = 0.15;
+    }
+    CHECK(verdict(model, &s.problem, "stable", &residual) == TAUT_FALSE && residual < 0, "%g",
+          residual);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
+/* Forces on the corners of the square of force 2: its arcs are of 60 degrees, so that they leave a
+ * corner 30 degrees off their sides. */
+static void test_reactions(void)
+{
+    sail s = sail_new(4, 12, sail_square, 2);
+    taut_certificate *proof = NULL;
+    taut_model *model = sail_make(&s, &proof);
+    const taut_record *first =
+        taut_record_at(taut_record_get(taut_certificate_figures(proof), "reactions"), 0);
+
+    for (size_t c = 0; c < 2; c++) { /* the tangent converges by a power less than the length */
+        CHECK_NEAR(taut_record_number(taut_record_at(first, c)), sqrt(3.0) + 1, 1e-5, "reaction");
+    }
+    CHECK_NEAR(figure_of(proof, "balance"), 0, 1e-10, "balance");
+    CHECK_NEAR(sail_figure(proof, "sags", 2), (2 - sqrt(3.0)) / 2, 1e-7, "sag");
+    CHECK(figure_of(proof, "cable_geodesic") < 1e-3 && figure_of(proof, "cable_geodesic") > 1e-7,
+          "%g", figure_of(proof, "cable_geodesic"));
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
+static void test_boundary(void)
+{
+    sail s = sail_helicoid(4, 12, 1, 1.2);
+    taut_certificate *proof = NULL;
+    taut_model *model = sail_make(&s, &proof);
+    const size_t straight = 3 * (5 * 12) + 1, helix = 3 * (11 * 12 + 5);
+
+    expect_moved(model, &s.problem, straight, 1e-10, 1, "boundary", TAUT_FALSE);
+    expect_moved(model, &s.problem, helix, 1e-4, 1, "boundary", TAUT_FALSE);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
+static void test_refused(void)
+{
+    sail s = sail_new(3, 7, sail_saddle, 2), other = sail_new(3, 8, sail_saddle, 2);
+    taut_certificate *proof = NULL, *none = NULL;
+    taut_model *model = sail_make(&s, &proof);
+    taut_error error;
+
+    CHECK(taut_film_certify(model, NULL, NULL, &none, &error) == TAUT_BAD_INPUT &&
+              strcmp(error.reason, "needs-problem") == 0,
+          "%s", error.reason);
+    CHECK(taut_film_certify(model, &other.problem, NULL, &none, &error) == TAUT_BAD_INPUT &&
+              strcmp(error.reason, "model") == 0,
+          "%s", error.reason);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+    sail_free(&other);
+}
+
+int main(void)
+{
+    test_claims();
+    test_unstable();
+    test_reactions();
+    test_boundary();
+    test_refused();
+    return check_failures != 0;
+}
