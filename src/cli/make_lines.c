@@ -8,6 +8,7 @@
 #include "platform/system.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,9 +24,9 @@ typedef struct lines {
     FILE *out;
     char *text; /* what was read and not yet used: the next line begins at `first` */
     size_t first, end, room;
-    int is_over;      /* the input has no more bytes */
-    long long number; /* of the line that was taken last, from 1 */
-    long long there, made, errors, false_claims;
+    int is_over;    /* the input has no more bytes */
+    int64_t number; /* of the line that was taken last, from 1 */
+    int64_t there, made, errors, false_claims;
 } lines;
 
 static int fail(const char *path, const char *reason, int number)
@@ -196,7 +197,7 @@ static int make_one(lines *l, const char *line, size_t length)
     size_t size = 0;
     int code = 0;
 
-    snprintf(name, sizeof name, "%.4000s:%lld", l->name, l->number);
+    snprintf(name, sizeof name, "%.4000s:%" PRId64, l->name, l->number);
     taut_status status = taut_problem_read_text(line, length, name, &problem, &error);
     if (status == TAUT_OK) {
         status = prove(problem, l->options, &model, &error);
@@ -221,7 +222,7 @@ static int make_all(lines *l)
 {
     const char *line = NULL;
     size_t length = 0;
-    long long i = 0;
+    int64_t i = 0;
     int code = next_problem(l, &line, &length);
     for (; code == 0 && line != NULL; i++) {
         if (i >= l->there) {
@@ -248,10 +249,10 @@ static int open_output(lines *l)
 static void report(const lines *l)
 {
     if (l->there > 0) {
-        fprintf(stderr, "%lld lines were there\n", l->there);
+        fprintf(stderr, "%" PRId64 " lines were there\n", l->there);
     }
-    fprintf(stderr, "%lld made, %lld that do not hold; %lld errors\n", l->made, l->false_claims,
-            l->errors);
+    fprintf(stderr, "%" PRId64 " made, %" PRId64 " that do not hold; %" PRId64 " errors\n", l->made,
+            l->false_claims, l->errors);
 }
 
 static int check_options(const cli_options *options)

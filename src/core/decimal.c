@@ -33,7 +33,7 @@ static void multiply_add(whole *a, uint32_t factor, uint32_t term)
     }
 }
 
-static void multiply_power_of_10(whole *a, long long power)
+static void multiply_power_of_10(whole *a, int64_t power)
 {
     for (; power >= 9; power -= 9) {
         multiply_add(a, 1000000000, 0);
@@ -159,7 +159,7 @@ static double nearest_double(whole *a, whole *b)
 typedef struct digits {
     int count;
     char digit[DIGITS_MAX + 1];
-    long long power;
+    int64_t power;
 } digits;
 
 static int is_digit(char c)
@@ -167,10 +167,10 @@ static int is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-static long long read_exponent(const char *text, const char *end)
+static int64_t read_exponent(const char *text, const char *end)
 {
     const int negative = text < end && *text == '-';
-    long long exponent = 0;
+    int64_t exponent = 0;
     text += text < end && (*text == '-' || *text == '+');
     for (; text < end && is_digit(*text); text++) {
         exponent = exponent < EXPONENT_MAX ? 10 * exponent + (*text - '0') : exponent;

@@ -579,7 +579,7 @@ int taut_system_cut(FILE *stream, double length)
     if (fflush(stream) != 0) {
         return errno;
     }
-    const errno_t reason = _chsize_s(_fileno(stream), (long long)length);
+    const errno_t reason = _chsize_s(_fileno(stream), (int64_t)length);
     return reason != 0 ? reason : _fseeki64(stream, 0, SEEK_END) == 0 ? 0 : errno;
 }
 
@@ -612,7 +612,7 @@ FILE *taut_system_spool(char **text, size_t *length)
 /* All of the file, malloc's. */
 static int read_back(int file, char **text, size_t *length)
 {
-    const long long size = _filelengthi64(file);
+    const int64_t size = _filelengthi64(file);
     char *const block = size >= 0 ? malloc((size_t)size + 1) : NULL;
     taut_source source = {.file = file};
     size_t filled = 0, got = 1;

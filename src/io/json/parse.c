@@ -128,7 +128,7 @@ static int64_t hex_digits(const char *at, const char *end)
         if (digit == NULL) {
             return -1;
         }
-        value = 16 * value + (long)(digit - digits) % 16;
+        value = 16 * value + (int)(digit - digits) % 16;
     }
     return value;
 }

@@ -367,7 +367,7 @@ static void test_limits(const char *program)
     CHECK(request != NULL && taut_cad_put_request(request, &job, 0, NULL), "request: %d", reason);
     CHECK(taut_system_helper_start(&helper, program, request, 60) == 0, "start");
     fclose(request);
-    snprintf(proc, sizeof proc, "/proc/%lld/limits", helper.process);
+    snprintf(proc, sizeof proc, "/proc/%lld/limits", (long long)helper.process);
     for (int i = 0; i < 1000 && found[0] != 20; i++) {
         FILE *file = fopen(proc, "r");
         limits[file != NULL ? fread(limits, 1, sizeof limits - 1, file) : 0] = '\0';
