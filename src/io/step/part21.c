@@ -3,6 +3,7 @@
 #include "io/json/number_text.h"
 #include "io/json/utf8.h"
 
+#include <inttypes.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -75,9 +76,9 @@ static void put_character(taut_part21 *out, const char *bytes, size_t length)
     } else {
         const uint64_t code = length == 1 ? c : decode(bytes, length);
         snprintf(text, sizeof text,
-                 length == 1   ? "\\X\\%02lX"
-                 : length == 4 ? "\\X4\\%08lX\\X0\\"
-                               : "\\X2\\%04lX\\X0\\",
+                 length == 1   ? "\\X\\%02" PRIX64
+                 : length == 4 ? "\\X4\\%08" PRIX64 "\\X0\\"
+                               : "\\X2\\%04" PRIX64 "\\X0\\",
                  code);
         put_word(out, text);
     }
