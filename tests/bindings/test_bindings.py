@@ -42,7 +42,7 @@ table = lib.taut_abi().contents
 LAYOUT = {s.name.decode(): s for s in table.structs[:table.struct_count]}
 ENUMS = {e.name.decode(): {v.word.decode(): v.value for v in e.values[:e.count]} for e in table.enums[:table.enum_count]}
 STATUS = ENUMS["taut_status"]
-CODES = {"int": "i", "double": "d", "long": "l", "size_t": "N"}
+CODES = {"int": "i", "double": "d", "int64_t": "q", "size_t": "N"}
 
 
 def members(name):
@@ -143,7 +143,7 @@ assert {n: s["size"] for n, s in told["structs"].items()} == {n: s.size for n, s
 assert {n: {v["word"]: v["value"] for v in e["values"]} for n, e in told["enums"].items()} == ENUMS
 
 # ctypes lays the same members out by itself; members of unions stand one over the other, which a row in order cannot.
-BASIC = {"int": c.c_int, "double": c.c_double, "long": c.c_long, "size_t": c.c_size_t, "char": c.c_char}
+BASIC = {"int": c.c_int, "double": c.c_double, "int64_t": c.c_int64, "size_t": c.c_size_t, "char": c.c_char}
 made = {}
 
 
