@@ -143,7 +143,7 @@ assert {n: s["size"] for n, s in told["structs"].items()} == {n: s.size for n, s
 assert {n: {v["word"]: v["value"] for v in e["values"]} for n, e in told["enums"].items()} == ENUMS
 
 # ctypes lays the same members out by itself; members of unions stand one over the other, which a row in order cannot.
-BASIC = {"int": c.c_int, "double": c.c_double, "int64_t": c.c_int64, "size_t": c.c_size_t, "char": c.c_char}
+BASIC = {"int": c.c_int, "double": c.c_double, "int64_t": c.c_int64, "size_t": c.c_size_t, "char": c.c_char, "unsigned char": c.c_ubyte}
 made = {}
 
 
