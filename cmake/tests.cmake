@@ -4,7 +4,7 @@
 # say `needs: posix`, or a module, near their top.
 file(GLOB support_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.c ${CMAKE_SOURCE_DIR}/tests/support/oracle/*.c)
 if(WIN32)
-  list(FILTER support_sources EXCLUDE REGEX "/folder_add.c")
+  list(FILTER support_sources EXCLUDE REGEX "/(folder_add|fake_cad).c")
   list(APPEND support_sources ${CMAKE_SOURCE_DIR}/tests/support/windows/posix.c)
 endif()
 add_library(taut_test_support STATIC ${support_sources})

@@ -8,8 +8,9 @@
 
 static taut_outputs *outputs;
 
-static void tidy(void)
+static void tidy(int code)
 {
+    (void)code;
     taut_outputs_abandon(outputs);
 }
 

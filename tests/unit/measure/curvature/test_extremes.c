@@ -100,7 +100,7 @@ static void test_singular(void)
         taut_surface *s = shape_sphere(1);
         taut_surface_measure m;
         CHECK(taut_measure_surface(s, &options, &m, NULL) == TAUT_OK, "sphere");
-        CHECK(m.singular_points == 2 * grid, "grid=%d: %ld", grid, m.singular_points);
+        CHECK(m.singular_points == 2 * grid, "grid=%d: %d", grid, (int)m.singular_points);
         if (grid > 2) {
             CHECK_NEAR(m.max_gaussian, 1, 1e-9, "grid=%d", grid);
         } else {
@@ -134,8 +134,8 @@ static void test_far(void)
             CHECK_NEAR(m.max_abs_mean, near.max_abs_mean, 1e-13, "2^%d", k);
             CHECK_NEAR(m.max_gaussian, near.max_gaussian, 1e-13, "2^%d", k);
             CHECK_NEAR(m.min_gaussian, near.min_gaussian, 1e-13, "2^%d", k);
-            CHECK(m.singular_points == 0 && m.mean_abs_mean < m.max_abs_mean, "2^%d: %ld", k,
-                  m.singular_points);
+            CHECK(m.singular_points == 0 && m.mean_abs_mean < m.max_abs_mean, "2^%d: %d", k,
+                  (int)m.singular_points);
             taut_surface_free(s);
         }
     }

@@ -126,7 +126,7 @@ static void test_cone(void)
         const double area = TAUT_PI * sqrt(1 + h * h) / 4;
         CHECK_NEAR(m.area, area, 1e-13 * area, "h=%g", h);
         CHECK(m.area_error == 0, "h=%g", h);
-        CHECK(m.singular_points == 101, "h=%g: %ld", h, m.singular_points);
+        CHECK(m.singular_points == 101, "h=%g: %d", h, (int)m.singular_points);
         CHECK_NEAR(m.edges[0].length, 0, 1e-15, "h=%g", h);
         CHECK_NEAR(m.edges[1].length, TAUT_PI / 2, 1e-13, "h=%g", h);
         CHECK_NEAR(m.max_gaussian, 0, 1e-10, "h=%g", h);
@@ -177,7 +177,7 @@ static void test_corner(void)
         shape_surface(shape_bezier(2, 0, 1), shape_bezier(2, 0, 1), points[0][0], NULL);
     const taut_surface_measure m = measured(s);
     CHECK_NEAR(m.area, 1.5295319169493771, 1e-12, "corner");
-    CHECK(m.area_error == 0 && m.singular_points == 1, "corner: %ld", m.singular_points);
+    CHECK(m.area_error == 0 && m.singular_points == 1, "corner: %d", (int)m.singular_points);
     taut_surface_free(s);
 }
 
