@@ -13,12 +13,16 @@ target_link_options(taut_web PRIVATE -mexec-model=reactor ${exported} -Wl,--gc-s
 target_link_libraries(taut_web PRIVATE wasi-emulated-signal m)
 set_target_properties(taut_web PROPERTIES OUTPUT_NAME taut SUFFIX .wasm)
 add_custom_command(TARGET taut_web POST_BUILD
-  COMMAND ${WASM_OPT} -O3 --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext
+  COMMAND ${WASM_OPT} -Oz --converge --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext
           $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
-# Documents and pictures are small work, and so is what is proved once when the hand has let go: small code for them.
+# Small code for all but what a hand that drags waits for: numbers, nets and their solves, areas, grids. Reading and setting a point
+# stand between the two.
 set(small_sources ${web_sources})
-list(FILTER small_sources INCLUDE REGEX "/src/(io|draw|mesh|web|shell|problem)/|/certify/(asymptotic|biharmonic|bonnet|film|pipe|plateau)/|/construct/(film|pipe|asymptotic)/")
-set_source_files_properties(${small_sources} PROPERTIES COMPILE_OPTIONS "-Os")
+list(FILTER small_sources EXCLUDE REGEX "/src/(core|numeric|basis|geometry|io/json|io/problem|problem|web)/|/construct/(common|dirichlet|plateau|harmonic|biharmonic)/|/measure/integrate/|/certify/(common|dirichlet)/")
+set_source_files_properties(${small_sources} PROPERTIES COMPILE_OPTIONS "-Oz")
+set(middle_sources ${web_sources})
+list(FILTER middle_sources INCLUDE REGEX "/src/(io/json|io/problem|problem|web|certify/common|certify/dirichlet|construct/harmonic|construct/biharmonic)/")
+set_source_files_properties(${middle_sources} PROPERTIES COMPILE_OPTIONS "-Os")
 # Vectors where loops over numbers are. Not elsewhere, and not out of straight code: of that clang 14 makes wrong code with
 # them (a choice between two structs of two doubles, in certify/bonnet/proof.c, took the second where it was to take the first).
 set(vector_sources ${web_sources})

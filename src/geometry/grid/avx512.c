@@ -4,6 +4,7 @@
 
 #define GRID_LANES 8
 #define GRID_STREAM(pointer, value) _mm256_stream_pd(pointer, (__m256d)(value))
+#define GRID_STREAMS 1
 #define GRID_FENCE() _mm_sfence()
 #include "geometry/grid/kernel_body.h"
 

@@ -1,6 +1,7 @@
 /* baseline.c -- grid kernels for any processor. */
 #define GRID_LANES 2
 #define GRID_STREAM(pointer, value) (FOUR_AT(pointer) = (value))
+#define GRID_STREAMS 0
 #define GRID_FENCE() ((void)0)
 #include "geometry/grid/kernel_body.h"
 

@@ -1,7 +1,8 @@
 /* kernel_body.h -- the loops behind kernel.h, compiled once per instruction set.
  *
  * The including file defines GRID_LANES (doubles in a vector), GRID_STREAM(pointer, four) for a
- * store past the caches, and GRID_FENCE(). A lane is one point, and its sums run in one order:
+ * store past the caches, GRID_STREAMS (0: that is a plain store, and no second code is made for it)
+ * and GRID_FENCE(). A lane is one point, and its sums run in one order:
  * results are the same bit for bit at every width. Vectors are gcc's and clang's vector extension,
  * which both lower to whatever the target has.
  */
@@ -214,8 +215,6 @@ INLINE void interleave_second(const double *planes, int streaming, double *out)
 #undef FOUR_HIGH
 #undef PUT
 
-#undef PUT
-
 /* values[j][c] = plane[c][j], number by number. */
 static void interleave_plain(int numbers, const double *planes, double *out)
 {
@@ -276,11 +275,11 @@ INLINE void fill_kind(int order, int dim, int streaming, const taut_grid_group *
 INLINE void fill_order(int order, int dim, int streaming, const taut_grid_group *groups, int count,
                        const double *polygons, size_t polygon_stride, double *out)
 {
-    if (dim == 4 && streaming) {
+    if (dim == 4 && GRID_STREAMS && streaming) {
         fill_kind(order, 4, 1, groups, count, polygons, polygon_stride, out);
     } else if (dim == 4) {
         fill_kind(order, 4, 0, groups, count, polygons, polygon_stride, out);
-    } else if (streaming) {
+    } else if (GRID_STREAMS && streaming) {
         fill_kind(order, 3, 1, groups, count, polygons, polygon_stride, out);
     } else {
         fill_kind(order, 3, 0, groups, count, polygons, polygon_stride, out);
