@@ -67,8 +67,8 @@ static size_t entries(int n)
 static double *make_right(const taut_gram *gram, int n)
 {
     const int m = n + 2;
-    const taut_tensor tensor = {&gram->stiffness, &gram->mass, &gram->stiffness,
-                                &gram->mass,      1.0,         1.0};
+    const taut_tensor tensor = {
+        &gram->stiffness, &gram->mass, &gram->stiffness, &gram->mass, 1.0, 1.0, NULL};
     double *boundary = memory(entries(m)), *image = memory(entries(m)), *right = memory(entries(n));
     for (int i = 0; i < m; i++) {
         for (int j = 0; j < m; j++) {
@@ -134,7 +134,7 @@ static void free_task(peer_task *task)
 static taut_tensor_solver *make_solver(const peer_task *task)
 {
     taut_tensor_solver *solver = NULL;
-    if (taut_tensor_solver_new(&task->k, &task->m, &task->k, &task->m, 1.0, 1.0, &solver) !=
+    if (taut_tensor_solver_new(&task->k, &task->m, &task->k, &task->m, 1.0, 1.0, NULL, &solver) !=
         TAUT_OK) {
         fail("no solver");
     }
@@ -206,7 +206,7 @@ static double run_make(int n)
 
 static double residual(const peer_task *task, const double *x)
 {
-    const taut_tensor tensor = {&task->k, &task->m, &task->k, &task->m, 1.0, 1.0};
+    const taut_tensor tensor = {&task->k, &task->m, &task->k, &task->m, 1.0, 1.0, NULL};
     double *r = memory(entries(task->n)), norm = 0.0;
     if (taut_tensor_residual(&tensor, 3, task->right, x, r, &norm) != TAUT_OK) {
         fail("no memory");

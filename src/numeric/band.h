@@ -9,6 +9,7 @@
 #ifndef TAUT_NUMERIC_BAND_H
 #define TAUT_NUMERIC_BAND_H
 
+#include "core/pulse.h"
 #include "taut/status.h"
 
 #include <stddef.h>
@@ -61,7 +62,7 @@ enum { TAUT_BAND_TILES_LEAST = 64 }; /* half-width from which the tiles pay */
 size_t taut_band_tiles_work(int n, int width);
 
 /* As taut_band_factor, for a half-width >= TAUT_BAND_TILES_LEAST; the factors agree to rounding.
- * Nothing is allocated. */
-taut_status taut_band_factor_tiled(taut_band *band, double *work);
+ * Nothing is allocated. pulse, which may be NULL, is told of it: TAUT_INTERRUPTED. */
+taut_status taut_band_factor_tiled(taut_band *band, double *work, taut_pulse *pulse);
 
 #endif /* TAUT_NUMERIC_BAND_H */

@@ -139,20 +139,24 @@ static void update_tile(const block *b, int r, int q, const double *left, const 
     }
 }
 
-static void update_rest(const block *b)
+static taut_status update_rest(const block *b, taut_pulse *pulse)
 {
     const int rows = b->kernel->tile_rows, columns = b->kernel->tile_columns;
     const size_t depth = (size_t)(b->end - b->first);
 
     for (int q = 0; q < b->rest; q += columns) {
         const double *right = b->right + (size_t)q * depth;
+        if (taut_pulse_beat(pulse, 2.0 * columns * (double)depth * (b->rest - q))) {
+            return TAUT_INTERRUPTED;
+        }
         for (int r = q / rows * rows; r < b->rest; r += rows) {
             update_tile(b, r, q, b->left + (size_t)r * depth, right);
         }
     }
+    return TAUT_OK;
 }
 
-taut_status taut_band_factor_tiled(taut_band *band, double *work)
+taut_status taut_band_factor_tiled(taut_band *band, double *work, taut_pulse *pulse)
 {
     const size_t stride = stride_for(band->width);
     block b = {.band = band, .kernel = taut_kernel_best(), .stride = stride, .u = work};
@@ -174,7 +178,9 @@ taut_status taut_band_factor_tiled(taut_band *band, double *work)
         }
         factor_panel(&b);
         pack_tiles(&b);
-        update_rest(&b);
+        if (update_rest(&b, pulse) != TAUT_OK) {
+            return TAUT_INTERRUPTED;
+        }
     }
     return TAUT_OK;
 }

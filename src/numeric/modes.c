@@ -109,7 +109,7 @@ static taut_status pack_vectors(const double *vectors, int pairs, const taut_ker
 
 /* One part: the eigenpairs of (k, m), values from `first` on. */
 static taut_status add_part(taut_modes *modes, const taut_band *k, const taut_band *m, int first,
-                            int pairs)
+                            int pairs, taut_pulse *pulse)
 {
     taut_modes_part *part = &modes->part[modes->parts++];
     *part = (taut_modes_part){k->n, k->n, first, NULL, NULL};
@@ -117,7 +117,7 @@ static taut_status add_part(taut_modes *modes, const taut_band *k, const taut_ba
     if (vectors == NULL) {
         return TAUT_NO_MEMORY;
     }
-    taut_status status = taut_eigen_band(k, m, modes->values + first, vectors);
+    taut_status status = taut_eigen_band(k, m, pulse, modes->values + first, vectors);
     if (status == TAUT_OK) {
         status = pack_vectors(vectors, pairs, modes->kernel, part);
     }
@@ -127,27 +127,29 @@ static taut_status add_part(taut_modes *modes, const taut_band *k, const taut_ba
 
 /* half[0]: even, half[1]: odd; of K and of M. */
 static taut_status add_halves(taut_modes *modes, const taut_band *k, const taut_band *m,
-                              taut_band half_k[2], taut_band half_m[2])
+                              taut_band half_k[2], taut_band half_m[2], taut_pulse *pulse)
 {
     const int pairs = modes->n / 2;
     if (split_by_parity(k, &half_k[0], &half_k[1]) != TAUT_OK ||
         split_by_parity(m, &half_m[0], &half_m[1]) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    const taut_status status = add_part(modes, &half_k[0], &half_m[0], 0, pairs);
-    return status == TAUT_OK ? add_part(modes, &half_k[1], &half_m[1], modes->n - pairs, pairs)
-                             : status;
+    const taut_status status = add_part(modes, &half_k[0], &half_m[0], 0, pairs, pulse);
+    return status == TAUT_OK
+               ? add_part(modes, &half_k[1], &half_m[1], modes->n - pairs, pairs, pulse)
+               : status;
 }
 
-static taut_status add_parts(taut_modes *modes, const taut_band *k, const taut_band *m)
+static taut_status add_parts(taut_modes *modes, const taut_band *k, const taut_band *m,
+                             taut_pulse *pulse)
 {
     const int is_mirrored =
         k->n >= 2 && parity_defect(k) <= parity_limit && parity_defect(m) <= parity_limit;
     taut_band half_k[2] = {{0, 0, NULL}, {0, 0, NULL}}, half_m[2] = {{0, 0, NULL}, {0, 0, NULL}};
     if (!is_mirrored) {
-        return add_part(modes, k, m, 0, 0);
+        return add_part(modes, k, m, 0, 0, pulse);
     }
-    const taut_status status = add_halves(modes, k, m, half_k, half_m);
+    const taut_status status = add_halves(modes, k, m, half_k, half_m, pulse);
     for (int p = 0; p < 2; p++) {
         taut_band_clear(&half_k[p]);
         taut_band_clear(&half_m[p]);
@@ -155,7 +157,8 @@ static taut_status add_parts(taut_modes *modes, const taut_band *k, const taut_b
     return status;
 }
 
-taut_status taut_modes_new(const taut_band *k, const taut_band *m, taut_modes **out)
+taut_status taut_modes_new(const taut_band *k, const taut_band *m, taut_pulse *pulse,
+                           taut_modes **out)
 {
     if (!taut_band_is_legal(k) || !taut_band_is_legal(m) || k->n != m->n || out == NULL) {
         return TAUT_BAD_ARGUMENT;
@@ -167,7 +170,8 @@ taut_status taut_modes_new(const taut_band *k, const taut_band *m, taut_modes **
     modes->n = k->n;
     modes->kernel = taut_kernel_best();
     modes->values = taut_alloc((size_t)k->n, sizeof *modes->values);
-    const taut_status status = modes->values != NULL ? add_parts(modes, k, m) : TAUT_NO_MEMORY;
+    const taut_status status =
+        modes->values != NULL ? add_parts(modes, k, m, pulse) : TAUT_NO_MEMORY;
     if (status != TAUT_OK) {
         taut_modes_free(modes);
         return status;

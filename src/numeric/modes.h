@@ -8,6 +8,7 @@
 #ifndef TAUT_NUMERIC_MODES_H
 #define TAUT_NUMERIC_MODES_H
 
+#include "core/pulse.h"
 #include "numeric/band.h"
 #include "numeric/kernel/kernel.h"
 
@@ -35,7 +36,8 @@ typedef struct taut_modes {
 
 /* Statuses as taut_eigen_band; *out untouched on failure. Cost O(n^2 width^2), 16 n^2 bytes, half
  * with parity. */
-taut_status taut_modes_new(const taut_band *k, const taut_band *m, taut_modes **out);
+taut_status taut_modes_new(const taut_band *k, const taut_band *m, taut_pulse *pulse,
+                           taut_modes **out);
 void taut_modes_free(taut_modes *modes); /* NULL is fine */
 
 #endif /* TAUT_NUMERIC_MODES_H */

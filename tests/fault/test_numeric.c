@@ -30,7 +30,7 @@ static taut_status new_modes(const void *context, void **result, taut_error *err
 {
     const fixture *f = context;
     taut_modes *modes = *result;
-    const taut_status status = taut_modes_new(&f->stiff[0], &f->mass[0], &modes);
+    const taut_status status = taut_modes_new(&f->stiff[0], &f->mass[0], NULL, &modes);
     (void)error;
     *result = modes;
     return status;
@@ -40,8 +40,8 @@ static taut_status new_solver(const void *context, void **result, taut_error *er
 {
     const fixture *f = context;
     taut_tensor_solver *solver = *result;
-    const taut_status status =
-        taut_tensor_solver_new(&f->stiff[0], &f->mass[0], &f->stiff[1], &f->mass[1], 1, 2, &solver);
+    const taut_status status = taut_tensor_solver_new(&f->stiff[0], &f->mass[0], &f->stiff[1],
+                                                      &f->mass[1], 1, 2, NULL, &solver);
     (void)error;
     *result = solver;
     return status;
@@ -88,7 +88,7 @@ int main(void)
     for (int i = 0; i < INNER * INNER * RHS; i++) {
         f.right[i] = random_in(-1, 1);
     }
-    CHECK(taut_tensor_solver_new(&f.stiff[0], &f.mass[0], &f.stiff[1], &f.mass[1], 1, 2,
+    CHECK(taut_tensor_solver_new(&f.stiff[0], &f.mass[0], &f.stiff[1], &f.mass[1], 1, 2, NULL,
                                  &f.solver) == TAUT_OK,
           "solver");
     const fault_call calls[] = {

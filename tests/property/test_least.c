@@ -79,7 +79,8 @@ static int check_net(const test_problem *net)
     problem.gap = 1e-5;
     least = fmin(area, film_of(&problem, &fine));
     if (coarse != NULL) {
-        CHECK(taut_plateau_witness_new(taut_model_surface(coarse, 0), &witness) == TAUT_OK, "none");
+        CHECK(taut_plateau_witness_new(taut_model_surface(coarse, 0), NULL, &witness) == TAUT_OK,
+              "none");
     }
     for (int trial = 0; witness != NULL && trial < 12; trial++) {
         const size_t count =

@@ -51,12 +51,6 @@ static int signs_of(const taut_corner_data *data, int code, int signs[4])
     return 1;
 }
 
-static int is_stopped(const taut_monitor *monitor, int code)
-{
-    return monitor != NULL && monitor->progress != NULL &&
-           monitor->progress(monitor->context, code / 32.0, "branches") != 0;
-}
-
 /* Keeps the list in order of energy. */
 static void insert_branch(taut_branches *branches, const taut_branch *branch)
 {
@@ -86,6 +80,7 @@ static taut_status find_in_family(const taut_family *family, const taut_corner_d
                                   taut_branches *branches, taut_error *error)
 {
     taut_branch *const branch = &branches->list[TAUT_BRANCHES_MAX];
+    taut_pulse pulse = {.monitor = monitor, .what = "branches"};
     int allowed = 0;
     double gap = INFINITY;
     const taut_status status = family->prepare(data, room, &branches->closing, error);
@@ -94,18 +89,20 @@ static taut_status find_in_family(const taut_family *family, const taut_corner_d
     }
     for (int code = 0; code < TAUT_BRANCHES_MAX; code++) {
         int signs[4];
-        if (is_stopped(monitor, code)) {
-            return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
-                             "stopped");
-        }
-        if (signs_of(data, code, signs) && family->allows(room, signs)) {
+        pulse.done = code / 32.0;
+        taut_pulse_report(&pulse);
+        if (!pulse.is_stopped && signs_of(data, code, signs) && family->allows(room, signs)) {
             allowed++;
-            family->minimise(room, signs, work, branch);
+            family->minimise(room, signs, work, &pulse, branch);
             gap = fabs(branch->gap) < fabs(gap) ? branch->gap : gap;
             branches->unknowns = branch->unknowns;
             if (branch->found) {
                 insert_branch(branches, branch);
             }
+        }
+        if (pulse.is_stopped) {
+            return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                             "stopped");
         }
     }
     return branches->count > 0 ? TAUT_OK

@@ -5,6 +5,7 @@
 #define TAUT_ASYMPTOTIC_FAMILY_H
 
 #include "construct/asymptotic/branch.h"
+#include "core/pulse.h"
 
 typedef struct taut_family {
     /* Fills what does not depend on the branch; room is zeroed memory of `size` bytes. */
@@ -13,8 +14,9 @@ typedef struct taut_family {
                            taut_error *error);
     /* Can torsions and edges have these signs? Straight edges carry 0. */
     int (*allows)(const void *room, const int signs[4]);
-    /* work: double[TAUT_STARTS_WORK] */
-    void (*minimise)(const void *room, const int signs[4], double *work, taut_branch *branch);
+    /* work: double[TAUT_STARTS_WORK]. Finds nothing where the pulse is stopped. */
+    void (*minimise)(const void *room, const int signs[4], double *work, taut_pulse *pulse,
+                     taut_branch *branch);
 } taut_family;
 
 extern const taut_family taut_family_quartic; /* quartic_minimise.c */

@@ -5,7 +5,8 @@
 
 #include <string.h>
 
-static void minimise(const void *room, const int signs[4], double *work, taut_branch *branch)
+static void minimise(const void *room, const int signs[4], double *work, taut_pulse *pulse,
+                     taut_branch *branch)
 {
     const taut_quartic *const quartic = room;
     taut_quartic_search s;
@@ -16,6 +17,7 @@ static void minimise(const void *room, const int signs[4], double *work, taut_br
     plan.start = taut_quartic_start;
     plan.context = &s;
     plan.work = work;
+    plan.pulse = pulse;
     plan.rule = &s.rule;
     plan.coarse = &quartic->data->coarse;
     plan.fine = &quartic->data->fine;

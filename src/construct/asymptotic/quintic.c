@@ -289,7 +289,8 @@ static int allows(const void *room, const int signs[4])
     return 1;
 }
 
-static void minimise(const void *room, const int signs[4], double *work, taut_branch *branch)
+static void minimise(const void *room, const int signs[4], double *work, taut_pulse *pulse,
+                     taut_branch *branch)
 {
     const taut_corner_data *const data = *(const taut_corner_data *const *)room;
     search s;
@@ -300,6 +301,7 @@ static void minimise(const void *room, const int signs[4], double *work, taut_br
     plan.count = s.count;
     plan.context = &s;
     plan.work = work;
+    plan.pulse = pulse;
     plan.rule = &s.rule;
     plan.coarse = &data->coarse;
     plan.fine = &data->fine;

@@ -17,6 +17,9 @@ typedef struct rough_end {
 
 static int descend(const taut_start_plan *plan, double *x, int rough, taut_minimum *minimum)
 {
+    if (taut_pulse_report(plan->pulse)) {
+        return 0;
+    }
     if (plan->begin != NULL) {
         plan->begin(plan->context, x);
     }

@@ -3,6 +3,7 @@
 #define TAUT_ASYMPTOTIC_STARTS_H
 
 #include "construct/asymptotic/curve_energy.h"
+#include "core/pulse.h"
 #include "numeric/minimise.h"
 
 #include <stdint.h>
@@ -20,13 +21,15 @@ typedef struct taut_start_plan {
     void *context;
     const taut_curve_rule **rule; /* where the objective looks for its rule */
     const taut_curve_rule *coarse, *fine;
-    double *work; /* double[TAUT_STARTS_WORK] */
+    double *work;      /* double[TAUT_STARTS_WORK] */
+    taut_pulse *pulse; /* told of each descent */
 } taut_start_plan;
 
 /* The lowest minimum: every start goes down roughly on the coarse rule, then the lowest is polished
  * on the fine one; one that is no minimum (a valley that falls for ever, a slope that ends at the
  * domain's edge) gives way to the next.
- * x: double[TAUT_MINIMISE_MAX]; the objective was last called there. Returns 0 if none is found. */
+ * x: double[TAUT_MINIMISE_MAX]; the objective was last called there. Returns 0 if none is found, and where the pulse is
+ * stopped. */
 int taut_starts_run(const taut_start_plan *plan, double *x, double *value);
 
 /* splitmix64 ([Steele2014]); the same seed means the same starts everywhere. */

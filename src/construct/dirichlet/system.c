@@ -11,6 +11,7 @@
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "core/pulse.h"
 #include "geometry/nurbs/gram.h"
 #include "numeric/tensor/solver.h"
 
@@ -20,7 +21,7 @@
 struct taut_dirichlet_system {
     taut_dirichlet_form *form;
     const taut_mask *mask;
-    const taut_monitor *monitor;
+    taut_pulse pulse;
     taut_arena *arena;                          /* of the arrays */
     taut_gram u, v;                             /* of the hull */
     taut_tensor_solver *solver;                 /* of the hull */
@@ -60,6 +61,7 @@ double taut_dirichlet_system_natural_aspect(const taut_dirichlet_system *system)
 void taut_dirichlet_system_free(taut_dirichlet_system *system)
 {
     if (system != NULL) {
+        system->form->pulse = NULL;
         taut_gram_clear(&system->u);
         taut_gram_clear(&system->v);
         taut_tensor_solver_free(system->solver);
@@ -125,7 +127,8 @@ static taut_status make_solver(taut_dirichlet_system *system)
             return status;
         }
         status = taut_tensor_solver_new(&u->stiffness, &u->mass, &v->stiffness, &v->mass,
-                                        system->form->fu, system->form->fv, &system->solver);
+                                        system->form->fu, system->form->fv, &system->pulse,
+                                        &system->solver);
     }
     return status;
 }
@@ -137,8 +140,17 @@ static void set_factors(taut_dirichlet_form *form, double aspect)
     taut_dirichlet_form_scale(form, f >= 1 ? 1 : f * f, f >= 1 ? 1 / f / f : 1);
 }
 
+static taut_status fail_interrupted(taut_error *error)
+{
+    return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                     "stopped while solving");
+}
+
 static taut_status refuse_system(taut_status status, taut_error *error)
 {
+    if (status == TAUT_INTERRUPTED) {
+        return fail_interrupted(error);
+    }
     if (status == TAUT_NO_MEMORY) {
         return taut_fail_memory(error);
     }
@@ -169,7 +181,8 @@ taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_mask
     }
     made->form = form;
     made->mask = mask;
-    made->monitor = monitor;
+    made->pulse = (taut_pulse){.monitor = monitor, .what = "solving", .done = taut_none};
+    form->pulse = &made->pulse;
     made->arena = taut_arena_new();
     status = prepare(made);
     if (status != TAUT_OK) {
@@ -214,7 +227,7 @@ static taut_status find_residual(taut_dirichlet_system *system, precision how, c
         how == TWICE ? taut_dirichlet_form_residual(system->form, net, system->residual)
                      : taut_dirichlet_form_apply(system->form, net, system->residual);
     if (status != TAUT_OK) {
-        return taut_fail_memory(error);
+        return refuse_system(status, error);
     }
     for (size_t i = 0; how == PLAIN && i < net_size(system); i++) {
         system->residual[i] = -system->residual[i];
@@ -232,15 +245,9 @@ static taut_status solve_hull(taut_dirichlet_system *system, const double *r)
 }
 
 /* TAUT_INTERRUPTED when the monitor says so. */
-static taut_status report_progress(const taut_dirichlet_system *system, taut_error *error)
+static taut_status report_progress(taut_dirichlet_system *system, taut_error *error)
 {
-    const taut_monitor *monitor = system->monitor;
-    if (monitor != NULL && monitor->progress != NULL &&
-        monitor->progress(monitor->context, taut_none, "solving") != 0) {
-        return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
-                         "stopped while solving");
-    }
-    return TAUT_OK;
+    return taut_pulse_report(&system->pulse) ? fail_interrupted(error) : TAUT_OK;
 }
 
 /* ---- conjugate gradients ---- */
@@ -390,7 +397,7 @@ static taut_status improve_net(taut_dirichlet_system *system, double least, doub
                                       : iterate(system, least, 1000 + 4 * longer, net, error);
 
     if (status != TAUT_OK) {
-        return status == TAUT_INTERRUPTED ? status : refuse_system(status, error);
+        return refuse_system(status, error);
     }
     if (direct) {
         taut_mask_add(mask, system->hull, net);

@@ -369,16 +369,21 @@ static void add_to_right(taut_dual *dual, const point_form *form, int line, int 
 }
 
 /* psi NULL: the system of the start. */
-static void assemble(taut_dual *dual, const double *psi)
+static taut_status assemble(taut_dual *dual, const double *psi)
 {
     const taut_dual_axis *u = &dual->u, *v = &dual->v;
     const int nodes = v->spans * v->nodes;
     const size_t local = (size_t)v->local;
+    const double work = 8.0 * v->spans * (double)(local * local) *
+                        (double)(v->nodes + u->local * u->local); /* of a line */
 
     memset(dual->matrix.a, 0,
            (size_t)dual->matrix.n * ((size_t)dual->matrix.width + 1) * sizeof(double));
     memset(dual->right, 0, (size_t)dual->matrix.n * sizeof(double));
     for (int line = 0; line < u->spans * u->nodes; line++) {
+        if (taut_pulse_beat(dual->pulse, work)) {
+            return TAUT_INTERRUPTED;
+        }
         const double *state = dual->state + (size_t)line * (size_t)nodes * TAUT_DUAL_STATE;
         if (psi != NULL) {
             find_slopes(dual, psi, line);
@@ -403,6 +408,7 @@ static void assemble(taut_dual *dual, const double *psi)
             }
         }
     }
+    return TAUT_OK;
 }
 
 /* dual->step = K^-1 right, its first coefficient 0. */
@@ -412,10 +418,10 @@ static taut_status solve(taut_dual *dual)
 
     dual->matrix.a[0] *= 2; /* the constant costs now, and is not taken: the right sums to 0 */
     status = dual->matrix.width >= TAUT_BAND_TILES_LEAST
-                 ? taut_band_factor_tiled(&dual->matrix, dual->work)
+                 ? taut_band_factor_tiled(&dual->matrix, dual->work, dual->pulse)
                  : taut_band_factor(&dual->matrix);
     if (status != TAUT_OK) {
-        return TAUT_NO_SOLUTION;
+        return status == TAUT_INTERRUPTED ? status : TAUT_NO_SOLUTION;
     }
     taut_band_solve(&dual->matrix, 1, dual->right);
     for (int i = 0; i < dual->u.count; i++) {
@@ -432,10 +438,11 @@ static taut_status solve(taut_dual *dual)
 
 taut_status taut_dual_start(taut_dual *dual, double *psi)
 {
-    taut_status status = TAUT_OK;
+    taut_status status = assemble(dual, NULL);
 
-    assemble(dual, NULL);
-    status = solve(dual);
+    if (status == TAUT_OK) {
+        status = solve(dual);
+    }
     if (status != TAUT_OK) {
         return status;
     }
@@ -445,6 +452,6 @@ taut_status taut_dual_start(taut_dual *dual, double *psi)
 
 taut_status taut_dual_newton(taut_dual *dual, const double *psi)
 {
-    assemble(dual, psi);
-    return solve(dual);
+    const taut_status status = assemble(dual, psi);
+    return status == TAUT_OK ? solve(dual) : status;
 }

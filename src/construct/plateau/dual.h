@@ -13,6 +13,7 @@
 #define TAUT_CONSTRUCT_PLATEAU_DUAL_H
 
 #include "core/arena.h"
+#include "core/pulse.h"
 #include "numeric/band.h"
 #include "taut/surface.h"
 
@@ -37,6 +38,7 @@ typedef struct taut_dual {
     double sign, area;    /* s; iint |N| */
     int along_u;          /* unknowns are numbered along u inside, along v outside */
     taut_band matrix;     /* cleared by taut_dual_clear */
+    taut_pulse *pulse;    /* told of systems and their factors; or NULL */
 } taut_dual;
 
 /* What a psi is worth. */
@@ -57,7 +59,7 @@ void taut_dual_clear(taut_dual *dual);
 taut_dual_value taut_dual_evaluate(taut_dual *dual, const double *psi, double *density);
 
 /* The psi whose h is next to g: least (h - g) . f''(g) (h - g), one linear system.
- * TAUT_NO_SOLUTION: it is too ill-conditioned. */
+ * TAUT_NO_SOLUTION: it is too ill-conditioned. TAUT_INTERRUPTED. */
 taut_status taut_dual_start(taut_dual *dual, double *psi);
 /* Newton's step from psi, to dual->step. The same statuses. */
 taut_status taut_dual_newton(taut_dual *dual, const double *psi);

@@ -358,7 +358,7 @@ taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta)
 {
     combine_matrices(hessian, theta);
     return hessian->factor.width >= TAUT_BAND_TILES_LEAST
-               ? taut_band_factor_tiled(&hessian->factor, hessian->work)
+               ? taut_band_factor_tiled(&hessian->factor, hessian->work, NULL)
                : taut_band_factor(&hessian->factor);
 }
 

@@ -4,6 +4,7 @@
 #include "core/arena.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "core/pulse.h"
 #include "core/vec3.h"
 #include "geometry/nurbs/gram.h"
 #include "numeric/tensor/solver.h"
@@ -20,7 +21,7 @@ enum {
 struct taut_newton_step {
     taut_area_functional *functional;
     const taut_mask *mask;
-    const taut_monitor *monitor;
+    taut_pulse pulse;
     const double *directions;
     int parts;
     size_t size; /* of a vector of unknowns */
@@ -66,12 +67,9 @@ double taut_newton_step_cost(const taut_newton_step *newton)
                : 2 * PRODUCTS * look;
 }
 
-taut_status taut_newton_step_report(const taut_newton_step *newton)
+taut_status taut_newton_step_report(taut_newton_step *newton)
 {
-    const taut_monitor *m = newton->monitor;
-    return m->progress != NULL && m->progress(m->context, taut_none, "least area") != 0
-               ? TAUT_INTERRUPTED
-               : TAUT_OK;
+    return taut_pulse_report(&newton->pulse) ? TAUT_INTERRUPTED : TAUT_OK;
 }
 
 void taut_newton_step_free(taut_newton_step *newton)
@@ -93,9 +91,10 @@ static taut_status make_preconditioner(const taut_dirichlet_form *form, double a
     const taut_status status =
         taut_dirichlet_form_select(form, newton->mask, &newton->u, &newton->v);
 
-    return status == TAUT_OK ? taut_tensor_solver_new(&u->stiffness, &u->mass, &v->stiffness,
-                                                      &v->mass, aspect, 1 / aspect, &newton->tensor)
-                             : status;
+    return status == TAUT_OK
+               ? taut_tensor_solver_new(&u->stiffness, &u->mass, &v->stiffness, &v->mass, aspect,
+                                        1 / aspect, &newton->pulse, &newton->tensor)
+               : status;
 }
 
 /* Factors where they pay, else what conjugate gradients need. */
@@ -111,7 +110,7 @@ static taut_status make_solver(const taut_dirichlet_form *form, double aspect,
     }
     status = make_preconditioner(form, aspect, newton);
     if (status != TAUT_OK) {
-        return status == TAUT_NO_MEMORY ? status : TAUT_NOT_CONVERGED;
+        return status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED ? status : TAUT_NOT_CONVERGED;
     }
     newton->hull = taut_arena_take(newton->arena, hull, (size_t)newton->parts * sizeof(double));
     newton->residual = taut_arena_take(newton->arena, newton->size, sizeof(double));
@@ -133,7 +132,7 @@ taut_status taut_newton_step_new(taut_area_functional *functional, const taut_di
         return TAUT_NO_MEMORY;
     }
     made->functional = functional;
-    made->monitor = monitor;
+    made->pulse = (taut_pulse){.monitor = monitor, .what = "least area", .done = taut_none};
     made->mask = mask;
     made->directions = directions;
     made->parts = directions != NULL ? 1 : 3;

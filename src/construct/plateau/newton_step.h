@@ -26,7 +26,7 @@ taut_status taut_newton_step_new(taut_area_functional *functional, const taut_di
 void taut_newton_step_free(taut_newton_step *newton); /* NULL is fine */
 
 /* Tells the monitor that work goes on; TAUT_INTERRUPTED when it asks to stop. */
-taut_status taut_newton_step_report(const taut_newton_step *newton);
+taut_status taut_newton_step_report(taut_newton_step *newton);
 
 /* 1 for "normal", 3 for "full". */
 int taut_newton_step_parts(const taut_newton_step *newton);

@@ -168,13 +168,17 @@ typedef struct parts {
 } parts;
 
 /* The member `least` of details, where the boundary is all that is known. */
-static taut_status add_witness(const taut_plateau_problem *problem, parts *p, taut_error *error)
+static taut_status add_witness(const taut_plateau_problem *problem,
+                               const taut_make_options *options, parts *p, taut_error *error)
 {
     const int is_fit = problem->curves[0] != NULL || taut_plateau_knows_boundary(&problem->net);
 
-    if (p->witness == NULL && is_fit && !problem->without_least &&
-        taut_plateau_witness_new(p->solution.surface, &p->witness) != TAUT_OK) {
-        return taut_fail_memory(error);
+    if (p->witness == NULL && is_fit && !problem->without_least) {
+        const taut_status status =
+            taut_plateau_witness_new(p->solution.surface, &options->monitor, &p->witness);
+        if (status != TAUT_OK) {
+            return taut_plateau_witness_fail(status, error);
+        }
     }
     if (p->witness != NULL) {
         taut_plateau_witness_describe(p->witness, p->solution.details);
@@ -200,7 +204,7 @@ static taut_status refine_parts(const taut_plateau_problem *problem,
         return status;
     }
     taut_plateau_space_describe(p->space, p->solution.details);
-    return add_witness(problem, p, error);
+    return add_witness(problem, options, p, error);
 }
 
 static taut_status make_parts(const taut_plateau_problem *problem, const taut_make_options *options,

@@ -488,14 +488,17 @@ static taut_status refuse_least(const rounds *r, double gap, taut_error *error)
 
 /* The witness of the solution in place of the one there is. */
 static taut_status find_witness(const taut_plateau_solution *solution, double gap,
-                                taut_plateau_witness **witness, taut_error *error)
+                                const taut_monitor *monitor, taut_plateau_witness **witness,
+                                taut_error *error)
 {
     taut_plateau_witness_free(*witness);
     *witness = NULL;
     if (taut_basis_degree(taut_surface_u(solution->surface)) >= 0 &&
-        taut_basis_degree(taut_surface_v(solution->surface)) >= 0 &&
-        taut_plateau_witness_new(solution->surface, witness) != TAUT_OK) {
-        return taut_fail_memory(error);
+        taut_basis_degree(taut_surface_v(solution->surface)) >= 0) {
+        const taut_status status = taut_plateau_witness_new(solution->surface, monitor, witness);
+        if (status != TAUT_OK) {
+            return taut_plateau_witness_fail(status, error);
+        }
     }
     if (*witness == NULL) {
         return taut_fail(error, TAUT_NOT_CONVERGED, "not-convex", "/gap", taut_none, gap,
@@ -513,7 +516,8 @@ taut_status taut_plateau_close_gap(const taut_plateau_problem *problem,
     rounds r = {.count = 0};
 
     for (;;) {
-        taut_status status = find_witness(solution, problem->gap, witness, error);
+        taut_status status =
+            find_witness(solution, problem->gap, &options->monitor, witness, error);
         if (status != TAUT_OK) {
             return status;
         }

@@ -18,6 +18,7 @@
 #include "construct/plateau/direction.h"
 #include "construct/plateau/dual.h"
 #include "core/arena.h"
+#include "core/fail.h"
 #include "core/memory.h"
 #include "taut/plateau.h"
 
@@ -54,6 +55,7 @@ typedef struct work {
     taut_dual_value value;
     double *psi, *next;
     taut_plateau_witness *made;
+    taut_pulse pulse;
 } work;
 
 void taut_plateau_witness_free(taut_plateau_witness *witness)
@@ -177,6 +179,7 @@ static taut_status prepare(const taut_surface *surface, work *w)
         return status;
     }
     const size_t count = (size_t)w->dual.u.count * (size_t)w->dual.v.count;
+    w->dual.pulse = &w->pulse;
     w->psi = taut_arena_take(w->arena, count, sizeof(double));
     w->next = taut_arena_take(w->arena, count, sizeof(double));
     made->coefficients = taut_alloc(count, sizeof(double));
@@ -190,13 +193,17 @@ static taut_status make_step(work *w, double *gain)
 {
     const size_t count = (size_t)w->dual.matrix.n;
     double share = 1;
-    const taut_status status = taut_dual_newton(&w->dual, w->psi);
+    taut_status status = taut_dual_newton(&w->dual, w->psi);
 
     *gain = 0;
     for (int k = 0; status == TAUT_OK && k < HALVINGS && *gain == 0; k++, share *= 0.5) {
         taut_dual_value value;
         for (size_t i = 0; i < count; i++) {
             w->next[i] = w->psi[i] + share * w->dual.step[i];
+        }
+        if (taut_pulse_report(&w->pulse)) {
+            status = TAUT_INTERRUPTED;
+            break;
         }
         value = taut_dual_evaluate(&w->dual, w->next, NULL);
         if (value.steepest < 1 && value.gap < w->value.gap) {
@@ -270,14 +277,18 @@ static int tell(work *w)
     return w->value.steepest < 1 && isfinite(w->made->gap);
 }
 
-taut_status taut_plateau_witness_new(const taut_surface *surface, taut_plateau_witness **witness)
+taut_status taut_plateau_witness_new(const taut_surface *surface, const taut_monitor *monitor,
+                                     taut_plateau_witness **witness)
 {
-    work w = {.arena = NULL};
+    work w = {.pulse = {.monitor = monitor, .what = "witness", .done = NAN}};
     taut_status status = TAUT_OK;
 
     *witness = NULL;
     if (!is_fit(surface)) {
         return TAUT_OK;
+    }
+    if (taut_pulse_report(&w.pulse)) {
+        return TAUT_INTERRUPTED;
     }
     w.arena = taut_arena_new();
     w.made = taut_alloc_zero(1, sizeof *w.made);
@@ -293,7 +304,15 @@ taut_status taut_plateau_witness_new(const taut_surface *surface, taut_plateau_w
     taut_surface_free(w.scaled);
     taut_arena_free(w.arena);
     taut_plateau_witness_free(w.made);
-    return status == TAUT_NO_MEMORY ? status : TAUT_OK;
+    return status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED ? status : TAUT_OK;
+}
+
+taut_status taut_plateau_witness_fail(taut_status status, taut_error *error)
+{
+    return status == TAUT_INTERRUPTED
+               ? taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                           "stopped before there was a witness")
+               : taut_fail_memory(error);
 }
 
 static void describe_basis(const taut_basis *basis, const char *key, taut_record *least)

@@ -9,6 +9,7 @@
 #ifndef TAUT_CONSTRUCT_PLATEAU_WITNESS_H
 #define TAUT_CONSTRUCT_PLATEAU_WITNESS_H
 
+#include "taut/monitor.h"
 #include "taut/record.h"
 #include "taut/surface.h"
 
@@ -21,8 +22,11 @@ typedef struct taut_plateau_witness {
 } taut_plateau_witness;
 
 /* *witness is NULL where there is none: more than 100 x 100 points, no direction in which the film is a graph over a convex domain, or a system that doubles
- * do not solve. TAUT_NO_MEMORY. */
-taut_status taut_plateau_witness_new(const taut_surface *surface, taut_plateau_witness **witness);
+ * do not solve. The monitor may be NULL, or empty. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
+taut_status taut_plateau_witness_new(const taut_surface *surface, const taut_monitor *monitor,
+                                     taut_plateau_witness **witness);
+/* Its failure, told: TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
+taut_status taut_plateau_witness_fail(taut_status status, taut_error *error);
 void taut_plateau_witness_free(taut_plateau_witness *witness); /* NULL is fine */
 
 /* The member `least` of details. */

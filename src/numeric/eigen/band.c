@@ -210,6 +210,7 @@ static void unscale_vectors(taut_eigenpairs *pairs, const double *root)
 /* All that one call takes. */
 struct work {
     taut_arena *arena;
+    taut_pulse *pulse;
     taut_pencil pencil;
     taut_bracket *bracket;           /* [n] */
     double *noise, *residual, *root; /* [n] */
@@ -227,7 +228,11 @@ static taut_status solve_pencil(const taut_band *k, const taut_band *m, struct w
     if (status != TAUT_OK) {
         return status;
     }
+    work->pencil.pulse = work->pulse;
     status = solve_banded(&work->pencil, work->arena, work->bracket, pairs);
+    if (taut_pulse_is_stopped(work->pulse)) {
+        return TAUT_INTERRUPTED;
+    }
     if (status != TAUT_OK && status != TAUT_NOT_CONVERGED) {
         return status;
     }
@@ -244,7 +249,8 @@ static taut_status solve_pencil(const taut_band *k, const taut_band *m, struct w
     return TAUT_OK;
 }
 
-taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *values, double *vectors)
+taut_status taut_eigen_band(const taut_band *k, const taut_band *m, taut_pulse *pulse,
+                            double *values, double *vectors)
 {
     if (!taut_band_is_legal(k) || !taut_band_is_legal(m) || k->n != m->n || values == NULL ||
         vectors == NULL || (size_t)k->n > ((size_t)1 << 30) / (size_t)k->n) {
@@ -254,6 +260,7 @@ taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *valu
     taut_arena *arena = taut_arena_new();
     struct work work = {
         .arena = arena,
+        .pulse = pulse,
         .bracket = taut_arena_take(arena, n, sizeof *work.bracket),
         .noise = taut_arena_take(arena, n, sizeof(double)),
         .residual = taut_arena_take(arena, n, sizeof(double)),

@@ -10,6 +10,7 @@
 #ifndef TAUT_NUMERIC_EIGEN_BAND_H
 #define TAUT_NUMERIC_EIGEN_BAND_H
 
+#include "core/pulse.h"
 #include "numeric/band.h"
 #include "taut/status.h"
 
@@ -22,11 +23,11 @@
  *     ||(K - lambda M) x|| <= 64 u ||(|K| + |lambda| |M|) |x|||
  *     |x_i^T M x_j - delta_ij| <= 64 u (1 + |x_i|^T |M| |x_j|)
  *
- * Returns TAUT_OK, TAUT_BAD_ARGUMENT (sizes, entries not finite; outputs untouched),
+ * pulse may be NULL. Returns TAUT_OK, TAUT_INTERRUPTED, TAUT_BAD_ARGUMENT (sizes, entries not finite; outputs untouched),
  * TAUT_NO_SOLUTION (M not positive definite), TAUT_CHECK_FAILED (the bounds above not met by any
  * method) or TAUT_NO_MEMORY: the outputs are the work space, and spoilt then. Memory: O(n width)
  * beside them. */
-taut_status taut_eigen_band(const taut_band *k, const taut_band *m, double *values,
-                            double *vectors);
+taut_status taut_eigen_band(const taut_band *k, const taut_band *m, taut_pulse *pulse,
+                            double *values, double *vectors);
 
 #endif /* TAUT_NUMERIC_EIGEN_BAND_H */

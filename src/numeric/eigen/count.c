@@ -45,11 +45,14 @@ static void count_lanes(const taut_counter *counter, const double *minus, double
     }
 }
 
-void taut_counter_run(const taut_counter *counter, int shifts, const double *shift, int *count,
-                      double *log)
+taut_status taut_counter_run(const taut_counter *counter, int shifts, const double *shift,
+                             int *count, double *log)
 {
     const int lanes = TAUT_LANES;
     for (int start = 0; start < shifts; start += lanes) {
+        if (taut_pencil_beat(counter->pencil, 1)) {
+            return TAUT_INTERRUPTED;
+        }
         double minus[TAUT_LANES], negative[TAUT_LANES], logs[TAUT_LANES];
         for (int l = 0; l < lanes; l++) {
             minus[l] = -shift[start + l < shifts ? start + l : shifts - 1];
@@ -60,4 +63,5 @@ void taut_counter_run(const taut_counter *counter, int shifts, const double *shi
             log[start + l] = logs[l];
         }
     }
+    return TAUT_OK;
 }

@@ -4,6 +4,7 @@
 #define TAUT_NUMERIC_EIGEN_INTERNAL_H
 
 #include "core/arena.h"
+#include "core/pulse.h"
 #include "numeric/band.h"
 #include "numeric/kernel/kernel.h"
 
@@ -16,7 +17,16 @@ typedef struct taut_pencil {
     double norm;            /* max |K(i,j)| + max |M(i,j)|, > 0 */
     double tiny;            /* pivots nearer to zero are not divided by */
     const taut_kernel *kernel;
+    taut_pulse *pulse; /* or NULL */
 } taut_pencil;
+
+/* Tells of so many factors of the pencil, all lanes of them. */
+static inline int taut_pencil_beat(const taut_pencil *pencil, int factors)
+{
+    const double slots = pencil->k.width + 1;
+    return taut_pulse_beat(pencil->pulse,
+                           factors * TAUT_LANES * slots * slots * (double)pencil->k.n);
+}
 
 /* Eigenpairs on the way. */
 typedef struct taut_eigenpairs {
@@ -46,9 +56,9 @@ typedef struct taut_counter {
 
 /* Takes the scratch; the arena's status tells whether it is there. */
 taut_counter taut_counter_of(const taut_pencil *pencil, taut_arena *arena);
-/* count[i] = eigenvalues below shift[i], log[i] = log2 |det (K - shift[i] M)|, i < shifts. */
-void taut_counter_run(const taut_counter *counter, int shifts, const double *shift, int *count,
-                      double *log);
+/* count[i] = eigenvalues below shift[i], log[i] = log2 |det (K - shift[i] M)|, i < shifts. TAUT_OK or TAUT_INTERRUPTED. */
+taut_status taut_counter_run(const taut_counter *counter, int shifts, const double *shift,
+                             int *count, double *log);
 
 /* One bracket per eigenvalue in ascending order, into bracket[n]. TAUT_OK, TAUT_NO_MEMORY, or
  * TAUT_NOT_CONVERGED when the counts contradict each other. */

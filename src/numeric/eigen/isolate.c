@@ -47,7 +47,9 @@ static int enclose_all(const taut_counter *counter, taut_bracket *all)
             shift[l] = ldexp(high, 2 * l);
             shift[steps + l] = ldexp(low, 2 * l);
         }
-        taut_counter_run(counter, 2 * steps, shift, below, log);
+        if (taut_counter_run(counter, 2 * steps, shift, below, log) != TAUT_OK) {
+            return 0;
+        }
         while (up < steps - 1 && below[up] < n) {
             up++;
         }
@@ -133,7 +135,9 @@ taut_status taut_eigen_isolate(const taut_pencil *pencil, taut_arena *arena, tau
                 cuts.at[i * count + c] = taut_eigen_place(&list[i], c + 1, count + 1);
             }
         }
-        taut_counter_run(&counter, length * count, cuts.at, cuts.below, cuts.log);
+        if (taut_counter_run(&counter, length * count, cuts.at, cuts.below, cuts.log) != TAUT_OK) {
+            return TAUT_INTERRUPTED;
+        }
         int more = 0;
         for (int i = 0; i < length; i++) {
             more = divide_bracket(&list[i], &cuts, i * count, count, next, more, bracket);

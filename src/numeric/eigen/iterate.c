@@ -139,7 +139,8 @@ static void iterate_block(taut_eigen_block *block, int first, const taut_bracket
         block->gap[l] = fmax(gap, 0x1p-44 * fabs(b->guess));
     }
     scatter_start(block, lane);
-    for (int i = 0; i < STEPS_MAX && !step_lanes(block, lane); i++) {
+    for (int i = 0;
+         i < STEPS_MAX && !taut_pencil_beat(block->pencil, 2) && !step_lanes(block, lane); i++) {
     }
     for (int l = 0; l < lanes; l++) {
         block->lambda[l] = lane[l].shift;
@@ -154,7 +155,8 @@ taut_status taut_eigen_iterate(const taut_pencil *pencil, taut_arena *arena,
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    for (int first = 0; first < pairs->n; first += TAUT_LANES) {
+    for (int first = 0; first < pairs->n && !taut_pulse_is_stopped(pencil->pulse);
+         first += TAUT_LANES) {
         iterate_block(&block, first, bracket, pairs);
     }
     return TAUT_OK;

@@ -211,6 +211,9 @@ taut_status taut_eigen_orthogonalise(const taut_pencil *pencil, taut_arena *aren
         if (first == j) {
             continue;
         }
+        if (taut_pulse_beat(pencil->pulse, 8.0 * (double)n * (double)((size_t)(j - first) + w))) {
+            return TAUT_INTERRUPTED;
+        }
         const double left = purge_vector(&m, pairs, first, j, taut_eigen_vector(pairs, j), scratch);
         if (!(left > 0.5)) {
             recompute_pair(pencil, &m, first, j, &factor, scratch, pairs);

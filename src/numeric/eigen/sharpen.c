@@ -96,7 +96,9 @@ taut_status taut_eigen_sharpen(const taut_pencil *pencil, taut_arena *arena, tau
         for (int i = 0; i < count; i++) {
             shift[i] = bracket[who[i]].guess;
         }
-        taut_counter_run(&counter, count, shift, below, log);
+        if (taut_counter_run(&counter, count, shift, below, log) != TAUT_OK) {
+            return TAUT_INTERRUPTED;
+        }
         int more = 0;
         for (int i = 0; i < count; i++) {
             const int j = who[i];

@@ -91,6 +91,14 @@ static int last_row(int i, int width, int n)
     return n - 1 - i > width ? i + width : n - 1;
 }
 
+/* Tells of a row that goes into others: `each` operations for a number and diagonal. */
+static int beat_row(const taut_tensor *tensor, double each, size_t length)
+{
+    const int diagonals =
+        2 * (tensor->ku->width + tensor->mu->width + tensor->kv->width + tensor->mv->width) + 4;
+    return taut_pulse_beat(tensor->pulse, each * diagonals * (double)length);
+}
+
 static taut_status apply_with(const taut_tensor *tensor, int nrhs, const double *x,
                               taut_arena *arena, double *y)
 {
@@ -101,6 +109,9 @@ static taut_status apply_with(const taut_tensor *tensor, int nrhs, const double 
     }
     memset(y, 0, (size_t)nu * walk.length * sizeof *y);
     for (int i = 0; i < nu; i++) {
+        if (beat_row(tensor, 2, walk.length)) {
+            return TAUT_INTERRUPTED;
+        }
         const double *row = x + (size_t)i * walk.length;
         make_row(&walk, tensor->mv, walk.mass, 0, row, walk.by_m);
         make_row(&walk, tensor->kv, walk.stiff, 0, row, walk.by_k);
@@ -143,6 +154,9 @@ static taut_status find_residual(const taut_tensor *tensor, int nrhs, const doub
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i < nu + wu; i++) {
+        if (beat_row(tensor, 20, walk.length)) {
+            return TAUT_INTERRUPTED;
+        }
         if (i < nu) {
             const double *row = x + (size_t)i * walk.length;
             make_row(&walk, tensor->mv, walk.mass, 1, row, walk.by_m);

@@ -19,12 +19,13 @@ taut_unfolding taut_unfolding_second(size_t nu, size_t nv, size_t nrhs)
     return (taut_unfolding){nu * nrhs, nrhs, nrhs, nv * nrhs};
 }
 
-taut_contraction taut_contraction_of(const taut_modes *modes, taut_arena *arena)
+taut_contraction taut_contraction_of(const taut_modes *modes, taut_pulse *pulse, taut_arena *arena)
 {
     const size_t unit = (size_t)modes->kernel->tile_columns, n = (size_t)modes->n;
     const size_t least = (n + 1) * UNITS_MIN * unit;
     return (taut_contraction){
-        modes, taut_arena_take_raw(arena, least > PANEL_SIZE ? least : PANEL_SIZE, sizeof(double)),
+        modes, pulse,
+        taut_arena_take_raw(arena, least > PANEL_SIZE ? least : PANEL_SIZE, sizeof(double)),
         taut_arena_take_raw(arena, 2 * (size_t)modes->kernel->tile_rows * COLUMNS_MAX,
                             sizeof(double))};
 }
@@ -155,12 +156,16 @@ static void pack_row(const taut_kernel *kernel, const double *from, size_t width
     kernel->pack(width / unit, from, to->b_depth * unit, to->b + row * unit);
 }
 
-/* out[tile_rows][width] = rows r, r + 1, .. of A B */
-static void multiply_rows(const taut_kernel *kernel, const struct operands *o, size_t r,
+/* work->out, or what stands behind it: out[tile_rows][width] = rows r, r + 1, .. of A B */
+static void multiply_rows(const taut_contraction *work, const struct operands *o, size_t r,
                           size_t width, double *out)
 {
+    const taut_kernel *kernel = work->modes->kernel;
     const size_t t = (size_t)kernel->tile_rows, unit = (size_t)kernel->tile_columns;
     memset(out, 0, t * width * sizeof *out);
+    if (taut_pulse_beat(work->pulse, 2.0 * (double)(t * width) * (double)o->b_depth)) {
+        return;
+    }
     for (size_t q = 0; q < width; q += unit) {
         const struct depth_runs *runs = &o->runs[q / unit];
         for (int run = 0; run < 2; run++) {
@@ -190,7 +195,7 @@ static void write_modes(const taut_contraction *work, int p, const struct operan
     const taut_modes_part *part = &work->modes->part[p];
     const size_t t = (size_t)work->modes->kernel->tile_rows, count = (size_t)part->count;
     for (size_t j = 0; j < count; j += t) {
-        multiply_rows(work->modes->kernel, operands, j, target->width, work->out);
+        multiply_rows(work, operands, j, target->width, work->out);
         write_rows(target, count - j < t ? count - j : t, work->out, (size_t)part->first + j, 1, x);
     }
 }
@@ -205,10 +210,10 @@ static void write_points(const taut_contraction *work, const struct operands *op
     const size_t pairs = modes->parts == 2 ? n / 2 : 0, rows = (size_t)modes->part[0].rows;
     double *even = work->out, *odd = work->out + t * target->width;
     for (size_t i = 0; i < rows; i += t) {
-        multiply_rows(modes->kernel, &operands[0], i, target->width, even);
+        multiply_rows(work, &operands[0], i, target->width, even);
         if (i < pairs) {
             const size_t mirrored = pairs - i < t ? pairs - i : t;
-            multiply_rows(modes->kernel, &operands[1], i, target->width, odd);
+            multiply_rows(work, &operands[1], i, target->width, odd);
             fold_rows(mirrored * target->width, even, odd);
             write_rows(target, mirrored, odd, n - 1 - i, -1, x);
         }

@@ -17,8 +17,9 @@ typedef struct taut_direction {
 
 struct taut_tensor_solver {
     taut_direction direction[2];
-    int diagonal;   /* the direction that is diagonalised for any right-hand side */
-    int has_shared; /* both directions have the same modes, owned by the first */
+    int diagonal;      /* the direction that is diagonalised for any right-hand side */
+    int has_shared;    /* both directions have the same modes, owned by the first */
+    taut_pulse *pulse; /* or NULL */
 };
 
 /* TAUT_LANES banded systems  weight_d lambda M + weight_e K,  lambda the values of modes of
@@ -37,10 +38,13 @@ taut_systems taut_systems_of(const taut_tensor_solver *solver, int d, int nrhs, 
 void taut_systems_solve(const taut_systems *systems, int first, int used, int from, int upto,
                         int nrhs);
 
+/* Tells the pulse of one such solve over so many rows. */
+int taut_systems_beat(const taut_systems *systems, int rows, size_t nrhs);
+
 /* Is x zero but for the rows and columns along the edges that boundary values reach? Then
  * taut_edges_solve may be used, if both directions have modes. */
 int taut_edges_hold(const taut_tensor_solver *solver, int nrhs, const double *x);
-/* Solves in place. TAUT_OK or TAUT_NO_MEMORY (x untouched). */
+/* Solves in place. TAUT_OK, TAUT_INTERRUPTED or TAUT_NO_MEMORY (x untouched). */
 taut_status taut_edges_solve(const taut_tensor_solver *solver, int nrhs, double *x);
 
 /* ---- products of V or V^T with a net, a panel of columns at a time (contract.c) ---- */
@@ -62,11 +66,12 @@ taut_unfolding taut_unfolding_second(size_t nu, size_t nv, size_t nrhs);
  * rows of their product. */
 typedef struct taut_contraction {
     const taut_modes *modes;
+    taut_pulse *pulse; /* or NULL */
     double *in, *out;
 } taut_contraction;
 
 /* Takes 1 MiB or so; the arena's status tells whether it is there. */
-taut_contraction taut_contraction_of(const taut_modes *modes, taut_arena *arena);
+taut_contraction taut_contraction_of(const taut_modes *modes, taut_pulse *pulse, taut_arena *arena);
 
 /* x becomes V^T x in place; rows are then modes. Rows of zeros cost nothing in between. */
 void taut_contract_points(const taut_contraction *work, const taut_unfolding *unfolding, double *x);

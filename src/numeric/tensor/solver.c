@@ -80,9 +80,10 @@ static taut_status copy_direction(const taut_band *k, const taut_band *m, taut_d
     return status;
 }
 
-static taut_status make_modes(taut_direction *direction)
+static taut_status make_modes(taut_direction *direction, taut_pulse *pulse)
 {
-    const taut_status status = taut_modes_new(&direction->k, &direction->m, &direction->modes);
+    const taut_status status =
+        taut_modes_new(&direction->k, &direction->m, pulse, &direction->modes);
     if (status == TAUT_OK) {
         clamp_values(direction->modes);
     }
@@ -103,7 +104,7 @@ static taut_status make_directions(const taut_band *const *given, taut_tensor_so
     }
     solver->diagonal = u->k.n <= v->k.n ? 0 : 1;
     solver->has_shared = taut_band_equal(&u->k, &v->k) && taut_band_equal(&u->m, &v->m);
-    const taut_status status = make_modes(&solver->direction[solver->diagonal]);
+    const taut_status status = make_modes(&solver->direction[solver->diagonal], solver->pulse);
     if (status != TAUT_OK) {
         return status;
     }
@@ -112,12 +113,12 @@ static taut_status make_directions(const taut_band *const *given, taut_tensor_so
         return TAUT_OK;
     }
     return u->k.n >= EDGES_SIZE && v->k.n >= EDGES_SIZE
-               ? make_modes(&solver->direction[1 - solver->diagonal])
+               ? make_modes(&solver->direction[1 - solver->diagonal], solver->pulse)
                : TAUT_OK;
 }
 
 taut_status taut_tensor_solver_new(const taut_band *ku, const taut_band *mu, const taut_band *kv,
-                                   const taut_band *mv, double su, double sv,
+                                   const taut_band *mv, double su, double sv, taut_pulse *pulse,
                                    taut_tensor_solver **out)
 {
     const taut_band *const given[] = {ku, mu, kv, mv};
@@ -133,6 +134,7 @@ taut_status taut_tensor_solver_new(const taut_band *ku, const taut_band *mu, con
     if (solver == NULL) {
         return TAUT_NO_MEMORY;
     }
+    solver->pulse = pulse;
     taut_status status = make_directions(given, solver);
     if (status == TAUT_OK) {
         status = taut_tensor_solver_rescale(solver, su, sv);
@@ -220,7 +222,8 @@ static void solve_rows(const taut_systems *systems, const struct layout *at, dou
     const taut_modes *modes = systems->solver->direction[systems->d].modes;
     const size_t lanes = TAUT_LANES, count = (size_t)modes->n;
 
-    for (size_t first = 0; first < count; first += lanes) {
+    for (size_t first = 0; first < count && !taut_systems_beat(systems, (int)at->n, at->rhs);
+         first += lanes) {
         const size_t used = count - first < lanes ? count - first : lanes;
         if (used < lanes) {
             memset(systems->x, 0, at->n * at->rhs * lanes * sizeof *x);
@@ -240,14 +243,15 @@ static taut_status solve_dense(const taut_tensor_solver *solver, size_t rhs, tau
         d == 0 ? taut_unfolding_first(nu, nv, rhs) : taut_unfolding_second(nu, nv, rhs);
     const struct layout layout = {unfolding.stride, d == 0 ? rhs : nv * rhs, d == 0 ? nv : nu, rhs};
     const taut_systems systems = taut_systems_of(solver, d, (int)rhs, arena);
-    const taut_contraction work = taut_contraction_of(solver->direction[d].modes, arena);
+    const taut_contraction work =
+        taut_contraction_of(solver->direction[d].modes, solver->pulse, arena);
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     taut_contract_points(&work, &unfolding, x);
     solve_rows(&systems, &layout, x);
     taut_contract_modes(&work, &unfolding, x);
-    return TAUT_OK;
+    return taut_pulse_is_stopped(solver->pulse) ? TAUT_INTERRUPTED : TAUT_OK;
 }
 
 taut_status taut_tensor_solver_solve(const taut_tensor_solver *solver, int nrhs, double *x)
@@ -272,7 +276,7 @@ static taut_status refine_with(const taut_tensor_solver *solver, int nrhs, const
                                double *r, double *x, double *before)
 {
     const taut_direction *u = &solver->direction[0], *v = &solver->direction[1];
-    const taut_tensor tensor = {&u->k, &u->m, &v->k, &v->m, u->weight, v->weight};
+    const taut_tensor tensor = {&u->k, &u->m, &v->k, &v->m, u->weight, v->weight, solver->pulse};
     const size_t entries = (size_t)u->k.n * (size_t)v->k.n * (size_t)nrhs;
     double norm = 0.0;
     taut_status status = taut_tensor_residual(&tensor, nrhs, right, x, r, &norm);

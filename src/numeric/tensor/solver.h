@@ -7,11 +7,12 @@
  * banded systems, many at once ([LynchRiceThomas1964]; one direction only, [BuzbeeGolubNielson1970]
  * 3).
  *
- * Every const call is safe from any thread.
+ * Every const call is safe from any thread where there is no pulse.
  */
 #ifndef TAUT_NUMERIC_TENSOR_SOLVER_H
 #define TAUT_NUMERIC_TENSOR_SOLVER_H
 
+#include "core/pulse.h"
 #include "numeric/band.h"
 #include "taut/status.h"
 
@@ -20,13 +21,15 @@ typedef struct taut_tensor_solver taut_tensor_solver;
 /* ku, mu   nu x nu; kv, mv nv x nv; widths free. mu and mv positive definite, ku and kv positive
  *          semidefinite, not both singular. Copied.
  * su, sv   finite, > 0
+ * pulse    NULL, or what this and every solve tell of their work; it must live as long. Calls of one solver are then for one
+ *          thread at a time, and may return TAUT_INTERRUPTED, x of no meaning
  *
  * Cost: O(n^2 width^2) for the eigenvectors of the better direction. Memory: about 16 n^2 bytes,
  * half of that for knots that mirror. Returns TAUT_OK; TAUT_BAD_ARGUMENT; TAUT_NO_SOLUTION when the
  * system is singular or not definite to working precision; TAUT_CHECK_FAILED, TAUT_NO_MEMORY. *out
  * untouched on failure. */
 taut_status taut_tensor_solver_new(const taut_band *ku, const taut_band *mu, const taut_band *kv,
-                                   const taut_band *mv, double su, double sv,
+                                   const taut_band *mv, double su, double sv, taut_pulse *pulse,
                                    taut_tensor_solver **out);
 void taut_tensor_solver_free(taut_tensor_solver *solver); /* NULL is fine */
 

@@ -101,7 +101,7 @@ static void test_tiles(void)
                   taut_band_widen(&given, width, &tiles) == TAUT_OK,
               "n=%d width=%d", n, width);
         CHECK(taut_band_factor(&rows) == TAUT_OK, "rows: n=%d width=%d", n, width);
-        CHECK(taut_band_factor_tiled(&tiles, work) == TAUT_OK, "n=%d width=%d", n, width);
+        CHECK(taut_band_factor_tiled(&tiles, work, NULL) == TAUT_OK, "n=%d width=%d", n, width);
         CHECK(taut_band_is_legal(&tiles), "n=%d width=%d", n, width);
         for (int i = 0; i < n; i++) {
             for (int d = 0; d <= width && d <= i; d++) {
@@ -142,7 +142,7 @@ static void test_tiles_refuse(void)
         }
         const int from = bad > WIDTH ? bad - WIDTH : 0;
         taut_band_row(&a, bad)[bad - from] = 1.0; /* two equal rows */
-        CHECK(taut_band_factor_tiled(&a, work) == TAUT_NO_SOLUTION, "bad=%d", bad);
+        CHECK(taut_band_factor_tiled(&a, work, NULL) == TAUT_NO_SOLUTION, "bad=%d", bad);
         taut_band_clear(&a);
     }
     free(work);

@@ -103,7 +103,7 @@ static double enneper_area(double r)
 static taut_plateau_witness *witness_of(const taut_surface *surface)
 {
     taut_plateau_witness *witness = NULL;
-    CHECK(taut_plateau_witness_new(surface, &witness) == TAUT_OK, "witness");
+    CHECK(taut_plateau_witness_new(surface, NULL, &witness) == TAUT_OK, "witness");
     CHECK(witness != NULL, "no witness was found");
     return witness;
 }
@@ -417,7 +417,7 @@ static void test_outlines(void)
     CHECK(is_why(&p, "outline"), "a kink inwards: %s", p.where);
     taut_surface *enneper = shape_enneper(-0.5, 0.5, -0.5, 0.5);
     taut_plateau_witness *witness = NULL;
-    CHECK(taut_plateau_witness_new(enneper, &witness) == TAUT_OK && witness == NULL,
+    CHECK(taut_plateau_witness_new(enneper, NULL, &witness) == TAUT_OK && witness == NULL,
           "along no direction is the boundary convex");
     p = prove_flat(enneper);
     CHECK(is_why(&p, "outline"), "Enneper's own edges bend in: %s", p.where);
@@ -491,7 +491,7 @@ static void test_obstacles(void)
         taut_certificate_free(certificate);
     }
     taut_plateau_witness *none = witness; /* none is looked for */
-    CHECK(taut_plateau_witness_new(large, &none) == TAUT_OK && none == NULL, "size");
+    CHECK(taut_plateau_witness_new(large, NULL, &none) == TAUT_OK && none == NULL, "size");
     taut_record_free(details);
     taut_plateau_witness_free(witness);
     taut_surface_free(surface);

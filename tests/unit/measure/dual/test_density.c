@@ -50,7 +50,7 @@ static void test_integral(void)
 
     CHECK(taut_plateau_make(&problem, NULL, &model, NULL) == TAUT_OK, "film");
     const taut_surface *film = taut_model_surface(model, 0);
-    CHECK(taut_plateau_witness_new(film, &witness) == TAUT_OK && witness != NULL, "witness");
+    CHECK(taut_plateau_witness_new(film, NULL, &witness) == TAUT_OK && witness != NULL, "witness");
     CHECK(taut_dual_density_new(film, taut_model_details(model), &density) == TAUT_OK &&
               density != NULL,
           "density");

@@ -123,7 +123,7 @@ static void check_against_lapack(const problem *p)
 static void check_problem(gram_knots kind, int degree, int count, unsigned seed, int is_free)
 {
     problem p = gram_problem(kind, degree, count, seed, is_free);
-    const taut_status status = taut_eigen_band(&p.k, &p.m, p.values, p.vectors);
+    const taut_status status = taut_eigen_band(&p.k, &p.m, NULL, p.values, p.vectors);
     CHECK(status == TAUT_OK, "%s status %d", p.label, (int)status);
     if (status == TAUT_OK) {
         check_definition(&p);
@@ -139,7 +139,7 @@ static void test_linear_elements(void)
 {
     for (int n = 1; n <= 200; n += 1 + n / 2) {
         problem p = gram_problem(GRAM_UNIFORM, 1, n + 2, 0, 0);
-        CHECK(taut_eigen_band(&p.k, &p.m, p.values, p.vectors) == TAUT_OK, "n=%d", n);
+        CHECK(taut_eigen_band(&p.k, &p.m, NULL, p.values, p.vectors) == TAUT_OK, "n=%d", n);
         for (int j = 1; j <= n; j++) {
             const double s = sin(0.5 * j * acos(-1.0) / (n + 1)); /* 1 - cos a = 2 s^2 */
             const double expected = 12.0 * s * s / (3.0 - 2.0 * s * s);
@@ -190,7 +190,7 @@ static void test_multiple_eigenvalues(void)
             taut_band_row(&p.m, i)[d] = d == 0 ? 1.0 + 0.1 * (i % BLOCK) : 0.1;
         }
     }
-    CHECK(taut_eigen_band(&p.k, &p.m, p.values, p.vectors) == TAUT_OK, "copies");
+    CHECK(taut_eigen_band(&p.k, &p.m, NULL, p.values, p.vectors) == TAUT_OK, "copies");
     check_definition(&p);
     check_against_lapack(&p);
     problem_clear(&p);
@@ -202,13 +202,14 @@ static void test_refusals(void)
     p.values[0] = 7.0;
     taut_band other = {0, 0, NULL};
     CHECK(taut_band_init(9, 3, &other) == TAUT_OK, "memory");
-    CHECK(taut_eigen_band(&p.k, &other, p.values, p.vectors) == TAUT_BAD_ARGUMENT, "sizes");
+    CHECK(taut_eigen_band(&p.k, &other, NULL, p.values, p.vectors) == TAUT_BAD_ARGUMENT, "sizes");
     taut_band_clear(&other);
     CHECK(taut_band_init(10, 3, &other) == TAUT_OK, "memory");
-    CHECK(taut_eigen_band(&p.k, &other, p.values, p.vectors) == TAUT_NO_SOLUTION, "M = 0");
-    CHECK(taut_eigen_band(&p.k, &p.k, NULL, p.vectors) == TAUT_BAD_ARGUMENT, "values");
+    CHECK(taut_eigen_band(&p.k, &other, NULL, p.values, p.vectors) == TAUT_NO_SOLUTION, "M = 0");
+    CHECK(taut_eigen_band(&p.k, &p.k, NULL, NULL, p.vectors) == TAUT_BAD_ARGUMENT, "values");
     other.a[4] = INFINITY;
-    CHECK(taut_eigen_band(&other, &p.m, p.values, p.vectors) == TAUT_BAD_ARGUMENT, "not finite");
+    CHECK(taut_eigen_band(&other, &p.m, NULL, p.values, p.vectors) == TAUT_BAD_ARGUMENT,
+          "not finite");
     CHECK(p.values[0] == 7.0, "outputs are untouched on failure");
     taut_band_clear(&other);
     problem_clear(&p);

@@ -90,7 +90,7 @@ static double natural(axis u, axis v, double su, double sv, int nrhs, const doub
     for (size_t i = 0; i < count; i++) {
         absolute[i] = fabs(x[i]);
     }
-    const taut_tensor tensor = {&a[0].k, &a[0].m, &a[1].k, &a[1].m, su, sv};
+    const taut_tensor tensor = {&a[0].k, &a[0].m, &a[1].k, &a[1].m, su, sv, NULL};
     CHECK(taut_tensor_apply(&tensor, nrhs, absolute, product) == TAUT_OK, "memory");
     const double size = norm(count, product);
     axis_clear(&a[0]);
@@ -106,7 +106,7 @@ static double natural(axis u, axis v, double su, double sv, int nrhs, const doub
 static void check_solve(axis u, axis v, double su, double sv, int nrhs, int frame)
 {
     const size_t count = (size_t)u.n * (size_t)v.n * (size_t)nrhs;
-    const taut_tensor tensor = {&u.k, &u.m, &v.k, &v.m, su, sv};
+    const taut_tensor tensor = {&u.k, &u.m, &v.k, &v.m, su, sv, NULL};
     double *right = random_net(count), *x = malloc(count * sizeof *x),
            *r = malloc(count * sizeof *r);
     if (frame > 0) {
@@ -114,7 +114,8 @@ static void check_solve(axis u, axis v, double su, double sv, int nrhs, int fram
     }
     memcpy(x, right, count * sizeof *x);
     taut_tensor_solver *solver = NULL;
-    const taut_status status = taut_tensor_solver_new(&u.k, &u.m, &v.k, &v.m, su, sv, &solver);
+    const taut_status status =
+        taut_tensor_solver_new(&u.k, &u.m, &v.k, &v.m, su, sv, NULL, &solver);
     CHECK(status == TAUT_OK, "%s x %s: %d", u.label, v.label, (int)status);
     if (status == TAUT_OK) {
         double first = 0.0, before = 0.0, after = 0.0;
@@ -230,7 +231,7 @@ static void test_thin_nets(void)
 static void test_apply(void)
 {
     axis u = axis_make(GRAM_RANDOM, 3, 6, 1, 2), v = axis_make(GRAM_GRADED, 2, 5, 2, 0);
-    const taut_tensor tensor = {&u.k, &u.m, &v.k, &v.m, 0.7, 1.3};
+    const taut_tensor tensor = {&u.k, &u.m, &v.k, &v.m, 0.7, 1.3, NULL};
     double *x = random_net(6 * 5 * 2), y[6 * 5 * 2];
     CHECK(taut_tensor_apply(&tensor, 2, x, y) == TAUT_OK, "apply");
     for (int i = 0; i < 6; i++) {
@@ -262,8 +263,8 @@ static void test_rescale(void)
     taut_tensor_solver *a = NULL, *b = NULL;
     double *x = random_net(30 * 22 * 3), *y = malloc(30 * 22 * 3 * sizeof *y);
     memcpy(y, x, 30 * 22 * 3 * sizeof *y);
-    CHECK(taut_tensor_solver_new(&u.k, &u.m, &v.k, &v.m, 1.0, 1.0, &a) == TAUT_OK, "new");
-    CHECK(taut_tensor_solver_new(&u.k, &u.m, &v.k, &v.m, 3.0, 0.2, &b) == TAUT_OK, "new");
+    CHECK(taut_tensor_solver_new(&u.k, &u.m, &v.k, &v.m, 1.0, 1.0, NULL, &a) == TAUT_OK, "new");
+    CHECK(taut_tensor_solver_new(&u.k, &u.m, &v.k, &v.m, 3.0, 0.2, NULL, &b) == TAUT_OK, "new");
     CHECK(taut_tensor_solver_rescale(a, 3.0, 0.2) == TAUT_OK, "rescale");
     CHECK(taut_tensor_solver_rescale(a, -1.0, 0.2) == TAUT_BAD_ARGUMENT, "negative weight");
     CHECK(taut_tensor_solver_solve(a, 3, x) == TAUT_OK &&
@@ -287,7 +288,7 @@ static void test_singular(void)
                 axis loose = axis_make((gram_knots)kind, degree, n, 6, 3);
                 axis held = axis_make((gram_knots)kind, degree, n, 6, 1);
                 taut_tensor_solver *solver = NULL;
-                CHECK(taut_tensor_solver_new(&loose.k, &loose.m, &loose.k, &loose.m, 1.0, 1.0,
+                CHECK(taut_tensor_solver_new(&loose.k, &loose.m, &loose.k, &loose.m, 1.0, 1.0, NULL,
                                              &solver) == TAUT_NO_SOLUTION &&
                           solver == NULL,
                       "%s", loose.label);
@@ -309,21 +310,23 @@ static void test_refusals(void)
     for (int i = 0; i < 8 * 4; i++) {
         negative.a[i] = -negative.a[i];
     }
-    CHECK(taut_tensor_solver_new(&negative, &u.m, &u.k, &u.m, 9.0, 1.0, &solver) ==
+    CHECK(taut_tensor_solver_new(&negative, &u.m, &u.k, &u.m, 9.0, 1.0, NULL, &solver) ==
               TAUT_NO_SOLUTION,
           "indefinite");
-    CHECK(taut_tensor_solver_new(&u.k, &negative, &u.k, &u.m, 1.0, 1.0, &solver) ==
+    CHECK(taut_tensor_solver_new(&u.k, &negative, &u.k, &u.m, 1.0, 1.0, NULL, &solver) ==
               TAUT_NO_SOLUTION,
           "mass");
-    CHECK(taut_tensor_solver_new(&u.k, &u.m, &u.k, &negative, 1.0, 1.0, &solver) ==
+    CHECK(taut_tensor_solver_new(&u.k, &u.m, &u.k, &negative, 1.0, 1.0, NULL, &solver) ==
               TAUT_NO_SOLUTION,
           "mass");
-    CHECK(taut_tensor_solver_new(&u.k, &u.m, &u.k, &u.m, 0.0, 1.0, &solver) == TAUT_BAD_ARGUMENT,
-          "weight");
-    CHECK(taut_tensor_solver_new(&u.k, &u.m, &u.k, &u.m, 1.0, nan(""), &solver) ==
+    CHECK(taut_tensor_solver_new(&u.k, &u.m, &u.k, &u.m, 0.0, 1.0, NULL, &solver) ==
               TAUT_BAD_ARGUMENT,
           "weight");
-    CHECK(taut_tensor_solver_new(&u.k, NULL, &u.k, &u.m, 1.0, 1.0, &solver) == TAUT_BAD_ARGUMENT,
+    CHECK(taut_tensor_solver_new(&u.k, &u.m, &u.k, &u.m, 1.0, nan(""), NULL, &solver) ==
+              TAUT_BAD_ARGUMENT,
+          "weight");
+    CHECK(taut_tensor_solver_new(&u.k, NULL, &u.k, &u.m, 1.0, 1.0, NULL, &solver) ==
+              TAUT_BAD_ARGUMENT,
           "none");
     CHECK(solver == NULL, "outputs are untouched on failure");
     CHECK(taut_tensor_solver_solve(NULL, 1, u.k.a) == TAUT_BAD_ARGUMENT, "no solver");

@@ -1,0 +1,119 @@
+/* test_pulse.c -- how often taut_make tells its monitor that work goes on: as often as there is work, counted in operations
+ * and not by a clock; and it goes on no further after a report that is answered by an end. */
+#include "check.h"
+#include "cli/embedded_files.h"
+#include "core/pulse.h"
+#include "monitors.h"
+#include "problems.h"
+
+#include "taut/construct.h"
+#include "taut/read.h"
+
+#include <string.h>
+
+static taut_status make_net(const test_problem *problem, watch *w)
+{
+    taut_make_options options = {.monitor = monitor_of(w)};
+    taut_model *model = NULL;
+    const taut_status status = taut_dirichlet_make(&problem->data, &options, &model, NULL);
+    CHECK((model != NULL) == (status == TAUT_OK), "status %d", (int)status);
+    taut_model_free(model);
+    return status;
+}
+
+/* Two solves for n x n unknowns, three right-hand sides, uniform knots that mirror: the modes, even and odd, are matrices of
+ * n/2 x n/2 each, and go to the net and from it: 2 2 3 n (n^2 / 2) multiplications, as many sums, each time. */
+static void test_dirichlet(int count)
+{
+    const double n = count - 2, operations = 12.0 * n * n * n;
+    test_problem problem = problem_tetrahedron(count);
+    watch all = {.stop_at = 0};
+
+    CHECK(make_net(&problem, &all) == TAUT_OK, "made");
+    CHECK(all.reports >= operations / TAUT_PULSE_WORK, "%d x %d: %d reports of %.3g operations",
+          count, count, all.reports, operations);
+    for (int k = 1; k <= all.reports; k += 1 + all.reports / 12) {
+        watch stop = {.stop_at = k};
+        CHECK(make_net(&problem, &stop) == TAUT_INTERRUPTED && stop.reports == k,
+              "stopped at %d of %d: went on to %d", k, all.reports, stop.reports);
+    }
+    problem_free(&problem);
+}
+
+typedef struct words {
+    watch counted;
+    int witness; /* reports of one */
+} words;
+
+static int count_words(void *context, double done, const char *what)
+{
+    words *w = context;
+    const taut_monitor inner = monitor_of(&w->counted);
+    w->witness += strcmp(what, "witness") == 0;
+    return inner.progress(inner.context, done, what);
+}
+
+static taut_status make_example(const char *name, words *w, taut_model **model)
+{
+    const taut_make_options options = {.monitor = {count_words, w}};
+    taut_problem *problem = NULL;
+    taut_status status = TAUT_BAD_ARGUMENT;
+    for (const taut_embedded *file = taut_examples; file->name != NULL; file++) {
+        if (strcmp(file->name, name) == 0) {
+            CHECK(taut_problem_read_text(file->text, file->length, name, &problem, NULL) == TAUT_OK,
+                  "%s", name);
+            status = taut_make(problem, &options, model, NULL);
+        }
+    }
+    taut_problem_free(problem);
+    return status;
+}
+
+/* Each of 16 sign branches that the data allows is searched for from several starts: a report of each. */
+static void test_branches(void)
+{
+    words all = {.witness = 0};
+    taut_model *model = NULL;
+    CHECK(make_example("asymptotic-low.json", &all, &model) == TAUT_OK, "made");
+    CHECK(all.counted.reports > 16 + 6, "%d reports", all.counted.reports);
+    taut_model_free(model);
+    for (int k = 1; k <= all.counted.reports; k += 1 + all.counted.reports / 12) {
+        words stop = {.counted = {.stop_at = k}};
+        model = NULL;
+        CHECK(make_example("asymptotic-low.json", &stop, &model) == TAUT_INTERRUPTED &&
+                  model == NULL && stop.counted.reports == k,
+              "stopped at %d: went on to %d", k, stop.counted.reports);
+    }
+}
+
+/* The witness of a film has its reports: stopped at one nothing is left, ended at one there is the film without it. */
+static void test_witness(void)
+{
+    static const char name[] = "plateau-biquadratic-spline.json";
+    words all = {.witness = 0};
+    taut_model *model = NULL;
+    CHECK(make_example(name, &all, &model) == TAUT_OK, "made");
+    CHECK(all.witness >= 1, "no report of the witness");
+    taut_model_free(model);
+    for (int k = all.counted.reports - all.witness + 1; k <= all.counted.reports; k++) {
+        words stop = {.counted = {.stop_at = k}};
+        words enough = {.counted = {.stop_at = k, .answer = TAUT_ENOUGH}};
+        model = NULL;
+        CHECK(make_example(name, &stop, &model) == TAUT_INTERRUPTED && model == NULL, "stop");
+        CHECK(make_example(name, &enough, &model) == TAUT_OK, "enough");
+        CHECK(enough.counted.reports == k && stop.counted.reports == k, "it went on");
+        CHECK(taut_record_get(taut_model_details(model), "stopped") != NULL &&
+                  taut_record_get(taut_model_details(model), "least") == NULL,
+              "ended at the witness");
+        taut_model_free(model);
+    }
+}
+
+int main(void)
+{
+    test_dirichlet(160);
+    test_dirichlet(240);
+    test_branches();
+    test_witness();
+    return check_failures != 0;
+}
