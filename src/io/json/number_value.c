@@ -1,4 +1,4 @@
-/* number_value.c -- from a decimal, or a rational number, to the nearest double.
+/* number_value.c -- from a decimal to the nearest double.
  *
  * A decimal is d 10^k with a whole d of at most 19 digits, so d < 2^64. Two exact ways cover nearly
  * all numbers of documents:
@@ -14,9 +14,7 @@
 #include "io/json/number_value.h"
 
 #include "core/decimal.h"
-#include "core/twice.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -146,64 +144,4 @@ double taut_number_value(const char *text, size_t length)
         return taut_decimal_value(text, length);
     }
     return text[0] == '-' ? -size : size;
-}
-
-/* A whole number as its first digits, at most 19, times a power of ten. */
-typedef struct whole {
-    uint64_t digits;
-    int64_t power;
-} whole;
-
-/* Reads digits up to the first other character; NULL if there is none. */
-static const char *read_whole(const char *text, whole *number)
-{
-    const char *first = text;
-    number->digits = 0;
-    number->power = 0;
-    for (; *text >= '0' && *text <= '9'; text++) {
-        if (number->digits <= (UINT64_MAX - 9) / 10) {
-            number->digits = 10 * number->digits + (uint64_t)(*text - '0');
-        } else {
-            number->power++;
-        }
-    }
-    return text > first ? text : NULL;
-}
-
-static taut_twice twice_of(uint64_t digits)
-{
-    return taut_twice_sum((double)(digits >> 32) * 0x1p32, (double)(digits & 0xffffffffu));
-}
-
-/* x 10^power, x > 0, rounded; infinite where that is. */
-static double scaled(taut_twice x, int64_t power)
-{
-    while (power != 0 && x.high > 0) {
-        const int64_t part = power > 22 ? 22 : power < -22 ? -22 : power;
-        const double ten = power_of_10[part < 0 ? -part : part];
-        if (part > 0 && x.high > DBL_MAX / ten) {
-            return HUGE_VAL;
-        }
-        x = part < 0 ? taut_twice_over_number(x, ten) : taut_twice_scale(ten, x);
-        power -= part;
-    }
-    return taut_twice_round(x);
-}
-
-int taut_rational_value(const char *text, double *value)
-{
-    const int negative = *text == '-';
-    whole top = {0, 0}, bottom = {1, 0};
-    const char *rest = read_whole(text + negative, &top);
-
-    if (rest != NULL && *rest == '/') {
-        rest = read_whole(rest + 1, &bottom);
-    }
-    if (rest == NULL || *rest != '\0' || rest - text > TAUT_RATIONAL_MAX || bottom.digits == 0) {
-        return 0;
-    }
-    const double size = scaled(taut_twice_over(twice_of(top.digits), twice_of(bottom.digits)),
-                               top.power - bottom.power);
-    *value = negative ? -size : size;
-    return 1;
 }

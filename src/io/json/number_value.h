@@ -15,7 +15,7 @@ double taut_number_value(const char *text, size_t length);
 enum { TAUT_RATIONAL_MAX = 20000 }; /* bytes */
 
 /* A rational number: an optional minus, digits, and "/" with digits that are not all 0. The double
- * nearest to it, to within 2^-60 of it; infinite where it is too large. 0, and *value untouched, if
+ * nearest to it, of two that are as near the even one; infinite where it is too large. 0, and *value untouched, if
  * the text is none or longer than TAUT_RATIONAL_MAX. */
 int taut_rational_value(const char *text, double *value);
 
