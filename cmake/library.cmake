@@ -3,7 +3,7 @@ add_custom_target(product) # all that is installed, without tests and benchmarks
 
 if(WIN32)
   set(system_libraries advapi32 shell32) # chance, and the words of the command line
-  set(other_systems "/platform/(posix|posix_helper|wasi).c|/io/cad/(answer|cad|helper|wire).c")
+  set(other_systems "/platform/(posix|posix_helper|unix|wasi).c|/io/cad/(answer|cad|helper|wire).c")
 else()
   find_package(PkgConfig REQUIRED)
   find_package(Threads REQUIRED)

@@ -41,41 +41,6 @@ const char *taut_system_reason(int number, char *text, size_t size)
         strerror_r(number, text, size), text);
 }
 
-double taut_system_seconds(void)
-{
-    struct timespec now;
-    return clock_gettime(CLOCK_MONOTONIC, &now) == 0
-               ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec
-               : 0;
-}
-
-/* ---- memory ---- */
-
-void *taut_system_take(size_t bytes)
-{
-    return malloc(bytes);
-}
-
-void *taut_system_take_aligned(size_t bytes)
-{
-    return aligned_alloc(64, bytes);
-}
-
-void *taut_system_take_zero(size_t bytes)
-{
-    return calloc(1, bytes);
-}
-
-void *taut_system_resize(void *block, size_t bytes)
-{
-    return realloc(block, bytes);
-}
-
-void taut_system_release(void *block)
-{
-    free(block);
-}
-
 /* ---- threads and modules ---- */
 
 typedef struct job {
@@ -226,24 +191,6 @@ int taut_system_helper(const char *name, const char *variable, char path[TAUT_PA
     return 0;
 }
 
-const char *taut_system_lacks_modules(void)
-{
-    return NULL;
-}
-
-/* ---- paths ---- */
-
-const char *taut_system_last_part(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
-}
-
-int taut_system_is_rooted(const char *path)
-{
-    return path[0] == '/';
-}
-
 /* ---- reading ---- */
 
 /* What the system says of a source that is open. */
@@ -284,25 +231,7 @@ int taut_system_read(taut_source *source, char *to, size_t room, size_t *count)
     return got < 0 ? errno : 0;
 }
 
-void taut_system_close(taut_source *source)
-{
-    if (source->file != STDIN_FILENO) {
-        close(source->file);
-    }
-}
-
 /* ---- what is there ---- */
-
-taut_place taut_system_place_of(const char *path)
-{
-    struct stat about;
-    if (stat(path, &about) != 0) {
-        return TAUT_PLACE_NONE;
-    }
-    return S_ISREG(about.st_mode)   ? TAUT_PLACE_FILE
-           : S_ISDIR(about.st_mode) ? TAUT_PLACE_FOLDER
-                                    : TAUT_PLACE_OTHER;
-}
 
 static int is_standard_output(const char *path)
 {
@@ -409,11 +338,6 @@ int taut_system_target(const char *path, taut_target_kind *kind, char target[TAU
         reason = check_file(target, place);
     }
     return reason;
-}
-
-int taut_system_same_target(const char *a, const char *b)
-{
-    return strcmp(a, b) == 0;
 }
 
 /* ---- writing ---- */

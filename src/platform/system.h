@@ -1,5 +1,5 @@
 /* system.h -- all that taut asks of an operating system: nothing else in the library does. One file
- * for each: posix.c, windows.c, wasi.c.
+ * for each: posix.c, windows.c, wasi.c; unix.c is what the first and the last share.
  *
  * Functions that return a reason return a number of errno.h, 0 where all went well. Paths are as the
  * user wrote them unless they are said to be spelled in full. A stream and a descriptor that are

@@ -21,41 +21,6 @@ const char *taut_system_reason(int number, char *text, size_t size)
     return strerror_r(number, text, size) == 0 ? text : "unknown reason";
 }
 
-double taut_system_seconds(void)
-{
-    struct timespec now;
-    return clock_gettime(CLOCK_MONOTONIC, &now) == 0
-               ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec
-               : 0;
-}
-
-/* ---- memory ---- */
-
-void *taut_system_take(size_t bytes)
-{
-    return malloc(bytes);
-}
-
-void *taut_system_take_aligned(size_t bytes)
-{
-    return aligned_alloc(64, bytes);
-}
-
-void *taut_system_take_zero(size_t bytes)
-{
-    return calloc(1, bytes);
-}
-
-void *taut_system_resize(void *block, size_t bytes)
-{
-    return realloc(block, bytes);
-}
-
-void taut_system_release(void *block)
-{
-    free(block);
-}
-
 /* ---- threads and modules ---- */
 
 void taut_system_threads(int count, void (*run)(void *context, int part), void *context)
@@ -113,24 +78,6 @@ taut_helper_fate taut_system_helper_end(const taut_helper *helper, int *number)
     return TAUT_HELPER_UNKNOWN;
 }
 
-const char *taut_system_lacks_modules(void)
-{
-    return NULL;
-}
-
-/* ---- paths ---- */
-
-const char *taut_system_last_part(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
-}
-
-int taut_system_is_rooted(const char *path)
-{
-    return path[0] == '/';
-}
-
 /* ---- reading ---- */
 
 int taut_system_open(const char *path, taut_source *source)
@@ -156,25 +103,7 @@ int taut_system_read(taut_source *source, char *to, size_t room, size_t *count)
     return got < 0 ? errno : 0;
 }
 
-void taut_system_close(taut_source *source)
-{
-    if (source->file != STDIN_FILENO) {
-        close(source->file);
-    }
-}
-
 /* ---- what is there ---- */
-
-taut_place taut_system_place_of(const char *path)
-{
-    struct stat about;
-    if (stat(path, &about) != 0) {
-        return TAUT_PLACE_NONE;
-    }
-    return S_ISREG(about.st_mode)   ? TAUT_PLACE_FILE
-           : S_ISDIR(about.st_mode) ? TAUT_PLACE_FOLDER
-                                    : TAUT_PLACE_OTHER;
-}
 
 /* Paths are the host's to resolve: they are taken as they are, with a folder in front. */
 int taut_system_target(const char *path, taut_target_kind *kind, char target[TAUT_PATH_ROOM])
@@ -194,11 +123,6 @@ int taut_system_target(const char *path, taut_target_kind *kind, char target[TAU
     strcat(target, path);
     *kind = place == TAUT_PLACE_OTHER ? TAUT_TARGET_DEVICE : TAUT_TARGET_FILE;
     return place == TAUT_PLACE_FOLDER ? EISDIR : 0;
-}
-
-int taut_system_same_target(const char *a, const char *b)
-{
-    return strcmp(a, b) == 0;
 }
 
 /* ---- writing ---- */

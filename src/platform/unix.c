@@ -1,0 +1,86 @@
+/* unix.c -- what systems with the files, the memory and the clock of POSIX share: those of posix.c and of wasi.c. */
+#include "platform/system.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+double taut_system_seconds(void)
+{
+    struct timespec now;
+    return clock_gettime(CLOCK_MONOTONIC, &now) == 0
+               ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec
+               : 0;
+}
+
+/* ---- memory ---- */
+
+void *taut_system_take(size_t bytes)
+{
+    return malloc(bytes);
+}
+
+void *taut_system_take_aligned(size_t bytes)
+{
+    return aligned_alloc(64, bytes);
+}
+
+void *taut_system_take_zero(size_t bytes)
+{
+    return calloc(1, bytes);
+}
+
+void *taut_system_resize(void *block, size_t bytes)
+{
+    return realloc(block, bytes);
+}
+
+void taut_system_release(void *block)
+{
+    free(block);
+}
+
+/* ---- modules and paths ---- */
+
+const char *taut_system_lacks_modules(void)
+{
+    return NULL;
+}
+
+const char *taut_system_last_part(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
+}
+
+int taut_system_is_rooted(const char *path)
+{
+    return path[0] == '/';
+}
+
+/* ---- files ---- */
+
+void taut_system_close(taut_source *source)
+{
+    if (source->file != STDIN_FILENO) {
+        close(source->file);
+    }
+}
+
+taut_place taut_system_place_of(const char *path)
+{
+    struct stat about;
+    if (stat(path, &about) != 0) {
+        return TAUT_PLACE_NONE;
+    }
+    return S_ISREG(about.st_mode)   ? TAUT_PLACE_FILE
+           : S_ISDIR(about.st_mode) ? TAUT_PLACE_FOLDER
+                                    : TAUT_PLACE_OTHER;
+}
+
+int taut_system_same_target(const char *a, const char *b)
+{
+    return strcmp(a, b) == 0;
+}
