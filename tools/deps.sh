@@ -1,5 +1,5 @@
 #!/bin/sh
-# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check bench wasm windows.
+# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check bench wasm windows nightly.
 #
 # A need is met when its command runs, its pkg-config file is found or its header compiles, however it came to the
 # machine; only unmet needs become packages. With nothing missing no network is touched.
@@ -58,6 +58,10 @@ wasm  cmd:node                       nodejs                 runs its tests
 windows cmd:x86_64-w64-mingw32-gcc-win32 gcc-mingw-w64-x86-64-win32 compiles for Windows
 windows cmd:python3                  python3                runs the tests of the program for Windows
 windows file:/usr/lib/wine/wine64    wine64                 is the Windows they run on
+nightly cmd:musl-gcc                 musl-tools             compiles for another C library
+nightly cmd:aarch64-linux-gnu-gcc    gcc-aarch64-linux-gnu  compiles for another processor
+nightly file:/usr/aarch64-linux-gnu/lib/libc.a libc6-dev-arm64-cross its C library
+nightly cmd:qemu-aarch64             qemu-user              is that processor
 bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of the Dirichlet solver
 bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
 bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
@@ -70,13 +74,29 @@ compiles() { # compiles LANGUAGE HEADER
     echo "#include <$2>" | gcc -x "$1" -fsyntax-only - 2>/dev/null
 }
 
+has_modules() { # has_modules PYTHON MODULE...
+    interpreter=$1
+    shift
+    for module in "$@"; do
+        "$interpreter" -c "import $module" 2>/dev/null || return 1
+    done
+}
+
+# Modules are of use in one interpreter only: the first that has all of them, else Debian's, which packages go to.
+find_python() { # find_python MODULE...
+    for python in ${PYTHON:-} python3; do
+        if has_modules "$python" "$@"; then return; fi
+    done
+    python=/usr/bin/python3
+}
+
 is_there() {
     case $1 in
     cmd:*) command -v "${1#cmd:}" >/dev/null 2>&1 ;;
     pc:*) pkg-config --exists "${1#pc:}" 2>/dev/null ;;
     header:*.hxx) test -e "/usr/include/${1#header:}" ;;
     file:*) test -e "${1#file:}" ;;
-    py:*) python3 -c "import ${1#py:}" 2>/dev/null || /usr/bin/python3 -c "import ${1#py:}" 2>/dev/null ;;
+    py:*) has_modules "$python" "${1#py:}" ;;
     header:*) compiles c "${1#header:}" ;;
     clang:*) echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return d == 0 && n > 0; }' |
         clang "-${1#clang:}" -x c - -o /dev/null 2>/dev/null ;;
@@ -85,9 +105,15 @@ is_there() {
 
 packages=
 seen=' '
+modules=
 for group in "$@"; do
-    case $group in build | test | browser | check | bench | wasm | windows) ;; *)
-        echo "deps.sh: no group \"$group\"; there are build, test, browser, check, bench, wasm and windows" >&2
+    modules="$modules $(needs | sed -n "s/^$group *py:\([a-z0-9]*\).*/\1/p" | tr '\n' ' ')"
+done
+# shellcheck disable=SC2086
+find_python $modules
+for group in "$@"; do
+    case $group in build | test | browser | check | bench | wasm | windows | nightly) ;; *)
+        echo "deps.sh: no group \"$group\"; there are build, test, browser, check, bench, wasm, windows and nightly" >&2
         exit 2
         ;;
     esac

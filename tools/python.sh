@@ -1,7 +1,7 @@
 #!/bin/sh
 # python.sh test|wheel|bench [ARGUMENT...] -- the Python package: its tests (pytest, types by mypy) against the library of
 # build/release, its wheel (build/python/*.whl; what is tested is then installed from it), its figures. By $PYTHON, or the first python3
-# that has numpy and pytest.
+# that has all they need.
 set -eu
 cd "$(dirname "$0")/.."
 export TAUT_BUILD=${TAUT_BUILD:-$PWD/build/release} PYTHONDONTWRITEBYTECODE=1
@@ -15,8 +15,8 @@ has() { # has PYTHON MODULE...
     done
 }
 if [ -z "${PYTHON:-}" ]; then
-    for PYTHON in python3 /usr/bin/python3; do
-        if has "$PYTHON" numpy pytest; then break; fi
+    for PYTHON in python3 /usr/bin/python3; do # as tools/deps.sh finds it
+        if has "$PYTHON" numpy pytest hypothesis mypy wheel setuptools pip jsonschema; then break; fi
     done
 fi
 if ! has "$PYTHON" numpy pytest; then
