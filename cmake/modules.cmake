@@ -1,7 +1,5 @@
 # Parts that need a heavy library, loaded when first wanted (src/platform/module.h): one shared object each.
 # taut_module(<name> <pkg-config package>): sources in src/modules/<name>/.
-set(TAUT_MODULE_DIR ${CMAKE_BINARY_DIR}/modules)
-set(TAUT_MODULE_INSTALL_DIR ${CMAKE_INSTALL_LIBDIR}/taut)
 function(taut_module name package)
   pkg_check_modules(${name}_dependency IMPORTED_TARGET ${package})
   if(NOT ${name}_dependency_FOUND)
@@ -39,8 +37,6 @@ else()
 endif()
 
 # taut-cad, the program that reads STEP and IGES and writes IGES (src/io/cad/wire.h), started when first wanted.
-set(TAUT_HELPER_DIR ${CMAKE_BINARY_DIR}/libexec)
-set(TAUT_HELPER_INSTALL_DIR ${CMAKE_INSTALL_LIBEXECDIR}/taut)
 # OpenCASCADE's own CMake package breaks where libtbb-dev is absent, so its libraries are taken by name.
 find_path(OCCT_INCLUDE STEPControl_Writer.hxx PATH_SUFFIXES opencascade occt)
 set(OCCT_LIBRARIES)
@@ -64,7 +60,3 @@ if(OCCT_INCLUDE AND NOT OCCT_LIBRARIES MATCHES "NOTFOUND")
 else()
   message(STATUS "taut-cad is left out: libocct-data-exchange-dev is not installed")
 endif()
-set_source_files_properties(${CMAKE_SOURCE_DIR}/src/platform/posix.c PROPERTIES COMPILE_DEFINITIONS
-  "TAUT_MODULE_BUILD_DIR=\"${TAUT_MODULE_DIR}\";TAUT_MODULE_INSTALL_DIR=\"${CMAKE_INSTALL_PREFIX}/${TAUT_MODULE_INSTALL_DIR}\";\
-TAUT_HELPER_BUILD_DIR=\"${TAUT_HELPER_DIR}\";TAUT_HELPER_INSTALL_DIR=\"${CMAKE_INSTALL_PREFIX}/${TAUT_HELPER_INSTALL_DIR}\";\
-TAUT_LIBRARY_FOLDER=\"${CMAKE_INSTALL_LIBDIR}\";TAUT_PROGRAM_FOLDER=\"${CMAKE_INSTALL_BINDIR}\";TAUT_HELPER_FOLDER=\"${TAUT_HELPER_INSTALL_DIR}\"")

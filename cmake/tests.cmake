@@ -1,7 +1,8 @@
 # Every tests/<kind>/**/test_*.c is one program and one ctest; every tests/cli/test_*.sh one ctest.
 # A test that needs a library the product does not names it in a line `links: <package> ...` near its top. One that ends with 77
 # says what it lacks and how to get it; it is reported as skipped. On Windows those are left out that link something, and those that
-# say `needs: posix`, or a module, near their top.
+# say `needs: posix`, or a module, near their top; so are those that link something or need a module where the library is built alone
+# (TAUT_ALONE, of a toolchain file).
 file(GLOB support_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.c ${CMAKE_SOURCE_DIR}/tests/support/oracle/*.c)
 if(WIN32)
   list(FILTER support_sources EXCLUDE REGEX "/(folder_add|fake_cad).c")
@@ -19,7 +20,7 @@ if(WIN32)
   target_compile_options(taut_test_support PUBLIC -include ${CMAKE_SOURCE_DIR}/tests/support/windows/posix.h)
 endif()
 
-if(NOT WIN32)
+if(NOT WIN32 AND NOT TAUT_ALONE)
   # What OpenCASCADE sees in a STEP file, where it is installed: for tests that link step-probe, and as a program.
   set(probe_libraries)
   foreach(toolkit TKXDESTEP TKXCAF TKLCAF TKCAF TKCDF)
@@ -61,7 +62,7 @@ function(taut_test file)
   string(REGEX REPLACE "^.*links: ([a-z0-9 -]*).*$" "\\1" links "${links}")
   separate_arguments(links)
   file(STRINGS ${file} needs REGEX "^ \\* needs: [a-z]" LIMIT_COUNT 1)
-  if(WIN32 AND (links OR needs))
+  if((WIN32 AND (links OR needs)) OR (TAUT_ALONE AND (links OR needs MATCHES "cairo|exact")))
     return()
   endif()
   add_executable(test-${target} ${file})
@@ -99,6 +100,10 @@ endforeach()
 if(WIN32)
   include(windows_tests) # the program, by a script that needs no shell
   return()
+endif()
+
+if(TAUT_ALONE)
+  return() # tools/same_bytes.sh compares the program with another
 endif()
 
 file(GLOB cli_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/cli/test_*.sh)

@@ -1,0 +1,102 @@
+#!/bin/bash
+# nightly.sh [STEP...] -- what takes too long for each commit: all steps, or those named, one after the other. What came of it is
+# written into docs/nightly.md, a row for each step with the day, the commit, the time it took and the verdict; rows of other steps stay.
+# Logs are left in build/nightly. Fails where a step does.
+#
+#     compilers  every example by gcc's program and by clang's, byte for byte
+#     musl       another C library: the C tests that need no library, every example byte for byte
+#     aarch64    another processor, by qemu: likewise, without property and fault tests
+#     windows    all C tests under wine, and every example
+#     wasm       every example in the WebAssembly module, byte for byte
+#     fuzz       every fuzz target, NIGHTLY_FUZZ seconds in all (3600)
+#     mutants    every mutant that was made by hand
+#     generated  mutants made by rule, for NIGHTLY_GENERATED seconds (7200)
+#     forge      forgeries of models against the judge from outside, seed NIGHTLY_SEED (the day)
+set -u
+cd "$(dirname "$0")/.." || exit 1
+all="compilers musl aarch64 windows wasm fuzz mutants generated forge"
+page=docs/nightly.md logs=build/nightly
+for name in "$@"; do
+    case " $all " in *" $name "*) ;; *)
+        echo "nightly: no step \"$name\"; there are: $all" >&2
+        exit 2
+        ;;
+    esac
+done
+mkdir -p "$logs"
+export NICE=${NICE:-10} TAUT_REQUIRE=
+jobs=${JOBS:-$(nproc)}
+native=$PWD/build/release/bin/taut
+commit=$(git rev-parse --short=10 HEAD)
+git diff --quiet HEAD -- src include tests cmake || commit=$commit-changed
+
+preset() { # preset NAME [CTEST-ARGUMENT...]: configured, built, tested
+    cmake --preset "$1" > /dev/null && cmake --build --preset "$1" -j "$jobs" && ctest --preset "$1" -j "$jobs" "${@:2}"
+}
+
+do_compilers() { tools/same_bytes.sh --build; }
+do_musl() { preset musl && tools/same_bytes.sh "$native" build/musl/bin/taut; }
+do_aarch64() {
+    preset aarch64 -E '^(property|fault|thread)/' &&
+        tools/same_bytes.sh "$native" 'qemu-aarch64 build/aarch64/bin/taut'
+}
+do_windows() { tools/deps.sh windows && preset mingw; }
+do_wasm() {
+    tools/deps.sh wasm && cmake --preset wasm > /dev/null && cmake --build --preset wasm -j "$jobs" &&
+        node --test tests/web/test_web.mjs
+}
+do_fuzz() {
+    tools/deps.sh check && cmake --preset sanitize > /dev/null && cmake --build --preset sanitize -j "$jobs" &&
+        tools/fuzz.sh "${NIGHTLY_FUZZ:-3600}"
+}
+do_mutants() { tools/mutants.sh; }
+do_generated() { tools/mutants_generated.py --seconds "${NIGHTLY_GENERATED:-7200}"; }
+do_forge() { tools/forge_night.sh "${NIGHTLY_SEED:-$(date +%j)}" "${NIGHTLY_SEED:-$(date +%j)}"; }
+
+# What a step says of itself: of tests how many, of examples how many.
+told() { # told LOG
+    grep -hE '^[0-9]+ of [0-9]+ examples|tests passed, |^# (pass|fail) |mutants tried|^seed [0-9]' "$1" | tail -n 3 |
+        tr '\n|' ' /' | sed 's/  */ /g; s/ $//'
+}
+
+write_page() { # write_page STEP VERDICT SECONDS WHAT: its row in place of the one there was
+    local rows
+    rows=$(grep -E '^\| `' "$page" 2> /dev/null | grep -vF "| \`$1\` |")
+    {
+        cat << 'HEAD'
+# What runs at night
+
+`tools/nightly.sh` writes this page: the last run of each step. What the steps are stands at its head.
+
+| step | day | commit | seconds | verdict | it says |
+|---|---|---|---|---|---|
+HEAD
+        for step in $all; do
+            if [ "$step" = "$1" ]; then
+                # shellcheck disable=SC2016
+                printf '| `%s` | %s | %s | %s | %s | %s |\n' "$1" "$(date -u +%F)" "$commit" "$3" "$2" "$4"
+            else
+                grep -F "| \`$step\` |" <<< "$rows"
+            fi
+        done
+    } > "$page.new"
+    mv "$page.new" "$page"
+}
+
+if ! { tools/deps.sh build test nightly && cmake --preset release && cmake --build --preset release -j "$jobs"; } > "$logs/release.log" 2>&1; then
+    echo "nightly: the native program does not build: $logs/release.log" >&2
+    exit 1
+fi
+# shellcheck disable=SC2086
+[ $# -gt 0 ] || set -- $all
+failures=0
+for step; do
+    begin=$SECONDS verdict=passed
+    if ! (set -e; "do_$step") > "$logs/$step.log" 2>&1; then
+        verdict=FAILED
+        failures=$((failures + 1))
+    fi
+    write_page "$step" "$verdict" $((SECONDS - begin)) "$(told "$logs/$step.log")"
+    printf '%-10s %s, %d s: %s\n' "$step" "$verdict" $((SECONDS - begin)) "$(told "$logs/$step.log")"
+done
+[ $failures = 0 ]
