@@ -15,7 +15,8 @@ basis:     core numeric
 geometry:  core platform numeric basis
 problem:   core
 measure:   core platform numeric basis geometry
-construct: core platform numeric basis geometry problem
+trace:     core numeric basis geometry
+construct: core platform numeric basis geometry problem trace
 certify:   core numeric/quadrature.h numeric/sum.h basis geometry measure problem
 mesh:      core basis geometry measure
 shell:     core numeric/quadrature.h basis geometry measure mesh

@@ -1,10 +1,10 @@
 #!/bin/bash
 # forge_night.sh [FIRST [LAST]] -- forgeries and random problems against the judge from outside, seeds FIRST to LAST (1 to 50 unless
 # said). A seed is a fiftieth of a million forgeries and of ten thousand problems, of cheap constructions many, of dear ones few: the
-# counts stand below. What is done is kept in build/forge/results, a file for each seed, construction and mode, under the commit that
-# it was done with: a run that was stopped goes on where it was, other seeds add to it. After each seed docs/bench/forgeries.md is
-# written from all of them (tools/forge_table.py). On all processors, or JOBS of them; NICE says how politely. Every false `holds` is
-# left with its documents in build/forge/found. Fails where there is one.
+# counts stand below. What is done lies in build/forge/results, a file for each seed, construction and mode, under the commit that
+# it was done with: a run that was stopped goes on where it was. After each seed they are added to docs/bench/forgeries.json and .md
+# (tools/forge_table.py); what is counted there is not done again. On all processors, or JOBS of them; NICE says how politely. Every
+# false `holds` is left with its documents in build/forge/found. Fails where there is one.
 set -eu
 cd "$(dirname "$0")/.."
 first=${1:-1}
@@ -19,13 +19,14 @@ commit=$(git rev-parse --short=10 HEAD 2> /dev/null || echo unknown)
 if ! git diff --quiet HEAD -- src include tests 2> /dev/null; then
     commit=$commit-changed
 fi
-export commit
+counted=$(python3 -B tools/forge_table.py --done)
+export commit counted
 # glibc gives large blocks back after every certificate and takes them anew: a third of a pipe's time
 export MALLOC_TRIM_THRESHOLD_=268435456 MALLOC_MMAP_THRESHOLD_=268435456
 
 forge_one() { # forge_one MODE CONSTRUCT COUNT SEED
     local name=$results/$1.$2.$4.txt status=0
-    if [ -s "$name" ]; then
+    if [ -s "$name" ] || grep -qx "$1 $2 $4" <<< "$counted"; then
         return 0
     fi
     nice -n "${NICE:-10}" "$forge" --seed "$4" --count "$3" --construct "$2" --mode "$1" --folder "$found" --table \
@@ -61,7 +62,7 @@ made harmonic 50
 made pipe 6
 made plateau 16
 COUNTS
-    python3 -B tools/forge_table.py "$results" > docs/bench/forgeries.md
+    python3 -B tools/forge_table.py "$results"
 done
 grep -h '^FALSE HOLDS' "$results"/*.txt || true
 exit $status

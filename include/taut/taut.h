@@ -18,6 +18,7 @@
 #include "taut/harmonic.h"
 #include "taut/pipe.h"
 #include "taut/plateau.h"
+#include "taut/trace.h"
 
 /* What comes out */
 #include "taut/certify.h"

@@ -295,4 +295,23 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
     return made_of("plateau", said, known, threads=threads, progress=progress, strict=strict)
 
 
-__all__ = ["asymptotic", "biharmonic", "bonnet", "dirichlet", "film", "harmonic", "harmonic_extension", "pipe", "plateau"]
+def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametric"], of: Union[str, Mapping[str, Any]],
+        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, surface: str | None = None,
+        families: Sequence[Any] | None = None, seeds: Sequence[Any] | None = None, max_length: float | None = None,
+        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+    """A net of asymptotic, principal, geodesic or isoparametric curves on a surface.
+
+    trace                  which curves; one of "asymptotic", "principal", "geodesic", "isoparametric"
+    of                     the surface: a model, a problem that is made first, or the name of a file that holds one
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    surface                its name, where the model has several
+    families               only these
+    seeds                  where the curves begin; { "cells": 8 } if not given
+    max_length             of a curve each way; 20 sizes if not given; above 0
+    """
+    said: dict[str, Any] = {"trace": trace, "of": of, "unit": unit, "surface": surface, "families": families,
+        "seeds": seeds, "max_length": max_length}
+    return made_of("trace", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
+
+
+__all__ = ["asymptotic", "biharmonic", "bonnet", "dirichlet", "film", "harmonic", "harmonic_extension", "pipe", "plateau", "trace"]

@@ -28,6 +28,19 @@ typedef struct cli_options {
     const char *text_v;
     const char *kind;   /* panels --kind */
     const char *panels; /* panels --divide NU,NV */
+    const char *net;    /* trace */
+    const char **families;
+    int family_count;
+    const char **seed_edges;
+    int seed_edge_count;
+    const char **seed_lines;
+    int seed_line_count;
+    const char *direction;
+    const char *cell;
+    const char *by;
+    const char *max_length;
+    int cells;
+    int both;
     double tolerance;
     double time_limit;
     int threads;

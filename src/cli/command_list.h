@@ -13,6 +13,7 @@
     X(refine)                                                                                      \
     X(convert)                                                                                     \
     X(panels)                                                                                      \
+    X(trace)                                                                                       \
     X(view)                                                                                        \
     X(example)                                                                                     \
     X(reproduce)                                                                                   \

@@ -83,7 +83,7 @@ static int deliver(const cli_options *options, cli_report *report)
     return code;
 }
 
-static int make(const taut_problem *problem, const cli_options *options)
+int cli_make_one(const taut_problem *problem, const cli_options *options)
 {
     cli_made made = {.model = NULL};
     int code = cli_make_model(problem, options, "", &made);
@@ -111,7 +111,7 @@ static int run(const cli_options *options)
         return cli_fail_in(options->files[0], &error);
     }
     code = taut_problem_list_is_list(list) ? cli_make_list(list, options)
-                                           : make(taut_problem_list_at(list, 0), options);
+                                           : cli_make_one(taut_problem_list_at(list, 0), options);
     taut_problem_list_free(list);
     return code;
 }

@@ -15,6 +15,9 @@ typedef struct cli_made {
 int cli_make_model(const taut_problem *problem, const cli_options *options, const char *place,
                    cli_made *made);
 
+/* One problem: made, proved, written and told. 0 or the exit code. */
+int cli_make_one(const taut_problem *problem, const cli_options *options);
+
 /* All the documents of a list. 0 or the exit code. */
 int cli_make_list(const taut_problem_list *list, const cli_options *options);
 

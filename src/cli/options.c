@@ -148,4 +148,7 @@ void cli_parse_free(cli_options *options)
 {
     free(options->outputs);
     free(options->at);
+    free(options->families);
+    free(options->seed_edges);
+    free(options->seed_lines);
 }

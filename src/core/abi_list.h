@@ -380,6 +380,31 @@
     X(taut_surface_measure, singular_points, "int64_t") \
     X(taut_surface_measure, jacobian, "taut_jacobian")
 
+#define TAUT_ABI_MEMBERS_taut_trace_problem(X) \
+    X(taut_trace_problem, model, "const taut_model *") \
+    X(taut_trace_problem, of, "const taut_problem *") \
+    X(taut_trace_problem, surface, "const char *") \
+    X(taut_trace_problem, net, "taut_trace_net") \
+    X(taut_trace_problem, families, "int") \
+    X(taut_trace_problem, seed_count, "int") \
+    X(taut_trace_problem, seeds, "const taut_trace_seed *") \
+    X(taut_trace_problem, max_length, "double")
+
+#define TAUT_ABI_MEMBERS_taut_trace_seed(X) \
+    X(taut_trace_seed, kind, "taut_trace_seed_kind") \
+    X(taut_trace_seed, family, "int") \
+    X(taut_trace_seed, has_at, "int") \
+    X(taut_trace_seed, at, "double[2]") \
+    X(taut_trace_seed, to, "double[2]") \
+    X(taut_trace_seed, direction, "double[2]") \
+    X(taut_trace_seed, both, "int") \
+    X(taut_trace_seed, edge, "taut_edge") \
+    X(taut_trace_seed, count, "int") \
+    X(taut_trace_seed, ends, "int") \
+    X(taut_trace_seed, by, "taut_trace_by") \
+    X(taut_trace_seed, lath, "const char *") \
+    X(taut_trace_seed, cell, "double")
+
 #define TAUT_ABI_MEMBERS_taut_write_options(X) \
     X(taut_write_options, tolerance, "double") \
     X(taut_write_options, divide, "int") \
@@ -453,6 +478,8 @@
     X(taut_pipe_shape) \
     X(taut_plateau_problem) \
     X(taut_surface_measure) \
+    X(taut_trace_problem) \
+    X(taut_trace_seed) \
     X(taut_write_options)
 
 #define TAUT_ABI_VALUES_taut_asymptotic_given(X) \
@@ -576,6 +603,25 @@
     X(TAUT_INTERNAL, "internal") \
     X(TAUT_INTERRUPTED, "interrupted")
 
+#define TAUT_ABI_VALUES_taut_trace_by(X) \
+    X(TAUT_TRACE_CONFORMAL, "conformal") \
+    X(TAUT_TRACE_LENGTH, "length") \
+    X(TAUT_TRACE_PARAMETER, "parameter")
+
+#define TAUT_ABI_VALUES_taut_trace_net(X) \
+    X(TAUT_TRACE_ASYMPTOTIC, "asymptotic") \
+    X(TAUT_TRACE_PRINCIPAL, "principal") \
+    X(TAUT_TRACE_GEODESIC, "geodesic") \
+    X(TAUT_TRACE_ISOPARAMETRIC, "isoparametric")
+
+#define TAUT_ABI_VALUES_taut_trace_seed_kind(X) \
+    X(TAUT_TRACE_AT, "at") \
+    X(TAUT_TRACE_EDGE, "edge") \
+    X(TAUT_TRACE_LINE, "line") \
+    X(TAUT_TRACE_LATH, "lath") \
+    X(TAUT_TRACE_CELL, "cell") \
+    X(TAUT_TRACE_CELLS, "cells")
+
 #define TAUT_ABI_VALUES_taut_verdict(X) \
     X(TAUT_FALSE, "false") \
     X(TAUT_TRUE, "true") \
@@ -605,6 +651,9 @@
     X(taut_plateau_method) \
     X(taut_record_kind) \
     X(taut_status) \
+    X(taut_trace_by) \
+    X(taut_trace_net) \
+    X(taut_trace_seed_kind) \
     X(taut_verdict)
 
 #define TAUT_ABI_CONSTANT_LIST(X) \
@@ -646,6 +695,8 @@
     X(TAUT_XUU, "TAUT_XUU") \
     X(TAUT_XUV, "TAUT_XUV") \
     X(TAUT_XVV, "TAUT_XVV") \
+    X(TAUT_TRACE_SEEDS_MAX, "TAUT_TRACE_SEEDS_MAX") \
+    X(TAUT_TRACE_LATHS_MAX, "TAUT_TRACE_LATHS_MAX") \
     X(TAUT_VERSION_MAJOR, "TAUT_VERSION_MAJOR") \
     X(TAUT_VERSION_MINOR, "TAUT_VERSION_MINOR") \
     X(TAUT_VERSION_PATCH, "TAUT_VERSION_PATCH") \

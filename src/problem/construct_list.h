@@ -19,6 +19,7 @@
     X(harmonic, "harmonic")                                                                        \
     X(harmonic_extension, "harmonic-extension")                                                    \
     X(pipe, "pipe")                                                                                \
-    X(plateau, "plateau")
+    X(plateau, "plateau")                                                                          \
+    X(trace, "trace")
 
 #endif /* TAUT_CONSTRUCT_LIST_H */

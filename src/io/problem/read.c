@@ -19,13 +19,17 @@ static const taut_document_ops *const ops_table[] = {
 #undef TAUT_DOCUMENT_ROW
 };
 
-/* The index of the construction that the document names. */
+/* The index of the construction that the document names; a net says "trace" in its place. */
 static taut_status read_construct(const taut_json *document, int *construct, taut_error *error)
 {
     const taut_json at = taut_json_member(document, "construct");
     const char *names[TAUT_CONSTRUCT_COUNT + 1] = {NULL};
     const char *name = NULL;
 
+    if (at.value == NULL && taut_json_find(document->value, "trace") != NULL) {
+        *construct = TAUT_CONSTRUCT_INDEX_trace;
+        return TAUT_OK;
+    }
     for (int i = 0; i < TAUT_CONSTRUCT_COUNT; i++) {
         names[i] = taut_construct_name(i);
     }

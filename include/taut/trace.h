@@ -1,0 +1,121 @@
+/* taut/trace.h -- nets of curves on a surface: asymptotic, principal, geodesic, isoparametric.
+ *
+ * With the unit normal n = x_u x x_v / |x_u x x_v|, a unit tangent T and S = n x T,
+ *
+ *     T' = k_g S + k_n n,      n' = -k_n T - tau_g S
+ *
+ * an asymptotic curve has k_n = 0, a principal one tau_g = 0, a geodesic k_g = 0. Families are
+ * geometric: asymptotic curves `+` have tau_g > 0, `-` tau_g < 0; principal ones `max` bend by the
+ * larger curvature, `min` by the lesser; of isoparametric ones `u` holds u, `v` holds v. Laths of the
+ * first family are named A1, A2, ..., of the second B1, B2, ..., geodesics G1, G2, ...
+ *
+ * Sources: [doCarmo1976] chapter 3, [HairerNorsettWanner1993] II.5 (the integrator).
+ */
+#ifndef TAUT_TRACE_H
+#define TAUT_TRACE_H
+
+#include "taut/construct.h"
+#include "taut/join.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The most seeds of a document, and curves of a net. */
+enum { TAUT_TRACE_SEEDS_MAX = 1000, TAUT_TRACE_LATHS_MAX = 2000 };
+
+/* Which curves. */
+typedef enum taut_trace_net {
+    TAUT_TRACE_ASYMPTOTIC = 0,
+    TAUT_TRACE_PRINCIPAL,
+    TAUT_TRACE_GEODESIC,
+    TAUT_TRACE_ISOPARAMETRIC
+} taut_trace_net;
+
+/* What equal parts are measured by. */
+typedef enum taut_trace_by {
+    TAUT_TRACE_CONFORMAL = 0, /* (-K)^(1/4) ds, R^(1/2) ds; of other nets the length */
+    TAUT_TRACE_LENGTH,
+    TAUT_TRACE_PARAMETER
+} taut_trace_by;
+
+/* Where curves begin. */
+typedef enum taut_trace_seed_kind {
+    TAUT_TRACE_AT = 0, /* through the point `at`, both ways; a geodesic along `direction` */
+    TAUT_TRACE_EDGE,   /* `count` points that cut the edge into count + 1 equal parts */
+    TAUT_TRACE_LINE,   /* the same of the straight line of the window from `at` to `to` */
+    TAUT_TRACE_LATH,   /* the same of the traced curve named `lath`, for the other family */
+    TAUT_TRACE_CELL,   /* a net over the whole window, a node at `at`, the part nearest to `cell` */
+    TAUT_TRACE_CELLS   /* the same with the part 1/count of the longer curve through `at` */
+} taut_trace_seed_kind;
+
+/* One of them; what its kind does not name is not looked at. */
+typedef struct taut_trace_seed {
+    taut_trace_seed_kind kind;
+    int family;          /* 1 or 2: of the first or the second alone; 0: of both */
+    int has_at;          /* cell, cells: nonzero, or the node lies in the middle */
+    double at[2];        /* u, v */
+    double to[2];        /* line: its end */
+    double direction[2]; /* geodesics: du, dv, not both 0 */
+    int both;            /* geodesics: nonzero: both ways */
+    taut_edge edge;
+    int count;
+    int ends; /* edge, line, lath: nonzero: the ends too */
+    taut_trace_by by;
+    const char *lath;
+    double cell; /* in the document's unit (conformal: in that of the measure) */
+} taut_trace_seed;
+
+/* Zero means default everywhere. One of `model` and `of`. */
+typedef struct taut_trace_problem {
+    const taut_model *model; /* the surface is in it */
+    const taut_problem *of;  /* or in what this makes */
+    const char *surface;     /* its name; NULL: the only one */
+    taut_trace_net net;
+    int families;   /* 1 or 2: the first or the second alone; 0: both */
+    int seed_count; /* 0: { cells: 8 } */
+    const taut_trace_seed *seeds;
+    double max_length; /* 0: 20 times the size of the surface */
+} taut_trace_problem;
+
+/* Reasons: word, meaning, remedy. */
+#define TAUT_TRACE_REASON_LIST(X)                                                                  \
+    X("net", "a seed or an option that this net has no use for",                                   \
+      "leave it out, or trace another net")                                                        \
+    X("family", "the net has no family of this name", "take one of those that the message names")  \
+    X("outside", "a seed lies outside the window of the surface", "give one inside its ranges")    \
+    X("elliptic", "asymptotic curves where the Gauss curvature is positive",                       \
+      "seed where it is negative, as at the place that the message names")                         \
+    X("parabolic", "the Gauss curvature vanishes everywhere: one direction, no net",               \
+      "trace another net")                                                                         \
+    X("flat", "the second fundamental form vanishes at the seed, or everywhere",                   \
+      "seed elsewhere, or trace another net")                                                      \
+    X("umbilic", "both principal curvatures are equal at the seed, or everywhere",                 \
+      "seed elsewhere, or trace another net")                                                      \
+    X("along", "every curve of the family runs along the edge that seeds it",                      \
+      "seed it on another edge")                                                                   \
+    X("singular", "the surface has no normal at the seed", "seed elsewhere")                       \
+    X("extreme-size", "the surface is so large or small that lengths along it are no parameters",  \
+      "scale it")                                                                                  \
+    X("stalled", "a curve could not be followed on", "seed elsewhere")                             \
+    X("too-many-laths", "the net would have too many curves", "ask for fewer")                     \
+    X("trace-not-yet", "a member or a word of nets that this version cannot do", "leave it out")
+
+/* Makes the model: the surface and a curve a lath, quintic B-splines over arc length, named A1, B1,
+ * ...; details as docs/trace.md has them. TAUT_BAD_INPUT, TAUT_NO_SOLUTION and TAUT_NOT_CONVERGED with
+ * the reasons above. */
+TAUT_API taut_status taut_trace_make(const taut_trace_problem *problem,
+                                     const taut_make_options *options, taut_model **model,
+                                     taut_error *error);
+
+/* The certificate: claims on-surface, asymptotic (principal, geodesic), length, ends, nodes,
+ * complete, and with the problem `surface` and `spacing`. docs/trace.md says what each is held
+ * against. */
+TAUT_API taut_status taut_trace_certify(const taut_model *model, const taut_trace_problem *problem,
+                                        const taut_certify_options *options,
+                                        taut_certificate **certificate, taut_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_TRACE_H */

@@ -1,0 +1,146 @@
+#include "certify/trace/lines.h"
+
+#include "core/fail.h"
+#include "geometry/exponent.h"
+#include "geometry/keep.h"
+
+#include <string.h>
+
+static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
+
+/* An item of details.domain as a curve of points (u, v, 0); NULL where it is none. */
+static taut_curve *read_stretch(const taut_record *item, taut_arena *arena)
+{
+    const taut_record *t = taut_record_get(item, "t"), *rows = taut_record_get(item, "points");
+    const taut_record *list = taut_record_get(t, "knots");
+    const size_t knot_count = taut_record_count(list), count = taut_record_count(rows);
+    double *knots = taut_arena_take(arena, knot_count + 1, sizeof(double));
+    double *points = taut_arena_take(arena, count + 1, 3 * sizeof(double));
+    taut_basis *basis = NULL;
+    taut_curve *curve = NULL;
+
+    if (knots == NULL || points == NULL || knot_count > TAUT_POINTS_MAX) {
+        return NULL;
+    }
+    for (size_t k = 0; k < knot_count; k++) {
+        knots[k] = taut_record_number(taut_record_at(list, k));
+    }
+    for (size_t k = 0; k < count; k++) {
+        const taut_record *row = taut_record_at(rows, k);
+        points[3 * k] = taut_record_number(taut_record_at(row, 0));
+        points[3 * k + 1] = taut_record_number(taut_record_at(row, 1));
+    }
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = 5, .knot_count = (int)knot_count, .knots = knots};
+    if (strcmp(taut_record_text(taut_record_get(t, "type")), "bspline") != 0 ||
+        taut_record_number(taut_record_get(t, "degree")) != 5 ||
+        taut_basis_new(&spec, (int)count, &basis, NULL) != TAUT_OK) {
+        return NULL;
+    }
+    if ((size_t)taut_basis_count(basis) != count ||
+        taut_curve_new(NULL, basis, points, NULL, &curve, NULL) != TAUT_OK) {
+        curve = NULL;
+    }
+    taut_basis_free(basis);
+    return curve != NULL && taut_keep_curve(arena, curve) ? curve : NULL;
+}
+
+/* The stretches of a name, end to end over the range of the curve; none where they are not. */
+static taut_status read_window(const taut_record *domain, taut_arena *arena, taut_net_line *line)
+{
+    const size_t items = taut_record_count(domain);
+    const char *name = taut_curve_name(line->space);
+    double at = taut_basis_lo(taut_curve_t(line->space));
+
+    line->window = taut_arena_take(arena, items + 1, sizeof *line->window);
+    if (line->window == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t k = 0; k < items; k++) {
+        const taut_record *item = taut_record_at(domain, k);
+        if (strcmp(taut_record_text(taut_record_get(item, "name")), name) != 0) {
+            continue;
+        }
+        const taut_curve *stretch = read_stretch(item, arena);
+        if (stretch == NULL || taut_basis_lo(taut_curve_t(stretch)) != at) {
+            line->count = 0;
+            return taut_arena_status(arena);
+        }
+        at = taut_basis_hi(taut_curve_t(stretch));
+        line->window[line->count++] = stretch;
+    }
+    if (at != taut_basis_hi(taut_curve_t(line->space))) {
+        line->count = 0;
+    }
+    return TAUT_OK;
+}
+
+static taut_status find_net(const taut_model *model, const taut_trace_problem *problem,
+                            taut_trace_net *net, taut_error *error)
+{
+    const char *word = taut_record_text(taut_record_get(taut_model_details(model), "trace"));
+    if (problem != NULL) {
+        *net = problem->net;
+        return TAUT_OK;
+    }
+    for (int k = 0; k < 4; k++) {
+        if (strcmp(word, nets[k]) == 0) {
+            *net = (taut_trace_net)k;
+            return TAUT_OK;
+        }
+    }
+    return taut_fail(error, TAUT_BAD_INPUT, "details", "/details/trace", taut_none, taut_none,
+                     "the model does not say which net it is: give its document too");
+}
+
+taut_status taut_net_lines_new(taut_arena *arena, const taut_model *model,
+                               const taut_trace_problem *problem, taut_net_lines *lines,
+                               taut_error *error)
+{
+    const taut_record *domain = taut_record_get(taut_model_details(model), "domain");
+    const int count = taut_model_curve_count(model);
+    taut_status status = TAUT_OK;
+
+    *lines = (taut_net_lines){.model = model, .surface = taut_model_surface(model, 0)};
+    if (lines->surface == NULL || count == 0) {
+        return taut_fail(error, TAUT_BAD_INPUT, "model",
+                         lines->surface == NULL ? "/surfaces" : "/curves", taut_none, taut_none,
+                         "the model has no %s, and so no net",
+                         lines->surface == NULL ? "surface" : "curve");
+    }
+    status = find_net(model, problem, &lines->net, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    lines->size =
+        2 * taut_half_size(taut_point_count(lines->surface), taut_surface_points(lines->surface));
+    lines->lines = taut_arena_take(arena, (size_t)count, sizeof *lines->lines);
+    for (int i = 0; lines->lines != NULL && i < count; i++) {
+        taut_net_line *line = &lines->lines[lines->count++];
+        line->space = taut_model_curve(model, i);
+        line->index = i;
+        line->family = taut_curve_name(line->space)[0] == 'B';
+        line->length =
+            taut_basis_hi(taut_curve_t(line->space)) - taut_basis_lo(taut_curve_t(line->space));
+        status = read_window(domain, arena, line);
+        if (status != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+    }
+    return lines->lines != NULL ? TAUT_OK : taut_fail_memory(error);
+}
+
+int taut_net_line_window(const taut_net_line *line, double t, double at[2])
+{
+    for (int k = 0; k < line->count; k++) {
+        const taut_basis *basis = taut_curve_t(line->window[k]);
+        double point[3];
+        if (t >= taut_basis_lo(basis) && t <= taut_basis_hi(basis)) {
+            taut_curve_eval(line->window[k], t, 0, point);
+            at[0] = point[0];
+            at[1] = point[1];
+            return 1;
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,639 @@
+/* trace.c -- are these curves a net of the surface? From the curves of the model, the surface, and
+ * the curves' stretches in the window; the forms of the surface by taut_surface_forms_points and the
+ * curves' own derivatives, none of them by the formulas that traced them.
+ *
+ *   surface       with the problem: numbers of the surface that differ from the model's that it was
+ *                 traced on (exact), or claims that do not hold of what was made first
+ *   on-surface    largest distance of C(s) from S(c(s)) over the size, PLACES in each span (check)
+ *   asymptotic    |k_n| / R of the curve's own tangent; its family by the sign of tau_g
+ *   principal     |tau_g| / R; its family by k_n >= H or not
+ *   geodesic      int |k_g| ds by the curve's own second derivative
+ *   isoparametric sine of the angle to the parameter line
+ *   length        |int |C'| ds - range| / range, Gauss 16 a span
+ *   ends          distance of the ends from the nearest place where a curve of this net may end,
+ *                 over the size: border, the other end, K = 0, R = 0, or the length asked for
+ *   nodes         largest distance of the two curves of a node of details at their lengths
+ *   complete      nodes missing or too many, by how the ends separate each other on the border
+ *                 (certify/trace/complete.h); left out where that does not say
+ */
+#include "taut/trace.h"
+
+#include "certify/certify_ops.h"
+#include "certify/common/unit.h"
+#include "certify/common/verdict.h"
+#include "certify/trace/complete.h"
+#include "certify/trace/lines.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+#include "geometry/keep.h"
+#include "numeric/quadrature.h"
+#include "problem/problem.h"
+#include "taut/measure.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { PLACES = 8, NODES = 16 };
+static const double tolerance_default = 1e-6, net_limit = 1e-6, length_limit = 1e-9,
+                    ends_limit = 1e-9;
+/* So near to an end without a border, over the size, the net may be anything. */
+static const double near_end = 1e-3;
+
+/* All that the claims are judged from. The surface is at size 1: lengths times 2^-unit. */
+typedef struct request {
+    const taut_trace_problem *problem; /* or NULL */
+    taut_net_lines lines;
+    taut_surface *surface; /* scaled; the arena's */
+    int unit;
+    double size;     /* of it */
+    double roundest; /* the largest R of a grid */
+    double tolerance;
+} request;
+
+/* A place of a curve. */
+typedef struct place {
+    double x[3], tangent[3], second[3]; /* of the curve, over its length */
+    double speed;                       /* |C'| */
+    double at[2];
+    double on[3][3]; /* S, S_u, S_v */
+    taut_forms forms;
+    double ab[2]; /* the tangent in S_u, S_v */
+} place;
+
+/* What a claim has found so far. */
+typedef struct worst {
+    double residual;
+    char where[96];
+} worst;
+
+static void take(worst *w, double residual, const char *name, double t)
+{
+    const double larger = taut_certify_max(w->residual, residual);
+    if (w->where[0] == '\0' || !(larger == w->residual)) {
+        snprintf(w->where, sizeof w->where, "%.40s at %.6g", name, t);
+    }
+    w->residual = larger;
+}
+
+/* 0 where the curve's stretches in the window do not reach t, or leave the window. */
+static int place_at(const request *r, const taut_net_line *line, double t, place *p)
+{
+    const taut_basis *basis[2] = {taut_surface_u(r->surface), taut_surface_v(r->surface)};
+    double c[3][3];
+
+    taut_curve_eval(line->space, t, 2, c[0]);
+    if (!taut_net_line_window(line, t, p->at)) {
+        return 0;
+    }
+    for (int d = 0; d < 2; d++) {
+        const double lo = taut_basis_lo(basis[d]), hi = taut_basis_hi(basis[d]);
+        const double room = 1e-9 * (hi - lo);
+        if (!(p->at[d] >= lo - room) || !(p->at[d] <= hi + room)) {
+            return 0;
+        }
+        p->at[d] = fmin(fmax(p->at[d], lo), hi);
+    }
+    if (taut_surface_eval(r->surface, p->at[0], p->at[1], 1, p->on[0]) != TAUT_OK ||
+        taut_surface_forms_points(r->surface, 1, &p->at[0], &p->at[1], 1, &p->forms) != TAUT_OK) {
+        return 0;
+    }
+    p->speed = taut_norm(c[1]);
+    const double along = taut_dot(c[2], c[1]) / (p->speed * p->speed);
+    for (int k = 0; k < 3; k++) {
+        p->x[k] = ldexp(c[0][k], -r->unit);
+        p->tangent[k] = c[1][k] / p->speed;
+        p->second[k] = ldexp((c[2][k] - along * c[1][k]) / (p->speed * p->speed), r->unit);
+    }
+    const double a = taut_dot(p->tangent, p->on[1]), b = taut_dot(p->tangent, p->on[2]);
+    const double area = p->forms.w * p->forms.w;
+    p->ab[0] = (p->forms.g * a - p->forms.f * b) / area;
+    p->ab[1] = (p->forms.e * b - p->forms.f * a) / area;
+    return 1;
+}
+
+static double radius_of(const taut_forms *f)
+{
+    return sqrt(fmax(f->mean * f->mean - f->gaussian, 0));
+}
+
+/* What the net says of a direction; 0 is as it should be. */
+static double residual_of(const request *r, const taut_net_line *line, const place *p)
+{
+    const taut_forms *f = &p->forms;
+    const double a = p->ab[0], b = p->ab[1], radius = radius_of(f);
+    const double normal = f->l * a * a + 2 * f->m * a * b + f->n * b * b;
+    const double twist = ((f->m * a + f->n * b) * (f->e * a + f->f * b) -
+                          (f->l * a + f->m * b) * (f->f * a + f->g * b)) /
+                         f->w;
+    double sideways[3];
+
+    switch (r->lines.net) {
+    case TAUT_TRACE_ASYMPTOTIC:
+        return (line->family == 0 ? twist < 0 : twist > 0) ? 1 : fabs(normal) / radius;
+    case TAUT_TRACE_PRINCIPAL:
+        return (line->family == 0 ? normal < f->mean : normal > f->mean) ? 1 : fabs(twist) / radius;
+    case TAUT_TRACE_GEODESIC:
+        taut_cross(f->normal, p->tangent, sideways);
+        return fabs(taut_dot(p->second, sideways));
+    default:
+        return line->family == 0 ? fabs(a) * f->w / sqrt(f->g) : fabs(b) * f->w / sqrt(f->e);
+    }
+}
+
+/* Is this end one where the net itself ends, not the surface? Then it may be anything near to it. */
+static int is_soft(const request *r, const taut_net_line *line, double t)
+{
+    place p;
+    if (r->lines.net == TAUT_TRACE_GEODESIC || r->lines.net == TAUT_TRACE_ISOPARAMETRIC ||
+        !place_at(r, line, t, &p)) {
+        return 0;
+    }
+    const double radius = radius_of(&p.forms);
+    return radius < 1e-4 * r->roundest || (r->lines.net == TAUT_TRACE_ASYMPTOTIC &&
+                                           fabs(p.forms.gaussian) < 1e-4 * radius * radius);
+}
+
+/* ---- on-surface and the net's own claim ---- */
+
+typedef struct found {
+    worst distance, net, length;
+} found;
+
+/* One span of a curve, from a to b. */
+static void look_at_span(const request *r, const taut_net_line *line, double a, double b,
+                         const double clear[2], found *f)
+{
+    const char *name = taut_curve_name(line->space);
+    double away[3];
+    place p;
+
+    for (int k = 0; k < PLACES; k++) {
+        const double t = a + (b - a) * (k + 0.5) / PLACES;
+        if (!place_at(r, line, t, &p)) {
+            take(&f->distance, INFINITY, name, t);
+            continue;
+        }
+        taut_difference(p.x, p.on[0], away);
+        take(&f->distance, taut_norm(away) / r->size, name, t);
+        if (r->lines.net != TAUT_TRACE_GEODESIC && t > clear[0] && t < clear[1]) {
+            take(&f->net, residual_of(r, line, &p), name, t);
+        }
+    }
+}
+
+/* Integrals over a whole curve: its length, and of geodesics int |k_g| ds. */
+static void integrate(const request *r, const taut_net_line *line, found *f)
+{
+    const taut_basis *basis = taut_curve_t(line->space);
+    const double *breaks = taut_basis_breaks(basis);
+    const char *name = taut_curve_name(line->space);
+    double nodes[NODES], weights[NODES], length = 0, turn = 0;
+
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int i = 0; i < taut_basis_span_count(basis); i++) {
+        const double half = (breaks[i + 1] - breaks[i]) / 2, middle = breaks[i] + half;
+        for (int k = 0; k < NODES; k++) {
+            double c[2][3];
+            place p;
+            const double t = middle + half * nodes[k];
+            taut_curve_eval(line->space, t, 1, c[0]);
+            length += weights[k] * half * taut_norm(c[1]);
+            if (r->lines.net == TAUT_TRACE_GEODESIC) {
+                turn += place_at(r, line, t, &p)
+                            ? weights[k] * ldexp(half, -r->unit) * residual_of(r, line, &p)
+                            : INFINITY;
+            }
+        }
+    }
+    take(&f->length, fabs(length - line->length) / line->length, name, breaks[0]);
+    if (r->lines.net == TAUT_TRACE_GEODESIC) {
+        take(&f->net, turn, name, breaks[0]);
+    }
+}
+
+static void look_at_line(const request *r, const taut_net_line *line, found *f)
+{
+    const taut_basis *basis = taut_curve_t(line->space);
+    const double *breaks = taut_basis_breaks(basis);
+    const int spans = taut_basis_span_count(basis);
+    const double room = near_end * r->lines.size;
+    const double clear[2] = {is_soft(r, line, breaks[0]) ? breaks[0] + room : -INFINITY,
+                             is_soft(r, line, breaks[spans]) ? breaks[spans] - room : INFINITY};
+
+    for (int i = 0; i < spans; i++) {
+        look_at_span(r, line, breaks[i], breaks[i + 1], clear, f);
+    }
+    integrate(r, line, f);
+}
+
+static taut_status add(taut_certificate *certificate, const char *name, taut_claim_kind kind,
+                       const worst *w, double limit)
+{
+    taut_claim claim = {
+        .claim = name, .kind = kind, .residual = w->residual, .limit = limit, .where = w->where};
+    claim.holds = isinf(w->residual) ? TAUT_FALSE : taut_certify_below(w->residual, limit);
+    return taut_certificate_add(certificate, &claim);
+}
+
+/* ---- ends ---- */
+
+/* How far a function that vanishes somewhere near is from there: its value over its slope. */
+static double distance_to_zero(const request *r, const place *p, int of_radius)
+{
+    const taut_basis *basis[2] = {taut_surface_u(r->surface), taut_surface_v(r->surface)};
+    const double value = of_radius ? radius_of(&p->forms) : fabs(p->forms.gaussian);
+    double slope = 0;
+
+    for (int d = 0; d < 2; d++) {
+        for (int side = -1; side <= 1; side += 2) {
+            const double lo = taut_basis_lo(basis[d]), hi = taut_basis_hi(basis[d]);
+            double at[2] = {p->at[0], p->at[1]};
+            taut_forms forms;
+            at[d] = fmin(fmax(at[d] + side * 1e-4 * (hi - lo), lo), hi);
+            const double way = fabs(at[d] - p->at[d]) * taut_norm(p->on[1 + d]);
+            if (way > 0 &&
+                taut_surface_forms_points(r->surface, 1, &at[0], &at[1], 1, &forms) == TAUT_OK) {
+                const double there = of_radius ? radius_of(&forms) : forms.gaussian;
+                slope = fmax(slope, fabs(there - (of_radius ? value : p->forms.gaussian)) / way);
+            }
+        }
+    }
+    return value / slope;
+}
+
+/* Is there a knot at `at` that lets the surface have a crease? */
+static int is_crease(const taut_basis *basis, double at)
+{
+    taut_basis_spec spec;
+    int times = 0;
+    taut_basis_spec_of(basis, &spec);
+    for (int k = 0; spec.knots != NULL && k < spec.knot_count; k++) {
+        times += spec.knots[k] == at;
+    }
+    return times >= spec.degree;
+}
+
+/* Does a curve that is not followed both ways begin at this place? */
+static int is_seed(const request *r, const taut_net_line *line, const double at[2])
+{
+    const taut_record *laths = taut_record_get(taut_model_details(r->lines.model), "laths");
+    for (int k = 0; r->problem != NULL && k < r->problem->seed_count; k++) {
+        const taut_trace_seed *seed = &r->problem->seeds[k];
+        if (!seed->both && seed->at[0] == at[0] && seed->at[1] == at[1]) {
+            return 1;
+        }
+    }
+    for (size_t k = 0; r->problem == NULL && k < taut_record_count(laths); k++) {
+        const taut_record *lath = taut_record_at(laths, k), *seed = taut_record_get(lath, "seed");
+        if (strcmp(taut_record_text(taut_record_get(lath, "name")), taut_curve_name(line->space)) ==
+            0) {
+            return taut_record_number(taut_record_at(seed, 0)) == at[0] &&
+                   taut_record_number(taut_record_at(seed, 1)) == at[1];
+        }
+    }
+    return 0;
+}
+
+static double longest(const request *r)
+{
+    return r->problem != NULL && r->problem->max_length > 0 ? r->problem->max_length
+                                                            : 20 * r->lines.size;
+}
+
+/* How far this end is from where a curve of this net may end, over the size. */
+static double judge_end(const request *r, const taut_net_line *line, const double ends[2], int end)
+{
+    const taut_basis *basis[2] = {taut_surface_u(r->surface), taut_surface_v(r->surface)};
+    place p, other;
+    double nearest = INFINITY;
+
+    if (!place_at(r, line, ends[end], &p) || !place_at(r, line, ends[1 - end], &other)) {
+        return INFINITY;
+    }
+    for (int d = 0; d < 2; d++) {
+        const double lo = taut_basis_lo(basis[d]), hi = taut_basis_hi(basis[d]);
+        const double away = fmin(p.at[d] - lo, hi - p.at[d]) * taut_norm(p.on[1 + d]);
+        nearest = is_crease(basis[d], p.at[d]) ? 0 : fmin(nearest, away);
+    }
+    if (!p.forms.regular) {
+        nearest = 0;
+    }
+    if (taut_dot(p.tangent, other.tangent) > 0) {
+        nearest = fmin(nearest, taut_distance(p.x, other.x));
+    }
+    if (p.forms.regular && r->lines.net == TAUT_TRACE_ASYMPTOTIC) {
+        nearest = fmin(nearest, distance_to_zero(r, &p, 0));
+    }
+    if (p.forms.regular &&
+        (r->lines.net == TAUT_TRACE_ASYMPTOTIC || r->lines.net == TAUT_TRACE_PRINCIPAL)) {
+        nearest = fmin(nearest, distance_to_zero(r, &p, 1));
+    }
+    if (line->length >= longest(r) * (1 - 1e-9) ||
+        (r->lines.net == TAUT_TRACE_GEODESIC && end == 0 && is_seed(r, line, p.at))) {
+        nearest = 0;
+    }
+    return nearest / r->size;
+}
+
+static taut_status add_ends(const request *r, taut_certificate *certificate)
+{
+    worst w = {0, ""};
+    for (int k = 0; k < r->lines.count; k++) {
+        const taut_net_line *line = &r->lines.lines[k];
+        const taut_basis *basis = taut_curve_t(line->space);
+        const double ends[2] = {taut_basis_lo(basis), taut_basis_hi(basis)};
+        for (int end = 0; end < 2; end++) {
+            take(&w, judge_end(r, line, ends, end), taut_curve_name(line->space), ends[end]);
+        }
+    }
+    return add(certificate, "ends", TAUT_CHECK, &w, ends_limit);
+}
+
+/* ---- nodes ---- */
+
+static const taut_net_line *line_of(const request *r, const char *name, size_t length)
+{
+    for (int k = 0; k < r->lines.count; k++) {
+        const char *one = taut_curve_name(r->lines.lines[k].space);
+        if (strlen(one) == length && strncmp(one, name, length) == 0) {
+            return &r->lines.lines[k];
+        }
+    }
+    return NULL;
+}
+
+/* The two curves that a node's name is made of, "A3B5" or "A3B5.2". */
+static int lines_of_node(const request *r, const char *name, const taut_net_line *lines[2])
+{
+    size_t first = 1;
+    while (name[0] != '\0' && name[first] >= '0' && name[first] <= '9') {
+        first++;
+    }
+    const size_t rest = name[0] != '\0' ? strcspn(name + first, ".") : 0;
+    lines[0] = name[0] != '\0' ? line_of(r, name, first) : NULL;
+    lines[1] = rest > 0 ? line_of(r, name + first, rest) : NULL;
+    return lines[0] != NULL && lines[1] != NULL && lines[0] != lines[1];
+}
+
+static taut_status add_nodes(const request *r, taut_certificate *certificate)
+{
+    const taut_record *nodes = taut_record_get(taut_model_details(r->lines.model), "nodes");
+    worst w = {0, ""};
+
+    for (size_t k = 0; k < taut_record_count(nodes); k++) {
+        const taut_record *node = taut_record_at(nodes, k), *s = taut_record_get(node, "s");
+        const char *name = taut_record_text(taut_record_get(node, "node"));
+        const taut_net_line *lines[2];
+        double x[2][3], residual = INFINITY;
+        if (lines_of_node(r, name, lines)) {
+            taut_status status = TAUT_OK;
+            for (int side = 0; status == TAUT_OK && side < 2; side++) {
+                const taut_basis *basis = taut_curve_t(lines[side]->space);
+                const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+                const double t = taut_record_number(taut_record_at(s, (size_t)side));
+                const double room = 1e-8 * r->lines.size;
+                status =
+                    t >= lo - room && t <= hi + room
+                        ? taut_curve_eval(lines[side]->space, fmin(fmax(t, lo), hi), 0, x[side])
+                        : TAUT_BAD_INPUT;
+            }
+            residual =
+                status == TAUT_OK ? ldexp(taut_distance(x[0], x[1]), -r->unit) / r->size : INFINITY;
+        }
+        take(&w, residual, name, taut_record_number(taut_record_at(s, 0)));
+    }
+    return add(certificate, "nodes", TAUT_CHECK, &w, r->tolerance);
+}
+
+/* ---- surface ---- */
+
+/* How many numbers of two surfaces differ; 1 where their bases do. */
+static double differences(const taut_surface *a, const taut_surface *b)
+{
+    const double *wa = taut_surface_weights(a), *wb = taut_surface_weights(b);
+    if (!taut_basis_equal(taut_surface_u(a), taut_surface_u(b)) ||
+        !taut_basis_equal(taut_surface_v(a), taut_surface_v(b)) || (wa == NULL) != (wb == NULL)) {
+        return 1;
+    }
+    const size_t count =
+        (size_t)taut_basis_count(taut_surface_u(a)) * (size_t)taut_basis_count(taut_surface_v(a));
+    double wrong = 0;
+    for (size_t k = 0; k < 3 * count; k++) {
+        wrong += taut_surface_points(a)[k] != taut_surface_points(b)[k];
+    }
+    for (size_t k = 0; wa != NULL && k < count; k++) {
+        wrong += wa[k] != wb[k];
+    }
+    return wrong;
+}
+
+/* The surface that the document names in a model, or the only one. */
+static const taut_surface *named(const taut_model *model, const char *name)
+{
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        const taut_surface *one = taut_model_surface(model, i);
+        if (name == NULL || strcmp(taut_surface_name(one), name) == 0) {
+            return one;
+        }
+    }
+    return NULL;
+}
+
+/* What was made first, proved by its own problem: the surface alone, under the details it was made
+ * with. */
+static taut_status prove_first(const request *r, taut_arena *arena,
+                               const taut_certify_options *options, taut_claim *claim,
+                               taut_error *error)
+{
+    const taut_record *of = taut_record_get(taut_model_details(r->lines.model), "of");
+    const taut_record *details = taut_record_get(of, "details");
+    taut_certificate *inner = NULL;
+    taut_surface *surface = NULL;
+    taut_model *model = NULL;
+
+    if (taut_model_new(&model) != TAUT_OK || !taut_keep_model(arena, model)) {
+        return taut_fail_memory(error);
+    }
+    if (taut_surface_copy(r->lines.surface, &surface) != TAUT_OK ||
+        taut_model_add_surface(model, surface) != TAUT_OK) {
+        taut_surface_free(surface);
+        return taut_fail_memory(error);
+    }
+    if (details != NULL) {
+        taut_model_set_details(model, taut_record_copy(details));
+    }
+    taut_model_set_unit(model, r->problem->of->unit);
+    const taut_status status = taut_certify(model, r->problem->of, options, &inner, NULL);
+    claim->kind = TAUT_CHECK;
+    if (status != TAUT_OK) {
+        claim->holds = TAUT_UNDECIDED;
+        claim->residual = NAN;
+        claim->where = "what was made first cannot be certified by its surface alone";
+        return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : TAUT_OK;
+    }
+    claim->residual = 0;
+    for (int k = 0; k < taut_certificate_claim_count(inner); k++) {
+        const taut_claim *one = taut_certificate_claim(inner, k);
+        claim->residual += one->holds == TAUT_FALSE;
+    }
+    claim->holds = taut_certificate_holds(inner);
+    taut_certificate_free(inner);
+    return TAUT_OK;
+}
+
+static taut_status add_surface(const request *r, taut_arena *arena,
+                               const taut_certify_options *options, taut_certificate *certificate,
+                               taut_error *error)
+{
+    taut_claim claim = {.claim = "surface", .kind = TAUT_EXACT, .limit = 0, .where = ""};
+    taut_status status = TAUT_OK;
+
+    if (r->problem == NULL) {
+        return TAUT_OK;
+    }
+    if (r->problem->of != NULL) {
+        status = prove_first(r, arena, options, &claim, error);
+    } else {
+        const taut_surface *given = named(r->problem->model, r->problem->surface);
+        claim.residual = given != NULL ? differences(given, r->lines.surface) : 1;
+        claim.holds = taut_certify_below(claim.residual, 0);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return taut_certificate_add(certificate, &claim) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* ---- the whole ---- */
+
+static void look_around(request *r)
+{
+    enum { GRID = 17 };
+    const taut_basis *bu = taut_surface_u(r->surface), *bv = taut_surface_v(r->surface);
+    for (int i = 0; i < GRID; i++) {
+        for (int j = 0; j < GRID; j++) {
+            const double u =
+                taut_basis_lo(bu) + (taut_basis_hi(bu) - taut_basis_lo(bu)) * (i + 0.5) / GRID;
+            const double v =
+                taut_basis_lo(bv) + (taut_basis_hi(bv) - taut_basis_lo(bv)) * (j + 0.5) / GRID;
+            taut_forms forms;
+            if (taut_surface_forms_points(r->surface, 1, &u, &v, 1, &forms) == TAUT_OK &&
+                forms.regular) {
+                r->roundest = fmax(r->roundest, radius_of(&forms));
+            }
+        }
+    }
+}
+
+static taut_status add_figures(const request *r, taut_certificate *certificate)
+{
+    taut_record *figures = taut_record_new();
+    const taut_record *nodes = taut_record_get(taut_model_details(r->lines.model), "nodes");
+    double length = 0;
+
+    for (int k = 0; k < r->lines.count; k++) {
+        length += r->lines.lines[k].length;
+    }
+    taut_record_add_number(figures, "laths", r->lines.count);
+    taut_record_add_number(figures, "node_count", (double)taut_record_count(nodes));
+    taut_record_add_number(figures, "total_length", length);
+    const taut_status status = taut_record_status(figures);
+    taut_certificate_set_figures(certificate, figures);
+    return status;
+}
+
+static taut_status prove(const request *r, taut_arena *arena, taut_certificate *certificate)
+{
+    static const char *const names[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
+    found f = {{0, ""}, {0, ""}, {0, ""}};
+    taut_status status = TAUT_OK;
+
+    for (int k = 0; k < r->lines.count; k++) {
+        look_at_line(r, &r->lines.lines[k], &f);
+    }
+    status = add(certificate, "on-surface", TAUT_CHECK, &f.distance, r->tolerance);
+    if (status == TAUT_OK) {
+        status = add(certificate, names[r->lines.net], TAUT_CHECK, &f.net, net_limit);
+    }
+    if (status == TAUT_OK) {
+        status = add(certificate, "length", TAUT_CHECK, &f.length, length_limit);
+    }
+    if (status == TAUT_OK) {
+        status = add_ends(r, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = add_nodes(r, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = taut_net_complete_add(&r->lines, arena, certificate);
+    }
+    return status == TAUT_OK ? add_figures(r, certificate) : status;
+}
+
+static taut_status certify_in(taut_arena *arena, const taut_model *model,
+                              const taut_trace_problem *problem,
+                              const taut_certify_options *options, taut_certificate *certificate,
+                              taut_error *error)
+{
+    request r = {.problem = problem,
+                 .tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default};
+    taut_status status = taut_net_lines_new(arena, model, problem, &r.lines, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    r.unit = taut_certify_unit_of(r.lines.surface);
+    if (taut_certify_scaled(r.lines.surface, r.unit, &r.surface) != TAUT_OK ||
+        !taut_keep_surface(arena, r.surface)) {
+        return taut_fail_memory(error);
+    }
+    r.size = ldexp(r.lines.size, -r.unit);
+    look_around(&r);
+    status = add_surface(&r, arena, options, certificate, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return prove(&r, arena, certificate) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+static taut_status certify(const taut_model *model, const void *data,
+                           const taut_certify_options *options, taut_certificate *certificate,
+                           taut_error *error)
+{
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = arena != NULL
+                                   ? certify_in(arena, model, data, options, certificate, error)
+                                   : taut_fail_memory(error);
+    taut_arena_free(arena);
+    return status;
+}
+
+/* The first surface, and the curves A1, A2, ..., B1, ... in any order: those of details.domain. */
+static void identify(const taut_model *model, const void *data, taut_identity *identity)
+{
+    const taut_trace_problem *problem = data;
+    const taut_record *domain = taut_record_get(taut_model_details(model), "domain");
+    const taut_surface *given =
+        problem != NULL && problem->model != NULL ? named(problem->model, problem->surface) : NULL;
+    const char *name = given != NULL ? taut_surface_name(given) : NULL;
+    const char *before = "";
+
+    taut_identity_surface(identity, 0, name, NULL, NULL);
+    for (size_t k = 0; k < taut_record_count(domain); k++) {
+        const char *curve = taut_record_text(taut_record_get(taut_record_at(domain, k), "name"));
+        if (strcmp(curve, before) != 0) {
+            taut_identity_curve(identity, taut_identity_find_curve(identity, curve), curve, NULL);
+        }
+        before = curve;
+    }
+}
+
+const taut_certify_ops taut_certify_trace = {.certify = certify, .identify = identify};
+
+taut_status taut_trace_certify(const taut_model *model, const taut_trace_problem *problem,
+                               const taut_certify_options *options, taut_certificate **certificate,
+                               taut_error *error)
+{
+    return taut_certify_with(&taut_certify_trace, "trace", model, problem, options, certificate,
+                             error);
+}

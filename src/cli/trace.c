@@ -1,0 +1,306 @@
+/* trace.c -- taut trace: a net of curves on a surface, from a model or a problem and a few words. */
+#include "cli/cli.h"
+#include "cli/make.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A document that is written piece by piece. */
+typedef struct text {
+    char *bytes;
+    size_t length, room;
+    int failed;
+} text;
+
+static void put(text *t, const char *format, ...) TAUT_PRINTF(2, 3);
+static void put(text *t, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    const int more = vsnprintf(NULL, 0, format, list);
+    va_end(list);
+    if (more < 0 || t->failed) {
+        t->failed = 1;
+        return;
+    }
+    if (t->length + (size_t)more + 1 > t->room) {
+        const size_t room = 2 * t->room + (size_t)more + 256;
+        char *bytes = realloc(t->bytes, room);
+        t->failed = bytes == NULL;
+        if (t->failed) {
+            return;
+        }
+        t->bytes = bytes;
+        t->room = room;
+    }
+    va_start(list, format);
+    t->length += (size_t)vsnprintf(t->bytes + t->length, t->room - t->length, format, list);
+    va_end(list);
+}
+
+/* A word as JSON. */
+static void put_word(text *t, const char *word)
+{
+    put(t, "\"");
+    for (; *word != '\0'; word++) {
+        if ((unsigned char)*word < ' ') {
+            put(t, "\\u%04x", (unsigned)*word);
+        } else {
+            put(t, "%s%c", *word == '"' || *word == '\\' ? "\\" : "", *word);
+        }
+    }
+    put(t, "\"");
+}
+
+/* "EDGE:N" or "PLACE:N": the part before the last colon, and the number; 0 if there is none. */
+static int split_count(const char *word, char *before, size_t size, double *count)
+{
+    const char *colon = strrchr(word, ':');
+    if (colon == NULL || (size_t)(colon - word) >= size || !cli_number(colon + 1, count)) {
+        return 0;
+    }
+    memcpy(before, word, (size_t)(colon - word));
+    before[colon - word] = '\0';
+    return 1;
+}
+
+/* What all seeds of the command line have besides. */
+static void end_seed(const cli_options *options, text *t)
+{
+    if (options->by != NULL) {
+        put(t, ", \"by\": ");
+        put_word(t, options->by);
+    }
+    put(t, " }, ");
+}
+
+static int put_at(const cli_options *options, const char *word, text *t)
+{
+    double u = 0, v = 0, du = 0, dv = 0;
+    if (!cli_pair(word, &u, &v)) {
+        return cli_misuse_value("--seed", word, "U,V");
+    }
+    put(t, "{ \"at\": [%.17g, %.17g]", u, v);
+    if (options->direction != NULL) {
+        if (!cli_pair(options->direction, &du, &dv)) {
+            return cli_misuse_value("--direction", options->direction, "DU,DV");
+        }
+        put(t, ", \"direction\": [%.17g, %.17g]", du, dv);
+    }
+    if (options->both) {
+        put(t, ", \"both\": true");
+    }
+    put(t, " }, ");
+    return 0;
+}
+
+static int put_edge(const cli_options *options, const char *word, text *t)
+{
+    char edge[16];
+    double count = 0;
+    if (!split_count(word, edge, sizeof edge, &count)) {
+        return cli_misuse_value("--edge", word, "EDGE:N, such as v0:7");
+    }
+    put(t, "{ \"edge\": ");
+    put_word(t, edge);
+    put(t, ", \"count\": %.17g", count);
+    end_seed(options, t);
+    return 0;
+}
+
+static int put_line(const cli_options *options, const char *word, text *t)
+{
+    char places[128], *second = NULL;
+    double count = 0, from[2], to[2];
+    if (split_count(word, places, sizeof places, &count)) {
+        second = strchr(places, ':');
+    }
+    if (second != NULL) {
+        *second++ = '\0';
+    }
+    if (second == NULL || !cli_pair(places, &from[0], &from[1]) ||
+        !cli_pair(second, &to[0], &to[1])) {
+        return cli_misuse_value("--line", word, "U,V:U,V:N");
+    }
+    put(t, "{ \"line\": [[%.17g, %.17g], [%.17g, %.17g]], \"count\": %.17g", from[0], from[1],
+        to[0], to[1], count);
+    end_seed(options, t);
+    return 0;
+}
+
+static int put_cells(const cli_options *options, text *t)
+{
+    double cell = 0;
+    if (options->cell != NULL && (!cli_number(options->cell, &cell) || !(cell > 0))) {
+        return cli_misuse_value("--cell", options->cell, "a positive number");
+    }
+    if (options->cell != NULL) {
+        put(t, "{ \"cell\": %.17g", cell);
+        end_seed(options, t);
+    }
+    if (options->cells > 0) {
+        put(t, "{ \"cells\": %d", options->cells);
+        end_seed(options, t);
+    }
+    return 0;
+}
+
+static int put_seeds(const cli_options *options, text *t)
+{
+    int code = 0;
+    const int any = options->at_count + options->seed_edge_count + options->seed_line_count +
+                    (options->cell != NULL) + (options->cells > 0);
+    if (any == 0) {
+        return 0;
+    }
+    put(t, ", \"seeds\": [");
+    for (int k = 0; code == 0 && k < options->at_count; k++) {
+        code = put_at(options, options->at[k], t);
+    }
+    for (int k = 0; code == 0 && k < options->seed_edge_count; k++) {
+        code = put_edge(options, options->seed_edges[k], t);
+    }
+    for (int k = 0; code == 0 && k < options->seed_line_count; k++) {
+        code = put_line(options, options->seed_lines[k], t);
+    }
+    code = code == 0 ? put_cells(options, t) : code;
+    t->length -= t->length > 1 ? 2 : 0; /* the last comma */
+    put(t, "]");
+    return code;
+}
+
+/* The document that the words ask for. 0, or the exit code after one message. */
+static int write_document(const cli_options *options, text *t)
+{
+    double most = 0;
+
+    put(t, "{ \"taut\": 1, \"trace\": ");
+    put_word(t, options->net);
+    put(t, ", \"of\": ");
+    put_word(t, options->files[0]);
+    if (options->surface != NULL) {
+        put(t, ", \"surface\": ");
+        put_word(t, options->surface);
+    }
+    for (int k = 0; k < options->family_count; k++) {
+        put(t, k == 0 ? ", \"families\": [" : ", ");
+        put_word(t, options->families[k]);
+        put(t, k == options->family_count - 1 ? "]" : "");
+    }
+    if (options->max_length != NULL) {
+        if (!cli_number(options->max_length, &most) || !(most > 0)) {
+            return cli_misuse_value("--max-length", options->max_length, "a positive number");
+        }
+        put(t, ", \"max_length\": %.17g", most);
+    }
+    const int code = put_seeds(options, t);
+    put(t, " }");
+    return code == 0 && t->failed ? cli_no_memory() : code;
+}
+
+/* What is wrong with a value on the command line is told as such: exit 2, not 3. */
+static int fail_in_words(const taut_error *error)
+{
+    taut_error told = *error;
+    if (strcmp(error->where, "/of") != 0 && strncmp(error->where, "/of/", 4) != 0 &&
+        error->status == TAUT_BAD_INPUT) {
+        return cli_misuse("value", "`taut trace`: %s: %s", error->where, error->message);
+    }
+    return cli_fail(&told);
+}
+
+static int run_words(const cli_options *options)
+{
+    text document = {NULL, 0, 0, 0};
+    taut_problem *problem = NULL;
+    taut_error error;
+    int code = write_document(options, &document);
+
+    if (code == 0 && taut_problem_read_text(document.bytes, document.length, "the command line",
+                                            &problem, &error) != TAUT_OK) {
+        code = fail_in_words(&error);
+    }
+    if (code == 0) {
+        code = cli_make_one(problem, options);
+    }
+    taut_problem_free(problem);
+    free(document.bytes);
+    return code;
+}
+
+static int run(const cli_options *options)
+{
+    taut_problem *problem = NULL;
+    taut_error error;
+    int code = cli_check_outputs(options);
+
+    if (code != 0) {
+        return code;
+    }
+    if (options->net != NULL) {
+        return run_words(options);
+    }
+    if (taut_problem_read(options->files[0], &problem, &error) != TAUT_OK) {
+        return cli_fail_in(options->files[0], &error);
+    }
+    if (strcmp(taut_problem_construction(problem), "trace") != 0) {
+        code = cli_misuse("option",
+                          "`taut trace` needs --net with the surface of a problem or a model");
+    } else {
+        code = cli_make_one(problem, options);
+    }
+    taut_problem_free(problem);
+    return code;
+}
+
+static const cli_option options_of_trace[] = {
+    {"--net", CLI_TEXT, offsetof(cli_options, net), 0, 0, 0, "NET",
+     "asymptotic, principal, geodesic or isoparametric"},
+    {"--family", CLI_LIST, offsetof(cli_options, families), offsetof(cli_options, family_count), 0,
+     0, "F", "only this family: + or -, max or min, u or v"},
+    {"--seed", CLI_LIST, offsetof(cli_options, at), offsetof(cli_options, at_count), 0, 0, "U,V",
+     "a curve of each family through this place"},
+    {"--direction", CLI_TEXT, offsetof(cli_options, direction), 0, 0, 0, "DU,DV",
+     "of the geodesics from the seeds"},
+    {"--both", CLI_FLAG, offsetof(cli_options, both), 0, 0, 0, NULL,
+     "geodesics go both ways from their seeds"},
+    {"--edge", CLI_LIST, offsetof(cli_options, seed_edges), offsetof(cli_options, seed_edge_count),
+     0, 0, "EDGE:N", "curves from N places of an edge: u0, u1, v0, v1"},
+    {"--line", CLI_LIST, offsetof(cli_options, seed_lines), offsetof(cli_options, seed_line_count),
+     0, 0, "U,V:U,V:N", "curves from N places of a straight line of the window"},
+    {"--cell", CLI_TEXT, offsetof(cli_options, cell), 0, 0, 0, "C",
+     "a net over the whole window, its cells so large in the middle"},
+    {"--cells", CLI_INTEGER, offsetof(cli_options, cells), 0, 1, TAUT_TRACE_SEEDS_MAX, "N",
+     "the same with N cells along the longer curve through the middle (default 8)"},
+    {"--by", CLI_TEXT, offsetof(cli_options, by), 0, 0, 0, "BY",
+     "equal parts are measured by conformal, length or parameter"},
+    {"--max-length", CLI_TEXT, offsetof(cli_options, max_length), 0, 0, 0, "L",
+     "of a curve, each way (default 20 sizes)"},
+    CLI_SURFACE,
+    CLI_OUTPUT,
+    {"--report", CLI_TEXT, offsetof(cli_options, report), 0, 0, 0, "FILE",
+     "write the report as JSON"},
+    CLI_TOLERANCE,
+    CLI_DIVIDE,
+    CLI_THREADS,
+    CLI_FIGURE,
+    {"--json", CLI_FLAG, offsetof(cli_options, json), 0, 0, 0, NULL,
+     "report, and tell what goes wrong, as JSON on standard error"},
+    {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},
+    CLI_LAST};
+
+const cli_command cli_command_trace = {
+    .name = "trace",
+    .usage =
+        "MODEL.json|PROBLEM.json --net NET [--seed U,V]... [--cells N] [-o FILE]... | TRACE.json",
+    .summary = "a net of asymptotic, principal, geodesic or isoparametric curves",
+    .text = "Traces curves on a surface, finds where they cross, and proves it. The surface comes "
+            "from any file\nthat holds one, or from a problem, which is made first; or all of it "
+            "from the document of a net,\nwhich `taut make` takes too.\n",
+    .files_min = 1,
+    .files_max = 1,
+    .options = options_of_trace,
+    .run = run,
+};

@@ -1,0 +1,15 @@
+/* details.h -- what is told of a net: docs/trace.md says what each member is. */
+#ifndef TAUT_CONSTRUCT_TRACE_DETAILS_H
+#define TAUT_CONSTRUCT_TRACE_DETAILS_H
+
+#include "taut/record.h"
+#include "trace/curve.h"
+#include "trace/net.h"
+
+/* Members trace, laths, nodes, kinks, left_out, hyperbolic_share, warnings. */
+void taut_trace_describe(const taut_net *net, taut_record *details);
+/* A stretch of a lath in the window, as an item of `domain`. */
+void taut_trace_describe_part(const taut_lath *lath, const taut_lath_part *part,
+                              taut_record *domain);
+
+#endif /* TAUT_CONSTRUCT_TRACE_DETAILS_H */

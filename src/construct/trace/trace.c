@@ -1,0 +1,203 @@
+/* trace.c -- the construction `trace`: a net of curves on a surface.
+ *
+ *     1. the surface: of the model, or of what the problem makes
+ *     2. the net (trace/net.h)
+ *     3. the surface again, a quintic spline a lath, and what is told of them
+ */
+#include "taut/trace.h"
+
+#include "construct/common/build.h"
+#include "construct/construct_ops.h"
+#include "construct/trace/details.h"
+#include "core/fail.h"
+#include "geometry/keep.h"
+#include "trace/curve.h"
+#include "trace/net.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double tolerance_default = 1e-6, step_tolerance = 1e-12, residual = 2e-7, lengths = 20;
+
+/* Lengths are parameters, which are from 1e-60 to 1e60 (docs/limits.md): of sizes below 2^this. */
+enum { EXPONENT_MOST = 150 };
+
+typedef struct request {
+    const taut_trace_problem *problem;
+    const taut_make_options *options;
+} request;
+
+static taut_status check_problem(const taut_trace_problem *problem, taut_error *error)
+{
+    if (problem == NULL || (problem->model == NULL) == (problem->of == NULL) ||
+        problem->seed_count < 0 || (problem->seed_count > 0 && problem->seeds == NULL)) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "a net needs a model or a problem of its surface, and its seeds");
+    }
+    if (!(problem->max_length >= 0) || isinf(problem->max_length)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/max_length", problem->max_length, 0,
+                         "found %.17g, expected a positive number", problem->max_length);
+    }
+    if (problem->net == TAUT_TRACE_GEODESIC && problem->seed_count == 0) {
+        return taut_fail(error, TAUT_BAD_INPUT, "net", "/seeds", taut_none, taut_none,
+                         "geodesics need seeds with a place and a direction");
+    }
+    return TAUT_OK;
+}
+
+/* The surface of a name, or the only one. */
+static taut_status choose_surface(const taut_model *model, const char *name,
+                                  const taut_surface **surface, taut_error *error)
+{
+    const int count = taut_model_surface_count(model);
+    for (int i = 0; i < count; i++) {
+        const taut_surface *one = taut_model_surface(model, i);
+        if (name == NULL ? count == 1 : strcmp(taut_surface_name(one), name) == 0) {
+            *surface = one;
+            return TAUT_OK;
+        }
+    }
+    if (name == NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, count == 0 ? "no-surface" : "missing", "/surface",
+                         count, 1, "the model has %d surfaces: say which one", count);
+    }
+    return taut_fail(error, TAUT_BAD_INPUT, "no-such-object", "/surface", taut_none, taut_none,
+                     "the model has no surface named \"%.60s\"", name);
+}
+
+static taut_status make_of(const request *r, taut_arena *arena, const taut_model **model,
+                           taut_error *error)
+{
+    taut_model *made = NULL;
+    const taut_make_options options = {.tolerance = r->options->tolerance,
+                                       .threads = r->options->threads,
+                                       .monitor = r->options->monitor};
+    *model = r->problem->model;
+    if (r->problem->of == NULL) {
+        return TAUT_OK;
+    }
+    const taut_status status = taut_make(r->problem->of, &options, &made, error);
+    if (status != TAUT_OK) {
+        taut_error_prefix(error, "/of");
+        return status;
+    }
+    *model = made;
+    return taut_keep_model(arena, made) ? TAUT_OK : taut_fail_memory(error);
+}
+
+static taut_status add_lath(const taut_net *net, const taut_lath *lath, taut_arena *arena,
+                            taut_model *model, taut_record *domain, taut_error *error)
+{
+    taut_lath_part *parts = NULL;
+    taut_curve *curve = NULL;
+    int count = 0;
+    taut_status status = taut_lath_parts(net->carrier, lath, arena, &parts, &count, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_curve_new(lath->name, parts[0].basis, parts[0].space, NULL, &curve, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int k = count > 1; k < count; k++) {
+        taut_trace_describe_part(lath, &parts[k], domain);
+    }
+    return taut_construct_add_curve(model, curve, error);
+}
+
+static taut_status fill(const request *r, const taut_model *of, const taut_net *net,
+                        taut_arena *arena, taut_model *model, taut_error *error)
+{
+    taut_record *details = taut_record_new();
+    taut_surface *surface = NULL;
+    taut_status status = taut_surface_copy(net->carrier->surface, &surface);
+
+    if (status != TAUT_OK || details == NULL) {
+        taut_record_free(details);
+        taut_surface_free(surface);
+        return taut_fail_memory(error);
+    }
+    status = taut_construct_add_surface(model, surface, error);
+    taut_trace_describe(net, details);
+    taut_record *domain = taut_record_add_list(details, "domain");
+    for (int k = 0; status == TAUT_OK && k < net->count; k++) {
+        status = add_lath(net, &net->laths[k], arena, model, domain, error);
+    }
+    if (r->problem->of != NULL) {
+        taut_record *made = taut_record_add_object(details, "of");
+        taut_record_add_text(made, "construct", taut_problem_construction(r->problem->of));
+        if (taut_model_details(of) != NULL) {
+            taut_record_add_record(made, "details", taut_model_details(of));
+        }
+    }
+    if (status != TAUT_OK) {
+        taut_record_free(details);
+        return status;
+    }
+    return taut_construct_set_details(model, details, error);
+}
+
+static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
+{
+    const request *r = context;
+    const taut_model *of = NULL;
+    const taut_surface *surface = NULL;
+    taut_carrier *carrier = NULL;
+    taut_net net = {.problem = r->problem, .arena = arena};
+    taut_status status = make_of(r, arena, &of, error);
+
+    if (status == TAUT_OK) {
+        status = choose_surface(of, r->problem->surface, &surface, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (taut_carrier_new(arena, surface, &carrier) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    if (!(carrier->scale > -EXPONENT_MOST) || !(carrier->scale < EXPONENT_MOST)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "extreme-size", "/of", ldexp(0.5, carrier->scale),
+                         ldexp(1, EXPONENT_MOST),
+                         "the surface is %.3g large, and lengths along it cannot be parameters",
+                         ldexp(carrier->size, carrier->scale));
+    }
+    if (!(carrier->widest > 0)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "singular", "/of", taut_none, taut_none,
+                         "the surface has no normal anywhere");
+    }
+    const double most = r->problem->max_length > 0 ? ldexp(r->problem->max_length, -carrier->scale)
+                                                   : lengths * carrier->size;
+    net.carrier = carrier;
+    net.options = (taut_lath_options){.follow = {.tolerance = step_tolerance, .max_length = most},
+                                      .tolerance = r->options->tolerance > 0 ? r->options->tolerance
+                                                                             : tolerance_default,
+                                      .residual = residual};
+    status = taut_net_trace(&net, &r->options->monitor, error);
+    return status == TAUT_OK ? fill(r, of, &net, arena, model, error) : status;
+}
+
+taut_status taut_trace_make(const taut_trace_problem *problem, const taut_make_options *options,
+                            taut_model **model, taut_error *error)
+{
+    static const taut_make_options none;
+    request r = {problem, options != NULL ? options : &none};
+    const taut_status status = check_problem(problem, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (model == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "taut_trace_make needs a place for the model");
+    }
+    return taut_construct_build(build, &r, model, error);
+}
+
+static taut_status make(const void *data, const taut_make_options *options, taut_model **model,
+                        taut_error *error)
+{
+    return taut_trace_make(data, options, model, error);
+}
+
+const taut_construct_ops taut_construct_trace = {.make = make};

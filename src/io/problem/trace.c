@@ -1,0 +1,402 @@
+/* trace.c -- the document of a net, { "trace": NET, "of": MODEL | PROBLEM | FILE, ... }
+ * (docs/format.md).
+ *
+ * It has "trace" where other problems have "construct". What it is traced on may not be a net itself.
+ * Members that nets will have are known by name and refused as not built yet.
+ */
+#include "taut/trace.h"
+
+#include "core/fail.h"
+#include "geometry/keep.h"
+#include "io/format.h"
+#include "io/model/model.h"
+#include "io/problem/document_ops.h"
+#include "io/problem/member.h"
+#include "io/problem/read.h"
+#include "platform/system.h"
+#include "taut/read.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { PATH_ROOM = 4096 };
+
+static const char *const members[] = {"trace",      "of",     "surface", "families", "seeds",
+                                      "max_length", "panels", "laths",   "sheet",    NULL};
+static const char *const not_yet[] = {"panels", "laths", "sheet", NULL};
+static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric", NULL};
+static const char *const families[4][3] = {
+    {"+", "-", NULL}, {"max", "min", NULL}, {"G", NULL, NULL}, {"u", "v", NULL}};
+static const char *const measures[] = {"conformal", "length", "parameter", NULL};
+static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
+static const char *const seed_members[] = {"at",        "edge", "count", "by",    "ends",
+                                           "line",      "lath", "cell",  "cells", "family",
+                                           "direction", "both", "to",    NULL};
+
+/* ---- what it is traced on ---- */
+
+typedef struct target {
+    taut_problem *problem; /* of the net */
+    taut_trace_problem *data;
+} target;
+
+static void release_problem(void *problem)
+{
+    taut_problem_free(problem);
+}
+
+static taut_status keep_either(const target *to, taut_problem *made, taut_model *model,
+                               taut_error *error)
+{
+    if (made != NULL) {
+        if (!taut_arena_keep(to->problem->arena, made, release_problem)) {
+            return taut_fail_memory(error);
+        }
+        to->data->of = made;
+        return TAUT_OK;
+    }
+    if (!taut_keep_model(to->problem->arena, model)) {
+        return taut_fail_memory(error);
+    }
+    to->data->model = model;
+    return TAUT_OK;
+}
+
+/* An object: a problem, but no net, or a model. */
+static taut_status read_object(const taut_json *at, const char *path,
+                               const taut_problem_source *source, const target *to,
+                               taut_error *error)
+{
+    const taut_json inner = taut_json_member(at, "trace");
+    taut_problem *made = NULL;
+    taut_model *model = NULL;
+    taut_status status = TAUT_OK;
+
+    if (inner.value != NULL) {
+        return taut_json_fail(&inner, error, "kind", taut_none, taut_none,
+                              "found a net, expected the surface that the net is traced on");
+    }
+    if (taut_json_member(at, "construct").value != NULL) {
+        status = taut_problem_document_read(at, path, source, &made, error);
+    } else {
+        status = taut_model_document_read(at, &model, error);
+    }
+    return status == TAUT_OK ? keep_either(to, made, model, error) : status;
+}
+
+typedef struct file {
+    const target *to;
+    const char *path;
+    taut_problem_source source;
+} file;
+
+static taut_status read_root(const taut_json *root, void *into, taut_error *error)
+{
+    const file *f = into;
+    return read_object(root, f->path, &f->source, f->to, error);
+}
+
+static taut_status read_named(const char *path, const target *to, taut_error *error)
+{
+    const taut_format_ops *ops = taut_format_ops_at(taut_format_of(path, NULL));
+    file f = {.to = to, .path = path};
+    taut_model *model = NULL;
+
+    if (ops == NULL || ops->read == NULL) {
+        return taut_problem_read_file(path, read_root, &f, &f.source, error);
+    }
+    const taut_status status = ops->read(path, &model, error);
+    return status == TAUT_OK ? keep_either(to, NULL, model, error) : status;
+}
+
+/* A file beside the document; what is wrong with it is told at the member that names it. */
+static taut_status read_file(const taut_json *at, const char *name, const target *to,
+                             taut_error *error)
+{
+    const char *folder = taut_system_is_rooted(name) ? "" : to->problem->folder;
+    taut_error found = {.status = TAUT_OK};
+    char path[PATH_ROOM];
+
+    if (name[0] == '\0' || strcmp(name, "-") == 0 ||
+        snprintf(path, sizeof path, "%s%s", folder, name) >= PATH_ROOM) {
+        return taut_json_refuse(at, error, "value", "the name of a file");
+    }
+    const taut_status status = read_named(path, to, &found);
+    if (status == TAUT_OK) {
+        return TAUT_OK;
+    }
+    taut_json_fail(at, error, found.reason, found.found, found.limit, "%.200s%s%s", found.where,
+                   found.where[0] != '\0' ? ": " : "", found.message);
+    if (error != NULL) {
+        error->status = status;
+    }
+    return status;
+}
+
+static taut_status read_of(const taut_json *at, void *into, taut_error *error)
+{
+    const target *to = into;
+    const char *name = taut_json_text_at(at);
+    const taut_problem_source none = {"", 0, NULL};
+    char path[PATH_ROOM];
+
+    if (name != NULL) {
+        return read_file(at, name, to, error);
+    }
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
+        return taut_json_refuse(at, error, "type", "a model, a problem or the name of a file");
+    }
+    if (snprintf(path, sizeof path, "%s.", to->problem->folder) >= PATH_ROOM) {
+        return taut_json_refuse(at, error, "value", "a shorter path of the document");
+    }
+    return read_object(at, path, &none, to, error);
+}
+
+/* The net's unit is that of its surface. */
+static void take_unit(taut_reader *document, taut_problem *problem, const taut_trace_problem *data)
+{
+    const char *unit = data->model != NULL ? taut_model_unit(data->model)
+                       : data->of != NULL  ? data->of->unit
+                                           : problem->unit;
+    const taut_json at = taut_json_member(document->object, "unit");
+    if (document->status == TAUT_OK && at.value != NULL && strcmp(unit, problem->unit) != 0) {
+        document->status =
+            taut_json_fail(&at, document->error, "conflict", taut_none, taut_none,
+                           "found \"%s\", but the surface is in \"%s\"", problem->unit, unit);
+        return;
+    }
+    snprintf(problem->unit, sizeof problem->unit, "%s", unit);
+}
+
+/* ---- families and seeds ---- */
+
+/* A net and what is read for it. */
+typedef struct seeds {
+    taut_arena *arena;
+    taut_trace_problem *data;
+    taut_trace_seed *list;
+    int count;
+} seeds;
+
+static taut_status read_family_word(const taut_json *at, taut_trace_net net, int *family,
+                                    taut_error *error)
+{
+    int word = 0;
+    const char *text = taut_json_text_at(at);
+    taut_status status =
+        text == NULL ? taut_json_refuse(at, error, "type", "the name of a family") : TAUT_OK;
+    for (word = 0; status == TAUT_OK && families[net][word] != NULL; word++) {
+        if (strcmp(families[net][word], text) == 0) {
+            *family = word + 1;
+            return TAUT_OK;
+        }
+    }
+    return status == TAUT_OK
+               ? taut_json_refuse(at, error, "family", "\"%s\"%s%s%s", families[net][0],
+                                  families[net][1] != NULL ? " or \"" : "",
+                                  families[net][1] != NULL ? families[net][1] : "",
+                                  families[net][1] != NULL ? "\"" : "")
+               : status;
+}
+
+static void read_families(taut_reader *document, taut_trace_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "families");
+    size_t count = 0;
+
+    if (document->status != TAUT_OK || at.value == NULL) {
+        return;
+    }
+    taut_reader_array(document, "families", 1, 2, "names of families", &count);
+    for (size_t i = 0; document->status == TAUT_OK && i < count; i++) {
+        const taut_json item = taut_json_item(&at, i);
+        int family = 0;
+        document->status = read_family_word(&item, data->net, &family, document->error);
+        data->families |= family;
+    }
+    data->families = data->families == 3 ? 0 : data->families;
+}
+
+static taut_status refuse_net(const taut_json *at, const char *what, taut_error *error)
+{
+    return taut_json_fail(at, error, "net", taut_none, taut_none, "found %s", what);
+}
+
+static void read_at(taut_reader *in, taut_trace_net net, taut_trace_seed *seed)
+{
+    const taut_json direction = taut_json_member(in->object, "direction");
+    taut_reader_numbers(in, "at", 2, seed->at);
+    seed->has_at = 1;
+    if (net != TAUT_TRACE_GEODESIC) {
+        if (in->status == TAUT_OK && direction.value != NULL) {
+            in->status =
+                refuse_net(&direction, "a direction, which only geodesics need", in->error);
+        }
+        return;
+    }
+    taut_reader_numbers(in, "direction", 2, seed->direction);
+    if (in->status == TAUT_OK && seed->direction[0] == 0 && seed->direction[1] == 0) {
+        in->status = taut_json_expected(&direction, in->error, "two numbers that are not both 0");
+    }
+    taut_reader_flag(in, "both", &seed->both);
+}
+
+static taut_status read_pair(const taut_json *at, void *pair, taut_error *error)
+{
+    return taut_json_numbers(at, 2, pair, error);
+}
+
+static void read_line(taut_reader *in, taut_trace_seed *seed)
+{
+    double ends[2][2];
+    const taut_json at = taut_json_member(in->object, "line");
+    taut_reader_items(in, "line", 2, "places [u, v]", read_pair, ends, sizeof ends[0]);
+    if (in->status != TAUT_OK) {
+        return;
+    }
+    memcpy(seed->at, ends[0], sizeof seed->at);
+    memcpy(seed->to, ends[1], sizeof seed->to);
+    if (seed->at[0] == seed->to[0] && seed->at[1] == seed->to[1]) {
+        in->status = taut_json_expected(&at, in->error, "two places that differ");
+    }
+}
+
+static taut_status read_cell(const taut_json *at, void *value, taut_error *error)
+{
+    const taut_status status = taut_json_number(at, value, error);
+    return status == TAUT_OK && !(*(double *)value > 0)
+               ? taut_json_expected(at, error, "a positive number")
+               : status;
+}
+
+static void read_counted(taut_reader *in, taut_trace_seed *seed)
+{
+    taut_reader_integer(in, "count", 1, TAUT_TRACE_SEEDS_MAX, &seed->count);
+    taut_reader_flag(in, "ends", &seed->ends);
+}
+
+/* Of the members that say what a seed is, the one that is there. */
+static void read_kind(taut_reader *in, const seeds *s, taut_trace_seed *seed)
+{
+    int word = 0;
+    if (taut_reader_has(in, "edge")) {
+        seed->kind = TAUT_TRACE_EDGE;
+        taut_reader_word(in, "edge", edges, &word);
+        seed->edge = (taut_edge)word;
+        read_counted(in, seed);
+    } else if (taut_reader_has(in, "line")) {
+        seed->kind = TAUT_TRACE_LINE;
+        read_line(in, seed);
+        read_counted(in, seed);
+    } else if (taut_reader_has(in, "lath")) {
+        const char *name = "";
+        seed->kind = TAUT_TRACE_LATH;
+        taut_reader_text(in, "lath", &name);
+        seed->lath = taut_arena_text(s->arena, name);
+        read_counted(in, seed);
+    } else if (taut_reader_has(in, "cell") || taut_reader_has(in, "cells")) {
+        seed->kind = taut_reader_has(in, "cell") ? TAUT_TRACE_CELL : TAUT_TRACE_CELLS;
+        taut_reader_optional(in, "cell", read_cell, &seed->cell);
+        taut_reader_optional_integer(in, "cells", 1, TAUT_TRACE_SEEDS_MAX, &seed->count);
+        if (taut_reader_has(in, "at")) {
+            taut_reader_numbers(in, "at", 2, seed->at);
+            seed->has_at = 1;
+        }
+    } else {
+        read_at(in, s->data->net, seed);
+    }
+}
+
+static taut_status check_net(const taut_reader *in, const taut_trace_seed *seed, taut_trace_net net)
+{
+    const int is_place = seed->kind == TAUT_TRACE_AT;
+    if (net == TAUT_TRACE_GEODESIC && !is_place) {
+        return refuse_net(
+            in->object, "a seed without a direction; geodesics start at \"at\" in a \"direction\"",
+            in->error);
+    }
+    return TAUT_OK;
+}
+
+static taut_status read_seed(const taut_json *at, void *into, taut_error *error)
+{
+    seeds *s = into;
+    taut_trace_seed *seed = &s->list[s->count++];
+    taut_reader in = taut_reader_of(at, seed_members, error);
+    const taut_json family = taut_json_member(at, "family"), to = taut_json_member(at, "to");
+    int word = 0;
+
+    if (in.status == TAUT_OK && to.value != NULL) {
+        in.status = taut_json_fail(&to, error, "trace-not-yet", taut_none, taut_none,
+                                   "found \"to\", which this version cannot do: give a direction");
+    }
+    if (in.status == TAUT_OK && family.value != NULL) {
+        in.status = read_family_word(&family, s->data->net, &seed->family, error);
+    }
+    read_kind(&in, s, seed);
+    taut_reader_optional_word(&in, "by", measures, &word);
+    seed->by = (taut_trace_by)word;
+    return in.status == TAUT_OK ? check_net(&in, seed, s->data->net) : in.status;
+}
+
+static void read_seeds(taut_reader *document, taut_arena *arena, taut_trace_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "seeds");
+    seeds s = {.arena = arena, .data = data};
+
+    if (document->status != TAUT_OK || at.value == NULL) {
+        return;
+    }
+    const size_t count = taut_json_count_at(&at);
+    s.list = taut_arena_take(
+        arena, (count < TAUT_TRACE_SEEDS_MAX ? count : TAUT_TRACE_SEEDS_MAX) + 1, sizeof *s.list);
+    if (s.list == NULL) {
+        document->status = taut_fail_memory(document->error);
+        return;
+    }
+    document->status =
+        taut_json_each(&at, 1, TAUT_TRACE_SEEDS_MAX, "seeds", read_seed, &s, document->error);
+    data->seeds = s.list;
+    data->seed_count = s.count;
+}
+
+static void refuse_members(taut_reader *in)
+{
+    for (int k = 0; in->status == TAUT_OK && not_yet[k] != NULL; k++) {
+        const taut_json at = taut_json_member(in->object, not_yet[k]);
+        if (at.value != NULL) {
+            in->status = taut_json_fail(&at, in->error, "trace-not-yet", taut_none, taut_none,
+                                        "found \"%s\", which nets cannot have in this version: "
+                                        "leave it out",
+                                        not_yet[k]);
+        }
+    }
+}
+
+static void trace_read(taut_reader *document, taut_problem *problem, void *into)
+{
+    taut_trace_problem *const data = into;
+    target to = {problem, data};
+    const char *name = NULL;
+    int net = 0;
+
+    refuse_members(document);
+    taut_reader_word(document, "trace", nets, &net);
+    data->net = (taut_trace_net)net;
+    taut_reader_member(document, "of", read_of, &to);
+    take_unit(document, problem, data);
+    if (taut_reader_has(document, "surface")) {
+        taut_reader_text(document, "surface", &name);
+        data->surface = name != NULL ? taut_arena_text(problem->arena, name) : NULL;
+    }
+    read_families(document, data);
+    read_seeds(document, problem->arena, data);
+    taut_reader_optional(document, "max_length", read_cell, &data->max_length);
+}
+
+const taut_document_ops taut_document_trace = {
+    .members = members,
+    .size = sizeof(taut_trace_problem),
+    .read = trace_read,
+};

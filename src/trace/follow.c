@@ -1,0 +1,616 @@
+#include "trace/follow.h"
+
+#include "core/vec3.h"
+#include "numeric/runge.h"
+#include "trace/parabolic.h"
+
+#include <string.h>
+
+static const struct {
+    double first, largest, least; /* steps over the size */
+    double turn;                  /* least cosine between tangents within a step */
+    double corner;                /* over the size: two borders at once */
+    double closing;               /* over the size: the seed again */
+    double crease, kink;          /* angles of normals and of tangents */
+    double along;                 /* over a range: it runs on a break */
+} limits = {1e-2, 0.1, 1e-12, 0.5, 1e-9, 1e-9, 1e-9, 1e-8, 1e-12};
+
+/* The system of a cell, and what went wrong last. */
+typedef struct cell_field {
+    const taut_carrier *carrier;
+    taut_linefield_kind kind;
+    const int *span;
+    const double *tangent;
+    taut_linefield_fault fault;
+} cell_field;
+
+/* (a, b) of a state, going its way; 0 where there is none, or it turned. */
+static int direction_at(cell_field *field, const double x[TAUT_CARRIER_VECTORS][3],
+                        const taut_form_pair *forms, const double *y, double ab[2])
+{
+    double tangent[3];
+
+    if (field->kind.net == TAUT_TRACE_GEODESIC) {
+        ab[0] = y[TAUT_WALK_A];
+        ab[1] = y[TAUT_WALK_B];
+        field->fault = forms->w > 0 ? TAUT_LINEFIELD_FINE : TAUT_LINEFIELD_SINGULAR;
+        return forms->w > 0;
+    }
+    field->fault = taut_linefield_direction(field->carrier, field->kind, forms, ab);
+    if (field->fault != TAUT_LINEFIELD_FINE) {
+        return 0;
+    }
+    taut_linefield_tangent(x, ab, tangent);
+    const double cosine = taut_dot(tangent, field->tangent);
+    if (cosine < 0) {
+        ab[0] = -ab[0];
+        ab[1] = -ab[1];
+    }
+    return fabs(cosine) >= limits.turn;
+}
+
+static int slope(void *context, const double *y, double *out)
+{
+    cell_field *field = context;
+    double x[TAUT_CARRIER_VECTORS][3], ab[2];
+    taut_form_pair forms;
+
+    taut_carrier_at(field->carrier, field->span, y, 2, x);
+    taut_carrier_forms((const double(*)[3])x, &forms);
+    if (!direction_at(field, (const double(*)[3])x, &forms, y, ab)) {
+        return 0;
+    }
+    out[TAUT_WALK_U] = ab[0];
+    out[TAUT_WALK_V] = ab[1];
+    out[TAUT_WALK_TWIST] = fabs(taut_linefield_torsion(&forms, ab));
+    out[TAUT_WALK_MEASURE] = taut_linefield_measure(field->kind.net, &forms);
+    if (field->kind.net == TAUT_TRACE_GEODESIC) {
+        return taut_linefield_bend(TAUT_TRACE_GEODESIC, (const double(*)[3])x, &forms, ab,
+                                   out + TAUT_WALK_A);
+    }
+    return 1;
+}
+
+static taut_runge system_of(cell_field *field)
+{
+    return (taut_runge){field->kind.net == TAUT_TRACE_GEODESIC ? TAUT_WALK_COUNT : TAUT_WALK_A,
+                        slope, field};
+}
+
+/* The tangent of a state from its direction; geodesics are made of unit speed again. */
+static int renew_tangent(cell_field *field, taut_walk_state *state)
+{
+    double x[TAUT_CARRIER_VECTORS][3], ab[2], tangent[3] = {0, 0, 0};
+    taut_form_pair forms;
+
+    taut_carrier_at(field->carrier, state->span, state->y, 2, x);
+    taut_carrier_forms((const double(*)[3])x, &forms);
+    if (!direction_at(field, (const double(*)[3])x, &forms, state->y, ab)) {
+        return 0;
+    }
+    taut_linefield_tangent((const double(*)[3])x, ab, tangent);
+    const double length = taut_length(tangent);
+    for (int c = 0; c < 3; c++) {
+        state->tangent[c] = tangent[c] / length;
+    }
+    if (field->kind.net == TAUT_TRACE_GEODESIC) {
+        state->y[TAUT_WALK_A] = ab[0] / length;
+        state->y[TAUT_WALK_B] = ab[1] / length;
+    }
+    return 1;
+}
+
+/* One step; *error: its estimate in space. 0 where a stage fails; field->fault says why. */
+static int try_step(cell_field *field, const taut_walk_state *from, double h, taut_walk_state *to,
+                    double *error)
+{
+    double first[TAUT_RUNGE_MAX], errors[2][TAUT_RUNGE_MAX], norms[2];
+    double x[TAUT_CARRIER_VECTORS][3];
+    const taut_runge system = system_of(field);
+
+    field->span = from->span;
+    field->tangent = from->tangent;
+    *to = *from;
+    if (!slope(field, from->y, first) ||
+        !taut_runge_step(&system, from->y, first, h, to->y, errors)) {
+        return 0;
+    }
+    to->s = from->s + h;
+    taut_carrier_at(field->carrier, from->span, from->y, 1, x);
+    for (int e = 0; e < 2; e++) {
+        double vector[3];
+        taut_linefield_tangent((const double(*)[3])x, errors[e], vector);
+        norms[e] = taut_length(vector);
+        if (field->kind.net == TAUT_TRACE_GEODESIC) {
+            taut_linefield_tangent((const double(*)[3])x, errors[e] + TAUT_WALK_A, vector);
+            norms[e] += field->carrier->size * taut_length(vector);
+        }
+    }
+    *error = taut_runge_error(norms[0], norms[1]);
+    return renew_tangent(field, to) && isfinite(*error);
+}
+
+int taut_walk_step(const taut_carrier *carrier, taut_linefield_kind kind,
+                   const taut_walk_state *from, double h, taut_walk_state *to)
+{
+    cell_field field = {.carrier = carrier, .kind = kind};
+    double error = 0;
+    return try_step(&field, from, h, to, &error);
+}
+
+taut_linefield_fault taut_walk_start(const taut_carrier *carrier, taut_linefield_kind kind,
+                                     const double at[2], const int span[2], const double along[3],
+                                     taut_walk_state *state)
+{
+    double x[TAUT_CARRIER_VECTORS][3], ab[2], tangent[3] = {0, 0, 0};
+    taut_form_pair forms;
+
+    *state = (taut_walk_state){.y = {at[0], at[1]}, .span = {span[0], span[1]}};
+    taut_carrier_at(carrier, span, at, 2, x);
+    taut_carrier_forms((const double(*)[3])x, &forms);
+    if (kind.net == TAUT_TRACE_GEODESIC) {
+        if (!(forms.w > 0)) {
+            return TAUT_LINEFIELD_SINGULAR;
+        }
+        memcpy(tangent, along, sizeof tangent);
+        const double rest = taut_dot(tangent, forms.normal);
+        taut_add_scaled(-rest, forms.normal, tangent);
+        const double p = taut_dot(tangent, x[1]), r = taut_dot(tangent, x[2]);
+        ab[0] = (forms.g * p - forms.f * r) / (forms.w * forms.w);
+        ab[1] = (forms.e * r - forms.f * p) / (forms.w * forms.w);
+    } else {
+        const taut_linefield_fault fault = taut_linefield_direction(carrier, kind, &forms, ab);
+        if (fault != TAUT_LINEFIELD_FINE) {
+            return fault;
+        }
+    }
+    taut_linefield_tangent((const double(*)[3])x, ab, tangent);
+    const double length = taut_length(tangent), sign = taut_dot(tangent, along) < 0 ? -1 : 1;
+    for (int c = 0; c < 3; c++) {
+        state->tangent[c] = sign * tangent[c] / length;
+    }
+    state->y[TAUT_WALK_A] = sign * ab[0] / length;
+    state->y[TAUT_WALK_B] = sign * ab[1] / length;
+    return TAUT_LINEFIELD_FINE;
+}
+
+int taut_walk_station(const taut_carrier *carrier, taut_linefield_kind kind,
+                      const taut_walk_state *state, taut_station *at)
+{
+    double x[TAUT_CARRIER_VECTORS][3], sideways[3];
+    taut_form_pair forms;
+
+    *at = (taut_station){.s = state->s,
+                         .at = {state->y[TAUT_WALK_U], state->y[TAUT_WALK_V]},
+                         .twist = state->y[TAUT_WALK_TWIST],
+                         .measure = state->y[TAUT_WALK_MEASURE]};
+    taut_carrier_at(carrier, state->span, state->y, 3, x);
+    taut_carrier_forms((const double(*)[3])x, &forms);
+    memcpy(at->x, x[0], sizeof at->x);
+    memcpy(at->tangent, state->tangent, sizeof at->tangent);
+    memcpy(at->normal, forms.normal, sizeof at->normal);
+    if (!(forms.w > 0)) {
+        return 0;
+    }
+    const double p = taut_dot(at->tangent, x[1]), r = taut_dot(at->tangent, x[2]);
+    at->ab[0] = (forms.g * p - forms.f * r) / (forms.w * forms.w);
+    at->ab[1] = (forms.e * r - forms.f * p) / (forms.w * forms.w);
+    at->k_n = taut_linefield_normal_curvature(&forms, at->ab);
+    at->tau_g = taut_linefield_torsion(&forms, at->ab);
+    const int is_finite =
+        taut_linefield_bend(kind.net, (const double(*)[3])x, &forms, at->ab, at->bend);
+    if (!is_finite) {
+        at->bend[0] = at->bend[1] = 0;
+        return 0;
+    }
+    taut_linefield_acceleration((const double(*)[3])x, at->ab, at->bend, at->acceleration);
+    taut_cross(forms.normal, at->tangent, sideways);
+    at->k_g = taut_dot(at->acceleration, sideways);
+    return 1;
+}
+
+/* ---- a curve ---- */
+
+typedef struct follower {
+    const taut_carrier *carrier;
+    taut_linefield_kind kind;
+    const taut_follow_options *options;
+    taut_walk *walk;
+    cell_field field;
+    taut_walk_state state;
+    double h;
+    double seed_x[3], seed_tangent[3];
+} follower;
+
+static taut_status add_piece(follower *f, const taut_walk_state *to, int near_parabolic)
+{
+    taut_walk *walk = f->walk;
+    if (walk->count == walk->room) {
+        const int room = walk->room > 0 ? 2 * walk->room : 32;
+        taut_piece *pieces = taut_arena_take_raw(walk->arena, (size_t)room, sizeof *pieces);
+        if (pieces == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+        if (walk->count > 0) {
+            memcpy(pieces, walk->pieces, (size_t)walk->count * sizeof *pieces);
+        }
+        walk->pieces = pieces;
+        walk->room = room;
+    }
+    taut_piece *piece = &walk->pieces[walk->count++];
+    *piece =
+        (taut_piece){.start = f->state, .h = to->s - f->state.s, .near_parabolic = near_parabolic};
+    taut_walk_station(f->carrier, f->kind, &f->state, &piece->from);
+    taut_walk_station(f->carrier, f->kind, to, &piece->to);
+    return TAUT_OK;
+}
+
+/* What an event is told by: a coordinate that meets a break, or the plane through the seed. */
+typedef struct event {
+    int d; /* 0, 1; 2: the plane */
+    double border;
+    double h;
+    taut_walk_state at;
+} event;
+
+static double event_value(const follower *f, const event *e, const taut_walk_state *state,
+                          double *rate)
+{
+    double x[TAUT_CARRIER_VECTORS][3], away[3];
+    taut_carrier_at(f->carrier, state->span, state->y, 1, x);
+    if (e->d < 2) {
+        const double uu = taut_dot(x[1], x[1]), uv = taut_dot(x[1], x[2]),
+                     vv = taut_dot(x[2], x[2]);
+        const double p = taut_dot(state->tangent, x[1]), r = taut_dot(state->tangent, x[2]);
+        const double area = uu * vv - uv * uv;
+        *rate = e->d == 0 ? (vv * p - uv * r) / area : (uu * r - uv * p) / area;
+        return state->y[e->d] - e->border;
+    }
+    taut_difference(x[0], f->seed_x, away);
+    *rate = taut_dot(state->tangent, f->seed_tangent);
+    return taut_dot(away, f->seed_tangent);
+}
+
+/* The length of the step at which the event happens, by Newton between 0 and h, each a full step. */
+static int solve_event(follower *f, double h, const taut_walk_state *end, event *e)
+{
+    double low = 0, high = h, rate = 0;
+    taut_walk_state state = *end;
+    double value = event_value(f, e, &state, &rate);
+    const double side = value > 0 ? 1 : -1;
+
+    e->h = h;
+    for (int round = 0; round < 60 && value != 0; round++) {
+        double next = e->h - value / rate, error = 0;
+        if (!(next > low) || !(next < high)) {
+            next = (low + high) / 2;
+        }
+        const double moved = fabs(next - e->h);
+        if (!try_step(&f->field, &f->state, next, &state, &error)) {
+            return 0;
+        }
+        e->h = next;
+        value = event_value(f, e, &state, &rate);
+        if (value * side > 0) {
+            high = next;
+        } else {
+            low = next;
+        }
+        if (moved <= 2e-16 * f->carrier->size || high - low <= 2e-16 * f->carrier->size) {
+            break;
+        }
+    }
+    e->at = state;
+    return 1;
+}
+
+/* The first border of the cell that the step crosses; 0 where none. */
+static int first_border(follower *f, double h, const taut_walk_state *end, event *first)
+{
+    int found = 0;
+    for (int d = 0; d < 2; d++) {
+        const double *breaks = taut_basis_breaks(f->carrier->basis[d]) + f->state.span[d];
+        event e = {.d = d, .border = end->y[d] < breaks[0] ? breaks[0] : breaks[1]};
+        if (end->y[d] >= breaks[0] && end->y[d] <= breaks[1]) {
+            continue;
+        }
+        if (solve_event(f, h, end, &e) && (!found || e.h < first->h)) {
+            e.at.y[d] = e.border;
+            *first = e;
+            found = 1;
+        }
+    }
+    return found;
+}
+
+/* A curve that ran on a break stays there: rounding does not count. */
+static void hold_on_breaks(const follower *f, taut_walk_state *end)
+{
+    for (int d = 0; d < 2; d++) {
+        const double *breaks = taut_basis_breaks(f->carrier->basis[d]) + f->state.span[d];
+        const double room = limits.along * (f->carrier->hi[d] - f->carrier->lo[d]);
+        for (int k = 0; k < 2; k++) {
+            if (f->state.y[d] == breaks[k] && fabs(end->y[d] - breaks[k]) <= room) {
+                end->y[d] = breaks[k];
+            }
+        }
+    }
+}
+
+static void end_at(follower *f, taut_walk_end end, const taut_walk_state *state)
+{
+    f->walk->end = end;
+    f->walk->end_at[0] = state->y[TAUT_WALK_U];
+    f->walk->end_at[1] = state->y[TAUT_WALK_V];
+}
+
+/* Ends on the window's border d at its low (0) or high (1) side; a corner where the other one is met
+ * too. */
+static void end_on_border(follower *f, int d, int side, taut_walk_state *state)
+{
+    double x[TAUT_CARRIER_VECTORS][3];
+    const int other = 1 - d;
+
+    taut_carrier_at(f->carrier, state->span, state->y, 1, x);
+    const double speed = taut_length(x[1 + other]);
+    f->walk->edges[0] = 2 * d + side;
+    for (int k = 0; k < 2; k++) {
+        const double border = k == 0 ? f->carrier->lo[other] : f->carrier->hi[other];
+        if (fabs(state->y[other] - border) * speed <= limits.corner * f->carrier->size) {
+            state->y[other] = border;
+            f->walk->edges[1] = 2 * other + k;
+        }
+    }
+    end_at(f, f->walk->edges[1] >= 0 ? TAUT_END_CORNER : TAUT_END_EDGE, state);
+}
+
+static void add_kink(follower *f, const taut_walk_state *state, double angle)
+{
+    if (f->walk->kink_count < TAUT_KINKS_MAX) {
+        f->walk->kinks[f->walk->kink_count++] =
+            (taut_kink){{state->y[TAUT_WALK_U], state->y[TAUT_WALK_V]}, angle};
+    }
+}
+
+/* Into the neighbour across the border of direction d; 0 where the curve ends there. */
+static int cross_border(follower *f, int d, taut_walk_state *state)
+{
+    const double *breaks = taut_basis_breaks(f->carrier->basis[d]);
+    const int spans = taut_basis_span_count(f->carrier->basis[d]);
+    const int up = state->y[d] == breaks[state->span[d] + 1];
+    double x[2][TAUT_CARRIER_VECTORS][3], before[3];
+    taut_form_pair forms[2];
+    taut_walk_state next = *state;
+
+    next.span[d] += up ? 1 : -1;
+    if (next.span[d] < 0 || next.span[d] >= spans) {
+        if (!f->carrier->wraps[d]) {
+            end_on_border(f, d, up, state);
+            return 0;
+        }
+        next.span[d] = up ? 0 : spans - 1;
+        next.y[d] = up ? f->carrier->lo[d] : f->carrier->hi[d];
+    }
+    taut_carrier_at(f->carrier, state->span, state->y, 2, x[0]);
+    taut_carrier_at(f->carrier, next.span, next.y, 2, x[1]);
+    for (int k = 0; k < 2; k++) {
+        taut_carrier_forms((const double(*)[3])x[k], &forms[k]);
+    }
+    if (!(taut_length_between(forms[0].normal, forms[1].normal) <= limits.crease)) {
+        end_at(f, TAUT_END_CREASE, state);
+        return 0;
+    }
+    memcpy(before, state->tangent, sizeof before);
+    if (taut_walk_start(f->carrier, f->kind, next.y, next.span, before, &next) !=
+        TAUT_LINEFIELD_FINE) {
+        end_at(f, TAUT_END_CREASE, state);
+        return 0;
+    }
+    memcpy(next.y + TAUT_WALK_TWIST, state->y + TAUT_WALK_TWIST, 2 * sizeof(double));
+    next.s = state->s;
+    const double angle = taut_length_between(next.tangent, before);
+    if (angle > limits.kink) {
+        add_kink(f, state, angle);
+    }
+    *state = next;
+    return 1;
+}
+
+/* What a fault means where the step has become nothing. */
+static void end_by_fault(follower *f)
+{
+    taut_walk_end end = TAUT_END_STALLED;
+    if (f->field.fault == TAUT_LINEFIELD_ELLIPTIC) {
+        end = TAUT_END_PARABOLIC;
+    } else if (f->field.fault == TAUT_LINEFIELD_SINGULAR) {
+        end = TAUT_END_SINGULAR;
+    } else if (f->field.fault == TAUT_LINEFIELD_ROUND) {
+        double x[TAUT_CARRIER_VECTORS][3];
+        taut_form_pair forms;
+        taut_carrier_at(f->carrier, f->state.span, f->state.y, 2, x);
+        taut_carrier_forms((const double(*)[3])x, &forms);
+        end = fabs(taut_form_pair_mean(&forms)) <= 1e-6 * f->carrier->roundest ? TAUT_END_FLAT
+                                                                               : TAUT_END_UMBILIC;
+    }
+    end_at(f, end, &f->state);
+}
+
+/* A step that is small enough; 0 where the curve ends. */
+static int next_step(follower *f, taut_walk_state *end, double *step)
+{
+    const double size = f->carrier->size, tolerance = f->options->tolerance * size;
+
+    f->h = fmin(f->h, limits.largest * size);
+    for (;;) {
+        const double rest = f->options->max_length - fabs(f->state.s);
+        double error = 0;
+        *step = fmin(f->h, rest);
+        if (!try_step(&f->field, &f->state, *step, end, &error)) {
+            f->h = *step / 4;
+        } else if (error > tolerance) {
+            f->h = *step * fmax(0.2, 0.9 * sqrt(sqrt(sqrt(tolerance / error))));
+        } else {
+            const double grow = error > 0 ? 0.9 * sqrt(sqrt(sqrt(tolerance / error))) : 5;
+            f->h = fmax(f->h, *step * fmin(5, fmax(0.2, grow)));
+            f->walk->drift += error;
+            return 1;
+        }
+        if (f->h < limits.least * size) {
+            end_by_fault(f);
+            return 0;
+        }
+    }
+}
+
+/* The derivative at the last of some places of what is given there, by Lagrange's polynomial. */
+static double last_slope(int count, const double *s, const double *value)
+{
+    double sum = 0;
+    for (int j = 0; j < count; j++) {
+        double weight = 0;
+        for (int m = 0; m < count; m++) {
+            if (m == j) {
+                continue;
+            }
+            double product = 1 / (s[j] - s[m]);
+            for (int k = 0; k < count; k++) {
+                product *= k == j || k == m ? 1 : (s[count - 1] - s[k]) / (s[j] - s[k]);
+            }
+            weight += product;
+        }
+        sum += weight * value[j];
+    }
+    return sum;
+}
+
+/* Where K = 0 the bend is 0 / 0, and at a cusp infinite. An envelope's is that of the polynomial
+ * through the last tangents; a cusp's last piece is too short to matter. */
+static void bend_at_end(taut_walk *walk, int is_envelope)
+{
+    enum { LAST = 6 };
+    taut_station *end = &walk->pieces[walk->count - 1].to;
+    const taut_station *before = &walk->pieces[walk->count - 1].from;
+    double s[LAST], value[LAST];
+
+    memcpy(end->acceleration, before->acceleration, sizeof end->acceleration);
+    memcpy(end->bend, before->bend, sizeof end->bend);
+    end->k_g = before->k_g;
+    if (!is_envelope || walk->count < LAST) {
+        return;
+    }
+    for (int c = 0; c < 5; c++) {
+        for (int k = 0; k < LAST; k++) {
+            const taut_station *at = &walk->pieces[walk->count - LAST + k].to;
+            s[k] = at->s;
+            value[k] = c < 3 ? at->tangent[c] : at->ab[c - 3];
+        }
+        *(c < 3 ? &end->acceleration[c] : &end->bend[c - 3]) = last_slope(LAST, s, value);
+    }
+}
+
+static taut_status finish_parabolic(follower *f, int *done)
+{
+    taut_parabolic found;
+    taut_status status = TAUT_OK;
+
+    taut_parabolic_finish(f->carrier, f->kind, &f->state, &found);
+    *done = found.count > 0;
+    for (int k = 0; status == TAUT_OK && k < found.count; k++) {
+        status = add_piece(f, &found.states[k], 1);
+        f->state = found.states[k];
+    }
+    if (*done && status == TAUT_OK) {
+        bend_at_end(f->walk, found.is_envelope);
+        end_at(f, found.is_envelope ? TAUT_END_ENVELOPE : TAUT_END_PARABOLIC, &f->state);
+    }
+    return status;
+}
+
+/* Does the step pass the seed again? Then *end is there. */
+static int closes(follower *f, double step, taut_walk_state *end)
+{
+    event e = {.d = 2};
+    double rate = 0, x[TAUT_CARRIER_VECTORS][3];
+
+    if (!(f->state.s > 2 * limits.first * f->carrier->size * 1e-3) ||
+        !(event_value(f, &e, &f->state, &rate) < 0) || !(event_value(f, &e, end, &rate) >= 0) ||
+        !(rate > 0)) {
+        return 0;
+    }
+    taut_carrier_at(f->carrier, end->span, end->y, 0, x);
+    if (taut_length_between(x[0], f->seed_x) > 2 * step || !solve_event(f, step, end, &e)) {
+        return 0;
+    }
+    taut_carrier_at(f->carrier, e.at.span, e.at.y, 0, x);
+    if (!(taut_length_between(x[0], f->seed_x) <= limits.closing * f->carrier->size)) {
+        return 0;
+    }
+    *end = e.at;
+    return 1;
+}
+
+/* One step and what comes of it; f->walk->end says whether it was the last. */
+static taut_status advance(follower *f)
+{
+    taut_walk_state end;
+    event border = {.d = 0};
+    double step = 0;
+    taut_status status = TAUT_OK;
+
+    if (f->kind.net == TAUT_TRACE_ASYMPTOTIC) {
+        int done = 0;
+        status = finish_parabolic(f, &done);
+        if (status != TAUT_OK || done) {
+            return status;
+        }
+    }
+    if (!next_step(f, &end, &step)) {
+        return TAUT_OK;
+    }
+    hold_on_breaks(f, &end);
+    const int crosses = first_border(f, step, &end, &border);
+    if (crosses) {
+        end = border.at;
+        step = border.h;
+    }
+    const int closed = closes(f, step, &end);
+    if (end.s - f->state.s > limits.least * f->carrier->size) {
+        status = add_piece(f, &end, 0);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    f->state = end;
+    if (closed) {
+        end_at(f, TAUT_END_CLOSED, &end);
+    } else if (crosses) {
+        cross_border(f, border.d, &f->state);
+    } else if (end.s >= f->options->max_length) {
+        end_at(f, TAUT_END_LENGTH, &end);
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_follow(const taut_carrier *carrier, taut_linefield_kind kind,
+                        const taut_walk_state *start, const taut_follow_options *options,
+                        taut_arena *arena, taut_walk *walk)
+{
+    follower f = {.carrier = carrier,
+                  .kind = kind,
+                  .options = options,
+                  .walk = walk,
+                  .field = {.carrier = carrier, .kind = kind},
+                  .state = *start,
+                  .h = limits.first * carrier->size};
+    double x[TAUT_CARRIER_VECTORS][3];
+    taut_status status = TAUT_OK;
+
+    *walk = (taut_walk){.arena = arena, .edges = {-1, -1}};
+    taut_carrier_at(carrier, start->span, start->y, 0, x);
+    memcpy(f.seed_x, x[0], sizeof f.seed_x);
+    memcpy(f.seed_tangent, start->tangent, sizeof f.seed_tangent);
+    while (status == TAUT_OK && walk->end == TAUT_END_NONE) {
+        status = advance(&f);
+    }
+    return status;
+}

@@ -1,0 +1,385 @@
+#include "trace/lath.h"
+
+#include "core/vec3.h"
+
+#include <string.h>
+
+enum { DEPTH = 8 /* halvings of a piece */, PLACES = 3 };
+/* Of geodesics k_g times the size is to be so much less than the residual, as it is summed up. */
+static const double geodesic_share = 5;
+/* Pieces shorter than this, over the size, are as good as doubles let them be. */
+static const double short_enough = 1e-4;
+/* And how far the speed of any quintic may be from 1. */
+static const double uneven = 1e-9;
+/* Below this angle with a border (sine), a curve that starts on it runs along it. */
+static const double along_border = 1e-9;
+
+/* ---- quintics ---- */
+
+static void quintic(int dim, double h, const double *x0, const double *v0, const double *a0,
+                    const double *x1, const double *v1, const double *a1, double *points)
+{
+    for (int c = 0; c < dim; c++) {
+        points[c] = x0[c];
+        points[dim + c] = x0[c] + h / 5 * v0[c];
+        points[2 * dim + c] = x0[c] + 2 * h / 5 * v0[c] + h * h / 20 * a0[c];
+        points[3 * dim + c] = x1[c] - 2 * h / 5 * v1[c] + h * h / 20 * a1[c];
+        points[4 * dim + c] = x1[c] - h / 5 * v1[c];
+        points[5 * dim + c] = x1[c];
+    }
+}
+
+static void space_between(const taut_station *from, const taut_station *to,
+                          double points[TAUT_QUINTIC][3])
+{
+    quintic(3, to->s - from->s, from->x, from->tangent, from->acceleration, to->x, to->tangent,
+            to->acceleration, points[0]);
+}
+
+static void window_between(const taut_station *from, const taut_station *to,
+                           double points[TAUT_QUINTIC][2])
+{
+    quintic(2, to->s - from->s, from->at, from->ab, from->bend, to->at, to->ab, to->bend,
+            points[0]);
+}
+
+void taut_segment_space(const taut_segment *segment, double points[TAUT_QUINTIC][3])
+{
+    space_between(&segment->from, &segment->to, points);
+}
+
+void taut_segment_window(const taut_segment *segment, double points[TAUT_QUINTIC][2])
+{
+    window_between(&segment->from, &segment->to, points);
+}
+
+/* Value and two derivatives over t in [0, 1] by de Casteljau. */
+static void quintic_at(int dim, const double *points, double t, double *value, double *slope,
+                       double *second)
+{
+    double work[TAUT_QUINTIC * 3];
+    memcpy(work, points, (size_t)(TAUT_QUINTIC * dim) * sizeof(double));
+    for (int level = TAUT_QUINTIC - 1; level > 0; level--) {
+        for (int c = 0; c < dim && level == 2; c++) {
+            second[c] = 20 * (work[2 * dim + c] - 2 * work[dim + c] + work[c]);
+        }
+        for (int c = 0; c < dim && level == 1; c++) {
+            slope[c] = 5 * (work[dim + c] - work[c]);
+        }
+        for (int k = 0; k < level * dim; k++) {
+            work[k] += t * (work[k + dim] - work[k]);
+        }
+    }
+    memcpy(value, work, (size_t)dim * sizeof(double));
+}
+
+/* ---- pieces that are good enough ---- */
+
+/* How far the quintic at t is from the surface, what its own tangent says of the net, and its speed. */
+static void judge(const taut_carrier *carrier, taut_linefield_kind kind, const taut_piece *piece,
+                  double t, double *distance, double *residual, double *speed)
+{
+    double space[TAUT_QUINTIC][3], window[TAUT_QUINTIC][2], at[2], ab[2], x[3], tangent[3];
+    double second[3], sideways[3];
+    double on[TAUT_CARRIER_VECTORS][3];
+    taut_form_pair forms;
+
+    space_between(&piece->from, &piece->to, space);
+    window_between(&piece->from, &piece->to, window);
+    quintic_at(2, window[0], t, at, ab, second);
+    quintic_at(3, space[0], t, x, tangent, second);
+    taut_carrier_at(carrier, piece->start.span, at, 2, on);
+    taut_carrier_forms((const double(*)[3])on, &forms);
+    *distance = taut_length_between(x, on[0]);
+    const double length = taut_length(tangent);
+    *speed = length / (piece->to.s - piece->from.s);
+    const double p = taut_dot(tangent, on[1]) / length, r = taut_dot(tangent, on[2]) / length;
+    ab[0] = (forms.g * p - forms.f * r) / (forms.w * forms.w);
+    ab[1] = (forms.e * r - forms.f * p) / (forms.w * forms.w);
+    const double radius = taut_form_pair_radius(&forms);
+    *residual = 0;
+    if (kind.net == TAUT_TRACE_ASYMPTOTIC) {
+        *residual = fabs(taut_linefield_normal_curvature(&forms, ab)) / radius;
+    } else if (kind.net == TAUT_TRACE_PRINCIPAL) {
+        *residual = fabs(taut_linefield_torsion(&forms, ab)) / radius;
+    } else if (kind.net == TAUT_TRACE_GEODESIC) {
+        taut_cross(forms.normal, tangent, sideways);
+        *residual = geodesic_share * carrier->size * fabs(taut_dot(second, sideways)) /
+                    (length * length * length);
+    }
+}
+
+static int is_good(const taut_carrier *carrier, taut_linefield_kind kind, const taut_piece *piece,
+                   const taut_lath_options *options)
+{
+    if (piece->h < short_enough * carrier->size) {
+        return 1;
+    }
+    for (int k = 1; k <= PLACES; k++) {
+        double distance = 0, residual = 0, speed = 1;
+        judge(carrier, kind, piece, (double)k / (PLACES + 1), &distance, &residual, &speed);
+        if (!(fabs(speed - 1) <= uneven) || !(distance <= options->tolerance / 4 * carrier->size) ||
+            !(residual <= options->residual)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+typedef struct pieces {
+    taut_arena *arena;
+    taut_piece *list;
+    int count, room;
+} pieces;
+
+static taut_status push(pieces *p, const taut_piece *piece)
+{
+    if (p->count == p->room) {
+        const int room = p->room > 0 ? 2 * p->room : 64;
+        taut_piece *list = taut_arena_take_raw(p->arena, (size_t)room, sizeof *list);
+        if (list == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+        if (p->count > 0) {
+            memcpy(list, p->list, (size_t)p->count * sizeof *list);
+        }
+        p->list = list;
+        p->room = room;
+    }
+    p->list[p->count++] = *piece;
+    return TAUT_OK;
+}
+
+/* The piece, or its halves, each by a full step from where it begins. */
+static taut_status refine(const taut_carrier *carrier, taut_linefield_kind kind,
+                          const taut_piece *piece, const taut_lath_options *options, int depth,
+                          pieces *out)
+{
+    taut_piece low = *piece, high = *piece;
+    taut_walk_state middle = {.s = 0};
+
+    if (depth == 0 || piece->near_parabolic || is_good(carrier, kind, piece, options) ||
+        !taut_walk_step(carrier, kind, &piece->start, piece->h / 2, &middle)) {
+        return push(out, piece);
+    }
+    low.h = high.h = piece->h / 2;
+    high.start = middle;
+    taut_walk_station(carrier, kind, &middle, &low.to);
+    high.from = low.to;
+    const taut_status status = refine(carrier, kind, &low, options, depth - 1, out);
+    return status == TAUT_OK ? refine(carrier, kind, &high, options, depth - 1, out) : status;
+}
+
+/* ---- both ways ---- */
+
+static void reverse_station(const taut_station *from, taut_station *to)
+{
+    *to = *from;
+    for (int c = 0; c < 3; c++) {
+        to->tangent[c] = -from->tangent[c];
+    }
+    to->ab[0] = -from->ab[0];
+    to->ab[1] = -from->ab[1];
+    to->k_g = -from->k_g;
+}
+
+/* Counts from the beginning of the lath, which lies `back` before the seed. */
+static void shift_station(taut_station *at, int way, double s, double twist, double measure)
+{
+    at->s = s + way * at->s;
+    at->twist = twist + way * at->twist;
+    at->measure = measure + way * at->measure;
+}
+
+/* What lies behind the seed, last piece first, then what lies before it. */
+static taut_status join(const pieces *behind, const pieces *ahead, taut_arena *arena,
+                        taut_lath *lath)
+{
+    const taut_piece *last = behind->count > 0 ? &behind->list[behind->count - 1] : NULL;
+    const double s = last != NULL ? last->to.s : 0, twist = last != NULL ? last->to.twist : 0;
+    const double measure = last != NULL ? last->to.measure : 0;
+
+    lath->segments =
+        taut_arena_take(arena, (size_t)(behind->count + ahead->count + 1), sizeof(taut_segment));
+    if (lath->segments == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = behind->count - 1; k >= 0; k--) {
+        const taut_piece *piece = &behind->list[k];
+        taut_segment *segment = &lath->segments[lath->count++];
+        *segment = (taut_segment){.start = piece->start,
+                                  .h = piece->h,
+                                  .first = s,
+                                  .way = -1,
+                                  .near_parabolic = piece->near_parabolic};
+        reverse_station(&piece->to, &segment->from);
+        reverse_station(&piece->from, &segment->to);
+        shift_station(&segment->from, -1, s, twist, measure);
+        shift_station(&segment->to, -1, s, twist, measure);
+    }
+    for (int k = 0; k < ahead->count; k++) {
+        const taut_piece *piece = &ahead->list[k];
+        taut_segment *segment = &lath->segments[lath->count++];
+        *segment = (taut_segment){.from = piece->from,
+                                  .to = piece->to,
+                                  .start = piece->start,
+                                  .h = piece->h,
+                                  .first = s,
+                                  .way = 1,
+                                  .near_parabolic = piece->near_parabolic};
+        shift_station(&segment->from, 1, s, twist, measure);
+        shift_station(&segment->to, 1, s, twist, measure);
+    }
+    lath->seed_s = s;
+    if (lath->count > 0) {
+        const taut_station *end = &lath->segments[lath->count - 1].to;
+        lath->length = end->s;
+        lath->twist = end->twist;
+        lath->measure = end->measure;
+    }
+    return TAUT_OK;
+}
+
+/* On a border of the window, and out of it? Then the walk ends where it begins. */
+static int leaves(const taut_carrier *carrier, const double at[2], const double ab[2],
+                  taut_walk *walk)
+{
+    double x[TAUT_CARRIER_VECTORS][3];
+    int span[2];
+
+    *walk = (taut_walk){.edges = {-1, -1}, .end_at = {at[0], at[1]}};
+    taut_carrier_cell(carrier, at, NULL, span);
+    taut_carrier_at(carrier, span, at, 1, x);
+    for (int d = 0; d < 2; d++) {
+        const int side = at[d] == carrier->hi[d];
+        const double out = (side ? 1 : -1) * ab[d] * taut_length(x[1 + d]);
+        if ((at[d] == carrier->lo[d] || side) && !carrier->wraps[d]) {
+            walk->edges[walk->edges[0] >= 0] = 2 * d + side;
+            walk->end = out > along_border ? TAUT_END_EDGE : walk->end;
+        }
+    }
+    if (walk->end != TAUT_END_NONE && walk->edges[1] >= 0) {
+        walk->end = TAUT_END_CORNER;
+    }
+    return walk->end != TAUT_END_NONE;
+}
+
+/* One way from the seed; the pieces in `out` cut until they are good enough. */
+static taut_status go(const taut_carrier *carrier, taut_linefield_kind kind, const double at[2],
+                      const double along[3], const taut_lath_options *options, taut_walk *walk,
+                      pieces *out, taut_linefield_fault *fault)
+{
+    taut_walk_state state;
+    int span[2];
+
+    taut_carrier_cell(carrier, at, NULL, span);
+    *fault = taut_walk_start(carrier, kind, at, span, along, &state);
+    if (*fault != TAUT_LINEFIELD_FINE || leaves(carrier, at, state.y + TAUT_WALK_A, walk)) {
+        return TAUT_OK;
+    }
+    const double ab[2] = {state.y[TAUT_WALK_A], state.y[TAUT_WALK_B]};
+    taut_carrier_cell(carrier, at, ab, span);
+    *fault = taut_walk_start(carrier, kind, at, span, along, &state);
+    if (*fault != TAUT_LINEFIELD_FINE) {
+        return TAUT_OK;
+    }
+    taut_status status = taut_follow(carrier, kind, &state, &options->follow, out->arena, walk);
+    for (int k = 0; status == TAUT_OK && k < walk->count; k++) {
+        status = refine(carrier, kind, &walk->pieces[k], options, DEPTH, out);
+    }
+    return status;
+}
+
+static void take_end(taut_lath *lath, int end, const taut_walk *walk)
+{
+    lath->ended[end] = walk->end;
+    memcpy(lath->edges[end], walk->edges, sizeof walk->edges);
+    memcpy(lath->ends[end], walk->end_at, sizeof walk->end_at);
+    lath->steps += walk->count;
+    lath->drift += walk->drift;
+}
+
+static taut_status take_kinks(taut_lath *lath, const taut_walk *a, const taut_walk *b,
+                              taut_arena *arena)
+{
+    const int count = a->kink_count + b->kink_count;
+    if (count == 0) {
+        return TAUT_OK;
+    }
+    lath->kinks = taut_arena_take(arena, (size_t)count, sizeof(taut_kink));
+    if (lath->kinks == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    memcpy(lath->kinks, a->kinks, (size_t)a->kink_count * sizeof(taut_kink));
+    memcpy(lath->kinks + a->kink_count, b->kinks, (size_t)b->kink_count * sizeof(taut_kink));
+    lath->kink_count = count;
+    return TAUT_OK;
+}
+
+taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kind,
+                            const double at[2], const double along[3], int both,
+                            const taut_lath_options *options, taut_arena *arena, taut_lath *lath,
+                            taut_linefield_fault *fault)
+{
+    const double back[3] = {-along[0], -along[1], -along[2]};
+    taut_walk *walks = taut_arena_take(arena, 2, sizeof *walks);
+    pieces behind = {.arena = arena}, ahead = {.arena = arena};
+    taut_walk_state state;
+    int span[2];
+
+    *lath = (taut_lath){.family = kind.family, .seed = {at[0], at[1]}};
+    if (walks == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_status status = go(carrier, kind, at, along, options, &walks[1], &ahead, fault);
+    if (status != TAUT_OK || *fault != TAUT_LINEFIELD_FINE) {
+        return status;
+    }
+    if (both && walks[1].end != TAUT_END_CLOSED) {
+        status = go(carrier, kind, at, back, options, &walks[0], &behind, fault);
+    } else {
+        walks[0] =
+            (taut_walk){.end = walks[1].end == TAUT_END_CLOSED ? TAUT_END_CLOSED : TAUT_END_LENGTH,
+                        .edges = {-1, -1},
+                        .end_at = {at[0], at[1]}};
+    }
+    if (status == TAUT_OK && *fault == TAUT_LINEFIELD_FINE) {
+        status = join(&behind, &ahead, arena, lath);
+    }
+    if (status != TAUT_OK || *fault != TAUT_LINEFIELD_FINE) {
+        return status;
+    }
+    take_end(lath, 0, &walks[0]);
+    take_end(lath, 1, &walks[1]);
+    taut_carrier_cell(carrier, at, NULL, span);
+    taut_walk_start(carrier, kind, at, span, along, &state);
+    memcpy(lath->seed_tangent, state.tangent, sizeof lath->seed_tangent);
+    taut_walk_station(carrier, kind, &state, &lath->at_seed);
+    lath->at_seed.s = lath->seed_s;
+    return take_kinks(lath, &walks[0], &walks[1], arena);
+}
+
+int taut_segment_state(const taut_carrier *carrier, taut_linefield_kind kind,
+                       const taut_segment *segment, double s, taut_station *station)
+{
+    const double h = segment->way * (s - segment->first) - segment->start.s;
+    taut_walk_state state;
+    taut_station own;
+
+    if (!taut_walk_step(carrier, kind, &segment->start, h, &state)) {
+        return 0;
+    }
+    taut_walk_station(carrier, kind, &state, &own);
+    if (segment->way > 0) {
+        *station = own;
+    } else {
+        reverse_station(&own, station);
+    }
+    station->s = s;
+    const double base_twist = segment->way > 0 ? segment->from.twist : segment->to.twist;
+    const double base_measure = segment->way > 0 ? segment->from.measure : segment->to.measure;
+    station->twist = base_twist + segment->way * (own.twist - segment->start.y[TAUT_WALK_TWIST]);
+    station->measure =
+        base_measure + segment->way * (own.measure - segment->start.y[TAUT_WALK_MEASURE]);
+    return 1;
+}

@@ -1,0 +1,769 @@
+#include "trace/net.h"
+
+#include "core/fail.h"
+#include "core/vec3.h"
+#include "numeric/quadrature.h"
+#include "trace/divide.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { BORDER_PIECES = 64 /* a span */, LOOK = 101 };
+/* Sine of the angle below which a curve runs along the line that seeds it; seeds nearer than this,
+ * over the size, are one; a lath that ends so near to where the next would begin, over the size, is that one. */
+static const double least_sine = 1e-6, same_seed = 1e-9, same_end = 1e-6;
+
+static const char *const letters[] = {"AB", "AB", "GG", "AB"};
+
+static taut_status fault_of(const taut_net *net, int seed, const double at[2],
+                            taut_linefield_fault fault, taut_error *error);
+
+/* ---- laths ---- */
+
+static taut_status make_room(taut_net *net)
+{
+    if (net->count < net->room) {
+        return TAUT_OK;
+    }
+    const int room = net->room > 0 ? 2 * net->room : 32;
+    taut_lath *laths = taut_arena_take_raw(net->arena, (size_t)room, sizeof *laths);
+    if (laths == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    if (net->count > 0) {
+        memcpy(laths, net->laths, (size_t)net->count * sizeof *laths);
+    }
+    net->laths = laths;
+    net->room = room;
+    return TAUT_OK;
+}
+
+/* Is a lath of the family seeded there already? */
+static int is_seeded(const taut_net *net, int family, const double at[2])
+{
+    double x[2][TAUT_CARRIER_VECTORS][3];
+    int span[2];
+    taut_carrier_cell(net->carrier, at, NULL, span);
+    taut_carrier_at(net->carrier, span, at, 0, x[0]);
+    for (int k = 0; k < net->count; k++) {
+        const taut_lath *lath = &net->laths[k];
+        if (lath->family == family && net->problem->net != TAUT_TRACE_GEODESIC &&
+            taut_length_between(lath->at_seed.x, x[0][0]) <= same_seed * net->carrier->size) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Which way the lath is to run: as the last one of its family, or with growing u (v if du = 0). */
+static void way_of(const taut_net *net, int family, const double at[2], double along[3])
+{
+    const taut_linefield_kind kind = {net->problem->net, family};
+    const double up[3] = {0, 0, 0};
+    double x[TAUT_CARRIER_VECTORS][3];
+    taut_walk_state state;
+    int span[2];
+
+    for (int k = net->count - 1; k >= 0; k--) {
+        if (net->laths[k].family == family) {
+            memcpy(along, net->laths[k].seed_tangent, 3 * sizeof(double));
+            return;
+        }
+    }
+    taut_carrier_cell(net->carrier, at, NULL, span);
+    taut_carrier_at(net->carrier, span, at, 1, x);
+    memcpy(along, x[1], 3 * sizeof(double));
+    if (taut_walk_start(net->carrier, kind, at, span, up, &state) != TAUT_LINEFIELD_FINE) {
+        return;
+    }
+    const double *ab = state.y + TAUT_WALK_A;
+    const double sign = fabs(ab[0]) * taut_length(x[1]) > least_sine ? ab[0] : ab[1];
+    for (int c = 0; c < 3; c++) {
+        along[c] = sign < 0 ? -state.tangent[c] : state.tangent[c];
+    }
+}
+
+static void leave_out(taut_net *net, int family, const double at[2], taut_linefield_fault fault,
+                      int is_along)
+{
+    if (net->left_count < TAUT_TRACE_LATHS_MAX) {
+        net->left_out[net->left_count++] = (taut_left_out){family, {at[0], at[1]}, fault, is_along};
+    }
+}
+
+/* The lath of a family through a place. *fault: why there is none. */
+static taut_status add_lath(taut_net *net, int family, const double at[2], const double *direction,
+                            int both, taut_linefield_fault *fault, taut_error *error)
+{
+    const taut_linefield_kind kind = {net->problem->net, family};
+    double along[3];
+
+    *fault = TAUT_LINEFIELD_FINE;
+    if (is_seeded(net, family, at)) {
+        return TAUT_OK;
+    }
+    if (net->count >= TAUT_TRACE_LATHS_MAX) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "too-many-laths", "/seeds", net->count,
+                         TAUT_TRACE_LATHS_MAX, "the net has more than %d curves: ask for fewer",
+                         TAUT_TRACE_LATHS_MAX);
+    }
+    if (make_room(net) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    if (direction != NULL) {
+        double x[TAUT_CARRIER_VECTORS][3];
+        int span[2];
+        taut_carrier_cell(net->carrier, at, NULL, span);
+        taut_carrier_at(net->carrier, span, at, 1, x);
+        taut_linefield_tangent((const double(*)[3])x, direction, along);
+    } else {
+        way_of(net, family, at, along);
+    }
+    taut_lath *lath = &net->laths[net->count];
+    const taut_status status = taut_lath_trace(net->carrier, kind, at, along, both, &net->options,
+                                               net->arena, lath, fault);
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    if (*fault != TAUT_LINEFIELD_FINE || lath->count == 0) {
+        return TAUT_OK;
+    }
+    for (int end = 0; end < 2; end++) {
+        if (lath->ended[end] == TAUT_END_STALLED) {
+            return taut_fail(error, TAUT_NOT_CONVERGED, "stalled", NULL, taut_none, taut_none,
+                             "a curve from (%.6g, %.6g) could not be followed beyond (%.6g, %.6g)",
+                             at[0], at[1], lath->ends[end][0], lath->ends[end][1]);
+        }
+    }
+    snprintf(lath->name, sizeof lath->name, "%c%d", letters[net->problem->net][family],
+             ++net->of_family[family]);
+    net->count++;
+    return TAUT_OK;
+}
+
+/* One of several places: where there is no curve it is left out. */
+static taut_status add_or_leave(taut_net *net, int family, const double at[2], taut_error *error)
+{
+    taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
+    const taut_status status = add_lath(net, family, at, NULL, 1, &fault, error);
+    if (status == TAUT_OK && fault != TAUT_LINEFIELD_FINE) {
+        leave_out(net, family, at, fault, 0);
+    }
+    return status;
+}
+
+/* ---- seeds on lines ---- */
+
+/* The sine of the angle between the family and a direction of the window. */
+static double sine_between(const taut_net *net, int family, const double at[2],
+                           const double direction[2])
+{
+    const taut_linefield_kind kind = {net->problem->net, family};
+    double x[TAUT_CARRIER_VECTORS][3], along[3], across[3];
+    taut_walk_state state;
+    int span[2];
+
+    taut_carrier_cell(net->carrier, at, NULL, span);
+    taut_carrier_at(net->carrier, span, at, 1, x);
+    taut_linefield_tangent((const double(*)[3])x, direction, along);
+    if (taut_walk_start(net->carrier, kind, at, span, along, &state) != TAUT_LINEFIELD_FINE) {
+        return 1;
+    }
+    taut_cross(state.tangent, along, across);
+    return taut_length(across) / taut_length(along);
+}
+
+static taut_status seed_line(taut_net *net, const taut_trace_seed *seed, int family, int index,
+                             const double from[2], const double to[2], taut_error *error)
+{
+    taut_ruler ruler;
+    const double way[2] = {to[0] - from[0], to[1] - from[1]};
+    const int first = seed->ends ? 0 : 1, last = seed->ends ? seed->count + 1 : seed->count;
+    double sine = 0;
+
+    if (taut_ruler_new(net->arena, net->carrier, net->problem->net, seed->by, from, to, &ruler) !=
+        TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    const double whole = ruler.sum[ruler.count];
+    double *places = taut_arena_take(net->arena, (size_t)seed->count + 2, 2 * sizeof(double));
+    if (places == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = first; k <= last; k++) {
+        taut_ruler_at(&ruler, whole * k / (seed->count + 1), places + 2 * k);
+        sine = fmax(sine, sine_between(net, family, places + 2 * k, way));
+    }
+    if (sine < least_sine) {
+        if (seed->family == family + 1 || net->problem->families == family + 1) {
+            char where[32];
+            snprintf(where, sizeof where, "/seeds/%d", index);
+            return taut_fail(error, TAUT_NO_SOLUTION, "along", where, sine, least_sine,
+                             "every curve of family %c runs along the line that seeds it",
+                             letters[net->problem->net][family]);
+        }
+        leave_out(net, family, places + 2 * first, TAUT_LINEFIELD_FINE, 1);
+        return TAUT_OK;
+    }
+    taut_status status = TAUT_OK;
+    for (int k = first; status == TAUT_OK && k <= last; k++) {
+        status = add_or_leave(net, family, places + 2 * k, error);
+    }
+    return status;
+}
+
+static taut_status seed_edge(taut_net *net, const taut_trace_seed *seed, int family, int index,
+                             taut_error *error)
+{
+    const double *lo = net->carrier->lo, *hi = net->carrier->hi;
+    const int d = seed->edge == TAUT_EDGE_U0 || seed->edge == TAUT_EDGE_U1 ? 0 : 1;
+    const int high = seed->edge == TAUT_EDGE_U1 || seed->edge == TAUT_EDGE_V1;
+    double from[2] = {lo[0], lo[1]}, to[2] = {hi[0], hi[1]};
+
+    from[d] = to[d] = high ? hi[d] : lo[d];
+    return seed_line(net, seed, family, index, from, to, error);
+}
+
+static taut_status seed_lath(taut_net *net, const taut_trace_seed *seed, int index,
+                             taut_error *error)
+{
+    int found = -1;
+    for (int k = 0; k < net->count; k++) {
+        found = strcmp(net->laths[k].name, seed->lath) == 0 ? k : found;
+    }
+    if (found < 0) {
+        char where[32];
+        snprintf(where, sizeof where, "/seeds/%d/lath", index);
+        return taut_fail(error, TAUT_BAD_INPUT, "name", where, taut_none, taut_none,
+                         "found \"%.40s\", expected the name of a curve that an earlier seed makes",
+                         seed->lath);
+    }
+    const taut_linefield_kind kind = {net->problem->net, net->laths[found].family};
+    const int other = net->problem->net == TAUT_TRACE_GEODESIC ? 0 : 1 - kind.family;
+    const double whole =
+        seed->by == TAUT_TRACE_CONFORMAL ? net->laths[found].measure : net->laths[found].length;
+    const int first = seed->ends ? 0 : 1, last = seed->ends ? seed->count + 1 : seed->count;
+    taut_status status = TAUT_OK;
+    for (int k = first; status == TAUT_OK && k <= last; k++) {
+        taut_station at;
+        const taut_lath lath = net->laths[found];
+        if (taut_lath_at(net->carrier, kind, &lath, seed->by, whole * k / (seed->count + 1), &at)) {
+            for (int d = 0; d < 2; d++) {
+                at.at[d] = fmin(fmax(at.at[d], net->carrier->lo[d]), net->carrier->hi[d]);
+            }
+            status = add_or_leave(net, other, at.at, error);
+        }
+    }
+    return status;
+}
+
+/* ---- cells ---- */
+
+/* The border of the window, once around: place and direction at t in [0, 4). */
+static void border_at(const taut_carrier *carrier, double t, double at[2], double way[2])
+{
+    const int side = t < 1 ? 0 : t < 2 ? 1 : t < 3 ? 2 : 3;
+    const double part = t - side;
+    const double du = carrier->hi[0] - carrier->lo[0], dv = carrier->hi[1] - carrier->lo[1];
+    const double u[4] = {carrier->lo[0] + part * du, carrier->hi[0], carrier->hi[0] - part * du,
+                         carrier->lo[0]};
+    const double v[4] = {carrier->lo[1], carrier->lo[1] + part * dv, carrier->hi[1],
+                         carrier->hi[1] - part * dv};
+    const double ways[4][2] = {{du, 0}, {0, dv}, {-du, 0}, {0, -dv}};
+    at[0] = fmin(fmax(u[side], carrier->lo[0]), carrier->hi[0]);
+    at[1] = fmin(fmax(v[side], carrier->lo[1]), carrier->hi[1]);
+    memcpy(way, ways[side], 2 * sizeof(double));
+}
+
+/* t of a place on the border. */
+static double border_of(const taut_carrier *carrier, const double at[2], int edge)
+{
+    const double u = (at[0] - carrier->lo[0]) / (carrier->hi[0] - carrier->lo[0]);
+    const double v = (at[1] - carrier->lo[1]) / (carrier->hi[1] - carrier->lo[1]);
+    const double t[4] = {4 - v, 1 + v, u, 3 - u}; /* u0, u1, v0, v1 */
+    return t[edge] >= 4 ? 0 : t[edge];
+}
+
+/* A walk along the border. */
+typedef struct border_walk {
+    taut_net *net;
+    int family;
+    taut_trace_by by;
+    double tangent[3]; /* of the family, carried on */
+} border_walk;
+
+/* The measure across the family per t; 0 where there is none. */
+static double border_rate(border_walk *w, double t)
+{
+    const taut_net *net = w->net;
+    const taut_linefield_kind kind = {net->problem->net, w->family};
+    double at[2], way[2], x[TAUT_CARRIER_VECTORS][3], along[3], sideways[3];
+    taut_form_pair forms;
+    taut_walk_state state;
+    int span[2];
+
+    border_at(net->carrier, t, at, way);
+    taut_carrier_cell(net->carrier, at, NULL, span);
+    taut_carrier_at(net->carrier, span, at, 2, x);
+    taut_carrier_forms((const double(*)[3])x, &forms);
+    if (taut_walk_start(net->carrier, kind, at, span, w->tangent, &state) != TAUT_LINEFIELD_FINE) {
+        return 0;
+    }
+    memcpy(w->tangent, state.tangent, sizeof w->tangent);
+    taut_cross(forms.normal, state.tangent, sideways);
+    taut_linefield_tangent((const double(*)[3])x, way, along);
+    return taut_dot(sideways, along) *
+           (w->by == TAUT_TRACE_CONFORMAL ? taut_linefield_measure(net->problem->net, &forms) : 1);
+}
+
+static double border_measure(border_walk *w, double from, double to)
+{
+    enum { NODES = 8 };
+    double nodes[NODES], weights[NODES], sum = 0;
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int k = 0; k < NODES; k++) {
+        sum += weights[k] * border_rate(w, (from + to) / 2 + (to - from) / 2 * nodes[k]);
+    }
+    return sum * (to - from) / 2;
+}
+
+/* The last end of a lath of the family in (from, to], as t; -1 where there is none. */
+static double last_end(const taut_net *net, int family, double from, double to)
+{
+    double last = -1;
+    for (int k = 0; k < net->count; k++) {
+        const taut_lath *lath = &net->laths[k];
+        for (int end = 0; lath->family == family && end < 2; end++) {
+            for (int e = 0; e < 2 && lath->edges[end][e] >= 0; e++) {
+                const double t = border_of(net->carrier, lath->ends[end], lath->edges[end][e]);
+                for (int turn = 0; turn < 2; turn++) {
+                    if (t + 4 * turn > from && t + 4 * turn <= to) {
+                        last = fmax(last, t + 4 * turn);
+                    }
+                }
+            }
+        }
+    }
+    return last;
+}
+
+/* Is there an end of the family as near to t as rounding explains? */
+static int ends_near(const taut_net *net, int family, double t)
+{
+    double at[2], way[2], x[2][TAUT_CARRIER_VECTORS][3];
+    int span[2];
+    border_at(net->carrier, t >= 4 ? t - 4 : t, at, way);
+    taut_carrier_cell(net->carrier, at, NULL, span);
+    taut_carrier_at(net->carrier, span, at, 0, x[0]);
+    for (int k = 0; k < net->count; k++) {
+        const taut_lath *lath = &net->laths[k];
+        for (int end = 0; lath->family == family && end < 2; end++) {
+            if (lath->edges[end][0] < 0) {
+                continue;
+            }
+            taut_carrier_cell(net->carrier, lath->ends[end], NULL, span);
+            taut_carrier_at(net->carrier, span, lath->ends[end], 0, x[1]);
+            if (taut_length_between(x[0][0], x[1][0]) <= same_end * net->carrier->size) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+/* Where in [low, high] the measure from low reaches the rest. */
+static double reach(border_walk *w, double low, double high, double rest)
+{
+    const double begin = low;
+    const border_walk before = *w;
+    for (int round = 0; round < 50; round++) {
+        const double t = (low + high) / 2;
+        border_walk copy = before;
+        if (fabs(border_measure(&copy, begin, t)) < rest) {
+            low = t;
+        } else {
+            high = t;
+        }
+    }
+    return high;
+}
+
+/* The first end of a lath of the family, t, or -1: where the walk begins. */
+static double first_end(const taut_net *net, int family)
+{
+    for (int k = 0; k < net->count; k++) {
+        const taut_lath *lath = &net->laths[k];
+        for (int end = 0; lath->family == family && end < 2; end++) {
+            if (lath->edges[end][0] >= 0) {
+                return border_of(net->carrier, lath->ends[end], lath->edges[end][0]);
+            }
+        }
+    }
+    return -1;
+}
+
+static double wrapped(double t)
+{
+    return t >= 4 ? t - 4 : t;
+}
+
+/* Once around the border: a seed wherever it is a part away from the last lath. */
+static taut_status seed_border(taut_net *net, int family, taut_trace_by by, double part,
+                               taut_error *error)
+{
+    border_walk w = {.net = net, .family = family, .by = by, .tangent = {0, 0, 0}};
+    const double start = first_end(net, family);
+    const int spans = taut_basis_span_count(net->carrier->basis[0]) +
+                      taut_basis_span_count(net->carrier->basis[1]);
+    const int pieces = 4 * BORDER_PIECES * (spans < 16 ? 1 : spans / 16);
+    double sum = 0, t = start;
+
+    if (start < 0) {
+        return TAUT_OK;
+    }
+    for (int k = 0; k < pieces; k++) {
+        double next = start + 4 * (k + 1.0) / pieces;
+        const double side = floor(t) + 1;
+        next = t < side && next > side ? side : next; /* no piece around a corner */
+        k -= next == side && next < start + 4 * (k + 1.0) / pieces;
+        while (t < next) {
+            const border_walk before = w;
+            const double end = last_end(net, family, t, next);
+            const double to = end >= 0 ? end : next;
+            const double more = border_measure(&w, wrapped(t), to - (t - wrapped(t)));
+            if (fabs(sum + more) < part * (1 - 1e-9)) {
+                sum = end >= 0 ? 0 : sum + more;
+                t = to;
+                continue;
+            }
+            w = before;
+            const double rest = part - fabs(sum);
+            const double at = reach(&w, wrapped(t), to - (t - wrapped(t)), rest) + (t - wrapped(t));
+            double place[2], way[2];
+            border_at(net->carrier, wrapped(at), place, way);
+            if (!ends_near(net, family, at)) {
+                const taut_status status = add_or_leave(net, family, place, error);
+                if (status != TAUT_OK) {
+                    return status;
+                }
+            }
+            border_measure(&w, wrapped(t), at - (t - wrapped(t)));
+            sum = 0;
+            t = at > t ? at : next;
+        }
+    }
+    return TAUT_OK;
+}
+
+/* Seeds of a family at all multiples of the part from s0 of a lath of the other one. */
+static taut_status seed_lattice(taut_net *net, int family, const taut_lath *other, taut_trace_by by,
+                                double part, taut_error *error)
+{
+    const taut_linefield_kind kind = {net->problem->net, other->family};
+    taut_station at;
+    taut_status status = TAUT_OK;
+
+    if (!taut_lath_at(net->carrier, kind, other, TAUT_TRACE_LENGTH, other->seed_s, &at)) {
+        return TAUT_OK;
+    }
+    const double middle = by == TAUT_TRACE_CONFORMAL ? at.measure : at.s;
+    const double whole = by == TAUT_TRACE_CONFORMAL ? other->measure : other->length;
+    const double lowest = ceil(-middle / part - 1e-9),
+                 highest = floor((whole - middle) / part + 1e-9);
+    if (!(highest - lowest < TAUT_TRACE_LATHS_MAX)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "too-many-laths", "/seeds", highest - lowest,
+                         TAUT_TRACE_LATHS_MAX, "the net has more than %d curves: ask for fewer",
+                         TAUT_TRACE_LATHS_MAX);
+    }
+    for (double k = lowest; status == TAUT_OK && k <= highest; k++) {
+        const double target = fmin(fmax(middle + k * part, 0), whole);
+        if (k == 0) {
+            status = add_or_leave(net, family, other->seed, error);
+        } else if (taut_lath_at(net->carrier, kind, other, by, target, &at)) {
+            for (int d = 0; d < 2; d++) {
+                at.at[d] = fmin(fmax(at.at[d], net->carrier->lo[d]), net->carrier->hi[d]);
+            }
+            status = add_or_leave(net, family, at.at, error);
+        }
+    }
+    return status;
+}
+
+/* The two curves through the node, for measuring only. */
+static taut_status cross_through(taut_net *net, const double at[2], int index, taut_lath through[2],
+                                 taut_error *error)
+{
+    const double up[3] = {0, 0, 0};
+    for (int family = 0; family < 2; family++) {
+        const taut_linefield_kind kind = {net->problem->net, family};
+        taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
+        if (taut_lath_trace(net->carrier, kind, at, up, 1, &net->options, net->arena,
+                            &through[family], &fault) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+        if (fault != TAUT_LINEFIELD_FINE || through[family].count == 0) {
+            return fault_of(net, index, at, fault, error);
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status seed_cells(taut_net *net, const taut_trace_seed *seed, int families, int index,
+                              taut_error *error)
+{
+    double at[2] = {seed->at[0], seed->at[1]};
+    taut_lath through[2];
+    const int by_measure = seed->by == TAUT_TRACE_CONFORMAL;
+
+    for (int d = 0; d < 2 && !seed->has_at; d++) {
+        at[d] = net->carrier->lo[d] + (net->carrier->hi[d] - net->carrier->lo[d]) / 2;
+    }
+    taut_status status = cross_through(net, at, index, through, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    double part = 0;
+    if (seed->kind == TAUT_TRACE_CELLS) {
+        const double longer = by_measure ? fmax(through[0].measure, through[1].measure)
+                                         : fmax(through[0].length, through[1].length);
+        part = longer / seed->count;
+    } else {
+        double x[TAUT_CARRIER_VECTORS][3];
+        taut_form_pair forms;
+        int span[2];
+        taut_carrier_cell(net->carrier, at, NULL, span);
+        taut_carrier_at(net->carrier, span, at, 2, x);
+        taut_carrier_forms((const double(*)[3])x, &forms);
+        part = ldexp(seed->cell, -net->carrier->scale) *
+               (by_measure ? taut_linefield_measure(net->problem->net, &forms) : 1);
+    }
+    for (int family = 0; status == TAUT_OK && family < 2; family++) {
+        if (families & (1 << family)) {
+            status = seed_lattice(net, family, &through[1 - family], seed->by, part, error);
+            if (status == TAUT_OK) {
+                status = seed_border(net, family, seed->by, part, error);
+            }
+        }
+    }
+    return status;
+}
+
+/* ---- single places, and what is wrong with them ---- */
+
+/* A place of a grid where K < 0 that is nearest to `at`; 0 where there is none. *saddles: how many. */
+static int nearest_saddle(const taut_net *net, const double at[2], double found[2])
+{
+    double best = INFINITY;
+    for (int i = 0; i < LOOK; i++) {
+        for (int j = 0; j < LOOK; j++) {
+            const taut_carrier *carrier = net->carrier;
+            const double place[2] = {
+                carrier->lo[0] + (carrier->hi[0] - carrier->lo[0]) * i / (LOOK - 1),
+                carrier->lo[1] + (carrier->hi[1] - carrier->lo[1]) * j / (LOOK - 1)};
+            double x[TAUT_CARRIER_VECTORS][3];
+            taut_form_pair forms;
+            int span[2];
+            taut_carrier_cell(carrier, place, NULL, span);
+            taut_carrier_at(carrier, span, place, 2, x);
+            taut_carrier_forms((const double(*)[3])x, &forms);
+            const double square = forms.m * forms.m - forms.l * forms.n;
+            const double away = taut_hypot(place[0] - at[0], place[1] - at[1]);
+            const double radius = taut_form_pair_radius(&forms);
+            if (square > 1e-10 * radius * radius * forms.w * forms.w &&
+                radius > 1e-8 * carrier->roundest && away < best) {
+                best = away;
+                memcpy(found, place, sizeof place);
+            }
+        }
+    }
+    return best < INFINITY;
+}
+
+static taut_status elliptic(const taut_net *net, const char *where, const double at[2],
+                            taut_error *error)
+{
+    double x[TAUT_CARRIER_VECTORS][3], found[2];
+    taut_form_pair forms;
+    int span[2];
+    taut_carrier_cell(net->carrier, at, NULL, span);
+    taut_carrier_at(net->carrier, span, at, 2, x);
+    taut_carrier_forms((const double(*)[3])x, &forms);
+    const double gauss = ldexp(taut_form_pair_gauss(&forms), -2 * net->carrier->scale);
+    if (!nearest_saddle(net, at, found)) {
+        const double radius = taut_form_pair_radius(&forms);
+        const int is_flat = fabs(taut_form_pair_gauss(&forms)) <= 1e-10 * radius * radius;
+        return taut_fail(error, TAUT_NO_SOLUTION, is_flat ? "parabolic" : "elliptic", where, gauss,
+                         0,
+                         is_flat ? "the Gauss curvature vanishes everywhere: there is one "
+                                   "asymptotic direction and no net"
+                                 : "the Gauss curvature is nowhere negative: there are no "
+                                   "asymptotic curves");
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "elliptic", where, gauss, 0,
+                     "the Gauss curvature at (%.6g, %.6g) is %.3g, and asymptotic curves need a "
+                     "negative one; the nearest place of a grid that has it is (%.6g, %.6g)",
+                     at[0], at[1], gauss, found[0], found[1]);
+}
+
+static taut_status fault_of(const taut_net *net, int seed, const double at[2],
+                            taut_linefield_fault fault, taut_error *error)
+{
+    char where[32] = "/seeds";
+    if (seed >= 0 && net->problem->seed_count > 0) {
+        snprintf(where, sizeof where, "/seeds/%d", seed);
+    }
+    if (fault == TAUT_LINEFIELD_ELLIPTIC) {
+        return elliptic(net, where, at, error);
+    }
+    if (fault == TAUT_LINEFIELD_ROUND) {
+        double x[TAUT_CARRIER_VECTORS][3];
+        taut_form_pair forms;
+        int span[2];
+        taut_carrier_cell(net->carrier, at, NULL, span);
+        taut_carrier_at(net->carrier, span, at, 2, x);
+        taut_carrier_forms((const double(*)[3])x, &forms);
+        const int is_flat = !(fabs(taut_form_pair_mean(&forms)) * net->carrier->size > 1e-9);
+        return taut_fail(error, TAUT_NO_SOLUTION, is_flat ? "flat" : "umbilic", where, taut_none,
+                         taut_none,
+                         is_flat ? "the surface is flat at (%.6g, %.6g)"
+                                 : "both principal curvatures are equal at (%.6g, %.6g)",
+                         at[0], at[1]);
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "singular", where, taut_none, taut_none,
+                     "the surface has no normal, or the curve no length, at (%.6g, %.6g)", at[0],
+                     at[1]);
+}
+
+static taut_status seed_at(taut_net *net, const taut_trace_seed *seed, int family, int index,
+                           taut_error *error)
+{
+    const int before = net->count;
+    const int is_geodesic = net->problem->net == TAUT_TRACE_GEODESIC;
+    taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
+    const int is_known = is_seeded(net, family, seed->at);
+    const taut_status status = add_lath(net, family, seed->at, is_geodesic ? seed->direction : NULL,
+                                        is_geodesic ? seed->both : 1, &fault, error);
+
+    if (status == TAUT_OK && net->count == before && !is_known) {
+        return fault_of(net, index, seed->at, fault, error);
+    }
+    return status;
+}
+
+static taut_status check_inside(const taut_net *net, const double at[2], int index,
+                                const char *member, taut_error *error)
+{
+    for (int d = 0; d < 2; d++) {
+        if (!(at[d] >= net->carrier->lo[d]) || !(at[d] <= net->carrier->hi[d])) {
+            char where[48];
+            snprintf(where, sizeof where, "/seeds/%d/%s/%d", index, member, d);
+            return taut_fail(error, TAUT_BAD_INPUT, "outside", where, at[d],
+                             at[d] < net->carrier->lo[d] ? net->carrier->lo[d]
+                                                         : net->carrier->hi[d],
+                             "found %s = %.17g, expected a number from %.17g to %.17g",
+                             d == 0 ? "u" : "v", at[d], net->carrier->lo[d], net->carrier->hi[d]);
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_seed(const taut_net *net, const taut_trace_seed *seed, int index,
+                              taut_error *error)
+{
+    const int has_at = seed->kind == TAUT_TRACE_AT || seed->kind == TAUT_TRACE_LINE || seed->has_at;
+    taut_status status = TAUT_OK;
+    if (has_at) {
+        status = check_inside(net, seed->at, index, seed->kind == TAUT_TRACE_LINE ? "line/0" : "at",
+                              error);
+    }
+    return status == TAUT_OK && seed->kind == TAUT_TRACE_LINE
+               ? check_inside(net, seed->to, index, "line/1", error)
+               : status;
+}
+
+static taut_status seed_family(taut_net *net, const taut_trace_seed *seed, int family, int index,
+                               taut_error *error)
+{
+    switch (seed->kind) {
+    case TAUT_TRACE_AT:
+        return seed_at(net, seed, family, index, error);
+    case TAUT_TRACE_EDGE:
+        return seed_edge(net, seed, family, index, error);
+    default:
+        return seed_line(net, seed, family, index, seed->at, seed->to, error);
+    }
+}
+
+static taut_status trace_seed(taut_net *net, const taut_trace_seed *seed, int index,
+                              taut_error *error)
+{
+    const int is_geodesic = net->problem->net == TAUT_TRACE_GEODESIC;
+    int families = is_geodesic ? 1 : 3;
+    families &= net->problem->families != 0 ? net->problem->families : 3;
+    families &= seed->family != 0 ? seed->family : 3;
+    taut_status status = check_seed(net, seed, index, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (seed->kind == TAUT_TRACE_LATH) {
+        return seed_lath(net, seed, index, error);
+    }
+    if (seed->kind == TAUT_TRACE_CELL || seed->kind == TAUT_TRACE_CELLS) {
+        return seed_cells(net, seed, families, index, error);
+    }
+    for (int family = 0; status == TAUT_OK && family < 2; family++) {
+        if (families & (1 << family)) {
+            status = seed_family(net, seed, family, index, error);
+        }
+    }
+    return status;
+}
+
+static taut_status find_nodes(taut_net *net, taut_error *error)
+{
+    const int is_geodesic = net->problem->net == TAUT_TRACE_GEODESIC;
+    net->nodes.arena = net->arena;
+    for (int i = 0; i < net->count; i++) {
+        for (int j = is_geodesic ? i + 1 : 0; j < net->count; j++) {
+            const int crosses =
+                is_geodesic || (net->laths[i].family == 0 && net->laths[j].family == 1);
+            if (crosses && taut_nodes_between(net->carrier, net->problem->net, net->laths, i, j,
+                                              &net->nodes) != TAUT_OK) {
+                return taut_fail_memory(error);
+            }
+        }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_net_trace(taut_net *net, const taut_monitor *monitor, taut_error *error)
+{
+    static const taut_trace_seed usual = {.kind = TAUT_TRACE_CELLS, .count = 8};
+    const int count = net->problem->seed_count > 0 ? net->problem->seed_count : 1;
+    taut_status status = TAUT_OK;
+
+    net->left_out = taut_arena_take(net->arena, TAUT_TRACE_LATHS_MAX, sizeof *net->left_out);
+    if (net->left_out == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; status == TAUT_OK && k < count; k++) {
+        if (monitor->progress != NULL &&
+            monitor->progress(monitor->context, (double)k / count, "tracing") != TAUT_GO_ON) {
+            return taut_fail_status(error, TAUT_INTERRUPTED);
+        }
+        status = trace_seed(net, net->problem->seed_count > 0 ? &net->problem->seeds[k] : &usual, k,
+                            error);
+    }
+    if (status == TAUT_OK && net->count == 0) {
+        const taut_linefield_fault fault =
+            net->left_count > 0 ? net->left_out[0].fault : TAUT_LINEFIELD_SINGULAR;
+        if (net->left_count > 0 && net->left_out[0].is_along) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "along", "/seeds", taut_none, taut_none,
+                             "every curve runs along the line that seeds it");
+        }
+        const double nowhere[2] = {net->carrier->lo[0], net->carrier->lo[1]};
+        return fault_of(net, -1, net->left_count > 0 ? net->left_out[0].at : nowhere, fault, error);
+    }
+    return status == TAUT_OK ? find_nodes(net, error) : status;
+}

@@ -1,0 +1,36 @@
+/* net.h -- a whole net: its seeds in their order, a lath each, and the nodes.
+ *
+ *     of each seed, of each family it is for: its places, and a lath through each
+ *     cells: the laths through a lattice on one curve of the other family, and where the border of
+ *            the window, measured across the family, is a part away from the last lath, one more
+ *     the crossings of all pairs
+ */
+#ifndef TAUT_TRACE_NET_H
+#define TAUT_TRACE_NET_H
+
+#include "trace/node.h"
+
+/* A seed that has no curve. */
+typedef struct taut_left_out {
+    int family;
+    double at[2];
+    taut_linefield_fault fault;
+    int is_along; /* it runs along the edge that seeds it */
+} taut_left_out;
+
+typedef struct taut_net {
+    const taut_carrier *carrier;
+    const taut_trace_problem *problem;
+    taut_lath_options options;
+    taut_arena *arena;
+    taut_lath *laths;
+    int count, room, of_family[2];
+    taut_nodes nodes;
+    taut_left_out *left_out;
+    int left_count;
+} taut_net;
+
+/* Fills a net whose carrier, problem, options and arena are set. Errors as of taut_trace_make. */
+taut_status taut_net_trace(taut_net *net, const taut_monitor *monitor, taut_error *error);
+
+#endif /* TAUT_TRACE_NET_H */

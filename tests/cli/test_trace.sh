@@ -1,0 +1,56 @@
+# test_trace.sh -- nets from the command line: by words and by document, of files, with what is wrong told.
+. "$SOURCE/tests/cli/cli.sh"
+
+"$TAUT" example trace-bonnet > net.json
+run 0 make net.json -o made.json -o made.svg -o made.step --report report.json
+for claim in on-surface asymptotic length ends nodes complete identity surface; do
+    contains err.txt "$claim +holds"
+done
+contains made.json '"node": "A3B2"'
+contains made.json '"ended": \["edge v0", "edge v1"\]'
+run 0 certify made.json net.json
+run 0 certify made.json
+
+# The words of the command are the same document.
+"$TAUT" example bonnet-roof > roof.json
+run 0 trace roof.json --net asymptotic --cells 5 --quiet -o words.json
+echo '{ "taut": 1, "trace": "asymptotic", "of": "roof.json", "seeds": [{ "cells": 5 }] }' > document.json
+run 0 trace document.json --quiet -o document-made.json
+cmp words.json document-made.json || complain "the words make another net than the document"
+run 0 make document.json --quiet -o by-make.json
+cmp words.json by-make.json || complain "make makes another net than trace"
+run 0 trace words.json --net principal --family max --edge v0:3 --by length --quiet -o max.json
+contains max.json '"name": "A3"'
+grep -q '"name": "B1"' max.json && complain "a family was traced that was not asked for"
+run 0 trace words.json --net geodesic --seed 0,0.2 --direction 1,0.5 --both --max-length 0.5 --quiet -o geodesic.json
+contains geodesic.json '"ended": \["length", "length"\]'
+run 0 trace words.json --net isoparametric --line -0.5,-0.5:0.5,0.5:3 --quiet -o iso.json
+run 0 trace words.json --net asymptotic --cell 0.9 --quiet -o cell.json
+
+run 0 schema trace
+contains out.txt '#/\$defs/trace'
+
+# What is wrong.
+refused 2 'value' trace roof.json --net wavy -o none.json
+refused 2 'option' trace roof.json -o none.json
+refused 2 'value --seed x' trace roof.json --net asymptotic --seed x -o none.json
+refused 2 'value --edge v0' trace roof.json --net asymptotic --edge v0 -o none.json
+refused 2 'value --line 0,0:1' trace roof.json --net asymptotic --line 0,0:1 -o none.json
+refused 2 'value' trace roof.json --net asymptotic --family max -o none.json
+refused 3 'no-such-object /surface' trace words.json --net asymptotic --surface nothing -o none.json
+refused 5 '[a-z-]+' trace missing.json --net asymptotic -o none.json
+absent none.json
+echo '{ "taut": 1, "trace": "asymptotic", "of": "document.json" }' > nested.json
+refused 3 'kind /of' make nested.json -o none.json --quiet
+echo '{ "taut": 1, "trace": "asymptotic", "of": "self.json" }' > self.json
+refused 3 'kind /of' make self.json -o none.json --quiet
+for member in '"panels": true' '"laths": {}' '"sheet": {}'; do
+    name=$(echo "$member" | sed 's/^"\([a-z]*\)".*/\1/')
+    echo "{ \"taut\": 1, \"trace\": \"asymptotic\", \"of\": \"roof.json\", $member }" > later.json
+    refused 3 "trace-not-yet /$name" make later.json -o none.json --quiet
+done
+echo '{ "taut": 1, "trace": "asymptotic", "of": "roof.json", "unit": "ft" }' > foot.json
+refused 3 'conflict /unit' make foot.json -o none.json --quiet
+absent none.json
+
+finish

@@ -1,0 +1,116 @@
+/* test_trace.c -- nets of random surfaces: what does not depend on how the surface is told.
+ *
+ * Asymptotic families stay when u and v change places or run backwards; degrees may be raised; the
+ * turning of a cell of the net is the curvature within it (Gauss-Bonnet).
+ */
+#include "check.h"
+#include "core/constants.h"
+#include "nets.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { TRIALS = 12, SIDE = 4 };
+
+/* A net of SIDE x SIDE points over [-1, 1]^2 with K < 0: z = x y and something small. */
+static void random_points(double points[SIDE][SIDE][3])
+{
+    const double height = random_in(0.8, 1.5);
+    for (int i = 0; i < SIDE; i++) {
+        for (int j = 0; j < SIDE; j++) {
+            const double x = -1 + 2.0 * i / (SIDE - 1), y = -1 + 2.0 * j / (SIDE - 1);
+            points[i][j][0] = x + random_in(-0.05, 0.05);
+            points[i][j][1] = y + random_in(-0.05, 0.05);
+            points[i][j][2] = height * x * y + random_in(-0.05, 0.05);
+        }
+    }
+}
+
+/* The surface as JSON; `way`: 0 as it is, 1 with u and v exchanged, 2 with u backwards, 3 mirrored in
+ * z. */
+static void write_surface(const double points[SIDE][SIDE][3], int way, char *text, size_t room)
+{
+    size_t length = (size_t)snprintf(
+        text, room,
+        "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 3 }, "
+        "\"v\": { \"type\": \"bezier\", \"degree\": 3 }, \"points\": [");
+    for (int i = 0; i < SIDE; i++) {
+        length += (size_t)snprintf(text + length, room - length, "%s[", i > 0 ? ", " : "");
+        for (int j = 0; j < SIDE; j++) {
+            const double *p = way == 1   ? points[j][i]
+                              : way == 2 ? points[SIDE - 1 - i][j]
+                                         : points[i][j];
+            length += (size_t)snprintf(text + length, room - length, "%s[%.17g, %.17g, %.17g]",
+                                       j > 0 ? ", " : "", p[0], p[1], way == 3 ? -p[2] : p[2]);
+        }
+        length += (size_t)snprintf(text + length, room - length, "]");
+    }
+    snprintf(text + length, room - length, "] }] }");
+}
+
+static made_net net_at(const double points[SIDE][SIDE][3], int way, const char *kind, double u,
+                       double v)
+{
+    char surface[4096], seeds[120];
+    write_surface(points, way, surface, sizeof surface);
+    snprintf(seeds, sizeof seeds, "\"seeds\": [{ \"at\": [%.17g, %.17g] }]", u, v);
+    return net_make(kind, surface, seeds);
+}
+
+static void test_told_otherwise(void)
+{
+    for (int trial = 0; trial < random_trials(TRIALS); trial++) {
+        double points[SIDE][SIDE][3];
+        random_points(points);
+        /* a dyadic place: 1 - u is exact */
+        const double u = random_int(13, 51) / 64.0, v = random_int(13, 51) / 64.0;
+        made_net plain = net_at((const double(*)[SIDE][3])points, 0, "asymptotic", u, v);
+        made_net turned = net_at((const double(*)[SIDE][3])points, 1, "asymptotic", v, u);
+        made_net backwards = net_at((const double(*)[SIDE][3])points, 2, "asymptotic", 1 - u, v);
+        made_net mirrored = net_at((const double(*)[SIDE][3])points, 3, "asymptotic", u, v);
+        CHECK(plain.status == TAUT_OK, "trial %d: %s", trial, plain.error.message);
+        CHECK(taut_certificate_holds(plain.proof) == TAUT_TRUE, "trial %d", trial);
+        for (int f = 0; f < 2 && plain.status == TAUT_OK; f++) {
+            const char *name = f == 0 ? "A1" : "B1", *other = f == 0 ? "B1" : "A1";
+            const double length = net_number(&plain, name, "length");
+            /* 2e-12 was seen */
+            CHECK_NEAR(net_number(&turned, name, "length"), length, 5e-12, "trial %d turned",
+                       trial);
+            CHECK_NEAR(net_number(&backwards, name, "length"), length, 5e-12, "trial %d", trial);
+            CHECK_NEAR(net_number(&mirrored, other, "length"), length, 5e-12, "trial %d", trial);
+            CHECK_NEAR(net_number(&turned, name, "twist"), net_number(&plain, name, "twist"), 2e-11,
+                       "trial %d", trial);
+        }
+        net_free(&plain);
+        net_free(&turned);
+        net_free(&backwards);
+        net_free(&mirrored);
+    }
+}
+
+/* Principal families change with the normal, and no other way. */
+static void test_principal(void)
+{
+    for (int trial = 0; trial < random_trials(TRIALS / 2); trial++) {
+        double points[SIDE][SIDE][3];
+        random_points(points);
+        const double u = random_int(13, 51) / 64.0, v = random_int(13, 51) / 64.0;
+        made_net plain = net_at((const double(*)[SIDE][3])points, 0, "principal", u, v);
+        made_net turned = net_at((const double(*)[SIDE][3])points, 1, "principal", v, u);
+        CHECK_NEAR(net_number(&turned, "B1", "length"), net_number(&plain, "A1", "length"), 5e-12,
+                   "trial %d: %s", trial, plain.error.message);
+        CHECK_NEAR(net_number(&turned, "A1", "length"), net_number(&plain, "B1", "length"), 5e-12,
+                   "trial %d", trial);
+        CHECK(taut_certificate_holds(plain.proof) == TAUT_TRUE, "trial %d", trial);
+        net_free(&plain);
+        net_free(&turned);
+    }
+}
+
+int main(void)
+{
+    random_seed(1);
+    test_told_otherwise();
+    test_principal();
+    return check_failures != 0;
+}

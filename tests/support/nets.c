@@ -1,0 +1,65 @@
+#include "nets.h"
+
+#include "check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+made_net net_make(const char *net, const char *surface, const char *members)
+{
+    made_net made = {.status = TAUT_OK};
+    const size_t room = strlen(surface) + strlen(members) + 200;
+    char *text = malloc(room);
+
+    if (text == NULL) {
+        made.status = TAUT_NO_MEMORY;
+        return made;
+    }
+    const int length = snprintf(text, room, "{ \"taut\": 1, \"trace\": \"%s\", \"of\": %s%s%s }",
+                                net, surface, members[0] != '\0' ? ", " : "", members);
+    made.status = taut_problem_read_text(text, (size_t)length, "net", &made.problem, &made.error);
+    if (made.status == TAUT_OK) {
+        made.status = taut_make(made.problem, NULL, &made.model, &made.error);
+    }
+    if (made.status == TAUT_OK) {
+        made.status = taut_certify(made.model, made.problem, NULL, &made.proof, &made.error);
+    }
+    free(text);
+    return made;
+}
+
+void net_free(made_net *made)
+{
+    taut_certificate_free(made->proof);
+    taut_model_free(made->model);
+    taut_problem_free(made->problem);
+}
+
+const taut_record *net_lath(const made_net *made, const char *name)
+{
+    const taut_record *laths = taut_record_get(taut_model_details(made->model), "laths");
+    for (size_t k = 0; k < taut_record_count(laths); k++) {
+        const taut_record *lath = taut_record_at(laths, k);
+        if (strcmp(taut_record_text(taut_record_get(lath, "name")), name) == 0) {
+            return lath;
+        }
+    }
+    return NULL;
+}
+
+double net_number(const made_net *made, const char *lath, const char *key)
+{
+    return taut_record_number(taut_record_get(net_lath(made, lath), key));
+}
+
+double net_end(const made_net *made, const char *lath, const char *key, int i)
+{
+    return taut_record_number(
+        taut_record_at(taut_record_get(net_lath(made, lath), key), (size_t)i));
+}
+
+int net_count(const made_net *made, const char *list)
+{
+    return (int)taut_record_count(taut_record_get(taut_model_details(made->model), list));
+}

@@ -1,0 +1,25 @@
+/* nets.h -- nets of curves from the text of a document, made and proved. */
+#ifndef TAUT_TEST_NETS_H
+#define TAUT_TEST_NETS_H
+
+#include "taut/taut.h"
+
+typedef struct made_net {
+    taut_problem *problem;
+    taut_model *model;
+    taut_certificate *proof;
+    taut_status status; /* of the first call that failed */
+    taut_error error;
+} made_net;
+
+/* "trace": net, "of": surface (JSON), and the rest of the members, such as "\"seeds\": [...]". */
+made_net net_make(const char *net, const char *surface, const char *members);
+void net_free(made_net *made);
+
+/* A lath of details by its name, or NULL; and a number of it, of a list in it. */
+const taut_record *net_lath(const made_net *made, const char *name);
+double net_number(const made_net *made, const char *lath, const char *key);
+double net_end(const made_net *made, const char *lath, const char *key, int i);
+int net_count(const made_net *made, const char *list);
+
+#endif /* TAUT_TEST_NETS_H */

@@ -1,0 +1,127 @@
+/* test_trace.c -- nets that are none: each claim fails on a model that was changed where it looks. */
+#include "certificates.h"
+#include "check.h"
+#include "nets.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define SURFACE                                                                                    \
+    "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"s\", \"u\": { \"type\": \"bezier\", \"degree\": " \
+    "1, "                                                                                          \
+    "\"range\": [-1, 1] }, \"v\": { \"type\": \"bezier\", \"degree\": 1, \"range\": [-1, 1] }, "   \
+    "\"points\": [[[-1, -1, 1.1], [-1, 1, -1.1]], [[1, -1, -1.1], [1, 1, 1.1]]] }] }"
+
+/* The model with the points of one curve moved, and other details. */
+static taut_model *changed(const taut_model *model, int which, double sideways, double stretch,
+                           const taut_record *details)
+{
+    taut_model *copy = NULL;
+    taut_model_new(&copy);
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        taut_surface *surface = NULL;
+        taut_surface_copy(taut_model_surface(model, i), &surface);
+        taut_model_add_surface(copy, surface);
+    }
+    for (int i = 0; i < taut_model_curve_count(model); i++) {
+        const taut_curve *from = taut_model_curve(model, i);
+        const size_t count = (size_t)taut_basis_count(taut_curve_t(from));
+        double *points = malloc(3 * count * sizeof(double));
+        taut_curve *curve = NULL;
+        for (size_t k = 0; k < 3 * count; k++) {
+            points[k] = taut_curve_points(from)[k];
+        }
+        for (size_t k = 1; i == which && k + 1 < count; k++) {
+            const double bump = sin(3.14159 * (double)k / (double)(count - 1));
+            points[3 * k + 2] += sideways * bump;
+            points[3 * k] += stretch * bump * (double)(k % 2);
+        }
+        taut_curve_new(taut_curve_name(from), taut_curve_t(from), points, NULL, &curve, NULL);
+        taut_model_add_curve(copy, curve);
+        free(points);
+    }
+    taut_model_set_details(copy,
+                           taut_record_copy(details != NULL ? details : taut_model_details(model)));
+    taut_model_set_certificate(copy, NULL);
+    return copy;
+}
+
+static taut_verdict judge(const made_net *made, taut_model *model, const char *claim)
+{
+    taut_certificate *proof = NULL;
+    taut_error error = {.status = TAUT_OK};
+    const taut_status status = taut_certify(model, made->problem, NULL, &proof, &error);
+    const taut_verdict verdict = claim_of(proof, claim)->holds;
+    CHECK(status == TAUT_OK, "%s: %s", claim, error.message);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    return verdict;
+}
+
+static void test_moved(void)
+{
+    made_net made = net_make("principal", SURFACE, "\"seeds\": [{ \"at\": [0.3, 0.2] }]");
+    CHECK(judge(&made, changed(made.model, -1, 0, 0, NULL), "on-surface") == TAUT_TRUE, "as made");
+    CHECK(judge(&made, changed(made.model, 0, 3e-5, 0, NULL), "on-surface") == TAUT_FALSE, "moved");
+    CHECK(judge(&made, changed(made.model, 0, 1e-7, 0, NULL), "on-surface") == TAUT_TRUE, "hardly");
+    CHECK(judge(&made, changed(made.model, 0, 0, 1e-5, NULL), "principal") == TAUT_FALSE, "wavy");
+    CHECK(judge(&made, changed(made.model, 0, 0, 1e-3, NULL), "length") == TAUT_FALSE, "longer");
+    net_free(&made);
+}
+
+/* The names of two families exchanged, a node less, a node elsewhere: details are no witnesses of
+ * those. */
+static void test_told(void)
+{
+    made_net made = net_make("asymptotic", SURFACE,
+                             "\"seeds\": [{ \"edge\": \"u0\", \"count\": 2 }, "
+                             "{ \"edge\": \"v0\", \"count\": 2 }]");
+    taut_record *details = taut_record_new();
+    taut_record *nodes = NULL;
+    const taut_record *old = taut_model_details(made.model);
+
+    CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%s", made.error.message);
+    for (size_t k = 0; k < taut_record_count(old); k++) {
+        if (strcmp(taut_record_key(old, k), "nodes") != 0) {
+            taut_record_add_record(details, taut_record_key(old, k), taut_record_at(old, k));
+        }
+    }
+    nodes = taut_record_add_list(details, "nodes");
+    CHECK(judge(&made, changed(made.model, -1, 0, 0, details), "complete") == TAUT_FALSE,
+          "no nodes");
+    taut_record *node = taut_record_add_object(nodes, NULL);
+    taut_record_add_text(node, "node", "A1B1");
+    const double s[2] = {0.1, 0.1};
+    taut_record_add_numbers(node, "s", 2, s);
+    CHECK(judge(&made, changed(made.model, -1, 0, 0, details), "nodes") == TAUT_FALSE, "elsewhere");
+    taut_record_free(details);
+    net_free(&made);
+}
+
+/* A net of another surface, or of the other family, is not this one. */
+static void test_other(void)
+{
+    made_net made = net_make("asymptotic", SURFACE, "\"seeds\": [{ \"at\": [0.3, 0.2] }]");
+    made_net other = net_make("principal", SURFACE, "\"seeds\": [{ \"at\": [0.3, 0.2] }]");
+    made_net steeper =
+        net_make("asymptotic",
+                 "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"s\", \"u\": { \"type\": "
+                 "\"bezier\", \"degree\": 1, \"range\": [-1, 1] }, \"v\": { \"type\": "
+                 "\"bezier\", \"degree\": 1, \"range\": [-1, 1] }, \"points\": [[[-1, "
+                 "-1, 1.2], [-1, 1, -1.1]], [[1, -1, -1.1], [1, 1, 1.1]]] }] }",
+                 "\"seeds\": [{ \"at\": [0.3, 0.2] }]");
+    CHECK(judge(&made, changed(other.model, -1, 0, 0, NULL), "asymptotic") == TAUT_FALSE,
+          "principal");
+    CHECK(judge(&made, changed(steeper.model, -1, 0, 0, NULL), "surface") == TAUT_FALSE, "steeper");
+    net_free(&made);
+    net_free(&other);
+    net_free(&steeper);
+}
+
+int main(void)
+{
+    test_moved();
+    test_told();
+    test_other();
+    return check_failures != 0;
+}

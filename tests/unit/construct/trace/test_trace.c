@@ -1,0 +1,343 @@
+/* test_trace.c -- nets against closed forms: the curves of minimal surfaces that are straight in
+ * their window, rulings, cusps where K = 0, envelopes, geodesics by Clairaut; seeds, cells, refusals.
+ * The numbers are those of closed forms at 30 digits, but where a comment says so. */
+#include "certificates.h"
+#include "check.h"
+#include "core/constants.h"
+#include "nets.h"
+
+#include <string.h>
+
+#define BONNET(theta)                                                                              \
+    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.29, \"sign\": \"-\", \"alpha\": "     \
+    "1.2, \"beta\": 0.9, \"theta\": " theta " }"
+#define CATENOID                                                                                   \
+    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", \"alpha\": 2, "     \
+    "\"beta\": 2, \"start\": [-1, -1] }"
+#define CATENOID_LONG                                                                              \
+    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", \"alpha\": 2, "     \
+    "\"beta\": 3, \"mesh\": \"bspline\", \"segments\": [2, 1], \"start\": [0, -1] }"
+#define HELICOID                                                                                   \
+    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", \"theta\": "        \
+    "1.5707963267948966, \"alpha\": 3, \"beta\": 2.5, \"start\": [-1, -1.5] }"
+#define ENNEPER(start, side)                                                                       \
+    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 1, \"normalize\": true, \"sign\": "     \
+    "\"-\", \"alpha\": " side ", \"start\": [" start ", " start "] }"
+#define BILINEAR                                                                                   \
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 1, \"range\": "    \
+    "[-1, 1] }, \"v\": { \"type\": \"bezier\", \"degree\": 1, \"range\": [-1, 1] }, \"points\": "  \
+    "[[[-1, -1, 1.1], [-1, 1, -1.1]], [[1, -1, -1.1], [1, 1, 1.1]]] }] }"
+/* z = 0.4 x^2 + 0.25 y^3 on [-1, 1]^2 */
+#define CUSPED                                                                                     \
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 2, \"range\": "    \
+    "[-1, 1] }, \"v\": { \"type\": \"bezier\", \"degree\": 3, \"range\": [-1, 1] }, \"points\": "  \
+    "[[[-1, -1, 0.15], [-1, -0.3333333333333333, 0.65], [-1, 0.3333333333333333, 0.15], [-1, 1, "  \
+    "0.65]], [[0, -1, -0.65], [0, -0.3333333333333333, -0.15], [0, 0.3333333333333333, -0.65], "   \
+    "[0, 1, -0.15]], [[1, -1, 0.15], [1, -0.3333333333333333, 0.65], [1, 0.3333333333333333, "     \
+    "0.15], [1, 1, 0.65]]] }] }"
+
+typedef struct row {
+    const char *net, *surface, *seed, *lath;
+    double length, twist; /* NaN: not told */
+    double from[2], to[2];
+} row;
+
+static void test_curves(void)
+{
+    const row rows[] = {{"asymptotic",
+                         BONNET("0"),
+                         "[0.5, 0.35]",
+                         "A1",
+                         1.20921653200168,
+                         1.38403685462695,
+                         {0.15, 0},
+                         {1.05, 0.9}},
+                        {"asymptotic",
+                         BONNET("0"),
+                         "[0.5, 0.35]",
+                         "B1",
+                         1.09091590165359,
+                         1.33729215519161,
+                         {0, 0.85},
+                         {0.85, 0}},
+                        {"asymptotic",
+                         BONNET("1.1"),
+                         "[0.5, 0.35]",
+                         "A1",
+                         0.860675089159401,
+                         1.01743666961295,
+                         {0.416054343985953, 0},
+                         {0.631914602307789, 0.9}},
+                        {"asymptotic",
+                         BONNET("1.1"),
+                         "[0.5, 0.35]",
+                         "B1",
+                         1.07283455567388,
+                         1.42139709357812,
+                         {0, 0.469922365734354},
+                         {1.2, 0.182108687971905}},
+                        {"asymptotic",
+                         BONNET("1.5707963267948966"),
+                         "[0.5, 0.35]",
+                         "A1",
+                         0.833276357445519,
+                         0.991120021329853,
+                         {0.5, 0},
+                         {0.5, 0.9}},
+                        {"asymptotic",
+                         BONNET("1.5707963267948966"),
+                         "[0.5, 0.35]",
+                         "B1",
+                         1.04904294241476,
+                         1.37867888994497,
+                         {0, 0.35},
+                         {1.2, 0.35}},
+                        {"asymptotic",
+                         CATENOID,
+                         "[0, 0]",
+                         "A1",
+                         3.32397093313623,
+                         2.44876589017254,
+                         {-1, -1},
+                         {1, 1}},
+                        {"asymptotic",
+                         HELICOID,
+                         "[0.3, 0.2]",
+                         "A1",
+                         3.30448064873862,
+                         1.99749782849017,
+                         {0.3, -1.5},
+                         {0.3, 1}},
+                        {"asymptotic",
+                         HELICOID,
+                         "[0.3, 0.2]",
+                         "B1",
+                         3.06020026685723,
+                         2.94098399293418,
+                         {-1, 0.2},
+                         {2, 0.2}},
+                        {"asymptotic",
+                         ENNEPER("0", "1.25, \"beta\": 1"),
+                         "[0.5, 0.3]",
+                         "A1",
+                         2.6964338589247,
+                         1.69482699771251,
+                         {0.2, 0},
+                         {1.2, 1}},
+                        {"asymptotic",
+                         ENNEPER("0", "1.25, \"beta\": 1"),
+                         "[0.5, 0.3]",
+                         "B1",
+                         1.61408907918849,
+                         1.59288627758039,
+                         {0, 0.8},
+                         {0.8, 0}},
+                        {"asymptotic",
+                         BILINEAR,
+                         "[0.4, -0.7]",
+                         "A1",
+                         2.52420284446397,
+                         1.43375931042023,
+                         {-1, -0.7},
+                         {1, -0.7}},
+                        {"asymptotic",
+                         BILINEAR,
+                         "[0.4, -0.7]",
+                         "B1",
+                         2.18504004539963,
+                         1.57761947842250,
+                         {0.4, -1},
+                         {0.4, 1}},
+                        {"asymptotic",
+                         CUSPED,
+                         "[0.2, -0.5]",
+                         "A1",
+                         1.37851856663452,
+                         NAN,
+                         {-0.122748612183951, 0},
+                         {0.790122316991325, -1}},
+                        {"asymptotic",
+                         CUSPED,
+                         "[0.2, -0.5]",
+                         "B1",
+                         1.41050729838230,
+                         NAN,
+                         {-0.390122316991325, -1},
+                         {0.522748612183951, 0}},
+                        {"principal",
+                         BILINEAR,
+                         "[0.3, 0.2]",
+                         "A1",
+                         3.37424383734586,
+                         0,
+                         {-0.862070697356428, -1},
+                         {1, 0.862070697356428}},
+                        {"principal",
+                         BILINEAR,
+                         "[0.3, 0.2]",
+                         "B1",
+                         2.24879656954454,
+                         0,
+                         {-0.381086187806727, 1},
+                         {1, -0.381086187806727}}};
+
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        char seeds[80];
+        snprintf(seeds, sizeof seeds, "\"seeds\": [{ \"at\": %s }]", rows[k].seed);
+        made_net made = net_make(rows[k].net, rows[k].surface, seeds);
+        const char *lath = rows[k].lath;
+        CHECK(made.status == TAUT_OK, "row %zu: %s", k, made.error.message);
+        CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "row %zu", k);
+        /* 6e-13 and 3e-12 were seen */
+        CHECK_NEAR(net_number(&made, lath, "length"), rows[k].length, 1e-12 * rows[k].length,
+                   "row %zu", k);
+        if (!isnan(rows[k].twist)) {
+            CHECK_NEAR(net_number(&made, lath, "twist"), rows[k].twist, 5e-12, "row %zu", k);
+        }
+        for (int d = 0; d < 2; d++) {
+            CHECK_NEAR(net_end(&made, lath, "from", d), rows[k].from[d], 2e-12, "row %zu", k);
+            CHECK_NEAR(net_end(&made, lath, "to", d), rows[k].to[d], 2e-12, "row %zu", k);
+        }
+        net_free(&made);
+    }
+}
+
+/* k_g at the seed, run by growing t; sqrt(-K) there. */
+static void test_bending(void)
+{
+    const struct {
+        const char *surface;
+        double k_g[2];
+    } rows[] = {{BONNET("0"), {-0.226475940566633, -0.515147118832761}},
+                {BONNET("1.1"), {0.0761845270447632, -0.557551633067469}},
+                {BONNET("1.5707963267948966"), {0.20412134768509, -0.524406694385625}}};
+    for (size_t k = 0; k < 3; k++) {
+        made_net made =
+            net_make("asymptotic", rows[k].surface, "\"seeds\": [{ \"at\": [0.5, 0.35] }]");
+        for (int f = 0; f < 2; f++) {
+            const taut_record *lath = net_lath(&made, f == 0 ? "A1" : "B1");
+            const taut_record *k_g = taut_record_get(lath, "k_g"),
+                              *tau = taut_record_get(lath, "tau_g");
+            CHECK_NEAR(taut_record_number(taut_record_get(k_g, "seed")), rows[k].k_g[f], 1e-12,
+                       "theta %zu family %d", k, f);
+            CHECK_NEAR(taut_record_number(taut_record_get(tau, "seed")),
+                       (f == 0 ? 1 : -1) * 1.40505489993319, 2e-14, "theta %zu family %d", k, f);
+        }
+        const taut_record *node =
+            taut_record_at(taut_record_get(taut_model_details(made.model), "nodes"), 0);
+        CHECK_NEAR(taut_record_number(taut_record_get(node, "angle")), TAUT_PI / 2, 1e-14, "%zu",
+                   k);
+        net_free(&made);
+    }
+}
+
+/* Clairaut: r sin(angle to the meridian) stays c. */
+static void test_geodesics(void)
+{
+    const struct {
+        double c, length, end;
+        const char *direction;
+    } rows[] = {
+        {0.6, 2.75076817600103, 1.73026648282955, "[0.38883256419833123, -0.9213084375055678]"},
+        {1.3, 5.43507233524617, 2.91880055165009, "[0.8424705557630511, -0.5387423898973385]"}};
+    for (size_t k = 0; k < 2; k++) {
+        char seeds[160];
+        snprintf(seeds, sizeof seeds, "\"seeds\": [{ \"at\": [0.5, 1], \"direction\": %s }]",
+                 rows[k].direction);
+        made_net made = net_make("geodesic", CATENOID_LONG, seeds);
+        CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "c %g: %s", rows[k].c,
+              made.error.message);
+        CHECK_NEAR(net_number(&made, "G1", "length"), rows[k].length, 1e-12, "c %g", rows[k].c);
+        CHECK_NEAR(net_end(&made, "G1", "to", 0), rows[k].end, 2e-12, "c %g", rows[k].c);
+        net_free(&made);
+    }
+}
+
+/* Equal conformal parts on one curve of each family are squares: on the window of `bonnet`, equal
+ * parts; on Enneper's surface the lattice of the diagonals. */
+static void test_seeds(void)
+{
+    const double lengths[6] = {0.812071331330519, 0.847525128080639, 0.903085121136757,
+                               1.00332841374740,  1.1005679647505,   1.26811756898617};
+    made_net made = net_make("asymptotic", BONNET("1.5707963267948966"),
+                             "\"seeds\": [{ \"edge\": \"v0\", \"count\": 3, \"family\": \"+\" }, "
+                             "{ \"edge\": \"u0\", \"count\": 3, \"family\": \"-\" }]");
+    for (int k = 0; k < 6; k++) {
+        const char name[3] = {k < 3 ? 'A' : 'B', (char)('1' + k % 3), '\0'};
+        CHECK_NEAR(net_number(&made, name, "length"), lengths[k], 1e-12, "%s", name);
+        CHECK_NEAR(net_end(&made, name, "seed", k < 3 ? 0 : 1),
+                   k < 3 ? 0.3 * (k + 1) : 0.225 * (k - 2), 2e-13, "%s", name);
+    }
+    CHECK(net_count(&made, "nodes") == 9, "%d nodes", net_count(&made, "nodes"));
+    net_free(&made);
+
+    made = net_make("asymptotic", ENNEPER("-0.7", "1.4, \"beta\": 1.4"),
+                    "\"seeds\": [{ \"line\": [[-0.7, 0.7], [0.7, -0.7]], \"count\": 5, \"family\": "
+                    "\"+\" }, { \"line\": [[-0.7, -0.7], [0.7, 0.7]], \"count\": 5, \"family\": "
+                    "\"-\" }]");
+    double sum = 0;
+    for (int k = 0; k < 10; k++) {
+        const char name[3] = {k < 5 ? 'A' : 'B', (char)('1' + k % 5), '\0'};
+        sum += net_number(&made, name, "length");
+    }
+    CHECK_NEAR(sum, 15.7599959390858, 2e-12, "Enneper");
+    CHECK(net_count(&made, "nodes") == 21, "%d nodes", net_count(&made, "nodes"));
+    net_free(&made);
+}
+
+/* A net over the whole window: the lattice that the middle curves begin reaches all corners. */
+static void test_cells(void)
+{
+    const char *surfaces[] = {
+        BONNET("1.1"),
+        "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.5, \"sign\": \"-\", "
+        "\"alpha\": 1.2, \"beta\": 0.9, \"theta\": 0.3 }"};
+    for (int k = 0; k < 2; k++) {
+        made_net made = net_make("asymptotic", surfaces[k], "\"seeds\": [{ \"cells\": 6 }]");
+        CHECK(net_count(&made, "laths") == 12, "%d: %d curves", k, net_count(&made, "laths"));
+        CHECK(net_lath(&made, "A7") != NULL && net_lath(&made, "B5") != NULL, "%d", k);
+        CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%d", k);
+        net_free(&made);
+    }
+}
+
+static void test_refusals(void)
+{
+    const struct {
+        const char *net, *surface, *members, *reason;
+        taut_status status;
+    } rows[] = {
+        {"asymptotic", BONNET("0"), "\"seeds\": [{ \"at\": [3, 0] }]", "outside", TAUT_BAD_INPUT},
+        {"asymptotic", BONNET("0"), "\"families\": [\"max\"]", "family", TAUT_BAD_INPUT},
+        {"asymptotic", BONNET("0"), "\"seeds\": [{ \"at\": [0, 0], \"direction\": [1, 0] }]", "net",
+         TAUT_BAD_INPUT},
+        {"asymptotic", BONNET("1.5707963267948966"),
+         "\"seeds\": [{ \"edge\": \"v0\", \"count\": 3, \"family\": \"-\" }]", "along",
+         TAUT_NO_SOLUTION},
+        {"asymptotic", CUSPED, "\"seeds\": [{ \"at\": [0, 0.5] }]", "elliptic", TAUT_NO_SOLUTION},
+        {"geodesic", BILINEAR, "", "net", TAUT_BAD_INPUT},
+        {"geodesic", BILINEAR, "\"seeds\": [{ \"at\": [0, 0], \"direction\": [0, 0] }]", "value",
+         TAUT_BAD_INPUT},
+        {"principal", BILINEAR, "\"seeds\": [{ \"lath\": \"A9\", \"count\": 2 }]", "name",
+         TAUT_BAD_INPUT},
+        {"asymptotic", BILINEAR, "\"surface\": \"other\"", "no-such-object", TAUT_BAD_INPUT},
+        {"asymptotic", BILINEAR, "\"panels\": true", "trace-not-yet", TAUT_BAD_INPUT}};
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        made_net made = net_make(rows[k].net, rows[k].surface, rows[k].members);
+        CHECK(made.status == rows[k].status, "row %zu: %d %s", k, made.status, made.error.message);
+        CHECK(strcmp(made.error.reason, rows[k].reason) == 0, "row %zu: %s", k, made.error.reason);
+        CHECK(made.model == NULL, "row %zu", k);
+        net_free(&made);
+    }
+}
+
+int main(void)
+{
+    test_curves();
+    test_bending();
+    test_geodesics();
+    test_seeds();
+    test_cells();
+    test_refusals();
+    return check_failures != 0;
+}
