@@ -112,7 +112,8 @@
     X(taut_claim, residual, "double") \
     X(taut_claim, limit, "double") \
     X(taut_claim, holds, "taut_verdict") \
-    X(taut_claim, where, "const char *")
+    X(taut_claim, where, "const char *") \
+    X(taut_claim, as_saved, "int")
 
 #define TAUT_ABI_MEMBERS_taut_curve_measure(X) \
     X(taut_curve_measure, length, "double") \
