@@ -67,6 +67,7 @@ static int run(const cli_options *options)
     if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
+    cli_prove_again(options->files[0], model, options);
     code = write_pages(model, options);
     taut_model_free(model);
     return code;
