@@ -27,7 +27,7 @@ static int run(const cli_options *options)
     taut_problem *problem = NULL;
     taut_certificate *certificate = NULL;
     taut_error error;
-    taut_status status = taut_model_read(options->files[0], &model, &error);
+    taut_status status = cli_read_model(options->files[0], options, &model, &error);
     int at = 0; /* the file that an error is about */
     int code = 0;
 
@@ -47,8 +47,8 @@ static int run(const cli_options *options)
     return code;
 }
 
-static const cli_option options_of_certify[] = {CLI_JSON, CLI_TOLERANCE, CLI_THREADS, CLI_EXACT,
-                                                CLI_LAST};
+static const cli_option options_of_certify[] = {CLI_JSON,    CLI_TOLERANCE, CLI_UNTRIM,
+                                                CLI_THREADS, CLI_EXACT,     CLI_LAST};
 
 const cli_command cli_command_certify = {
     .name = "certify",

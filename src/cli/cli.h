@@ -42,6 +42,7 @@ typedef struct cli_options {
     int no_net;
     int exact;
     int short_knots;
+    int untrim;
     int pieces;
     int isolines;
     int reflections;
@@ -167,6 +168,11 @@ typedef struct cli_command {
         "--exact", CLI_FLAG, offsetof(cli_options, exact), 0, 0, 0, NULL,                          \
             "in rational arithmetic (harmonic surfaces): coordinates come out as \"p/q\""          \
     }
+#define CLI_UNTRIM                                                                                 \
+    {                                                                                              \
+        "--untrim", CLI_FLAG, offsetof(cli_options, untrim), 0, 0, 0, NULL,                        \
+            "STEP, IGES: read trimmed faces as the whole surfaces under them"                      \
+    }
 #define CLI_SHORT_KNOTS                                                                            \
     {                                                                                              \
         "--short-knots", CLI_FLAG, offsetof(cli_options, short_knots), 0, 0, 0, NULL,              \
@@ -242,6 +248,9 @@ const char *cli_distance(double bound, const taut_model *model, char room[CLI_DI
 void cli_label(const char *file, char *text, size_t size);
 /* Writes several models into every -o side by side; 0 or the exit code. */
 int cli_write_models(int count, const taut_model *const *models, const cli_options *options);
+/* A model from a file, as its options say; what its reader left out or changed is told on standard error. */
+taut_status cli_read_model(const char *path, const cli_options *options, taut_model **model,
+                           taut_error *error);
 /* Proves the certificate that a model of `file` carries again, for whoever looks at it; warns where it fails, and where it stays
  * as it was saved. */
 void cli_prove_again(const char *file, taut_model *model, const cli_options *options);

@@ -21,7 +21,7 @@ static int run_many(const cli_options *options)
     int count = 0, code = 0;
 
     for (int i = 0; i < options->file_count && code == 0; i++) {
-        if (taut_model_read(options->files[i], &models[i], &error) != TAUT_OK) {
+        if (cli_read_model(options->files[i], options, &models[i], &error) != TAUT_OK) {
             code = cli_fail_in(options->files[i], &error);
         } else {
             code = cli_one_unit(options->files[i], models[0], &models[i], options);
@@ -42,7 +42,7 @@ static int run_many(const cli_options *options)
 static taut_status read_model(const cli_options *options, taut_model **model, taut_error *error)
 {
     taut_model *whole = NULL;
-    taut_status status = taut_model_read(options->files[0], &whole, error);
+    taut_status status = cli_read_model(options->files[0], options, &whole, error);
     if (status != TAUT_OK || !options->pieces) {
         *model = whole;
         return status;
@@ -98,6 +98,7 @@ static const cli_option options_of_convert[] = {
     CLI_SURFACE,
     CLI_FIGURE,
     CLI_SHORT_KNOTS,
+    CLI_UNTRIM,
     CLI_THREADS,
     CLI_LAST};
 

@@ -71,7 +71,7 @@ static int run(const cli_options *options)
     int code = 0;
 
     for (int i = 0; i < 2 && code == 0; i++) {
-        if (taut_model_read(options->files[2 * i], &models[i], &error) != TAUT_OK) {
+        if (cli_read_model(options->files[2 * i], options, &models[i], &error) != TAUT_OK) {
             code = cli_fail_in(options->files[2 * i], &error);
         } else {
             code = cli_one_unit(options->files[2 * i], models[0], &models[i], options);
@@ -91,7 +91,7 @@ static int run(const cli_options *options)
     return code;
 }
 
-static const cli_option options_of_join[] = {CLI_JSON, CLI_THREADS, CLI_LAST};
+static const cli_option options_of_join[] = {CLI_JSON, CLI_UNTRIM, CLI_THREADS, CLI_LAST};
 
 const cli_command cli_command_join = {
     .name = "join",

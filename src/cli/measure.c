@@ -111,7 +111,7 @@ static int run(const cli_options *options)
     taut_model *model = NULL;
     taut_record *record = NULL;
     taut_error error = {.status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
-    taut_status status = taut_model_read(options->files[0], &model, &error);
+    taut_status status = cli_read_model(options->files[0], options, &model, &error);
     int code = 0;
 
     if (status == TAUT_OK && options->surface != NULL && !has_surface(model, options->surface)) {
@@ -151,6 +151,7 @@ static const cli_option options_of_measure[] = {CLI_JSON,
                                                  0, 2, TAUT_GRID_MAX, "N",
                                                  "extremes over N x N parameters (default 101)"},
                                                 CLI_SURFACE,
+                                                CLI_UNTRIM,
                                                 CLI_THREADS,
                                                 CLI_LAST};
 

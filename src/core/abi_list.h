@@ -359,6 +359,9 @@
     X(taut_plateau_problem, without_least, "int") \
     X(taut_plateau_problem, gap, "double")
 
+#define TAUT_ABI_MEMBERS_taut_read_options(X) \
+    X(taut_read_options, untrim, "int")
+
 #define TAUT_ABI_MEMBERS_taut_surface_measure(X) \
     X(taut_surface_measure, area, "double") \
     X(taut_surface_measure, area_error, "double") \
@@ -453,6 +456,7 @@
     X(taut_pipe_section) \
     X(taut_pipe_shape) \
     X(taut_plateau_problem) \
+    X(taut_read_options) \
     X(taut_surface_measure) \
     X(taut_write_options)
 

@@ -77,7 +77,7 @@ print("LOOK", shape.isValid(), len(shape.Solids), shape.Solids[0].isClosed(), re
 PY
         freecadcmd look.py > freecad.txt 2>&1
         contains freecad.txt '^LOOK True 1 True '
-        near "$(sed -n 's/^LOOK True 1 True //p' freecad.txt)" "$(figure $name.json)" 1e-5 "$name.step, FreeCAD"
+        near "$(sed -n 's/^LOOK True 1 True //p' freecad.txt)" "$(figure $name.json)" 1e-2 "$name.step, FreeCAD" # its rule is gmsh's
     done
 else
     echo 'left out: FreeCAD is not here: apt-get install freecad (1 GB; continuous integration goes without)'

@@ -109,13 +109,14 @@ static taut_status read_sides(const taut_json *at, taut_problem *problem,
 {
     taut_error found = {.status = TAUT_OK};
     taut_model *model = NULL;
+    const taut_read_options whole = {.untrim = 1}; /* faces are not asked for */
     char path[PATH_ROOM];
     taut_status status = find_path(at, problem, path, error);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_model_read(path, &model, &found);
+    status = taut_model_read_with(path, &whole, &model, &found);
     if (status != TAUT_OK) {
         return blame_file(at, &found, status, error);
     }

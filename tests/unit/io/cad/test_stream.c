@@ -32,6 +32,7 @@ static char *written(const taut_cad_item *items, int count, size_t *length)
     for (int i = 0; i < count; i++) {
         CHECK(taut_cad_put_item(file, &items[i]), "item %d", i);
     }
+    CHECK(taut_cad_put_note(file, "face 3 is left out:\x1b[2J"), "note");
     CHECK(taut_cad_put_end(file, TAUT_OK, &none), "end");
     fclose(file);
     return bytes;
@@ -90,7 +91,7 @@ static void test_whole(void)
     char *bytes = written(items, 2, &length);
     const outcome o = read_back(bytes, length);
     CHECK(o.status == TAUT_OK && o.has_ended && o.said == TAUT_OK, "\"%s\"", o.error.message);
-    CHECK(o.surfaces == 1 && o.curves == 1 && o.notes == 2, "%d, %d, %d", o.surfaces, o.curves,
+    CHECK(o.surfaces == 1 && o.curves == 1 && o.notes == 3, "%d, %d, %d", o.surfaces, o.curves,
           o.notes);
     CHECK(strcmp(o.unit, "cm") == 0 && strcmp(o.name, "a face") == 0, "%s \"%s\"", o.unit, o.name);
     free(bytes);
