@@ -6,6 +6,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
+#include "geometry/whole.h"
 #include "mesh/lines.h"
 #include "mesh/seams.h"
 
@@ -52,7 +53,7 @@ static taut_status choose_surfaces(taut_mesh *mesh, const taut_model *model, con
     }
     for (int i = 0; i < (int)count; i++) {
         const taut_surface *surface = taut_model_surface(model, i);
-        if (name == NULL || strcmp(name, taut_surface_name(surface)) == 0) {
+        if (taut_model_shows(model, name, i)) {
             taut_mesh_group *group = &mesh->groups[mesh->group_count];
             group->name = taut_arena_text(mesh->arena, taut_surface_name(surface));
             group->surface = i;

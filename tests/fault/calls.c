@@ -7,7 +7,7 @@
 taut_status read_model(const void *context, void **result, taut_error *error)
 {
     taut_model *model = *result;
-    const taut_status status = taut_model_read(context, &model, error);
+    const taut_status status = taut_model_read_with(context, NULL, &model, error);
     *result = model;
     return status;
 }
