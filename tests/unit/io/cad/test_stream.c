@@ -41,7 +41,7 @@ static char *written(const taut_cad_item *items, int count, size_t *length)
 typedef struct outcome {
     taut_status status, said;
     int has_ended, surfaces, curves, notes;
-    char unit[4], name[TAUT_NAME_MAX + 1];
+    char unit[4], name[TAUT_NAME_MAX + 1], last_note[64];
     taut_error error;
 } outcome;
 
@@ -74,6 +74,8 @@ static outcome read_back(const char *bytes, size_t length)
     o.surfaces = taut_model_surface_count(result.model);
     o.curves = taut_model_curve_count(result.model);
     o.notes = (int)taut_record_count(result.notes);
+    snprintf(o.last_note, sizeof o.last_note, "%.60s",
+             taut_record_text(taut_record_at(result.notes, (size_t)o.notes - 1)));
     snprintf(o.unit, sizeof o.unit, "%s", taut_model_unit(result.model));
     if (o.surfaces > 0) {
         snprintf(o.name, sizeof o.name, "%s",
@@ -93,6 +95,8 @@ static void test_whole(void)
     CHECK(o.status == TAUT_OK && o.has_ended && o.said == TAUT_OK, "\"%s\"", o.error.message);
     CHECK(o.surfaces == 1 && o.curves == 1 && o.notes == 3, "%d, %d, %d", o.surfaces, o.curves,
           o.notes);
+    CHECK(strcmp(o.last_note, "face 3 is left out:?[2J") == 0, "a note that steers: %s",
+          o.last_note);
     CHECK(strcmp(o.unit, "cm") == 0 && strcmp(o.name, "a face") == 0, "%s \"%s\"", o.unit, o.name);
     free(bytes);
 }
