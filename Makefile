@@ -74,6 +74,7 @@ mutants:
 
 install: build
 	@cmake --install build/release
+	@echo "ldconfig, as root, lets programs find the library in the folders of the system"
 
 reproduction: build
 	@tools/reproduction.sh

@@ -13,6 +13,8 @@
 #include <Geom_TrimmedCurve.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_ReportEntity.hxx>
+#include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
@@ -78,7 +80,7 @@ const char *occt_names::find(const TopoDS_Shape &shape) const
     return at != of.end() ? at->second.c_str() : "";
 }
 
-/* The ranges a face takes of its surface. */
+/* The ranges a face takes of its surface, as its boundary has them. */
 struct face_box {
     double lo[2], hi[2];
 };
@@ -127,29 +129,33 @@ static bool is_clamped(int first, int last, int degree)
     return first == degree + 1 && last == degree + 1;
 }
 
-/* Surfaces that have ends of their own are taken whole, others as far as the face goes. */
-static Handle(Geom_BSplineSurface)
-    convert_surface(const TopoDS_Face &face, face_box &box, int &notes)
+/* Cuts the surface where the face ends; ends that are its own stay bit for bit. No beyond a seam, where nothing can be cut. */
+static bool cut_to(const Handle(Geom_BSplineSurface) & made, const face_box &box)
 {
-    Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+    double ends[4] = {0, 0, 0, 0}, cut[4] = {0, 0, 0, 0};
+    bool wanted = false;
+
+    made->Bounds(ends[0], ends[1], ends[2], ends[3]);
+    for (int d = 0; d < 2; d++) {
+        const double lo = ends[2 * d], hi = ends[2 * d + 1], close = 1e-7 * (hi - lo);
+        cut[2 * d] = std::fabs(box.lo[d] - lo) <= close ? lo : box.lo[d];
+        cut[2 * d + 1] = std::fabs(box.hi[d] - hi) <= close ? hi : box.hi[d];
+        if (cut[2 * d] < lo || cut[2 * d + 1] > hi || !(cut[2 * d + 1] - cut[2 * d] > close)) {
+            return false;
+        }
+        wanted = wanted || cut[2 * d] > lo || cut[2 * d + 1] < hi;
+    }
+    if (wanted) {
+        made->Segment(cut[0], cut[1], cut[2], cut[3]);
+    }
+    return true;
+}
+
+/* On knots that end as taut's do. */
+static void clamp(const Handle(Geom_BSplineSurface) & made)
+{
     double ends[4] = {0, 0, 0, 0};
-    if (surface.IsNull()) {
-        throw occt_failure(TAUT_BAD_INPUT, "broken", "a face of the file has no surface");
-    }
-    const Handle(Geom_RectangularTrimmedSurface) cut =
-        Handle(Geom_RectangularTrimmedSurface)::DownCast(surface);
-    if (!cut.IsNull()) {
-        surface = cut->BasisSurface();
-    }
-    Handle(Geom_BSplineSurface) made = Handle(Geom_BSplineSurface)::DownCast(surface);
-    if (!made.IsNull()) {
-        made = Handle(Geom_BSplineSurface)::DownCast(made->Copy());
-    } else {
-        BRepTools::UVBounds(face, box.lo[0], box.hi[0], box.lo[1], box.hi[1]);
-        notes |= surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface)) ? TAUT_CAD_APPROXIMATE : 0;
-        made = GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(
-            surface, box.lo[0], box.hi[0], box.lo[1], box.hi[1]));
-    }
+
     made->SetUNotPeriodic();
     made->SetVNotPeriodic();
     made->Bounds(ends[0], ends[1], ends[2], ends[3]);
@@ -159,9 +165,59 @@ static Handle(Geom_BSplineSurface)
                     made->VDegree())) {
         made->Segment(ends[0], ends[1], ends[2], ends[3]);
     }
-    if (!Handle(Geom_BSplineSurface)::DownCast(surface).IsNull()) {
-        made->Bounds(box.lo[0], box.hi[0], box.lo[1], box.hi[1]);
+}
+
+/* The surface under a face, without the ends that a file may have given it. */
+static Handle(Geom_Surface) surface_under(const TopoDS_Face &face)
+{
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+    if (surface.IsNull()) {
+        throw occt_failure(TAUT_BAD_INPUT, "broken", "it has no surface");
     }
+    const Handle(Geom_RectangularTrimmedSurface) cut =
+        Handle(Geom_RectangularTrimmedSurface)::DownCast(surface);
+    return cut.IsNull() ? surface : cut->BasisSurface();
+}
+
+/* The ranges that a face takes. Once around is once around: files with fewer digits say a little more or less. */
+static face_box box_of(const TopoDS_Face &face, const Handle(Geom_Surface) & surface)
+{
+    double ends[4] = {0, 0, 0, 0};
+    const bool around[2] = {surface->IsUPeriodic() != 0, surface->IsVPeriodic() != 0};
+    face_box box = {};
+
+    BRepTools::UVBounds(face, box.lo[0], box.hi[0], box.lo[1], box.hi[1]);
+    surface->Bounds(ends[0], ends[1], ends[2], ends[3]);
+    for (int d = 0; d < 2; d++) {
+        const double period = around[d] ? ends[2 * d + 1] - ends[2 * d] : 0;
+        if (around[d] && std::fabs(box.hi[d] - box.lo[d] - period) <= 1e-7 * period) {
+            box.lo[d] =
+                std::fabs(box.lo[d] - ends[2 * d]) <= 1e-7 * period ? ends[2 * d] : box.lo[d];
+            box.hi[d] = box.lo[d] + period;
+        }
+    }
+    return box;
+}
+
+/* Surfaces without ends of their own, or of another kind, are taken as far as the face goes; splines so where the face is a box
+ * of their parameters, else whole. */
+static Handle(Geom_BSplineSurface) convert_surface(const TopoDS_Face &face, int &notes)
+{
+    const Handle(Geom_Surface) surface = surface_under(face);
+    Handle(Geom_BSplineSurface) made = Handle(Geom_BSplineSurface)::DownCast(surface);
+    const face_box box = box_of(face, surface);
+    bool whole = !is_trimmed(face, box);
+    if (!made.IsNull()) {
+        made = Handle(Geom_BSplineSurface)::DownCast(made->Copy());
+        clamp(made);
+        whole = whole && (BRep_Tool::NaturalRestriction(face) || cut_to(made, box));
+    } else {
+        notes |= surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface)) ? TAUT_CAD_APPROXIMATE : 0;
+        made = GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(
+            surface, box.lo[0], box.hi[0], box.lo[1], box.hi[1]));
+        clamp(made);
+    }
+    notes |= whole ? 0 : TAUT_CAD_TRIMMED;
     return made;
 }
 
@@ -184,8 +240,7 @@ static void give_item(const occt_sink &sink, const taut_cad_item &item)
 static void give_face(const TopoDS_Face &face, const char *name, const occt_sink &sink)
 {
     taut_cad_item item = {};
-    face_box box = {};
-    const Handle(Geom_BSplineSurface) s = convert_surface(face, box, item.notes);
+    const Handle(Geom_BSplineSurface) s = convert_surface(face, item.notes);
     const std::vector<double> u = numbers(s->UKnotSequence()), v = numbers(s->VKnotSequence());
     std::vector<double> points, weights;
     for (int i = 1; i <= s->NbUPoles(); i++) {
@@ -204,7 +259,6 @@ static void give_face(const TopoDS_Face &face, const char *name, const occt_sink
     item.knots[1] = v.data();
     item.points = points.data();
     item.weights = s->IsURational() || s->IsVRational() ? weights.data() : nullptr;
-    item.notes |= is_trimmed(face, box) ? TAUT_CAD_TRIMMED : 0;
     give_item(sink, item);
 }
 
@@ -243,6 +297,33 @@ static void give_edge(const TopoDS_Edge &edge, const char *name, const occt_sink
     give_item(sink, item);
 }
 
+/* Gives one object; one that OpenCASCADE fails on is named and left out, the rest of the file is worth having. 0 where it was. */
+template <class Give>
+static int give_or_name(const char *what, int number, const char *name, const occt_sink &sink,
+                        Give give)
+{
+    std::string why;
+    try {
+        give(name);
+        return 1;
+    } catch (const Standard_OutOfMemory &) {
+        throw;
+    } catch (const Standard_Failure &failure) {
+        why = std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name();
+    } catch (const occt_failure &failure) {
+        if (failure.status != TAUT_BAD_INPUT) {
+            throw;
+        }
+        why = failure.what();
+    }
+    const std::string note = std::string(what) + " " + std::to_string(number) + " of the file, \"" +
+                             name + "\", is left out: " + why;
+    if (!sink.note(sink.context, note.c_str())) {
+        throw occt_failure(TAUT_IO, "write", "what was read could not be passed on");
+    }
+    return 0;
+}
+
 void occt_give(const TopoDS_Shape &shape, const occt_names &names, const occt_sink &sink)
 {
     TopTools_IndexedMapOfShape faces, edges;
@@ -255,10 +336,20 @@ void occt_give(const TopoDS_Shape &shape, const occt_names &names, const occt_si
     if (faces.IsEmpty() && edges.IsEmpty()) {
         throw occt_failure(TAUT_BAD_INPUT, "empty", "the file holds no surface and no curve");
     }
+    int given = 0;
     for (int i = 1; i <= faces.Extent(); i++) {
-        give_face(TopoDS::Face(faces(i)), names.find(faces(i)), sink);
+        const TopoDS_Face face = TopoDS::Face(faces(i));
+        given += give_or_name("face", i, names.find(face), sink,
+                              [&](const char *name) { give_face(face, name, sink); });
     }
     for (int i = 1; i <= edges.Extent(); i++) {
-        give_edge(TopoDS::Edge(edges(i)), names.find(edges(i)), sink);
+        const TopoDS_Edge edge = TopoDS::Edge(edges(i));
+        given += give_or_name("edge", i, names.find(edge), sink,
+                              [&](const char *name) { give_edge(edge, name, sink); });
+    }
+    if (given == 0) {
+        throw occt_failure(TAUT_BAD_INPUT, "broken",
+                           "none of its " + std::to_string(faces.Extent()) + " faces and " +
+                               std::to_string(edges.Extent()) + " edges can be read");
     }
 }

@@ -65,9 +65,14 @@ static int put_item(void *answer, const taut_cad_item *item)
     return taut_cad_put_item(static_cast<FILE *>(answer), item);
 }
 
+static int put_note(void *answer, const char *note)
+{
+    return taut_cad_put_note(static_cast<FILE *>(answer), note);
+}
+
 static void read_file(const taut_cad_job &job, FILE *answer)
 {
-    const occt_sink sink = {answer, put_unit, put_item};
+    const occt_sink sink = {answer, put_unit, put_item, put_note};
     occt_names names;
     const TopoDS_Shape shape = job.kind == TAUT_CAD_STEP ? occt_read_step(job, sink, names)
                                                          : occt_read_iges(job, sink, names);

@@ -28,6 +28,7 @@ struct occt_sink {
     void *context;
     int (*unit)(void *context, const char *unit);
     int (*item)(void *context, const taut_cad_item *item);
+    int (*note)(void *context, const char *note);
 };
 
 /* Closed surfaces are to be read as they are; for a reader that has been made. */

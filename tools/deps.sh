@@ -1,5 +1,5 @@
 #!/bin/sh
-# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check bench wasm windows nightly.
+# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check files bench wasm windows nightly.
 #
 # A need is met when its command runs, its pkg-config file is found or its header compiles, however it came to the
 # machine; only unmet needs become packages. With nothing missing no network is touched.
@@ -49,6 +49,9 @@ check cmd:gmsh                       gmsh                   reads STEP and IGES 
 check cmd:node                       nodejs                 runs the Khronos validator of glTF
 check cmd:npm                        npm                    fetches it
 check py:vtkmodules                  python3-vtk9           VTK, which reads the VTU files back
+files file:/usr/share/doc/netgen/examples/frame.step netgen-doc STEP files that others made, tests/cli/test_other_files.sh
+files file:/usr/share/doc/gmsh-doc/doc/gmsh/tutorial/t20_data.step.gz gmsh-doc more of them
+files file:/usr/share/opencascade/data/step/linkrods.step occt-misc more of them, and IGES
 wasm  cmd:clang                      clang                  compiles for WebAssembly
 wasm  cmd:wasm-ld                    lld                    links it
 wasm  file:/usr/include/wasm32-wasi/stdlib.h wasi-libc      the C library of WebAssembly
@@ -112,8 +115,8 @@ done
 # shellcheck disable=SC2086
 find_python $modules
 for group in "$@"; do
-    case $group in build | test | browser | check | bench | wasm | windows | nightly) ;; *)
-        echo "deps.sh: no group \"$group\"; there are build, test, browser, check, bench, wasm, windows and nightly" >&2
+    case $group in build | test | browser | check | files | bench | wasm | windows | nightly) ;; *)
+        echo "deps.sh: no group \"$group\"; there are build, test, browser, check, files, bench, wasm, windows and nightly" >&2
         exit 2
         ;;
     esac

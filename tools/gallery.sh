@@ -32,10 +32,8 @@ for name in $("$taut" example); do
     construct=$(member construct "$work/problem.json")
     # exit 1: a claim does not hold, as the example says; the model is there all the same
     "$taut" make "$work/problem.json" --quiet -o "$work/model.json" || [ $? = 1 ]
-    # the merged surface h lies on the two others: a figure of all three would be a jumble of their colours
-    sed -z 's/,\n    {\n      "name": "h",.*\(\n  \],\n*  "details"\)/\1/' "$work/model.json" > "$work/shown.json"
     # shellcheck disable=SC2046
-    "$taut" convert "$work/shown.json" -o "$gallery/$name.png" --width 600 $(words "$name")
+    "$taut" convert "$work/model.json" -o "$gallery/$name.png" --width 600 $(words "$name")
     "$taut" view "$work/model.json" -o "$pages/$name.html" --title "$name"
     echo "$construct $name" >> "$work/list"
 done

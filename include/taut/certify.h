@@ -33,6 +33,7 @@ typedef struct taut_claim {
     double limit;    /* what it was held against */
     taut_verdict holds;
     const char *where; /* "" or the place of the largest residual, or why it is undecided */
+    int as_saved;      /* nonzero: read from a document, not proved since */
 } taut_claim;
 
 typedef struct taut_certificate taut_certificate;

@@ -84,6 +84,12 @@ TAUT_API taut_status taut_certify(const taut_model *model, const taut_problem *p
                                   const taut_certify_options *options,
                                   taut_certificate **certificate, taut_error *error);
 
+/* The certificate that a saved model carries, proved again as far as the model alone decides it; claims that need the problem
+ * are those that were saved, `as_saved` set. Figures are new. Errors as taut_certify without a problem. */
+TAUT_API taut_status taut_certify_again(const taut_model *model,
+                                        const taut_certify_options *options,
+                                        taut_certificate **certificate, taut_error *error);
+
 #ifdef __cplusplus
 }
 #endif

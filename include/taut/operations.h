@@ -134,6 +134,11 @@ TAUT_API taut_status taut_model_pieces(const taut_model *model, const char *name
 TAUT_API taut_status taut_model_to_nurbs(const taut_model *model, double tolerance,
                                          taut_model **nurbs, double *bound, taut_error *error);
 
+/* The same model told in another unit, "mm", "cm", "m", "in" or "ft": coordinates times one number, the ratio of the two rounded
+ * to a double. TAUT_BAD_ARGUMENT: no such unit. TAUT_NO_SOLUTION: a coordinate leaves the range of doubles. */
+TAUT_API taut_status taut_model_to_unit(const taut_model *model, const char *unit,
+                                        taut_model **converted, taut_error *error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -42,6 +42,16 @@ extern "C" {
 TAUT_API taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error);
 TAUT_API taut_status taut_model_read(const char *path, taut_model **model, taut_error *error);
 
+/* What is read otherwise; zero: not. */
+typedef struct taut_read_options {
+    int untrim; /* nonzero: STEP and IGES: trimmed faces are read as the whole surfaces under them, which details.notes says */
+} taut_read_options;
+
+/* taut_model_read with options, which may be NULL. Faces that are trimmed by more than a box of parameters are TAUT_NO_SOLUTION,
+ * reason "trimmed", unless they are untrimmed. */
+TAUT_API taut_status taut_model_read_with(const char *path, const taut_read_options *options,
+                                          taut_model **model, taut_error *error);
+
 /* A file that may be either: *problem or *model is set, the other one to NULL. A document with a
  * member "construct" is a problem. */
 TAUT_API taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,

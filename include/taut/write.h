@@ -38,6 +38,8 @@ extern "C" {
       "leave it out, or write IGES or JSON")                                                       \
     X("broken", "a STEP or IGES file is none, or is cut off, or breaks the rules of its format",   \
       "export it again")                                                                           \
+    X("trimmed", "faces of a STEP or IGES file are cut by curves within their surfaces",           \
+      "read the whole surfaces under them: --untrim")                                              \
     X("claims", "a STEP or IGES file claims to hold more than its size explains",                  \
       "export it again")                                                                           \
     X("library", "OpenCASCADE failed over a file or a model", "try the other of STEP and IGES")    \

@@ -59,7 +59,7 @@ class BasisSpec(Structure):
 
 class ClaimStruct(Structure):
     _fields_ = [("claim", c_char_p), ("kind", c_int), ("residual", c_double), ("limit", c_double), ("holds", c_int),
-                ("where", c_char_p)]
+                ("where", c_char_p), ("as_saved", c_int)]
 
 
 class DirichletProblem(Structure):
@@ -95,7 +95,7 @@ SIGNATURES = {
     "taut_measure_surface": "i:pppp", "taut_measure_curve": "i:pppp", "taut_measure_surface_record": "-:ppp",
     "taut_measure_curve_record": "-:ppp", "taut_join_measure": "i:pipipp", "taut_join_record": "-:pp",
     "taut_model_split": "i:psidpp", "taut_model_refine": "i:psiipp", "taut_model_pieces": "i:pspp",
-    "taut_model_to_nurbs": "i:pdppp", "taut_surface_transform": "i:pppp", "taut_curve_transform": "i:pppp",
+    "taut_model_to_nurbs": "i:pdppp", "taut_model_to_unit": "i:pspp", "taut_surface_transform": "i:pppp", "taut_curve_transform": "i:pppp",
     "taut_surface_reverse": "i:pipp", "taut_surface_transpose": "i:ppp", "taut_curve_reverse": "i:ppp",
     "taut_surface_elevate": "i:piipp", "taut_curve_elevate": "i:pipp", "taut_surface_insert": "i:pidipp",
     "taut_curve_insert": "i:pdipp", "taut_surface_to_nurbs": "i:pdppp", "taut_curve_to_nurbs": "i:pdppp",

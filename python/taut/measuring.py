@@ -89,6 +89,11 @@ def pieces(model: Model, name: str | None = None) -> Model:
     return _changed(library.taut_model_pieces, model, encoded(name))
 
 
+def to_unit(model: Model, unit: str) -> Model:
+    """The same model told in "mm", "cm", "m", "in" or "ft"."""
+    return _changed(library.taut_model_to_unit, model, encoded(unit))
+
+
 def to_nurbs(model: Model, tolerance: float = 1e-6) -> tuple[Model, float]:
     """Every surface and curve as NURBS within tolerance times its size, and the distance that is proved, a length."""
     bound, error, pointer = c_double(), c.ErrorStruct(), c_void_p()

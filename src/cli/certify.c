@@ -4,7 +4,8 @@
 
 #include <stdio.h>
 
-static int print_certificate(const cli_options *options, const taut_certificate *certificate)
+static int print_certificate(const cli_options *options, const taut_certificate *certificate,
+                             const char *unit)
 {
     int code = 0;
     if (options->json) {
@@ -13,7 +14,7 @@ static int print_certificate(const cli_options *options, const taut_certificate 
         code = cli_print_record(record);
     } else {
         fprintf(stderr, "%s\n", taut_certificate_construct(certificate));
-        cli_certificate_print(certificate);
+        cli_certificate_print(certificate, unit);
     }
     return code == 0 && taut_certificate_holds(certificate) != TAUT_TRUE ? 1 : code;
 }
@@ -26,7 +27,7 @@ static int run(const cli_options *options)
     taut_problem *problem = NULL;
     taut_certificate *certificate = NULL;
     taut_error error;
-    taut_status status = taut_model_read(options->files[0], &model, &error);
+    taut_status status = cli_read_model(options->files[0], options, &model, &error);
     int at = 0; /* the file that an error is about */
     int code = 0;
 
@@ -38,7 +39,7 @@ static int run(const cli_options *options)
         at = 0;
         status = taut_certify(model, problem, &chosen, &certificate, &error);
     }
-    code = status == TAUT_OK ? print_certificate(options, certificate)
+    code = status == TAUT_OK ? print_certificate(options, certificate, taut_model_unit(model))
                              : cli_fail_in(options->files[at], &error);
     taut_certificate_free(certificate);
     taut_problem_free(problem);
@@ -46,8 +47,8 @@ static int run(const cli_options *options)
     return code;
 }
 
-static const cli_option options_of_certify[] = {CLI_JSON, CLI_TOLERANCE, CLI_THREADS, CLI_EXACT,
-                                                CLI_LAST};
+static const cli_option options_of_certify[] = {CLI_JSON,    CLI_TOLERANCE, CLI_UNTRIM,
+                                                CLI_THREADS, CLI_EXACT,     CLI_LAST};
 
 const cli_command cli_command_certify = {
     .name = "certify",

@@ -55,6 +55,7 @@ typedef struct cli_options {
     int no_net;
     int exact;
     int short_knots;
+    int untrim;
     int pieces;
     int isolines;
     int reflections;
@@ -180,6 +181,11 @@ typedef struct cli_command {
         "--exact", CLI_FLAG, offsetof(cli_options, exact), 0, 0, 0, NULL,                          \
             "in rational arithmetic (harmonic surfaces): coordinates come out as \"p/q\""          \
     }
+#define CLI_UNTRIM                                                                                 \
+    {                                                                                              \
+        "--untrim", CLI_FLAG, offsetof(cli_options, untrim), 0, 0, 0, NULL,                        \
+            "STEP, IGES: read trimmed faces as the whole surfaces under them"                      \
+    }
 #define CLI_SHORT_KNOTS                                                                            \
     {                                                                                              \
         "--short-knots", CLI_FLAG, offsetof(cli_options, short_knots), 0, 0, 0, NULL,              \
@@ -255,12 +261,29 @@ const char *cli_distance(double bound, const taut_model *model, char room[CLI_DI
 void cli_label(const char *file, char *text, size_t size);
 /* Writes several models into every -o side by side; 0 or the exit code. */
 int cli_write_models(int count, const taut_model *const *models, const cli_options *options);
+/* A model from a file, as its options say; what its reader left out or changed is told on standard error. */
+taut_status cli_read_model(const char *path, const cli_options *options, taut_model **model,
+                           taut_error *error);
+/* Proves the certificate that a model of `file` carries again, for whoever looks at it; warns where it fails, and where it stays
+ * as it was saved. */
+void cli_prove_again(const char *file, taut_model *model, const cli_options *options);
+/* Where an output is a picture: *proved is a copy of the model with its certificate proved again, else NULL; 0 or the exit code. */
+int cli_prove_for_pictures(const char *file, const taut_model *model, const cli_options *options,
+                           taut_model **proved);
+/* *model is converted to the unit of the first one, with a warning; 0 or the exit code. */
+int cli_one_unit(const char *file, const taut_model *first, taut_model **model,
+                 const cli_options *options);
+/* " mm^2" for what is measured under a key such as "area", "" for a number without a unit of length. */
+enum { CLI_UNIT_ROOM = 16 };
+const char *cli_unit_of(const char *key, const char *unit, char room[CLI_UNIT_ROOM]);
+/* Nonzero where the format of a path is a figure or a page. */
+int cli_is_picture(const char *path);
 /* Nonzero where the format of a path is taut's own. */
 int cli_is_json(const char *path);
 /* Writes the model to every -o, or as JSON to standard output without one; where `nurbs` is not
- * NULL it stands for the model in JSON, within `bound` of it. 0 or the exit code. */
+ * NULL it stands for the model in JSON, within `bound` of it; where `shown` is not, it does in pictures. 0 or the exit code. */
 int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double bound,
-                       const cli_options *options);
+                       const taut_model *shown, const cli_options *options);
 /* The same with the model alone. */
 int cli_write_model(const taut_model *model, const cli_options *options);
 /* Prints a record as JSON on standard output; 0 or the exit code after one message. Frees the

@@ -21,9 +21,11 @@ static int run_many(const cli_options *options)
     int count = 0, code = 0;
 
     for (int i = 0; i < options->file_count && code == 0; i++) {
-        if (taut_model_read(options->files[i], &models[i], &error) != TAUT_OK) {
+        if (cli_read_model(options->files[i], options, &models[i], &error) != TAUT_OK) {
             code = cli_fail_in(options->files[i], &error);
         } else {
+            code = cli_one_unit(options->files[i], models[0], &models[i], options);
+            cli_prove_again(options->files[i], models[i], options);
             written[count++] = models[i];
         }
     }
@@ -40,7 +42,7 @@ static int run_many(const cli_options *options)
 static taut_status read_model(const cli_options *options, taut_model **model, taut_error *error)
 {
     taut_model *whole = NULL;
-    taut_status status = taut_model_read(options->files[0], &whole, error);
+    taut_status status = cli_read_model(options->files[0], options, &whole, error);
     if (status != TAUT_OK || !options->pieces) {
         *model = whole;
         return status;
@@ -52,7 +54,7 @@ static taut_status read_model(const cli_options *options, taut_model **model, ta
 
 static int run(const cli_options *options)
 {
-    taut_model *model = NULL, *nurbs = NULL;
+    taut_model *model = NULL, *nurbs = NULL, *shown = NULL;
     double bound = 0;
     taut_error error;
     cli_options all = *options; /* pieces have names of their own */
@@ -78,8 +80,10 @@ static int run(const cli_options *options)
         taut_model_to_nurbs(model, options->tolerance, &nurbs, &bound, &error) != TAUT_OK) {
         code = cli_fail_in(options->files[0], &error);
     } else {
-        code = cli_write_or_nurbs(model, nurbs, bound, &all);
+        code = cli_prove_for_pictures(options->files[0], model, options, &shown);
+        code = code == 0 ? cli_write_or_nurbs(model, nurbs, bound, shown, &all) : code;
     }
+    taut_model_free(shown);
     taut_model_free(nurbs);
     taut_model_free(model);
     return code;
@@ -94,6 +98,7 @@ static const cli_option options_of_convert[] = {
     CLI_SURFACE,
     CLI_FIGURE,
     CLI_SHORT_KNOTS,
+    CLI_UNTRIM,
     CLI_THREADS,
     CLI_LAST};
 

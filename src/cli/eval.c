@@ -197,7 +197,7 @@ static int run(const cli_options *options)
     if (options->surface != NULL && options->curve != NULL) {
         return cli_misuse("option", "give either --surface or --curve");
     }
-    if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
+    if (cli_read_model(options->files[0], options, &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
     code = eval_model(model, options);
@@ -211,6 +211,7 @@ static const cli_option options_of_eval[] = {
     CLI_JSON,
     CLI_SURFACE,
     {"--curve", CLI_TEXT, offsetof(cli_options, curve), 0, 0, 0, "NAME", "the curve of this name"},
+    CLI_UNTRIM,
     CLI_THREADS,
     CLI_LAST};
 

@@ -32,10 +32,14 @@ static int find_edge(const taut_model *model, const char *word, const taut_surfa
     return cli_misuse("name", "%.80s: the model has no such surface", word);
 }
 
-static int print_join(const cli_options *options, const taut_join *join)
+static int print_join(const cli_options *options, const taut_join *join, const char *unit)
 {
+    char room[CLI_UNIT_ROOM];
     taut_record *record = taut_record_new();
     taut_join_record(join, record);
+    if (options->json) {
+        taut_record_add_text(record, "unit", unit);
+    }
     if (options->json) {
         return cli_print_record(record);
     }
@@ -43,7 +47,8 @@ static int print_join(const cli_options *options, const taut_join *join)
         const taut_record *value = taut_record_at(record, i);
         printf("%-20s", taut_record_key(record, i));
         if (taut_record_kind_of(value) == TAUT_RECORD_NUMBER) {
-            printf("%.6g\n", taut_record_number(value));
+            printf("%.6g%s\n", taut_record_number(value),
+                   cli_unit_of(taut_record_key(record, i), unit, room));
         } else if (taut_record_kind_of(value) == TAUT_RECORD_BOOL) {
             printf("%s\n", taut_record_bool(value) ? "yes" : "no");
         } else if (taut_record_kind_of(value) == TAUT_RECORD_TEXT) {
@@ -66,16 +71,19 @@ static int run(const cli_options *options)
     int code = 0;
 
     for (int i = 0; i < 2 && code == 0; i++) {
-        if (taut_model_read(options->files[2 * i], &models[i], &error) != TAUT_OK) {
+        if (cli_read_model(options->files[2 * i], options, &models[i], &error) != TAUT_OK) {
             code = cli_fail_in(options->files[2 * i], &error);
         } else {
+            code = cli_one_unit(options->files[2 * i], models[0], &models[i], options);
+        }
+        if (code == 0) {
             code = find_edge(models[i], options->files[2 * i + 1], &surfaces[i], &edges[i]);
         }
     }
     if (code == 0) {
         code = taut_join_measure(surfaces[0], edges[0], surfaces[1], edges[1], &join, &error) ==
                        TAUT_OK
-                   ? print_join(options, &join)
+                   ? print_join(options, &join, taut_model_unit(models[0]))
                    : cli_fail(&error);
     }
     taut_model_free(models[0]);
@@ -83,7 +91,7 @@ static int run(const cli_options *options)
     return code;
 }
 
-static const cli_option options_of_join[] = {CLI_JSON, CLI_THREADS, CLI_LAST};
+static const cli_option options_of_join[] = {CLI_JSON, CLI_UNTRIM, CLI_THREADS, CLI_LAST};
 
 const cli_command cli_command_join = {
     .name = "join",

@@ -69,18 +69,29 @@ static void print_value(const taut_record *value)
     }
 }
 
-/* One line a member; objects indent theirs. */
-static void print_lines(const taut_record *record, int indent)
+/* Parameters, which have no unit, as "max_abs_at". */
+static int is_place(const char *key)
 {
+    const size_t length = strlen(key);
+    return length > 3 && strcmp(key + length - 3, "_at") == 0;
+}
+
+/* One line a member; objects indent theirs. */
+static void print_lines(const taut_record *record, const char *unit, const char *above, int indent)
+{
+    char room[CLI_UNIT_ROOM];
     for (size_t i = 0; i < taut_record_count(record); i++) {
         const taut_record *value = taut_record_at(record, i);
         printf("%*s%-*s", indent, "", 30 - indent, taut_record_key(record, i));
         if (taut_record_kind_of(value) == TAUT_RECORD_OBJECT) {
             putchar('\n');
-            print_lines(value, indent + 2);
+            print_lines(value, unit, taut_record_key(record, i), indent + 2);
         } else {
             print_value(value);
-            putchar('\n');
+            cli_unit_of(taut_record_key(record, i), unit, room);
+            puts(room[0] != '\0'                        ? room
+                 : is_place(taut_record_key(record, i)) ? ""
+                                                        : cli_unit_of(above, unit, room));
         }
     }
 }
@@ -100,7 +111,7 @@ static int run(const cli_options *options)
     taut_model *model = NULL;
     taut_record *record = NULL;
     taut_error error = {.status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
-    taut_status status = taut_model_read(options->files[0], &model, &error);
+    taut_status status = cli_read_model(options->files[0], options, &model, &error);
     int code = 0;
 
     if (status == TAUT_OK && options->surface != NULL && !has_surface(model, options->surface)) {
@@ -113,6 +124,7 @@ static int run(const cli_options *options)
         status = measure_model(model, options, record, &error);
     }
     if (status == TAUT_OK) {
+        taut_record_add_text(record, "unit", taut_model_unit(model));
         status = taut_record_status(record);
     }
     if (status != TAUT_OK) {
@@ -124,7 +136,7 @@ static int run(const cli_options *options)
         for (size_t i = 0; i < 2; i++) {
             const taut_record *list = taut_record_at(record, i);
             for (size_t k = 0; k < taut_record_count(list); k++) {
-                print_lines(taut_record_at(list, k), 0);
+                print_lines(taut_record_at(list, k), taut_model_unit(model), "", 0);
             }
         }
         code = cli_print_text("", 0);
@@ -139,6 +151,7 @@ static const cli_option options_of_measure[] = {CLI_JSON,
                                                  0, 2, TAUT_GRID_MAX, "N",
                                                  "extremes over N x N parameters (default 101)"},
                                                 CLI_SURFACE,
+                                                CLI_UNTRIM,
                                                 CLI_THREADS,
                                                 CLI_LAST};
 

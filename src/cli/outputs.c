@@ -136,13 +136,26 @@ int cli_is_json(const char *path)
     return ending != NULL && strcmp(ending, "json") == 0;
 }
 
+int cli_is_picture(const char *path)
+{
+    static const char *const pictures[] = {"html", "pdf", "png", "svg"};
+    taut_error error;
+    const char *ending = taut_formats_ending(taut_draw_formats(), path, &error);
+    for (size_t i = 0; ending != NULL && i < sizeof pictures / sizeof pictures[0]; i++) {
+        if (strcmp(ending, pictures[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 int cli_write_model(const taut_model *model, const cli_options *options)
 {
-    return cli_write_or_nurbs(model, NULL, 0, options);
+    return cli_write_or_nurbs(model, NULL, 0, NULL, options);
 }
 
 int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double bound,
-                       const cli_options *options)
+                       const taut_model *shown, const cli_options *options)
 {
     static const char *const standard[] = {"-"};
     const char *const *paths = options->output_count > 0 ? options->outputs : standard;
@@ -158,10 +171,12 @@ int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double 
     }
     for (int i = 0; i < count && code == 0; i++) {
         const int stands_in = nurbs != NULL && cli_is_json(paths[i]);
+        const taut_model *written = stands_in                                   ? nurbs
+                                    : shown != NULL && cli_is_picture(paths[i]) ? shown
+                                                                                : model;
         bounds[i] = stands_in ? bound : (double)NAN;
         chosen.bound = &bounds[i];
-        if (taut_outputs_model(outputs, stands_in ? nurbs : model, paths[i], &chosen, &error) !=
-            TAUT_OK) {
+        if (taut_outputs_model(outputs, written, paths[i], &chosen, &error) != TAUT_OK) {
             code = cli_fail_at(paths[i], &error);
         }
     }

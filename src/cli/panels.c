@@ -80,7 +80,7 @@ static int run(const cli_options *options)
         code = cli_report_json(taut_record_copy(taut_model_details(panels)));
     } else if (code == 0 && !options->quiet) {
         fprintf(stderr, "panels\n");
-        cli_members_print(taut_model_details(panels));
+        cli_members_print(taut_model_details(panels), taut_model_unit(panels));
     }
     taut_model_free(panels);
     return code;

@@ -12,7 +12,7 @@ static int run(const cli_options *options)
     if (code != 0) {
         return code;
     }
-    if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
+    if (cli_read_model(options->files[0], options, &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
     code = taut_model_refine(model, options->surface, options->flag_u, options->flag_v, &refined,
@@ -29,6 +29,7 @@ static const cli_option options_of_refine[] = {
     {"--v", CLI_FLAG, offsetof(cli_options, flag_v), 0, 0, 0, NULL, "along v only"},
     CLI_OUTPUT,
     CLI_SURFACE,
+    CLI_UNTRIM,
     CLI_THREADS,
     CLI_LAST};
 

@@ -90,8 +90,9 @@ static void print_value(const taut_record *value)
     }
 }
 
-void cli_members_print(const taut_record *record)
+void cli_members_print(const taut_record *record, const char *unit)
 {
+    char room[CLI_UNIT_ROOM];
     char name[64];
     for (size_t i = 0; i < taut_record_count(record); i++) {
         const taut_record *value = taut_record_at(record, i);
@@ -101,11 +102,12 @@ void cli_members_print(const taut_record *record)
         fprintf(stderr, "  %-*s ", COLUMN - 1,
                 words(taut_record_key(record, i), name, sizeof name));
         print_value(value);
-        fputc('\n', stderr);
+        fprintf(stderr, "%s\n",
+                unit != NULL ? cli_unit_of(taut_record_key(record, i), unit, room) : "");
     }
 }
 
-void cli_certificate_print(const taut_certificate *certificate)
+void cli_certificate_print(const taut_certificate *certificate, const char *unit)
 {
     for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
         const taut_claim *claim = taut_certificate_claim(certificate, i);
@@ -123,7 +125,7 @@ void cli_certificate_print(const taut_certificate *certificate)
                                                  : ", at ",
                 claim->where);
     }
-    cli_members_print(taut_certificate_figures(certificate));
+    cli_members_print(taut_certificate_figures(certificate), unit);
 }
 
 static void print_rest(int count)
@@ -157,8 +159,8 @@ void cli_report_print(const cli_report *report)
 {
     fprintf(stderr, "%s\n", report->construct);
     print_objects(report->model);
-    cli_members_print(taut_model_details(report->model));
-    cli_certificate_print(report->certificate);
+    cli_members_print(taut_model_details(report->model), taut_model_unit(report->model));
+    cli_certificate_print(report->certificate, taut_model_unit(report->model));
     if (report->seconds_proved > 0.1 && report->seconds_proved > 10 * report->seconds_made) {
         fprintf(stderr, "  %-*s%s\n", COLUMN, "", "the proof took over ten times the making");
     }

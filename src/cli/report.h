@@ -23,9 +23,9 @@ taut_record *cli_report_record(const cli_report *report);
 void cli_certificate_record(taut_record *record, const char *key,
                             const taut_certificate *certificate);
 /* Claims and figures of a certificate as lines of the table. */
-void cli_certificate_print(const taut_certificate *certificate);
+void cli_certificate_print(const taut_certificate *certificate, const char *unit);
 
 /* Numbers, texts and lists of a record as such lines. */
-void cli_members_print(const taut_record *record);
+void cli_members_print(const taut_record *record, const char *unit);
 
 #endif /* TAUT_CLI_REPORT_H */

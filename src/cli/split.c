@@ -24,7 +24,7 @@ static int run(const cli_options *options)
     if (code != 0) {
         return code;
     }
-    if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
+    if (cli_read_model(options->files[0], options, &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
     code = cut(model, options->surface, along_v ? TAUT_ALONG_V : TAUT_ALONG_U, t, &split, &error) ==
@@ -41,6 +41,7 @@ static const cli_option options_of_split[] = {
     {"--v", CLI_TEXT, offsetof(cli_options, text_v), 0, 0, 0, "T", "cut along v at T"},
     CLI_OUTPUT,
     CLI_SURFACE,
+    CLI_UNTRIM,
     CLI_THREADS,
     CLI_EXACT,
     CLI_LAST};

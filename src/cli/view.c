@@ -64,9 +64,10 @@ static int run(const cli_options *options)
                                    options->outputs[i]);
         }
     }
-    if (taut_model_read(options->files[0], &model, &error) != TAUT_OK) {
+    if (cli_read_model(options->files[0], options, &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
+    cli_prove_again(options->files[0], model, options);
     code = write_pages(model, options);
     taut_model_free(model);
     return code;
@@ -81,6 +82,7 @@ static const cli_option options_of_view[] = {
     {"--title", CLI_TEXT, offsetof(cli_options, title), 0, 0, 0, "TEXT", "its heading"},
     {"--frames", CLI_FLAG, offsetof(cli_options, side_by_side), 0, 0, 0, NULL,
      "the surfaces are frames of one that moves (told by itself where the details say so)"},
+    CLI_UNTRIM,
     CLI_THREADS,
     CLI_LAST};
 

@@ -24,6 +24,25 @@ static taut_status make(const taut_construct_ops *ops, const void *data,
     return taut_pace_end(&pace, ops->make(data, &own, model, error), error);
 }
 
+/* What the problem's reader converted and chose stands among what the construction decided. */
+static taut_status add_notes(const taut_problem *problem, taut_model *model, taut_error *error)
+{
+    taut_record *details = NULL;
+
+    if (problem->notes == NULL) {
+        return TAUT_OK;
+    }
+    details = taut_model_details(model) != NULL ? taut_record_copy(taut_model_details(model))
+                                                : taut_record_new();
+    taut_record_add_record(details, "notes", problem->notes);
+    if (taut_record_status(details) != TAUT_OK) {
+        taut_record_free(details);
+        return taut_fail_memory(error);
+    }
+    taut_model_set_details(model, details);
+    return TAUT_OK;
+}
+
 taut_status taut_make(const taut_problem *problem, const taut_make_options *options,
                       taut_model **model, taut_error *error)
 {
@@ -51,6 +70,11 @@ taut_status taut_make(const taut_problem *problem, const taut_make_options *opti
         taut_model_free(made);
         return taut_fail(error, TAUT_INTERNAL, "fault", NULL, taut_none, taut_none,
                          "an unknown unit");
+    }
+    status = add_notes(problem, made, error);
+    if (status != TAUT_OK) {
+        taut_model_free(made);
+        return status;
     }
     *model = made;
     return TAUT_OK;

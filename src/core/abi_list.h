@@ -112,7 +112,8 @@
     X(taut_claim, residual, "double") \
     X(taut_claim, limit, "double") \
     X(taut_claim, holds, "taut_verdict") \
-    X(taut_claim, where, "const char *")
+    X(taut_claim, where, "const char *") \
+    X(taut_claim, as_saved, "int")
 
 #define TAUT_ABI_MEMBERS_taut_curve_measure(X) \
     X(taut_curve_measure, length, "double") \
@@ -358,6 +359,9 @@
     X(taut_plateau_problem, without_least, "int") \
     X(taut_plateau_problem, gap, "double")
 
+#define TAUT_ABI_MEMBERS_taut_read_options(X) \
+    X(taut_read_options, untrim, "int")
+
 #define TAUT_ABI_MEMBERS_taut_surface_measure(X) \
     X(taut_surface_measure, area, "double") \
     X(taut_surface_measure, area_error, "double") \
@@ -477,6 +481,7 @@
     X(taut_pipe_section) \
     X(taut_pipe_shape) \
     X(taut_plateau_problem) \
+    X(taut_read_options) \
     X(taut_surface_measure) \
     X(taut_trace_problem) \
     X(taut_trace_seed) \

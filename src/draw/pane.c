@@ -1,6 +1,7 @@
 #include "draw/pane.h"
 
 #include "core/elementary/elementary.h"
+#include "geometry/whole.h"
 #include "mesh/colour.h"
 
 #include <math.h>
@@ -18,9 +19,8 @@ static int net_v(const taut_surface *s)
 
 int taut_pane_shows(const taut_pane *pane, const taut_write_options *options, int i)
 {
-    const char *name = taut_surface_name(taut_model_surface(pane->model, i));
     return pane->surface >= 0 ? pane->surface == i
-                              : options->surface == NULL || strcmp(options->surface, name) == 0;
+                              : taut_model_shows(pane->model, options->surface, i);
 }
 
 static taut_status sample_surface(taut_pane *pane, const taut_write_options *options, int i,

@@ -240,6 +240,21 @@ static void append_note(char *note, size_t size, const char *text)
     snprintf(note + used, size - used, "%s%s", used > 0 ? "; " : "", text);
 }
 
+/* What a certificate that fails, or that nobody proved since it was read, takes from the picture. */
+static const char *blame_certificate(const taut_certificate *certificate)
+{
+    const int count = certificate != NULL ? taut_certificate_claim_count(certificate) : 0;
+    int saved = 0;
+
+    for (int i = 0; i < count; i++) {
+        saved += taut_certificate_claim(certificate, i)->as_saved != 0;
+    }
+    if (count > 0 && taut_certificate_holds(certificate) == TAUT_FALSE) {
+        return "not all claims hold";
+    }
+    return count > 0 && saved == count ? "certificate as saved, not proved again" : NULL;
+}
+
 void taut_panes_note(const taut_panes *panes, const taut_write_options *options, double limit,
                      char *note, size_t size)
 {
@@ -249,6 +264,13 @@ void taut_panes_note(const taut_panes *panes, const taut_write_options *options,
     int far = 0, nets = 0;
 
     note[0] = '\0';
+    for (int i = 0; i < panes->count; i++) {
+        const char *blame = blame_certificate(taut_model_certificate(panes->pane[i].model));
+        if (blame != NULL) {
+            append_note(note, size, blame);
+            break;
+        }
+    }
     if (panes->of > panes->count) {
         snprintf(text, sizeof text, "%d of %d surfaces", panes->count, panes->of);
         append_note(note, size, text);

@@ -2,6 +2,7 @@
 #include "io/format.h"
 
 #include "core/fail.h"
+#include "geometry/whole.h"
 #include "io/file/in.h"
 #include "io/json/in.h"
 #include "platform/system.h"
@@ -142,8 +143,7 @@ const char *taut_formats_ending(const taut_formats *more, const char *path, taut
 
 int taut_format_wants(const taut_model *model, const taut_write_options *options, int i)
 {
-    return options->surface == NULL ||
-           strcmp(options->surface, taut_surface_name(taut_model_surface(model, i))) == 0;
+    return taut_model_shows(model, options->surface, i);
 }
 
 /* The surface's name that is nearest to the one asked for. */

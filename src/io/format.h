@@ -4,6 +4,7 @@
 
 #include "io/format_list.h"
 #include "taut/model.h"
+#include "taut/read.h"
 #include "taut/write.h"
 
 #include <stdio.h>
@@ -48,6 +49,11 @@ const taut_format_ops *taut_format_ops_at(int i);
 /* The format of a path among the library's own and `more` (or NULL), as taut_formats_ending has it. */
 const taut_format_row *taut_format_find(const taut_formats *more, const char *path,
                                         taut_error *error);
+
+/* A model in a format that taut reads; trimmed faces as options say (NULL: refused). */
+taut_status taut_model_format_read(const taut_format_ops *ops, const char *path,
+                                   const taut_read_options *options, taut_model **model,
+                                   taut_error *error);
 
 /* Nonzero when options ask for surface i of the model. */
 int taut_format_wants(const taut_model *model, const taut_write_options *options, int i);

@@ -12,7 +12,7 @@ static void write_members(taut_json_out *out, const taut_model *model,
     const int all = options->surface == NULL;
     taut_json_open_pair(out, "surfaces", '[');
     for (int i = 0; i < taut_model_surface_count(model); i++) {
-        if (taut_format_wants(model, options, i)) {
+        if (all || taut_format_wants(model, options, i)) {
             taut_surface_document_write(out, taut_model_surface(model, i));
         }
     }

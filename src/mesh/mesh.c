@@ -6,6 +6,7 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/vec3.h"
+#include "geometry/whole.h"
 #include "mesh/lines.h"
 #include "mesh/seams.h"
 
@@ -15,6 +16,8 @@
 enum { ROWS_AT_ONCE = 32 }; /* of vertices evaluated */
 
 static const double default_tolerance = 1e-3;
+/* Surfaces thinner than the model by more than this are taken for slivers, and cut no finer. */
+static const double thin_most = 1000;
 static const double weld_of_tolerance = 0.01, weld_of_size = 1e-6;
 
 struct taut_mesh {
@@ -52,7 +55,7 @@ static taut_status choose_surfaces(taut_mesh *mesh, const taut_model *model, con
     }
     for (int i = 0; i < (int)count; i++) {
         const taut_surface *surface = taut_model_surface(model, i);
-        if (name == NULL || strcmp(name, taut_surface_name(surface)) == 0) {
+        if (taut_model_shows(model, name, i)) {
             taut_mesh_group *group = &mesh->groups[mesh->group_count];
             group->name = taut_arena_text(mesh->arena, taut_surface_name(surface));
             group->surface = i;
@@ -146,6 +149,49 @@ static taut_status sample_surfaces(const taut_mesh *mesh, mesh_plan *plan,
                            &plan->seam_count, &plan->collapsed);
 }
 
+/* The largest diagonal of the boxes around the rows of the net along one direction. */
+static double size_along(const taut_surface *surface, int along_v)
+{
+    const int nu = taut_basis_count(taut_surface_u(surface));
+    const int nv = taut_basis_count(taut_surface_v(surface));
+    const int rows = along_v ? nu : nv, length = along_v ? nv : nu;
+    const double *points = taut_surface_points(surface);
+    double most = 0;
+
+    for (int r = 0; r < rows; r++) {
+        double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {-INFINITY, -INFINITY, -INFINITY};
+        for (int k = 0; k < length; k++) {
+            const int i = along_v ? r : k, j = along_v ? k : r;
+            const double *p = points + 3 * ((size_t)i * (size_t)nv + (size_t)j);
+            for (int c = 0; c < 3; c++) {
+                lo[c] = fmin(lo[c], p[c]);
+                hi[c] = fmax(hi[c], p[c]);
+            }
+        }
+        most = fmax(most, taut_hypot(taut_hypot(hi[0] - lo[0], hi[1] - lo[1]), hi[2] - lo[2]));
+    }
+    return most;
+}
+
+/* The chord error is a share of each surface's own size, that of a square on its shorter side, where this is less than the
+ * model's: a long thin pipe would lose its roundness. A surface that bends f times as much is cut as for 1/f of the error. */
+static void refine_thin(const taut_mesh *mesh, const mesh_plan *plan, double size)
+{
+    for (int i = 0; i < mesh->group_count; i++) {
+        const taut_surface *surface = plan->surfaces[i];
+        const taut_bending *bending = &plan->bendings[i];
+        const double own =
+            1.4142135623730951 * fmin(size_along(surface, 0), size_along(surface, 1));
+        const double factor = own > 0 && own < size ? fmin(size / own, thin_most) : 1;
+        for (int s = 0; s < taut_basis_span_count(taut_surface_u(surface)); s++) {
+            bending->u[s] *= factor;
+        }
+        for (int s = 0; s < taut_basis_span_count(taut_surface_v(surface)); s++) {
+            bending->v[s] *= factor;
+        }
+    }
+}
+
 /* All lines, and how many vertices they make. */
 static taut_status plan_mesh(taut_mesh *mesh, mesh_plan *plan, const taut_mesh_options *options,
                              taut_arena *scratch, taut_error *error)
@@ -155,8 +201,11 @@ static taut_status plan_mesh(taut_mesh *mesh, mesh_plan *plan, const taut_mesh_o
     taut_chains chains;
     taut_status status = TAUT_OK;
 
-    if (sample_surfaces(mesh, plan, options, relative, scratch) != TAUT_OK ||
-        taut_chains_new(plan->directions, count, plan->seams, plan->seam_count,
+    if (sample_surfaces(mesh, plan, options, relative, scratch) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    refine_thin(mesh, plan, size_of(plan->bendings, mesh->group_count));
+    if (taut_chains_new(plan->directions, count, plan->seams, plan->seam_count,
                         relative * size_of(plan->bendings, mesh->group_count), options->divide,
                         scratch, &chains) != TAUT_OK) {
         return taut_fail_memory(error);

@@ -256,6 +256,26 @@ static int is_frames(const taut_page_model *p)
     return p->count > 1 && (counted || p->options->side_by_side);
 }
 
+/* Which claims were not proved since they were read, by number; nothing where all were. */
+static void put_saved(taut_json_out *out, const taut_certificate *certificate)
+{
+    int found = 0;
+    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+        if (!taut_certificate_claim(certificate, i)->as_saved) {
+            continue;
+        }
+        if (!found) {
+            taut_json_key(out, "saved");
+            taut_json_open_inline(out, '[');
+            found = 1;
+        }
+        taut_json_put_number(out, i);
+    }
+    if (found) {
+        taut_json_close(out, ']');
+    }
+}
+
 static void put_head(taut_json_out *out, const taut_page_model *p)
 {
     const taut_certificate *certificate = taut_model_certificate(p->model);
@@ -280,6 +300,7 @@ static void put_head(taut_json_out *out, const taut_page_model *p)
     if (certificate != NULL) {
         taut_json_key(out, "certificate");
         taut_certificate_document_write(out, certificate);
+        put_saved(out, certificate);
     }
     if (taut_model_details(p->model) != NULL) {
         taut_json_key(out, "details");

@@ -53,8 +53,18 @@ void taut_problem_free(taut_problem *problem)
     if (problem != NULL) {
         taut_arena_free(problem->arena);
         taut_free(problem->text);
+        taut_record_free(problem->notes);
         taut_free(problem);
     }
+}
+
+taut_status taut_problem_note(taut_problem *problem, const char *sentence)
+{
+    if (problem->notes == NULL) {
+        problem->notes = taut_record_new_list();
+    }
+    taut_record_add_text(problem->notes, NULL, sentence);
+    return taut_record_status(problem->notes);
 }
 
 const char *taut_problem_construction(const taut_problem *problem)

@@ -8,6 +8,7 @@
 #include "core/arena.h"
 #include "problem/construct_list.h"
 #include "taut/construct.h"
+#include "taut/record.h"
 
 #define TAUT_CONSTRUCT_INDEX(identifier, name) TAUT_CONSTRUCT_INDEX_##identifier,
 typedef enum taut_construct_index {
@@ -23,10 +24,14 @@ struct taut_problem {
     const char *folder; /* of its document, with a slash at the end, "" if it came from no file */
     char *text;         /* its document, ended by a 0 behind its bytes; the problem's */
     size_t length;
+    taut_record *
+        notes; /* NULL, or sentences on what its reader converted and chose, for the model's details */
 };
 
 /* An empty problem with its arena; data is set by the reader. */
 taut_status taut_problem_new(int construct, taut_problem **problem);
+/* Adds a sentence to its notes. TAUT_NO_MEMORY. */
+taut_status taut_problem_note(taut_problem *problem, const char *sentence);
 /* The index of a construction by its name in documents, or -1. */
 int taut_construct_find(const char *name);
 

@@ -43,6 +43,51 @@ run 0 make beside/problem.json --quiet -o made.json
 contains made.json '"degree": 4'
 contains made.json '"degree": 5'
 
+# A file in another unit: the same surface, in the document's. 114 m are 114000 mm, not 114.
+note() { # note MODEL: its notes, as one line
+    tr -d '\n' < "$1" | sed -n 's/.*"notes": \[\([^]]*\)\].*/\1/p'
+}
+sed 's/"taut": 1,/"taut": 1, "unit": "m",/' frame.json > beside/metres.json
+metres=metres.json
+case $files in *frame.step*) run 0 convert beside/metres.json -o beside/metres.step && metres="metres.json metres.step" ;; esac
+area() { # area FILE UNIT: of the surface that it bounds
+    printf '{ "taut": 1, "unit": "%s", "construct": "dirichlet", "boundary": "%s" }\n' "$2" "$1" > beside/problem.json
+    run 0 make beside/problem.json --quiet -o made.json --report report.json
+    run 0 certify made.json beside/problem.json
+    sed -n 's/.*"area": \([-+.e0-9]*\).*/\1/p' report.json
+}
+for file in $metres; do
+    awk "BEGIN { d = $(area "$file" mm) / ($(area "$file" m) * 1e6) - 1; exit !(d < 1e-12 && d > -1e-12) }" ||
+        complain "$file: not the same area in mm and in m"
+    area "$file" m > is.txt
+    [ -z "$(note made.json)" ] || complain "$file: nothing was converted, and yet $(note made.json)"
+    area "$file" ft > is.txt
+    case $(note made.json) in *"$file is in m: its lengths are multiplied by 3.2808399, to be in ft"*) ;; *) complain "$file: $(note made.json)" ;; esac
+    awk "BEGIN { d = $(cat is.txt) / ($(area "$file" m) / 0.3048 / 0.3048) - 1; exit !(d < 1e-12 && d > -1e-12) }" || complain "$file: feet"
+done
+
+# Two lines and two arcs leave nothing to find: points are chosen and said, unless the document says how many there are to be;
+# then nothing is stationary.
+cat > beside/arcs.json <<'JSON'
+{ "taut": 1, "curves": [
+  { "t": { "type": "bezier", "degree": 1 }, "points": [[0,0,0],[10,0,0]] },
+  { "t": { "type": "bezier", "degree": 2 }, "points": [[10,0,0],[10,5,5],[10,10,0]], "weights": [1,0.7,1] },
+  { "t": { "type": "bezier", "degree": 1 }, "points": [[10,10,0],[0,10,0]] },
+  { "t": { "type": "bezier", "degree": 2 }, "points": [[0,10,0],[0,5,5],[0,0,0]], "weights": [1,0.7,1] } ] }
+JSON
+for construct in dirichlet plateau; do
+    printf '{ "taut": 1, "construct": "%s", "boundary": "arcs.json" }\n' $construct > beside/problem.json
+    run 0 make beside/problem.json --quiet -o made.json
+    run 0 certify made.json beside/problem.json
+    contains made.json '"unknowns": 81'
+    case $(note made.json) in *'\"degree\": [3, 3'*) ;; *) complain "$construct: $(note made.json)" ;; esac
+    printf '{ "taut": 1, "construct": "%s", "boundary": "arcs.json", "refine": [0, 0] }\n' $construct > beside/problem.json
+    run 0 make beside/problem.json -o made.json
+    contains err.txt 'unknowns  *0'
+    contains err.txt 'stationary  *undecided .*: nothing was unknown'
+    run 1 certify made.json beside/problem.json
+done
+
 refuse_boundary() { # refuse_boundary CODE PATTERN FILE
     printf '{ "taut": 1, "construct": "dirichlet", "boundary": "%s" }\n' "$3" > problem.json
     refused "$1" "$2" make problem.json

@@ -52,7 +52,7 @@ if [ -e "$helper" ]; then
     absent never.json never.igs
     TAUT_CAD=
     run 0 convert model.igs -o back.json # nothing said
-    "$helper" --version | grep -q '^taut-cad, protocol 1, OpenCASCADE [0-9]' || complain "$helper says no version"
+    "$helper" --version | grep -q '^taut-cad, protocol 2, OpenCASCADE [0-9]' || complain "$helper says no version"
     "$helper" model.igs > /dev/null 2>&1 && complain "$helper takes an argument"
 fi
 finish

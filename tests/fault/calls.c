@@ -6,8 +6,10 @@
 
 taut_status read_model(const void *context, void **result, taut_error *error)
 {
+    static const taut_read_options whole = {.untrim =
+                                                1}; /* what is refused afterwards takes no memory */
     taut_model *model = *result;
-    const taut_status status = taut_model_read(context, &model, error);
+    const taut_status status = taut_model_read_with(context, &whole, &model, error);
     *result = model;
     return status;
 }

@@ -166,7 +166,7 @@ int main(void)
     CHECK(taut_model_write(model, path, NULL, NULL) == TAUT_OK, "written");
     fault_check("taut_model_read_text", read_model_text, release_model, model_text, 50);
     fault_check("taut_model_read_text, exact", read_model_text, release_model, exact_text, 30);
-    fault_check("taut_model_read", read_model, release_model, path, 50);
+    fault_check("taut_model_read_with", read_model, release_model, path, 50);
     test_change();
     fault_check("taut_problem_read_text", read_problem_text, release_problem, problem_text, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {

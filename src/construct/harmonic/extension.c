@@ -313,6 +313,9 @@ static taut_status fill_model(void *context, taut_arena *arena, taut_model *mode
     if (asked->exact) {
         taut_record_add_text(details, "arithmetic", "rational");
     }
+    if (problem->given != TAUT_EXTENSION_G1) {
+        taut_record_add_text(details, "whole", "h"); /* it lies on the two others */
+    }
     return taut_construct_set_details(model, details, error);
 }
 

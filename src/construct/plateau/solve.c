@@ -440,7 +440,7 @@ static taut_status check_rule(const work *w, taut_error *error)
     }
     return taut_fail(error, TAUT_NOT_CONVERGED, "folds", NULL, w->change, limits.area_unsettled,
                      "the film folds: with %d Gauss nodes in a panel its area still changes by "
-                     "%.2g of it; take fewer points, or give points inside",
+                     "%.2g of it; take a higher degree, fewer points, or give points inside",
                      w->functional->v.nodes, w->change);
 }
 

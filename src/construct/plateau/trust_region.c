@@ -660,7 +660,8 @@ static taut_status give_up(const state *s, ending why, taut_error *error)
         const double least = fmin(next, s->here.value.least);
         return taut_fail(error, TAUT_NOT_CONVERGED, "folds", NULL, least, s->barrier,
                          "the film wants to fold: after %d iterations its smallest area element "
-                         "goes to %.2g of the mean; take %sfewer points, or give points inside",
+                         "goes to %.2g of the mean; take %sa higher degree, fewer points, or "
+                         "give points inside",
                          region->iterations, least,
                          is_along_directions(s) ? "" : "the method \"normal\", or ");
     }

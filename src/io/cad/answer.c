@@ -238,6 +238,7 @@ static taut_status get_item_into(taut_cad_source *source, item_read *item, taut_
         return status;
     }
     add_notes(&item->head, item->name, index, result->notes);
+    result->trimmed += (item->head.notes & TAUT_CAD_TRIMMED) != 0;
     return TAUT_OK;
 }
 
@@ -263,6 +264,25 @@ static taut_status get_unit(taut_cad_source *source, taut_cad_result *result, ta
 static void end_text(char *text, size_t size)
 {
     text[size - 1] = '\0';
+}
+
+/* What it could not read, in its own words; they reach terminals, so that only what is printed stays. */
+static taut_status get_note(taut_cad_source *source, taut_cad_result *result, taut_error *error)
+{
+    char note[TAUT_CAD_NOTE_MAX + 1];
+    int length = 0;
+    if (result->model == NULL || !get_bytes(source, &length, sizeof length, 1) || length < 0 ||
+        length > TAUT_CAD_NOTE_MAX || !get_bytes(source, note, 1, (size_t)length)) {
+        return refuse_stream(error);
+    }
+    for (int i = 0; i < length; i++) {
+        note[i] = note[i] >= ' ' && note[i] <= '~' ? note[i] : '?';
+    }
+    note[length] = '\0';
+    if (taut_record_count(result->notes) < NOTES_MAX) {
+        taut_record_add_text(result->notes, NULL, note);
+    }
+    return TAUT_OK;
 }
 
 /* A part of the text of a file that is written. */
@@ -315,6 +335,8 @@ taut_status taut_cad_get_all(taut_cad_source *source, taut_cad_result *result, t
             status = get_unit(source, result, error);
         } else if (tag == 'I') {
             status = get_item(source, result, error);
+        } else if (tag == 'N') {
+            status = get_note(source, result, error);
         } else if (tag == 'T') {
             status = get_text(source, result, error);
         } else if (tag == 'E') {

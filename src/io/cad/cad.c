@@ -135,6 +135,7 @@ static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, tau
 {
     taut_record *details = taut_record_new();
     taut_record_add_text(details, "read_from", kind == TAUT_CAD_STEP ? "STEP" : "IGES");
+    taut_record_add_number(details, "trimmed", result->trimmed);
     taut_record_add_record(details, "notes", result->notes);
     if (taut_record_status(details) != TAUT_OK || taut_record_status(result->notes) != TAUT_OK) {
         taut_record_free(details);

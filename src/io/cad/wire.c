@@ -82,6 +82,14 @@ int taut_cad_put_item(FILE *file, const taut_cad_item *item)
            put_bytes(file, item->weights, sizeof(double), head.is_rational ? n : 0);
 }
 
+int taut_cad_put_note(FILE *file, const char *note)
+{
+    const size_t whole = strlen(note);
+    const int length = whole < TAUT_CAD_NOTE_MAX ? (int)whole : TAUT_CAD_NOTE_MAX;
+    return put_bytes(file, "N", 1, 1) && put_bytes(file, &length, sizeof length, 1) &&
+           put_bytes(file, note, 1, (size_t)length);
+}
+
 int taut_cad_put_text(FILE *file, const char *text, size_t length)
 {
     while (length > 0) {

@@ -4,8 +4,8 @@
  * take all memory, costs no more than a message. A request is its standard input, a file; the answer its standard output,
  * a pipe:
  *
- *     request   hello, job, items        answer   hello, then  'U' unit[4]   'I' item   'T' size, text (of an IGES file)
- *                                                              'E' status, message: the end
+ *     request   hello, job, items        answer   hello, then  'U' unit[4]   'I' item   'N' size, text (what was left out)
+ *                                                              'T' size, text (of an IGES file)   'E' status, message: the end
  *
  * Numbers are as the machine has them: both run on the same one, and the hello says how they lie. This file and
  * wire.c are part of both; nothing else is.
@@ -57,7 +57,13 @@ typedef struct taut_cad_job {
 } taut_cad_job;
 
 /* What stands first, both ways. A version changes with what is said, the layout with compilers. */
-enum { TAUT_CAD_VERSION = 1, TAUT_CAD_MARK = 8, TAUT_CAD_UNIT = 4, TAUT_CAD_TEXT_MAX = 1 << 15 };
+enum {
+    TAUT_CAD_VERSION = 2,
+    TAUT_CAD_MARK = 8,
+    TAUT_CAD_UNIT = 4,
+    TAUT_CAD_TEXT_MAX = 1 << 15,
+    TAUT_CAD_NOTE_MAX = 400
+};
 typedef struct taut_cad_hello {
     char mark[TAUT_CAD_MARK];
     unsigned version, layout;
@@ -82,6 +88,8 @@ int taut_cad_put_request(FILE *file, const taut_cad_job *job, int count,
                          const taut_cad_item *items);
 int taut_cad_put_unit(FILE *file, const char *unit);
 int taut_cad_put_item(FILE *file, const taut_cad_item *item);
+/* A sentence of at most TAUT_CAD_NOTE_MAX bytes; what is beyond is cut off. */
+int taut_cad_put_note(FILE *file, const char *note);
 int taut_cad_put_text(FILE *file, const char *text, size_t length);
 int taut_cad_put_end(FILE *file, taut_status status, const taut_error *error);
 

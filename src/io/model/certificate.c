@@ -56,7 +56,7 @@ static taut_status read_place(const taut_json *at, void *where, taut_error *erro
 
 static taut_status read_claim(const taut_json *at, void *certificate, taut_error *error)
 {
-    taut_claim claim = {.claim = "", .where = ""};
+    taut_claim claim = {.claim = "", .where = "", .as_saved = 1};
     taut_reader in = taut_reader_of(at, claim_members, error);
 
     taut_reader_text(&in, "claim", &claim.claim);

@@ -151,7 +151,42 @@ taut_status taut_model_read_text(const char *text, size_t length, const char *na
     return taut_json_read_text(text, length, name != NULL ? name : "text", read_root, model, error);
 }
 
-taut_status taut_model_read(const char *path, taut_model **model, taut_error *error)
+/* What is cut by curves is not to be taken for the whole surface in silence. */
+static taut_status refuse_trimmed(const taut_model *model, taut_error *error)
+{
+    const taut_record *details = taut_model_details(model);
+    const double trimmed = taut_record_number(taut_record_get(details, "trimmed"));
+
+    if (!(trimmed > 0)) {
+        return TAUT_OK;
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "trimmed", NULL, trimmed, 0,
+                     "%.0f of %d faces are trimmed by curves within their surfaces: --untrim reads "
+                     "the whole surfaces",
+                     trimmed, taut_model_surface_count(model));
+}
+
+taut_status taut_model_format_read(const taut_format_ops *ops, const char *path,
+                                   const taut_read_options *options, taut_model **model,
+                                   taut_error *error)
+{
+    taut_model *made = NULL;
+    taut_status status = ops->read(path, &made, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = options != NULL && options->untrim ? TAUT_OK : refuse_trimmed(made, error);
+    if (status != TAUT_OK) {
+        taut_model_free(made);
+        return status;
+    }
+    *model = made;
+    return TAUT_OK;
+}
+
+taut_status taut_model_read_with(const char *path, const taut_read_options *options,
+                                 taut_model **model, taut_error *error)
 {
     const taut_format_ops *ops = NULL;
     if (path == NULL || model == NULL) {
@@ -159,6 +194,12 @@ taut_status taut_model_read(const char *path, taut_model **model, taut_error *er
                          "taut_model_read needs a path and a place for the model");
     }
     ops = taut_format_ops_at(taut_format_of(path, NULL));
-    return ops != NULL && ops->read != NULL ? ops->read(path, model, error)
-                                            : taut_json_read_file(path, read_root, model, error);
+    return ops != NULL && ops->read != NULL
+               ? taut_model_format_read(ops, path, options, model, error)
+               : taut_json_read_file(path, read_root, model, error);
+}
+
+taut_status taut_model_read(const char *path, taut_model **model, taut_error *error)
+{
+    return taut_model_read_with(path, NULL, model, error);
 }

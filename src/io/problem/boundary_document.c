@@ -1,17 +1,21 @@
 #include "io/problem/boundary_document.h"
 
 #include "core/fail.h"
+#include "core/unit.h"
 #include "geometry/keep.h"
 #include "io/problem/member.h"
 #include "io/problem/net_document.h"
 #include "platform/system.h"
 #include "taut/limits.h"
+#include "taut/operations.h"
 #include "taut/read.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { PATH_ROOM = 4096, HALVINGS_MAX = 16 };
+enum { PATH_ROOM = 4096, HALVINGS_MAX = 16, NOTE_ROOM = 400 };
+/* What a net gets that would have nothing inside: 11 x 11 points between straight lines. */
+enum { CHOSEN_DEGREE = 3, CHOSEN_SPANS = 8 };
 
 static const double closed = 1e-6; /* the widest gap at a corner, of the size */
 
@@ -75,24 +79,51 @@ static taut_status order_sides(const taut_json *at, const taut_model *model,
     return blame_file(at, &found, status, error);
 }
 
+/* A file in another unit than the document is told in the document's, and that is said. */
+static taut_status convert_unit(const taut_json *at, taut_problem *problem, taut_model **model,
+                                taut_error *error)
+{
+    const char *unit = taut_model_unit(*model), *name = taut_json_text_at(at);
+    taut_error found = {.status = TAUT_OK};
+    taut_model *converted = NULL;
+    char note[NOTE_ROOM];
+
+    if (strcmp(unit, problem->unit) == 0) {
+        return TAUT_OK;
+    }
+    snprintf(note, sizeof note, "%.200s is in %s: its lengths are multiplied by %.9g, to be in %s",
+             name, unit, taut_unit_ratio(unit, problem->unit), problem->unit);
+    const taut_status status = taut_model_to_unit(*model, problem->unit, &converted, &found);
+    if (status != TAUT_OK) {
+        return blame_file(at, &found, status, error);
+    }
+    taut_model_free(*model);
+    *model = converted;
+    return taut_problem_note(problem, note) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
 /* The four sides out of the file that "boundary" names (any that taut reads, beside the problem's
  * own document), in order and closed; the caller's. */
-static taut_status read_sides(const taut_json *at, const taut_problem *problem,
+static taut_status read_sides(const taut_json *at, taut_problem *problem,
                               taut_curve *sides[TAUT_SIDES], taut_error *error)
 {
     taut_error found = {.status = TAUT_OK};
     taut_model *model = NULL;
+    const taut_read_options whole = {.untrim = 1}; /* faces are not asked for */
     char path[PATH_ROOM];
     taut_status status = find_path(at, problem, path, error);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_model_read(path, &model, &found);
+    status = taut_model_read_with(path, &whole, &model, &found);
     if (status != TAUT_OK) {
         return blame_file(at, &found, status, error);
     }
-    status = order_sides(at, model, sides, error);
+    status = convert_unit(at, problem, &model, error);
+    if (status == TAUT_OK) {
+        status = order_sides(at, model, sides, error);
+    }
     taut_model_free(model);
     return status;
 }
@@ -164,8 +195,48 @@ static void clear_work(boundary_work *work)
     taut_boundary_free(work->made);
 }
 
+/* Are all points of the net on its boundary? */
+static int is_hollow(taut_curve *const fitted[TAUT_SIDES])
+{
+    return taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_V0])) <= 2 ||
+           taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_U0])) <= 2;
+}
+
+/* A net with nothing to find, of which the document says nothing else, gets points to find; that is said. */
+static taut_status choose_net(boundary_work *work, taut_error *error)
+{
+    static const int side_of[2] = {TAUT_SIDE_V0, TAUT_SIDE_U0};
+    const int degree[2] = {CHOSEN_DEGREE, CHOSEN_DEGREE};
+    taut_error found = {.status = TAUT_OK};
+    int halvings[2] = {0, 0}, told[2] = {0, 0}, count[2] = {0, 0};
+    char note[NOTE_ROOM];
+
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *t = taut_curve_t(work->made[side_of[d]]);
+        while ((taut_basis_span_count(t) << halvings[d]) < CHOSEN_SPANS) {
+            halvings[d]++;
+        }
+    }
+    taut_boundary_free(work->made);
+    const taut_status status = taut_boundary_fit(work->sides, degree, halvings, work->made, &found);
+    if (status != TAUT_OK) {
+        return blame_file(work->at, &found, status, error);
+    }
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *t = taut_curve_t(work->made[side_of[d]]);
+        told[d] = taut_basis_degree(t);
+        count[d] = taut_basis_count(t);
+    }
+    snprintf(note, sizeof note,
+             "the curves alone leave nothing to find: chosen are \"degree\": [%d, %d] and "
+             "\"refine\": [%d, %d], which is %d x %d points",
+             told[0], told[1], halvings[0], halvings[1], count[0], count[1]);
+    return taut_problem_note(work->problem, note) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* `asked`: the document says how fine the net is to be. */
 static taut_status read_net(boundary_work *work, const int degree[2], const int halvings[2],
-                            taut_net_document *net, taut_error *error)
+                            int asked, taut_net_document *net, taut_error *error)
 {
     taut_error found = {.status = TAUT_OK};
     taut_status status = read_sides(work->at, work->problem, work->sides, error);
@@ -176,6 +247,12 @@ static taut_status read_net(boundary_work *work, const int degree[2], const int 
     status = taut_boundary_fit(work->sides, degree, halvings, work->made, &found);
     if (status != TAUT_OK) {
         return blame_file(work->at, &found, status, error);
+    }
+    if (!asked && is_hollow(work->made)) {
+        status = choose_net(work, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
     return fill_net(work->made, work->at, work->problem->arena, net, error);
 }
@@ -193,8 +270,9 @@ static void read_boundary(taut_reader *document, taut_problem *problem, taut_net
     taut_member_refuse(document, others, says_all);
     read_pair(document, "degree", read_degree, degree);
     read_pair(document, "refine", read_halvings, halvings);
+    const int asked = taut_reader_has(document, "degree") || taut_reader_has(document, "refine");
     if (document->status == TAUT_OK) {
-        document->status = read_net(&work, degree, halvings, net, document->error);
+        document->status = read_net(&work, degree, halvings, asked, net, document->error);
     }
     clear_work(&work);
 }

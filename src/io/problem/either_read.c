@@ -35,7 +35,7 @@ taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,
     }
     ops = taut_format_ops_at(taut_format_of(path, NULL));
     status = ops != NULL && ops->read != NULL
-                 ? ops->read(path, &e.model, error)
+                 ? taut_model_format_read(ops, path, NULL, &e.model, error)
                  : taut_problem_read_file(path, read_root, &e, &e.source, error);
     if (status != TAUT_OK) {
         return status;

@@ -1,14 +1,18 @@
-/* main.c -- probe_step FILE...: what OpenCASCADE sees in each, a line of "word value" pairs. Ends with
+/* main.c -- probe_step --areas FILE: the area of each face. probe_step FILE...: what OpenCASCADE sees in each, a line of "word value" pairs. Ends with
  * 77 where OpenCASCADE was not there when this was built. */
 #include "probe.h"
 
 #include <stdio.h>
+#include <string.h>
 
 int main(int count, char **words)
 {
     int bad = 0;
     if (!step_probe_is_there()) {
         return 77;
+    }
+    if (count == 3 && strcmp(words[1], "--areas") == 0) {
+        return !step_probe_areas(words[2]);
     }
     for (int i = 1; i < count; i++) {
         step_probe p;

@@ -7,10 +7,12 @@
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
+#include <IGESControl_Reader.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <STEPControl_Reader.hxx>
 #include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <Standard_Failure.hxx>
 #include <TCollection_ExtendedString.hxx>
@@ -114,6 +116,33 @@ static void look_at_labels(const Handle(TDocStd_Document) & document, step_probe
         }
     }
     found->is_read = roots.Length() == 1;
+}
+
+int step_probe_areas(const char *path)
+{
+    try {
+        Message::DefaultMessenger()->ChangePrinters().Clear();
+        STEPControl_Reader step;
+        IGESControl_Reader iges;
+        XSControl_Reader &reader = std::strstr(path, ".ig") != nullptr
+                                       ? static_cast<XSControl_Reader &>(iges)
+                                       : static_cast<XSControl_Reader &>(step);
+        if (reader.ReadFile(path) != IFSelect_RetDone) {
+            return 0;
+        }
+        reader.TransferRoots();
+        TopTools_IndexedMapOfShape faces;
+        TopExp::MapShapes(reader.OneShape(), TopAbs_FACE, faces);
+        for (int i = 1; i <= faces.Extent(); i++) {
+            GProp_GProps on;
+            BRepGProp::SurfaceProperties(faces(i), on, 1e-9);
+            std::printf("%.15g\n", on.Mass());
+        }
+        return 1;
+    } catch (const Standard_Failure &failure) {
+        std::fprintf(stderr, "%s: %s\n", path, failure.DynamicType()->Name());
+        return 0;
+    }
 }
 
 void step_probe_file(const char *path, step_probe *found)

@@ -20,6 +20,8 @@ typedef struct step_probe {
 
 /* 0 where OpenCASCADE was not there when this was built. */
 int step_probe_is_there(void);
+/* Prints the area of each face of a STEP or IGES file by itself, a line each, integrated to 1e-9; 0 where it cannot be read. */
+int step_probe_areas(const char *path);
 void step_probe_file(const char *path, step_probe *found);
 
 #ifdef __cplusplus

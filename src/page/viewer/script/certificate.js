@@ -10,8 +10,18 @@ function element(name, text, className) {
     return made;
 }
 
-function verdictText(holds) {
-    return holds === true ? 'yes' : holds === false ? 'no' : 'undecided';
+function verdictText(holds, isSaved) {
+    return (holds === true ? 'yes' : holds === false ? 'no' : 'undecided') + (isSaved ? ', as saved' : '');
+}
+
+/* One sentence on all claims; what was read and not proved since is not told as proved. */
+function verdictSentence(certificate, count, saved) {
+    const whole = certificate.holds === true ? 'all claims hold' : certificate.holds === false ? 'not all claims hold' : 'undecided';
+    if (saved.size === 0) {
+        return whole + '.';
+    }
+    return saved.size < count ? whole + '; those marked are as saved, not proved again.'
+        : 'as saved, not proved again: ' + whole + '.';
 }
 
 const SHOWN_MOST = 60; /* entries of one list or claims: more are counted */
@@ -58,15 +68,16 @@ function fillCertificate() {
     } else {
         const claims = certificate.claims || [];
         const body = document.querySelector('#claims tbody');
-        verdict.textContent = (certificate.construct ? certificate.construct + ': ' : '') +
-            (certificate.holds === true ? 'all claims hold.' : certificate.holds === false ? 'not all claims hold.' : 'undecided.');
-        verdict.className = certificate.holds === true ? 'yes' : certificate.holds === false ? 'no' : '';
-        claims.slice(0, SHOWN_MOST).forEach((claim) => {
+        const saved = new Set(model.saved || []);
+        const isProved = saved.size < claims.length || claims.length === 0;
+        verdict.textContent = (certificate.construct ? certificate.construct + ': ' : '') + verdictSentence(certificate, claims.length, saved);
+        verdict.className = certificate.holds === true && isProved ? 'yes' : certificate.holds === false ? 'no' : '';
+        claims.slice(0, SHOWN_MOST).forEach((claim, i) => {
             const line = element('tr');
             const head = element('th', claim.claim);
             head.scope = 'row';
             line.append(head, element('td', claim.kind || ''), element('td', show(claim.residual)), element('td', show(claim.limit)),
-                element('td', verdictText(claim.holds), claim.holds === false ? 'no' : 'yes'));
+                element('td', verdictText(claim.holds, saved.has(i)), claim.holds === false ? 'no' : saved.has(i) ? '' : 'yes'));
             line.title = claim.where || '';
             body.append(line);
         });

@@ -167,6 +167,45 @@ static void test_pieces(void)
     taut_model_free(model);
 }
 
+/* Each length times the ratio of the units, from every unit to every other and back: each step rounds once. */
+static void test_to_unit(void)
+{
+    static const char *const units[] = {"mm", "cm", "m", "in", "ft"};
+    static const double metres[] = {1e-3, 1e-2, 1, 0.0254, 0.3048};
+    taut_model *model = mixed(), *once = NULL, *back = NULL;
+    taut_error error = {.message = ""};
+
+    for (int from = 0; from < 5; from++) {
+        for (int to = 0; to < 5; to++) {
+            CHECK(taut_model_set_unit(model, units[from]) == TAUT_OK, "%s", units[from]);
+            CHECK(taut_model_to_unit(model, units[to], &once, &error) == TAUT_OK, "%s",
+                  error.message);
+            CHECK(taut_model_to_unit(once, units[from], &back, &error) == TAUT_OK, "%s",
+                  error.message);
+            CHECK(strcmp(taut_model_unit(once), units[to]) == 0, "unit");
+            CHECK(taut_model_surface_count(once) == taut_model_surface_count(model) &&
+                      taut_model_curve_count(once) == taut_model_curve_count(model),
+                  "all of it");
+            for (int i = 0; i < taut_model_curve_count(model); i++) {
+                const double *x = taut_curve_points(taut_model_curve(model, i));
+                const double *y = taut_curve_points(taut_model_curve(once, i));
+                const double *z = taut_curve_points(taut_model_curve(back, i));
+                CHECK_NEAR(y[3], x[3] * metres[from] / metres[to], 1e-15 * fabs(y[3]), "%s to %s",
+                           units[from], units[to]);
+                CHECK_NEAR(z[3], x[3], 1e-15 * fabs(x[3]), "%s and back", units[to]);
+                CHECK(from != to || y[3] == x[3], "nothing to do");
+            }
+            taut_model_free(back);
+            taut_model_free(once);
+            back = once = NULL;
+        }
+    }
+    CHECK(taut_model_to_unit(model, "yd", &once, &error) == TAUT_BAD_ARGUMENT, "no such unit");
+    CHECK(taut_model_to_unit(NULL, "mm", &once, &error) == TAUT_BAD_ARGUMENT, "NULL");
+    CHECK(once == NULL, "outputs are untouched on failure");
+    taut_model_free(model);
+}
+
 static void test_refine(void)
 {
     taut_model *model = mixed(), *fine = NULL, *curves = NULL;
@@ -280,6 +319,7 @@ int main(void)
     test_split_all();
     test_split_one();
     test_pieces();
+    test_to_unit();
     test_refine();
     test_long_names();
     test_to_nurbs();

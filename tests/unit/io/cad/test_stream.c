@@ -32,6 +32,7 @@ static char *written(const taut_cad_item *items, int count, size_t *length)
     for (int i = 0; i < count; i++) {
         CHECK(taut_cad_put_item(file, &items[i]), "item %d", i);
     }
+    CHECK(taut_cad_put_note(file, "face 3 is left out:\x1b[2J"), "note");
     CHECK(taut_cad_put_end(file, TAUT_OK, &none), "end");
     fclose(file);
     return bytes;
@@ -40,7 +41,7 @@ static char *written(const taut_cad_item *items, int count, size_t *length)
 typedef struct outcome {
     taut_status status, said;
     int has_ended, surfaces, curves, notes;
-    char unit[4], name[TAUT_NAME_MAX + 1];
+    char unit[4], name[TAUT_NAME_MAX + 1], last_note[64];
     taut_error error;
 } outcome;
 
@@ -73,6 +74,8 @@ static outcome read_back(const char *bytes, size_t length)
     o.surfaces = taut_model_surface_count(result.model);
     o.curves = taut_model_curve_count(result.model);
     o.notes = (int)taut_record_count(result.notes);
+    snprintf(o.last_note, sizeof o.last_note, "%.60s",
+             taut_record_text(taut_record_at(result.notes, (size_t)o.notes - 1)));
     snprintf(o.unit, sizeof o.unit, "%s", taut_model_unit(result.model));
     if (o.surfaces > 0) {
         snprintf(o.name, sizeof o.name, "%s",
@@ -90,8 +93,10 @@ static void test_whole(void)
     char *bytes = written(items, 2, &length);
     const outcome o = read_back(bytes, length);
     CHECK(o.status == TAUT_OK && o.has_ended && o.said == TAUT_OK, "\"%s\"", o.error.message);
-    CHECK(o.surfaces == 1 && o.curves == 1 && o.notes == 2, "%d, %d, %d", o.surfaces, o.curves,
+    CHECK(o.surfaces == 1 && o.curves == 1 && o.notes == 3, "%d, %d, %d", o.surfaces, o.curves,
           o.notes);
+    CHECK(strcmp(o.last_note, "face 3 is left out:?[2J") == 0, "a note that steers: %s",
+          o.last_note);
     CHECK(strcmp(o.unit, "cm") == 0 && strcmp(o.name, "a face") == 0, "%s \"%s\"", o.unit, o.name);
     free(bytes);
 }

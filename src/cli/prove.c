@@ -1,0 +1,88 @@
+/* prove.c -- what a saved certificate says is proved again before a page or a figure shows it. */
+#include "cli/cli.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Proofs of more points may take minutes. */
+enum { QUICK_POINTS = 10000 };
+
+static int point_count(const taut_model *model)
+{
+    double count = 0;
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        const taut_surface *surface = taut_model_surface(model, i);
+        count += (double)taut_basis_count(taut_surface_u(surface)) *
+                 (double)taut_basis_count(taut_surface_v(surface));
+    }
+    return count > QUICK_POINTS ? QUICK_POINTS + 1 : (int)count;
+}
+
+static void warn(const char *file, const char *text, const cli_options *options)
+{
+    if (!options->json) {
+        fprintf(stderr, "taut: %s: warning: %s\n", file, text);
+    }
+}
+
+static void warn_of_claims(const char *file, const taut_certificate *certificate,
+                           const cli_options *options)
+{
+    char text[400] = "not all claims hold:";
+
+    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+        const taut_claim *claim = taut_certificate_claim(certificate, i);
+        const size_t used = strlen(text);
+        if (claim->holds == TAUT_FALSE && used < 300) {
+            snprintf(text + used, sizeof text - used, " %.60s", claim->claim);
+        }
+    }
+    warn(file, text, options);
+}
+
+void cli_prove_again(const char *file, taut_model *model, const cli_options *options)
+{
+    const taut_certify_options chosen = {.threads = options->threads};
+    taut_certificate *certificate = NULL;
+    taut_error error;
+    char text[400];
+
+    if (taut_model_certificate(model) == NULL) {
+        return;
+    }
+    if (point_count(model) > QUICK_POINTS) {
+        warn(file,
+             "the certificate is shown as saved, since proving so large a model again takes long: "
+             "see `taut certify`",
+             options);
+        return;
+    }
+    if (taut_certify_again(model, &chosen, &certificate, &error) != TAUT_OK) {
+        snprintf(text, sizeof text, "the certificate is shown as saved, not proved again: %.300s",
+                 error.message);
+        warn(file, text, options);
+        return;
+    }
+    if (taut_certificate_holds(certificate) == TAUT_FALSE) {
+        warn_of_claims(file, certificate, options);
+    }
+    taut_model_set_certificate(model, certificate);
+}
+
+int cli_prove_for_pictures(const char *file, const taut_model *model, const cli_options *options,
+                           taut_model **proved)
+{
+    int is_shown = 0;
+    for (int i = 0; i < options->output_count; i++) {
+        is_shown |= cli_is_picture(options->outputs[i]);
+    }
+    *proved = NULL;
+    if (!is_shown || taut_model_certificate(model) == NULL) {
+        return 0;
+    }
+    if (taut_model_copy(model, proved) != TAUT_OK) {
+        return cli_no_memory();
+    }
+    cli_prove_again(file, *proved, options);
+    return 0;
+}

@@ -1,0 +1,45 @@
+/* read.c -- models in, and what is to be said of them. */
+#include "cli/cli.h"
+
+#include <stdio.h>
+
+enum { NOTES_TOLD = 3 };
+
+/* Names come out of files that are not ours: what would steer a terminal is not printed. */
+static void tell_note(const char *path, const char *note)
+{
+    fprintf(stderr, "taut: %s: warning: ", path);
+    for (const char *c = note; *c != '\0'; c++) {
+        const unsigned char byte = (unsigned char)*c;
+        fputc(byte < 0x20 || byte == 0x7f ? '?' : byte, stderr);
+    }
+    fputc('\n', stderr);
+}
+
+/* Notes of a reader of CAD files; those of a saved model were told when it was made. */
+static void tell_notes(const char *path, const taut_model *model)
+{
+    const taut_record *details = taut_model_details(model);
+    const taut_record *notes = taut_record_get(details, "notes");
+    const size_t count = taut_record_count(notes);
+
+    for (size_t i = 0; i < count && i < NOTES_TOLD; i++) {
+        tell_note(path, taut_record_text(taut_record_at(notes, i)));
+    }
+    if (count > NOTES_TOLD) {
+        fprintf(stderr, "taut: %s: warning: and %zu more, in details.notes\n", path,
+                count - NOTES_TOLD);
+    }
+}
+
+taut_status cli_read_model(const char *path, const cli_options *options, taut_model **model,
+                           taut_error *error)
+{
+    const taut_read_options chosen = {.untrim = options->untrim};
+    const taut_status status = taut_model_read_with(path, &chosen, model, error);
+
+    if (status == TAUT_OK && !options->json && !cli_is_json(path)) {
+        tell_notes(path, *model);
+    }
+    return status;
+}

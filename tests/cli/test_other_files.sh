@@ -1,0 +1,68 @@
+# test_other_files.sh -- STEP and IGES files that others made (Debian's gmsh-doc, netgen-doc, occt-misc; TAUT_CAD_FILES: a folder of them):
+# every face is read, trimmed ones are told apart and refused unless --untrim, and the others have the area that OpenCASCADE finds.
+. "$SOURCE/tests/cli/cli.sh"
+
+doc=/usr/share/doc occt=/usr/share/opencascade/data
+fetch() { # fetch NAME PATH: a copy of it as NAME, from the folder or from its package; 1 where it is not there
+    if [ -n "${TAUT_CAD_FILES:-}" ] && [ -e "$TAUT_CAD_FILES/$1" ]; then
+        cp "$TAUT_CAD_FILES/$1" "$1"
+    elif [ -e "$2.gz" ]; then
+        gunzip -c "$2.gz" > "$1"
+    elif [ -e "$2" ]; then
+        cp "$2" "$1"
+    else
+        return 1
+    fi
+}
+"$PROBE" || skip OpenCASCADE 'tools/deps.sh test, and build anew'
+
+# faces FILE FACES TRIMMED: what is read of it
+faces() {
+    run 4 convert "$1" -o whole.json --json
+    grep -q '"reason": "trimmed".*"found": '"$3"',' err.txt || complain "$1: $(cat err.txt), expected $3 trimmed faces"
+    run 0 convert "$1" --untrim -o whole.json
+    contains err.txt "$1: warning: surface [0-9]+ .*: the face is trimmed; this is the whole surface under it"
+    [ "$(grep -c '"u": {' whole.json)" = "$2" ] || complain "$1: $(grep -c '"u": {' whole.json) faces, expected $2"
+    ! grep -q 'is left out' whole.json || complain "$1: $(grep 'is left out' whole.json)"
+}
+# areas FILE TRIMMED: of the faces that are not trimmed, to 1e-6 of themselves
+areas() {
+    "$PROBE" --areas "$1" > theirs.txt || complain "$1: not read by OpenCASCADE"
+    run 0 measure whole.json --json --grid 2
+    tr -d ' \n' < out.txt | sed 's/"name"/\n/g' | sed -n 's/.*"area":\([^,]*\),.*/\1/p' > ours.txt
+    grep -o 'surface [0-9]* [^:]*: the face is trimmed' whole.json | cut -d ' ' -f 2 > trimmed.txt
+    [ "$(wc -l < trimmed.txt)" = "$2" ] || complain "$1: $(wc -l < trimmed.txt) trimmed faces are named, expected $2"
+    awk -v file="$1" 'FILENAME == "trimmed.txt" { trimmed[$1] = 1; next }
+        FILENAME == "ours.txt" { ours[FNR - 1] = $1; next }
+        !((FNR - 1) in trimmed) { d = ours[FNR - 1] / $1 - 1; n++; if (!(d < 1e-6 && d > -1e-6)) { bad++; print file, FNR - 1, ours[FNR - 1], $1 } }
+        END { exit bad > 0 || n == 0 }' trimmed.txt ours.txt theirs.txt > areas.txt || complain "areas differ: $(cat areas.txt)"
+}
+try() { # try NAME PATH FACES TRIMMED [areas]
+    if ! fetch "$1" "$2"; then
+        missing "$1" 'tools/deps.sh files'
+        return
+    fi
+    if [ "$4" = 0 ]; then
+        run 0 convert "$1" -o whole.json
+        [ ! -s err.txt ] || complain "$1: $(cat err.txt)"
+    else
+        faces "$1" "$3" "$4"
+    fi
+    [ -z "${5:-}" ] || areas "$1" "$4"
+    if command -v gmsh > /dev/null; then
+        printf 'SetFactory("OpenCASCADE");\nv() = ShapeFromFile("%s");\ns() = Surface{:};\nPrintf("%%g", #s()) >> "count.txt";\n' "$PWD/$1" > count.geo
+        rm -f count.txt
+        gmsh -v 0 count.geo - > gmsh.txt 2>&1
+        [ "$(cat count.txt)" = "$3" ] || complain "$1: gmsh finds $(cat count.txt) faces, expected $3"
+    fi
+}
+try as1-tu-203.stp $doc/gmsh-doc/doc/gmsh/demos/boolean/as1-tu-203.stp 160 50 areas
+try component8.step $doc/gmsh-doc/doc/gmsh/demos/boolean/component8.step 21 15 areas
+try t20_data.step $doc/gmsh-doc/doc/gmsh/tutorial/t20_data.step 21 15 areas
+try step_boundary_colors.stp $doc/gmsh-doc/doc/gmsh/demos/api/step_boundary_colors.stp 6 0 areas
+try frame.step $doc/netgen/examples/frame.step 375 72
+try screw.step $occt/step/screw.step 10 8 areas
+try linkrods.step $occt/step/linkrods.step 37 20
+try bearing.iges $occt/iges/bearing.iges 213 56
+try hammer.iges $occt/iges/hammer.iges 45 23 areas
+finish
