@@ -496,22 +496,21 @@ static taut_status add_equilibrium(const request *r, double largest, taut_certif
     return r->problem->equilibrium > 0 ? taut_certificate_add(certificate, &claim) : TAUT_OK;
 }
 
-static taut_status fill_figures(const request *r, const finding *found, int threads,
-                                taut_arena *arena, taut_record *figures,
-                                taut_certificate *certificate)
+static taut_status fill_figures(const request *r, const finding *found, taut_arena *arena,
+                                taut_record *figures, taut_certificate *certificate)
 {
-    taut_mean_figures measure;
+    double largest = 0;
     taut_film_sheet sheet;
     taut_status status = taut_film_sheet_new(r->surface, r->problem, SECOND_EXTRA, arena, &sheet);
 
     if (status == TAUT_OK) {
-        status = taut_mean_figures_of(r->surface, GRID, threads, &measure);
+        status = taut_mean_largest(r->surface, GRID, &largest);
     }
     if (status != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     const taut_film_defects defects = taut_film_defects_of(&sheet);
-    const double mean = 4 * measure.max_abs * r->half;
+    const double mean = 4 * largest * r->half;
     add_lists(r, found, &sheet, figures);
     add_reactions(&sheet, figures);
     taut_record_add_number(figures, "lowest_eigenvalue", found->lowest);
@@ -523,12 +522,12 @@ static taut_status fill_figures(const request *r, const finding *found, int thre
     return status == TAUT_OK ? taut_record_status(figures) : status;
 }
 
-static taut_status add_figures(const request *r, const finding *found, int threads,
+static taut_status add_figures(const request *r, const finding *found,
                                taut_certificate *certificate)
 {
     taut_arena *arena = taut_arena_new();
     taut_record *figures = taut_record_new();
-    const taut_status status = fill_figures(r, found, threads, arena, figures, certificate);
+    const taut_status status = fill_figures(r, found, arena, figures, certificate);
 
     taut_certificate_set_figures(certificate, figures);
     taut_arena_free(arena);
@@ -537,7 +536,7 @@ static taut_status add_figures(const request *r, const finding *found, int threa
 
 /* ---- the whole ---- */
 
-static taut_status prove(const request *r, int threads, taut_certificate *certificate)
+static taut_status prove(const request *r, taut_certificate *certificate)
 {
     finding found = {.lowest = NAN, .relative = NAN, .below = -1};
     taut_status status = add_held(r, certificate);
@@ -560,7 +559,7 @@ static taut_status prove(const request *r, int threads, taut_certificate *certif
     if (status == TAUT_OK) {
         status = add_least(certificate);
     }
-    return status == TAUT_OK ? add_figures(r, &found, threads, certificate) : status;
+    return status == TAUT_OK ? add_figures(r, &found, certificate) : status;
 }
 
 static taut_status certify(const taut_model *model, const void *data,
@@ -576,9 +575,7 @@ static taut_status certify(const taut_model *model, const void *data,
     if (status != TAUT_OK) {
         return status;
     }
-    return prove(&r, options->threads > 0 ? options->threads : 1, certificate) == TAUT_OK
-               ? TAUT_OK
-               : taut_fail_memory(error);
+    return prove(&r, certificate) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 static void identify(const taut_model *model, const void *data, taut_identity *identity)

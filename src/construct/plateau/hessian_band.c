@@ -6,8 +6,6 @@
 
 #include <string.h>
 
-enum { BLOCK = 10 }; /* s n n^T in six numbers, t n in three, s */
-
 /* What factors may cost; beyond it conjugate gradients serve. */
 static const struct {
     double factor_flops;   /* of one factorisation: a second or so */
@@ -22,9 +20,11 @@ struct taut_area_hessian {
     int *index;                       /* [nu][nv], or -1 at known points */
     int local;                        /* functions alive on one cell */
     taut_band second, metric, factor; /* H, L_g, what was made of both */
-    double *element;                  /* [local][local][BLOCK], the lower half used */
-    double *slope_u;                  /* [local], at one Gauss point */
-    double *slope_v;                  /* [local] */
+    int wide;                         /* local, rounded up to vectors */
+    double *element;                  /* [local][TAUT_AREA_BLOCK][wide], the lower half used */
+    double *slope_u, *slope_v;        /* [v.nodes][wide]: of the points of a line in a cell */
+    double *flux_u, *flux_v;          /* [v.nodes][wide] */
+    double *normal;                   /* [v.nodes][TAUT_AREA_BLOCK - 1] */
     double *right;                    /* [unknowns][3] */
     double *work;                     /* of the factors of wide bands */
 };
@@ -110,13 +110,17 @@ void taut_area_hessian_free(taut_area_hessian *hessian)
 static taut_status take_arrays(const taut_area_functional *functional, taut_area_hessian *hessian)
 {
     taut_arena *arena = hessian->arena = taut_arena_new();
-    const size_t local = (size_t)hessian->local;
+    const size_t local = (size_t)hessian->local, wide = (size_t)hessian->wide;
+    const size_t nodes = (size_t)functional->v.nodes, line = wide * sizeof(double);
 
     hessian->index =
         taut_arena_take(arena, (size_t)functional->nu * (size_t)functional->nv, sizeof(int));
-    hessian->element = taut_arena_take(arena, local * local, BLOCK * sizeof(double));
-    hessian->slope_u = taut_arena_take(arena, local, sizeof(double));
-    hessian->slope_v = taut_arena_take(arena, local, sizeof(double));
+    hessian->element = taut_arena_take(arena, local, TAUT_AREA_BLOCK * line);
+    hessian->slope_u = taut_arena_take(arena, nodes, line);
+    hessian->slope_v = taut_arena_take(arena, nodes, line);
+    hessian->flux_u = taut_arena_take(arena, nodes, line);
+    hessian->flux_v = taut_arena_take(arena, nodes, line);
+    hessian->normal = taut_arena_take(arena, nodes, (TAUT_AREA_BLOCK - 1) * sizeof(double));
     hessian->right = taut_arena_take(arena, hessian->mask->unknowns, 3 * sizeof(double));
     return taut_arena_status(arena);
 }
@@ -154,6 +158,7 @@ taut_status taut_area_hessian_new(const taut_area_functional *functional, const 
     }
     made->mask = mask;
     made->local = functional->u.local * functional->v.local;
+    made->wide = (made->local + TAUT_AREA_PAD - 1) / TAUT_AREA_PAD * TAUT_AREA_PAD;
     status = make_matrices(functional, made);
     if (status != TAUT_OK) {
         taut_area_hessian_free(made);
@@ -163,10 +168,10 @@ taut_status taut_area_hessian_new(const taut_area_functional *functional, const 
     return TAUT_OK;
 }
 
-/* The slopes of x in each point alive: N_i' N_j and N_i N_j', or with weights
+/* The slopes of x in each point alive at node k of v: N_i' N_j and N_i N_j', or with weights
  * w_ij (N_i' N_j - N_i N_j w_u / w) / w. */
-static void find_slopes(taut_area_hessian *hessian, const taut_area_functional *functional,
-                        int line, int k)
+static void find_slopes(const taut_area_functional *functional, int line, int k, double *slope_u,
+                        double *slope_v)
 {
     const size_t local_u = (size_t)functional->u.local, local_v = (size_t)functional->v.local;
     const double *n = functional->u.value + (size_t)line * local_u;
@@ -183,43 +188,58 @@ static void find_slopes(taut_area_hessian *hessian, const taut_area_functional *
 
     for (size_t a = 0; a < local_u; a++) {
         for (size_t b = 0; b < local_v; b++, p++) {
-            hessian->slope_u[p] = d[a] * m[b];
-            hessian->slope_v[p] = n[a] * e[b];
+            slope_u[p] = d[a] * m[b];
+            slope_v[p] = n[a] * e[b];
             if (is_rational) {
                 const size_t i = (size_t)functional->u.first[line] + a;
                 const size_t j = (size_t)functional->v.first[k] + b;
                 const double w = functional->weights[i * (size_t)functional->nv + j] * q[0];
-                hessian->slope_u[p] = w * (hessian->slope_u[p] - n[a] * m[b] * q[1]);
-                hessian->slope_v[p] = w * (hessian->slope_v[p] - n[a] * m[b] * q[2]);
+                slope_u[p] = w * (slope_u[p] - n[a] * m[b] * q[1]);
+                slope_v[p] = w * (slope_v[p] - n[a] * m[b] * q[2]);
             }
         }
     }
 }
 
-/* Adds one Gauss point to the element. */
-static void add_point(taut_area_hessian *hessian, const double *state)
+/* What Gauss point (line, k) gives to every pair of functions: the g-th of its line in the cell. */
+static void lay_point(taut_area_hessian *hessian, const taut_area_functional *functional, int line,
+                      int k, int g)
 {
-    const double *n = state, e = state[3], f = state[4], g = state[5];
-    const double square[6] = {n[0] * n[0], n[1] * n[0], n[1] * n[1],
-                              n[2] * n[0], n[2] * n[1], n[2] * n[2]};
-    const double normal[3] = {state[6] * n[0], state[6] * n[1], state[6] * n[2]};
+    const size_t from = (size_t)g * (size_t)hessian->wide;
+    const double *pu = hessian->slope_u + from, *pv = hessian->slope_v + from;
+    double *normal = hessian->normal + g * (TAUT_AREA_BLOCK - 1), state[TAUT_AREA_STATE];
 
-    for (int p = 0; p < hessian->local; p++) {
-        const double pu = hessian->slope_u[p], pv = hessian->slope_v[p];
-        const double along_u = g * pu - f * pv, along_v = e * pv - f * pu;
-        double *block = hessian->element + (size_t)p * (size_t)hessian->local * BLOCK;
-        for (int q = 0; q <= p; q++, block += BLOCK) {
-            const double qu = hessian->slope_u[q], qv = hessian->slope_v[q];
-            const double s = along_u * qu + along_v * qv, t = pv * qu - pu * qv;
-            for (int c = 0; c < 6; c++) {
-                block[c] += s * square[c];
-            }
-            for (int c = 0; c < 3; c++) {
-                block[6 + c] += t * normal[c];
-            }
-            block[9] += s;
+    find_slopes(functional, line, k, hessian->slope_u + from, hessian->slope_v + from);
+    taut_area_functional_state(functional, line, k, state);
+    const double *n = state, e = state[3], m = state[4], h = state[5];
+    for (int c = 0, at = 0; c < 3; c++) {
+        for (int d = 0; d <= c; d++) {
+            normal[at++] = n[c] * n[d];
         }
+        normal[6 + c] = state[6] * n[c];
     }
+    for (size_t p = 0; p < (size_t)hessian->local; p++) {
+        hessian->flux_u[from + p] = h * pu[p] - m * pv[p];
+        hessian->flux_v[from + p] = e * pv[p] - m * pu[p];
+    }
+}
+
+/* Adds the points of a line in one cell to the element. */
+static void add_line(taut_area_hessian *hessian, const taut_area_functional *functional, int line,
+                     int k)
+{
+    const taut_area_pairs points = {.nodes = functional->v.nodes,
+                                    .local = hessian->local,
+                                    .wide = hessian->wide,
+                                    .slope_u = hessian->slope_u,
+                                    .slope_v = hessian->slope_v,
+                                    .flux_u = hessian->flux_u,
+                                    .flux_v = hessian->flux_v,
+                                    .normal = hessian->normal};
+    for (int g = 0; g < points.nodes; g++) {
+        lay_point(hessian, functional, line, k + g, g);
+    }
+    functional->ops->pairs(&points, hessian->element);
 }
 
 /* Adds a block to row a, column b of both matrices, a >= b. sign: -1 when a and b have changed
@@ -251,12 +271,15 @@ static void add_element(taut_area_hessian *hessian, const taut_area_functional *
         const int ip = functional->u.first[line] + p / functional->v.local;
         const int jp = functional->v.first[k] + p % functional->v.local;
         const int a = hessian->index[(size_t)ip * (size_t)functional->nv + (size_t)jp];
+        const double *row = hessian->element + (size_t)p * TAUT_AREA_BLOCK * (size_t)hessian->wide;
         for (int q = 0; a >= 0 && q <= p; q++) {
             const int iq = functional->u.first[line] + q / functional->v.local;
             const int jq = functional->v.first[k] + q % functional->v.local;
             const int b = hessian->index[(size_t)iq * (size_t)functional->nv + (size_t)jq];
-            const double *block =
-                hessian->element + ((size_t)p * (size_t)hessian->local + (size_t)q) * BLOCK;
+            double block[TAUT_AREA_BLOCK];
+            for (size_t c = 0; c < TAUT_AREA_BLOCK; c++) {
+                block[c] = row[c * (size_t)hessian->wide + (size_t)q];
+            }
             if (b > a) {
                 add_block(hessian, b, a, -1, block);
             } else if (b >= 0) {
@@ -280,7 +303,7 @@ static void add_cable_node(taut_area_hessian *hessian, const taut_area_cable *ca
         const int a = index[(size_t)p * cable->step];
         for (int q = 0; a >= 0 && q <= p; q++) {
             const int b = index[(size_t)q * cable->step];
-            double block[BLOCK] = {0};
+            double block[TAUT_AREA_BLOCK] = {0};
             block[9] = cable->tension * t[3] * slope[p] * slope[q];
             for (int c = 0; c < 6; c++) {
                 block[c] = block[9] * across[c];
@@ -299,19 +322,15 @@ static void clear_band(taut_band *matrix)
 
 void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_functional *functional)
 {
-    const size_t local = (size_t)hessian->local;
+    const size_t numbers = (size_t)hessian->local * TAUT_AREA_BLOCK * (size_t)hessian->wide;
 
     clear_band(&hessian->second);
     clear_band(&hessian->metric);
     for (int line = 0; line < functional->u.count; line += functional->u.nodes) {
         for (int k = 0; k < functional->v.count; k += functional->v.nodes) {
-            memset(hessian->element, 0, local * local * BLOCK * sizeof(double));
-            for (int g = 0; g < functional->u.nodes * functional->v.nodes; g++) {
-                const int at_u = line + g / functional->v.nodes, at_v = k + g % functional->v.nodes;
-                double state[TAUT_AREA_STATE];
-                taut_area_functional_state(functional, at_u, at_v, state);
-                find_slopes(hessian, functional, at_u, at_v);
-                add_point(hessian, state);
+            memset(hessian->element, 0, numbers * sizeof(double));
+            for (int g = 0; g < functional->u.nodes; g++) {
+                add_line(hessian, functional, line + g, k);
             }
             add_element(hessian, functional, line, k);
         }
