@@ -1,10 +1,22 @@
 #include "construct/plateau/hessian_band.h"
 
+#include "construct/plateau/small.h"
 #include "core/arena.h"
 #include "core/memory.h"
 #include "numeric/band.h"
 
+#include <math.h>
 #include <string.h>
+
+/* k dL dL^T of each cable that gives way, beside the band: with G their sqrt(k) dL,
+ *
+ *     (B + G G^T)^-1 = B^-1 - B^-1 G (I + G^T B^-1 G)^-1 G^T B^-1     ([GolubVanLoan2013] 2.1.4)
+ */
+typedef struct border {
+    int count;
+    double *pull[TAUT_SMALL_MAX], *image[TAUT_SMALL_MAX]; /* [unknowns][3]: of G, of B^-1 G */
+    double small[TAUT_SMALL_MAX][TAUT_SMALL_MAX];         /* the factors of I + G^T B^-1 G */
+} border;
 
 /* What factors may cost; beyond it conjugate gradients serve. */
 static const struct {
@@ -27,6 +39,7 @@ struct taut_area_hessian {
     double *normal;                   /* [v.nodes][TAUT_AREA_BLOCK - 1] */
     double *right;                    /* [unknowns][3] */
     double *work;                     /* of the factors of wide bands */
+    border border;
 };
 
 /* Numbers the unknown points; returns how many. */
@@ -122,6 +135,12 @@ static taut_status take_arrays(const taut_area_functional *functional, taut_area
     hessian->flux_v = taut_arena_take(arena, nodes, line);
     hessian->normal = taut_arena_take(arena, nodes, (TAUT_AREA_BLOCK - 1) * sizeof(double));
     hessian->right = taut_arena_take(arena, hessian->mask->unknowns, 3 * sizeof(double));
+    for (int k = 0; k < functional->cable_count; k++) {
+        hessian->border.pull[k] =
+            taut_arena_take(arena, hessian->mask->unknowns, 3 * sizeof(double));
+        hessian->border.image[k] =
+            taut_arena_take(arena, hessian->mask->unknowns, 3 * sizeof(double));
+    }
     return taut_arena_status(arena);
 }
 
@@ -315,6 +334,20 @@ static void add_cable_node(taut_area_hessian *hessian, const taut_area_cable *ca
     }
 }
 
+/* sqrt(k) dL of a cable that gives way. */
+static void add_border(taut_area_hessian *hessian, const taut_area_cable *cable)
+{
+    double *pull = hessian->border.pull[hessian->border.count++];
+
+    memset(pull, 0, 3 * hessian->mask->unknowns * sizeof(double));
+    for (int k = 0; k < cable->count; k++) {
+        const int at = hessian->index[cable->first + (size_t)k * cable->step];
+        for (int c = 0; at >= 0 && c < 3; c++) {
+            pull[3 * at + c] = sqrt(cable->stiffness) * cable->pull[3 * k + c];
+        }
+    }
+}
+
 static void clear_band(taut_band *matrix)
 {
     memset(matrix->a, 0, (size_t)matrix->n * ((size_t)matrix->width + 1) * sizeof(double));
@@ -335,7 +368,11 @@ void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_func
             add_element(hessian, functional, line, k);
         }
     }
+    hessian->border.count = 0;
     for (int k = 0; k < functional->cable_count; k++) {
+        if (functional->cables[k].stiffness > 0 && functional->cables[k].tension > 0) {
+            add_border(hessian, functional->cables + k);
+        }
         for (int node = 0; node < functional->cables[k].nodes; node++) {
             add_cable_node(hessian, functional->cables + k, node);
         }
@@ -373,12 +410,56 @@ static void combine_matrices(taut_area_hessian *hessian, double theta)
     }
 }
 
+static double dot(size_t count, const double *a, const double *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+/* The border by the factors at hand. */
+static taut_status factor_border(taut_area_hessian *hessian)
+{
+    border *b = &hessian->border;
+    const size_t size = 3 * (size_t)hessian->unknowns;
+
+    for (int k = 0; k < b->count; k++) {
+        memcpy(b->image[k], b->pull[k], size * sizeof(double));
+        taut_band_solve(&hessian->factor, 1, b->image[k]);
+        for (int m = 0; m <= k; m++) {
+            b->small[k][m] = (k == m) + dot(size, b->pull[m], b->image[k]);
+        }
+    }
+    return taut_small_factor(b->count, b->small) ? TAUT_OK : TAUT_NO_SOLUTION;
+}
+
 taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta)
 {
     combine_matrices(hessian, theta);
-    return hessian->factor.width >= TAUT_BAND_TILES_LEAST
-               ? taut_band_factor_tiled(&hessian->factor, hessian->work)
-               : taut_band_factor(&hessian->factor);
+    const taut_status status = hessian->factor.width >= TAUT_BAND_TILES_LEAST
+                                   ? taut_band_factor_tiled(&hessian->factor, hessian->work)
+                                   : taut_band_factor(&hessian->factor);
+    return status == TAUT_OK ? factor_border(hessian) : status;
+}
+
+/* right = (B + G G^T)^-1 right, B^-1 right given. */
+static void solve_border(taut_area_hessian *hessian)
+{
+    border *b = &hessian->border;
+    const size_t size = 3 * (size_t)hessian->unknowns;
+    double along[TAUT_SMALL_MAX];
+
+    for (int k = 0; k < b->count; k++) {
+        along[k] = dot(size, b->pull[k], hessian->right);
+    }
+    taut_small_solve(b->count, b->small, along);
+    for (int k = 0; k < b->count; k++) {
+        for (size_t i = 0; i < size; i++) {
+            hessian->right[i] -= along[k] * b->image[k][i];
+        }
+    }
 }
 
 void taut_area_hessian_solve(taut_area_hessian *hessian, double *net)
@@ -391,6 +472,7 @@ void taut_area_hessian_solve(taut_area_hessian *hessian, double *net)
         }
     }
     taut_band_solve(&hessian->factor, 1, hessian->right);
+    solve_border(hessian);
     for (size_t i = 0; i < count; i++) {
         if (hessian->index[i] >= 0) {
             memcpy(net + 3 * i, hessian->right + 3 * (size_t)hessian->index[i], 3 * sizeof(double));

@@ -178,8 +178,94 @@ static void test_refused(void)
     sail_free(&other);
 }
 
+/* A cable that has the force 2 at this length. */
+static taut_film_edge under_law(taut_film_law law, double share, double length)
+{
+    const double l0 = share * length;
+    return (taut_film_edge){.kind = TAUT_FILM_CABLE,
+                            .law = law,
+                            .force = 2,
+                            .length = length,
+                            .unstressed = l0,
+                            .stiffness = 2 * l0 / (length - l0)};
+}
+
+/* The same film under three laws of its cables: a length takes a direction away, a spring stiffens
+ * it, so that the lowest eigenvalue rises from force to spring to length; and each claim notices
+ * what it is about. */
+static void test_laws(void)
+{
+    sail s = sail_new(4, 10, sail_saddle, 2);
+    taut_certificate *proof = NULL;
+    taut_model *model = sail_make(&s, &proof);
+    const struct {
+        taut_film_law law;
+        double share; /* unstressed, of the length */
+    } rows[] = {{TAUT_FILM_FORCE, 0},        {TAUT_FILM_ELASTIC, 0.1},
+                {TAUT_FILM_ELASTIC, 0.9},    {TAUT_FILM_ELASTIC, 0.99},
+                {TAUT_FILM_ELASTIC, 0.9999}, {TAUT_FILM_ELASTIC, 1 - 1e-5},
+                {TAUT_FILM_LENGTH, 0}};
+    double before = 0, residual = 0, spring = 0;
+
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        for (int e = 0; e < 4; e++) {
+            s.problem.edges[e] =
+                under_law(rows[k].law, rows[k].share, sail_figure(proof, "lengths", (size_t)e));
+        }
+        expect(model, &s.problem, "stationary", TAUT_TRUE);
+        /* pairs of nearly equal eigenvalues end their iterations early */
+        CHECK(verdict(model, &s.problem, "stable", &residual) == TAUT_TRUE &&
+                  residual >= before * (1 - 1e-3),
+              "row %zu: %g after %g", k, residual, before);
+        spring = k + 1 < sizeof rows / sizeof *rows ? residual : spring;
+        before = residual;
+    }
+    CHECK_NEAR(residual, spring, 1e-3 * residual, "a very stiff cable is one of given length");
+    taut_film_edge *edge = &s.problem.edges[0];
+    const double length = edge->length;
+    expect(model, &s.problem, "length", TAUT_TRUE);
+    edge->length = length * (1 + 1e-9);
+    expect(model, &s.problem, "length", TAUT_FALSE);
+    edge->length = length * (1 + 1e-11);
+    expect(model, &s.problem, "length", TAUT_TRUE);
+    expect_moved(model, &s.problem, 3 * 4, 1e-7, 1, "stationary", TAUT_FALSE);
+    *edge = under_law(TAUT_FILM_ELASTIC, 0.9, length);
+    expect(model, &s.problem, "stationary", TAUT_TRUE);
+    edge->stiffness *= 1 + 1e-8;
+    expect(model, &s.problem, "stationary", TAUT_FALSE);
+    edge->unstressed = 1.01 * length;
+    expect(model, &s.problem, "stationary", TAUT_FALSE);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
+/* A film whose cables of too little force would let it fall can stand by their lengths. */
+static void test_length_stands(void)
+{
+    sail s = sail_new(4, 10, sail_square, 1.5);
+    taut_certificate *proof = NULL;
+    taut_model *model = sail_make(&s, &proof);
+    double weak = 0, held = 0;
+
+    for (int e = 0; e < 4; e++) {
+        s.problem.edges[e].length = sail_figure(proof, "lengths", (size_t)e);
+    }
+    (void)verdict(model, &s.problem, "stable", &weak);
+    for (int e = 0; e < 4; e++) {
+        s.problem.edges[e].law = TAUT_FILM_LENGTH;
+    }
+    CHECK(verdict(model, &s.problem, "stable", &held) == TAUT_TRUE && held > weak, "%g, %g", held,
+          weak);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
 int main(void)
 {
+    test_laws();
+    test_length_stands();
     test_claims();
     test_unstable();
     test_reactions();
