@@ -60,6 +60,7 @@ typedef struct taut_film_problem {
     double tolerance;            /* of the claim `stationary`, from 1e-14 to 1e-3; 0: 1e-10 */
     int max_iterations;          /* 0: 200 */
     double equilibrium;          /* above 0: the claim of that name, below 1 */
+    int without_least;           /* nonzero: no bound is sought for the claim `least` */
 } taut_film_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -100,8 +101,8 @@ TAUT_API taut_status taut_film_make(const taut_film_problem *problem,
                                     const taut_make_options *options, taut_model **model,
                                     taut_error *error);
 
-/* The certificate: claims boundary, cables, held, length, stationary, stable, least (undecided), and
- * equilibrium where it is asked for; figures energy, area, areas, lengths, tensions, sags,
+/* The certificate: claims boundary, cables, held, length, stationary, stable, least, and
+ * equilibrium where it is asked for; figures energy, of `least` lower_bound and gap, area, areas, lengths, tensions, sags,
  * reactions, lowest_eigenvalue, mean_curvature, cable_geodesic, cable_normal (docs/film.md).
  * TAUT_BAD_INPUT without a problem: the model does not say what its edges were. */
 TAUT_API taut_status taut_film_certify(const taut_model *model, const taut_film_problem *problem,

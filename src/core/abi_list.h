@@ -186,7 +186,8 @@
     X(taut_film_problem, tension, "double") \
     X(taut_film_problem, tolerance, "double") \
     X(taut_film_problem, max_iterations, "int") \
-    X(taut_film_problem, equilibrium, "double")
+    X(taut_film_problem, equilibrium, "double") \
+    X(taut_film_problem, without_least, "int")
 
 #define TAUT_ABI_MEMBERS_taut_forms(X) \
     X(taut_forms, e, "double") \

@@ -132,6 +132,8 @@ static void try_sail(int trial, tally *t)
             CHECK(claim->holds == TAUT_TRUE || strcmp(claim->claim, "least") == 0,
                   "trial %d: %s: %g, limit %g", trial, claim->claim, claim->residual, claim->limit);
         }
+        CHECK(!(claim_of(proof, "least")->residual < -1e-12), "trial %d: %g below the bound", trial,
+              claim_of(proof, "least")->residual);
         if (trial % 3 == 0) {
             try_back(&s, proof, trial);
         }

@@ -17,7 +17,8 @@
  *               own (certify/film/sheet.h), and has to be positive.
  *   stable      lowest eigenvalue of the second variation over those moves, scaled; holds above
  *               1e-6, by the inertia of the factors.
- *   least       null: no bound is sought yet.
+ *   least       (energy - bound) / energy, of flat sails (certify/film/least.h). Null where that is
+ *               above the limit, 1e-6, or no bound is known, and why.
  *   equilibrium where it is asked for: the largest defect.
  */
 #include "taut/film.h"
@@ -25,6 +26,7 @@
 #include "certify/certify_ops.h"
 #include "certify/common/curve_distance.h"
 #include "certify/common/verdict.h"
+#include "certify/film/least.h"
 #include "certify/film/lines.h"
 #include "certify/film/moves.h"
 #include "certify/plateau/fit.h"
@@ -477,17 +479,6 @@ static taut_status add_stable(const finding *found, taut_certificate *certificat
     return taut_certificate_add(certificate, &claim);
 }
 
-static taut_status add_least(taut_certificate *certificate)
-{
-    const taut_claim claim = {.claim = "least",
-                              .kind = TAUT_BOUND,
-                              .residual = taut_none,
-                              .limit = largest_limit,
-                              .holds = TAUT_UNDECIDED,
-                              .where = "no bound is sought for films yet"};
-    return taut_certificate_add(certificate, &claim);
-}
-
 /* ---- figures ---- */
 
 static double cable_energy(const taut_film_edge *edge, double length)
@@ -499,10 +490,51 @@ static double cable_energy(const taut_film_edge *edge, double length)
                : 0;
 }
 
+static double find_energy(const request *r, const finding *found, const taut_film_sheet *sheet)
+{
+    double energy = sheet->tension * found->area;
+    for (int e = 0; e < 4; e++) {
+        if (r->problem->edges[e].kind == TAUT_FILM_CABLE) {
+            energy += cable_energy(&r->problem->edges[e], found->lengths[e]);
+        }
+    }
+    return energy;
+}
+
+static taut_status add_least(const request *r, const finding *found, const taut_film_sheet *sheet,
+                             taut_record *figures, taut_certificate *certificate)
+{
+    taut_claim claim = {.claim = "least",
+                        .kind = TAUT_BOUND,
+                        .residual = taut_none,
+                        .limit = largest_limit,
+                        .holds = TAUT_UNDECIDED,
+                        .where = "declined: the problem asks for no bound"};
+    const double energy = find_energy(r, found, sheet);
+    double bound = 0;
+    const char *why =
+        r->problem->without_least ? claim.where : taut_film_least(sheet, found->given, &bound);
+
+    if (why == NULL) {
+        claim.residual = (energy - bound) / energy;
+        claim.holds = taut_certify_below(claim.residual, claim.limit);
+        claim.where = claim.holds == TAUT_UNDECIDED ? TAUT_CERTIFY_OUT_OF_RANGE
+                      : claim.holds == TAUT_FALSE
+                          ? "coarse: there is a bound, further below; take more points"
+                          : "";
+        claim.holds = claim.holds == TAUT_FALSE ? TAUT_UNDECIDED : claim.holds;
+        taut_record_add_number(figures, "lower_bound", bound);
+        taut_record_add_number(figures, "gap", energy - bound);
+    } else {
+        claim.where = why;
+    }
+    return taut_certificate_add(certificate, &claim);
+}
+
 static void add_lists(const request *r, const finding *found, const taut_film_sheet *sheet,
                       taut_record *figures)
 {
-    double lengths[4], tensions[4], sags[4], energy = sheet->tension * found->area;
+    double lengths[4], tensions[4], sags[4];
     int count = 0;
 
     for (int e = 0; e < 4; e++) {
@@ -510,10 +542,9 @@ static void add_lists(const request *r, const finding *found, const taut_film_sh
             lengths[count] = found->lengths[e];
             tensions[count] = found->forces[e];
             sags[count++] = taut_film_sag(sheet, e);
-            energy += cable_energy(&r->problem->edges[e], found->lengths[e]);
         }
     }
-    taut_record_add_number(figures, "energy", energy);
+    taut_record_add_number(figures, "energy", find_energy(r, found, sheet));
     taut_record_add_number(figures, "area", found->area);
     taut_record_add_numbers(figures, "areas", 1, &found->area);
     taut_record_add_numbers(figures, "lengths", count, lengths);
@@ -562,12 +593,16 @@ static taut_status fill_figures(const request *r, const finding *found, taut_are
     }
     const taut_film_defects defects = taut_film_defects_of(&sheet);
     const double mean = 4 * largest * r->half;
+    status = add_least(r, found, &sheet, figures, certificate);
     add_lists(r, found, &sheet, figures);
     add_reactions(&sheet, figures);
     taut_record_add_number(figures, "lowest_eigenvalue", found->lowest);
     taut_record_add_number(figures, "mean_curvature", mean);
     taut_record_add_number(figures, "cable_geodesic", defects.geodesic);
     taut_record_add_number(figures, "cable_normal", defects.normal);
+    if (status != TAUT_OK) {
+        return status;
+    }
     status = add_equilibrium(
         r, taut_certify_max(mean, taut_certify_max(defects.geodesic, defects.normal)), certificate);
     return status == TAUT_OK ? taut_record_status(figures) : status;
@@ -609,9 +644,6 @@ static taut_status prove(const request *r, taut_certificate *certificate)
     }
     if (status == TAUT_OK) {
         status = add_stable(&found, certificate);
-    }
-    if (status == TAUT_OK) {
-        status = add_least(certificate);
     }
     return status == TAUT_OK ? add_figures(r, &found, certificate) : status;
 }

@@ -238,7 +238,7 @@ static void read_edges(taut_reader *document, taut_arena *arena, taut_film_probl
     document->status = edges.status;
 }
 
-static void read_words(taut_reader *document)
+static void read_words(taut_reader *document, taut_film_problem *data)
 {
     static const char *const methods[] = {"full", "normal", NULL};
     static const char *const accepts[] = {"minimum", "stationary", NULL};
@@ -258,6 +258,7 @@ static void read_words(taut_reader *document)
     if (taut_reader_has(document, "least")) {
         taut_reader_flag(document, "least", &least);
     }
+    data->without_least = !least;
 }
 
 static void film_read(taut_reader *document, taut_problem *problem, void *into)
@@ -274,7 +275,7 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
     taut_reader_optional(document, "tolerance", read_tolerance, &data->tolerance);
     taut_reader_optional_integer(document, "max_iterations", 1, 1000000, &data->max_iterations);
     taut_reader_optional(document, "equilibrium", read_equilibrium, &data->equilibrium);
-    read_words(document);
+    read_words(document, data);
 }
 
 const taut_document_ops taut_document_film = {
