@@ -15,9 +15,10 @@ set_target_properties(taut_web PROPERTIES OUTPUT_NAME taut SUFFIX .wasm)
 add_custom_command(TARGET taut_web POST_BUILD
   COMMAND ${WASM_OPT} -O3 --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext
           $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
-# Documents and pictures are small work, and so is what is proved once when the hand has let go: small code for them.
+# Documents and pictures are small work, and so is what is proved once when the hand has let go, and what only steers the loops
+# over numbers: small code for them.
 set(small_sources ${web_sources})
-list(FILTER small_sources INCLUDE REGEX "/src/(io|draw|mesh|web|shell|problem)/|/certify/(asymptotic|biharmonic|bonnet|film|pipe|plateau)/|/construct/(film|pipe|asymptotic)/")
+list(FILTER small_sources INCLUDE REGEX "/src/(io|draw|mesh|web|shell|problem)/|/certify/(asymptotic|biharmonic|bonnet|film|pipe|plateau)/|/construct/(asymptotic|biharmonic|common|film|harmonic|pipe)/|/construct/plateau/(approach|cable|directions|newton_step|plateau|refine|solve|space|trust_region|witness)[.]c")
 set_source_files_properties(${small_sources} PROPERTIES COMPILE_OPTIONS "-Os")
 # Vectors where loops over numbers are. Not elsewhere, and not out of straight code: of that clang 14 makes wrong code with
 # them (a choice between two structs of two doubles, in certify/bonnet/proof.c, took the second where it was to take the first).
