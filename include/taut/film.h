@@ -3,8 +3,10 @@
  *     E(x) = s A(x) + sum over cables C_k(L_k),     A = iint |x_u x x_v| du dv,  L_k = int |x_t| dt
  *
  * is least over the spline space of one patch. s is the tension of the film, a force per length;
- * C_k = T_k L_k for a cable of given force T_k. Where the film rests its mean curvature is 0, and
- * each cable is an asymptotic curve of it with curvature s / T_k (docs/film.md).
+ * C_k is T_k L_k for a cable of given force T_k, 0 for one of given length, whose force is the
+ * multiplier of L_k, and EA (L_k - L0)^2 / (2 L0) for an elastic one. Where the film rests its mean
+ * curvature is 0, and each cable is an asymptotic curve of it with curvature s / T_k
+ * (docs/film.md).
  */
 #ifndef TAUT_FILM_H
 #define TAUT_FILM_H
@@ -25,13 +27,26 @@ enum { TAUT_FILM_POINTS_MAX = 2500 };
 /* How an edge is held. */
 typedef enum taut_film_edge_kind {
     TAUT_FILM_FIXED = 0, /* on `curve`, or on the straight line between its corners */
-    TAUT_FILM_CABLE      /* drawn by a cable of the force `force` */
+    TAUT_FILM_CABLE      /* drawn by a cable */
 } taut_film_edge_kind;
+
+/* What is given of a cable. */
+typedef enum taut_film_law {
+    TAUT_FILM_FORCE = 0, /* `force` */
+    TAUT_FILM_LENGTH,    /* `length` */
+    TAUT_FILM_SAG,       /* the length of the arc of a circle that rises by `sag` times its chord */
+    TAUT_FILM_ELASTIC    /* force = stiffness (length - unstressed) / unstressed */
+} taut_film_law;
 
 typedef struct taut_film_edge {
     taut_film_edge_kind kind;
     const taut_curve *curve; /* fixed: fitted to the basis of the edge; or NULL */
-    double force;            /* cable: above 0 */
+    taut_film_law law;       /* cable */
+    double force;            /* above 0 */
+    double length;           /* above the distance of the corners */
+    double sag;              /* above 0, below 1/2 */
+    double unstressed;       /* above 0 */
+    double stiffness;        /* above 0: a force, EA */
 } taut_film_edge;
 
 /* Zero means default everywhere. */
@@ -45,6 +60,7 @@ typedef struct taut_film_problem {
     double tolerance;            /* of the claim `stationary`, from 1e-14 to 1e-3; 0: 1e-10 */
     int max_iterations;          /* 0: 200 */
     double equilibrium;          /* above 0: the claim of that name, below 1 */
+    int without_least;           /* nonzero: no bound is sought for the claim `least` */
 } taut_film_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -64,6 +80,8 @@ typedef struct taut_film_problem {
       "u0v0, u1v0, u1v1, u0v1 must run round it")                                                  \
     X("cable-too-weak", "the film draws a cable into another edge",                                \
       "give the cables the force that the message names, or more")                                 \
+    X("cable-too-short", "a cable is not longer than the chord it has to span",                    \
+      "give it more length, or draw the corners together")                                         \
     X("folds", "the film folds on its way to the least energy",                                    \
       "raise the forces, or move the corners")                                                     \
     X("not-converged", "the most iterations were made, or no step lowers the energy any more",     \
@@ -74,17 +92,17 @@ typedef struct taut_film_problem {
       "lower the degree, or even out the knots")
 
 /* Makes the model: the surface, and each cable as a curve named as its edge ("u0"); details:
- * unknowns, iterations, method, residual, cables (edge, force, length, unstressed, of each),
+ * unknowns, iterations, method, residual, cables (edge, force, length, of elastic ones unstressed),
  * supports (the held corners at which cables end), verdict { exists, stable, least }, rivals,
  * deviation of fitted curves.
  * TAUT_BAD_INPUT: data out of range, error->where the member. TAUT_NO_SOLUTION: no-area, crossed,
- * cable-too-weak. TAUT_NOT_CONVERGED: folds, not-converged, curve-fit. */
+ * cable-too-weak, cable-too-short. TAUT_NOT_CONVERGED: folds, not-converged, curve-fit. */
 TAUT_API taut_status taut_film_make(const taut_film_problem *problem,
                                     const taut_make_options *options, taut_model **model,
                                     taut_error *error);
 
-/* The certificate: claims boundary, cables, held, stationary, stable, least (undecided), and
- * equilibrium where it is asked for; figures energy, area, areas, lengths, tensions, sags,
+/* The certificate: claims boundary, cables, held, length, stationary, stable, least, and
+ * equilibrium where it is asked for; figures energy, of `least` lower_bound and gap, area, areas, lengths, tensions, sags,
  * reactions, lowest_eigenvalue, mean_curvature, cable_geodesic, cable_normal (docs/film.md).
  * TAUT_BAD_INPUT without a problem: the model does not say what its edges were. */
 TAUT_API taut_status taut_film_certify(const taut_model *model, const taut_film_problem *problem,

@@ -170,7 +170,12 @@
 #define TAUT_ABI_MEMBERS_taut_film_edge(X) \
     X(taut_film_edge, kind, "taut_film_edge_kind") \
     X(taut_film_edge, curve, "const taut_curve *") \
-    X(taut_film_edge, force, "double")
+    X(taut_film_edge, law, "taut_film_law") \
+    X(taut_film_edge, force, "double") \
+    X(taut_film_edge, length, "double") \
+    X(taut_film_edge, sag, "double") \
+    X(taut_film_edge, unstressed, "double") \
+    X(taut_film_edge, stiffness, "double")
 
 #define TAUT_ABI_MEMBERS_taut_film_problem(X) \
     X(taut_film_problem, name, "const char *") \
@@ -182,7 +187,8 @@
     X(taut_film_problem, tension, "double") \
     X(taut_film_problem, tolerance, "double") \
     X(taut_film_problem, max_iterations, "int") \
-    X(taut_film_problem, equilibrium, "double")
+    X(taut_film_problem, equilibrium, "double") \
+    X(taut_film_problem, without_least, "int")
 
 #define TAUT_ABI_MEMBERS_taut_forms(X) \
     X(taut_forms, e, "double") \
@@ -526,6 +532,12 @@
     X(TAUT_FILM_FIXED, "fixed") \
     X(TAUT_FILM_CABLE, "cable")
 
+#define TAUT_ABI_VALUES_taut_film_law(X) \
+    X(TAUT_FILM_FORCE, "force") \
+    X(TAUT_FILM_LENGTH, "length") \
+    X(TAUT_FILM_SAG, "sag") \
+    X(TAUT_FILM_ELASTIC, "elastic")
+
 #define TAUT_ABI_VALUES_taut_harmonic_even(X) \
     X(TAUT_EVEN_REFUSE, "refuse") \
     X(TAUT_EVEN_CORNER, "corner") \
@@ -641,6 +653,7 @@
     X(taut_edge) \
     X(taut_extension_given) \
     X(taut_film_edge_kind) \
+    X(taut_film_law) \
     X(taut_harmonic_even) \
     X(taut_harmonic_given) \
     X(taut_jacobian_state) \

@@ -34,13 +34,23 @@ cables() { # cables FORCE
 }
 film 0 '' "\"edges\": { $(cables 2) }"
 contains err.txt 'energy +19\.3057836398'
+contains err.txt 'least +holds \(bound\)'
+contains err.txt 'lower bound +19\.3057836398'
 film 0 '' '"edges": { "u0": "fixed" }, "tolerance": 1e-9, "name": "plate", "method": "full", "accept": "minimum", "least": false'
 contains err.txt 'area +4$'
 film 4 'cable-too-weak /edges/u0/cable found 1\.4 expected 1\.414213562[0-9]*' "\"edges\": { $(cables 1.4) }"
 contains err.txt 'too weak'
 film 3 'value /edges/u0/cable/force found 0 expected a positive number' "\"edges\": { $(cables 0) }"
 film 3 'type /edges/u0/cable/force' "\"edges\": { $(cables '"strong"') }"
-film 3 'missing /edges/u0/cable/force' '"edges": { "u0": { "cable": {} } }'
+film 3 'missing /edges/u0/cable found 0 expected 1' '"edges": { "u0": { "cable": {} } }'
+film 3 'conflict /edges/u0/cable found 2 expected 1' '"edges": { "u0": { "cable": { "force": 2, "sag": 0.1 } } }'
+film 3 'missing /edges/u0/cable/stiffness' '"edges": { "u0": { "cable": { "unstressed": 2 } } }'
+film 3 'value /edges/u0/cable/sag found 0\.5 expected a number above 0 and below 1/2' '"edges": { "u0": { "cable": { "sag": 0.5 } } }'
+film 3 'value /edges/u0/cable/length' '"edges": { "u0": { "cable": { "length": -2 } } }'
+film 4 'cable-too-short /edges/u0/cable/length found 1\.5 expected 2' '"edges": { "u0": { "cable": { "length": 1.5 } } }'
+film 0 '' '"edges": { "u0": { "cable": { "length": 2.1 } }, "u1": { "cable": { "sag": 0.1 } }, "v0": { "cable": { "unstressed": 2, "stiffness": 40 } } }'
+contains err.txt 'length +holds'
+contains flat-film.json '"unstressed": 2'
 film 3 'conflict /edges/u0 found 2 expected 1' '"edges": { "u0": { "cable": { "force": 2 }, "fixed": 1 } }'
 film 3 'missing /edges/u0 found 0 expected 1' '"edges": { "u0": {} }'
 film 3 'name /edges/u0' '"edges": { "u0": "free" }'
@@ -61,7 +71,6 @@ done
 film 3 'not-yet /method' '"method": "normal"'
 film 3 'not-yet /accept' '"accept": "stationary"'
 for edge in '{ "slide": {} }' '{ "mirror": {} }' '{ "pole": null }' '{ "cable": { "force": 1 }, "plane": {} }' \
-    '{ "cable": { "length": 3 } }' '{ "cable": { "sag": 0.1 } }' '{ "cable": { "unstressed": 1, "stiffness": 2 } }' \
     '{ "fixed": { "circle": {} } }'; do
     film 3 'not-yet /edges/v0/[a-z/]*' "\"edges\": { \"v0\": $edge }"
 done

@@ -272,6 +272,7 @@ static const attack_row rows[] = {
     {"film", "held", "film-sail", corner, 0},
     {"film", "cables", "film-sail", axis_start, 0},
     {"film", "stable", "film-sail", inside, ANY},
+    {"film", "length", "film-sail-length", rim, OPEN},
     {"harmonic", "harmonic", "harmonic-rows", inside, OPEN},
     {"harmonic", "boundary", "harmonic-rows", rim, 0},
     {"harmonic", "nearest", "harmonic-fit", everywhere, OPEN},

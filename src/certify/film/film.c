@@ -8,13 +8,17 @@
  *               be off by (certify/plateau/fit.h), and rounding, 64 (p + q + n) 2^-53.
  *   held        largest distance of a corner from the problem's, over the size: 0.
  *   cables      how many numbers of the curves differ from the edges they are: 0.
+ *   length      of cables of given length: the largest |L - given| / given, by the quadrature of
+ *               `stationary`. Limit 1e-10.
  *   stationary  largest derivative of E along a move that E sees (certify/film/moves.h) over the
  *               largest in the net, held points too; or, where that is more, tolerance / 1e-6 times
  *               the same over all coordinates. Limit: the tolerance, at most 1e-6. Nodes are raised
- *               until the judgement stays.
+ *               until the judgement stays. The force of a cable of given length is the certificate's
+ *               own (certify/film/sheet.h), and has to be positive.
  *   stable      lowest eigenvalue of the second variation over those moves, scaled; holds above
  *               1e-6, by the inertia of the factors.
- *   least       null: no bound is sought yet.
+ *   least       (energy - bound) / energy, of flat sails (certify/film/least.h). Null where that is
+ *               above the limit, 1e-6, or no bound is known, and why.
  *   equilibrium where it is asked for: the largest defect.
  */
 #include "taut/film.h"
@@ -22,6 +26,7 @@
 #include "certify/certify_ops.h"
 #include "certify/common/curve_distance.h"
 #include "certify/common/verdict.h"
+#include "certify/film/least.h"
 #include "certify/film/lines.h"
 #include "certify/film/moves.h"
 #include "certify/plateau/fit.h"
@@ -38,7 +43,8 @@
 
 enum { GRID = 101 /* as taut_measure_surface */, FIT = 2, RULES = 6, SECOND_EXTRA = 1 };
 static const int extra_nodes[RULES] = {4, 8, 15, 27, 48, 76};
-static const double tolerance_default = 1e-10, largest_limit = 1e-6, stable_limit = 1e-6;
+static const double tolerance_default = 1e-10, largest_limit = 1e-6, stable_limit = 1e-6,
+                    length_limit = 1e-10;
 static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 
@@ -292,6 +298,7 @@ typedef struct finding {
     double lowest, relative; /* eigenvalue, and times size^2 over the tension */
     int below, at;
     int settled;
+    double forces[4], given[4]; /* lengths */
 } finding;
 
 /* The largest derivative along a coordinate that is not held. */
@@ -302,9 +309,10 @@ static double largest_free(const taut_film_sheet *sheet, const double *gradient,
         for (int j = 0; j < sheet->nv; j++) {
             const int on_u = i == 0 ? 0 : i == sheet->nu - 1 ? 1 : -1;
             const int on_v = j == 0 ? 2 : j == sheet->nv - 1 ? 3 : -1;
-            const int free = on_u < 0 && on_v < 0     ? 1
-                             : on_u >= 0 && on_v >= 0 ? 0
-                                                      : sheet->ratios[on_u >= 0 ? on_u : on_v] > 0;
+            const int free = on_u < 0 && on_v < 0 ? 1
+                             : on_u >= 0 && on_v >= 0
+                                 ? 0
+                                 : taut_film_sheet_is_cable(sheet, on_u >= 0 ? on_u : on_v);
             const double size = taut_largest_coordinate(gradient + 3 * (i * sheet->nv + j));
             if (free && !(size <= largest)) {
                 largest = size;
@@ -344,6 +352,8 @@ static taut_status find_rest(const request *r, int rule, taut_arena *arena, find
     found->area = ldexp(found->area, 2 * sheet.unit);
     for (int e = 0; e < 4; e++) {
         found->lengths[e] = ldexp(found->lengths[e], sheet.unit);
+        found->forces[e] = sheet.forces[e];
+        found->given[e] = taut_film_sheet_given(r->surface, r->problem, e);
     }
     return TAUT_OK;
 }
@@ -397,6 +407,37 @@ static taut_status find_stability(const request *r, finding *found)
     return status == TAUT_NOT_CONVERGED ? TAUT_OK : status;
 }
 
+/* Force by force: is every cable drawn? */
+static int has_slack(const request *r, const finding *found)
+{
+    for (int e = 0; e < 4; e++) {
+        if (r->problem->edges[e].kind == TAUT_FILM_CABLE && !(found->forces[e] > 0)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static taut_status add_length(const request *r, const finding *found, taut_certificate *certificate)
+{
+    taut_claim claim = {.claim = "length", .kind = TAUT_CHECK, .limit = length_limit, .where = ""};
+    int count = 0;
+
+    for (int e = 0; e < 4; e++) {
+        const double off =
+            found->given[e] > 0 ? fabs(found->lengths[e] - found->given[e]) / found->given[e] : 0;
+        if (found->given[e] > 0 && (count++ == 0 || !(off <= claim.residual))) {
+            claim.residual = off;
+            claim.where = edge_names[e];
+        }
+    }
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    if (r->problem != NULL && count > 0 && claim.holds == TAUT_UNDECIDED) {
+        claim.where = TAUT_CERTIFY_OUT_OF_RANGE;
+    }
+    return count > 0 ? taut_certificate_add(certificate, &claim) : TAUT_OK;
+}
+
 static taut_status add_stationary(const request *r, const finding *found,
                                   taut_certificate *certificate)
 {
@@ -411,6 +452,9 @@ static taut_status add_stationary(const request *r, const finding *found,
     claim.holds = taut_certify_below(claim.residual, claim.limit);
     if (claim.holds == TAUT_UNDECIDED) {
         snprintf(where, sizeof where, TAUT_CERTIFY_OUT_OF_RANGE);
+    } else if (has_slack(r, found)) {
+        claim.holds = TAUT_FALSE;
+        snprintf(where, sizeof where, "a cable is slack");
     } else if (!found->settled) {
         claim.holds = TAUT_UNDECIDED;
         snprintf(where, sizeof where, "no Gauss rule settles the integrals");
@@ -435,34 +479,72 @@ static taut_status add_stable(const finding *found, taut_certificate *certificat
     return taut_certificate_add(certificate, &claim);
 }
 
-static taut_status add_least(taut_certificate *certificate)
+/* ---- figures ---- */
+
+static double cable_energy(const taut_film_edge *edge, double length)
 {
-    const taut_claim claim = {.claim = "least",
-                              .kind = TAUT_BOUND,
-                              .residual = taut_none,
-                              .limit = largest_limit,
-                              .holds = TAUT_UNDECIDED,
-                              .where = "no bound is sought for films yet"};
-    return taut_certificate_add(certificate, &claim);
+    const double longer = length - edge->unstressed;
+    return edge->law == TAUT_FILM_FORCE ? edge->force * length
+           : edge->law == TAUT_FILM_ELASTIC
+               ? edge->stiffness * longer * longer / (2 * edge->unstressed)
+               : 0;
 }
 
-/* ---- figures ---- */
+static double find_energy(const request *r, const finding *found, const taut_film_sheet *sheet)
+{
+    double energy = sheet->tension * found->area;
+    for (int e = 0; e < 4; e++) {
+        if (r->problem->edges[e].kind == TAUT_FILM_CABLE) {
+            energy += cable_energy(&r->problem->edges[e], found->lengths[e]);
+        }
+    }
+    return energy;
+}
+
+static taut_status add_least(const request *r, const finding *found, const taut_film_sheet *sheet,
+                             taut_record *figures, taut_certificate *certificate)
+{
+    taut_claim claim = {.claim = "least",
+                        .kind = TAUT_BOUND,
+                        .residual = taut_none,
+                        .limit = largest_limit,
+                        .holds = TAUT_UNDECIDED,
+                        .where = "declined: the problem asks for no bound"};
+    const double energy = find_energy(r, found, sheet);
+    double bound = 0;
+    const char *why =
+        r->problem->without_least ? claim.where : taut_film_least(sheet, found->given, &bound);
+
+    if (why == NULL) {
+        claim.residual = (energy - bound) / energy;
+        claim.holds = taut_certify_below(claim.residual, claim.limit);
+        claim.where = claim.holds == TAUT_UNDECIDED ? TAUT_CERTIFY_OUT_OF_RANGE
+                      : claim.holds == TAUT_FALSE
+                          ? "coarse: there is a bound, further below; take more points"
+                          : "";
+        claim.holds = claim.holds == TAUT_FALSE ? TAUT_UNDECIDED : claim.holds;
+        taut_record_add_number(figures, "lower_bound", bound);
+        taut_record_add_number(figures, "gap", energy - bound);
+    } else {
+        claim.where = why;
+    }
+    return taut_certificate_add(certificate, &claim);
+}
 
 static void add_lists(const request *r, const finding *found, const taut_film_sheet *sheet,
                       taut_record *figures)
 {
-    double lengths[4], tensions[4], sags[4], energy = sheet->tension * found->area;
+    double lengths[4], tensions[4], sags[4];
     int count = 0;
 
     for (int e = 0; e < 4; e++) {
         if (r->problem->edges[e].kind == TAUT_FILM_CABLE) {
             lengths[count] = found->lengths[e];
-            tensions[count] = r->problem->edges[e].force;
+            tensions[count] = found->forces[e];
             sags[count++] = taut_film_sag(sheet, e);
-            energy += r->problem->edges[e].force * found->lengths[e];
         }
     }
-    taut_record_add_number(figures, "energy", energy);
+    taut_record_add_number(figures, "energy", find_energy(r, found, sheet));
     taut_record_add_number(figures, "area", found->area);
     taut_record_add_numbers(figures, "areas", 1, &found->area);
     taut_record_add_numbers(figures, "lengths", count, lengths);
@@ -496,39 +578,42 @@ static taut_status add_equilibrium(const request *r, double largest, taut_certif
     return r->problem->equilibrium > 0 ? taut_certificate_add(certificate, &claim) : TAUT_OK;
 }
 
-static taut_status fill_figures(const request *r, const finding *found, int threads,
-                                taut_arena *arena, taut_record *figures,
-                                taut_certificate *certificate)
+static taut_status fill_figures(const request *r, const finding *found, taut_arena *arena,
+                                taut_record *figures, taut_certificate *certificate)
 {
-    taut_mean_figures measure;
+    double largest = 0;
     taut_film_sheet sheet;
     taut_status status = taut_film_sheet_new(r->surface, r->problem, SECOND_EXTRA, arena, &sheet);
 
     if (status == TAUT_OK) {
-        status = taut_mean_figures_of(r->surface, GRID, threads, &measure);
+        status = taut_mean_largest(r->surface, GRID, &largest);
     }
     if (status != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     const taut_film_defects defects = taut_film_defects_of(&sheet);
-    const double mean = 4 * measure.max_abs * r->half;
+    const double mean = 4 * largest * r->half;
+    status = add_least(r, found, &sheet, figures, certificate);
     add_lists(r, found, &sheet, figures);
     add_reactions(&sheet, figures);
     taut_record_add_number(figures, "lowest_eigenvalue", found->lowest);
     taut_record_add_number(figures, "mean_curvature", mean);
     taut_record_add_number(figures, "cable_geodesic", defects.geodesic);
     taut_record_add_number(figures, "cable_normal", defects.normal);
+    if (status != TAUT_OK) {
+        return status;
+    }
     status = add_equilibrium(
         r, taut_certify_max(mean, taut_certify_max(defects.geodesic, defects.normal)), certificate);
     return status == TAUT_OK ? taut_record_status(figures) : status;
 }
 
-static taut_status add_figures(const request *r, const finding *found, int threads,
+static taut_status add_figures(const request *r, const finding *found,
                                taut_certificate *certificate)
 {
     taut_arena *arena = taut_arena_new();
     taut_record *figures = taut_record_new();
-    const taut_status status = fill_figures(r, found, threads, arena, figures, certificate);
+    const taut_status status = fill_figures(r, found, arena, figures, certificate);
 
     taut_certificate_set_figures(certificate, figures);
     taut_arena_free(arena);
@@ -537,7 +622,7 @@ static taut_status add_figures(const request *r, const finding *found, int threa
 
 /* ---- the whole ---- */
 
-static taut_status prove(const request *r, int threads, taut_certificate *certificate)
+static taut_status prove(const request *r, taut_certificate *certificate)
 {
     finding found = {.lowest = NAN, .relative = NAN, .below = -1};
     taut_status status = add_held(r, certificate);
@@ -552,15 +637,15 @@ static taut_status prove(const request *r, int threads, taut_certificate *certif
         status = find_stability(r, &found);
     }
     if (status == TAUT_OK) {
+        status = add_length(r, &found, certificate);
+    }
+    if (status == TAUT_OK) {
         status = add_stationary(r, &found, certificate);
     }
     if (status == TAUT_OK) {
         status = add_stable(&found, certificate);
     }
-    if (status == TAUT_OK) {
-        status = add_least(certificate);
-    }
-    return status == TAUT_OK ? add_figures(r, &found, threads, certificate) : status;
+    return status == TAUT_OK ? add_figures(r, &found, certificate) : status;
 }
 
 static taut_status certify(const taut_model *model, const void *data,
@@ -570,15 +655,14 @@ static taut_status certify(const taut_model *model, const void *data,
     request r;
     taut_status status = read_request(model, data, &r, error);
 
+    (void)options; /* nothing here takes long enough for threads */
     if (status == TAUT_OK) {
         status = add_boundary(&r, certificate, error);
     }
     if (status != TAUT_OK) {
         return status;
     }
-    return prove(&r, options->threads > 0 ? options->threads : 1, certificate) == TAUT_OK
-               ? TAUT_OK
-               : taut_fail_memory(error);
+    return prove(&r, certificate) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 static void identify(const taut_model *model, const void *data, taut_identity *identity)

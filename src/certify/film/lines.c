@@ -66,7 +66,7 @@ taut_film_defects taut_film_defects_of(const taut_film_sheet *sheet)
     taut_film_defects found = {0, 0};
 
     for (int e = 0; e < 4; e++) {
-        for (int k = 0; k < GRID && sheet->ratios[e] > 0; k++) {
+        for (int k = 0; k < GRID && taut_film_sheet_is_cable(sheet, e); k++) {
             spot s;
             look(sheet, e, parameter(basis_of(sheet, e), k), &s);
             const double square = s.speed * s.speed, r = sheet->ratios[e];
@@ -119,7 +119,7 @@ void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsi
     memset(forces, 0, 12 * sizeof(double));
     memset(has, 0, 4);
     for (int e = 0; e < 4; e++) {
-        if (!(sheet->ratios[e] > 0)) {
+        if (!taut_film_sheet_is_cable(sheet, e)) {
             add_held(sheet, e, sum, &size);
             continue;
         }
@@ -129,7 +129,7 @@ void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsi
             spot s;
             look(sheet, e, parameter(basis_of(sheet, e), end * (GRID - 1)), &s);
             has[corner] = 1;
-            taut_add_scaled(sign * sheet->problem->edges[e].force / s.speed, s.d, forces[corner]);
+            taut_add_scaled(sign * sheet->forces[e] / s.speed, s.d, forces[corner]);
             taut_add_scaled(sign * r / s.speed, s.d, sum);
             size += r;
         }

@@ -26,37 +26,6 @@ static int edge_of(const taut_film_sheet *sheet, int i, int j)
     return on_u >= 0 && on_v >= 0 ? -2 : on_u >= 0 ? on_u : on_v;
 }
 
-/* The tangent of edge e at the Greville abscissa of function k. */
-static void find_tangent(const taut_film_sheet *sheet, int e, int k, double t[3])
-{
-    const taut_basis *basis =
-        e < 2 ? taut_surface_v(sheet->surface) : taut_surface_u(sheet->surface);
-    const int degree = taut_basis_degree(basis), n = taut_basis_count(basis);
-    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-    double values[2 * (TAUT_DEGREE_MAX + 1)], at = 0;
-    size_t first = 0, step = 0;
-    int count = 0;
-    taut_basis_spec spec;
-
-    taut_basis_spec_of(basis, &spec);
-    for (int p = 1; p <= degree; p++) {
-        at += (spec.knots != NULL ? spec.knots[k + p] : lo) / degree;
-    }
-    at = spec.knots != NULL ? fmin(hi, fmax(lo, at)) : lo + (hi - lo) * k / (n - 1);
-    const int span = taut_basis_span(basis, at);
-    memset(t, 0, 3 * sizeof(double));
-    if (taut_basis_eval(basis, span, at, 1, values) != TAUT_OK) {
-        return;
-    }
-    taut_film_sheet_edge(sheet, e, &first, &step, &count);
-    for (int a = 0; a <= degree; a++) {
-        taut_add_scaled(
-            values[degree + 1 + a],
-            sheet->points + 3 * (first + (size_t)(taut_basis_first(basis, span) + a) * step), t);
-    }
-    make_unit(t);
-}
-
 static void add_move(taut_film_moves *moves, int point, const double direction[3])
 {
     if (taut_dot(direction, direction) > 0.5) { /* unit, or none */
@@ -100,8 +69,8 @@ taut_status taut_film_moves_new(const taut_film_sheet *sheet, const double *mome
                 memcpy(x, moments + 3 * at, sizeof x);
                 make_unit(x);
                 add_move(moves, at, x);
-            } else if (e >= 0 && sheet->ratios[e] > 0) {
-                find_tangent(sheet, e, e < 2 ? j : i, x);
+            } else if (e >= 0 && taut_film_sheet_is_cable(sheet, e)) {
+                taut_film_sheet_tangent(sheet, e, e < 2 ? j : i, x);
                 add_across(moves, at, x);
             }
         }
@@ -134,9 +103,23 @@ typedef struct profile {
     size_t size;
 } profile;
 
+/* A condition beside the matrix. With g = dL along the moves, a given length asks for g . x = 0; an
+ * elastic cable adds k g g^T, which is the same with a spring:
+ *
+ *     [ K    g   ]      has as many eigenvalues below 0 as K + k g g^T, and one more;
+ *     [ g^T -1/k ]      with 0 in place of 1/k, as K where g . x = 0, and one more
+ */
+typedef struct condition {
+    double *g, *image; /* [count]: of the moves; by the factors at hand */
+    double spring;     /* 1 / k, or 0 */
+} condition;
+
 typedef struct pencil {
     profile shape;
     double *k, *m, *factor; /* [size] */
+    condition conditions[4];
+    int condition_count;
+    double small[4][4]; /* D - G^T K^-1 G as L D L^T: below the diagonal L, on it D */
 } pencil;
 
 static taut_status make_pencil(const taut_film_sheet *sheet, const taut_film_moves *moves,
@@ -263,6 +246,36 @@ static void add_cable(const taut_film_sheet *sheet, const taut_film_moves *moves
     }
 }
 
+/* What cable e asks for, if it is one that gives way. */
+static taut_status add_condition(const taut_film_sheet *sheet, const taut_film_moves *moves, int e,
+                                 pencil *p)
+{
+    const taut_film_law law = sheet->problem->edges[e].law;
+    size_t first = 0, step = 0;
+    int count = 0;
+
+    if (law == TAUT_FILM_FORCE) {
+        return TAUT_OK;
+    }
+    taut_film_sheet_edge(sheet, e, &first, &step, &count);
+    double *pull = taut_arena_take(sheet->arena, (size_t)count, 3 * sizeof(double));
+    condition *c = &p->conditions[p->condition_count++];
+    c->g = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
+    c->image = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
+    c->spring = law == TAUT_FILM_ELASTIC ? 1 / sheet->stiffness[e] : 0;
+    if (taut_arena_status(sheet->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_film_sheet_pull(sheet, e, pull);
+    for (int i = 0; i < count; i++) {
+        const size_t at = first + (size_t)i * step;
+        for (int k = moves->first[at]; k < moves->first[at + 1]; k++) {
+            c->g[k] = taut_dot(pull + 3 * i, moves->direction + 3 * k);
+        }
+    }
+    return TAUT_OK;
+}
+
 static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_moves *moves,
                                double size, pencil *p)
 {
@@ -284,8 +297,11 @@ static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_mov
         }
     }
     for (int e = 0; e < 4; e++) {
-        if (sheet->ratios[e] > 0) {
+        if (taut_film_sheet_is_cable(sheet, e)) {
             add_cable(sheet, moves, e, size, p);
+            if (add_condition(sheet, moves, e, p) != TAUT_OK) {
+                return TAUT_NO_MEMORY;
+            }
         }
     }
     return TAUT_OK;
@@ -295,7 +311,7 @@ static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_mov
 
 /* factor = the factors L D L^T of K - shift M; how many of D are not above 0: as many eigenvalues
  * are not above the shift (Sylvester). */
-static int factorise(pencil *p, double shift)
+static int factor_profile(pencil *p, double shift)
 {
     const profile *s = &p->shape;
     int below = 0;
@@ -326,7 +342,7 @@ static int factorise(pencil *p, double shift)
     return below;
 }
 
-static void solve(const pencil *p, double *x)
+static void solve_profile(const pencil *p, double *x)
 {
     const profile *s = &p->shape;
     for (int i = 0; i < s->count; i++) {
@@ -368,6 +384,80 @@ static double dot(int n, const double *a, const double *b)
     return sum;
 }
 
+/* D - G^T (K - shift M)^-1 G; how many of its eigenvalues are not above 0. */
+static int factor_conditions(pencil *p)
+{
+    const int n = p->condition_count;
+    int below = 0;
+
+    for (int i = 0; i < n; i++) {
+        condition *c = &p->conditions[i];
+        memcpy(c->image, c->g, (size_t)p->shape.count * sizeof(double));
+        solve_profile(p, c->image);
+        for (int j = 0; j <= i; j++) {
+            p->small[i][j] =
+                (i == j ? -c->spring : 0) - dot(p->shape.count, p->conditions[j].g, c->image);
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j <= i; j++) {
+            double sum = p->small[i][j];
+            for (int k = 0; k < j; k++) {
+                sum -= p->small[i][k] * p->small[j][k] * p->small[k][k];
+            }
+            p->small[i][j] = i == j ? sum : sum / p->small[j][j];
+        }
+        below += !(p->small[i][i] > 0);
+    }
+    return below;
+}
+
+/* How many eigenvalues of K - shift M are not above 0 where the conditions hold. */
+static int factorise(pencil *p, double shift)
+{
+    const int below = factor_profile(p, shift);
+    return below + factor_conditions(p) - p->condition_count;
+}
+
+/* x = the solution of K x + G y = x, G^T x - spring y = 0. */
+static void solve(const pencil *p, double *x)
+{
+    const int n = p->condition_count;
+    double y[4];
+
+    solve_profile(p, x);
+    for (int i = 0; i < n; i++) { /* (D - G^T K^-1 G) y = - G^T K^-1 x */
+        y[i] = -dot(p->shape.count, p->conditions[i].g, x);
+        for (int k = 0; k < i; k++) {
+            y[i] -= p->small[i][k] * y[k];
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        y[i] /= p->small[i][i];
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        for (int k = i + 1; k < n; k++) {
+            y[i] -= p->small[k][i] * y[k];
+        }
+        for (int k = 0; k < p->shape.count; k++) {
+            x[k] -= y[i] * p->conditions[i].image[k];
+        }
+    }
+}
+
+/* y = K x, springs too. */
+static void multiply_stiff(const pencil *p, const double *x, double *y)
+{
+    multiply(&p->shape, p->k, x, y);
+    for (int i = 0; i < p->condition_count; i++) {
+        const condition *c = &p->conditions[i];
+        const double along = c->spring > 0 ? dot(p->shape.count, c->g, x) / c->spring : 0;
+        for (int k = 0; k < p->shape.count; k++) {
+            y[k] += along * c->g[k];
+        }
+    }
+}
+
 /* Inverse iterations by factors of K - shift M that are positive definite. */
 static taut_status iterate(const pencil *p, double *x, double *y, double *lowest)
 {
@@ -391,7 +481,7 @@ static taut_status iterate(const pencil *p, double *x, double *y, double *lowest
         solve(p, x);
         multiply(&p->shape, p->m, x, y);
         const double mass = dot(n, x, y);
-        multiply(&p->shape, p->k, x, y);
+        multiply_stiff(p, x, y);
         *lowest = dot(n, x, y) / mass;
         if (fabs(*lowest - before) <= settled * fabs(*lowest)) {
             return TAUT_OK;

@@ -1,5 +1,6 @@
 #include "certify/film/sheet.h"
 
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 #include "geometry/exponent.h"
 #include "geometry/keep.h"
@@ -52,6 +53,85 @@ static void scale_points(taut_film_sheet *sheet)
     }
 }
 
+/* The chord of edge e, in the user's unit. */
+static double find_chord(const taut_surface *surface, int e)
+{
+    const size_t nu = (size_t)taut_basis_count(taut_surface_u(surface)),
+                 nv = (size_t)taut_basis_count(taut_surface_v(surface));
+    const size_t first = e == 1 ? (nu - 1) * nv : e == 3 ? nv - 1 : 0;
+    const size_t last = first + (e < 2 ? nv - 1 : (nu - 1) * nv);
+    const double *points = taut_surface_points(surface);
+    return taut_distance(points + 3 * first, points + 3 * last);
+}
+
+double taut_film_sheet_given(const taut_surface *surface, const taut_film_problem *problem, int e)
+{
+    const taut_film_edge *edge = &problem->edges[e];
+    if (edge->kind != TAUT_FILM_CABLE || edge->law == TAUT_FILM_FORCE ||
+        edge->law == TAUT_FILM_ELASTIC) {
+        return 0;
+    }
+    if (edge->law == TAUT_FILM_LENGTH) {
+        return edge->length;
+    }
+    /* the arc that rises by f of its chord c: tan(a / 2) = 2 f, L = c a / sin a */
+    const double a = 2 * taut_atan(2 * edge->sag);
+    return find_chord(surface, e) * a / taut_sin(a);
+}
+
+/* What the film pulls across edge e with for each unit of what the cable pulls: the multiplier. */
+static taut_status find_multiplier(taut_film_sheet *sheet, int e)
+{
+    const size_t count = (size_t)sheet->nu * (size_t)sheet->nv;
+    double *gradient = taut_arena_take(sheet->arena, count, 3 * sizeof(double));
+    double *moments = taut_arena_take(sheet->arena, count, 3 * sizeof(double));
+    double *pull = taut_arena_take(sheet->arena, count, 3 * sizeof(double));
+    double area = 0, lengths[4], both = 0, square = 0;
+    size_t first = 0, step = 0;
+    int points = 0;
+
+    if (taut_arena_status(sheet->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_film_sheet_gradient(sheet, gradient, moments, &area, lengths); /* r is 0 yet */
+    taut_film_sheet_pull(sheet, e, pull);
+    taut_film_sheet_edge(sheet, e, &first, &step, &points);
+    for (int k = 1; k < points - 1; k++) {
+        const double *g = gradient + 3 * (first + (size_t)k * step), *p = pull + 3 * k;
+        double t[3];
+        taut_film_sheet_tangent(sheet, e, k, t);
+        both += taut_dot(g, p) - taut_dot(g, t) * taut_dot(p, t);
+        square += taut_dot(p, p) - taut_dot(p, t) * taut_dot(p, t);
+    }
+    sheet->ratios[e] = -both / square;
+    return TAUT_OK;
+}
+
+static taut_status find_force(taut_film_sheet *sheet, int e)
+{
+    const taut_film_edge *edge = &sheet->problem->edges[e];
+    if (edge->law == TAUT_FILM_FORCE) {
+        sheet->forces[e] = edge->force;
+        sheet->ratios[e] = ldexp(edge->force / sheet->tension, -sheet->unit);
+        return TAUT_OK;
+    }
+    if (edge->law != TAUT_FILM_ELASTIC) {
+        const taut_status status = find_multiplier(sheet, e);
+        sheet->forces[e] = sheet->tension * ldexp(sheet->ratios[e], sheet->unit);
+        return status;
+    }
+    double *pull =
+        taut_arena_take(sheet->arena, (size_t)(sheet->nu + sheet->nv), 3 * sizeof(double));
+    if (pull == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    const double length = ldexp(taut_film_sheet_pull(sheet, e, pull), sheet->unit);
+    sheet->forces[e] = edge->stiffness * (length - edge->unstressed) / edge->unstressed;
+    sheet->ratios[e] = ldexp(sheet->forces[e] / sheet->tension, -sheet->unit);
+    sheet->stiffness[e] = edge->stiffness / sheet->tension / edge->unstressed;
+    return TAUT_OK;
+}
+
 taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_problem *problem,
                                 int extra, taut_arena *arena, taut_film_sheet *sheet)
 {
@@ -67,11 +147,44 @@ taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_pro
     scale_points(sheet);
     sheet->tension = problem->tension > 0 ? problem->tension : 1;
     for (int e = 0; e < 4; e++) {
-        if (problem->edges[e].kind == TAUT_FILM_CABLE) {
-            sheet->ratios[e] = ldexp(problem->edges[e].force / sheet->tension, -sheet->unit);
+        if (taut_film_sheet_is_cable(sheet, e) && find_force(sheet, e) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
         }
     }
     return TAUT_OK;
+}
+
+void taut_film_sheet_tangent(const taut_film_sheet *sheet, int e, int k, double t[3])
+{
+    const taut_basis *basis =
+        e < 2 ? taut_surface_v(sheet->surface) : taut_surface_u(sheet->surface);
+    const int degree = taut_basis_degree(basis), n = taut_basis_count(basis);
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    double values[2 * (TAUT_DEGREE_MAX + 1)], at = 0;
+    size_t first = 0, step = 0;
+    int count = 0;
+    taut_basis_spec spec;
+
+    taut_basis_spec_of(basis, &spec);
+    for (int p = 1; p <= degree; p++) {
+        at += (spec.knots != NULL ? spec.knots[k + p] : lo) / degree;
+    }
+    at = spec.knots != NULL ? fmin(hi, fmax(lo, at)) : lo + (hi - lo) * k / (n - 1);
+    const int span = taut_basis_span(basis, at);
+    memset(t, 0, 3 * sizeof(double));
+    if (taut_basis_eval(basis, span, at, 1, values) != TAUT_OK) {
+        return;
+    }
+    taut_film_sheet_edge(sheet, e, &first, &step, &count);
+    for (int a = 0; a <= degree; a++) {
+        taut_add_scaled(
+            values[degree + 1 + a],
+            sheet->points + 3 * (first + (size_t)(taut_basis_first(basis, span) + a) * step), t);
+    }
+    const double size = taut_norm(t);
+    for (int c = 0; c < 3 && size > 0; c++) {
+        t[c] /= size;
+    }
 }
 
 void taut_film_sheet_place(const taut_film_sheet *sheet, int a, int b, taut_film_place *place)
@@ -147,16 +260,14 @@ static void spread_place(const taut_film_sheet *sheet, int a, int b, const taut_
     }
 }
 
-/* gradient += r dL of the cable of edge e; its length. */
-static double add_cable(const taut_film_sheet *sheet, int e, double *gradient)
+/* net += r dL of the cable of edge e, its points at first, first + step, ..; its length. */
+static double add_cable(const taut_film_sheet *sheet, int e, double r, size_t from, size_t by,
+                        double *net)
 {
     const taut_film_nodes *nodes = e < 2 ? &sheet->v : &sheet->u;
     const taut_table *t = nodes->table;
-    size_t first = 0, step = 0;
-    int count = 0;
     taut_sum sum = {0, 0};
 
-    taut_film_sheet_edge(sheet, e, &first, &step, &count);
     for (int node = 0; node < t->count; node++) {
         const double *slopes = taut_table_row(t, node, 1);
         double d[3];
@@ -164,12 +275,17 @@ static double add_cable(const taut_film_sheet *sheet, int e, double *gradient)
         const double speed = taut_length(d);
         taut_sum_add(&sum, nodes->weights[node] * speed);
         for (int k = 0; k < t->local; k++) {
-            const size_t at = first + (size_t)(t->first[node] + k) * step;
-            taut_add_scaled(sheet->ratios[e] * nodes->weights[node] * slopes[k] / speed, d,
-                            gradient + 3 * at);
+            const size_t at = from + (size_t)(t->first[node] + k) * by;
+            taut_add_scaled(r * nodes->weights[node] * slopes[k] / speed, d, net + 3 * at);
         }
     }
     return taut_sum_total(&sum);
+}
+
+double taut_film_sheet_pull(const taut_film_sheet *sheet, int e, double *pull)
+{
+    memset(pull, 0, 3 * (size_t)(e < 2 ? sheet->nv : sheet->nu) * sizeof(double));
+    return add_cable(sheet, e, 1, 0, 1, pull);
 }
 
 void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, double *moments,
@@ -190,6 +306,11 @@ void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, do
     }
     *area = taut_sum_total(&sum);
     for (int e = 0; e < 4; e++) {
-        lengths[e] = sheet->ratios[e] > 0 ? add_cable(sheet, e, gradient) : 0;
+        size_t first = 0, step = 0;
+        int count = 0;
+        taut_film_sheet_edge(sheet, e, &first, &step, &count);
+        lengths[e] = taut_film_sheet_is_cable(sheet, e)
+                         ? add_cable(sheet, e, sheet->ratios[e], first, step, gradient)
+                         : 0;
     }
 }

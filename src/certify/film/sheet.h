@@ -5,7 +5,13 @@
  *     dA    = iint ((G x_u - F x_v) . d_u + (E x_v - F x_u) . d_v) / W du dv
  *     n_a   = iint N_a x_u x x_v du dv
  *
- * E, F, G the first fundamental form: the metric form of the gradient, where the construction has
+ * The force of a cable is the problem's, or by its law
+ *
+ *     elastic           r = k (L - L0),  k = EA / (s L0)
+ *     given length      r = - sum dA . dL / sum dL . dL,  over its points, across the tangents:
+ *                       the multiplier with which the film is nearest to rest along the cable
+ *
+ * so that nothing of the construction's is taken on trust. E, F, G the first fundamental form: the metric form of the gradient, where the construction has
  * the one of cross products. All in scaled coordinates: the first corner at 0, about size 1.
  */
 #ifndef TAUT_CERTIFY_FILM_SHEET_H
@@ -29,9 +35,11 @@ typedef struct taut_film_sheet {
     int nu, nv;
     int unit; /* points were divided by 2^unit */
     double origin[3];
-    double *points;   /* [nu][nv][3], scaled */
-    double tension;   /* of the film, in the user's unit */
-    double ratios[4]; /* r of each cable, scaled; 0: no cable */
+    double *points;      /* [nu][nv][3], scaled */
+    double tension;      /* of the film, in the user's unit */
+    double ratios[4];    /* r of each cable, scaled; 0: no cable */
+    double forces[4];    /* of each cable, in the user's unit */
+    double stiffness[4]; /* k of elastic cables, scaled; else 0 */
     taut_film_nodes u, v;
 } taut_film_sheet;
 
@@ -41,6 +49,15 @@ typedef struct taut_film_place {
     double e, f, g, w;            /* the first fundamental form; W */
     double weight;
 } taut_film_place;
+
+/* The length that the problem gives to cable e, in the user's unit; 0 where it gives none. */
+double taut_film_sheet_given(const taut_surface *surface, const taut_film_problem *problem, int e);
+
+/* Is edge e a cable? */
+static inline int taut_film_sheet_is_cable(const taut_film_sheet *sheet, int e)
+{
+    return sheet->problem->edges[e].kind == TAUT_FILM_CABLE;
+}
 
 /* The surface is that of the problem. `extra` nodes a span more than functions alive. The arena
  * owns it all. TAUT_NO_MEMORY. */
@@ -54,6 +71,12 @@ void taut_film_sheet_edge(const taut_film_sheet *sheet, int e, size_t *first, si
                           int *count);
 /* x_t of edge e at a node of its direction. */
 void taut_film_sheet_slope(const taut_film_sheet *sheet, int e, int node, double d[3]);
+
+/* pull double[count][3] = dL of edge e, scaled; returns its length, scaled. */
+double taut_film_sheet_pull(const taut_film_sheet *sheet, int e, double *pull);
+
+/* The unit tangent of edge e at the Greville abscissa of its function k. */
+void taut_film_sheet_tangent(const taut_film_sheet *sheet, int e, int k, double t[3]);
 
 /* gradient, moments double[nu][nv][3]; *area, and lengths of the cables, all scaled. */
 void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, double *moments,

@@ -65,24 +65,51 @@ static taut_status check_number(double value, double least, double most, const c
     return TAUT_OK;
 }
 
+static taut_status check_positive(double value, const char *member, int e, double most,
+                                  taut_error *error)
+{
+    char where[48];
+
+    if (value > 0 && value < most) {
+        return TAUT_OK;
+    }
+    snprintf(where, sizeof where, "/edges/%s/cable/%s", taut_film_edge_names[e], member);
+    return taut_fail(error, TAUT_BAD_INPUT, "value", where, value, value > 0 ? most : 0,
+                     "the %s of cable %s is %.17g, expected a number above 0%s", member,
+                     taut_film_edge_names[e], value, isfinite(most) ? " and below 1/2" : "");
+}
+
+static taut_status check_law(const taut_film_edge *edge, int e, taut_error *error)
+{
+    switch (edge->law) {
+    case TAUT_FILM_FORCE:
+        return check_positive(edge->force, "force", e, INFINITY, error);
+    case TAUT_FILM_LENGTH:
+        return check_positive(edge->length, "length", e, INFINITY, error);
+    case TAUT_FILM_SAG:
+        return check_positive(edge->sag, "sag", e, 0.5, error);
+    case TAUT_FILM_ELASTIC: {
+        const taut_status status =
+            check_positive(edge->unstressed, "unstressed", e, INFINITY, error);
+        return status == TAUT_OK ? check_positive(edge->stiffness, "stiffness", e, INFINITY, error)
+                                 : status;
+    }
+    }
+    return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                     "cable %s has no law", taut_film_edge_names[e]);
+}
+
 static taut_status check_edge(const taut_film_edge *edge, int e, taut_error *error)
 {
-    char where[32];
     if (edge->kind == TAUT_FILM_FIXED) {
         return TAUT_OK;
     }
-    snprintf(where, sizeof where, "/edges/%s/cable/force", taut_film_edge_names[e]);
     if (edge->kind != TAUT_FILM_CABLE || edge->curve != NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "edge %s is neither fixed nor a cable without a curve",
                          taut_film_edge_names[e]);
     }
-    if (!(edge->force > 0) || !isfinite(edge->force)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", where, edge->force, 0,
-                         "the force of cable %s is %.17g, expected a positive number",
-                         taut_film_edge_names[e], edge->force);
-    }
-    return TAUT_OK;
+    return check_law(edge, e, error);
 }
 
 static taut_status check_corner(const taut_film_problem *problem, int c, taut_error *error)
@@ -157,8 +184,11 @@ static void describe_cables(const taut_film_space *space, const taut_film_soluti
         if (space->ratios[e] > 0) {
             taut_record *cable = taut_record_add_object(cables, NULL);
             taut_record_add_text(cable, "edge", taut_film_edge_names[e]);
-            taut_record_add_number(cable, "force", space->problem->edges[e].force);
+            taut_record_add_number(cable, "force", solution->forces[e]);
             taut_record_add_number(cable, "length", solution->lengths[e]);
+            if (space->problem->edges[e].law == TAUT_FILM_ELASTIC) {
+                taut_record_add_number(cable, "unstressed", space->problem->edges[e].unstressed);
+            }
         }
     }
     taut_record *supports = taut_record_add_list(details, "supports");

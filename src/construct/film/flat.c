@@ -275,6 +275,17 @@ static int has_curves(const taut_film_problem *problem)
            problem->edges[2].curve != NULL || problem->edges[3].curve != NULL;
 }
 
+/* Are the arcs of all cables known? */
+static int has_arcs(const taut_film_space *space)
+{
+    for (int e = 0; e < 4; e++) {
+        if (space->ratios[e] > 0 && !space->is_arc[e]) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 static void make_polygon(const taut_film_space *space, double flat[4][2], polygon *p)
 {
     static const int edge_of[2][4] = {{2, 1, 3, 0}, {0, 3, 1, 2}}; /* as they run round */
@@ -332,7 +343,7 @@ static taut_status refuse_weak(const taut_film_space *space, polygon *p, taut_er
     for (int k = 0; e < 0 && k < 4; k++) {
         e = space->ratios[k] > 0 ? k : -1;
     }
-    const double force = space->problem->edges[e].force;
+    const double force = taut_film_force(space, e, 1);
     snprintf(where, sizeof where, "/edges/%s/cable", taut_film_edge_names[e]);
     return taut_fail(error, TAUT_NO_SOLUTION, "cable-too-weak", where, force, factor * force,
                      "the cables are too weak for this flat sail: with these forces their arcs "
@@ -346,7 +357,7 @@ taut_status taut_film_flat_check(const taut_film_space *space, taut_error *error
     double flat[4][2];
     polygon p;
 
-    if (has_curves(space->problem) || !lay_flat(space, flat)) {
+    if (has_curves(space->problem) || !has_arcs(space) || !lay_flat(space, flat)) {
         return TAUT_OK;
     }
     make_polygon(space, flat, &p);

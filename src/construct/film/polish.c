@@ -165,13 +165,98 @@ static taut_status polish(work *w, taut_area_hessian *hessian, double residual[2
     return TAUT_OK;
 }
 
+/* net = dL of a cable. */
+static void lay_pull(const work *w, const taut_area_cable *cable, double *net)
+{
+    memset(net, 0, 3 * w->count * sizeof(double));
+    for (int k = 0; k < cable->count; k++) {
+        const size_t at = cable->first + (size_t)k * cable->step;
+        if (!w->mask->known[at]) {
+            memcpy(net + 3 * at, cable->pull + 3 * k, 3 * sizeof(double));
+        }
+    }
+}
+
+static taut_status respond(work *w, taut_area_hessian *hessian, double response[4][4])
+{
+    look(w);
+    taut_area_hessian_assemble(hessian, w->functional);
+    taut_area_hessian_stiffen(hessian, w->directions, stiffness);
+    if (taut_area_hessian_factor(hessian, 0) != TAUT_OK) {
+        return TAUT_NO_SOLUTION;
+    }
+    for (int l = 0; l < w->functional->cable_count; l++) {
+        const taut_area_cable *cable = w->functional->cables + l;
+        if (cable->stiffness == 0) {
+            continue;
+        }
+        lay_pull(w, cable, w->step);
+        taut_area_hessian_solve(hessian, w->step);
+        for (int k = 0; k < w->functional->cable_count; k++) {
+            const taut_area_cable *other = w->functional->cables + k;
+            response[k][l] = 0;
+            for (int i = 0; i < other->count && other->stiffness > 0; i++) {
+                response[k][l] += taut_dot(other->pull + 3 * i,
+                                           w->step + 3 * (other->first + (size_t)i * other->step));
+            }
+        }
+    }
+    return TAUT_OK;
+}
+
+/* Arrays, directions, the matrix: what both calls below begin with. */
+static taut_status prepare(work *w, const taut_basis *u, const taut_basis *v, taut_arena *arena,
+                           taut_area_hessian **hessian)
+{
+    const taut_mask *mask = w->mask;
+    const taut_basis *bases[2] = {u, v};
+    double *greville[2];
+
+    w->count = (size_t)mask->nu * (size_t)mask->nv;
+    w->gradient = taut_arena_take(arena, w->count, 3 * sizeof(double));
+    w->step = taut_arena_take(arena, w->count, 3 * sizeof(double));
+    w->before = taut_arena_take(arena, w->count, 3 * sizeof(double));
+    w->moments = taut_arena_take(arena, w->count, 3 * sizeof(double));
+    w->directions = taut_arena_take(arena, w->count, 6 * sizeof(double));
+    greville[0] = taut_arena_take(arena, (size_t)mask->nu, sizeof(double));
+    greville[1] = taut_arena_take(arena, (size_t)mask->nv, sizeof(double));
+    taut_status status = taut_arena_status(arena);
+    if (status == TAUT_OK) {
+        status = taut_area_hessian_new(w->functional, mask, hessian);
+    }
+    if (status == TAUT_OK) {
+        taut_film_greville(u, greville[0]);
+        taut_film_greville(v, greville[1]);
+        find_directions(w, bases, greville);
+    }
+    return status;
+}
+
+taut_status taut_film_respond(taut_area_functional *functional, const taut_mask *mask,
+                              const taut_basis *u, const taut_basis *v, double *net,
+                              double response[4][4])
+{
+    work w = {.functional = functional, .mask = mask, .net = net};
+    taut_area_hessian *hessian = NULL;
+
+    if (!taut_area_hessian_pays(functional, mask)) {
+        return TAUT_NO_SOLUTION;
+    }
+    taut_arena *arena = taut_arena_new();
+    taut_status status = prepare(&w, u, v, arena, &hessian);
+    if (status == TAUT_OK) {
+        status = respond(&w, hessian, response);
+    }
+    taut_area_hessian_free(hessian);
+    taut_arena_free(arena);
+    return status;
+}
+
 taut_status taut_film_polish(taut_area_functional *functional, const taut_mask *mask,
                              const taut_basis *u, const taut_basis *v, double *net,
                              double residual[2])
 {
     work w = {.functional = functional, .mask = mask, .net = net};
-    const taut_basis *bases[2] = {u, v};
-    double *greville[2];
     taut_area_hessian *hessian = NULL;
 
     residual[0] = residual[1] = 0;
@@ -179,22 +264,8 @@ taut_status taut_film_polish(taut_area_functional *functional, const taut_mask *
         return TAUT_OK;
     }
     taut_arena *arena = taut_arena_new();
-    w.count = (size_t)mask->nu * (size_t)mask->nv;
-    w.gradient = taut_arena_take(arena, w.count, 3 * sizeof(double));
-    w.step = taut_arena_take(arena, w.count, 3 * sizeof(double));
-    w.before = taut_arena_take(arena, w.count, 3 * sizeof(double));
-    w.moments = taut_arena_take(arena, w.count, 3 * sizeof(double));
-    w.directions = taut_arena_take(arena, w.count, 6 * sizeof(double));
-    greville[0] = taut_arena_take(arena, (size_t)mask->nu, sizeof(double));
-    greville[1] = taut_arena_take(arena, (size_t)mask->nv, sizeof(double));
-    taut_status status = taut_arena_status(arena);
+    taut_status status = prepare(&w, u, v, arena, &hessian);
     if (status == TAUT_OK) {
-        status = taut_area_hessian_new(functional, mask, &hessian);
-    }
-    if (status == TAUT_OK) {
-        taut_film_greville(u, greville[0]);
-        taut_film_greville(v, greville[1]);
-        find_directions(&w, bases, greville);
         status = polish(&w, hessian, residual);
     }
     taut_area_hessian_free(hessian);

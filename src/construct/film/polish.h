@@ -17,4 +17,11 @@ taut_status taut_film_polish(taut_area_functional *functional, const taut_mask *
                              const taut_basis *u, const taut_basis *v, double *net,
                              double residual[2]);
 
+/* How lengths answer to forces: response[k][l] = dL_k . B^-1 dL_l over those moves, B the second
+ * derivative of all, for the cables that give way (others 0). TAUT_NO_SOLUTION: B is not positive
+ * definite, or its factors do not pay; TAUT_NO_MEMORY. */
+taut_status taut_film_respond(taut_area_functional *functional, const taut_mask *mask,
+                              const taut_basis *u, const taut_basis *v, double *net,
+                              double response[4][4]);
+
 #endif /* TAUT_CONSTRUCT_FILM_POLISH_H */

@@ -4,6 +4,7 @@
  *     repeat
  *         minimise A + sum r_k L_k from net (construct/plateau/trust_region.h)
  *         a few steps along the moves that this sees (construct/film/polish.h)
+ *         cables that give way come to their laws (enforce_laws)
  *         the film has a fold: fail
  *         the next rule
  *     until it gives the same energy, and derivatives within the tolerance
@@ -11,6 +12,14 @@
  *         factor = 2, 4, ..: the start solved with all forces so many times, until one succeeds
  *         lower it, from film to film, by steps that are halved where one fails
  *         1 is reached: done; no step is left: cable-too-weak, the last factor told
+ *
+ * A cable of given length begins as an elastic one that has this length under the force of the arc
+ * of a circle over its chord; steps of the multiplier,
+ *
+ *     r_0 += (dL B^-1 dL^T)^-1 (L - L_0),    B the second derivative of all along the moves,
+ *
+ * which are Newton's for the film with the constraint, bring it to its length. A stiff elastic cable
+ * begins with less stiffness.
  *
  * Area does not see moves within the surface. The multiplier of the trust region is that of the
  * metric operator L_g, which does: of all steps that the area holds for equal it takes the one
@@ -21,6 +30,7 @@
 
 #include "construct/film/polish.h"
 #include "construct/plateau/newton_step.h"
+#include "construct/plateau/small.h"
 #include "construct/plateau/trust_region.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -28,7 +38,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { ITERATIONS_DEFAULT = 200, RULES = 8, DOUBLINGS = 8, LOWERINGS = 64 };
+enum { ITERATIONS_DEFAULT = 200, RULES = 8, DOUBLINGS = 8, LOWERINGS = 64, MULTIPLIERS = 40 };
 static const double tolerance_default = 1e-10;
 /* Nodes on a span beyond the functions alive there. */
 static const int extra_nodes[RULES] = {1, 3, 6, 10, 16, 26, 42, 68};
@@ -38,6 +48,16 @@ static const double area_none = 1e-12;        /* of the size squared */
 static const double step_least = 0x1p-10;     /* of the logarithm of the factor of all forces */
 static const double theta_least = 1e-6;       /* of the metric operator in every step */
 static const double work_most = 2e11;         /* flops of all films on the way: minutes */
+/* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
+static const double length_agreement = 1e-12;
+/* Stiffness of a cable at the start, over force / length. A film of a given length is stable where
+ * one of given force is not, beyond half a circle: this makes it convex up to a whole one. */
+static const double stiffness_first = 2;
+
+/* What a cable does for now: a force, or more with its length (construct/plateau/cable.h). */
+typedef struct law {
+    double force, stiffness, target;
+} law;
 
 typedef struct work {
     const taut_film_space *space;
@@ -47,12 +67,34 @@ typedef struct work {
     taut_area_functional *functional;
     taut_area_cable cables[4];
     int edges[4]; /* of the cables */
+    law laws[4];  /* of edges */
     int rule;
     double *net;
     taut_trust_region region;
     int iterations; /* of all films on the way */
     const char *method;
 } work;
+
+static void start_laws(work *w)
+{
+    for (int e = 0; e < 4; e++) {
+        const taut_film_cable *cable = &w->space->cables[e];
+        const double force = w->space->ratios[e];
+        const double soft = cable->start > 0 ? stiffness_first * force / cable->start : 0;
+        w->laws[e] = (law){.force = force, .stiffness = soft, .target = cable->start};
+        if (cable->stiffness > 0 && cable->stiffness <= soft) {
+            w->laws[e] = (law){.stiffness = cable->stiffness, .target = cable->target};
+        }
+    }
+}
+
+static void set_law(taut_area_cable *cable, const law *l, double factor)
+{
+    cable->tension = factor * l->force;
+    cable->base = l->force;
+    cable->stiffness = l->stiffness;
+    cable->target = l->target;
+}
 
 static void drop_rule(work *w)
 {
@@ -80,8 +122,8 @@ static taut_status take_rule(work *w, int rule, double factor)
                                     step, w->arena, &w->cables[found]) != TAUT_OK) {
                 return TAUT_NO_MEMORY;
             }
-            w->cables[found].tension = factor * w->space->ratios[e];
-            w->edges[found++] = e;
+            w->edges[found] = e;
+            set_law(&w->cables[found++], &w->laws[e], factor);
         }
     }
     if (taut_area_functional_new(problem->u, problem->v, NULL, extra_nodes[rule], &w->functional) !=
@@ -121,7 +163,8 @@ static taut_status refuse_fold(const work *w, taut_error *error)
 {
     return taut_fail(error, TAUT_NOT_CONVERGED, "folds", NULL, w->region.iterations, taut_none,
                      "the film folds after %d steps: its normal turns over from one point to the "
-                     "next; raise the forces of the cables, or move the corners",
+                     "next; raise the forces of the cables, shorten those of given length, or "
+                     "move the corners",
                      w->region.iterations);
 }
 
@@ -210,6 +253,117 @@ static taut_status refine_rule(work *w, double factor, int *agree, taut_error *e
     return status;
 }
 
+/* ---- cables that give way ---- */
+
+/* Stiff elastic cables become as stiff as they are: *changed. */
+static void harden(work *w, int *changed)
+{
+    for (int k = 0; k < w->functional->cable_count; k++) {
+        const int e = w->edges[k];
+        const taut_film_cable *cable = &w->space->cables[e];
+        if (cable->stiffness > 0 && w->laws[e].force > 0) {
+            w->laws[e] = (law){.stiffness = cable->stiffness, .target = cable->target};
+            set_law(&w->cables[k], &w->laws[e], 1);
+            *changed = 1;
+        }
+    }
+}
+
+/* How far the worst cable of given length is from it: share; off[k]: of cable k, L - L_0. */
+static double find_errors(const work *w, double off[4])
+{
+    double worst = 0;
+    for (int k = 0; k < w->functional->cable_count; k++) {
+        const double given = w->space->cables[w->edges[k]].length;
+        off[k] = given > 0 ? taut_area_cable_length(&w->cables[k], w->net) - given : 0;
+        worst = given > 0 ? fmax(worst, fabs(off[k]) / given) : worst;
+    }
+    return worst;
+}
+
+/* The next multipliers of cables of given length. */
+static taut_status move_multipliers(work *w, const double off[4])
+{
+    const taut_film_problem *problem = w->space->problem;
+    double response[4][4], small[4][4], step[4];
+    int which[4], count = 0;
+    const taut_status status =
+        taut_film_respond(w->functional, &w->space->mask, problem->u, problem->v, w->net, response);
+
+    for (int k = 0; k < w->functional->cable_count; k++) {
+        if (w->space->cables[w->edges[k]].length > 0) {
+            step[count] = off[k];
+            which[count++] = k;
+        }
+    }
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        for (int j = 0; j <= i; j++) {
+            small[i][j] = response[which[i]][which[j]];
+        }
+    }
+    if (status == TAUT_NO_MEMORY) {
+        return status;
+    }
+    if (status == TAUT_OK && taut_small_factor(count, small)) {
+        taut_small_solve(count, small, step);
+    } else { /* the step of the augmented Lagrangian */
+        for (int i = 0; i < count; i++) {
+            step[i] *= w->cables[which[i]].stiffness;
+        }
+    }
+    for (int i = 0; i < count; i++) {
+        law *l = &w->laws[w->edges[which[i]]];
+        l->force = fmax(0.1 * l->force, l->force + step[i]);
+        set_law(&w->cables[which[i]], l, 1);
+    }
+    return TAUT_OK;
+}
+
+/* Minimises where the last steps alone do not lead to rest. */
+static taut_status settle(work *w, int far, taut_error *error)
+{
+    double residual = 0;
+    taut_status status = far ? minimise(w, error) : polish(w, &residual, error);
+
+    if (status == TAUT_OK && (far || w->region.residual > w->region.tolerance)) {
+        status = far ? TAUT_OK : minimise(w, error);
+        if (status == TAUT_OK) {
+            status = polish(w, &residual, error);
+        }
+    }
+    return status;
+}
+
+static taut_status enforce_laws(work *w, taut_error *error)
+{
+    double off[4];
+    int changed = 0;
+    taut_status status = TAUT_OK;
+
+    harden(w, &changed);
+    if (changed) {
+        status = settle(w, 1, error);
+    }
+    for (int k = 0; status == TAUT_OK; k++) {
+        const double worst = find_errors(w, off);
+        if (worst <= length_agreement) {
+            return TAUT_OK;
+        }
+        if (k == MULTIPLIERS) {
+            return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, worst,
+                             length_agreement,
+                             "a cable does not come to its length: after %d steps of its force it "
+                             "is off by %.3g of it; even out the knots, or take another length",
+                             k, worst);
+        }
+        if (move_multipliers(w, off) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+        status = settle(w, 0, error);
+    }
+    return status;
+}
+
 /* net: the film that it goes to with all forces `factor` times what they are. */
 static taut_status find_film(work *w, double factor, taut_error *error)
 {
@@ -226,6 +380,9 @@ static taut_status find_film(work *w, double factor, taut_error *error)
         w->iterations += w->region.iterations - before;
         if (status == TAUT_OK) {
             status = polish(w, &residual, error);
+        }
+        if (status == TAUT_OK) {
+            status = enforce_laws(w, error);
         }
         if (status == TAUT_OK) {
             status = w->rule + 1 < RULES ? refine_rule(w, factor, &agree, error)
@@ -311,14 +468,20 @@ static taut_status try_stronger(work *w, taut_arena *arena, taut_error *error)
 
 /* ---- the whole ---- */
 
-static int has_cables(const taut_film_space *space)
+/* Are there cables, and forces of all of them given? */
+static int has_forces(const taut_film_space *space)
 {
-    return space->ratios[0] > 0 || space->ratios[1] > 0 || space->ratios[2] > 0 ||
-           space->ratios[3] > 0;
+    int forces = 0, others = 0;
+    for (int e = 0; e < 4; e++) {
+        forces += space->ratios[e] > 0;
+        others += space->cables[e].start > 0;
+    }
+    return forces > 0 && others == 0;
 }
 
 static taut_status find_net(work *w, taut_arena *arena, taut_error *error)
 {
+    start_laws(w);
     taut_status status = take_rule(w, 0, 1);
 
     if (status != TAUT_OK) {
@@ -332,7 +495,7 @@ static taut_status find_net(work *w, taut_arena *arena, taut_error *error)
     }
     taut_error inner = {.status = TAUT_OK};
     inner.status = find_film(w, 1, &inner);
-    if (inner.status == TAUT_NOT_CONVERGED && has_cables(w->space) &&
+    if (inner.status == TAUT_NOT_CONVERGED && has_forces(w->space) &&
         w->region.iterations < w->region.max_iterations) {
         return try_stronger(w, arena, error);
     }
@@ -350,7 +513,9 @@ static taut_status fill_solution(work *w, taut_arena *arena, taut_film_solution 
         return taut_fail_memory(error);
     }
     for (int k = 0; k < w->functional->cable_count; k++) {
-        solution->lengths[w->edges[k]] = ldexp(taut_area_cable_length(&w->cables[k], w->net), unit);
+        const int e = w->edges[k];
+        solution->lengths[e] = ldexp(taut_area_cable_length(&w->cables[k], w->net), unit);
+        solution->forces[e] = taut_film_force(space, e, w->cables[k].tension / space->ratios[e]);
     }
     solution->iterations = w->iterations;
     solution->residual = w->region.residual;

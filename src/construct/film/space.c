@@ -10,7 +10,10 @@
 #include "construct/film/space.h"
 
 #include "construct/common/curve_fit.h"
+#include "construct/film/arc.h"
 #include "construct/film/greville.h"
+#include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -256,29 +259,121 @@ static void fill_inside(taut_film_space *space, double *const greville[2])
     }
 }
 
-static taut_status find_ratios(taut_film_space *space, taut_error *error)
-{
-    const taut_film_problem *problem = space->problem;
-    const double s = problem->tension > 0 ? problem->tension : 1;
+/* ---- cables ---- */
 
-    for (int e = 0; e < 4; e++) {
-        if (problem->edges[e].kind != TAUT_FILM_CABLE) {
-            continue;
-        }
-        const double ratio =
-            ldexp(problem->edges[e].force / s, -(space->scaling.outer + space->scaling.inner));
-        if (!(ratio >= TAUT_FILM_FORCE_MIN && ratio <= TAUT_FILM_FORCE_MAX)) {
-            char where[32];
-            snprintf(where, sizeof where, "/edges/%s/cable/force", taut_film_edge_names[e]);
-            return taut_fail(
-                error, TAUT_BAD_INPUT, "value", where, problem->edges[e].force, taut_none,
-                "the force of cable %s is %.3g of the film's tension times its size, "
-                "expected %.0e to %.0e",
-                taut_film_edge_names[e], ratio, TAUT_FILM_FORCE_MIN, TAUT_FILM_FORCE_MAX);
-        }
-        space->ratios[e] = ratio;
+static taut_status check_ratio(int e, const char *member, double ratio, double given,
+                               taut_error *error)
+{
+    char where[48];
+
+    if (ratio >= TAUT_FILM_FORCE_MIN && ratio <= TAUT_FILM_FORCE_MAX) {
+        return TAUT_OK;
     }
+    snprintf(where, sizeof where, "/edges/%s/cable/%s", taut_film_edge_names[e], member);
+    return taut_fail(error, TAUT_BAD_INPUT, "value", where, given, taut_none,
+                     "the %s of cable %s is %.3g of the film's tension times its size, "
+                     "expected %.0e to %.0e",
+                     member, taut_film_edge_names[e], ratio, TAUT_FILM_FORCE_MIN,
+                     TAUT_FILM_FORCE_MAX);
+}
+
+/* A length of which the arc of a circle has the radius, and so the force, `ratio`. */
+static taut_status take_length(taut_film_space *space, int e, double chord, double length,
+                               taut_error *error)
+{
+    const taut_film_edge *edge = &space->problem->edges[e];
+    const int unit = space->scaling.outer + space->scaling.inner;
+    const double a = length > chord ? taut_film_arc_angle(chord, length) : 0;
+    const double radius = a > 0 ? chord / (2 * taut_sin(a)) : INFINITY;
+
+    if (!(radius <= TAUT_FILM_FORCE_MAX)) {
+        const int by_sag = edge->law == TAUT_FILM_SAG;
+        char where[48];
+        snprintf(where, sizeof where, "/edges/%s/cable/%s", taut_film_edge_names[e],
+                 by_sag ? "sag" : "length");
+        return taut_fail(error, TAUT_NO_SOLUTION, "cable-too-short", where,
+                         by_sag ? edge->sag : edge->length, ldexp(chord, unit),
+                         "cable %s is %.17g long, expected more than the distance of its ends, "
+                         "%.17g: give it more length",
+                         taut_film_edge_names[e], ldexp(length, unit), ldexp(chord, unit));
+    }
+    space->ratios[e] = radius;
+    space->is_arc[e] = a <= 0.5 * TAUT_PI;
+    space->cables[e].length = space->cables[e].start = length;
     return TAUT_OK;
+}
+
+static taut_status take_elastic(taut_film_space *space, int e, double chord, double unstressed,
+                                taut_error *error)
+{
+    const taut_film_edge *edge = &space->problem->edges[e];
+    const double s = space->problem->tension > 0 ? space->problem->tension : 1;
+    const int unit = space->scaling.outer + space->scaling.inner;
+    const double k = edge->stiffness / s / edge->unstressed;
+    taut_film_cable *cable = &space->cables[e];
+    const taut_status status =
+        check_ratio(e, "stiffness", ldexp(edge->stiffness / s, -unit), edge->stiffness, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (!(k <= TAUT_FILM_FORCE_MAX) || !(unstressed > 0)) {
+        return check_ratio(e, "unstressed", unstressed, edge->unstressed, error);
+    }
+    const double radius = taut_film_arc_elastic(chord, unstressed, k);
+    space->is_arc[e] = radius > 0;
+    space->ratios[e] = radius > 0 ? radius : 0.5 * chord;
+    *cable = (taut_film_cable){
+        .stiffness = k, .target = unstressed, .start = unstressed + space->ratios[e] / k};
+    return space->ratios[e] <= TAUT_FILM_FORCE_MAX
+               ? TAUT_OK
+               : check_ratio(e, "unstressed", space->ratios[e], edge->unstressed, error);
+}
+
+static taut_status find_cable(taut_film_space *space, int e, taut_error *error)
+{
+    const taut_film_edge *edge = &space->problem->edges[e];
+    const double s = space->problem->tension > 0 ? space->problem->tension : 1;
+    const int unit = space->scaling.outer + space->scaling.inner;
+    const double chord = ldexp(taut_distance(space->corners[taut_film_corner_of(e, 0)],
+                                             space->corners[taut_film_corner_of(e, 1)]),
+                               -unit);
+
+    switch (edge->law) {
+    case TAUT_FILM_LENGTH:
+        return take_length(space, e, chord, ldexp(edge->length, -unit), error);
+    case TAUT_FILM_SAG:
+        return take_length(space, e, chord, taut_film_arc_of_sag(chord, edge->sag), error);
+    case TAUT_FILM_ELASTIC:
+        return take_elastic(space, e, chord, ldexp(edge->unstressed, -unit), error);
+    case TAUT_FILM_FORCE:
+        break;
+    }
+    space->ratios[e] = ldexp(edge->force / s, -unit);
+    space->is_arc[e] = 1;
+    return check_ratio(e, "force", space->ratios[e], edge->force, error);
+}
+
+static taut_status find_cables(taut_film_space *space, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+
+    for (int e = 0; status == TAUT_OK && e < 4; e++) {
+        if (space->problem->edges[e].kind == TAUT_FILM_CABLE) {
+            status = find_cable(space, e, error);
+        }
+    }
+    return status;
+}
+
+double taut_film_force(const taut_film_space *space, int e, double share)
+{
+    const taut_film_edge *edge = &space->problem->edges[e];
+    const double s = space->problem->tension > 0 ? space->problem->tension : 1;
+
+    return edge->law == TAUT_FILM_FORCE
+               ? share * edge->force
+               : s * ldexp(share * space->ratios[e], space->scaling.outer + space->scaling.inner);
 }
 
 taut_status taut_film_space_new(const taut_film_problem *problem, taut_arena *arena,
@@ -321,5 +416,5 @@ taut_status taut_film_space_new(const taut_film_problem *problem, taut_arena *ar
     space->scaling = taut_scaling_of(space->count, space->points, space->known);
     taut_scaling_apply(&space->scaling, space->count, space->points, NULL, space->start);
     fill_inside(space, greville);
-    return find_ratios(space, error);
+    return find_cables(space, error);
 }

@@ -7,18 +7,29 @@
 #include "core/arena.h"
 #include "taut/film.h"
 
+/* What a cable does, scaled. */
+typedef struct taut_film_cable {
+    double length;    /* given; else 0 */
+    double stiffness; /* elastic: force over tension per length; else 0 */
+    double target;    /* elastic: its unstressed length */
+    double start; /* the length that the force of the start belongs to; 0 where force is given */
+} taut_film_cable;
+
 typedef struct taut_film_space {
     const taut_film_problem *problem;
     int nu, nv;
-    size_t count;         /* nu nv */
-    double corners[4][3]; /* u0v0, u1v0, u0v1, u1v1 */
-    double deviation;     /* of fitted edges from their curves */
-    double *points;       /* [nu][nv][3]: what is held, in the user's unit; else 0 */
-    unsigned char *known; /* [nu][nv] */
-    taut_mask mask;       /* of known */
-    taut_scaling scaling; /* of the points held */
-    double *start;        /* [nu][nv][3], scaled: chords for cables, a Coons net inside */
-    double ratios[4];     /* force over tension of each cable, in the scaled unit; 0: no cable */
+    size_t count;            /* nu nv */
+    double corners[4][3];    /* u0v0, u1v0, u0v1, u1v1 */
+    double deviation;        /* of fitted edges from their curves */
+    double *points;          /* [nu][nv][3]: what is held, in the user's unit; else 0 */
+    unsigned char *known;    /* [nu][nv] */
+    taut_mask mask;          /* of known */
+    taut_scaling scaling;    /* of the points held */
+    double *start;           /* [nu][nv][3], scaled: chords for cables, a Coons net inside */
+    double ratios[4];        /* force over tension of each cable, in the scaled unit; 0: no cable.
+                           * Where it is not given, that of the arc of a circle over its chord */
+    unsigned char is_arc[4]; /* is it a cable whose flat film would have this arc? */
+    taut_film_cable cables[4];
 } taut_film_space;
 
 /* Names of edges and corners, as documents have them. */
@@ -33,6 +44,9 @@ static inline int taut_film_corner_of(int e, int end)
 
 /* Where the points of edge e lie in a net of nu by nv: the first, from one to the next, how many. */
 void taut_film_edge_points(int nu, int nv, int e, size_t *first, size_t *step, int *count);
+
+/* The force of cable e, in the user's unit, at `share` of its ratio. */
+double taut_film_force(const taut_film_space *space, int e, double share);
 
 /* All of it, in the arena. TAUT_BAD_INPUT, TAUT_NO_SOLUTION, TAUT_NOT_CONVERGED by the reasons of
  * taut/film.h; TAUT_NO_MEMORY. */

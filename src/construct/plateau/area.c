@@ -434,7 +434,7 @@ taut_area_value taut_area_functional_value(taut_area_functional *functional, con
     value = sum_up(&sum, value);
     for (int k = 0; k < functional->cable_count; k++) {
         const taut_area_cable *cable = functional->cables + k;
-        value.area += cable->tension * taut_area_cable_length(cable, net);
+        value.area += taut_area_cable_energy(cable, taut_area_cable_length(cable, net));
     }
     return value;
 }
@@ -471,7 +471,8 @@ taut_area_value taut_area_functional_gradient(taut_area_functional *functional, 
     value = sum_up(&sum, value);
     for (int k = 0; k < functional->cable_count; k++) {
         taut_area_cable *cable = functional->cables + k;
-        value.area += cable->tension * taut_area_cable_gradient(cable, net, gradient);
+        const double length = taut_area_cable_gradient(cable, net, gradient);
+        value.area += taut_area_cable_energy(cable, length);
     }
     return value;
 }

@@ -64,7 +64,7 @@ typedef struct taut_area_functional {
 
 /* What a net is worth. */
 typedef struct taut_area_value {
-    double area;  /* with r L of each cable */
+    double area;  /* with C(L) of each cable */
     double least; /* smallest W over the area (the mean of W) */
 } taut_area_value;
 

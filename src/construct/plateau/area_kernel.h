@@ -12,6 +12,7 @@
 enum {
     TAUT_AREA_GROUP_MAX = 256, /* TAUT_GAUSS_MAX, a multiple of TAUT_AREA_PAD */
     TAUT_AREA_STATE = 7,       /* n, w_g E / W, w_g F / W, w_g G / W, w_g */
+    TAUT_AREA_BLOCK = 10,      /* of the Hessian: s n n^T in six numbers, t n in three, s */
     TAUT_AREA_PAD = 8          /* numbers beyond a plane that kernels may read and add 0 to */
 };
 
@@ -26,6 +27,15 @@ typedef struct taut_area_cell {
     const double *quotient;          /* [3][group]: 1 / w, w_u / w, w_v / w; or NULL */
     double *spread_still, *spread_u; /* [3] planes: what goes back with N_i, with N_i' */
 } taut_area_cell;
+
+/* Points of a cell whose parts of the Hessian are added up (construct/plateau/hessian_band.h). Of
+ * each function alive at a point: p_u, p_v, w_g (G p_u - F p_v) / W, w_g (E p_v - F p_u) / W. */
+typedef struct taut_area_pairs {
+    int nodes, local, wide;                            /* wide: local rounded up */
+    const double *slope_u, *slope_v, *flux_u, *flux_v; /* [nodes][wide] */
+    const double
+        *normal; /* [nodes][TAUT_AREA_BLOCK - 1]: n n^T, row by row to the diagonal; w_g n */
+} taut_area_pairs;
 
 typedef struct taut_area_ops {
     const char *name;
@@ -43,6 +53,9 @@ typedef struct taut_area_ops {
     void (*gradient)(const taut_area_cell *cell, const double *weights, double *state, double *w);
     /* The product of the direction in the polygons with the operator of the state and theta. */
     void (*product)(const taut_area_cell *cell, double theta, const double *state);
+    /* element[local][TAUT_AREA_BLOCK][wide] += the blocks of functions p and q, for q <= p and what
+     * vectors add beyond. */
+    void (*pairs)(const taut_area_pairs *points, double *element);
 } taut_area_ops;
 
 /* As taut_grid_ops_chosen. */

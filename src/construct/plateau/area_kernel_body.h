@@ -204,8 +204,47 @@ static void area_product(const taut_area_cell *p, double theta, const double *st
     gather_fluxes(p, &f);
 }
 
+/* One row of the element, AREA_LANES functions q side by side. */
+INLINE void add_pairs(const taut_area_pairs *p, size_t row, size_t at, double *element)
+{
+    const size_t wide = (size_t)p->wide;
+    lanes sum[TAUT_AREA_BLOCK];
+
+    for (size_t c = 0; c < TAUT_AREA_BLOCK; c++) {
+        sum[c] = OF(element + c * wide + at);
+    }
+    for (int g = 0; g < p->nodes; g++) {
+        const size_t from = (size_t)g * wide;
+        const double *normal = p->normal + g * (TAUT_AREA_BLOCK - 1);
+        const lanes qu = OF(p->slope_u + from + at), qv = OF(p->slope_v + from + at);
+        const lanes s = p->flux_u[from + row] * qu + p->flux_v[from + row] * qv;
+        const lanes t = p->slope_v[from + row] * qu - p->slope_u[from + row] * qv;
+        for (int c = 0; c < 6; c++) {
+            sum[c] += s * normal[c];
+        }
+        for (int c = 6; c < 9; c++) {
+            sum[c] += t * normal[c];
+        }
+        sum[9] += s;
+    }
+    for (size_t c = 0; c < TAUT_AREA_BLOCK; c++) {
+        AT(element + c * wide + at) = sum[c];
+    }
+}
+
+static void area_pairs(const taut_area_pairs *points, double *element)
+{
+    const size_t row = TAUT_AREA_BLOCK * (size_t)points->wide;
+    for (size_t p = 0; p < (size_t)points->local; p++) {
+        for (size_t q = 0; q <= p; q += AREA_LANES) {
+            add_pairs(points, p, q, element + p * row);
+        }
+    }
+}
+
 #define AREA_OPS(title)                                                                            \
     {                                                                                              \
         .name = (title), .lanes = AREA_LANES, .contract = area_contract, .spread = area_spread,    \
-        .area = area_elements, .gradient = area_gradient, .product = area_product                  \
+        .area = area_elements, .gradient = area_gradient, .product = area_product,                 \
+        .pairs = area_pairs                                                                        \
     }

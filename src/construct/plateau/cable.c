@@ -4,6 +4,7 @@
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
+#include <math.h>
 #include <string.h>
 
 static taut_status fill_node(const taut_basis *basis, int span, double t, taut_area_cable *cable,
@@ -32,11 +33,13 @@ taut_status taut_area_cable_new(const taut_basis *basis, int extra, size_t first
 
     *cable = (taut_area_cable){.first = first, .step = step, .nodes = spans * each};
     cable->local = taut_basis_local(basis);
+    cable->count = taut_basis_count(basis);
     const size_t nodes = (size_t)cable->nodes, local = (size_t)cable->local;
     cable->alive = taut_arena_take(arena, nodes, sizeof(int));
     cable->slope = taut_arena_take(arena, nodes * local, sizeof(double));
     cable->weight = taut_arena_take(arena, nodes, sizeof(double));
     cable->state = taut_arena_take(arena, nodes, TAUT_AREA_CABLE_STATE * sizeof(double));
+    cable->pull = taut_arena_take(arena, (size_t)cable->count, 3 * sizeof(double));
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
@@ -73,6 +76,21 @@ static void spread_slope(const taut_area_cable *cable, const double f[3], int no
     }
 }
 
+/* p at a length. */
+static double find_force(const taut_area_cable *cable, double length)
+{
+    return fmax(0, cable->base + cable->stiffness * (length - cable->target));
+}
+
+double taut_area_cable_energy(const taut_area_cable *cable, double length)
+{
+    if (cable->stiffness == 0) {
+        return cable->tension * length;
+    }
+    const double p = find_force(cable, length);
+    return 0.5 * p * p / cable->stiffness;
+}
+
 double taut_area_cable_length(const taut_area_cable *cable, const double *net)
 {
     taut_sum sum = {0, 0};
@@ -84,9 +102,25 @@ double taut_area_cable_length(const taut_area_cable *cable, const double *net)
     return taut_sum_total(&sum);
 }
 
+/* What a node adds to dL. */
+static void add_pull(const taut_area_cable *cable, int node)
+{
+    const double *slope = cable->slope + (size_t)node * (size_t)cable->local;
+    const double *t = cable->state + (size_t)node * TAUT_AREA_CABLE_STATE;
+    double *x = cable->pull + 3 * cable->alive[node];
+
+    for (int a = 0; a < cable->local; a++, x += 3) {
+        taut_add_scaled(cable->weight[node] * slope[a], t, x);
+    }
+}
+
 double taut_area_cable_gradient(taut_area_cable *cable, const double *net, double *gradient)
 {
     taut_sum sum = {0, 0};
+    if (cable->stiffness > 0) {
+        cable->tension = find_force(cable, taut_area_cable_length(cable, net));
+        memset(cable->pull, 0, 3 * (size_t)cable->count * sizeof(double));
+    }
     for (int k = 0; k < cable->nodes; k++) {
         double *state = cable->state + (size_t)k * TAUT_AREA_CABLE_STATE;
         double d[3], f[3];
@@ -99,8 +133,25 @@ double taut_area_cable_gradient(taut_area_cable *cable, const double *net, doubl
         state[3] = cable->weight[k] * inverse;
         taut_sum_add(&sum, cable->weight[k] * speed);
         spread_slope(cable, f, k, gradient);
+        if (cable->stiffness > 0) {
+            add_pull(cable, k);
+        }
     }
     return taut_sum_total(&sum);
+}
+
+/* product += k dL (dL . direction). */
+static void add_stiffness(const taut_area_cable *cable, const double *direction, double *product)
+{
+    double along = 0;
+    for (int k = 0; k < cable->count; k++) {
+        const size_t at = 3 * (cable->first + (size_t)k * cable->step);
+        along += taut_dot(cable->pull + 3 * k, direction + at);
+    }
+    for (int k = 0; k < cable->count; k++) {
+        const size_t at = 3 * (cable->first + (size_t)k * cable->step);
+        taut_add_scaled(cable->stiffness * along, cable->pull + 3 * k, product + at);
+    }
 }
 
 void taut_area_cable_product(const taut_area_cable *cable, double theta, const double *direction,
@@ -115,5 +166,8 @@ void taut_area_cable_product(const taut_area_cable *cable, double theta, const d
             d[c] = r * (d[c] - along * t[c]);
         }
         spread_slope(cable, d, k, product);
+    }
+    if (cable->stiffness > 0 && cable->tension > 0) {
+        add_stiffness(cable, direction, product);
     }
 }

@@ -1,12 +1,22 @@
 #include "construct/plateau/hessian_band.h"
 
+#include "construct/plateau/small.h"
 #include "core/arena.h"
 #include "core/memory.h"
 #include "numeric/band.h"
 
+#include <math.h>
 #include <string.h>
 
-enum { BLOCK = 10 }; /* s n n^T in six numbers, t n in three, s */
+/* k dL dL^T of each cable that gives way, beside the band: with G their sqrt(k) dL,
+ *
+ *     (B + G G^T)^-1 = B^-1 - B^-1 G (I + G^T B^-1 G)^-1 G^T B^-1     ([GolubVanLoan2013] 2.1.4)
+ */
+typedef struct border {
+    int count;
+    double *pull[TAUT_SMALL_MAX], *image[TAUT_SMALL_MAX]; /* [unknowns][3]: of G, of B^-1 G */
+    double small[TAUT_SMALL_MAX][TAUT_SMALL_MAX];         /* the factors of I + G^T B^-1 G */
+} border;
 
 /* What factors may cost; beyond it conjugate gradients serve. */
 static const struct {
@@ -22,11 +32,14 @@ struct taut_area_hessian {
     int *index;                       /* [nu][nv], or -1 at known points */
     int local;                        /* functions alive on one cell */
     taut_band second, metric, factor; /* H, L_g, what was made of both */
-    double *element;                  /* [local][local][BLOCK], the lower half used */
-    double *slope_u;                  /* [local], at one Gauss point */
-    double *slope_v;                  /* [local] */
+    int wide;                         /* local, rounded up to vectors */
+    double *element;                  /* [local][TAUT_AREA_BLOCK][wide], the lower half used */
+    double *slope_u, *slope_v;        /* [v.nodes][wide]: of the points of a line in a cell */
+    double *flux_u, *flux_v;          /* [v.nodes][wide] */
+    double *normal;                   /* [v.nodes][TAUT_AREA_BLOCK - 1] */
     double *right;                    /* [unknowns][3] */
     double *work;                     /* of the factors of wide bands */
+    border border;
 };
 
 /* Numbers the unknown points; returns how many. */
@@ -110,14 +123,24 @@ void taut_area_hessian_free(taut_area_hessian *hessian)
 static taut_status take_arrays(const taut_area_functional *functional, taut_area_hessian *hessian)
 {
     taut_arena *arena = hessian->arena = taut_arena_new();
-    const size_t local = (size_t)hessian->local;
+    const size_t local = (size_t)hessian->local, wide = (size_t)hessian->wide;
+    const size_t nodes = (size_t)functional->v.nodes, line = wide * sizeof(double);
 
     hessian->index =
         taut_arena_take(arena, (size_t)functional->nu * (size_t)functional->nv, sizeof(int));
-    hessian->element = taut_arena_take(arena, local * local, BLOCK * sizeof(double));
-    hessian->slope_u = taut_arena_take(arena, local, sizeof(double));
-    hessian->slope_v = taut_arena_take(arena, local, sizeof(double));
+    hessian->element = taut_arena_take(arena, local, TAUT_AREA_BLOCK * line);
+    hessian->slope_u = taut_arena_take(arena, nodes, line);
+    hessian->slope_v = taut_arena_take(arena, nodes, line);
+    hessian->flux_u = taut_arena_take(arena, nodes, line);
+    hessian->flux_v = taut_arena_take(arena, nodes, line);
+    hessian->normal = taut_arena_take(arena, nodes, (TAUT_AREA_BLOCK - 1) * sizeof(double));
     hessian->right = taut_arena_take(arena, hessian->mask->unknowns, 3 * sizeof(double));
+    for (int k = 0; k < functional->cable_count; k++) {
+        hessian->border.pull[k] =
+            taut_arena_take(arena, hessian->mask->unknowns, 3 * sizeof(double));
+        hessian->border.image[k] =
+            taut_arena_take(arena, hessian->mask->unknowns, 3 * sizeof(double));
+    }
     return taut_arena_status(arena);
 }
 
@@ -154,6 +177,7 @@ taut_status taut_area_hessian_new(const taut_area_functional *functional, const 
     }
     made->mask = mask;
     made->local = functional->u.local * functional->v.local;
+    made->wide = (made->local + TAUT_AREA_PAD - 1) / TAUT_AREA_PAD * TAUT_AREA_PAD;
     status = make_matrices(functional, made);
     if (status != TAUT_OK) {
         taut_area_hessian_free(made);
@@ -163,10 +187,10 @@ taut_status taut_area_hessian_new(const taut_area_functional *functional, const 
     return TAUT_OK;
 }
 
-/* The slopes of x in each point alive: N_i' N_j and N_i N_j', or with weights
+/* The slopes of x in each point alive at node k of v: N_i' N_j and N_i N_j', or with weights
  * w_ij (N_i' N_j - N_i N_j w_u / w) / w. */
-static void find_slopes(taut_area_hessian *hessian, const taut_area_functional *functional,
-                        int line, int k)
+static void find_slopes(const taut_area_functional *functional, int line, int k, double *slope_u,
+                        double *slope_v)
 {
     const size_t local_u = (size_t)functional->u.local, local_v = (size_t)functional->v.local;
     const double *n = functional->u.value + (size_t)line * local_u;
@@ -183,43 +207,58 @@ static void find_slopes(taut_area_hessian *hessian, const taut_area_functional *
 
     for (size_t a = 0; a < local_u; a++) {
         for (size_t b = 0; b < local_v; b++, p++) {
-            hessian->slope_u[p] = d[a] * m[b];
-            hessian->slope_v[p] = n[a] * e[b];
+            slope_u[p] = d[a] * m[b];
+            slope_v[p] = n[a] * e[b];
             if (is_rational) {
                 const size_t i = (size_t)functional->u.first[line] + a;
                 const size_t j = (size_t)functional->v.first[k] + b;
                 const double w = functional->weights[i * (size_t)functional->nv + j] * q[0];
-                hessian->slope_u[p] = w * (hessian->slope_u[p] - n[a] * m[b] * q[1]);
-                hessian->slope_v[p] = w * (hessian->slope_v[p] - n[a] * m[b] * q[2]);
+                slope_u[p] = w * (slope_u[p] - n[a] * m[b] * q[1]);
+                slope_v[p] = w * (slope_v[p] - n[a] * m[b] * q[2]);
             }
         }
     }
 }
 
-/* Adds one Gauss point to the element. */
-static void add_point(taut_area_hessian *hessian, const double *state)
+/* What Gauss point (line, k) gives to every pair of functions: the g-th of its line in the cell. */
+static void lay_point(taut_area_hessian *hessian, const taut_area_functional *functional, int line,
+                      int k, int g)
 {
-    const double *n = state, e = state[3], f = state[4], g = state[5];
-    const double square[6] = {n[0] * n[0], n[1] * n[0], n[1] * n[1],
-                              n[2] * n[0], n[2] * n[1], n[2] * n[2]};
-    const double normal[3] = {state[6] * n[0], state[6] * n[1], state[6] * n[2]};
+    const size_t from = (size_t)g * (size_t)hessian->wide;
+    const double *pu = hessian->slope_u + from, *pv = hessian->slope_v + from;
+    double *normal = hessian->normal + g * (TAUT_AREA_BLOCK - 1), state[TAUT_AREA_STATE];
 
-    for (int p = 0; p < hessian->local; p++) {
-        const double pu = hessian->slope_u[p], pv = hessian->slope_v[p];
-        const double along_u = g * pu - f * pv, along_v = e * pv - f * pu;
-        double *block = hessian->element + (size_t)p * (size_t)hessian->local * BLOCK;
-        for (int q = 0; q <= p; q++, block += BLOCK) {
-            const double qu = hessian->slope_u[q], qv = hessian->slope_v[q];
-            const double s = along_u * qu + along_v * qv, t = pv * qu - pu * qv;
-            for (int c = 0; c < 6; c++) {
-                block[c] += s * square[c];
-            }
-            for (int c = 0; c < 3; c++) {
-                block[6 + c] += t * normal[c];
-            }
-            block[9] += s;
+    find_slopes(functional, line, k, hessian->slope_u + from, hessian->slope_v + from);
+    taut_area_functional_state(functional, line, k, state);
+    const double *n = state, e = state[3], m = state[4], h = state[5];
+    for (int c = 0, at = 0; c < 3; c++) {
+        for (int d = 0; d <= c; d++) {
+            normal[at++] = n[c] * n[d];
         }
+        normal[6 + c] = state[6] * n[c];
     }
+    for (size_t p = 0; p < (size_t)hessian->local; p++) {
+        hessian->flux_u[from + p] = h * pu[p] - m * pv[p];
+        hessian->flux_v[from + p] = e * pv[p] - m * pu[p];
+    }
+}
+
+/* Adds the points of a line in one cell to the element. */
+static void add_line(taut_area_hessian *hessian, const taut_area_functional *functional, int line,
+                     int k)
+{
+    const taut_area_pairs points = {.nodes = functional->v.nodes,
+                                    .local = hessian->local,
+                                    .wide = hessian->wide,
+                                    .slope_u = hessian->slope_u,
+                                    .slope_v = hessian->slope_v,
+                                    .flux_u = hessian->flux_u,
+                                    .flux_v = hessian->flux_v,
+                                    .normal = hessian->normal};
+    for (int g = 0; g < points.nodes; g++) {
+        lay_point(hessian, functional, line, k + g, g);
+    }
+    functional->ops->pairs(&points, hessian->element);
 }
 
 /* Adds a block to row a, column b of both matrices, a >= b. sign: -1 when a and b have changed
@@ -251,12 +290,15 @@ static void add_element(taut_area_hessian *hessian, const taut_area_functional *
         const int ip = functional->u.first[line] + p / functional->v.local;
         const int jp = functional->v.first[k] + p % functional->v.local;
         const int a = hessian->index[(size_t)ip * (size_t)functional->nv + (size_t)jp];
+        const double *row = hessian->element + (size_t)p * TAUT_AREA_BLOCK * (size_t)hessian->wide;
         for (int q = 0; a >= 0 && q <= p; q++) {
             const int iq = functional->u.first[line] + q / functional->v.local;
             const int jq = functional->v.first[k] + q % functional->v.local;
             const int b = hessian->index[(size_t)iq * (size_t)functional->nv + (size_t)jq];
-            const double *block =
-                hessian->element + ((size_t)p * (size_t)hessian->local + (size_t)q) * BLOCK;
+            double block[TAUT_AREA_BLOCK];
+            for (size_t c = 0; c < TAUT_AREA_BLOCK; c++) {
+                block[c] = row[c * (size_t)hessian->wide + (size_t)q];
+            }
             if (b > a) {
                 add_block(hessian, b, a, -1, block);
             } else if (b >= 0) {
@@ -280,7 +322,7 @@ static void add_cable_node(taut_area_hessian *hessian, const taut_area_cable *ca
         const int a = index[(size_t)p * cable->step];
         for (int q = 0; a >= 0 && q <= p; q++) {
             const int b = index[(size_t)q * cable->step];
-            double block[BLOCK] = {0};
+            double block[TAUT_AREA_BLOCK] = {0};
             block[9] = cable->tension * t[3] * slope[p] * slope[q];
             for (int c = 0; c < 6; c++) {
                 block[c] = block[9] * across[c];
@@ -292,6 +334,20 @@ static void add_cable_node(taut_area_hessian *hessian, const taut_area_cable *ca
     }
 }
 
+/* sqrt(k) dL of a cable that gives way. */
+static void add_border(taut_area_hessian *hessian, const taut_area_cable *cable)
+{
+    double *pull = hessian->border.pull[hessian->border.count++];
+
+    memset(pull, 0, 3 * hessian->mask->unknowns * sizeof(double));
+    for (int k = 0; k < cable->count; k++) {
+        const int at = hessian->index[cable->first + (size_t)k * cable->step];
+        for (int c = 0; at >= 0 && c < 3; c++) {
+            pull[3 * at + c] = sqrt(cable->stiffness) * cable->pull[3 * k + c];
+        }
+    }
+}
+
 static void clear_band(taut_band *matrix)
 {
     memset(matrix->a, 0, (size_t)matrix->n * ((size_t)matrix->width + 1) * sizeof(double));
@@ -299,24 +355,24 @@ static void clear_band(taut_band *matrix)
 
 void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_functional *functional)
 {
-    const size_t local = (size_t)hessian->local;
+    const size_t numbers = (size_t)hessian->local * TAUT_AREA_BLOCK * (size_t)hessian->wide;
 
     clear_band(&hessian->second);
     clear_band(&hessian->metric);
     for (int line = 0; line < functional->u.count; line += functional->u.nodes) {
         for (int k = 0; k < functional->v.count; k += functional->v.nodes) {
-            memset(hessian->element, 0, local * local * BLOCK * sizeof(double));
-            for (int g = 0; g < functional->u.nodes * functional->v.nodes; g++) {
-                const int at_u = line + g / functional->v.nodes, at_v = k + g % functional->v.nodes;
-                double state[TAUT_AREA_STATE];
-                taut_area_functional_state(functional, at_u, at_v, state);
-                find_slopes(hessian, functional, at_u, at_v);
-                add_point(hessian, state);
+            memset(hessian->element, 0, numbers * sizeof(double));
+            for (int g = 0; g < functional->u.nodes; g++) {
+                add_line(hessian, functional, line + g, k);
             }
             add_element(hessian, functional, line, k);
         }
     }
+    hessian->border.count = 0;
     for (int k = 0; k < functional->cable_count; k++) {
+        if (functional->cables[k].stiffness > 0 && functional->cables[k].tension > 0) {
+            add_border(hessian, functional->cables + k);
+        }
         for (int node = 0; node < functional->cables[k].nodes; node++) {
             add_cable_node(hessian, functional->cables + k, node);
         }
@@ -354,12 +410,56 @@ static void combine_matrices(taut_area_hessian *hessian, double theta)
     }
 }
 
+static double dot(size_t count, const double *a, const double *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+/* The border by the factors at hand. */
+static taut_status factor_border(taut_area_hessian *hessian)
+{
+    border *b = &hessian->border;
+    const size_t size = 3 * (size_t)hessian->unknowns;
+
+    for (int k = 0; k < b->count; k++) {
+        memcpy(b->image[k], b->pull[k], size * sizeof(double));
+        taut_band_solve(&hessian->factor, 1, b->image[k]);
+        for (int m = 0; m <= k; m++) {
+            b->small[k][m] = (k == m) + dot(size, b->pull[m], b->image[k]);
+        }
+    }
+    return taut_small_factor(b->count, b->small) ? TAUT_OK : TAUT_NO_SOLUTION;
+}
+
 taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta)
 {
     combine_matrices(hessian, theta);
-    return hessian->factor.width >= TAUT_BAND_TILES_LEAST
-               ? taut_band_factor_tiled(&hessian->factor, hessian->work, NULL)
-               : taut_band_factor(&hessian->factor);
+    const taut_status status = hessian->factor.width >= TAUT_BAND_TILES_LEAST
+                                   ? taut_band_factor_tiled(&hessian->factor, hessian->work, NULL)
+                                   : taut_band_factor(&hessian->factor);
+    return status == TAUT_OK ? factor_border(hessian) : status;
+}
+
+/* right = (B + G G^T)^-1 right, B^-1 right given. */
+static void solve_border(taut_area_hessian *hessian)
+{
+    border *b = &hessian->border;
+    const size_t size = 3 * (size_t)hessian->unknowns;
+    double along[TAUT_SMALL_MAX];
+
+    for (int k = 0; k < b->count; k++) {
+        along[k] = dot(size, b->pull[k], hessian->right);
+    }
+    taut_small_solve(b->count, b->small, along);
+    for (int k = 0; k < b->count; k++) {
+        for (size_t i = 0; i < size; i++) {
+            hessian->right[i] -= along[k] * b->image[k][i];
+        }
+    }
 }
 
 void taut_area_hessian_solve(taut_area_hessian *hessian, double *net)
@@ -372,6 +472,7 @@ void taut_area_hessian_solve(taut_area_hessian *hessian, double *net)
         }
     }
     taut_band_solve(&hessian->factor, 1, hessian->right);
+    solve_border(hessian);
     for (size_t i = 0; i < count; i++) {
         if (hessian->index[i] >= 0) {
             memcpy(net + 3 * i, hessian->right + 3 * (size_t)hessian->index[i], 3 * sizeof(double));

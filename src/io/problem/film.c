@@ -1,7 +1,8 @@
 /* film.c -- the problem `film`: corners, edges that are held or drawn by cables (docs/format.md).
  *
  *     "corners": { "u0v0": [x, y, z], ... }       where no curve ends
- *     "edges":   { "u0": "fixed" | { "fixed": CURVE } | { "cable": { "force": T } }, ... }
+ *     "edges":   { "u0": "fixed" | { "fixed": CURVE } | { "cable": LAW }, ... }
+ *     LAW        { "force": T } | { "length": L } | { "sag": f } | { "unstressed": L0, "stiffness": EA }
  *
  * Members and words that films will have are known by name and refused as not built yet, so that
  * nobody looks for a spelling mistake.
@@ -36,7 +37,6 @@ static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
 static const char *const kinds_not_yet[] = {"plane", "slide", "mirror", "pole", NULL};
 static const char *const law_members[] = {"force",      "length",    "sag",
                                           "unstressed", "stiffness", NULL};
-static const char *const laws_not_yet[] = {"length", "sag", "unstressed", "stiffness", NULL};
 
 static taut_status refuse_yet(const taut_json *at, const char *what, taut_error *error)
 {
@@ -137,13 +137,43 @@ static void read_corners(taut_reader *document, taut_film_problem *data)
     document->status = corners.status;
 }
 
+static taut_status read_sag(const taut_json *at, void *value, taut_error *error)
+{
+    const taut_status status = taut_json_number(at, value, error);
+    const double found = *(double *)value;
+    return status == TAUT_OK && !(found > 0 && found < 0.5)
+               ? taut_json_expected(at, error, "a number above 0 and below 1/2")
+               : status;
+}
+
+/* Exactly one law: a force, a length, a sag, or an unstressed length with a stiffness. */
 static void read_law(taut_reader *in, taut_film_edge *edge)
 {
     const taut_json at = taut_json_member(in->object, "cable");
     taut_reader law = taut_reader_inside(in, &at, law_members);
+    const int elastic = taut_reader_has(&law, "unstressed") || taut_reader_has(&law, "stiffness");
+    const int laws = taut_reader_has(&law, "force") + taut_reader_has(&law, "length") +
+                     taut_reader_has(&law, "sag") + elastic;
 
-    refuse_members(&law, laws_not_yet);
-    taut_reader_member(&law, "force", read_positive, &edge->force);
+    if (law.status == TAUT_OK && laws != 1) {
+        law.status = taut_json_fail(&at, law.error, laws == 0 ? "missing" : "conflict", laws, 1,
+                                    "found %d laws of a cable, expected one: \"force\", "
+                                    "\"length\", \"sag\", or \"unstressed\" with \"stiffness\"",
+                                    laws);
+    }
+    if (elastic) {
+        edge->law = TAUT_FILM_ELASTIC;
+        taut_reader_member(&law, "unstressed", read_positive, &edge->unstressed);
+        taut_reader_member(&law, "stiffness", read_positive, &edge->stiffness);
+    } else if (taut_reader_has(&law, "length")) {
+        edge->law = TAUT_FILM_LENGTH;
+        taut_reader_member(&law, "length", read_positive, &edge->length);
+    } else if (taut_reader_has(&law, "sag")) {
+        edge->law = TAUT_FILM_SAG;
+        taut_reader_member(&law, "sag", read_sag, &edge->sag);
+    } else {
+        taut_reader_member(&law, "force", read_positive, &edge->force);
+    }
     in->status = law.status;
 }
 
@@ -208,7 +238,7 @@ static void read_edges(taut_reader *document, taut_arena *arena, taut_film_probl
     document->status = edges.status;
 }
 
-static void read_words(taut_reader *document)
+static void read_words(taut_reader *document, taut_film_problem *data)
 {
     static const char *const methods[] = {"full", "normal", NULL};
     static const char *const accepts[] = {"minimum", "stationary", NULL};
@@ -228,6 +258,7 @@ static void read_words(taut_reader *document)
     if (taut_reader_has(document, "least")) {
         taut_reader_flag(document, "least", &least);
     }
+    data->without_least = !least;
 }
 
 static void film_read(taut_reader *document, taut_problem *problem, void *into)
@@ -244,7 +275,7 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
     taut_reader_optional(document, "tolerance", read_tolerance, &data->tolerance);
     taut_reader_optional_integer(document, "max_iterations", 1, 1000000, &data->max_iterations);
     taut_reader_optional(document, "equilibrium", read_equilibrium, &data->equilibrium);
-    read_words(document);
+    read_words(document, data);
 }
 
 const taut_document_ops taut_document_film = {

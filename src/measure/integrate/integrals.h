@@ -40,4 +40,7 @@ typedef struct taut_mean_figures {
 taut_status taut_mean_figures_of(const taut_surface *surface, int grid, int threads,
                                  taut_mean_figures *figures);
 
+/* Of these the largest alone, which no integral has to be found for. TAUT_NO_MEMORY. */
+taut_status taut_mean_largest(const taut_surface *surface, int grid, double *most);
+
 #endif /* TAUT_MEASURE_INTEGRATE_INTEGRALS_H */

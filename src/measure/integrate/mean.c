@@ -72,8 +72,7 @@ static double raise_largest(int count, const double *values, double *bounds, dou
     return most;
 }
 
-static taut_status find_largest(taut_arena *arena, const taut_surface *surface, int grid,
-                                double *most)
+static taut_status look(taut_arena *arena, const taut_surface *surface, int grid, double *most)
 {
     const taut_parameters *u = taut_parameters_new(arena, taut_surface_u(surface), grid, 0);
     const taut_parameters *v = taut_parameters_new(arena, taut_surface_v(surface), grid, 0);
@@ -97,6 +96,15 @@ static taut_status find_largest(taut_arena *arena, const taut_surface *surface, 
     return TAUT_OK;
 }
 
+taut_status taut_mean_largest(const taut_surface *surface, int grid, double *most)
+{
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = look(arena, surface, grid, most);
+
+    taut_arena_free(arena);
+    return status;
+}
+
 taut_status taut_mean_figures_of(const taut_surface *surface, int grid, int threads,
                                  taut_mean_figures *figures)
 {
@@ -109,9 +117,7 @@ taut_status taut_mean_figures_of(const taut_surface *surface, int grid, int thre
                               .area_error = integrals.area_error,
                               .mean_abs = integrals.mean_abs,
                               .rms = sqrt(integrals.mean_square)};
-    taut_arena *arena = taut_arena_new();
-    status = find_largest(arena, surface, grid, &made.max_abs);
-    taut_arena_free(arena);
+    status = taut_mean_largest(surface, grid, &made.max_abs);
     if (status != TAUT_OK) {
         return status;
     }

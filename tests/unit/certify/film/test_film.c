@@ -178,8 +178,195 @@ static void test_refused(void)
     sail_free(&other);
 }
 
+/* A cable that has the force 2 at this length. */
+static taut_film_edge under_law(taut_film_law law, double share, double length)
+{
+    const double l0 = share * length;
+    return (taut_film_edge){.kind = TAUT_FILM_CABLE,
+                            .law = law,
+                            .force = 2,
+                            .length = length,
+                            .unstressed = l0,
+                            .stiffness = 2 * l0 / (length - l0)};
+}
+
+/* The same film under three laws of its cables: a length takes a direction away, a spring stiffens
+ * it, so that the lowest eigenvalue rises from force to spring to length; and each claim notices
+ * what it is about. */
+static void test_laws(void)
+{
+    sail s = sail_new(4, 10, sail_saddle, 2);
+    taut_certificate *proof = NULL;
+    taut_model *model = sail_make(&s, &proof);
+    const struct {
+        taut_film_law law;
+        double share; /* unstressed, of the length */
+    } rows[] = {{TAUT_FILM_FORCE, 0},        {TAUT_FILM_ELASTIC, 0.1},
+                {TAUT_FILM_ELASTIC, 0.9},    {TAUT_FILM_ELASTIC, 0.99},
+                {TAUT_FILM_ELASTIC, 0.9999}, {TAUT_FILM_ELASTIC, 1 - 1e-5},
+                {TAUT_FILM_LENGTH, 0}};
+    double before = 0, residual = 0, spring = 0;
+
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        for (int e = 0; e < 4; e++) {
+            s.problem.edges[e] =
+                under_law(rows[k].law, rows[k].share, sail_figure(proof, "lengths", (size_t)e));
+        }
+        expect(model, &s.problem, "stationary", TAUT_TRUE);
+        /* pairs of nearly equal eigenvalues end their iterations early */
+        CHECK(verdict(model, &s.problem, "stable", &residual) == TAUT_TRUE &&
+                  residual >= before * (1 - 1e-3),
+              "row %zu: %g after %g", k, residual, before);
+        spring = k + 1 < sizeof rows / sizeof *rows ? residual : spring;
+        before = residual;
+    }
+    CHECK_NEAR(residual, spring, 1e-3 * residual, "a very stiff cable is one of given length");
+    taut_film_edge *edge = &s.problem.edges[0];
+    const double length = edge->length;
+    expect(model, &s.problem, "length", TAUT_TRUE);
+    edge->length = length * (1 + 1e-9);
+    expect(model, &s.problem, "length", TAUT_FALSE);
+    edge->length = length * (1 + 1e-11);
+    expect(model, &s.problem, "length", TAUT_TRUE);
+    expect_moved(model, &s.problem, 3 * 4, 1e-7, 1, "stationary", TAUT_FALSE);
+    *edge = under_law(TAUT_FILM_ELASTIC, 0.9, length);
+    expect(model, &s.problem, "stationary", TAUT_TRUE);
+    edge->stiffness *= 1 + 1e-8;
+    expect(model, &s.problem, "stationary", TAUT_FALSE);
+    edge->unstressed = 1.01 * length;
+    expect(model, &s.problem, "stationary", TAUT_FALSE);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
+/* One cable, nearly half a circle: a force hardly holds it there, its length does. */
+static void test_length_stands(void)
+{
+    const double trapezoid[4][3] = {{0, 0, 0}, {3, -3, 0}, {0, 2, 0}, {3, 5, 0}}, a = 1.5;
+    sail s = sail_new(4, 10, trapezoid, 0);
+    taut_certificate *proof = NULL;
+    double weak = 0, held = 0;
+
+    s.problem.edges[0] = (taut_film_edge){
+        .kind = TAUT_FILM_CABLE, .law = TAUT_FILM_LENGTH, .length = 2 * a / sin(a)};
+    taut_model *model = sail_make(&s, &proof);
+    CHECK(verdict(model, &s.problem, "stable", &held) == TAUT_TRUE, "%g", held);
+    s.problem.edges[0].law = TAUT_FILM_FORCE;
+    s.problem.edges[0].force = sail_figure(proof, "tensions", 0);
+    (void)verdict(model, &s.problem, "stable", &weak);
+    CHECK(held > 1.5 * weak, "%g by length, %g by force", held, weak);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
+static double least_of(const sail *s, taut_verdict expected, const char *word, double *bound)
+{
+    taut_certificate *proof = NULL;
+    taut_model *model = sail_make(s, &proof);
+    const taut_claim *claim = claim_of(proof, "least");
+    const double residual = claim->residual;
+
+    CHECK(claim->holds == expected, "%d at %g: %s", (int)claim->holds, residual, claim->where);
+    CHECK(word == NULL || strncmp(claim->where, word, strlen(word)) == 0, "%s", claim->where);
+    *bound = taut_record_get(taut_certificate_figures(proof), "lower_bound") != NULL
+                 ? figure_of(proof, "lower_bound")
+                 : nan("");
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    return residual;
+}
+
+/* Flat sails are the least: the bound is their energy in closed form. */
+static void test_least(void)
+{
+    const double polygon[4][3] = {{0, 0, 7}, {3, 0, 7}, {0.2, 1.6, 7}, {2.5, 2, 7}};
+    const double wide[4][3] = {{0, 0, 0}, {3, -3, 0}, {0, 2, 0}, {3, 5, 0}};
+    const double forces[4] = {2, 2.5, 3, 4};
+    double bound = 0;
+    sail s = sail_new(4, 12, sail_square, 2);
+
+    CHECK(least_of(&s, TAUT_TRUE, NULL, &bound) < 1e-11, "square");
+    CHECK_NEAR(bound, 19.3057836398482911, 1e-11, "square");
+    s.problem.without_least = 1;
+    least_of(&s, TAUT_UNDECIDED, "declined", &bound);
+    s.problem.without_least = 0;
+    s.problem.edges[2] = (taut_film_edge){
+        .kind = TAUT_FILM_CABLE, .law = TAUT_FILM_LENGTH, .length = 2.09439510239319549};
+    const double l0 = 2, arc = 2.09439510239319549;
+    s.problem.edges[3] = (taut_film_edge){.kind = TAUT_FILM_CABLE,
+                                          .law = TAUT_FILM_ELASTIC,
+                                          .unstressed = l0,
+                                          .stiffness = 2 * l0 / (arc - l0)};
+    CHECK(least_of(&s, TAUT_TRUE, NULL, &bound) < 1e-10, "by laws");
+    CHECK_NEAR(bound, 19.3057836398482911 - 4 * arc + (arc - l0), 1e-10, "by laws");
+    s.problem.edges[0] = s.problem.edges[1] = (taut_film_edge){.kind = TAUT_FILM_FIXED};
+    CHECK(least_of(&s, TAUT_TRUE, NULL, &bound) < 1e-9, "half held");
+    sail_free(&s);
+
+    s = sail_new(4, 12, polygon, 2);
+    for (int e = 0; e < 4; e++) {
+        s.problem.edges[e].force = forces[e];
+    }
+    CHECK(least_of(&s, TAUT_TRUE, NULL, &bound) < 1e-11, "polygon");
+    CHECK_NEAR(bound, 30.7525014446121551, 2e-11, "polygon");
+    sail_free(&s);
+
+    s = sail_new(4, 12, wide, 0);
+    CHECK(least_of(&s, TAUT_TRUE, NULL, &bound) < 1e-12, "a plate");
+    CHECK_NEAR(bound, 15, 1e-11, "a plate");
+    s.problem.edges[0] = (taut_film_edge){.kind = TAUT_FILM_CABLE, .force = 3.9};
+    least_of(&s, TAUT_UNDECIDED, "long", &bound);
+    s.problem.edges[0].force = 4.1;
+    CHECK(least_of(&s, TAUT_TRUE, NULL, &bound) < 1e-9, "a corner within the circle");
+    sail_free(&s);
+
+    s = sail_new(4, 12, sail_saddle, 2);
+    least_of(&s, TAUT_UNDECIDED, "space", &bound);
+    sail_free(&s);
+    s = sail_helicoid(4, 12, 1, 1.2);
+    least_of(&s, TAUT_UNDECIDED, "curved", &bound);
+    sail_free(&s);
+    s = sail_new(2, 3, sail_square, 1.45);
+    least_of(&s, TAUT_UNDECIDED, "coarse", &bound);
+    CHECK(bound > 0, "coarse: the bound is told");
+    sail_free(&s);
+}
+
+/* Whatever surface is on these corners, its energy is above the bound. */
+static void test_bound(void)
+{
+    const double corners[4][3] = {{0, 0, 0}, {3, 0, 0}, {0.2, 1.6, 0}, {2.5, 2, 0}};
+    sail s = sail_new(4, 8, corners, 3);
+    taut_certificate *proof = NULL;
+    taut_model *model = sail_make(&s, &proof);
+    const double bound = figure_of(proof, "lower_bound");
+
+    for (int k = 0; k < 40; k++) {
+        const size_t point = (size_t)random_int(8, 54);
+        const double by = random_in(0.1, 1); /* across the plane: within it area stays */
+        taut_model *other = moved(model, 3 * point + 2, by, 1);
+        taut_certificate *there = NULL;
+        CHECK(taut_film_certify(other, &s.problem, NULL, &there, NULL) == TAUT_OK, "%d", k);
+        CHECK(figure_of(there, "lower_bound") == bound, "the bound is the document's alone");
+        CHECK(claim_of(there, "least")->residual > 1e-6, "%d: %g", k,
+              claim_of(there, "least")->residual);
+        CHECK(claim_of(there, "least")->holds == TAUT_UNDECIDED, "%d", k);
+        taut_certificate_free(there);
+        taut_model_free(other);
+    }
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
 int main(void)
 {
+    test_least();
+    test_bound();
+    test_laws();
+    test_length_stands();
     test_claims();
     test_unstable();
     test_reactions();

@@ -67,8 +67,40 @@ static void test_length(const taut_basis *basis, taut_arena *arena)
     CHECK(dot(ld, d) >= dot(hd, d), "and the second derivative");
 }
 
+/* A cable that gives way: C' = p, C'' = k, nothing where it is slack. */
+static void test_law(const taut_basis *basis, taut_arena *arena)
+{
+    const double h = 1e-5;
+    double net[NUMBERS], d[NUMBERS], moved[NUMBERS], g[NUMBERS] = {0}, up[NUMBERS] = {0},
+                                                     down[NUMBERS] = {0}, hd[NUMBERS] = {0};
+    taut_area_cable cable;
+
+    CHECK(taut_area_cable_new(basis, 3, SIDE - 1, SIDE, arena, &cable) == TAUT_OK, "cable");
+    random_net(net, d);
+    cable.stiffness = 3;
+    cable.base = 0.5;
+    cable.target = 0.8 * taut_area_cable_length(&cable, net);
+    shift(net, h, d, moved);
+    const double more = taut_area_cable_energy(&cable, taut_area_cable_gradient(&cable, moved, up));
+    shift(net, -h, d, moved);
+    const double less =
+        taut_area_cable_energy(&cable, taut_area_cable_gradient(&cable, moved, down));
+    const double length = taut_area_cable_gradient(&cable, net, g);
+    CHECK_NEAR(cable.tension, 0.5 + 3 * 0.2 * length, 1e-13 * length, "force");
+    CHECK_NEAR(dot(g, d), (more - less) / (2 * h), 1e-7 * length, "gradient");
+    taut_area_cable_product(&cable, 0, d, hd);
+    for (int i = 0; i < NUMBERS; i++) {
+        CHECK_NEAR(hd[i], (up[i] - down[i]) / (2 * h), 1e-5, "product %d", i);
+    }
+    cable.target = 2 * length;
+    memset(g, 0, sizeof g);
+    CHECK(taut_area_cable_energy(&cable, taut_area_cable_gradient(&cable, net, g)) == 0, "slack");
+    taut_area_cable_product(&cable, 0, d, g);
+    CHECK(dot(g, g) == 0, "slack");
+}
+
 /* B^-1 (B d) = d, with the matrix on one side and the product on the other. */
-static void test_hessian(const taut_basis *basis, taut_arena *arena)
+static void test_hessian(const taut_basis *basis, int gives_way, taut_arena *arena)
 {
     const double theta = 0.5;
     double net[NUMBERS], d[NUMBERS], g[NUMBERS], image[NUMBERS];
@@ -87,19 +119,25 @@ static void test_hessian(const taut_basis *basis, taut_arena *arena)
     CHECK(taut_area_functional_new(basis, basis, NULL, 2, &functional) == TAUT_OK &&
               taut_mask_new(SIDE, SIDE, known, arena, &mask) == TAUT_OK &&
               taut_area_cable_new(basis, 3, SIDE - 1, SIDE, arena, &cables[0]) == TAUT_OK &&
-              taut_area_cable_new(basis, 3, (SIDE - 1) * SIDE, 1, arena, &cables[1]) == TAUT_OK &&
-              taut_area_hessian_new(functional, &mask, &hessian) == TAUT_OK,
+              taut_area_cable_new(basis, 3, (SIDE - 1) * SIDE, 1, arena, &cables[1]) == TAUT_OK,
           "parts");
     cables[0].tension = 3;
     cables[1].tension = 0.5;
+    for (int k = 0; gives_way && k < 2; k++) { /* with these forces at this net */
+        cables[k].stiffness = 5 + k;
+        cables[k].base = cables[k].tension;
+        cables[k].target = taut_area_cable_length(&cables[k], net);
+    }
     const double area = taut_area_functional_value(functional, net).area;
     functional->cables = cables;
     functional->cable_count = 2;
+    CHECK(taut_area_hessian_new(functional, &mask, &hessian) == TAUT_OK, "matrix");
     const double all = taut_area_functional_gradient(functional, net, g).area;
     CHECK_NEAR(all,
-               area + 3 * taut_area_cable_length(&cables[0], net) +
-                   0.5 * taut_area_cable_length(&cables[1], net),
+               area + taut_area_cable_energy(&cables[0], taut_area_cable_length(&cables[0], net)) +
+                   taut_area_cable_energy(&cables[1], taut_area_cable_length(&cables[1], net)),
                1e-13 * all, "value");
+    CHECK_NEAR(cables[0].tension + cables[1].tension, 3.5, 1e-12, "forces");
     taut_area_functional_product(functional, theta, d, image);
     taut_area_hessian_assemble(hessian, functional);
     if (taut_area_hessian_factor(hessian, theta) == TAUT_OK) {
@@ -124,7 +162,9 @@ int main(void)
     CHECK(taut_basis_new(&spec, SIDE, &basis, NULL) == TAUT_OK, "basis");
     for (int k = 0; k < 5; k++) {
         test_length(basis, arena);
-        test_hessian(basis, arena);
+        test_law(basis, arena);
+        test_hessian(basis, 0, arena);
+        test_hessian(basis, 1, arena);
     }
     taut_basis_free(basis);
     taut_arena_free(arena);

@@ -1,0 +1,128 @@
+#include "certify/film/least.h"
+
+#include "core/elementary/elementary.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SIDES = 4 };
+static const double flat_share = 1e-12; /* of the size: a corner in the plane of the others */
+/* Of what is added up: what rounding may have taken from the bound, a few hundred units of it. */
+static const double rounding = 0x1p-44;
+static const double inside = 1 - 1e-12; /* of R: as far as a corner may be along a chord */
+
+/* The corners as they run round the sail, and the edge from each to the next. */
+typedef struct polygon {
+    double at[SIDES][2];
+    int edge[SIDES];
+    double area; /* above 0 */
+} polygon;
+
+static void find_corner(const taut_film_sheet *sheet, int c, double x[3])
+{
+    const size_t i = (size_t)(c % 2 * (sheet->nu - 1)), j = (size_t)(c / 2 * (sheet->nv - 1));
+    memcpy(x, sheet->points + 3 * (i * (size_t)sheet->nv + j), 3 * sizeof(double));
+}
+
+/* In the plane across the vector area of the chords; 0 where they do not lie in it. */
+static int lay_flat(const taut_film_sheet *sheet, polygon *p)
+{
+    static const int round[SIDES] = {0, 1, 3, 2}, edges[SIDES] = {2, 1, 3, 0};
+    double x[SIDES][3], d[2][3], n[3], e[2][3];
+
+    for (int k = 0; k < SIDES; k++) {
+        find_corner(sheet, round[k], x[k]);
+        p->edge[k] = edges[k];
+    }
+    taut_difference(x[2], x[0], d[0]);
+    taut_difference(x[3], x[1], d[1]);
+    taut_cross(d[0], d[1], n); /* twice the vector area */
+    const double size = taut_length(n), across = taut_length(d[0]);
+    if (!(size > flat_share) || !(across > 0)) {
+        return 0;
+    }
+    for (int c = 0; c < 3; c++) {
+        n[c] /= size;
+        e[0][c] = d[0][c] / across;
+    }
+    taut_cross(n, e[0], e[1]);
+    for (int k = 0; k < SIDES; k++) {
+        double from[3];
+        taut_difference(x[k], x[0], from);
+        if (!(fabs(taut_dot(from, n)) <= flat_share)) {
+            return 0;
+        }
+        p->at[k][0] = taut_dot(from, e[0]);
+        p->at[k][1] = taut_dot(from, e[1]);
+    }
+    p->area = 0.5 * size;
+    return 1;
+}
+
+/* Do all corners lie within R of the middle of side k, along it? *chord its length. */
+static int is_within(const polygon *p, int k, double radius, double *chord)
+{
+    const double *a = p->at[k], *b = p->at[(k + 1) % SIDES];
+    const double along[2] = {b[0] - a[0], b[1] - a[1]};
+    *chord = sqrt(along[0] * along[0] + along[1] * along[1]);
+    for (int c = 0; c < SIDES; c++) {
+        const double from[2] = {p->at[c][0] - 0.5 * (a[0] + b[0]),
+                                p->at[c][1] - 0.5 * (a[1] + b[1])};
+        const double x = (from[0] * along[0] + from[1] * along[1]) / *chord;
+        if (!(fabs(x) <= inside * radius)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* What the energy has beside T L, at the least. User's unit. */
+static double stored(const taut_film_sheet *sheet, int e, double given)
+{
+    const taut_film_edge *edge = &sheet->problem->edges[e];
+    const double force = sheet->forces[e];
+
+    if (edge->law == TAUT_FILM_FORCE) {
+        return 0;
+    }
+    return edge->law == TAUT_FILM_ELASTIC
+               ? -force * edge->unstressed * (1 + 0.5 * force / edge->stiffness)
+               : -force * given;
+}
+
+const char *taut_film_least(const taut_film_sheet *sheet, const double given[4], double *bound)
+{
+    const double unit = sheet->tension; /* of energy, over scaled squares */
+    double sum = 0, sizes = 0;
+    polygon p;
+
+    for (int e = 0; e < 4; e++) {
+        if (sheet->problem->edges[e].curve != NULL) {
+            return "curved: the bound is one of straight edges and cables";
+        }
+    }
+    if (!lay_flat(sheet, &p)) {
+        return "space: the corners lie in no plane, and the bound is one of flat sails";
+    }
+    sum = unit * ldexp(p.area, 2 * sheet->unit);
+    sizes = sum;
+    for (int k = 0; k < SIDES; k++) {
+        const int e = p.edge[k];
+        const double radius = sheet->ratios[e];
+        double chord = 0;
+        if (!taut_film_sheet_is_cable(sheet, e)) {
+            continue;
+        }
+        if (!is_within(&p, k, radius, &chord)) {
+            return "long: a corner lies beyond the circle of a cable, along its chord";
+        }
+        const double half = 0.5 * chord / radius, a = taut_asin(half);
+        const double arc = radius * radius * (a + half * sqrt((1 - half) * (1 + half)));
+        const double more = unit * ldexp(arc, 2 * sheet->unit), less = stored(sheet, e, given[e]);
+        sum += more + less;
+        sizes += more - less;
+    }
+    *bound = sum - rounding * sizes;
+    return isfinite(sum) ? NULL : "a value leaves the range of doubles";
+}
