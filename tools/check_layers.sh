@@ -17,7 +17,7 @@ problem:   core
 measure:   core platform numeric basis geometry
 trace:     core numeric basis geometry
 construct: core platform numeric basis geometry problem trace
-certify:   core numeric/quadrature.h numeric/sum.h basis geometry measure problem
+certify:   core platform/parallel.h numeric/kernel/name.h numeric/quadrature.h numeric/sum.h basis geometry measure problem
 mesh:      core basis geometry measure
 shell:     core numeric/quadrature.h basis geometry measure mesh
 io:        core platform numeric/bernstein.h basis geometry problem measure mesh shell

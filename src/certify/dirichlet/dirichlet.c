@@ -49,6 +49,7 @@ typedef struct request {
     int boundary_only; /* without a problem: the boundary is known; else every point is */
     double aspect;
     int has_aspect, is_searched;
+    int threads;
 } request;
 
 static int is_known(const request *r, int i, int j)
@@ -205,6 +206,7 @@ static taut_status find_bounded(const request *r, taut_dirichlet_gradient *gradi
     if (status != TAUT_OK || rule.nodes == 0) {
         return status;
     }
+    rule.threads = r->threads;
     status = taut_dirichlet_gradient_new(r->surface, r->aspect, &rule, gradient);
     taut_gradient_rule_clear(&rule);
     if (status != TAUT_OK) {
@@ -228,7 +230,7 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
     const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
     const int local =
         taut_basis_local(u) > taut_basis_local(v) ? taut_basis_local(u) : taut_basis_local(v);
-    taut_gradient_rule rule = {.nodes = local + 6};
+    taut_gradient_rule rule = {.nodes = local + 6, .threads = r->threads};
     taut_status status = taut_dirichlet_gradient_new(r->surface, r->aspect, &rule, gradient);
 
     if (status != TAUT_OK) {
@@ -364,7 +366,7 @@ static taut_status add_figures(const request *r, const taut_dirichlet_gradient *
 {
     const double a = gradient->halves[0], b = gradient->halves[1];
     taut_surface_integrals found;
-    taut_status status = taut_surface_integrals_of(r->surface, 1, 1, &found);
+    taut_status status = taut_surface_integrals_of(r->surface, 1, r->threads, &found);
     taut_record *figures = NULL;
 
     if (status != TAUT_OK) {
@@ -426,10 +428,10 @@ static taut_status certify(const taut_model *model, const void *data,
     request r;
     taut_status status = read_request(model, data, &r, error);
 
-    (void)options;
     if (status != TAUT_OK) {
         return status;
     }
+    r.threads = options->threads > 0 ? options->threads : 1;
     status = add_claims(&r, &gradient, certificate);
     taut_dirichlet_gradient_clear(&gradient);
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);

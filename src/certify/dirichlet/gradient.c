@@ -1,7 +1,7 @@
-/* gradient.c -- one line u = const of quadrature points after another.
+/* gradient.c -- lines u = const of quadrature points, eight side by side.
  *
  * On a line the integrals over v are gathered per column of the net, then spread over the rows
- * whose functions are alive. Without weights phi = N_i N_j. With weights, w = sum w_st N_s N_t,
+ * whose functions are alive (gradient_kernel.h). Without weights phi = N_i N_j. With weights, w = sum w_st N_s N_t,
  *
  *     phi = w_ij N_i N_j / w,     phi_u = w_ij N_j (N_i' - N_i w_u / w) / w
  *
@@ -9,6 +9,7 @@
  */
 #include "certify/dirichlet/gradient.h"
 
+#include "certify/dirichlet/gradient_kernel.h"
 #include "certify/dirichlet/remainder.h"
 #include "core/arena.h"
 #include "core/memory.h"
@@ -17,16 +18,16 @@
 #include "geometry/keep.h"
 #include "geometry/nurbs/cells.h"
 #include "geometry/nurbs/spread.h"
+#include "numeric/kernel/name.h"
 #include "numeric/quadrature.h"
+#include "platform/parallel.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 enum {
-    VALUES = 9,   /* x, x_u, x_v of a point */
-    CHANNELS = 4, /* three coordinates, and the gross */
-    LINES = 16,   /* evaluated at once */
+    BLOCK = 4,    /* sets of lines a task, at least */
     HALVINGS = 6, /* of cells, for the sake of a bound */
     ROUNDS = 10,  /* of halvings, for the sake of fewer nodes */
     FEW_NODES = 20
@@ -65,12 +66,8 @@ typedef struct work {
     int is_area;
     int unit;         /* its power of two */
     double roundings; /* see gradient.h */
-    double *lines;    /* [LINES][v.count][3][3] */
-    double *polygons; /* [4][nv]: w and w_u; gross of values and of slopes in u */
-    double *spread;   /* [2][nv][CHANNELS]: what goes back with N_i, and with N_i' */
     int nodes;        /* a cell; sums are taken over cells first, so that few terms meet */
-    double *cell;     /* [2][local v][CHANNELS]: of the cell of v at hand */
-    double *rows;     /* [local u][nv][CHANNELS]: of the cell of u at hand */
+    const taut_gradient_ops *ops;
 } work;
 
 static taut_status fill_axis(const taut_basis *basis, const taut_cells *cells, int nodes,
@@ -100,6 +97,23 @@ static taut_status fill_axis(const taut_basis *basis, const taut_cells *cells, i
         a->roundings[k] = taut_basis_local(basis) * fabs(t) / taut_cells_finest(basis, span);
     }
     return TAUT_OK;
+}
+
+const taut_gradient_ops *taut_gradient_ops_chosen(void)
+{
+    static const taut_gradient_ops *const table[] = {
+#if defined(__x86_64__)
+        &taut_gradient_avx512,
+        &taut_gradient_avx2,
+#endif
+        &taut_gradient_baseline
+    };
+    const char *name = taut_kernel_name();
+    size_t i = 0;
+    while (i + 1 < sizeof table / sizeof table[0] && strcmp(table[i]->name, name) != 0) {
+        i++;
+    }
+    return table[i];
 }
 
 /* Every cell in 2^halvings alike, in the arena. */
@@ -251,7 +265,8 @@ static void find_form_factors(const taut_surface *surface, double aspect, double
 }
 
 /* Terms that meet in one sum, of a cell and of the cells where a function is not 0, line by line; and
- * what each of them went through: values of functions, sums over the net, the form. */
+ * what each of them went through: values of functions, sums over the net, the form. Lines side by side
+ * meet in fewer additions than that. */
 static double count_roundings(const work *w, int nodes)
 {
     double roundings = 24;
@@ -266,12 +281,10 @@ static double count_roundings(const work *w, int nodes)
 static taut_status prepare(const taut_surface *surface, double aspect,
                            const taut_gradient_rule *rule, work *w)
 {
-    const size_t nu = (size_t)taut_basis_count(taut_surface_u(surface));
-    const size_t nv = (size_t)taut_basis_count(taut_surface_v(surface));
     taut_status status = TAUT_OK;
 
-    w->nu = (int)nu;
-    w->nv = (int)nv;
+    w->nu = taut_basis_count(taut_surface_u(surface));
+    w->nv = taut_basis_count(taut_surface_v(surface));
     w->weights = taut_surface_weights(surface);
     status = make_axis(surface, 0, rule, w->arena, &w->u);
     if (status != TAUT_OK) {
@@ -285,248 +298,198 @@ static taut_status prepare(const taut_surface *surface, double aspect,
     if (status != TAUT_OK) {
         return status;
     }
-    w->lines = taut_arena_take(w->arena, LINES * VALUES * (size_t)w->v.count, sizeof(double));
-    w->polygons = taut_arena_take(w->arena, 4 * nv, sizeof(double));
-    w->spread = taut_arena_take(w->arena, 2 * CHANNELS * nv, sizeof(double));
     w->nodes = rule->nodes;
-    w->cell = taut_arena_take(w->arena, 2 * CHANNELS * (size_t)w->v.table->local, sizeof(double));
-    w->rows = taut_arena_take(w->arena, CHANNELS * (size_t)w->u.table->local * nv, sizeof(double));
-    if (taut_arena_status(w->arena) == TAUT_OK) {
-        memset(w->cell, 0, 2 * CHANNELS * (size_t)w->v.table->local * sizeof(double));
-        memset(w->rows, 0, CHANNELS * (size_t)w->u.table->local * nv * sizeof(double));
-    }
+    w->ops = taut_gradient_ops_chosen();
     find_form_factors(surface, aspect, &w->fu, &w->fv);
     w->roundings = count_roundings(w, rule->nodes);
     return taut_arena_status(w->arena);
 }
 
-/* polygons[0..1][t] = sum_s N_s w_st, N_s' w_st;   [2..3][t] = sum_s N_s w_st |P_st|, |N_s'| .. */
-static void contract_line(const work *w, int line)
+/* A task of lines that follow each other, whole sets; no two that are two apart share a row. */
+typedef struct block {
+    int from, to; /* lines */
+    double sums[TAUT_GRADIENT_SUMS];
+} block;
+
+/* What the tasks of one gradient share. */
+typedef struct job {
+    const work *w;
+    taut_gradient_net net;
+    taut_dirichlet_gradient *g;
+    int set;  /* lines whose rows are summed before they go to the net's, so that few terms meet */
+    int most; /* functions of u alive on a set, at most */
+    block *blocks;
+    int count;
+    int parity;      /* of the blocks at hand */
+    size_t numbers;  /* of one worker's scratch: */
+    double *scratch; /* [workers][numbers] */
+    size_t rows, n;  /* where in it rows[most][nv][TAUT_CHANNELS], n[2][most][TAUT_SHEAF] begin */
+} job;
+
+/* The last line of the set that begins at `line`, and the functions alive on it. */
+static int end_of_set(const work *w, int line, int set, int *first, int *alive)
+{
+    const int end = w->u.count - line < set ? w->u.count : line + set;
+    *first = w->u.table->first[line];
+    *alive = w->u.table->first[end - 1] + w->u.table->local - *first;
+    return end;
+}
+
+/* Functions and rule of eight lines from `line` on, before `end`; first: of the set. */
+static void fill_sheaf(const work *w, int line, int end, double *n, double rule[2][TAUT_SHEAF],
+                       taut_gradient_sheaf *sheaf)
 {
     const taut_table *table = w->u.table;
-    const size_t nv = (size_t)w->nv;
-    double *p = w->polygons;
+    const int last = line + TAUT_SHEAF < end ? line + TAUT_SHEAF - 1 : end - 1;
+    double *slopes = NULL;
 
-    memset(p, 0, 4 * nv * sizeof(double));
-    for (int a = 0; a < table->local; a++) {
-        const double n = taut_table_row(table, line, 0)[a], d = taut_table_row(table, line, 1)[a];
-        const size_t row = (size_t)(table->first[line] + a) * nv;
-        for (size_t t = 0; t < nv; t++) {
-            const double weight = w->weights != NULL ? w->weights[row + t] : 1;
-            const double gross = weight * w->sizes[row + t];
-            p[t] += n * weight;
-            p[nv + t] += d * weight;
-            p[2 * nv + t] += n * gross;
-            p[3 * nv + t] += fabs(d) * gross;
+    sheaf->first = table->first[line];
+    sheaf->alive = table->first[last] + table->local - sheaf->first;
+    slopes = n + (size_t)sheaf->alive * TAUT_SHEAF;
+    memset(n, 0, 2 * (size_t)sheaf->alive * TAUT_SHEAF * sizeof(double));
+    for (int l = 0; l < TAUT_SHEAF; l++) { /* those beyond the last are that one, without weight */
+        const int at = line + l < last ? line + l : last;
+        for (int a = 0; a < table->local; a++) {
+            const int row = (table->first[at] - sheaf->first + a) * TAUT_SHEAF + l;
+            n[row] = taut_table_row(table, at, 0)[a];
+            slopes[row] = taut_table_row(table, at, 1)[a];
         }
+        rule[0][l] = line + l <= last ? w->u.weights[at] : 0;
+        rule[1][l] = w->u.roundings[at];
     }
+    sheaf->n = n;
+    sheaf->slopes = slopes;
+    sheaf->rule = rule[0];
+    sheaf->roundings = rule[1];
 }
 
-/* w, w_u, w_v and the gross of x, x_u, x_v (before the division by w) at point k of the line. */
-static void find_sums(const work *w, int k, double sums[6])
+/* The rows of a set go to values and gross. */
+static void end_set(const job *j, int first, int alive, const double *rows)
 {
-    const taut_table *table = w->v.table;
-    const size_t nv = (size_t)w->nv;
-    const double *p = w->polygons + table->first[k];
-    const double *n = taut_table_row(table, k, 0), *d = taut_table_row(table, k, 1);
-
-    memset(sums, 0, 6 * sizeof(double));
-    sums[0] = w->weights == NULL;
-    for (size_t b = 0; w->weights != NULL && b < (size_t)table->local; b++) {
-        sums[0] += n[b] * p[b];
-        sums[1] += n[b] * p[nv + b];
-        sums[2] += d[b] * p[b];
-    }
-    for (size_t b = 0; b < (size_t)table->local; b++) {
-        sums[3] += n[b] * p[2 * nv + b];
-        sums[4] += n[b] * p[3 * nv + b];
-        sums[5] += fabs(d[b]) * p[2 * nv + b];
-    }
-}
-
-static double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-/* The quadratic form in x_u, x_v that the gradient is of, over the unit square: the constant one of
- * the Dirichlet energy, or for the area (G, -F, E) / W of the surface itself, 0 where W is. Returns
- * W in the latter case. */
-static double find_form(const work *w, const double *x, double form[3])
-{
-    const double *xu = x + 3 * TAUT_XU, *xv = x + 3 * TAUT_XV;
-    const double u = w->u.length, v = w->v.length;
-    double normal[3], element = 0;
-
-    form[0] = w->fu;
-    form[1] = 0;
-    form[2] = w->fv;
-    if (w->is_area) {
-        taut_cross(xu, xv, normal);
-        element = taut_length(normal) * u * v;
-        const double inverse = element > 0x1p-400 ? 1 / element : 0;
-        form[0] = taut_dot(xv, xv) * v * v * inverse;
-        form[1] = -taut_dot(xu, xv) * u * v * inverse;
-        form[2] = taut_dot(xu, xu) * u * u * inverse;
-    }
-    return element;
-}
-
-/* What multiplies N_i' N_j (out[0]), N_i N_j' (out[1]) and -N_i N_j (out[2]) at one point, in each
- * channel. In the gross one every sign is positive, and the slopes of the surface times what a
- * rounding of (u, v) is to basis and w are added. */
-static void find_integrands(const work *w, double weight, double roundings, const double *x,
-                            const double sums[6], const double form[3], double out[3][CHANNELS])
-{
-    const double inverse = 1 / sums[0];
-    const double wu = w->weights != NULL ? sums[1] * inverse : 0;
-    const double wv = w->weights != NULL ? sums[2] * inverse : 0;
-    const double scale = weight * inverse;
-    const double fu = scale * form[0], mixed = scale * form[1], fv = scale * form[2];
-    const double all = roundings + w->u.reach * fabs(wu) + w->v.reach * fabs(wv);
-    double gross_u = 0, gross_v = 0;
-
-    for (int c = 0; c < 3; c++) {
-        const double xu = x[3 * TAUT_XU + c] * w->u.length, xv = x[3 * TAUT_XV + c] * w->v.length;
-        out[0][c] = fu * xu + mixed * xv;
-        out[1][c] = mixed * xu + fv * xv;
-        out[2][c] = out[0][c] * wu + out[1][c] * wv;
-        gross_u = larger(gross_u, fabs(xu));
-        gross_v = larger(gross_v, fabs(xv));
-    }
-    gross_u = all * gross_u + (sums[4] + fabs(wu) * sums[3]) * inverse;
-    gross_v = all * gross_v + (sums[5] + fabs(wv) * sums[3]) * inverse;
-    out[0][3] = fu * gross_u + fabs(mixed) * gross_v;
-    out[1][3] = fabs(mixed) * gross_u + fv * gross_v;
-    out[2][3] = -(out[0][3] * fabs(wu) + out[1][3] * fabs(wv));
-}
-
-/* cell[0] += N_j' V - N_j Z,   cell[1] += N_j U. */
-static void gather_point(const work *w, int k, double out[3][CHANNELS])
-{
-    const taut_table *table = w->v.table;
-    const double *n = taut_table_row(table, k, 0), *d = taut_table_row(table, k, 1);
-    double *still = w->cell, *along = still + CHANNELS * (size_t)table->local;
-
-    for (int b = 0; b < table->local; b++) {
-        const double slopes[CHANNELS] = {d[b], d[b], d[b], fabs(d[b])};
-        for (int c = 0; c < CHANNELS; c++) {
-            still[c] += slopes[c] * out[1][c];
-            along[c] += n[b] * out[0][c];
-        }
-        for (int c = 0; w->weights != NULL && c < CHANNELS; c++) {
-            still[c] -= n[b] * out[2][c];
-        }
-        still += CHANNELS;
-        along += CHANNELS;
-    }
-}
-
-/* The cell of v that point k ends goes to the spread. */
-static void end_cell(const work *w, int k)
-{
-    const size_t length = CHANNELS * (size_t)w->v.table->local;
-    double *still = w->spread + CHANNELS * (size_t)w->v.table->first[k];
-    double *along = still + CHANNELS * (size_t)w->nv;
-
-    for (size_t c = 0; c < length; c++) {
-        still[c] += w->cell[c];
-        along[c] += w->cell[length + c];
-    }
-    memset(w->cell, 0, 2 * length * sizeof(double));
-}
-
-/* rows of the functions alive on the line += w_ij (N_i spread[0] + N_i' spread[1]). */
-static void add_line(const work *w, int line)
-{
-    const taut_table *table = w->u.table;
-    const size_t nv = (size_t)w->nv;
-    for (int a = 0; a < table->local; a++) {
-        const double n = taut_table_row(table, line, 0)[a], d = taut_table_row(table, line, 1)[a];
-        const size_t row = (size_t)(table->first[line] + a) * nv;
-        double *out = w->rows + CHANNELS * (size_t)a * nv;
-        for (size_t t = 0; t < nv; t++) {
-            const double *still = w->spread + CHANNELS * t, *along = still + CHANNELS * nv;
-            const double weight = w->weights != NULL ? w->weights[row + t] : 1;
-            for (size_t c = 0; c < 3; c++) {
-                out[CHANNELS * t + c] += weight * (n * still[c] + d * along[c]);
-            }
-            out[CHANNELS * t + 3] += weight * (n * still[3] + fabs(d) * along[3]);
-        }
-    }
-}
-
-/* The cell of u that the line ends goes to values and gross. */
-static void end_rows(const work *w, int line, taut_dirichlet_gradient *g)
-{
-    const size_t count = (size_t)w->u.table->local * (size_t)w->nv;
-    const size_t first = (size_t)w->u.table->first[line] * (size_t)w->nv;
+    const size_t from = (size_t)first * (size_t)j->w->nv;
+    const size_t count = (size_t)alive * (size_t)j->w->nv;
 
     for (size_t i = 0; i < count; i++) {
         for (size_t c = 0; c < 3; c++) {
-            g->values[3 * (first + i) + c] += w->rows[CHANNELS * i + c];
+            j->g->values[3 * (from + i) + c] += rows[TAUT_CHANNELS * i + c];
         }
-        g->gross[first + i] += w->rows[CHANNELS * i + 3];
-    }
-    memset(w->rows, 0, CHANNELS * count * sizeof(double));
-}
-
-static double square(const double *x)
-{
-    return x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
-}
-
-static double sizes_of(const double *x)
-{
-    return fabs(x[0]) + fabs(x[1]) + fabs(x[2]);
-}
-
-/* One line, from the values of its points. */
-static void integrate_line(work *w, int line, const double *values, taut_dirichlet_gradient *g)
-{
-    const double area = w->u.length * w->v.length;
-
-    contract_line(w, line);
-    memset(w->spread, 0, 2 * CHANNELS * (size_t)w->nv * sizeof(double));
-    for (int k = 0; k < w->v.count; k++) {
-        const double *x = values + VALUES * (size_t)k;
-        const double weight = w->u.weights[line] * w->v.weights[k];
-        double sums[6], form[3], out[3][CHANNELS];
-        find_sums(w, k, sums);
-        g->area += weight * find_form(w, x, form);
-        find_integrands(w, weight, w->u.roundings[line] + w->v.roundings[k], x, sums, form, out);
-        gather_point(w, k, out);
-        if ((k + 1) % w->nodes == 0) {
-            end_cell(w, k);
-        }
-        if (!w->is_area) { /* out[0][3], out[1][3]: factor, weight over w, and rounding of the slope */
-            g->halves_gross[0] +=
-                2 * sizes_of(x + 3 * TAUT_XU) * out[0][3] * sums[0] / w->fu * w->v.length;
-            g->halves_gross[1] +=
-                2 * sizes_of(x + 3 * TAUT_XV) * out[1][3] * sums[0] / w->fv * w->u.length;
-        }
-        g->halves[0] += weight * square(x + 3 * TAUT_XU) * area;
-        g->halves[1] += weight * square(x + 3 * TAUT_XV) * area;
-    }
-    add_line(w, line);
-    if ((line + 1) % w->nodes == 0) {
-        end_rows(w, line, g);
+        j->g->gross[from + i] += rows[TAUT_CHANNELS * i + 3];
     }
 }
 
-static taut_status integrate_surface(work *w, taut_dirichlet_gradient *g)
+static void integrate_block(void *context, int worker, int64_t task)
 {
-    for (int from = 0; from < w->u.count; from += LINES) {
-        const int count = w->u.count - from < LINES ? w->u.count - from : LINES;
-        const taut_status status = taut_surface_eval_grid(w->centred, count, w->u.t + from,
-                                                          w->v.count, w->v.t, 1, 1, w->lines);
-        if (status != TAUT_OK) {
-            return status;
+    const job *j = context;
+    const work *w = j->w;
+    block *b = &j->blocks[2 * task + j->parity];
+    double *scratch = j->scratch + (size_t)worker * j->numbers, *rows = scratch + j->rows;
+
+    for (int line = b->from, end = 0; line < b->to; line = end) {
+        int first = 0, alive = 0;
+        end = end_of_set(w, line, j->set, &first, &alive);
+        memset(rows, 0, TAUT_CHANNELS * (size_t)alive * (size_t)w->nv * sizeof(double));
+        for (int at = line; at < end; at += TAUT_SHEAF) {
+            double rule[2][TAUT_SHEAF];
+            taut_gradient_sheaf sheaf;
+            fill_sheaf(w, at, end, scratch + j->n, rule, &sheaf);
+            w->ops->add(&j->net, &sheaf, scratch,
+                        rows + TAUT_CHANNELS * (size_t)(sheaf.first - first) * (size_t)w->nv,
+                        b->sums);
         }
-        for (int i = 0; i < count; i++) {
-            integrate_line(w, from + i, w->lines + VALUES * (size_t)w->v.count * (size_t)i, g);
+        end_set(j, first, alive, rows);
+    }
+}
+
+/* Cuts the lines into blocks of some sets each, and finds the most functions alive on one. */
+static taut_status cut_blocks(job *j)
+{
+    const work *w = j->w;
+    int reached = 0, last = 0; /* the row after the block's before, and after this one's */
+
+    j->blocks = taut_arena_take(w->arena, (size_t)w->u.count / (size_t)j->set + 1, sizeof(block));
+    if (j->blocks == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int line = 0, from = 0, end = 0; line < w->u.count; line = end) {
+        int first = 0, alive = 0;
+        end = end_of_set(w, line, j->set, &first, &alive);
+        if (line - from >= BLOCK * j->set && first >= reached) {
+            j->blocks[j->count++] = (block){.from = from, .to = line};
+            from = line;
+            reached = last;
+        }
+        last = first + alive;
+        j->most = alive > j->most ? alive : j->most;
+        if (end == w->u.count) {
+            j->blocks[j->count++] = (block){.from = from, .to = end};
         }
     }
+    return TAUT_OK;
+}
+
+static void begin_net(const work *w, job *j)
+{
+    j->net = (taut_gradient_net){.nv = w->nv,
+                                 .local = w->v.table->local,
+                                 .nodes = w->nodes,
+                                 .count = w->v.count,
+                                 .is_area = w->is_area,
+                                 .points = taut_surface_points(w->centred),
+                                 .weights = w->weights,
+                                 .sizes = w->sizes,
+                                 .first = w->v.table->first,
+                                 .values = w->v.table->values,
+                                 .rule = w->v.weights,
+                                 .roundings = w->v.roundings,
+                                 .fu = w->fu,
+                                 .fv = w->fv,
+                                 .reach_u = w->u.reach,
+                                 .reach_v = w->v.reach};
+}
+
+/* From the sums of the blocks, in their order. */
+static void take_sums(const job *j, taut_dirichlet_gradient *g)
+{
+    const double ratio = j->w->v.length / j->w->u.length;
+    double sums[TAUT_GRADIENT_SUMS] = {0};
+
+    for (int b = 0; b < j->count; b++) {
+        for (int i = 0; i < TAUT_GRADIENT_SUMS; i++) {
+            sums[i] += j->blocks[b].sums[i];
+        }
+    }
+    g->area = sums[TAUT_AREA_SUM];
+    g->halves[0] = sums[TAUT_HALVES] * ratio;
+    g->halves[1] = sums[TAUT_HALVES + 1] / ratio;
+    if (!j->w->is_area) {
+        g->halves_gross[0] = 2 * sums[TAUT_HALVES_GROSS] * ratio;
+        g->halves_gross[1] = 2 * sums[TAUT_HALVES_GROSS + 1] / ratio;
+    }
+}
+
+/* Blocks of even number, which share nothing, then those of odd number: any number of threads gives
+ * the same sums in the same order. */
+static taut_status integrate_surface(const work *w, int threads, taut_dirichlet_gradient *g)
+{
+    job j = {.w = w, .g = g, .set = (w->nodes + TAUT_SHEAF - 1) / TAUT_SHEAF * TAUT_SHEAF};
+
+    if (cut_blocks(&j) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    begin_net(w, &j);
+    const int workers = taut_parallel_workers(threads, (j.count + 1) / 2);
+    j.rows = taut_gradient_scratch(j.net.local, w->nodes);
+    j.n = j.rows + TAUT_CHANNELS * (size_t)j.most * (size_t)w->nv;
+    j.numbers = j.n + 2 * (size_t)j.most * TAUT_SHEAF;
+    j.scratch = taut_arena_take(w->arena, (size_t)workers * j.numbers, sizeof(double));
+    if (j.scratch == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (j.parity = 0; j.parity < 2; j.parity++) {
+        const int tasks = (j.count + 1 - j.parity) / 2;
+        taut_parallel_run(taut_parallel_workers(workers, tasks), tasks, integrate_block, &j);
+    }
+    take_sums(&j, g);
     return TAUT_OK;
 }
 
@@ -546,7 +509,7 @@ static taut_status find_gradient(const taut_surface *surface, double aspect,
     if (made->values == NULL || made->gross == NULL) {
         return TAUT_NO_MEMORY;
     }
-    return integrate_surface(w, made);
+    return integrate_surface(w, rule->threads, made);
 }
 
 static taut_status gradient_new(const taut_surface *surface, int is_area, double aspect,

@@ -38,6 +38,7 @@ typedef struct taut_gradient_rule {
     int halvings;         /* of every cell (geometry/nurbs/cells.h), unless they are told: */
     double remainder;     /* no derivative is off by more, rounding aside; INFINITY: not known */
     taut_cells *cells[2]; /* of u and of v, or NULL */
+    int threads;          /* 0: 1; the gradient is the same for any number */
 } taut_gradient_rule;
 
 /* A rule whose remainder is below the rounding of the sums, or else the best that can be afforded,

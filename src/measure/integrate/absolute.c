@@ -22,11 +22,15 @@ enum {
     SAMPLES = 2 * N + 1,
     ROOTS = SAMPLES + 1,
     CUTS = 4 * ROOTS,
-    LOW = 5, /* nodes of the two rules in u */
+    FEW = 3, /* nodes of the two rules in u: these where little is asked for, */
+    LOW = 5, /* else these */
     HIGH = 8,
     DEPTH = 30,
     STRETCHES = 200
 };
+
+/* Above this part of the integral FEW and LOW nodes agree at once. */
+static const double coarse = 1e-6;
 
 /* Where polynomials of n coefficients are sampled: closed, evenly, twice as densely as the degree.
  */
@@ -386,7 +390,7 @@ double taut_fit_absolute(const taut_fit *fit, double relative)
     samples_init(&s.u, n[0]);
     samples_init(&s.v, n[1]);
     for (int r = 0; r < 2; r++) {
-        s.rules[r].count = r == 0 ? LOW : HIGH;
+        s.rules[r].count = relative < coarse ? (r == 0 ? LOW : HIGH) : (r == 0 ? FEW : LOW);
         taut_gauss_rule(s.rules[r].count, s.rules[r].nodes, s.rules[r].weights);
     }
     count = cuts_of(&s, cuts);

@@ -79,9 +79,7 @@ void taut_cell_work_init(const taut_scaled_surface *scaled, int row, taut_arena 
     }
 }
 
-/* What the products of two of the sizes are over the square of the largest; eight times that, so that only
- * nets far longer than they are wide and high have less than 1. */
-static double cross_share(const double sizes[3], double size)
+double taut_cross_share(const double sizes[3], double size)
 {
     double most = 0;
     for (int c = 0; c < 3 && size > 0; c++) {
@@ -119,7 +117,7 @@ void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell
         }
     }
     work->size = fmax(sizes[0], fmax(sizes[1], sizes[2]));
-    work->cross = cross_share(sizes, work->size);
+    work->cross = taut_cross_share(sizes, work->size);
 }
 
 /* polygons[k][b][c] = sum_a N_a^(k)(u_i) net[a][b][c]. */

@@ -27,6 +27,15 @@ static int is_good(const taut_integrand *integrand, int f, const double *value, 
            (allowed != NULL && error[f] <= allowed[f]);
 }
 
+int taut_cell_is_good(const taut_integrand *integrand, const double *value, const double *error)
+{
+    int all = 1;
+    for (int f = 0; f < 2 * integrand->count; f += 2) {
+        all = all && is_good(integrand, f, value, error, NULL);
+    }
+    return all;
+}
+
 /* What to do after a rule: take the cell, try more nodes, or give up since the error of some field
  * falls too slowly. Three rules, each half again as large, cost as much as four quarters; on smooth
  * integrands each gains a factor of ten and more. What has overflowed does not get better: taken.

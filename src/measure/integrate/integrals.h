@@ -27,8 +27,8 @@ taut_status taut_surface_bending_of(const taut_surface *surface, double *energy,
 taut_status taut_surface_mean(const taut_surface *surface, int threads,
                               taut_surface_integrals *integrals);
 
-/* What a certificate of least area tells of the mean curvature, and no more: the same numbers as
- * taut_measure_surface, without its other figures. */
+/* What a certificate of least area tells of the mean curvature, and no more: figures of
+ * taut_measure_surface, mean_abs to four digits only. */
 typedef struct taut_mean_figures {
     double area, area_error;
     double mean_abs; /* of H over the area; NaN where the area is 0 */

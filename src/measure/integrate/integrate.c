@@ -5,6 +5,7 @@
  * leaves are taken, the others quartered. At a corner where the normal vanishes one cell a round is
  * left; along a kink their number doubles while the error of each falls eightfold.
  */
+#include "measure/integrate/eight.h"
 #include "measure/integrate/job.h"
 
 #include "core/memory.h"
@@ -74,6 +75,39 @@ static void first_cell(taut_job *job, taut_worker *worker, int i, int j, int a, 
     job->hard[(size_t)i * (size_t)job->cells[1]->count + (size_t)j] = !good;
 }
 
+/* The cells from j on of row i, up to eight, that are at hand in worker->eight. */
+static void first_eight(taut_job *job, taut_worker *worker, int i, int j, int a, int b,
+                        taut_task_result *share)
+{
+    const taut_nodes *u[2] = {&worker->block[0][0][a], &worker->block[0][1][a]};
+    double value[TAUT_EIGHT][TAUT_FIELDS_MAX], error[TAUT_EIGHT][TAUT_FIELDS_MAX];
+    int is_good[TAUT_EIGHT];
+
+    taut_eight_try(job, i, u, worker->eight, value, error, is_good);
+    for (int k = 0; k < worker->eight->count; k++) {
+        if (is_good[k]) {
+            taut_task_result_add(share, 1, 2 * job->integrand->count, value[k], error[k]);
+            job->hard[(size_t)i * (size_t)job->cells[1]->count + (size_t)(j + k)] = 0;
+        } else {
+            first_cell(job, worker, i, j + k, a, b + k, share);
+        }
+    }
+}
+
+/* All cells of the block by eights, column by column of eights. */
+static void first_eights(taut_job *job, taut_worker *worker, const int from[2], const int to[2],
+                         taut_task_result *share)
+{
+    for (int j = from[1]; j < to[1]; j += TAUT_EIGHT) {
+        const int b = j - from[1], count = to[1] - j < TAUT_EIGHT ? to[1] - j : TAUT_EIGHT;
+        const taut_nodes *v[2] = {&worker->block[1][0][b], &worker->block[1][1][b]};
+        taut_eight_take(job, v, j, count, worker->eight);
+        for (int i = from[0]; i < to[0]; i++) {
+            first_eight(job, worker, i, j, i - from[0], b, share);
+        }
+    }
+}
+
 static void first_task(void *context, int index, int64_t task)
 {
     taut_job *job = context;
@@ -88,6 +122,10 @@ static void first_task(void *context, int index, int64_t task)
         const int count = job->cells[d]->count;
         to[d] = count - from[d] < job->side ? count : from[d] + job->side;
         fill_block(job, worker, d, from[d], to[d]);
+    }
+    if (worker->eight != NULL) {
+        first_eights(job, worker, from, to, share);
+        return;
     }
     for (int i = from[0]; i < to[0]; i++) {
         for (int j = from[1]; j < to[1]; j++) {
@@ -109,6 +147,20 @@ static size_t place_nodes(const taut_job *job, int direction, int count, taut_no
         *at += total;
     }
     return total;
+}
+
+/* The lists of a worker's nodes, and what it needs for eight cells at a time. */
+static int take_blocks(const taut_job *job, taut_worker *worker)
+{
+    taut_nodes *nodes = taut_arena_take(job->arena, 4 * (size_t)job->side, sizeof *nodes);
+    for (int k = 0; k < 4 && nodes != NULL; k++) {
+        worker->block[k / 2][k % 2] = nodes + (size_t)k * (size_t)job->side;
+    }
+    worker->eight = job->by_eights ? taut_arena_take(job->arena, 1, sizeof *worker->eight) : NULL;
+    if (worker->eight != NULL) {
+        taut_eight_init(job, worker->eight);
+    }
+    return taut_arena_status(job->arena) == TAUT_OK;
 }
 
 /* All memory of one worker in one piece: counted first, then dealt out. */
@@ -161,6 +213,8 @@ static taut_status begin_job(const taut_surface *surface, int threads, taut_job 
     /* a block's tables fit the second cache */
     job->side = 256 / (job->scaled.local[0] * job->scaled.local[1]);
     job->side = job->side > TAUT_BLOCK ? TAUT_BLOCK : job->side < 1 ? 1 : job->side;
+    job->by_eights = job->integrand->is_first && job->scaled.weights == NULL;
+    job->side = job->by_eights ? TAUT_WIDE_BLOCK : job->side;
     for (int d = 0; d < 2; d++) {
         if (cut_direction(&job->scaled, d, &job->cells[d]) != TAUT_OK) {
             return TAUT_NO_MEMORY;
@@ -175,6 +229,9 @@ static taut_status begin_job(const taut_surface *surface, int threads, taut_job 
     job->shares = taut_alloc((size_t)job->share_count, sizeof *job->shares);
     for (int w = 0; job->workers != NULL && w < job->worker_count; w++) {
         taut_worker *worker = &job->workers[w];
+        if (!take_blocks(job, worker)) {
+            return TAUT_NO_MEMORY;
+        }
         double *numbers =
             taut_arena_take(job->arena, place_worker(job, worker, NULL), sizeof(double));
         place_worker(job, worker, numbers);

@@ -51,6 +51,7 @@ typedef struct taut_integrand {
      * the pairs; or 2: besides, the field of the last pair is |s|, and s follows. Absolute values
      * have kinks where their argument is 0, which nodes resolve badly or miss. */
     int kinks;
+    int is_first; /* nonzero: the fields are those of eight.h, which may make them its own way */
 } taut_integrand;
 
 typedef struct taut_integrals {

@@ -57,6 +57,10 @@ typedef struct taut_cell_work {
 void taut_cell_work_init(const taut_scaled_surface *scaled, int row, taut_arena *arena,
                          taut_cell_work *work);
 
+/* taut_bounds.cross from the largest coordinates and the largest of these: what the products of two of the sizes are over the
+ * square of the largest; eight times that, so that only nets far longer than they are wide and high have less than 1. */
+double taut_cross_share(const double sizes[3], double size);
+
 /* Takes the net of spans su, sv into the work. */
 void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell_work *work);
 
@@ -100,7 +104,8 @@ int taut_rules_init(taut_rules *rules, const taut_scaled_surface *scaled, taut_a
 void taut_rule_fill(const taut_rule *rule, const taut_scaled_surface *scaled, int direction,
                     int span, double lo, double hi, int order, taut_nodes *nodes);
 
-enum { TAUT_BLOCK = 16 }; /* cells per side of a task of the first pass */
+/* Cells per side of a task of the first pass; and of one that works on eight at a time. */
+enum { TAUT_BLOCK = 16, TAUT_WIDE_BLOCK = 48 };
 
 /* A part of a cell that resists. */
 typedef struct taut_rectangle {
@@ -118,9 +123,10 @@ typedef struct taut_task_result {
 /* Scratch of one worker. */
 typedef struct taut_worker {
     taut_cell_work cell;
-    taut_nodes nodes[2];                /* made for one cell */
-    double *samples[3];                 /* [samples u][samples v] */
-    taut_nodes block[2][2][TAUT_BLOCK]; /* [direction][level 0, 1][cell of the block] */
+    taut_nodes nodes[2];           /* made for one cell */
+    double *samples[3];            /* [samples u][samples v] */
+    taut_nodes *block[2][2];       /* [direction][level 0, 1][cell of the block] */
+    struct taut_eight_work *eight; /* NULL: one cell at a time */
 } taut_worker;
 
 typedef struct taut_job {
@@ -131,7 +137,8 @@ typedef struct taut_job {
     taut_rules rules;
     taut_cells *cells
         [2]; /* along u and v: spans, long ones of hyperbolic bases cut; a cell is a pair of them */
-    int side; /* cells per side of a block */
+    int by_eights; /* cells of the first pass */
+    int side;      /* cells per side of a block */
     int blocks[2];
     int worker_count;
     taut_worker *workers;     /* [worker_count] */
@@ -152,6 +159,9 @@ typedef struct taut_job {
 int taut_cell_try(const taut_job *job, taut_worker *worker, int ladder, const taut_rectangle *r,
                   const taut_nodes *const first[2], const taut_nodes *const second[2],
                   const double *allowed, double *value, double *error);
+
+/* Is every field good by its own goal? */
+int taut_cell_is_good(const taut_integrand *integrand, const double *value, const double *error);
 
 /* The arguments of W and |s| in one cell, as polynomials through two rules' nodes. */
 typedef struct taut_arguments {

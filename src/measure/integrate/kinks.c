@@ -17,9 +17,9 @@
  * a kink. */
 static const double suspicion = 0.2;
 
-/* Absolute values are integrated to these parts of themselves, well below what is asked of cells.
- */
-static const double fine[2] = {2e-13, 1e-7};
+/* Absolute values are integrated to these parts of what is asked of them: a tenth of that is asked
+ * of cells, which W is held to; |s| has no use for it. */
+static const double fine[2] = {0.02, 0.5};
 
 static double area_of(const taut_job *job, const taut_rectangle *r)
 {
@@ -121,7 +121,9 @@ void taut_arguments_settle(const taut_job *job, const taut_rectangle *r, const t
     const int field[2] = {0, 2 * job->integrand->count - 2};
     for (int k = 0; k < 2; k++) {
         if (a->near[k]) {
-            value[field[k]] = area_of(job, r) / 4 * taut_fit_absolute(&a->fit[k][a->now], fine[k]);
+            const double asked = job->integrand->goals[field[k] / 2].relative;
+            value[field[k]] =
+                area_of(job, r) / 4 * taut_fit_absolute(&a->fit[k][a->now], fine[k] * asked);
         }
     }
 }

@@ -8,6 +8,8 @@
 #ifndef TAUT_NUMERIC_KERNEL_H
 #define TAUT_NUMERIC_KERNEL_H
 
+#include "numeric/kernel/name.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
@@ -83,11 +85,9 @@ typedef struct taut_kernel {
 } taut_kernel;
 
 /* The best table for this processor, or the one that the environment variable TAUT_KERNEL names
- * ("baseline", "avx2", "avx512") if the processor has it. Never NULL; cost: a few comparisons. */
+ * ("baseline", "avx2", "avx512") if the processor has it. Never NULL; cost: a few comparisons. Its name is taut_kernel_name(). */
 const taut_kernel *taut_kernel_best(void);
 /* The table called `name`, or NULL when there is none or the processor lacks it. */
 const taut_kernel *taut_kernel_find(const char *name);
-/* The name of taut_kernel_best(). */
-const char *taut_kernel_name(void);
 
 #endif /* TAUT_NUMERIC_KERNEL_H */
