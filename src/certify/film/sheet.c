@@ -1,11 +1,13 @@
 #include "certify/film/sheet.h"
 
+#include "certify/common/verdict.h"
 #include "core/vec3.h"
 #include "geometry/exponent.h"
 #include "geometry/keep.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -68,7 +70,9 @@ taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_pro
     sheet->tension = problem->tension > 0 ? problem->tension : 1;
     for (int e = 0; e < 4; e++) {
         if (problem->edges[e].kind == TAUT_FILM_CABLE) {
-            sheet->ratios[e] = ldexp(problem->edges[e].force / sheet->tension, -sheet->unit);
+            /* a force that vanishes beside the tension is a cable's all the same */
+            sheet->ratios[e] = taut_certify_max(
+                ldexp(problem->edges[e].force / sheet->tension, -sheet->unit), DBL_MIN);
         }
     }
     return TAUT_OK;
@@ -173,9 +177,10 @@ static double add_cable(const taut_film_sheet *sheet, int e, double *gradient)
 }
 
 void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, double *moments,
-                              double *area, double lengths[4])
+                              double *area, double *largest, double lengths[4])
 {
-    const size_t size = 3 * (size_t)sheet->nu * (size_t)sheet->nv * sizeof(double);
+    const size_t count = (size_t)sheet->nu * (size_t)sheet->nv;
+    const size_t size = 3 * count * sizeof(double);
     taut_sum sum = {0, 0};
 
     memset(gradient, 0, size);
@@ -189,6 +194,10 @@ void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, do
         }
     }
     *area = taut_sum_total(&sum);
+    *largest = 0;
+    for (size_t k = 0; k < count; k++) {
+        *largest = taut_certify_max(*largest, taut_largest_coordinate(gradient + 3 * k));
+    }
     for (int e = 0; e < 4; e++) {
         lengths[e] = sheet->ratios[e] > 0 ? add_cable(sheet, e, gradient) : 0;
     }

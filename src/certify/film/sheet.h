@@ -55,8 +55,9 @@ void taut_film_sheet_edge(const taut_film_sheet *sheet, int e, size_t *first, si
 /* x_t of edge e at a node of its direction. */
 void taut_film_sheet_slope(const taut_film_sheet *sheet, int e, int node, double d[3]);
 
-/* gradient, moments double[nu][nv][3]; *area, and lengths of the cables, all scaled. */
+/* gradient, moments double[nu][nv][3]; *area, and lengths of the cables, all scaled. *largest: the
+ * largest coordinate of the gradient of the area alone, held points too. */
 void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, double *moments,
-                              double *area, double lengths[4]);
+                              double *area, double *largest, double lengths[4]);
 
 #endif /* TAUT_CERTIFY_FILM_SHEET_H */
