@@ -51,14 +51,16 @@ forge asymptotic 200
 forge biharmonic 6000
 forge bonnet 800
 forge dirichlet 780
-forge harmonic 12000
+forge film 100
+forge harmonic 11900
 forge pipe 150
 forge plateau 70
 made asymptotic 14
 made biharmonic 50
 made bonnet 40
 made dirichlet 24
-made harmonic 50
+made film 10
+made harmonic 40
 made pipe 6
 made plateau 16
 COUNTS

@@ -2,7 +2,8 @@
 # test_forged.sh -- models that no construction made, each of which passed a claim that it does not meet: by a point of little
 # weight, by a derivative that the degree does not have, by a surface so large that a gap beside it seems small, by a film
 # whose measured area is worth nothing, by coordinates so far away that rounding is all there is, by one frame of several that
-# rounding hides.
+# rounding hides, beside a cable so strong that the film's own derivatives are nothing, along a cable so faint that its force is
+# 0, by waves that vanish wherever a pipe is looked at.
 . "$(dirname "$0")/cli.sh"
 # model: claim that must not hold
 while read -r name claim; do
@@ -21,5 +22,8 @@ dirichlet-far stationary
 bonnet-flattened algebraic
 plateau-light-point least
 plateau-light-point stationary
+film-strong-cable stationary
+film-faint-cable stationary
+pipe-elliptic-waves tube
 LIST
 finish

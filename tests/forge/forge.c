@@ -56,6 +56,7 @@ static const char *const usual[] = {"dirichlet-biquadratic",
                                     "pipe-flat-start",
                                     "pipe-cubic",
                                     "pipe-canal",
+                                    "pipe-elliptic",
                                     "pipe-run-coil",
                                     "pipe-run",
                                     "pipe-g2"};
@@ -262,6 +263,15 @@ static void compare_figures(const forge_run *run, int number, const forge_base *
                        own.dirichlet_error, text);
     }
     oracle_sheet_free(&sheet);
+    if (strcmp(base->construct, "film") == 0) {
+        const oracle_case about = {base->construct, model, base->document, base->model, NAN, 0};
+        const double tension = oracle_number(taut_record_get(base->document, "tension"));
+        double error = NAN;
+        const double energy = oracle_film_energy(&about, model, &error);
+        compare_figure(run, number, base, certificate, model, "energy",
+                       (tension > 0 ? tension : 1) * (oracle_real)energy,
+                       (tension > 0 ? tension : 1) * (oracle_real)error, text);
+    }
 }
 
 static void make_one(const forge_run *run, int number, forge_pool *pool)
@@ -294,7 +304,7 @@ static void make_one(const forge_run *run, int number, forge_pool *pool)
         }
         run->tally->judged += finding.judged;
         run->tally->unjudged += finding.unjudged;
-        compare_figures(run, number, base, certificate, made.model, text);
+        compare_figures(run, number, &made, certificate, made.model, text);
     }
     if (seconds() - begin > run->tally->slowest) {
         run->tally->slowest = seconds() - begin;
@@ -365,7 +375,7 @@ static void print_tally(const forge_tally *tally, int made)
     }
 }
 
-static int is_wanted(const char *name, const char *construct, const char *list)
+static int is_wanted(const char *name, const char *construct, const char *list, int all)
 {
     char only[80], whole[82];
 
@@ -385,23 +395,57 @@ static int is_wanted(const char *name, const char *construct, const char *list)
             return 1;
         }
     }
-    return 0;
+    return all;
+}
+
+/* Small, and of kinds that no example is. */
+static const taut_embedded others[] = {
+    {"film-small.json",
+     "{\"taut\":1,\"construct\":\"film\",\"u\":{\"type\":\"bspline\",\"degree\":3,\"count\":6},"
+     "\"v\":{\"type\":\"bspline\",\"degree\":4,\"count\":6},\"corners\":{\"u0v0\":[-1,-1,0.5],"
+     "\"u1v0\":[1,-1,-0.5],\"u0v1\":[-1,1,-0.5],\"u1v1\":[1,1,0.5]},\"edges\":{"
+     "\"u0\":{\"cable\":{\"force\":3}},\"u1\":{\"cable\":{\"force\":2}},"
+     "\"v0\":{\"cable\":{\"force\":2}},\"v1\":{\"cable\":{\"force\":4}}}}",
+     0},
+    {"film-held.json",
+     "{\"taut\":1,\"construct\":\"film\",\"u\":{\"type\":\"bspline\",\"degree\":3,\"count\":5},"
+     "\"v\":{\"type\":\"bspline\",\"degree\":3,\"count\":6},\"tension\":3,\"corners\":{"
+     "\"u0v0\":[-1,-1,0.5],\"u1v0\":[1,-1,-0.5],\"u0v1\":[-1,1,-0.5],\"u1v1\":[1,1,0.5]},\"edges\":"
+     "{"
+     "\"u1\":{\"cable\":{\"force\":9}},\"v1\":{\"cable\":{\"force\":700}}}}",
+     0},
+    {"film-curve.json",
+     "{\"taut\":1,\"construct\":\"film\",\"u\":{\"type\":\"bspline\",\"degree\":3,\"count\":5},"
+     "\"v\":{\"type\":\"bspline\",\"degree\":4,\"count\":6},\"corners\":{\"u1v0\":[2,0,0],\"u1v1\":"
+     "[2,2,0]},"
+     "\"edges\":{\"u0\":{\"fixed\":{\"t\":{\"type\":\"bezier\",\"degree\":2},\"weights\":[1,0.75,1]"
+     ","
+     "\"points\":[[0,0,0],[0,1,1],[0,2,0]]}},\"u1\":{\"cable\":{\"force\":4}},"
+     "\"v0\":{\"cable\":{\"force\":5}},\"v1\":{\"cable\":{\"force\":6}}}}",
+     0},
+    {NULL, NULL, 0}};
+
+static void open_list(const taut_embedded *file, forge_base *bases, const char *construct,
+                      const char *list, int all, int *count)
+{
+    static char names[BASES_MAX][60];
+
+    for (; file->name != NULL && *count < BASES_MAX; file++) {
+        char *const name = names[*count];
+        snprintf(name, sizeof names[0], "%.*s", (int)(strlen(file->name) - 5), file->name);
+        if (is_wanted(name, construct, list, all) &&
+            base_open(name, file->text, strlen(file->text), &bases[*count])) {
+            ++*count;
+        }
+    }
 }
 
 static int open_bases(forge_base *bases, const char *construct, const char *list)
 {
-    static char names[BASES_MAX][60];
     int count = 0;
 
-    for (const taut_embedded *file = taut_examples; file->name != NULL && count < BASES_MAX;
-         file++) {
-        snprintf(names[count], sizeof names[count], "%.*s", (int)(strlen(file->name) - 5),
-                 file->name);
-        if (is_wanted(names[count], construct, list) &&
-            base_open(names[count], file->text, file->length, &bases[count])) {
-            count++;
-        }
-    }
+    open_list(taut_examples, bases, construct, list, 0, &count);
+    open_list(others, bases, construct, list, 1, &count);
     return count;
 }
 

@@ -3,6 +3,7 @@
  *     points          by a random affine map, and known points of nets by noise besides
  *     legs, directions  by its linear part
  *     bonnet          lambda, lengths, sign
+ *     film            corners under an affine map, bases, forces, which edges are held
  *     asymptotic      the curves of a made patch under an affine map, which keeps their property
  */
 #include "edit.h"
@@ -156,6 +157,72 @@ static void put_bonnet(made_text *out)
     put(out, "}");
 }
 
+static void put_corner(made_text *out, int c)
+{
+    const double p[3] = {2.0 * (c % 2) - 1, 2.0 * (c / 2) - 1, c % 3 == 0 ? 0.4 : -0.4};
+    double sum[3];
+
+    put(out,
+        c % 2 == 0 ? (c < 2 ? "\"u0v0\":[" : "\"u0v1\":[") : (c < 2 ? "\"u1v0\":[" : "\"u1v1\":["));
+    for (int k = 0; k < 3; k++) {
+        sum[k] = out->offset[k];
+        for (int l = 0; l < 3; l++) {
+            sum[k] += out->map[k][l] * p[l];
+        }
+        put_number(out, sum[k]);
+        put(out, k < 2 ? "," : "]");
+    }
+    put(out, c < 3 ? "," : "}");
+}
+
+static void put_spline(made_text *out)
+{
+    const int degree = forge_int(out->random, 2, 5);
+
+    put(out, "{\"type\":\"bspline\",\"degree\":");
+    put_number(out, degree);
+    put(out, ",\"count\":");
+    put_number(out, degree + forge_int(out->random, 1, 4));
+    put(out, "},");
+}
+
+/* Forces that a square of this size bears, so that few films are looked for in vain. */
+static void put_film(made_text *out)
+{
+    static const char *const names[4] = {"u0", "u1", "v0", "v1"};
+    forge_random *r = out->random;
+    const double tension = forge_log(r, 1e-3, 1e3), all = forge_log(r, 1, 30);
+    double size = 0;
+
+    for (int k = 0; k < 9; k++) {
+        size = fmax(size, 4 * fabs(out->map[k / 3][k % 3]));
+    }
+    put(out, "{\"taut\":1,\"construct\":\"film\",\"u\":");
+    put_spline(out);
+    put(out, "\"v\":");
+    put_spline(out);
+    put(out, "\"tension\":");
+    put_number(out, tension);
+    put(out, ",\"corners\":{");
+    for (int c = 0; c < 4; c++) {
+        put_corner(out, c);
+    }
+    put(out, ",\"edges\":{");
+    for (int e = 0; e < 4; e++) {
+        put(out, e > 0 ? ",\"" : "\"");
+        put(out, names[e]);
+        put(out, "\":");
+        if (forge_int(r, 0, 3) == 0) {
+            put(out, "\"fixed\"");
+        } else {
+            put(out, "{\"cable\":{\"force\":");
+            put_number(out, all * forge_log(r, 1, 4) * tension * size);
+            put(out, "}}");
+        }
+    }
+    put(out, "}}");
+}
+
 static void put_curve(made_text *out, const taut_curve *curve)
 {
     const int n = taut_basis_count(taut_curve_t(curve));
@@ -208,6 +275,8 @@ const char *made_problem(const forge_base *base, forge_pool *pool, forge_random 
     random_map(&out, rigid);
     if (strcmp(base->construct, "bonnet") == 0) {
         put_bonnet(&out);
+    } else if (strcmp(base->construct, "film") == 0) {
+        put_film(&out);
     } else if (strcmp(base->construct, "asymptotic") == 0) {
         random_map(&out, 0);
         put_asymptotic(&out, base);

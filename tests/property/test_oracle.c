@@ -101,9 +101,64 @@ static void known_integrals(void)
     taut_basis_free(basis);
 }
 
+/* A judge of films by what it finds of one with point (or number of a curve) `at` moved by `by`. */
+static double film_found(double (*judge)(const oracle_case *), const forge_base *base, int at,
+                         int curve, double by)
+{
+    forge_pool pool = {malloc(1 << 16), 1 << 16, 0};
+    edit_model *edit = malloc(sizeof *edit);
+    double found = NAN;
+
+    if (pool.bytes != NULL && edit != NULL) {
+        edit_open(base->model, base->construct, &pool, edit);
+        (curve ? edit->curve[0].points : edit->surface[0].points)[3 * at + 2] += by;
+        taut_model *model = edit_close(edit);
+        const oracle_case about = {base->construct, model, base->document, base->model, NAN, 0};
+        found = judge(&about);
+        taut_model_free(model);
+    }
+    free(edit);
+    free(pool.bytes);
+    return found;
+}
+
+/* A sail with two cables, and a flat film of side 2, whose lowest eigenvalue is pi^2 / 2. */
+static void film_judges(void)
+{
+    static const char sail[] =
+        "{\"taut\":1,\"construct\":\"film\",\"u\":{\"type\":\"bspline\",\"degree\":3,\"count\":5},"
+        "\"v\":{\"type\":\"bspline\",\"degree\":3,\"count\":6},\"tension\":3,\"corners\":{"
+        "\"u0v0\":[-1,-1,0.5],\"u1v0\":[1,-1,-0.5],\"u0v1\":[-1,1,-0.5],\"u1v1\":[1,1,0.5]},"
+        "\"edges\":{\"u1\":{\"cable\":{\"force\":9}},\"v1\":{\"cable\":{\"force\":700}}}}";
+    static const char flat[] =
+        "{\"taut\":1,\"construct\":\"film\",\"u\":{\"type\":\"bspline\",\"degree\":3,\"count\":6},"
+        "\"v\":{\"type\":\"bspline\",\"degree\":3,\"count\":6},\"corners\":{\"u0v0\":[0,0,0],"
+        "\"u1v0\":[2,0,0],\"u0v1\":[0,2,0],\"u1v1\":[2,2,0]}}";
+    enum { CORNER = 0, HELD_EDGE = 2, INSIDE = 14, CABLE = 26 /* of 5 by 6 points */ };
+    forge_base base;
+
+    CHECK(base_open("sail", sail, strlen(sail), &base), "the sail is made");
+    CHECK(film_found(oracle_film_stationary, &base, 0, 0, 0) < 1e-10, "it rests");
+    CHECK(film_found(oracle_film_stationary, &base, INSIDE, 0, 1e-7) > 1e-9, "inside");
+    CHECK(film_found(oracle_film_stationary, &base, CABLE, 0, 1e-7) > 1e-9, "at a cable");
+    CHECK(film_found(oracle_film_lowest, &base, 0, 0, 0) > 1, "it is stable");
+    CHECK(film_found(oracle_film_held, &base, 0, 0, 0) == 0, "corners");
+    CHECK(film_found(oracle_film_held, &base, CORNER, 0, 1e-12) > 0, "a corner moved");
+    CHECK(film_found(oracle_film_cables, &base, 0, 0, 0) == 0, "cables");
+    CHECK(film_found(oracle_film_cables, &base, 1, 1, 1e-12) == 1, "a cable moved");
+    CHECK(film_found(oracle_film_boundary, &base, 0, 0, 0) < 1e-15, "chords");
+    CHECK(film_found(oracle_film_boundary, &base, HELD_EDGE, 0, 1e-8) > 1e-9, "an edge moved");
+    base_close(&base);
+    CHECK(base_open("flat", flat, strlen(flat), &base), "the flat film is made");
+    const double lowest = film_found(oracle_film_lowest, &base, 0, 0, 0);
+    CHECK(lowest > 2 * acos(-1) * acos(-1) && lowest < 24, "%g", lowest); /* of a wave near sines */
+    base_close(&base);
+}
+
 int main(void)
 {
     random_seed(1);
+    film_judges();
     for (const taut_embedded *file = taut_examples; file->name != NULL; file++) {
         forge_base base;
         if (!base_open(file->name, file->text, file->length, &base)) {

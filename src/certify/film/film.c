@@ -11,8 +11,9 @@
  *   length      of cables of given length: the largest |L - given| / given, by the quadrature of
  *               `stationary`. Limit 1e-10.
  *   stationary  largest derivative of E along a move that E sees (certify/film/moves.h) over the
- *               largest in the net, held points too; or, where that is more, tolerance / 1e-6 times
- *               the same over all coordinates. Limit: the tolerance, at most 1e-6. Nodes are raised
+ *               largest of the area alone in the net, held points too, and along a cable over its
+ *               force where that is more; or, where that is more, tolerance / 1e-6 times the same
+ *               over all coordinates. Limit: the tolerance, at most 1e-6. Nodes are raised
  *               until the judgement stays. The force of a cable of given length is the certificate's
  *               own (certify/film/sheet.h), and has to be positive.
  *   stable      lowest eigenvalue of the second variation over those moves, scaled; holds above
@@ -301,6 +302,25 @@ typedef struct finding {
     double forces[4], given[4]; /* lengths */
 } finding;
 
+/* What derivatives are held against: inside the largest of the area alone, along a cable its force
+ * where that is more. A cable beside which the film is nothing hides nothing of the film, nor of another cable. */
+static double scale_of(const taut_film_sheet *sheet, double largest, int i, int j)
+{
+    const double at_u = i == 0 ? sheet->ratios[0] : i == sheet->nu - 1 ? sheet->ratios[1] : 0;
+    const double at_v = j == 0 ? sheet->ratios[2] : j == sheet->nv - 1 ? sheet->ratios[3] : 0;
+    return taut_certify_max(largest, taut_certify_max(at_u, at_v));
+}
+
+static void scale_gradient(const taut_film_sheet *sheet, double largest, double *gradient)
+{
+    for (int k = 0; k < sheet->nu * sheet->nv; k++) {
+        const double scale = scale_of(sheet, largest, k / sheet->nv, k % sheet->nv);
+        for (int c = 0; c < 3; c++) {
+            gradient[3 * k + c] /= scale;
+        }
+    }
+}
+
 /* The largest derivative along a coordinate that is not held. */
 static double largest_free(const taut_film_sheet *sheet, const double *gradient, int *point)
 {
@@ -314,7 +334,7 @@ static double largest_free(const taut_film_sheet *sheet, const double *gradient,
                                  ? 0
                                  : taut_film_sheet_is_cable(sheet, on_u >= 0 ? on_u : on_v);
             const double size = taut_largest_coordinate(gradient + 3 * (i * sheet->nv + j));
-            if (free && !(size <= largest)) {
+            if (free && !(size <= largest) && !isnan(largest)) {
                 largest = size;
                 *point = i * sheet->nv + j;
             }
@@ -330,23 +350,20 @@ static taut_status find_rest(const request *r, int rule, taut_arena *arena, find
     const size_t count = taut_point_count(r->surface);
     double *gradient = taut_arena_take(arena, count, 3 * sizeof(double));
     double *moments = taut_arena_take(arena, count, 3 * sizeof(double));
-    double all = 0;
+    double largest = 0;
     int at_move = 0, at_free = 0;
 
     if (taut_arena_status(arena) != TAUT_OK ||
         taut_film_sheet_new(r->surface, r->problem, extra_nodes[rule], arena, &sheet) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    taut_film_sheet_gradient(&sheet, gradient, moments, &found->area, found->lengths);
+    taut_film_sheet_gradient(&sheet, gradient, moments, &found->area, &largest, found->lengths);
     if (taut_film_moves_new(&sheet, moments, &moves) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    for (size_t k = 0; k < count; k++) {
-        all = taut_certify_max(all, taut_largest_coordinate(gradient + 3 * k));
-    }
-    const double along = taut_film_moves_largest(&moves, gradient, &at_move) / all;
-    const double free =
-        largest_free(&sheet, gradient, &at_free) / all * (r->tolerance / largest_limit);
+    scale_gradient(&sheet, largest, gradient);
+    const double along = taut_film_moves_largest(&moves, gradient, &at_move);
+    const double free = largest_free(&sheet, gradient, &at_free) * (r->tolerance / largest_limit);
     found->residual = taut_certify_max(along, free);
     found->at = along >= free ? at_move : at_free;
     found->area = ldexp(found->area, 2 * sheet.unit);
@@ -384,7 +401,7 @@ static taut_status find_stability(const request *r, finding *found)
     const size_t count = taut_point_count(r->surface);
     double *gradient = taut_arena_take(arena, count, 3 * sizeof(double));
     double *moments = taut_arena_take(arena, count, 3 * sizeof(double));
-    double area = 0, lengths[4];
+    double area = 0, largest = 0, lengths[4];
     taut_film_sheet sheet;
     taut_film_moves moves;
     taut_status status = taut_arena_status(arena);
@@ -393,7 +410,7 @@ static taut_status find_stability(const request *r, finding *found)
         status = taut_film_sheet_new(r->surface, r->problem, SECOND_EXTRA, arena, &sheet);
     }
     if (status == TAUT_OK) {
-        taut_film_sheet_gradient(&sheet, gradient, moments, &area, lengths);
+        taut_film_sheet_gradient(&sheet, gradient, moments, &area, &largest, lengths);
         status = taut_film_moves_new(&sheet, moments, &moves);
     }
     if (status == TAUT_OK) {

@@ -86,7 +86,7 @@ double taut_film_moves_largest(const taut_film_moves *moves, const double *gradi
     for (int k = 0; k < moves->count; k++) {
         const double size =
             fabs(taut_dot(gradient + 3 * (size_t)moves->point[k], moves->direction + 3 * k));
-        if (!(size <= largest)) {
+        if (!(size <= largest) && !isnan(largest)) {
             largest = size;
             *point = moves->point[k];
         }

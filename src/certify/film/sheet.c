@@ -1,5 +1,6 @@
 #include "certify/film/sheet.h"
 
+#include "certify/common/verdict.h"
 #include "core/elementary/elementary.h"
 #include "core/vec3.h"
 #include "geometry/exponent.h"
@@ -7,6 +8,7 @@
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -86,14 +88,14 @@ static taut_status find_multiplier(taut_film_sheet *sheet, int e)
     double *gradient = taut_arena_take(sheet->arena, count, 3 * sizeof(double));
     double *moments = taut_arena_take(sheet->arena, count, 3 * sizeof(double));
     double *pull = taut_arena_take(sheet->arena, count, 3 * sizeof(double));
-    double area = 0, lengths[4], both = 0, square = 0;
+    double area = 0, largest = 0, lengths[4], both = 0, square = 0;
     size_t first = 0, step = 0;
     int points = 0;
 
     if (taut_arena_status(sheet->arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    taut_film_sheet_gradient(sheet, gradient, moments, &area, lengths); /* r is 0 yet */
+    taut_film_sheet_gradient(sheet, gradient, moments, &area, &largest, lengths); /* r is 0 yet */
     taut_film_sheet_pull(sheet, e, pull);
     taut_film_sheet_edge(sheet, e, &first, &step, &points);
     for (int k = 1; k < points - 1; k++) {
@@ -112,7 +114,9 @@ static taut_status find_force(taut_film_sheet *sheet, int e)
     const taut_film_edge *edge = &sheet->problem->edges[e];
     if (edge->law == TAUT_FILM_FORCE) {
         sheet->forces[e] = edge->force;
-        sheet->ratios[e] = ldexp(edge->force / sheet->tension, -sheet->unit);
+        /* a force that vanishes beside the tension is a cable's all the same */
+        sheet->ratios[e] =
+            taut_certify_max(ldexp(edge->force / sheet->tension, -sheet->unit), DBL_MIN);
         return TAUT_OK;
     }
     if (edge->law != TAUT_FILM_ELASTIC) {
@@ -289,9 +293,10 @@ double taut_film_sheet_pull(const taut_film_sheet *sheet, int e, double *pull)
 }
 
 void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, double *moments,
-                              double *area, double lengths[4])
+                              double *area, double *largest, double lengths[4])
 {
-    const size_t size = 3 * (size_t)sheet->nu * (size_t)sheet->nv * sizeof(double);
+    const size_t count = (size_t)sheet->nu * (size_t)sheet->nv;
+    const size_t size = 3 * count * sizeof(double);
     taut_sum sum = {0, 0};
 
     memset(gradient, 0, size);
@@ -305,6 +310,10 @@ void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, do
         }
     }
     *area = taut_sum_total(&sum);
+    *largest = 0;
+    for (size_t k = 0; k < count; k++) {
+        *largest = taut_certify_max(*largest, taut_largest_coordinate(gradient + 3 * k));
+    }
     for (int e = 0; e < 4; e++) {
         size_t first = 0, step = 0;
         int count = 0;

@@ -78,8 +78,9 @@ double taut_film_sheet_pull(const taut_film_sheet *sheet, int e, double *pull);
 /* The unit tangent of edge e at the Greville abscissa of its function k. */
 void taut_film_sheet_tangent(const taut_film_sheet *sheet, int e, int k, double t[3]);
 
-/* gradient, moments double[nu][nv][3]; *area, and lengths of the cables, all scaled. */
+/* gradient, moments double[nu][nv][3]; *area, and lengths of the cables, all scaled. *largest: the
+ * largest coordinate of the gradient of the area alone, held points too. */
 void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, double *moments,
-                              double *area, double lengths[4]);
+                              double *area, double *largest, double lengths[4]);
 
 #endif /* TAUT_CERTIFY_FILM_SHEET_H */

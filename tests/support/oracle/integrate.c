@@ -25,8 +25,7 @@ static int rule(int level, oracle_real *nodes, oracle_real *weights)
     return count;
 }
 
-/* Nodes and weights of the Gauss rule of so many nodes on [0, 1]. */
-static int gauss(int count, oracle_real *nodes, oracle_real *weights)
+int oracle_gauss(int count, oracle_real *nodes, oracle_real *weights)
 {
     for (int i = 0; i < count; i++) {
         oracle_real x = cosl(3.14159265358979323846L * (i + 0.75L) / (count + 0.5L)), slope = 1;
@@ -60,7 +59,7 @@ static int take_rows(const oracle_basis *basis, int level, int order, node_table
 {
     oracle_real nodes[NODES_MAX], weights[NODES_MAX];
 
-    rows->count = level < 0 ? gauss(-level, nodes, weights) : rule(level, nodes, weights);
+    rows->count = level < 0 ? oracle_gauss(-level, nodes, weights) : rule(level, nodes, weights);
     rows->spans = basis->spans;
     rows->row = calloc((size_t)rows->count * (size_t)basis->spans, sizeof *rows->row);
     rows->weight = calloc((size_t)rows->count * (size_t)basis->spans, sizeof *rows->weight);

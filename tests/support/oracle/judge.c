@@ -58,6 +58,11 @@ static const oracle_judge_row judges[] = {
     {"pipe", "joints", oracle_joints, 0},
     {"pipe", "bend_radius", oracle_bend, 0},
     {"pipe", "caps", oracle_caps, 0},
+    {"film", "boundary", oracle_film_boundary, 0},
+    {"film", "held", oracle_film_held, 0},
+    {"film", "cables", oracle_film_cables, 0},
+    {"film", "stationary", oracle_film_stationary, 0},
+    {"film", "stable", oracle_film_lowest, 1},
     {NULL, "identity", oracle_identity, 0},
 };
 
@@ -132,7 +137,8 @@ static const char *figures_lie(const oracle_case *about, const taut_certificate 
  * the solution is free (inner points of an asymptotic patch, a film's slides), infinity. */
 static double freedom(const oracle_case *about)
 {
-    if (strcmp(about->construct, "asymptotic") == 0 || strcmp(about->construct, "plateau") == 0) {
+    if (strcmp(about->construct, "asymptotic") == 0 || strcmp(about->construct, "plateau") == 0 ||
+        strcmp(about->construct, "film") == 0) {
         return INFINITY;
     }
     return strcmp(about->construct, "pipe") == 0 ? 1e-3 : 1e-6;
@@ -149,6 +155,13 @@ static const char *whole_lies(const oracle_case *about, oracle_finding *finding)
                          : oracle_distance(about->model, about->honest);
     if (finding->found > finding->limit) {
         return "the model is not the one solution of its problem";
+    }
+    if (strcmp(about->construct, "film") == 0) {
+        finding->found = oracle_film_energy(about, about->model, NULL);
+        finding->limit = oracle_film_energy(about, about->honest, NULL);
+        if (finding->found > finding->limit * 1.01) {
+            return "the film has more energy than the one that was made";
+        }
     }
     if (strcmp(about->construct, "plateau") == 0) {
         oracle_sheet film;

@@ -85,6 +85,9 @@ oracle_real oracle_dot(const oracle_real a[3], const oracle_real b[3]);
 void oracle_cross(const oracle_real a[3], const oracle_real b[3], oracle_real out[3]);
 oracle_real oracle_norm(const oracle_real a[3]);
 
+/* Nodes and weights of the Gauss rule of so many nodes on [0, 1]. */
+int oracle_gauss(int count, oracle_real *nodes, oracle_real *weights);
+
 /* ---- integrals: tanh-sinh in both directions of every cell ---- */
 
 typedef struct oracle_integrals {
@@ -124,7 +127,7 @@ int oracle_judge(const oracle_case *about, const taut_certificate *certificate,
 /* Is there a judge for this claim? */
 int oracle_knows(const char *construct, const char *claim);
 
-/* Judges; each gives a lower bound of the claim's residual (`regular`, `positive-weights`, `graph`:
+/* Judges; each gives a lower bound of the claim's residual (`regular`, `positive-weights`, `stable`:
  * an upper bound of the smallest value), NaN where it cannot say. */
 double oracle_stationary(const oracle_case *about);
 double oracle_known(const oracle_case *about);
@@ -156,6 +159,13 @@ double oracle_smooth(const oracle_case *about);
 double oracle_closed(const oracle_case *about);
 double oracle_least(const oracle_case *about);
 double oracle_aspect(const oracle_case *about);
+double oracle_film_held(const oracle_case *about);
+double oracle_film_cables(const oracle_case *about);
+double oracle_film_boundary(const oracle_case *about);
+double oracle_film_stationary(const oracle_case *about);
+double oracle_film_lowest(const oracle_case *about);
+/* Of a film of this problem, over its tension; *error (NULL: not wanted): how far another rule is. */
+double oracle_film_energy(const oracle_case *about, const taut_model *model, double *error);
 /* Gap over radius and sine between normals, from u1 of one surface to u0 of the next. */
 double oracle_joint_between(const taut_surface *before, const taut_surface *after, double radius);
 /* Largest distance of the model from the honest one at equal parameters, over its size. */
