@@ -19,6 +19,9 @@
 #include "taut/pipe.h"
 #include "taut/plateau.h"
 
+/* How what comes out changes with what goes in */
+#include "taut/gradient.h"
+
 /* What comes out */
 #include "taut/certify.h"
 #include "taut/model.h"

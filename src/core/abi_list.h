@@ -196,6 +196,11 @@
     X(taut_forms, gaussian, "double") \
     X(taut_forms, regular, "int")
 
+#define TAUT_ABI_MEMBERS_taut_gradient_request(X) \
+    X(taut_gradient_request, of, "taut_gradient_of") \
+    X(taut_gradient_request, factors, "const double *") \
+    X(taut_gradient_request, monitor, "taut_monitor")
+
 #define TAUT_ABI_MEMBERS_taut_harmonic_boundary(X) \
     X(taut_harmonic_boundary, points, "const double *") \
     X(taut_harmonic_boundary, known, "const unsigned char *")
@@ -429,6 +434,7 @@
     X(taut_film_edge) \
     X(taut_film_problem) \
     X(taut_forms) \
+    X(taut_gradient_request) \
     X(taut_harmonic_boundary) \
     X(taut_harmonic_derivative) \
     X(taut_harmonic_extension_problem) \
@@ -493,6 +499,11 @@
 #define TAUT_ABI_VALUES_taut_film_edge_kind(X) \
     X(TAUT_FILM_FIXED, "fixed") \
     X(TAUT_FILM_CABLE, "cable")
+
+#define TAUT_ABI_VALUES_taut_gradient_of(X) \
+    X(TAUT_GRADIENT_AREA, "area") \
+    X(TAUT_GRADIENT_DIRICHLET_ENERGY, "dirichlet-energy") \
+    X(TAUT_GRADIENT_POINTS, "points")
 
 #define TAUT_ABI_VALUES_taut_harmonic_even(X) \
     X(TAUT_EVEN_REFUSE, "refuse") \
@@ -590,6 +601,7 @@
     X(taut_edge) \
     X(taut_extension_given) \
     X(taut_film_edge_kind) \
+    X(taut_gradient_of) \
     X(taut_harmonic_even) \
     X(taut_harmonic_given) \
     X(taut_jacobian_state) \
