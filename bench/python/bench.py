@@ -47,6 +47,20 @@ def over_c():
     return best(lambda: taut.dirichlet(points, u=u, v=u), 500), best(bare, 500)
 
 
+def by_dask(documents, alone):
+    """The same on two worker processes of Dask."""
+    try:
+        from distributed import Client
+    except ImportError:
+        return [("the same by Dask", float("nan"), "(python3-distributed is not installed)")]
+    with Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
+        list(taut.map(documents[:4], client=client))  # the workers have started, and the library is there
+        begin = time.perf_counter()
+        list(taut.map(documents, client=client))
+        seconds = time.perf_counter() - begin
+    return [(f"{len(documents)} films of 12 x 12, 2 workers of Dask", seconds, f"s, efficiency {alone / seconds / 2:.2f}")]
+
+
 def main():
     """Prints the table."""
     parser = argparse.ArgumentParser()
@@ -79,6 +93,7 @@ def main():
         list(taut.map(documents, client=executor))
         seconds = time.perf_counter() - begin
         rows.append((f"{films} films of 12 x 12, 2 processes", seconds, f"s, efficiency {alone / seconds / 2:.2f}"))
+    rows += by_dask(documents, alone)
     for name, value, unit in rows:
         print(f"{name:<40} {value:10.2f} {unit}")
     print(f"python {os.sys.version.split()[0]}, numpy {np.__version__}, taut {taut.__version__}")
