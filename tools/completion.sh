@@ -37,7 +37,7 @@ _taut()
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
 END
-printf '        words="%s--help --version"\n' "$commands"
+printf '        words="%shelp --help --version"\n' "$commands"
 cat <<'END'
     elif _taut_takes_word "$before"; then
         words=$(_taut_values "$before")
@@ -47,7 +47,7 @@ cat <<'END'
         case $command in
         example | schema) words=$("${COMP_WORDS[0]}" "$command" 2> /dev/null) ;;
 END
-printf '        reproduce) words="%s" ;;\n' "$papers"
+printf '        help) words="%s" ;;\n        reproduce) words="%s" ;;\n' "$commands" "$papers"
 cat <<'END'
         join)
             COMPREPLY=($(compgen -W "u0 u1 v0 v1" -- "$word") $(compgen -f -- "$word"))

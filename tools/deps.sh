@@ -48,6 +48,10 @@ check cmd:lintian                     lintian                the Debian package
 check cmd:gmsh                       gmsh                   reads STEP and IGES back
 check cmd:node                       nodejs                 runs the Khronos validator of glTF
 check cmd:npm                        npm                    fetches it
+check py:matplotlib                  python3-matplotlib     draws by `surface.plot`
+check py:nbclient                    python3-nbclient       runs the notebooks as Jupyter does
+check py:ipykernel                   python3-ipykernel      with this
+check py:distributed                 python3-distributed    Dask, which spreads sweeps
 check py:vtkmodules                  python3-vtk9           VTK, which reads the VTU files back
 files file:/usr/share/doc/netgen/examples/frame.step netgen-doc STEP files that others made, tests/cli/test_other_files.sh
 files file:/usr/share/doc/gmsh-doc/doc/gmsh/tutorial/t20_data.step.gz gmsh-doc more of them

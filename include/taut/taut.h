@@ -20,6 +20,9 @@
 #include "taut/plateau.h"
 #include "taut/trace.h"
 
+/* How what comes out changes with what goes in */
+#include "taut/gradient.h"
+
 /* What comes out */
 #include "taut/certify.h"
 #include "taut/model.h"

@@ -67,6 +67,10 @@ class DirichletProblem(Structure):
                 ("weights", c_void_p), ("aspect", c_double), ("aspect_auto", c_int), ("regular", c_int)]
 
 
+class GradientRequest(Structure):
+    _fields_ = [("of", c_int), ("factors", c_void_p), ("monitor", MonitorStruct)]
+
+
 # Function: what it gives and what it takes: p a pointer of any kind, s a text, i an int, d a double, z a size, - nothing.
 SIGNATURES = {
     "taut_abi": "p:", "taut_version": "s:", "taut_kernel_in_use": "s:", "taut_status_text": "s:i",
@@ -103,6 +107,7 @@ SIGNATURES = {
     "taut_mesh_normals": "p:p", "taut_mesh_parameters": "p:p", "taut_mesh_quad_count": "z:p", "taut_mesh_quads": "p:p",
     "taut_mesh_triangles": "p:p", "taut_mesh_welded": "p:p", "taut_mesh_group_count": "i:p", "taut_mesh_group_at": "p:pi",
     "taut_dirichlet_make": "i:pppp", "taut_dirichlet_certify": "i:ppppp",
+    "taut_gradient": "i:ppppp",
 }
 _TYPES = {"p": c_void_p, "s": c_char_p, "i": c_int, "d": c_double, "z": c_size_t, "-": None}
 
@@ -123,7 +128,7 @@ class AbiTable(Structure):
 LAYOUTS: dict[str, type[Structure]] = {
     "taut_error": ErrorStruct, "taut_monitor": MonitorStruct, "taut_make_options": MakeOptions, "taut_certify_options": CertifyOptions,
     "taut_measure_options": MeasureOptions, "taut_write_options": WriteOptions, "taut_mesh_options": MeshOptions,
-    "taut_basis_spec": BasisSpec, "taut_claim": ClaimStruct, "taut_dirichlet_problem": DirichletProblem,
+    "taut_basis_spec": BasisSpec, "taut_claim": ClaimStruct, "taut_dirichlet_problem": DirichletProblem, "taut_gradient_request": GradientRequest,
 }
 sizes: dict[str, int] = {}  # of all public structs, in bytes
 

@@ -121,6 +121,11 @@ class Curve(_Geometry):
             return values.reshape(parameters.shape + (3,))
         return np.ascontiguousarray(values.transpose(1, 0, 2)).reshape((derivatives + 1,) + parameters.shape + (3,))
 
+    def plot(self, ax: Any = None, count: int = 200, **options: Any) -> Any:
+        """Drawn by matplotlib through `count` points, into `ax` or new axes, which come back; options are those of `Axes3D.plot`."""
+        from .plotting import plot_curve
+        return plot_curve(self, ax, count, **options)
+
     def to_dict(self) -> dict[str, Any]:
         """The document's object."""
         weights = self.weights
@@ -277,6 +282,16 @@ class Surface(_Geometry):
     def transformed(self, matrix: npt.ArrayLike) -> Surface:
         """A x + b for matrix = (A | b), shape (3, 4)."""
         return self._new(library.taut_surface_transform, numbers(matrix, (3, 4)).ctypes.data)
+
+    def plot(self, ax: Any = None, net: bool = False, tolerance: float = 0.0, **options: Any) -> Any:
+        """Drawn by matplotlib as a mesh, into `ax` (of projection "3d") or new axes, which come back.
+
+        net         the control net too
+        tolerance   of the mesh, over the size; 0: 1e-3
+        options     of `Axes3D.plot_trisurf`: color, cmap, alpha ...
+        """
+        from .plotting import plot_surface
+        return plot_surface(self, ax, net, tolerance, **options)
 
     def to_dict(self) -> dict[str, Any]:
         """The document's object."""

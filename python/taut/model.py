@@ -235,6 +235,11 @@ class Model:
         options = c.MeshOptions(tolerance=tolerance, divide=divide, threads=threads or 0, surface=encoded(surface))
         return Mesh(made(library.taut_mesh_new, library.taut_mesh_free, self._pointer, byref(options)))
 
+    def plot(self, ax: Any = None, net: bool = False, tolerance: float = 0.0) -> Any:
+        """All surfaces and curves drawn by matplotlib, into `ax` (of projection "3d") or new axes, which come back."""
+        from .plotting import plot_model
+        return plot_model(self, ax, net, tolerance)
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and (self._pointer == other._pointer or self._bytes() == other._bytes())
 

@@ -21,6 +21,15 @@ def _one(text: str) -> bytes:
         return re.sub(rb"\n *", b" ", make(text)._bytes().strip())  # no text in JSON holds an end of line
     except Error as error:
         return _line_of(error)
+    except MemoryError:
+        return _line_of(Error("memory ran out", "", "memory"))
+
+
+def _workers(client: Any) -> int:
+    """How many tasks run at once: of a Dask client on all its machines, as far as an executor tells."""
+    if hasattr(client, "nthreads"):
+        return sum(client.nthreads().values()) or 1
+    return int(getattr(client, "_max_workers", None) or os.cpu_count() or 1)
 
 
 def _line_of(error: Error) -> bytes:
@@ -67,7 +76,7 @@ def map(problems: Iterable[Document], client: Any = None, threads: int | None = 
     threads    how many here; None: as many as processors
     out        a JSON Lines file, a line for each problem in order; what it holds already is not made again
     """
-    workers = threads or os.cpu_count() or 1
+    workers = _workers(client) if client is not None else threads or os.cpu_count() or 1
     finished = [] if out is None else _done(os.fspath(out))
     own = None if client is not None else concurrent.futures.ThreadPoolExecutor(workers)
     executor: Any = own if client is None else client.get_executor(pure=False) if hasattr(client, "get_executor") else client

@@ -1,11 +1,18 @@
 """Many problems: in order on disk, restartable, failures as results."""
 import concurrent.futures
 import json
+import os
+import pathlib
+import subprocess
+import sys
+import threading
+import time
 
 import numpy as np
 import pytest
 
 import taut
+from conftest import ROOT
 
 
 def problems(count):
@@ -46,6 +53,63 @@ def test_map_by_dask():
     distributed = pytest.importorskip("distributed", reason="needs python3-distributed")
     with distributed.Client(n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None) as client:
         check(dict(taut.map(problems(20), client=client)), 20)
+
+
+def test_as_many_at_once_as_there_are_workers():
+    """On a cluster, not as many as this machine has processors."""
+    class Executor(concurrent.futures.ThreadPoolExecutor):
+        count, enough = 0, threading.Event()
+
+        def submit(self, function, /, *arguments):
+            self.count += 1
+            if self.count > 64:
+                self.enough.set()
+            return super().submit(lambda: (self.enough.wait(60), function(*arguments))[1])
+    with Executor(64) as executor:  # none ends before more were handed out than this machine's processors make of it
+        for index, _ in taut.map(problems(300), client=executor):
+            if index > 2:
+                break
+    assert executor.enough.is_set() and executor.count < 300
+
+
+SWEEP = """
+import sys, taut
+sys.path.insert(0, sys.argv[2])
+from test_sweeps import problems
+for index, _ in taut.map(problems(120), out=sys.argv[1], threads=2):
+    pass
+"""
+
+
+def test_killed(tmp_path):
+    """By the system, not at a good moment; started again it makes what is missing."""
+    out, whole = tmp_path / "r.jsonl", tmp_path / "whole.jsonl"
+    environment = {**os.environ, "PYTHONPATH": str(pathlib.Path(taut.__file__).parents[1])}
+    with subprocess.Popen([sys.executable, "-c", SWEEP, str(out), str(pathlib.Path(__file__).parent)], env=environment) as process:
+        while process.poll() is None and (not out.exists() or out.stat().st_size < 20000):
+            time.sleep(0.002)
+        process.kill()
+    left = out.read_bytes()
+    assert 0 < left.count(b"\n")
+    check(dict(taut.map(problems(120), out=out)), 120)
+    check(dict(taut.map(problems(120), out=whole)), 120)
+    assert out.read_bytes() == whole.read_bytes() and out.read_bytes().startswith(left[:left.rindex(b"\n") + 1])
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs a shell")
+def test_slurm_array(tmp_path, program):
+    """The example's script, its tasks one after the other."""
+    designs = [{"taut": 1, **problem, "points": [[None if np.isnan(p).any() else p.tolist() for p in row] for row in problem["points"]],
+                "u": {"type": "bezier", "degree": 3}, "v": {"type": "bezier", "degree": 3}} for problem in problems(3)]
+    designs += designs[:2]
+    (tmp_path / "designs.jsonl").write_text("".join(json.dumps(one) + "\n" for one in designs))
+    for part in range(2):
+        environment = {**os.environ, "TAUT": program, "SLURM_ARRAY_TASK_ID": str(part), "SLURM_ARRAY_TASK_COUNT": "2"}
+        for _ in range(2):  # submitted again it finds all done
+            subprocess.run(["sh", str(ROOT / "examples/cluster/sweep.sbatch")], cwd=tmp_path, env=environment, check=True, capture_output=True)
+    found = {2 * k + part: taut.Model.from_json(line) for part in range(2)
+             for k, line in enumerate((tmp_path / f"results-{part}.jsonl").read_text().splitlines())}
+    assert [found[i] for i in range(5)] == [taut.make(one) for one in designs]
 
 
 def test_restart(tmp_path):

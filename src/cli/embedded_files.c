@@ -36,7 +36,17 @@ static int list_names(const taut_embedded *files, char *list, size_t size)
     return used < size;
 }
 
-/* Too many to list: the nearest, if one is near. */
+/* The first that begins so; else NULL. */
+static const char *beginning_with(const char *name, const char *const *names)
+{
+    const size_t length = strlen(name);
+    while (*names != NULL && (length == 0 || strncmp(*names, name, length) != 0)) {
+        names++;
+    }
+    return *names;
+}
+
+/* Too many to list: the nearest, if one is near, or one that begins with what was asked for. */
 static int fail_among_many(const taut_embedded *files, const char *kind, const char *name)
 {
     char texts[NAMES][NAME_ROOM];
@@ -50,6 +60,7 @@ static int fail_among_many(const taut_embedded *files, const char *kind, const c
     }
     names[count] = NULL;
     const char *near = cli_nearest(name, names);
+    near = near != NULL ? near : beginning_with(name, names);
     return cli_misuse("name", "there is no %s \"%.60s\"%s%s%s; `taut %s` lists them", kind, name,
                       near != NULL ? " (did you mean \"" : "", near != NULL ? near : "",
                       near != NULL ? "\"?)" : "", kind);

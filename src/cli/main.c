@@ -25,7 +25,7 @@ static int print_help(void)
         printf("  taut %-10s %s\n", commands[i]->name, commands[i]->summary);
     }
     printf(
-        "\n  taut COMMAND --help   what a command takes\n"
+        "\n  taut help COMMAND     what a command takes; so does taut COMMAND --help\n"
         "  taut --version        which taut this is\n\n"
         "A first surface:  taut example dirichlet-tent | taut make - -o tent.json -o tent.png\n"
         "Exit codes: 0 done, 1 the numbers say no, 2 command line, 3 document, 4 does not exist,\n"
@@ -60,6 +60,37 @@ static int print_version(void)
     return cli_print_text("", 0);
 }
 
+/* The command of that name; else NULL, said on standard error, and the exit code. */
+static const cli_command *find_command(const char *name, int *code)
+{
+    const char *names[COMMAND_COUNT + 4] = {"--help", "--version", "help"};
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        if (strcmp(name, commands[i]->name) == 0) {
+            return commands[i];
+        }
+        names[i + 3] = commands[i]->name;
+    }
+    const char *near = cli_nearest(name, names);
+    *code = cli_misuse("command", "there is no command \"%.40s\"%s%s%s; `taut --help` lists them",
+                       name, near != NULL ? " (did you mean \"" : "", near != NULL ? near : "",
+                       near != NULL ? "\"?)" : "");
+    return NULL;
+}
+
+/* taut help [COMMAND] */
+static int help(int count, char **words)
+{
+    int code = 0;
+    if (count == 0) {
+        return print_help();
+    }
+    if (count > 1) {
+        return cli_misuse("command", "`taut help` takes one command");
+    }
+    const cli_command *command = find_command(words[0], &code);
+    return command != NULL ? print_command_help(command) : code;
+}
+
 static int run(const cli_command *command, int count, char **words)
 {
     cli_options options = {.file_count = 0};
@@ -76,8 +107,6 @@ static int run(const cli_command *command, int count, char **words)
 
 int main(int argc, char **argv)
 {
-    const char *names[COMMAND_COUNT + 3] = {"--help", "--version"};
-
     if (taut_system_begin(&argc, &argv) != 0) {
         return cli_no_memory();
     }
@@ -98,14 +127,10 @@ int main(int argc, char **argv)
     if (strcmp(argv[1], "--version") == 0) {
         return print_version();
     }
-    for (int i = 0; i < COMMAND_COUNT; i++) {
-        if (strcmp(argv[1], commands[i]->name) == 0) {
-            return run(commands[i], argc - 2, argv + 2);
-        }
-        names[i + 2] = commands[i]->name;
+    if (strcmp(argv[1], "help") == 0) {
+        return help(argc - 2, argv + 2);
     }
-    const char *near = cli_nearest(argv[1], names);
-    return cli_misuse("command", "there is no command \"%.40s\"%s%s%s; `taut --help` lists them",
-                      argv[1], near != NULL ? " (did you mean \"" : "", near != NULL ? near : "",
-                      near != NULL ? "\"?)" : "");
+    int code = 0;
+    const cli_command *command = find_command(argv[1], &code);
+    return command != NULL ? run(command, argc - 2, argv + 2) : code;
 }

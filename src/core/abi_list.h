@@ -203,6 +203,11 @@
     X(taut_forms, gaussian, "double") \
     X(taut_forms, regular, "int")
 
+#define TAUT_ABI_MEMBERS_taut_gradient_request(X) \
+    X(taut_gradient_request, of, "taut_gradient_of") \
+    X(taut_gradient_request, factors, "const double *") \
+    X(taut_gradient_request, monitor, "taut_monitor")
+
 #define TAUT_ABI_MEMBERS_taut_harmonic_boundary(X) \
     X(taut_harmonic_boundary, points, "const double *") \
     X(taut_harmonic_boundary, known, "const unsigned char *")
@@ -464,6 +469,7 @@
     X(taut_film_edge) \
     X(taut_film_problem) \
     X(taut_forms) \
+    X(taut_gradient_request) \
     X(taut_harmonic_boundary) \
     X(taut_harmonic_derivative) \
     X(taut_harmonic_extension_problem) \
@@ -537,6 +543,11 @@
     X(TAUT_FILM_LENGTH, "length") \
     X(TAUT_FILM_SAG, "sag") \
     X(TAUT_FILM_ELASTIC, "elastic")
+
+#define TAUT_ABI_VALUES_taut_gradient_of(X) \
+    X(TAUT_GRADIENT_AREA, "area") \
+    X(TAUT_GRADIENT_DIRICHLET_ENERGY, "dirichlet-energy") \
+    X(TAUT_GRADIENT_POINTS, "points")
 
 #define TAUT_ABI_VALUES_taut_harmonic_even(X) \
     X(TAUT_EVEN_REFUSE, "refuse") \
@@ -654,6 +665,7 @@
     X(taut_extension_given) \
     X(taut_film_edge_kind) \
     X(taut_film_law) \
+    X(taut_gradient_of) \
     X(taut_harmonic_even) \
     X(taut_harmonic_given) \
     X(taut_jacobian_state) \

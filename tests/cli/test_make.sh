@@ -76,6 +76,8 @@ refused 2 'name' example nonsense
 contains err.txt 'nonsense.*taut example. lists them'
 refused 2 'name' example dirichlet-tnt
 contains err.txt 'did you mean .*dirichlet-tent'
+refused 2 'name' example film
+contains err.txt 'did you mean ..film-sail'
 refused 2 'name' schema nonsense
 contains err.txt 'there are: .*problem'
 absent model.xyz a.json more.json
@@ -126,5 +128,15 @@ contains out.txt 'baseline kernels$'
 for command in make certify measure eval convert example schema; do
     run 0 "$command" --help
     contains out.txt "^taut $command"
+    cp out.txt asked.txt
+    run 0 help "$command"
+    cmp -s out.txt asked.txt || complain "help $command says something else than $command --help"
 done
+run 0 --help
+cp out.txt asked.txt
+run 0 help
+cmp -s out.txt asked.txt || complain "help says something else than --help"
+run 2 help mkae
+contains err.txt 'did you mean "make"'
+run 2 help make make
 finish

@@ -28,7 +28,8 @@ struct taut_dirichlet_system {
     double *residual, *step, *product, *smooth; /* nets; the last three for iterations only */
     double *scales; /* double[nu][nv], of the preconditioner, or NULL where all are 1 */
     double *hull;
-    int is_damped; /* the solver's matrices are near the hull's, not equal to them */
+    const double *right; /* of the unknowns, a net; NULL: 0 */
+    int is_damped;       /* the solver's matrices are near the hull's, not equal to them */
     int iterations;
 };
 
@@ -218,7 +219,7 @@ static double omega_of(const taut_dirichlet_system *system, const double *r)
 
 typedef enum precision { PLAIN, TWICE } precision;
 
-/* residual = -A net at the unknowns, 0 elsewhere; *omega as system.h says. TWICE sums in
+/* residual = right - A net at the unknowns, 0 elsewhere; *omega as system.h says. TWICE sums in
  * twice the precision, at several times the cost: for refinement. */
 static taut_status find_residual(taut_dirichlet_system *system, precision how, const double *net,
                                  double *omega, taut_error *error)
@@ -231,6 +232,9 @@ static taut_status find_residual(taut_dirichlet_system *system, precision how, c
     }
     for (size_t i = 0; how == PLAIN && i < net_size(system); i++) {
         system->residual[i] = -system->residual[i];
+    }
+    for (size_t i = 0; system->right != NULL && i < net_size(system); i++) {
+        system->residual[i] += system->right[i];
     }
     taut_mask_clear_known(system->mask, system->residual);
     *omega = omega_of(system, system->residual);
@@ -441,14 +445,14 @@ static taut_status settle_iterated(taut_dirichlet_system *system, double *net, d
 
 /* What rounding of O(100) terms may leave of omega, each in proportion to its row of |A| and the
  * largest coordinate (up to 256 times the known ones: beyond that the points are no longer
- * determined); quadrature takes its functions at rounded parameters besides. */
+ * determined; a right side is no such measure); quadrature takes its functions at rounded parameters besides. */
 static double rounding_of(const taut_dirichlet_system *system, const double *net)
 {
     double largest = 1;
     for (size_t i = 0; i < net_size(system); i++) {
         largest = fabs(net[i]) > largest ? fabs(net[i]) : largest;
     }
-    return 64 * TAUT_UNIT_ROUNDOFF * fmin(largest, 256) *
+    return 64 * TAUT_UNIT_ROUNDOFF * (system->right != NULL ? largest : fmin(largest, 256)) *
            taut_dirichlet_form_roundings(system->form);
 }
 
@@ -527,6 +531,16 @@ taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double as
                          omega, limit, system->iterations);
     }
     return TAUT_OK;
+}
+
+taut_status taut_dirichlet_system_solve_right(taut_dirichlet_system *system, double aspect,
+                                              const double *right, double *net, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    system->right = right;
+    status = taut_dirichlet_system_solve(system, aspect, net, error);
+    system->right = NULL;
+    return status;
 }
 
 void taut_dirichlet_system_energies(const taut_dirichlet_system *system, const double *net,

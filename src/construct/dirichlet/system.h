@@ -33,6 +33,11 @@ void taut_dirichlet_system_free(taut_dirichlet_system *system); /* NULL is fine 
 taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double aspect, double *net,
                                         taut_error *error);
 
+/* The same with A x = right at the unknown points: right double[nu][nv][3], 0 at known points and
+ * about 1 at the largest elsewhere. */
+taut_status taut_dirichlet_system_solve_right(taut_dirichlet_system *system, double aspect,
+                                              const double *right, double *net, taut_error *error);
+
 /* The aspect of least energy over the search of section 7.3, and its solution in net.
  * TAUT_NO_SOLUTION when the energy falls for ever towards one end: the surface is a curve. */
 taut_status taut_dirichlet_system_aspect(taut_dirichlet_system *system, double *net, double *aspect,
