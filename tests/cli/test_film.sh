@@ -37,7 +37,7 @@ contains err.txt 'energy +19\.3057836398'
 contains err.txt 'least +holds \(bound\)'
 contains err.txt 'lower bound +19\.3057836398'
 film 0 '' '"edges": { "u0": "fixed" }, "tolerance": 1e-9, "name": "plate", "method": "full", "accept": "minimum", "least": false'
-contains err.txt 'area +4$'
+contains err.txt 'area +4 mm\^2$'
 film 4 'cable-too-weak /edges/u0/cable found 1\.4 expected 1\.414213562[0-9]*' "\"edges\": { $(cables 1.4) }"
 contains err.txt 'too weak'
 film 3 'value /edges/u0/cable/force found 0 expected a positive number' "\"edges\": { $(cables 0) }"

@@ -9,7 +9,7 @@ problem() {
         "$1" > p.json
 }
 area() {
-    sed -n 's/^ *area  *\([0-9.]*\)$/\1/p' err.txt | head -n 1
+    sed -n 's/^ *area  *\([0-9.]*\)\( mm^2\)*$/\1/p' err.txt | head -n 1
 }
 
 problem ''

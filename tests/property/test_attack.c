@@ -247,6 +247,27 @@ static void cap(edit_model *edit, double amount, int way)
     }
 }
 
+/* Of nets: a control point in the middle of the first curve. */
+static void lath_middle(edit_model *edit, double amount, int way)
+{
+    edit->curve[0].points[3 * (edit->curve[0].n / 2) + way % 3] +=
+        amount * size_of(&edit->surface[0]);
+}
+
+/* K is no longer 0 where curves of a torus end. */
+static void lath_end(edit_model *edit, double amount, int way)
+{
+    move_at(&edit->surface[0], 1, 3, amount, way);
+}
+
+static void lath_name(edit_model *edit, double amount, int way)
+{
+    (void)way;
+    if (amount > 0) {
+        edit->curve[0].name = "A9";
+    }
+}
+
 enum { ABOVE = 1, OPEN = 2, ONE_WAY = 4, ALONE = 8, ANY = 16 };
 
 /* ABOVE     it holds above its limit
@@ -320,6 +341,16 @@ static const attack_row rows[] = {
     {"bonnet", "identity", "bonnet-roof", other_unit, 0},
     {"asymptotic", "identity", "asymptotic-low", other_unit, 0},
     {"pipe", "identity", "pipe-paper", other_unit, 0},
+    {"trace", "surface", "trace-principal", corner, 0},
+    {"trace", "on-surface", "trace-principal", lath_middle, 0},
+    {"trace", "principal", "trace-principal", lath_middle, ONE_WAY},
+    {"trace", "asymptotic", "trace-enneper", lath_middle, ONE_WAY},
+    {"trace", "geodesic", "trace-geodesics", lath_middle, ONE_WAY},
+    {"trace", "length", "trace-principal", axis_start, ONE_WAY},
+    {"trace", "ends", "trace-torus", lath_end, ONE_WAY},
+    {"trace", "nodes", "trace-principal", lath_middle, ONE_WAY},
+    {"trace", "complete", "trace-principal", lath_name, ANY | ONE_WAY},
+    {"trace", "identity", "trace-principal", other_unit, 0},
 };
 
 enum { ROWS = sizeof rows / sizeof rows[0] };

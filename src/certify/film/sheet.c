@@ -316,8 +316,8 @@ void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, do
     }
     for (int e = 0; e < 4; e++) {
         size_t first = 0, step = 0;
-        int count = 0;
-        taut_film_sheet_edge(sheet, e, &first, &step, &count);
+        int on_edge = 0;
+        taut_film_sheet_edge(sheet, e, &first, &step, &on_edge);
         lengths[e] = taut_film_sheet_is_cable(sheet, e)
                          ? add_cable(sheet, e, sheet->ratios[e], first, step, gradient)
                          : 0;

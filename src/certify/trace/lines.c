@@ -8,8 +8,8 @@
 
 static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
 
-/* An item of details.domain as a curve of points (u, v, 0); NULL where it is none. */
-static taut_curve *read_stretch(const taut_record *item, taut_arena *arena)
+/* An item of details.domain as a curve of points (u, v, 0); NULL where it is none. TAUT_NO_MEMORY. */
+static taut_status read_stretch(const taut_record *item, taut_arena *arena, taut_curve **stretch)
 {
     const taut_record *t = taut_record_get(item, "t"), *rows = taut_record_get(item, "points");
     const taut_record *list = taut_record_get(t, "knots");
@@ -17,10 +17,10 @@ static taut_curve *read_stretch(const taut_record *item, taut_arena *arena)
     double *knots = taut_arena_take(arena, knot_count + 1, sizeof(double));
     double *points = taut_arena_take(arena, count + 1, 3 * sizeof(double));
     taut_basis *basis = NULL;
-    taut_curve *curve = NULL;
 
-    if (knots == NULL || points == NULL || knot_count > TAUT_POINTS_MAX) {
-        return NULL;
+    *stretch = NULL;
+    if (knots == NULL || points == NULL) {
+        return TAUT_NO_MEMORY;
     }
     for (size_t k = 0; k < knot_count; k++) {
         knots[k] = taut_record_number(taut_record_at(list, k));
@@ -30,19 +30,23 @@ static taut_curve *read_stretch(const taut_record *item, taut_arena *arena)
         points[3 * k] = taut_record_number(taut_record_at(row, 0));
         points[3 * k + 1] = taut_record_number(taut_record_at(row, 1));
     }
+    if (knot_count > TAUT_POINTS_MAX ||
+        strcmp(taut_record_text(taut_record_get(t, "type")), "bspline") != 0 ||
+        taut_record_number(taut_record_get(t, "degree")) != 5) {
+        return TAUT_OK;
+    }
     const taut_basis_spec spec = {
         .type = "bspline", .degree = 5, .knot_count = (int)knot_count, .knots = knots};
-    if (strcmp(taut_record_text(taut_record_get(t, "type")), "bspline") != 0 ||
-        taut_record_number(taut_record_get(t, "degree")) != 5 ||
-        taut_basis_new(&spec, (int)count, &basis, NULL) != TAUT_OK) {
-        return NULL;
-    }
-    if ((size_t)taut_basis_count(basis) != count ||
-        taut_curve_new(NULL, basis, points, NULL, &curve, NULL) != TAUT_OK) {
-        curve = NULL;
+    taut_status status = taut_basis_new(&spec, (int)count, &basis, NULL);
+    if (status == TAUT_OK && (size_t)taut_basis_count(basis) == count) {
+        status = taut_curve_new(NULL, basis, points, NULL, stretch, NULL);
     }
     taut_basis_free(basis);
-    return curve != NULL && taut_keep_curve(arena, curve) ? curve : NULL;
+    if (status == TAUT_OK && *stretch != NULL && !taut_keep_curve(arena, *stretch)) {
+        *stretch = NULL;
+        return TAUT_NO_MEMORY;
+    }
+    return status == TAUT_NO_MEMORY ? status : TAUT_OK;
 }
 
 /* The stretches of a name, end to end over the range of the curve; none where they are not. */
@@ -61,10 +65,14 @@ static taut_status read_window(const taut_record *domain, taut_arena *arena, tau
         if (strcmp(taut_record_text(taut_record_get(item, "name")), name) != 0) {
             continue;
         }
-        const taut_curve *stretch = read_stretch(item, arena);
+        taut_curve *stretch = NULL;
+        const taut_status status = read_stretch(item, arena, &stretch);
+        if (status != TAUT_OK) {
+            return status;
+        }
         if (stretch == NULL || taut_basis_lo(taut_curve_t(stretch)) != at) {
             line->count = 0;
-            return taut_arena_status(arena);
+            return TAUT_OK;
         }
         at = taut_basis_hi(taut_curve_t(stretch));
         line->window[line->count++] = stretch;

@@ -26,6 +26,7 @@
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/keep.h"
+#include "measure/curvature/spot.h"
 #include "numeric/quadrature.h"
 #include "problem/problem.h"
 #include "taut/measure.h"
@@ -35,7 +36,7 @@
 
 enum { PLACES = 8, NODES = 16 };
 static const double tolerance_default = 1e-6, net_limit = 1e-6, length_limit = 1e-9,
-                    ends_limit = 1e-9;
+                    ends_limit = 1e-9, crease_limit = 1e-9;
 /* So near to an end without a border, over the size, the net may be anything. */
 static const double near_end = 1e-3;
 
@@ -261,16 +262,40 @@ static double distance_to_zero(const request *r, const place *p, int of_radius)
     return value / slope;
 }
 
-/* Is there a knot at `at` that lets the surface have a crease? */
-static int is_crease(const taut_basis *basis, double at)
+/* The unit normal by the polynomial of a cell. */
+static void normal_of(const taut_surface *surface, const int span[2], const double at[2],
+                      double normal[3])
 {
-    taut_basis_spec spec;
-    int times = 0;
-    taut_basis_spec_of(basis, &spec);
-    for (int k = 0; spec.knots != NULL && k < spec.knot_count; k++) {
-        times += spec.knots[k] == at;
+    static const int no_shift[2] = {0, 0};
+    taut_spot spot;
+    double du[3], dv[3];
+
+    taut_spot_at(surface, span[0], span[1], at[0], at[1], 1, 0, no_shift, &spot);
+    for (int c = 0; c < 3; c++) {
+        du[c] = spot.x[c].c[taut_jet_index(1, 0)];
+        dv[c] = spot.x[c].c[taut_jet_index(0, 1)];
     }
-    return times >= spec.degree;
+    taut_cross(du, dv, normal);
+    const double length = taut_norm(normal);
+    for (int c = 0; c < 3; c++) {
+        normal[c] /= length;
+    }
+}
+
+/* Does the normal jump there, across a break of direction d? */
+static int is_crease(const taut_surface *surface, int d, const double at[2])
+{
+    const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
+    int span[2] = {taut_basis_span(basis[0], at[0]), taut_basis_span(basis[1], at[1])};
+    double after[3], before[3];
+
+    if (span[d] == 0 || taut_basis_breaks(basis[d])[span[d]] != at[d]) {
+        return 0;
+    }
+    normal_of(surface, span, at, after);
+    span[d]--;
+    normal_of(surface, span, at, before);
+    return taut_distance(before, after) > crease_limit;
 }
 
 /* Does a curve that is not followed both ways begin at this place? */
@@ -313,7 +338,7 @@ static double judge_end(const request *r, const taut_net_line *line, const doubl
     for (int d = 0; d < 2; d++) {
         const double lo = taut_basis_lo(basis[d]), hi = taut_basis_hi(basis[d]);
         const double away = fmin(p.at[d] - lo, hi - p.at[d]) * taut_norm(p.on[1 + d]);
-        nearest = is_crease(basis[d], p.at[d]) ? 0 : fmin(nearest, away);
+        nearest = is_crease(r->surface, d, p.at) ? 0 : fmin(nearest, away);
     }
     if (!p.forms.regular) {
         nearest = 0;

@@ -57,9 +57,9 @@ static int same_record(const taut_record *a, const taut_record *b)
 static taut_certificate *any_certificate(void)
 {
     const taut_claim claims[] = {
-        {"stationary", TAUT_BOUND, any_number(), 1e-12, TAUT_TRUE, "/points/1/2"},
-        {"minimal", TAUT_EXACT, nan(""), any_number(), TAUT_UNDECIDED, ""},
-        {"boundary", TAUT_CHECK, 3, 0.1, TAUT_FALSE, "u0"}};
+        {"stationary", TAUT_BOUND, any_number(), 1e-12, TAUT_TRUE, "/points/1/2", 0},
+        {"minimal", TAUT_EXACT, nan(""), any_number(), TAUT_UNDECIDED, "", 0},
+        {"boundary", TAUT_CHECK, 3, 0.1, TAUT_FALSE, "u0", 0}};
     taut_certificate *certificate = NULL;
     CHECK(taut_certificate_new("dirichlet", &certificate) == TAUT_OK, "certificate");
     for (int i = random_int(0, 3); i < 3; i++) {
