@@ -254,12 +254,7 @@ static void lath_middle(edit_model *edit, double amount, int way)
         amount * size_of(&edit->surface[0]);
 }
 
-/* K is no longer 0 where curves of a torus end. */
-static void lath_end(edit_model *edit, double amount, int way)
-{
-    move_at(&edit->surface[0], 1, 3, amount, way);
-}
-
+/* Then it has no curve in the window, and so no ends there. */
 static void lath_name(edit_model *edit, double amount, int way)
 {
     (void)way;
@@ -347,7 +342,7 @@ static const attack_row rows[] = {
     {"trace", "asymptotic", "trace-enneper", lath_middle, ONE_WAY},
     {"trace", "geodesic", "trace-geodesics", lath_middle, ONE_WAY},
     {"trace", "length", "trace-principal", axis_start, ONE_WAY},
-    {"trace", "ends", "trace-torus", lath_end, ONE_WAY},
+    {"trace", "ends", "trace-principal", lath_name, ANY | ONE_WAY},
     {"trace", "nodes", "trace-principal", lath_middle, ONE_WAY},
     {"trace", "complete", "trace-principal", lath_name, ANY | ONE_WAY},
     {"trace", "identity", "trace-principal", other_unit, 0},

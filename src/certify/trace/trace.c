@@ -485,7 +485,11 @@ static taut_status prove_first(const request *r, taut_arena *arena,
         return taut_fail_memory(error);
     }
     if (details != NULL) {
-        taut_model_set_details(model, taut_record_copy(details));
+        taut_record *copy = taut_record_copy(details);
+        if (copy == NULL) {
+            return taut_fail_memory(error);
+        }
+        taut_model_set_details(model, copy);
     }
     taut_model_set_unit(model, r->problem->of->unit);
     const taut_status status = taut_certify(model, r->problem->of, options, &inner, NULL);
