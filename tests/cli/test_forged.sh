@@ -3,7 +3,7 @@
 # weight, by a derivative that the degree does not have, by a surface so large that a gap beside it seems small, by a film
 # whose measured area is worth nothing, by coordinates so far away that rounding is all there is, by one frame of several that
 # rounding hides, beside a cable so strong that the film's own derivatives are nothing, along a cable so faint that its force is
-# 0, by waves that vanish wherever a pipe is looked at.
+# 0, by waves that vanish wherever a pipe is looked at, by a bump on a straight edge, by a hook too small for doubles.
 . "$(dirname "$0")/cli.sh"
 # model: claim that must not hold
 while read -r name claim; do
@@ -25,5 +25,7 @@ plateau-light-point stationary
 film-strong-cable stationary
 film-faint-cable stationary
 pipe-elliptic-waves tube
+asymptotic-bumped osculating
+pipe-hook embedded
 LIST
 finish

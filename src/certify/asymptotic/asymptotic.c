@@ -156,13 +156,14 @@ static taut_status add_boundary(const taut_asymptotic_model *parts,
     }
 }
 
-/* A straight curve has no b: what is its edge then must be straight too. */
+/* A straight curve has no b: what is its edge then must be straight too, and a bump that is hardly there
+ * has a binormal of its own. */
 static int edges_are_elsewhere(const taut_asymptotic_model *parts)
 {
     char where[TAUT_PLACE_TEXT];
     double distance = 0.0, bound = 0.0, noise = 0.0;
     taut_boundary_distance(parts, NULL, &distance, &bound, &noise, where);
-    return !(bound <= limit_most);
+    return !(bound <= fmin(factor * noise, limit_most));
 }
 
 /* The largest extent of the curves' corners: a curvature is compared with one over it. */

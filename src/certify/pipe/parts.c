@@ -16,6 +16,8 @@
 enum { NEWTON_STEPS = 6 };
 
 static const double limit_most = 1e-6;
+/* Of a difference of an axis's points, over its size: products of four are still numbers. */
+static const double shortest = 1e-70;
 static const int places[4] = {0, 2, 3, 5};
 
 taut_status taut_pipe_read_axis(taut_pipe_parts *parts, taut_error *error)
@@ -181,6 +183,24 @@ void taut_pipe_add_torsion(taut_record *figures, double torsion)
     }
 }
 
+/* Of a curved piece, a difference of points so short beside the axis that its products vanish: no curvature
+ * there is known. */
+static int is_too_short(const taut_pipe_line *line)
+{
+    for (int i = 0; i < line->count; i++) {
+        const taut_pipe_piece *piece = &line->pieces[i];
+        for (int k = 0; piece->degree > 1 && k < piece->degree; k++) {
+            double side[3];
+            taut_difference(piece->points[k + 1], piece->points[k], side);
+            const double longest = taut_largest_coordinate(side);
+            if (longest > 0 && longest < shortest) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
 taut_status taut_pipe_claim_embedded(const taut_pipe_parts *parts, const char *where,
                                      taut_certificate *certificate)
 {
@@ -188,7 +208,8 @@ taut_status taut_pipe_claim_embedded(const taut_pipe_parts *parts, const char *w
     const double residual = isfinite(rho) ? parts->radius / (rho * scale) : 0;
     /* about the wider of both: an axis that meets itself is not in doubt */
     const double open = 1e-11 + 8 * parts->line.noise * (1 + 1 / fmax(rho, parts->radius / scale));
-    const int is_open = fabs(residual - 1) <= open || !(residual >= 0);
+    const int is_short = is_too_short(&parts->line);
+    const int is_open = fabs(residual - 1) <= open || !(residual >= 0) || is_short;
     const int is_proved = residual == 0 || (parts->apart.proved && parts->is_bent_little);
     const taut_claim claim = {
         .claim = "embedded",
@@ -199,8 +220,9 @@ taut_status taut_pipe_claim_embedded(const taut_pipe_parts *parts, const char *w
                  : residual > 1 ? TAUT_FALSE
                  : is_proved    ? TAUT_TRUE
                                 : TAUT_UNDECIDED,
-        .where = is_open || residual > 1 || is_proved ? where
-                 : !parts->is_bent_little             ? "how sharply the axis bends is not bounded"
+        .where = is_short                               ? TAUT_CERTIFY_OUT_OF_RANGE
+                 : is_open || residual > 1 || is_proved ? where
+                 : !parts->is_bent_little ? "how sharply the axis bends is not bounded"
                                           : "how near the axis comes to itself is not bounded",
     };
     return taut_certificate_add(certificate, &claim);
