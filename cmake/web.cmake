@@ -23,6 +23,11 @@ set_source_files_properties(${small_sources} PROPERTIES COMPILE_OPTIONS "-Oz")
 set(middle_sources ${web_sources})
 list(FILTER middle_sources INCLUDE REGEX "/src/(io/json|io/problem|problem|web|certify/common|certify/dirichlet|construct/harmonic|construct/biharmonic)/")
 set_source_files_properties(${middle_sources} PROPERTIES COMPILE_OPTIONS "-Os")
+# In those rooms, what steers, refines, converts and describes: it runs once where the loops beside it run a thousand times.
+set(steering_sources ${web_sources})
+list(FILTER steering_sources INCLUDE REGEX "/src/geometry/(operate|nurbs|boundary)/|/src/geometry/[a-z]*\\.c|/src/basis/([a-z_]*change|blossom|blossoms?)\\.c|/src/core/[a-z_]*\\.c|/measure/integrate/(integrate|integrals|absolute|jacobian|kinks|line|mean|near_zero|parameters)\\.c|/construct/plateau/(solve|refine|dual|direction|plateau|witness|trust_region|approach|directions|newton_step|cable|space)\\.c|/construct/dirichlet/(aspect|dirichlet|rational)\\.c|/numeric/(dense|runge|quadrature|bernstein|minimise)\\.c|/src/numeric/eigen/|/src/io/json/(place|nearest|slice|in|get|record)\\.c|/src/io/problem/|/src/problem/|/src/web/|/construct/(harmonic|biharmonic)/|/certify/common/|/certify/dirichlet/(dirichlet|remainder|plan|gradient)\\.c|/construct/common/")
+list(FILTER steering_sources EXCLUDE REGEX "/src/geometry/(surface|surface_eval|lattice|net|scattered)\\.c")
+set_source_files_properties(${steering_sources} PROPERTIES COMPILE_OPTIONS "-Oz")
 # Vectors where loops over numbers are. Not elsewhere, and not out of straight code: of that clang 14 makes wrong code with
 # them (a choice between two structs of two doubles, in certify/bonnet/proof.c, took the second where it was to take the first).
 set(vector_sources ${web_sources})
