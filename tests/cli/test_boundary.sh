@@ -143,3 +143,4 @@ run 0 make problem.json --quiet --report loose.txt -o made.json
     complain "$file: bending energy $(figure bending_energy loose.txt), not $(figure bending_energy named.txt)"
 printf '{ "taut": 1, "construct": "asymptotic", "boundary": "loose.json", "branch": "lowest" }\n' > problem.json
 refused 3 'conflict /branch' make problem.json
+finish
