@@ -101,19 +101,7 @@ static taut_status fill_axis(const taut_basis *basis, const taut_cells *cells, i
 
 const taut_gradient_ops *taut_gradient_ops_chosen(void)
 {
-    static const taut_gradient_ops *const table[] = {
-#if defined(__x86_64__)
-        &taut_gradient_avx512,
-        &taut_gradient_avx2,
-#endif
-        &taut_gradient_baseline
-    };
-    const char *name = taut_kernel_name();
-    size_t i = 0;
-    while (i + 1 < sizeof table / sizeof table[0] && strcmp(table[i]->name, name) != 0) {
-        i++;
-    }
-    return table[i];
+    return TAUT_KERNEL_OF(taut_gradient);
 }
 
 /* Every cell in 2^halvings alike, in the arena. */

@@ -18,19 +18,7 @@
 
 const taut_area_ops *taut_area_ops_chosen(void)
 {
-    static const taut_area_ops *const table[] = {
-#if defined(__x86_64__)
-        &taut_area_avx512,
-        &taut_area_avx2,
-#endif
-        &taut_area_baseline
-    };
-    const char *name = taut_kernel_name();
-    size_t i = 0;
-    while (i + 1 < sizeof table / sizeof table[0] && strcmp(table[i]->name, name) != 0) {
-        i++;
-    }
-    return table[i];
+    return TAUT_KERNEL_OF(taut_area);
 }
 
 /* value, slope and first from the table of both. */

@@ -4,7 +4,6 @@
 #include "numeric/kernel/name.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Squares below this are for cell.c, as in integrals.c; and a W that comes below this part of its
  * largest is suspected of a kink, as in kinks.c. */
@@ -12,19 +11,7 @@ static const double smallest = 0x1p-900, suspicion = 0.2;
 
 const taut_eight_ops *taut_eight_ops_chosen(void)
 {
-    static const taut_eight_ops *const table[] = {
-#if defined(__x86_64__)
-        &taut_eight_avx512,
-        &taut_eight_avx2,
-#endif
-        &taut_eight_baseline
-    };
-    const char *name = taut_kernel_name();
-    size_t i = 0;
-    while (i + 1 < sizeof table / sizeof table[0] && strcmp(table[i]->name, name) != 0) {
-        i++;
-    }
-    return table[i];
+    return TAUT_KERNEL_OF(taut_eight);
 }
 
 void taut_eight_init(const taut_job *job, taut_eight_work *work)

@@ -61,3 +61,8 @@ const char *taut_kernel_name(void)
 {
     return taut_kernel_best()->name;
 }
+
+int taut_kernel_is(const char *name)
+{
+    return strcmp(taut_kernel_name(), name) == 0;
+}
