@@ -6,6 +6,7 @@
 
 #include "measure/integrate/integrals.h"
 #include "taut/measure.h"
+#include "taut/operations.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -65,6 +66,39 @@ static void test_one_by_one(void)
     }
 }
 
+/* Knots put in where the surface has its own, so that the columns of a cell do not follow those of the one before. */
+static taut_surface *repeat_knots(const taut_surface *s, int direction)
+{
+    const taut_basis *basis = direction == 0 ? taut_surface_u(s) : taut_surface_v(s);
+    const double *breaks = taut_basis_breaks(basis);
+    const int spans = taut_basis_span_count(basis), degree = taut_basis_degree(basis);
+    taut_surface *out = NULL;
+
+    CHECK(taut_surface_insert(s, direction, breaks[spans] - (breaks[spans] - breaks[0]) / 128,
+                              degree, &out, NULL) == TAUT_OK,
+          "degree %d", degree);
+    return out;
+}
+
+/* The same surface on more knots has the same integrals. */
+static void test_repeated_knots(void)
+{
+    for (int trial = 0; trial < random_trials(12); trial++) {
+        taut_surface *s = random_net(0, 0), *rows = repeat_knots(s, 0);
+        taut_surface *both = repeat_knots(rows, 1);
+        taut_surface_integrals one, other;
+        CHECK(taut_surface_integrals_of(s, 1, 1, &one) == TAUT_OK, "of its own knots");
+        CHECK(taut_surface_integrals_of(both, 1, 1, &other) == TAUT_OK, "of more knots");
+        CHECK_NEAR(other.area, one.area, 1e-13 * one.area + one.area_error, "area of trial %d",
+                   trial);
+        CHECK_NEAR(other.dirichlet, one.dirichlet, 1e-13 * one.dirichlet, "energy of trial %d",
+                   trial);
+        taut_surface_free(both);
+        taut_surface_free(rows);
+        taut_surface_free(s);
+    }
+}
+
 static void test_same_bits(void)
 {
     static const char *const kernels[3] = {"baseline", "avx2", "avx512"};
@@ -85,6 +119,7 @@ static void test_same_bits(void)
 int main(void)
 {
     test_one_by_one();
+    test_repeated_knots();
     test_same_bits();
     return check_failures != 0;
 }
