@@ -7,6 +7,7 @@ for name in harmonic-extension; do
     run 0 make problem.json --quiet -o model.json -o all.obj -o all.step -o all.vtu -o all.html -o all.stl
     contains model.json '"whole": "h"'
     [ "$(grep -c '"u": {' model.json)" = 3 ] || complain "$name: the model lost a surface"
+    ! grep -q "^g h$" all.obj || complain "$name: the whole is in OBJ"
     [ "$(grep -c '^g ' all.obj)" = 2 ] || complain "$name: $(grep -c '^g ' all.obj) groups in OBJ, expected 2"
     [ "$(grep -c 'B_SPLINE_SURFACE_WITH_KNOTS' all.step)" = 2 ] || complain "$name: $(grep -c B_SPLINE_SURFACE_WITH_KNOTS all.step) surfaces in STEP"
     [ "$(grep -o '"basis_u"' all.html | wc -l)" = 2 ] || complain "$name: the page has $(grep -o '"basis_u"' all.html | wc -l) surfaces"
