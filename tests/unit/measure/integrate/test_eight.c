@@ -14,7 +14,12 @@
 
 enum { SPANS = 20, FOLDED_SPANS = 4, COUNT_MAX = 120 };
 
-static taut_basis *random_spline(int spans)
+typedef struct random_axis {
+    taut_basis *basis;
+    double at[COUNT_MAX]; /* Greville abscissae */
+} random_axis;
+
+static random_axis random_spline(int spans)
 {
     double knots[COUNT_MAX + 8];
     const int degree = random_int(1, 5);
@@ -22,25 +27,33 @@ static taut_basis *random_spline(int spans)
                                   .degree = degree,
                                   .knots = knots,
                                   .knot_count = random_knots(degree, spans, -1, knots)};
-    return shape_basis(&spec);
+    random_axis axis = {.basis = shape_basis(&spec)};
+    for (int i = 0; i < taut_basis_count(axis.basis); i++) {
+        for (int k = 1; k <= degree; k++) {
+            axis.at[i] += knots[i + k] / degree;
+        }
+    }
+    return axis;
 }
 
-/* About over a rectangle, thin ones too; `fold`: so rough that x_u x x_v vanishes here and there. */
+/* About over a rectangle, thin ones too, and smooth, so that eight cells side by side are enough;
+ * `fold`: so rough that x_u x x_v vanishes here and there. */
 static taut_surface *random_net(int fold, int collapsed)
 {
     static double points[COUNT_MAX * COUNT_MAX][3];
     const int spans = fold ? FOLDED_SPANS : SPANS;
-    taut_basis *u = random_spline(spans), *v = random_spline(spans);
-    const int nu = taut_basis_count(u), nv = taut_basis_count(v);
-    const double rough = fold ? 1 : 0.2, wide = random_log(0.1, 10);
+    const random_axis u = random_spline(spans), v = random_spline(spans);
+    const int nu = taut_basis_count(u.basis), nv = taut_basis_count(v.basis);
+    const double wide = random_log(0.1, 10), bend = random_in(0, 0.3), rough = fold ? 0.5 : 0;
 
     for (int i = 0; i < nu * nv; i++) {
-        points[i][0] = (i / nv + random_in(-rough, rough)) / nu * wide;
-        points[i][1] = collapsed && i / nv == 0 ? 0 : (i % nv + random_in(-rough, rough)) / nv;
-        points[i][2] = collapsed && i / nv == 0 ? 0 : random_in(-rough, rough) / nv;
-        points[i][0] = collapsed && i / nv == 0 ? 0 : points[i][0];
+        const double s = u.at[i / nv], t = v.at[i % nv];
+        const double shrink = collapsed ? s - u.at[0] : 1;
+        points[i][0] = shrink * wide * (s + 2 + bend * sin(t) + random_in(-rough, rough));
+        points[i][1] = shrink * (t + bend * sin(2 * s) + random_in(-rough, rough));
+        points[i][2] = shrink * bend * (cos(s + t) + random_in(-rough, rough));
     }
-    return shape_surface(u, v, points[0], NULL);
+    return shape_surface(u.basis, v.basis, points[0], NULL);
 }
 
 static void check_alone(const taut_surface *s, int trial)
