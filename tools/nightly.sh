@@ -60,7 +60,7 @@ told() { # told LOG
 }
 
 write_page() { # write_page STEP VERDICT SECONDS WHAT: its row in place of the one there was
-    local rows
+    local rows step
     rows=$(grep -E '^\| `' "$page" 2> /dev/null | grep -vF "| \`$1\` |")
     {
         cat << 'HEAD'

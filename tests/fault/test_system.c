@@ -3,7 +3,7 @@
  *
  * Functions of the C library are put before its own here; each fails once when it is asked to.
  *
- * needs: posix
+ * needs: posix, and a C library that is loaded
  */
 #define _GNU_SOURCE /* RTLD_NEXT, getrandom */
 #include "calls.h"

@@ -21,16 +21,25 @@ static taut_pipe_problem straight(double from, double to)
         .section = {.kind = TAUT_PIPE_CANAL, .radii = {from, to}}};
 }
 
-/* The least of 1 - r_s^2 - r r_ss and of sqrt(1 - r_s^2), s = 3 t. */
+/* 1 - r_s^2 - r r_ss and sqrt(1 - r_s^2) at s = 3 t. */
+static void forms_at(double from, double to, double t, double forms[2])
+{
+    const double c = to - from, r = from + c * t * t * (3 - 2 * t);
+    const double rs = 6 * c * t * (1 - t) / 3, rss = 6 * c * (1 - 2 * t) / 9;
+    forms[0] = 1 - rs * rs - r * rss;
+    forms[1] = sqrt(fmax(0, 1 - rs * rs));
+}
+
+/* The least of both. */
 static void least_of(double from, double to, double least[2])
 {
-    least[0] = least[1] = INFINITY;
-    for (int i = 0; i <= 100000; i++) {
-        const double t = i / 1e5, c = to - from;
-        const double r = from + c * t * t * (3 - 2 * t), rs = 6 * c * t * (1 - t) / 3;
-        const double rss = 6 * c * (1 - 2 * t) / 9;
-        least[0] = fmin(least[0], 1 - rs * rs - r * rss);
-        least[1] = fmin(least[1], sqrt(fmax(0, 1 - rs * rs)));
+    forms_at(from, to, 0, least);
+    for (int i = 1; i <= 100000; i++) {
+        double forms[2];
+        forms_at(from, to, i / 1e5, forms);
+        for (int k = 0; k < 2; k++) {
+            least[k] = forms[k] < least[k] ? forms[k] : least[k];
+        }
     }
 }
 
