@@ -46,6 +46,7 @@ check cmd:nm                         binutils               lists the library's 
 check cmd:dpkg-shlibdeps             dpkg-dev               what the Debian package depends on
 check cmd:lintian                     lintian                the Debian package
 check cmd:gmsh                       gmsh                   reads STEP and IGES back
+check cmd:evolver                evolver                Surface Evolver, which finds the same sails
 check cmd:node                       nodejs                 runs the Khronos validator of glTF
 check cmd:npm                        npm                    fetches it
 check py:matplotlib                  python3-matplotlib     draws by `surface.plot`

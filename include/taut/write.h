@@ -32,6 +32,8 @@ extern "C" {
     X("surface", "the surface asked for is the name of none, or of several",                       \
       "name one of the model's surfaces")                                                          \
     X("cells", "a grid of more points than a file may have", "ask for a coarser one")              \
+    X("no-table", "the model is of no kind that has a table, or its table is empty",               \
+      "write another format")                                                                      \
     X("single-precision", "a coordinate is too large for the single precision of the format",      \
       "write .ply or .obj")                                                                        \
     X("single-point", "a surface is one point, which no STEP file gives back",                     \

@@ -131,7 +131,7 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
 def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         corners: Mapping[str, npt.ArrayLike] | None = None,
-        edges: Mapping[str, Union[Literal["fixed"], Mapping[str, CurveLike], Mapping[str, Mapping[str, float]]]] | None = None,
+        edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Mapping[str, npt.ArrayLike]]], Mapping[str, Mapping[str, float]]]] | None = None,
         tension: float | None = None, tolerance: float | None = None, max_iterations: int | None = None,
         equilibrium: float | None = None, method: Literal["full"] | None = None, accept: Literal["minimum"] | None = None,
         least: bool | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:

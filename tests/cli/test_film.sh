@@ -63,6 +63,22 @@ film 3 'basis /u' '"u": { "type": "bspline", "degree": 1, "count": 5 }'
 film 3 'basis /u found 3 expected inner knots' '"u": { "type": "bspline", "degree": 3, "knots": [0, 0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1, 1] }'
 film 3 'basis /v' '"v": { "type": "c-bezier", "alpha": 1 }'
 film 3 'size /u found 2600 expected 2500' '"u": { "type": "bspline", "degree": 2, "count": 50 }, "v": { "type": "bspline", "degree": 2, "count": 52 }'
+# arcs and lines in place of curves: half of a flat ring, area 3 pi / 2, and a straight edge that the bound of flat sails knows
+printf '%s' '{ "taut": 1, "construct": "film", "u": { "type": "bspline", "degree": 4, "count": 20 }, "edges": {' \
+    '"v0": { "fixed": { "arc": [[1,0,0],[0,1,0],[-1,0,0]] } }, "v1": { "fixed": { "arc": [[2,0,0],[0,2,0],[-2,0,0]] } },' \
+    '"u0": { "fixed": { "line": [[1,0,0],[2,0,0]] } } } }' > half-ring.json
+run 0 make half-ring.json -o half-ring-film.json
+contains err.txt 'area +4\.712388980[34]'
+contains err.txt 'boundary +holds'
+film 0 '' '"edges": { "u0": { "fixed": { "line": [[0,0,0],[0,2,0]] } }, "v1": { "cable": { "force": 3 } } }'
+contains err.txt 'least +holds'
+film 3 'curve-ends /edges/u0/fixed' '"edges": { "u0": { "fixed": { "line": [[0,0,0],[0,2,1e-6]] } } }'
+film 3 'value /edges/u0/fixed/arc' '"edges": { "u0": { "fixed": { "arc": [[0,0,0],[0,1,0],[0,2,0]] } } }'
+film 3 'type /edges/u0/fixed/arc found null expected three points of the arc, in order' '"edges": { "u0": { "fixed": { "arc": [[0,0,0],[0,1,0]] } } }'
+film 3 'type /edges/u0/fixed/line/1' '"edges": { "u0": { "fixed": { "line": [[0,0,0],[0,1]] } } }'
+film 3 'type /edges/u0/fixed/line found null expected two points' '"edges": { "u0": { "fixed": { "line": null } } }'
+film 3 'conflict /edges/u0/fixed found 2 expected 1' '"edges": { "u0": { "fixed": { "arc": [], "line": [] } } }'
+film 3 'unknown-member /edges/u0/fixed/t' '"edges": { "u0": { "fixed": { "arc": [], "t": {} } } }'
 for member in '"force_density": [1, 1]' '"prestress": [1, 1]' '"patches": []' '"seams": [["u0", "u1"]]' '"cells": []' \
     '"start": {}' '"points": []' '"cables": []' '"images": []' '"updates": 1' '"refine": 1' '"boundary": "x.step"'; do
     name=$(printf '%s' "$member" | sed 's/"\([a-z_]*\)".*/\1/')

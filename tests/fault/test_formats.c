@@ -38,6 +38,11 @@ static const char raised_text[] =
     "[[2,2,0],[0,2,0]]}, {\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": "
     "[[0,2,0],[0,0,0]]}]}";
 
+/* A table of one line. */
+static const char cables_text[] =
+    "{\"taut\": 1, \"curves\": [{\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": "
+    "[[0,0,0],[2,0,0]]}], \"details\": {\"cables\": [{\"edge\": \"u0\", \"force\": 2}]}}";
+
 /* Writes the model in the format of its name and takes the file away again. */
 static taut_status write_file(const taut_model *model, const char *name, taut_error *error)
 {
@@ -86,6 +91,12 @@ static taut_status write_glb(const void *context, void **result, taut_error *err
     return status;
 }
 
+static taut_status write_csv(const void *context, void **result, taut_error *error)
+{
+    (void)result;
+    return write_file(context, "a.csv", error);
+}
+
 /* In order, and on common bases. */
 static taut_status fit(const void *context, void **result, taut_error *error)
 {
@@ -130,6 +141,7 @@ int main(void)
     const char *path = NULL;
     char *single = strdup(frame_text);
     taut_model *surfaces = model_of(surfaces_text), *frame = model_of(frame_text);
+    taut_model *cables = model_of(cables_text);
     taut_model *sheets = model_of(sheets_text), *body = shape_model(shape_sphere(2));
 
     folder_make();
@@ -145,6 +157,7 @@ int main(void)
     fault_check("step", write_step, NULL, sheets, 20);
     fault_check("step of a body", write_step, NULL, body, 20);
     fault_check("glb", write_glb, NULL, surfaces, 20);
+    fault_check("csv", write_csv, NULL, cables, 3);
     fault_check("boundary", fit, NULL, frame, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
         path = in_folder("problem.json");
@@ -159,6 +172,7 @@ int main(void)
     taut_model_free(surfaces);
     taut_model_free(frame);
     taut_model_free(sheets);
+    taut_model_free(cables);
     taut_model_free(body);
     free(single);
     folder_remove();

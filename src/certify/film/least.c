@@ -98,7 +98,8 @@ const char *taut_film_least(const taut_film_sheet *sheet, const double given[4],
     polygon p;
 
     for (int e = 0; e < 4; e++) {
-        if (sheet->problem->edges[e].curve != NULL) {
+        const taut_curve *curve = sheet->problem->edges[e].curve;
+        if (curve != NULL && taut_basis_count(taut_curve_t(curve)) > 2) { /* two points: a line */
             return "curved: the bound is one of straight edges and cables";
         }
     }

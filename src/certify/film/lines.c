@@ -134,5 +134,5 @@ void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsi
             size += r;
         }
     }
-    *balance = taut_length(sum) / size;
+    *balance = size > 0 ? taut_length(sum) / size : 0; /* forces that vanish beside the tension */
 }

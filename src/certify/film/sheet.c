@@ -8,7 +8,6 @@
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -114,9 +113,7 @@ static taut_status find_force(taut_film_sheet *sheet, int e)
     const taut_film_edge *edge = &sheet->problem->edges[e];
     if (edge->law == TAUT_FILM_FORCE) {
         sheet->forces[e] = edge->force;
-        /* a force that vanishes beside the tension is a cable's all the same */
-        sheet->ratios[e] =
-            taut_certify_max(ldexp(edge->force / sheet->tension, -sheet->unit), DBL_MIN);
+        sheet->ratios[e] = ldexp(edge->force / sheet->tension, -sheet->unit);
         return TAUT_OK;
     }
     if (edge->law != TAUT_FILM_ELASTIC) {

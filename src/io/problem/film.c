@@ -1,7 +1,8 @@
 /* film.c -- the problem `film`: corners, edges that are held or drawn by cables (docs/format.md).
  *
  *     "corners": { "u0v0": [x, y, z], ... }       where no curve ends
- *     "edges":   { "u0": "fixed" | { "fixed": CURVE } | { "cable": LAW }, ... }
+ *     "edges":   { "u0": "fixed" | { "fixed": CURVE | SHAPE } | { "cable": LAW }, ... }
+ *     SHAPE      { "arc": [P, Q, R] } | { "line": [P, R] }
  *     LAW        { "force": T } | { "length": L } | { "sag": f } | { "unstressed": L0, "stiffness": EA }
  *
  * Members and words that films will have are known by name and refused as not built yet, so that
@@ -10,6 +11,7 @@
 #include "taut/film.h"
 
 #include "core/fail.h"
+#include "geometry/arc.h"
 #include "geometry/keep.h"
 #include "io/model/basis.h"
 #include "io/problem/document_ops.h"
@@ -35,6 +37,8 @@ static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
                                            "mirror", "pole",  NULL};
 static const char *const kinds_not_yet[] = {"plane", "slide", "mirror", "pole", NULL};
+static const char *const shape_members[] = {"circle", "arc", "line", NULL};
+static const char *const shapes_not_yet[] = {"circle", NULL};
 static const char *const law_members[] = {"force",      "length",    "sag",
                                           "unstressed", "stiffness", NULL};
 
@@ -177,11 +181,92 @@ static void read_law(taut_reader *in, taut_film_edge *edge)
     in->status = law.status;
 }
 
-/* { "fixed": CURVE } or { "cable": LAW }. */
+/* Points of a shape: `count` of them. */
+static taut_status read_points(const taut_json *at, int count, double (*points)[3],
+                               taut_error *error)
+{
+    if (taut_json_kind_at(at) != TAUT_JSON_ARRAY || taut_json_count_at(at) != (size_t)count) {
+        return taut_json_refuse(at, error, "type",
+                                count == 2 ? "two points" : "three points of the arc, in order");
+    }
+    taut_status status = TAUT_OK;
+    for (int k = 0; status == TAUT_OK && k < count; k++) {
+        const taut_json item = taut_json_item(at, (size_t)k);
+        status = taut_net_document_point(&item, points[k], error);
+    }
+    return status;
+}
+
+static taut_status make_line(const double points[2][3], taut_curve **curve)
+{
+    const taut_basis_spec spec = {.type = "bezier", .degree = 1};
+    taut_basis *basis = NULL;
+    taut_status status = taut_basis_new(&spec, 2, &basis, NULL);
+
+    if (status == TAUT_OK) {
+        status = taut_curve_new(NULL, basis, points[0], NULL, curve, NULL);
+    }
+    taut_basis_free(basis);
+    return status;
+}
+
+static taut_status refuse_arc(const taut_json *at, taut_error *error)
+{
+    return taut_json_fail(at, error, "value", taut_none, taut_none,
+                          "found three points that no arc runs through, expected three that are "
+                          "apart and not on one line: give a \"line\", or move the middle one");
+}
+
+/* { "arc": [P, Q, R] } or { "line": [P, R] }. */
+static void read_shape(taut_reader *edge, const taut_json *at, taut_arena *arena,
+                       const taut_curve **curve)
+{
+    taut_reader in = taut_reader_inside(edge, at, shape_members);
+    const int is_arc = taut_reader_has(&in, "arc"), is_line = taut_reader_has(&in, "line");
+    const taut_json where = taut_json_member(at, is_arc ? "arc" : "line");
+    taut_curve *made = NULL;
+    double points[3][3];
+
+    refuse_members(&in, shapes_not_yet);
+    if (in.status == TAUT_OK && is_arc + is_line != 1) {
+        in.status = taut_json_fail(at, in.error, "conflict", 2, 1,
+                                   "found both \"arc\" and \"line\", expected one");
+    }
+    if (in.status == TAUT_OK) {
+        in.status = read_points(&where, is_arc ? 3 : 2, points, in.error);
+    }
+    if (in.status == TAUT_OK) {
+        in.status = is_arc ? taut_arc_new((const double(*)[3])points, &made)
+                           : make_line((const double(*)[3])points, &made);
+        in.status = in.status == TAUT_NO_SOLUTION ? refuse_arc(&where, in.error)
+                    : in.status != TAUT_OK || !taut_keep_curve(arena, made)
+                        ? taut_fail_memory(in.error)
+                        : TAUT_OK;
+    }
+    *curve = made;
+    edge->status = in.status;
+}
+
+/* A curve, or a shape. */
+static void read_fixed(taut_reader *edge, taut_arena *arena, const taut_curve **curve)
+{
+    const taut_json at = taut_json_member(edge->object, "fixed");
+    int is_shape = 0;
+
+    for (int k = 0; taut_json_kind_at(&at) == TAUT_JSON_OBJECT && shape_members[k] != NULL; k++) {
+        is_shape += taut_json_member(&at, shape_members[k]).value != NULL;
+    }
+    if (edge->status == TAUT_OK && is_shape) {
+        read_shape(edge, &at, arena, curve);
+    } else {
+        taut_member_curve(edge, "fixed", arena, curve);
+    }
+}
+
+/* { "fixed": CURVE or SHAPE } or { "cable": LAW }. */
 static void read_edge_object(taut_reader *edges, const taut_json *at, taut_arena *arena,
                              taut_film_edge *edge)
 {
-    static const char *const shapes[] = {"circle", "arc", "line", NULL};
     taut_reader in = taut_reader_inside(edges, at, kind_members);
 
     refuse_members(&in, kinds_not_yet);
@@ -193,13 +278,7 @@ static void read_edge_object(taut_reader *edges, const taut_json *at, taut_arena
                            fixed + cable == 0 ? "none" : "both");
     }
     if (fixed) {
-        const taut_json shape = taut_json_member(at, "fixed");
-        taut_reader as_shape = {.object = &shape, .error = in.error, .status = in.status};
-        if (taut_json_kind_at(&shape) == TAUT_JSON_OBJECT) {
-            refuse_members(&as_shape, shapes);
-        }
-        in.status = as_shape.status;
-        taut_member_curve(&in, "fixed", arena, &edge->curve);
+        read_fixed(&in, arena, &edge->curve);
     } else if (cable) {
         edge->kind = TAUT_FILM_CABLE;
         read_law(&in, edge);

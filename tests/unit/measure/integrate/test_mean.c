@@ -24,10 +24,11 @@ static void compare(taut_surface *surface, int grid, const char *what)
           all.max_abs_mean);
     CHECK(isnan(some.mean_abs) == isnan(all.mean_abs_mean), "%s", what);
     if (!isnan(some.mean_abs) && !(all.area_error > 0)) {
-        /* the areas to 1e-10 each; mean_abs to 1e-6, of a film alone to four digits */
+        /* the areas to 1e-10 each; mean_abs to 1e-6, of a film alone to four digits: of 3,200 random
+         * surfaces the farthest is off by 1.1e-5 */
         CHECK_NEAR(some.area, all.area, 2e-10 * all.area, "%s", what);
         CHECK_NEAR(some.mean_abs, all.mean_abs_mean,
-                   (5e-5 + 1e-6) * all.mean_abs_mean + 1e-11 * all.max_abs_mean, "%s", what);
+                   1.5e-5 * all.mean_abs_mean + 1e-11 * all.max_abs_mean, "%s", what);
     }
     taut_surface_free(surface);
 }

@@ -1,0 +1,71 @@
+/* csv.c -- the format `csv` (RFC 4180): the table of the model's kind (io/csv/table.h).
+ *
+ * A line of titles, then one an object; a cell that its object has not is empty. Lengths are in the
+ * model's unit, numbers the shortest that come back as the same doubles, lines end as in other text
+ * of taut's. */
+#include "core/fail.h"
+#include "io/csv/table.h"
+#include "io/file/sink.h"
+#include "io/format.h"
+
+#include <string.h>
+
+/* Text with a comma, a quote or an end of line goes in quotes, its own doubled. */
+static void write_text(taut_sink *sink, const char *text)
+{
+    const int is_plain = strpbrk(text, ",\"\r\n") == NULL;
+
+    taut_sink_text(sink, is_plain ? "" : "\"");
+    for (const char *c = text; *c != '\0'; c++) {
+        taut_sink_bytes(sink, c, 1);
+        taut_sink_text(sink, *c == '"' ? "\"" : "");
+    }
+    taut_sink_text(sink, is_plain ? "" : "\"");
+}
+
+static void write_cell(taut_sink *sink, const taut_record *cell)
+{
+    const taut_record_kind kind = cell != NULL ? taut_record_kind_of(cell) : TAUT_RECORD_NULL;
+
+    if (kind == TAUT_RECORD_NUMBER) {
+        taut_sink_number(sink, taut_record_number(cell));
+    } else if (kind == TAUT_RECORD_TEXT) {
+        write_text(sink, taut_record_text(cell));
+    }
+}
+
+static void write_row(taut_sink *sink, const taut_csv_column *columns, const taut_record *row)
+{
+    for (int c = 0; columns[c].member != NULL; c++) {
+        taut_sink_text(sink, c > 0 ? "," : "");
+        if (row == NULL) {
+            taut_sink_text(sink, columns[c].title);
+        } else if (taut_record_kind_of(row) == TAUT_RECORD_OBJECT) {
+            write_cell(sink, taut_record_get(row, columns[c].member));
+        }
+    }
+    taut_sink_text(sink, "\n");
+}
+
+static taut_status write_csv(const taut_model *model, const taut_write_options *options, FILE *out,
+                             taut_error *error)
+{
+    const taut_record *rows = NULL;
+    const taut_csv_kind *kind = taut_csv_table(model, &rows);
+    taut_sink sink;
+
+    (void)options; /* the table is of the whole model */
+    if (kind == NULL) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-table", "/details", taut_none, taut_none,
+                         "the model has no table, as cables of a film are one: write another "
+                         "format");
+    }
+    sink = taut_sink_to(out);
+    write_row(&sink, kind->columns, NULL);
+    for (size_t i = 0; i < taut_record_count(rows); i++) {
+        write_row(&sink, kind->columns, taut_record_at(rows, i));
+    }
+    return taut_sink_finish(&sink) == TAUT_NO_MEMORY ? taut_fail_memory(error) : TAUT_OK;
+}
+
+const taut_format_ops taut_format_csv = {.write = write_csv};

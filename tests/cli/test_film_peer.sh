@@ -1,0 +1,41 @@
+# test_film_peer.sh -- the sail of film-sail against Surface Evolver: steps downhill on three refinements, then Newton's on quadratic
+# elements and on elements of degree 4. What is left is Evolver's own: its sail has more energy than the least of the splines, by
+# 6e-9 of it, and at a minimum area and lengths are off by about the root of that.
+. "$SOURCE/tests/cli/cli.sh"
+
+command -v evolver > /dev/null || skip 'Surface Evolver' 'tools/deps.sh check'
+cp "$SOURCE/tests/cli/film-sail.fe" sail.fe
+cat > commands <<'END'
+quiet
+r
+r
+{ g 10; V; u; V } 20
+r
+{ g 10; V; u; V } 20
+M 2
+U
+g 100
+U
+hessian_seek; hessian; hessian
+lagrange 4
+hessian; hessian; hessian
+printf "%.15g %.15g %.15g\n", total_energy, total_area, cable.value / 2
+q
+q
+END
+evolver -x -fcommands sail.fe > evolver.txt 2>&1 || complain "Evolver failed: $(tail -n 3 evolver.txt)"
+"$TAUT" example film-sail > sail.json
+run 0 make sail.json --quiet -o model.json
+python3 - model.json evolver.txt <<'END' || complain "Evolver has another sail"
+import json, re, sys
+figures = json.load(open(sys.argv[1]))["certificate"]["figures"]
+found = [line.split() for line in open(sys.argv[2], errors="replace") if re.fullmatch(r"[\d.]+ [\d.]+ [\d.]+\s*", line)]
+energy, area, length = map(float, found[-1])
+ours = figures["energy"], figures["area"], sum(figures["lengths"])
+apart = energy / ours[0] - 1, area / ours[1] - 1, length / ours[2] - 1
+print("apart by", apart, file=sys.stderr)
+assert 0 < apart[0] < 8e-9, apart
+assert abs(apart[1]) < 1.2e-6, apart
+assert abs(apart[2]) < 1.4e-7, apart
+END
+finish
