@@ -47,7 +47,7 @@ typedef struct taut_mesh_group {
     int surface;      /* its index in the model */
     int nu, nv;       /* vertices along u and along v, 2 or more */
     int turned;       /* nonzero: its normal points the other way than its neighbours', or inwards
-                       * where they close */
+                       * where they close, or would with lids on edges that are rings, as tubes */
     size_t first_vertex, first_quad;
 } taut_mesh_group;
 

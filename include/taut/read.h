@@ -57,6 +57,12 @@ TAUT_API taut_status taut_model_read_with(const char *path, const taut_read_opti
 TAUT_API taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,
                                                 taut_model **model, taut_error *error);
 
+/* taut_problem_or_model_read with options, which may be NULL: those of taut_model_read_with. */
+TAUT_API taut_status taut_problem_or_model_read_with(const char *path,
+                                                     const taut_read_options *options,
+                                                     taut_problem **problem, taut_model **model,
+                                                     taut_error *error);
+
 /* The same from memory; `name` stands for the file in messages. Only JSON. */
 TAUT_API taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
                                             taut_problem **problem, taut_error *error);

@@ -264,6 +264,9 @@ int cli_write_models(int count, const taut_model *const *models, const cli_optio
 /* A model from a file, as its options say; what its reader left out or changed is told on standard error. */
 taut_status cli_read_model(const char *path, const cli_options *options, taut_model **model,
                            taut_error *error);
+/* The same, of a file that may hold a problem instead: the other one is NULL. */
+taut_status cli_read_either(const char *path, const cli_options *options, taut_problem **problem,
+                            taut_model **model, taut_error *error);
 /* Proves the certificate that a model of `file` carries again, for whoever looks at it; warns where it fails, and where it stays
  * as it was saved. */
 void cli_prove_again(const char *file, taut_model *model, const cli_options *options);

@@ -39,12 +39,12 @@ static int chosen_options(const cli_options *options, taut_panels_options *chose
     return 0;
 }
 
-static taut_status make(const char *path, const taut_panels_options *chosen, taut_model **panels,
-                        taut_error *error)
+static taut_status make(const cli_options *options, const taut_panels_options *chosen,
+                        taut_model **panels, taut_error *error)
 {
     taut_problem *problem = NULL;
     taut_model *model = NULL;
-    taut_status status = taut_problem_or_model_read(path, &problem, &model, error);
+    taut_status status = cli_read_either(options->files[0], options, &problem, &model, error);
 
     if (status == TAUT_OK) {
         status = problem != NULL ? taut_panels_of_problem(problem, chosen, panels, error)
@@ -69,7 +69,7 @@ static int run(const cli_options *options)
     if (code != 0) {
         return code;
     }
-    if (make(options->files[0], &chosen, &panels, &error) != TAUT_OK) {
+    if (make(options, &chosen, &panels, &error) != TAUT_OK) {
         cli_monitor_done();
         return cli_fail_in(options->files[0], &error);
     }
@@ -93,6 +93,7 @@ static const cli_option options_of_panels[] = {
      "panels along u and along v (default 8,8)"},
     CLI_OUTPUT,
     CLI_SURFACE,
+    CLI_UNTRIM,
     {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "print no residuals"},
     CLI_FIGURE,
     CLI_LAST};

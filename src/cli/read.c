@@ -32,14 +32,35 @@ static void tell_notes(const char *path, const taut_model *model)
     }
 }
 
+/* What a reader of `path` had to say, unless all that is printed is JSON. */
+static void tell_of(const char *path, const cli_options *options, const taut_model *model)
+{
+    if (model != NULL && !options->json && !cli_is_json(path)) {
+        tell_notes(path, model);
+    }
+}
+
 taut_status cli_read_model(const char *path, const cli_options *options, taut_model **model,
                            taut_error *error)
 {
     const taut_read_options chosen = {.untrim = options->untrim};
     const taut_status status = taut_model_read_with(path, &chosen, model, error);
 
-    if (status == TAUT_OK && !options->json && !cli_is_json(path)) {
-        tell_notes(path, *model);
+    if (status == TAUT_OK) {
+        tell_of(path, options, *model);
+    }
+    return status;
+}
+
+taut_status cli_read_either(const char *path, const cli_options *options, taut_problem **problem,
+                            taut_model **model, taut_error *error)
+{
+    const taut_read_options chosen = {.untrim = options->untrim};
+    const taut_status status =
+        taut_problem_or_model_read_with(path, &chosen, problem, model, error);
+
+    if (status == TAUT_OK) {
+        tell_of(path, options, *model);
     }
     return status;
 }

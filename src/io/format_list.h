@@ -15,7 +15,7 @@
     X(obj, "obj", "mesh: quads with normals and parameters, one group per surface")                \
     X(ply, "ply", "mesh: triangles with normals and parameters, binary, double precision")         \
     X(step, "step", "CAD: NURBS within --tolerance (1e-6), sewn, solid where they close")          \
-    X(stl, "stl", "mesh: triangles, binary, turned outwards where the surfaces close")             \
+    X(stl, "stl", "mesh: triangles, binary, single precision")                                     \
     X(step, "stp", "the same as step")                                                             \
     X(vtu, "vtu", "VTK: exact Bezier cells or quads, with H, K, E - G, F and the control nets")
 

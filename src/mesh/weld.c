@@ -108,16 +108,55 @@ static int is_closed(const taut_weld *weld, const taut_seam *seam)
     return k == a.count && (!weld->own || seam->a / 4 != seam->b / 4 || meets_itself(weld, seam));
 }
 
-/* Two neighbours are turned alike if they run along their seam in opposite senses. Around a
- * surface, seen from its normal, the edges v0 and u1 are run along their parameter, v1 and u0
- * against it. */
-static int are_opposed(const taut_seam *seam)
+/* Around a surface, seen from its normal, the edges v0 and u1 are run along their parameter, v1 and
+ * u0 against it. */
+static int is_along(int edge)
 {
     static const int along[4] = {0, 1, 1, 0};
-    return along[seam->a % 4] ^ along[seam->b % 4] ^ seam->reversed;
+    return along[edge % 4];
 }
 
-/* Twelve times the signed volume between a group and the origin `at`. */
+/* Two neighbours are turned alike if they run along their seam in opposite senses. */
+static int are_opposed(const taut_seam *seam)
+{
+    return is_along(seam->a) ^ is_along(seam->b) ^ seam->reversed;
+}
+
+/* Does an edge come back to where it begins, as the end of a tube does? */
+static int is_ring(const taut_weld *weld, int edge)
+{
+    const edge_run run = run_of(weld, edge);
+    return weld->welded[vertex_at(&run, 0)] == weld->welded[vertex_at(&run, run.count - 1)];
+}
+
+/* 24 times the signed volume between `at` and a lid on a ring: the fan of triangles from the mean of
+ * its vertices, turned as the surface is. */
+static double volume_of_lid(const taut_weld *weld, int edge, const double *at)
+{
+    const edge_run run = run_of(weld, edge);
+    double mean[3] = {0, 0, 0}, sum = 0;
+
+    for (int k = 1; k < run.count; k++) {
+        for (int c = 0; c < 3; c++) {
+            mean[c] += weld->positions[3 * vertex_at(&run, k) + (size_t)c] / (run.count - 1);
+        }
+    }
+    for (int k = 1; k < run.count; k++) {
+        const double *x = weld->positions + 3 * vertex_at(&run, k - is_along(edge));
+        const double *y = weld->positions + 3 * vertex_at(&run, k - !is_along(edge));
+        double p[3], q[3], n[3], r[3];
+        taut_difference(y, mean, p);
+        taut_difference(x, mean, q);
+        taut_cross(p, q, n);
+        for (int c = 0; c < 3; c++) {
+            r[c] = mean[c] + x[c] + y[c] - 3 * at[c];
+        }
+        sum += taut_dot(r, n) * 4 / 3;
+    }
+    return sum;
+}
+
+/* 24 times the signed volume between a group and the origin `at`. */
 static double volume_below(const taut_weld *weld, const taut_mesh_group *group, const double *at)
 {
     double sum = 0;
@@ -141,12 +180,27 @@ static double volume_below(const taut_weld *weld, const taut_mesh_group *group, 
 
 /* What becomes of one body: surfaces that hang together. */
 typedef struct body {
-    double volume;
-    const double *at; /* a point of it */
-    int is_open;
+    double volume, size; /* signed, and without the signs of its parts */
+    const double *at;    /* a point of it */
+    int is_open;         /* at an edge that is no ring */
+    int is_tube;         /* open at rings */
 } body;
 
-/* Which groups to turn so that neighbours agree, and closed bodies show their outside. */
+/* A tube that holds less than this share of what its parts add up to has no inside: a flat ring. */
+static const double least_share = 1e-6;
+
+static void add_volume(body *whole, double volume)
+{
+    whole->volume += volume;
+    whole->size += fabs(volume);
+}
+
+static int is_inside_out(const body *whole)
+{
+    return !whole->is_open && whole->volume < -(whole->is_tube ? least_share * whole->size : 0);
+}
+
+/* Which groups to turn so that neighbours agree, and closed bodies and tubes show their outside. */
 static void turn_groups(const taut_weld *weld, taut_mirror_sets *sets, const unsigned char *shut,
                         body *bodies)
 {
@@ -157,15 +211,20 @@ static void turn_groups(const taut_weld *weld, taut_mirror_sets *sets, const uns
         if (whole->at == NULL) {
             whole->at = weld->positions + 3 * group->first_vertex;
         }
-        whole->volume += (group->turned ? -1 : 1) * volume_below(weld, group, whole->at);
-        for (int e = 0; e < 4; e++) {
-            whole->is_open |= !shut[4 * g + e];
+        const int sign = group->turned ? -1 : 1;
+        add_volume(whole, sign * volume_below(weld, group, whole->at));
+        for (int e = 4 * g; e < 4 * g + 4; e++) {
+            const int lid = !shut[e] && is_ring(weld, e);
+            whole->is_open |= !shut[e] && !lid;
+            whole->is_tube |= lid;
+            if (lid) {
+                add_volume(whole, sign * volume_of_lid(weld, e, whole->at));
+            }
         }
     }
     for (int g = 0; g < weld->group_count; g++) {
         int flip = 0;
-        const body *whole = &bodies[taut_mirror_root(sets, g, &flip)];
-        if (!whole->is_open && whole->volume < 0) {
+        if (is_inside_out(&bodies[taut_mirror_root(sets, g, &flip)])) {
             weld->groups[g].turned ^= 1;
         }
     }

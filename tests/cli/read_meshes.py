@@ -53,23 +53,43 @@ def open_length(mesh):
 
 
 def signed_volume(mesh):
-    """By the divergence theorem: above 0 where all triangles look outwards."""
+    """By the divergence theorem about the middle: above 0 where all triangles look outwards."""
     data, volume = mesh.GetOutput(), 0
+    middle = data.GetCenter()
     for i in range(data.GetNumberOfCells()):
         points = data.GetCell(i).GetPoints()
-        a, b, c = (points.GetPoint(k) for k in range(3))
+        a, b, c = ([x - m for x, m in zip(points.GetPoint(k), middle)] for k in range(3))
         volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
     return volume
 
 
+def normals_behind(name):
+    """How many corners of an OBJ file have their normal on the other side than their face."""
+    rows = {"v": [], "vn": [], "f": []}
+    with open(name) as file:
+        for line in file:
+            word, *rest = line.split() or [""]
+            if word in rows:
+                rows[word].append([int(c.split("/")[0]) - 1 if word == "f" else float(c) for c in rest])
+    count = 0
+    for face in rows["f"]:
+        a, b, c, d = (rows["v"][i] for i in face)
+        p, q = [x - y for x, y in zip(c, a)], [x - y for x, y in zip(d, b)]
+        n = (p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
+        count += sum(sum(x * y for x, y in zip(n, rows["vn"][i])) < 0 for i in face)
+    return count
+
+
 cube, ball, tube = sys.argv[1:]
+for name in (cube, ball, tube):
+    check(normals_behind(f"{name}.obj") == 0, f"{name}.obj: {normals_behind(f'{name}.obj')} normals look inwards")
 for ending in READERS:
     for name, volume, close in ((cube, 1, 1e-6), (ball, 4 * math.pi / 3, 0.05)):
         mesh = read(f"{name}.{ending}")
         check(open_length(mesh) == 0, f"{name}.{ending} is open along {open_length(mesh)}")
         found = signed_volume(mesh)
-        check(abs(abs(found) - volume) < close, f"{name}.{ending} encloses {found}")
-        check(found > 0 or ending != "stl", f"{name}.stl is inside out")
+        check(abs(found - volume) < close, f"{name}.{ending} encloses {found}")
     length = open_length(read(f"{tube}.{ending}"))
     check(abs(length - 4 * math.pi) < 0.05, f"{tube}.{ending} is open along {length}")
+    check(signed_volume(read(f"{tube}.{ending}")) > 0, f"{tube}.{ending} is inside out")
 sys.exit(failures > 0)

@@ -63,6 +63,22 @@ try step_boundary_colors.stp $doc/gmsh-doc/doc/gmsh/demos/api/step_boundary_colo
 try frame.step $doc/netgen/examples/frame.step 375 72
 try screw.step $occt/step/screw.step 10 8 areas
 try linkrods.step $occt/step/linkrods.step 37 20
+# Every command that reads models takes --untrim; what is refused then is refused for something else.
+refuses() { # refuses WORDS: as trimmed, unless --untrim
+    "$TAUT" "$@" --json > out.txt 2> err.txt
+    code=$?
+    [ $code = 4 ] && grep -q '"reason": "trimmed"' err.txt || complain "$*: exit $code: $(cat err.txt)"
+    "$TAUT" "$@" --json --untrim > out.txt 2> err.txt
+    code=$?
+    [ $code != 2 ] && ! grep -q '"reason": "trimmed"' err.txt || complain "$* --untrim: exit $code: $(cat err.txt)"
+}
+if [ -e screw.step ]; then
+    for command in measure certify "panels --kind conical" "convert -o untrimmed.json" "view -o untrimmed.html"; do
+        refuses $command screw.step
+    done
+    refused 4 not-in-family panels screw.step --kind conical --untrim -o never.obj
+    absent never.obj
+fi
 try bearing.iges $occt/iges/bearing.iges 213 56
 try hammer.iges $occt/iges/hammer.iges 45 23 areas
 finish

@@ -376,11 +376,10 @@ static taut_status plan_file(glb_plan *plan, const taut_model *model,
                                              : TAUT_OK;
 }
 
-static void write_vertices(taut_sink *sink, const glb_plan *plan)
+static void write_vertices(taut_sink *sink, const glb_plan *plan, const double *normals)
 {
     const size_t vertices = taut_mesh_vertex_count(plan->mesh);
     const double *positions = taut_mesh_positions(plan->mesh);
-    const double *normals = taut_mesh_normals(plan->mesh);
     for (size_t i = 0; i < 3 * vertices; i++) {
         taut_mesh_out_f32(sink, positions[i] - plan->origin[i % 3]);
     }
@@ -403,9 +402,10 @@ static void write_indices(taut_sink *sink, const glb_plan *plan)
         size_t count = 0;
         const uint32_t *triangles = taut_mesh_out_triangles(plan->mesh, group, &count);
         for (size_t i = 0; i < 3 * count; i++) {
-            if (plan->parts[g].keeps_all ||
-                taut_mesh_out_is_kept(plan->mesh, triangles + i / 3 * 3)) {
-                taut_mesh_out_u32(sink, triangles[i] - (uint32_t)group->first_vertex);
+            const uint32_t *triangle = triangles + i / 3 * 3;
+            if (plan->parts[g].keeps_all || taut_mesh_out_is_kept(plan->mesh, triangle)) {
+                taut_mesh_out_u32(sink, triangle[taut_mesh_out_corner(group, 3, i % 3)] -
+                                            (uint32_t)group->first_vertex);
             }
         }
     }
@@ -419,7 +419,9 @@ static taut_status write_file(const glb_plan *plan, const taut_model *model, FIL
     char *text = NULL;
     size_t length = 0;
 
-    if (write_document(plan, model, &text, &length) != TAUT_OK) {
+    double *normals = taut_mesh_out_normals(plan->mesh);
+    if (normals == NULL || write_document(plan, model, &text, &length) != TAUT_OK) {
+        taut_free(normals);
         return taut_fail_memory(error);
     }
     const size_t padded = (length + 3) / 4 * 4;
@@ -433,9 +435,10 @@ static taut_status write_file(const glb_plan *plan, const taut_model *model, FIL
     taut_sink_bytes(&sink, "   ", padded - length);
     taut_mesh_out_u32(&sink, (uint32_t)data);
     taut_sink_bytes(&sink, "BIN", 4);
-    write_vertices(&sink, plan);
+    write_vertices(&sink, plan, normals);
     write_indices(&sink, plan);
     taut_free(text);
+    taut_free(normals);
     return taut_mesh_out_finish(&sink, error);
 }
 

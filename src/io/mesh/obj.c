@@ -1,5 +1,6 @@
 /* obj.c -- the format `obj` (Wavefront): v, vt, vn and quads, a group per surface. */
 #include "core/fail.h"
+#include "core/memory.h"
 #include "io/format.h"
 #include "io/mesh/out.h"
 
@@ -20,12 +21,14 @@ static void write_rows(taut_sink *sink, const char *word, size_t count, int size
 }
 
 /* "f 1/1/1 2/2/2 ...": the three kinds of rows run in step, counted from 1. */
-static void write_faces(taut_sink *sink, size_t count, const uint32_t *quads)
+static void write_faces(taut_sink *sink, const taut_mesh_group *group, const uint32_t *quads)
 {
+    const size_t count = (size_t)(group->nu - 1) * (size_t)(group->nv - 1);
+
     for (size_t i = 0; i < count; i++) {
         taut_sink_bytes(sink, "f", 1);
         for (size_t c = 0; c < 4; c++) {
-            const size_t vertex = (size_t)quads[4 * i + c] + 1;
+            const size_t vertex = (size_t)quads[4 * i + taut_mesh_out_corner(group, 4, c)] + 1;
             taut_sink_bytes(sink, " ", 1);
             taut_sink_count(sink, vertex);
             taut_sink_bytes(sink, "/", 1);
@@ -63,19 +66,24 @@ static taut_status write_obj(const taut_model *model, const taut_write_options *
         return status;
     }
     const size_t vertices = taut_mesh_vertex_count(mesh);
+    double *normals = taut_mesh_out_normals(mesh);
+    if (normals == NULL) {
+        taut_mesh_free(mesh);
+        return taut_fail_memory(error);
+    }
     sink = taut_sink_to(out);
     taut_sink_text(&sink, "# unit: ");
     taut_sink_text(&sink, taut_model_unit(model));
     taut_sink_text(&sink, "\n");
     write_rows(&sink, "v", vertices, 3, taut_mesh_positions(mesh));
     write_rows(&sink, "vt", vertices, 2, taut_mesh_parameters(mesh));
-    write_rows(&sink, "vn", vertices, 3, taut_mesh_normals(mesh));
+    write_rows(&sink, "vn", vertices, 3, normals);
     for (int i = 0; i < taut_mesh_group_count(mesh); i++) {
         const taut_mesh_group *group = taut_mesh_group_at(mesh, i);
         write_name(&sink, group);
-        write_faces(&sink, (size_t)(group->nu - 1) * (size_t)(group->nv - 1),
-                    taut_mesh_quads(mesh) + 4 * group->first_quad);
+        write_faces(&sink, group, taut_mesh_quads(mesh) + 4 * group->first_quad);
     }
+    taut_free(normals);
     taut_mesh_free(mesh);
     return taut_mesh_out_finish(&sink, error);
 }

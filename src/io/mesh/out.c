@@ -1,6 +1,7 @@
 #include "io/mesh/out.h"
 
 #include "core/fail.h"
+#include "core/memory.h"
 
 #include <float.h>
 #include <math.h>
@@ -40,6 +41,25 @@ size_t taut_mesh_out_count(const taut_mesh *mesh, const taut_mesh_group *group)
         kept += (size_t)taut_mesh_out_is_kept(mesh, triangles + 3 * i);
     }
     return kept;
+}
+
+double *taut_mesh_out_normals(const taut_mesh *mesh)
+{
+    const size_t numbers = 3 * taut_mesh_vertex_count(mesh);
+    double *normals = taut_alloc(numbers, sizeof *normals);
+
+    if (normals == NULL) {
+        return NULL;
+    }
+    memcpy(normals, taut_mesh_normals(mesh), numbers * sizeof *normals);
+    for (int g = 0; g < taut_mesh_group_count(mesh); g++) {
+        const taut_mesh_group *group = taut_mesh_group_at(mesh, g);
+        double *own = normals + 3 * group->first_vertex;
+        for (size_t i = 0; group->turned && i < 3 * (size_t)group->nu * (size_t)group->nv; i++) {
+            own[i] = 0 - own[i]; /* never -0 */
+        }
+    }
+    return normals;
 }
 
 taut_status taut_mesh_out_check_float(const taut_mesh *mesh, const char *format, taut_error *error)

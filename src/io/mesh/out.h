@@ -21,6 +21,17 @@ int taut_mesh_out_is_kept(const taut_mesh *mesh, const uint32_t *triangle);
 const uint32_t *taut_mesh_out_triangles(const taut_mesh *mesh, const taut_mesh_group *group,
                                         size_t *count);
 
+/* Which corner of a face of `size` corners comes k-th, so that the face is seen from the side that its
+ * group is turned to. */
+static inline size_t taut_mesh_out_corner(const taut_mesh_group *group, size_t size, size_t k)
+{
+    return group->turned ? size - 1 - k : k;
+}
+
+/* The normals of all vertices on the sides that their groups are turned to, double[vertices][3], freed
+ * by taut_free. NULL: no memory. */
+double *taut_mesh_out_normals(const taut_mesh *mesh);
+
 /* TAUT_NO_SOLUTION where a coordinate is too large for single precision, which `format` has. */
 taut_status taut_mesh_out_check_float(const taut_mesh *mesh, const char *format, taut_error *error);
 

@@ -1,6 +1,7 @@
 /* ply.c -- the format `ply`, binary and little-endian: vertices in double precision with normals
  * and parameters, triangles with the index of their surface. */
 #include "core/fail.h"
+#include "core/memory.h"
 #include "io/format.h"
 #include "io/mesh/out.h"
 
@@ -36,9 +37,9 @@ static void put_header(taut_sink *sink, const taut_model *model, const taut_mesh
                          "end_header\n");
 }
 
-static void put_vertices(taut_sink *sink, const taut_mesh *mesh)
+static void put_vertices(taut_sink *sink, const taut_mesh *mesh, const double *normals)
 {
-    const double *positions = taut_mesh_positions(mesh), *normals = taut_mesh_normals(mesh);
+    const double *positions = taut_mesh_positions(mesh);
     const double *parameters = taut_mesh_parameters(mesh);
     for (size_t i = 0; i < taut_mesh_vertex_count(mesh); i++) {
         for (size_t c = 0; c < 3; c++) {
@@ -60,7 +61,7 @@ static void put_faces(taut_sink *sink, const taut_mesh *mesh, const taut_mesh_gr
         if (taut_mesh_out_is_kept(mesh, triangles + 3 * i)) {
             taut_sink_bytes(sink, "\3", 1);
             for (size_t c = 0; c < 3; c++) {
-                taut_mesh_out_u32(sink, triangles[3 * i + c]);
+                taut_mesh_out_u32(sink, triangles[3 * i + taut_mesh_out_corner(group, 3, c)]);
             }
             taut_mesh_out_u32(sink, (uint32_t)group->surface);
         }
@@ -77,12 +78,18 @@ static taut_status write_ply(const taut_model *model, const taut_write_options *
     if (status != TAUT_OK) {
         return status;
     }
+    double *normals = taut_mesh_out_normals(mesh);
+    if (normals == NULL) {
+        taut_mesh_free(mesh);
+        return taut_fail_memory(error);
+    }
     sink = taut_sink_to(out);
     put_header(&sink, model, mesh);
-    put_vertices(&sink, mesh);
+    put_vertices(&sink, mesh, normals);
     for (int i = 0; i < taut_mesh_group_count(mesh); i++) {
         put_faces(&sink, mesh, taut_mesh_group_at(mesh, i));
     }
+    taut_free(normals);
     taut_mesh_free(mesh);
     return taut_mesh_out_finish(&sink, error);
 }

@@ -22,8 +22,9 @@ static taut_status read_root(const taut_json *document, void *into, taut_error *
                : taut_model_document_read(document, &e->model, error);
 }
 
-taut_status taut_problem_or_model_read(const char *path, taut_problem **problem, taut_model **model,
-                                       taut_error *error)
+taut_status taut_problem_or_model_read_with(const char *path, const taut_read_options *options,
+                                            taut_problem **problem, taut_model **model,
+                                            taut_error *error)
 {
     either e = {.path = path};
     const taut_format_ops *ops = NULL;
@@ -35,7 +36,7 @@ taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,
     }
     ops = taut_format_ops_at(taut_format_of(path, NULL));
     status = ops != NULL && ops->read != NULL
-                 ? taut_model_format_read(ops, path, NULL, &e.model, error)
+                 ? taut_model_format_read(ops, path, options, &e.model, error)
                  : taut_problem_read_file(path, read_root, &e, &e.source, error);
     if (status != TAUT_OK) {
         return status;
@@ -43,4 +44,10 @@ taut_status taut_problem_or_model_read(const char *path, taut_problem **problem,
     *problem = e.problem;
     *model = e.model;
     return TAUT_OK;
+}
+
+taut_status taut_problem_or_model_read(const char *path, taut_problem **problem, taut_model **model,
+                                       taut_error *error)
+{
+    return taut_problem_or_model_read_with(path, NULL, problem, model, error);
 }

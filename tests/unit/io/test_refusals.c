@@ -451,7 +451,7 @@ static void test_bad_arguments(void)
     taut_model *model = NULL;
     taut_problem *problem = NULL;
     taut_problem_list *list = NULL;
-    taut_error e[12];
+    taut_error e[13];
     memset(e, 0, sizeof e);
     const taut_status told[] = {
         taut_model_read_text(NULL, 3, "doc", &model, &e[0]),
@@ -466,6 +466,7 @@ static void test_bad_arguments(void)
         taut_problem_list_read("none", NULL, &e[9]),
         taut_problem_or_model_read(NULL, &problem, &model, &e[10]),
         taut_problem_or_model_read("none", &problem, NULL, &e[11]),
+        taut_problem_or_model_read_with("none", NULL, NULL, &model, &e[12]),
     };
     for (size_t i = 0; i < sizeof told / sizeof told[0]; i++) {
         CHECK(told[i] == TAUT_BAD_ARGUMENT && e[i].status == told[i] &&

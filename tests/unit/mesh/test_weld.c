@@ -184,6 +184,27 @@ static void test_open(void)
     taut_model_free(box);
 }
 
+/* A tube whose ends are open shows its outside, whichever way its parameters run. */
+static void test_tubes(void)
+{
+    for (int way = 0; way < 2; way++) {
+        taut_surface *tube = shape_cylinder(2, 3, 1), *other = shape_transposed(tube);
+        taut_model *model = new_model();
+        add(model, way ? other : tube);
+        taut_surface_free(way ? tube : other);
+        taut_mesh *mesh = mesh_of(model, 1e-3, 0);
+        const taut_mesh_group *group = taut_mesh_group_at(mesh, 0);
+        for (size_t i = 0; i < taut_mesh_vertex_count(mesh); i++) {
+            const double *x = taut_mesh_positions(mesh) + 3 * i;
+            const double *n = taut_mesh_normals(mesh) + 3 * i;
+            const double out = (x[0] * n[0] + x[1] * n[1]) * (group->turned ? -1 : 1);
+            CHECK(out > 1.999, "way %d, vertex %zu: %g", way, i, out);
+        }
+        taut_mesh_free(mesh);
+        taut_model_free(model);
+    }
+}
+
 /* With a chord error of 1e-3 of the size d a body's volume is off by at most 1e-3 d times its area,
  * and by much less; collapsed edges, seams of one surface with itself. */
 static void test_bodies(void)
@@ -321,6 +342,7 @@ int main(void)
     test_cubes();
     test_open();
     test_bodies();
+    test_tubes();
     test_pieces();
     test_strip();
     test_gap();
