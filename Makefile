@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau format check mutants reproduction reference install deb wasm \
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau format check mutants reproduction reference install deb wasm studio \
   python bench-python windows clean help
 
 demo: build
@@ -30,6 +30,13 @@ build:
 
 deps:
 	@tools/deps.sh build test browser check
+
+studio: build
+	@tools/deps.sh wasm
+	@cmake --preset release
+	@cmake --build --preset release --target studio
+	@mkdir -p out
+	$(TAUT) studio -o out/studio.html
 
 gallery: build
 	@tools/gallery.sh $(TAUT)

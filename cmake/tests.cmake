@@ -144,6 +144,13 @@ add_test(NAME viewer/page COMMAND sh ${CMAKE_SOURCE_DIR}/tests/viewer/test_page.
 set_tests_properties(viewer/page PROPERTIES TIMEOUT 400 SKIP_RETURN_CODE 77
   ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR};${sanitizer_options}")
 
+# The page of `taut studio`, where the toolchain for WebAssembly is.
+if(NOT TAUT_SANITIZE) # one page, the same bytes
+  add_test(NAME studio/page COMMAND sh ${CMAKE_SOURCE_DIR}/tests/studio/test_studio.sh)
+  set_tests_properties(studio/page PROPERTIES TIMEOUT 400 SKIP_RETURN_CODE 77
+    ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;STUDIO=${TAUT_MODULE_DIR}/taut-studio.so;SOURCE=${CMAKE_SOURCE_DIR}")
+endif()
+
 # The checks of tools/ are seen to catch what they are for.
 file(GLOB tool_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/tools/test_*.sh)
 foreach(file IN LISTS tool_tests)

@@ -49,6 +49,7 @@ check cmd:gmsh                       gmsh                   reads STEP and IGES 
 check cmd:evolver                evolver                Surface Evolver, which finds the same sails
 check cmd:node                       nodejs                 runs the Khronos validator of glTF
 check cmd:npm                        npm                    fetches it
+check cmd:tsc                        node-typescript        checks the types of scripts
 check py:matplotlib                  python3-matplotlib     draws by `surface.plot`
 check py:nbclient                    python3-nbclient       runs the notebooks as Jupyter does
 check py:ipykernel                   python3-ipykernel      with this
@@ -62,6 +63,7 @@ wasm  cmd:wasm-ld                    lld                    links it
 wasm  file:/usr/include/wasm32-wasi/stdlib.h wasi-libc      the C library of WebAssembly
 wasm  file:/usr/lib/llvm-14/lib/clang/14.0.6/lib/wasi/libclang_rt.builtins-wasm32.a libclang-rt-14-dev-wasm32 what the compiler calls there
 wasm  cmd:wasm-opt                   binaryen               makes the module smaller and faster
+wasm  cmd:esbuild                    esbuild                makes one script of the studio's
 wasm  cmd:node                       nodejs                 runs its tests
 windows cmd:x86_64-w64-mingw32-gcc-win32 gcc-mingw-w64-x86-64-win32 compiles for Windows
 windows cmd:python3                  python3                runs the tests of the program for Windows

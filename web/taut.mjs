@@ -7,7 +7,7 @@
 //     surface.set("/points/0/0", [0, 0, 1]); surface.make();     a point was dragged
 //     surface.write("json"); surface.close();
 //
-// What goes wrong is an Error whose message is the library's sentence, `where` the place in the document.
+// What goes wrong is an Error whose message is the library's sentence, `where` the place in the document, `reason` a word.
 // @ts-check
 
 /** Calls of WASI that the library makes without a host: time and random numbers, and no files. */
@@ -90,9 +90,9 @@ class Taut {
   }
 
   failure() {
-    const error = /** @type {Error & {where?: string}} */ (new Error(this.text(this.raw.taut_web_error())));
-    error.where = this.text(this.raw.taut_web_where());
-    return error;
+    const { raw } = this;
+    return Object.assign(new Error(this.text(raw.taut_web_error())),
+      { reason: this.text(raw.taut_web_reason()), where: this.text(raw.taut_web_where()) });
   }
 
   open(/** @type {string} */ text) {
@@ -153,6 +153,25 @@ class Surface {
     return { positions: all.subarray(0, 3 * nu * nv), normals: all.subarray(3 * nu * nv) };
   }
 
+  /** Mean and Gaussian curvatures at the same parameters, NaN where there is none: views that hold until the next call. */
+  curvatures(/** @type {number} */ s, /** @type {number} */ nu, /** @type {number} */ nv) {
+    const at = this.taut.raw.taut_web_curvatures(this.handle, s, nu, nv);
+    if (at === 0) throw new Error(`no curvatures of surface ${s} with ${nu} by ${nv} points`);
+    const all = new Float32Array(this.taut.raw.memory.buffer, at, 2 * nu * nv);
+    return { mean: all.subarray(0, nu * nv), gaussian: all.subarray(nu * nv) };
+  }
+
+  get curveCount() {
+    return this.taut.raw.taut_web_curves(this.handle);
+  }
+
+  /** Points of curve c from end to end, three numbers each: a view that holds until the next call. */
+  curve(/** @type {number} */ c, /** @type {number} */ count) {
+    const at = this.taut.raw.taut_web_curve(this.handle, c, count);
+    if (at === 0) throw new Error(`no curve ${c} with ${count} points`);
+    return new Float32Array(this.taut.raw.memory.buffer, at, 3 * count);
+  }
+
   /** The control points of surface s, [count of u][count of v][3]. */
   points(/** @type {number} */ s) {
     const { raw } = this.taut;
@@ -162,10 +181,15 @@ class Surface {
 
   /** The model in a format, such as "json", "svg", "obj". */
   write(/** @type {string} */ format) {
+    return new TextDecoder().decode(this.bytes(format));
+  }
+
+  /** The same as bytes: a view that holds until the next call. */
+  bytes(/** @type {string} */ format) {
     const { raw } = this.taut;
     const at = this.taut.given(format, (name) => raw.taut_web_write(this.handle, name));
     if (at === 0) throw this.taut.failure();
-    return this.taut.text(at, raw.taut_web_length(this.handle));
+    return new Uint8Array(raw.memory.buffer, at, raw.taut_web_length(this.handle));
   }
 
   close() {

@@ -15,6 +15,7 @@
     X(panels)                                                                                      \
     X(trace)                                                                                       \
     X(view)                                                                                        \
+    X(studio)                                                                                      \
     X(example)                                                                                     \
     X(reproduce)                                                                                   \
     X(schema)

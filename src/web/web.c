@@ -40,12 +40,16 @@ int taut_web_holds(const taut_web *web);
 int taut_web_surfaces(const taut_web *web);
 const char *taut_web_name(const taut_web *web, int s);
 const float *taut_web_grid(taut_web *web, int s, int nu, int nv);
+const float *taut_web_curvatures(taut_web *web, int s, int nu, int nv);
+int taut_web_curves(const taut_web *web);
+const float *taut_web_curve(taut_web *web, int c, int count);
 int taut_web_count(const taut_web *web, int s, int direction);
 const double *taut_web_points(const taut_web *web, int s);
 const char *taut_web_write(taut_web *web, const char *format);
 size_t taut_web_length(const taut_web *web);
 const char *taut_web_error(void);
 const char *taut_web_where(void);
+const char *taut_web_reason(void);
 
 void *taut_web_alloc(size_t size)
 {
@@ -204,32 +208,100 @@ static void take_point(const double x[9], float position[3], float normal[3])
     }
 }
 
+/* Room for `width` floats at each of nu by nv parameters, in *u and *v with `wide` bytes beside them at each; NULL: no such
+ * surface, fewer than 2 lines or more than 4096, or no memory. The last is the caller's to free. */
+static void *take_grid(taut_web *web, const taut_surface *surface, int nu, int nv, size_t width,
+                       size_t wide, double **u, double **v)
+{
+    if (surface == NULL || nu < 2 || nv < 2 || nu > LINES_MAX || nv > LINES_MAX) {
+        return NULL;
+    }
+    const size_t count = (size_t)nu * (size_t)nv;
+    double *room = malloc(((size_t)nu + (size_t)nv) * sizeof *room + count * wide);
+    float *grid = realloc(web->grid, count * width * sizeof *grid);
+    web->grid = grid != NULL ? grid : web->grid;
+    if (room == NULL || grid == NULL) {
+        free(room);
+        return NULL;
+    }
+    *u = room;
+    *v = room + nu;
+    fill_parameters(taut_surface_u(surface), nu, *u);
+    fill_parameters(taut_surface_v(surface), nv, *v);
+    return room;
+}
+
 /* float[2][nu][nv][3]: positions, then unit normals, at nu by nv parameters from end to end;
  * borrowed until the next call. NULL: no such surface, fewer than 2 lines or more than 4096, or no
  * memory. */
 const float *taut_web_grid(taut_web *web, int s, int nu, int nv)
 {
     const taut_surface *surface = surface_at(web, s);
-    if (surface == NULL || nu < 2 || nv < 2 || nu > LINES_MAX || nv > LINES_MAX) {
+    double *u, *v;
+    void *room = take_grid(web, surface, nu, nv, 6, 9 * sizeof(double), &u, &v);
+
+    if (room == NULL) {
         return NULL;
     }
     const size_t count = (size_t)nu * (size_t)nv;
-    double *room = malloc((9 * count + (size_t)nu + (size_t)nv) * sizeof *room);
-    float *grid = realloc(web->grid, 6 * count * sizeof *grid);
-    web->grid = grid != NULL ? grid : web->grid;
-    if (room == NULL || grid == NULL) {
-        free(room);
-        return NULL;
-    }
-    double *u = room + 9 * count, *v = u + nu;
-    fill_parameters(taut_surface_u(surface), nu, u);
-    fill_parameters(taut_surface_v(surface), nv, v);
-    const taut_status status = taut_surface_eval_grid(surface, nu, u, nv, v, 1, 1, room);
+    double *x = v + nv;
+    const taut_status status = taut_surface_eval_grid(surface, nu, u, nv, v, 1, 1, x);
     for (size_t k = 0; status == TAUT_OK && k < count; k++) {
-        take_point(room + 9 * k, grid + 3 * k, grid + 3 * (count + k));
+        take_point(x + 9 * k, web->grid + 3 * k, web->grid + 3 * (count + k));
     }
     free(room);
-    return status == TAUT_OK ? grid : NULL;
+    return status == TAUT_OK ? web->grid : NULL;
+}
+
+/* float[2][nu][nv]: mean, then Gaussian curvature at the same parameters, NaN where there is no normal;
+ * else as taut_web_grid. */
+const float *taut_web_curvatures(taut_web *web, int s, int nu, int nv)
+{
+    const taut_surface *surface = surface_at(web, s);
+    double *u, *v;
+    void *room = take_grid(web, surface, nu, nv, 2, sizeof(taut_forms), &u, &v);
+
+    if (room == NULL) {
+        return NULL;
+    }
+    const size_t count = (size_t)nu * (size_t)nv;
+    taut_forms *forms = (taut_forms *)(void *)(v + nv);
+    const taut_status status = taut_surface_forms_grid(surface, nu, u, nv, v, 1, forms);
+    for (size_t k = 0; status == TAUT_OK && k < count; k++) {
+        web->grid[k] = (float)forms[k].mean;
+        web->grid[count + k] = (float)forms[k].gaussian;
+    }
+    free(room);
+    return status == TAUT_OK ? web->grid : NULL;
+}
+
+/* The curves of the model; 0 before it is made. */
+int taut_web_curves(const taut_web *web)
+{
+    return web->model != NULL ? taut_model_curve_count(web->model) : 0;
+}
+
+/* float[count][3]: points of a curve at as many parameters from end to end, 2 to 4096; else as taut_web_grid. */
+const float *taut_web_curve(taut_web *web, int c, int count)
+{
+    if (c < 0 || c >= taut_web_curves(web) || count < 2 || count > LINES_MAX) {
+        return NULL;
+    }
+    const taut_curve *curve = taut_model_curve(web->model, c);
+    double *room = malloc(4 * (size_t)count * sizeof *room);
+    float *points = realloc(web->grid, 3 * (size_t)count * sizeof *points);
+    web->grid = points != NULL ? points : web->grid;
+    taut_status status = TAUT_NO_MEMORY;
+    if (room != NULL && points != NULL) {
+        double *x = room + count;
+        fill_parameters(taut_curve_t(curve), count, room);
+        status = taut_curve_eval_points(curve, count, room, 0, 1, x);
+        for (int k = 0; status == TAUT_OK && k < 3 * count; k++) {
+            points[k] = (float)x[k];
+        }
+    }
+    free(room);
+    return status == TAUT_OK ? points : NULL;
 }
 
 /* The model in the format of an ending, ended by a 0; borrowed until the next call. */
@@ -254,7 +326,7 @@ size_t taut_web_length(const taut_web *web)
     return web->length;
 }
 
-/* What went wrong last, and where in the document (a JSON pointer). */
+/* What went wrong last, where in the document (a JSON pointer), and its reason in a word. */
 const char *taut_web_error(void)
 {
     return last.message;
@@ -263,4 +335,9 @@ const char *taut_web_error(void)
 const char *taut_web_where(void)
 {
     return last.where;
+}
+
+const char *taut_web_reason(void)
+{
+    return last.reason;
 }

@@ -42,7 +42,7 @@ for list in src/basis/basis_list.h src/problem/construct_list.h; do
     done
 done
 for name in $(sed -n 's/.*X([a-z_0-9]*, "\([a-z]*\)".*/\1/p' "$SOURCE/src/io/format_list.h" "$SOURCE/src/draw/format_list.h"); do
-    grep '^| formats' "$SOURCE/README.md" | grep -qi "\<$name\>" || fail "format $name is not in the README"
+    sed -n '/^Formats/,/^## /p' "$SOURCE/README.md" | grep -qi "\<$name\>" || fail "format $name is not in the README"
 done
 
 echo "$failures failures"

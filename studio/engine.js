@@ -1,0 +1,97 @@
+// engine.js -- the library beside the page: one worker draws, another proves, so that no drag waits for a proof.
+// @ts-check
+import { Channel } from "./channel.js";
+
+const PATIENCE_MS = 400; // with a draft or a proof that nobody waits for any more
+
+/**
+ * @typedef {{ name: string, lines: number, positions: Float32Array, normals: Float32Array, mean: Float32Array,
+ *   gaussian: Float32Array, net: { nu: number, nv: number, points: Float64Array } }} Drawn
+ */
+
+export class Engine {
+  /**
+   * @param {string} source  the worker's script
+   * @param {ArrayBuffer} wasm
+   */
+  constructor(source, wasm) {
+    const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+    const start = () => this.startWorker(address, wasm);
+    this.drawing = new Channel(start);
+    this.proving = new Channel(start);
+    this.stats = { solves: 0, draft_ms: 0, final_ms: 0 };
+    this.draftBegan = 0;
+    this.proofBegan = 0;
+  }
+
+  /**
+   * A worker that answers once it has loaded the library: the answer to that first message is not passed on.
+   * @param {string} address
+   * @param {ArrayBuffer} wasm
+   * @returns {import("./channel.js").WorkerLike}
+   */
+  startWorker(address, wasm) {
+    const worker = new Worker(address);
+    /** @type {import("./channel.js").WorkerLike} */
+    const like = { postMessage: (message) => worker.postMessage(message), onmessage: null, terminate: () => worker.terminate() };
+    worker.onmessage = ({ data }) => {
+      if (data.error) console.error(data.error.message);
+      worker.onmessage = (event) => like.onmessage?.(event);
+    };
+    worker.onerror = (event) => like.onmessage?.({ data: { error: { message: event.message, reason: "fault", where: "" } } });
+    worker.postMessage({ kind: "load", wasm });
+    return like;
+  }
+
+  /**
+   * What is to be drawn; null where a newer one was asked for and this one may be dropped.
+   * @param {string} text
+   * @param {boolean} mayDrop
+   * @returns {Promise<{ surfaces: Drawn[], curves: Float32Array[] } | null>}
+   */
+  async draft(text, mayDrop) {
+    const start = performance.now();
+    const message = { kind: "draft", text };
+    if (this.drawing.asked !== null && start - this.draftBegan > PATIENCE_MS) this.drawing.restart();
+    if (this.drawing.asked === null) this.draftBegan = start;
+    const reply = await (mayDrop ? this.drawing.newest(message) : this.drawing.ask(message));
+    this.draftBegan = performance.now();
+    if (reply === null) return null;
+    this.stats.solves++;
+    this.stats.draft_ms = performance.now() - start;
+    return reply;
+  }
+
+  /**
+   * The model with its certificate, the program's bytes; null where a newer one was asked for.
+   * @param {string} text
+   * @returns {Promise<{ holds: boolean | null, json: string } | null>}
+   */
+  async proof(text) {
+    const start = performance.now();
+    if (this.proving.asked !== null && start - this.proofBegan > PATIENCE_MS) this.proving.restart();
+    if (this.proving.asked === null) this.proofBegan = start;
+    const reply = await this.proving.newest({ kind: "proof", text });
+    this.proofBegan = performance.now();
+    if (reply !== null) this.stats.final_ms = performance.now() - start;
+    return reply;
+  }
+
+  /**
+   * The same, whatever is asked for meanwhile.
+   * @param {string} text
+   * @returns {Promise<{ holds: boolean | null, json: string }>}
+   */
+  model(text) {
+    return this.proving.ask({ kind: "proof", text });
+  }
+
+  /**
+   * @param {string} text
+   * @param {string} format
+   * @returns {Promise<Uint8Array>}
+   */
+  async write(text, format) {
+    return (await this.proving.ask({ kind: "export", text, format })).bytes;
+  }
+}

@@ -1,0 +1,226 @@
+// main.js -- the page: its parts are unpacked, wired together and offered to scripts as window.taut.
+// @ts-check
+import { Actions, download } from "./actions.js";
+import { Engine } from "./engine.js";
+import { Hand } from "./hand.js";
+import { readable } from "./number.js";
+import { Panel } from "./panel.js";
+import { bytesOf, runPart, textOf } from "./parts.js";
+import { showProof } from "./proof.js";
+import { Scene } from "./scene.js";
+import { documentOf, fragmentOf, keep, kept } from "./share.js";
+import { Studio } from "./studio.js";
+
+const EXPORTS = [["step", "STEP"], ["obj", "OBJ mesh"], ["stl", "STL mesh"], ["ply", "PLY mesh"], ["glb", "GLB mesh"], ["vtu", "VTU"], ["svg", "SVG picture"]];
+
+const at = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
+const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (at(id));
+
+/** @type {Studio} */
+let studio;
+/** @type {Scene} */
+let scene;
+
+function showFault(/** @type {Panel} */ panel, /** @type {import("./studio.js").Failure | null} */ error) {
+  at("fault").hidden = error === null;
+  at("fault").textContent = error === null ? "" : (error.where ? `${error.where}: ` : "") + error.message;
+  panel.mark(error);
+}
+
+/** The chosen points as numbers to type. */
+function showChosen(/** @type {import("./places.js").Place[]} */ places) {
+  const rows = places.slice(0, 20).map(({ pointer, at: point }) => {
+    const row = document.createElement("div"), name = document.createElement("span");
+    row.className = "point";
+    name.textContent = pointer;
+    const fields = point.map((x, c) => {
+      const field = document.createElement("input");
+      field.type = "number";
+      field.step = "any";
+      field.value = String(x);
+      field.setAttribute("aria-label", `${"xyz"[c]} of ${pointer}`);
+      field.addEventListener("change", () => {
+        const moved = [...point];
+        moved[c] = Number(field.value);
+        studio.set(pointer, moved).catch(() => {});
+      });
+      return field;
+    });
+    row.append(name, ...fields);
+    return row;
+  });
+  const heading = document.createElement("h2");
+  heading.textContent = places.length === 1 ? "One point" : `${places.length} points`;
+  at("chosen").replaceChildren(...(places.length > 0 ? [heading, ...rows] : []));
+}
+
+function showLegend() {
+  at("legend").hidden = scene.colour === "none";
+  at("legend-low").textContent = `${scene.colour} ${readable(-scene.limit, 3)}`;
+  at("legend-high").textContent = readable(scene.limit, 3);
+}
+
+/** @returns {import("./studio.js").Views} */
+function viewsOf(/** @type {Panel} */ panel) {
+  return {
+    proof(certificate, isDraft) {
+      showProof(at("proof"), certificate, isDraft);
+      at("state").textContent = isDraft ? "draft" : "";
+    },
+    document(problem) {
+      panel.show(problem);
+      at("title").textContent = problem.name ?? problem.construct ?? "trace";
+      keep(JSON.stringify(problem));
+      showLegend();
+    },
+    fault: (error) => showFault(panel, error),
+    chosen: showChosen,
+    busy: (word) => { at("state").textContent = word; },
+  };
+}
+
+async function exportAs(/** @type {string} */ format) {
+  await studio.last;
+  try {
+    download(`${studio.document.construct ?? "model"}.${format}`, await studio.engine.write(studio.text(), format), "application/octet-stream");
+  } catch (/** @type {any} */ error) {
+    studio.views.fault(error);
+  }
+}
+
+async function share() {
+  location.hash = await fragmentOf(studio.text());
+  await navigator.clipboard?.writeText(location.href).catch(() => {});
+  studio.views.busy("the address of this page holds the problem now");
+}
+
+function toggleDark() {
+  document.documentElement.classList.toggle("dark");
+  scene.restyle();
+}
+
+function showColour(/** @type {string} */ colour) {
+  input("colour").value = colour;
+  scene.setColour(colour);
+  showLegend();
+}
+
+const turns = [["ArrowLeft", -10, 0], ["ArrowRight", 10, 0], ["ArrowUp", 0, 10], ["ArrowDown", 0, -10]];
+const views = [["from the front", "1", -90, 0], ["from the right", "2", 0, 0], ["from above", "3", -90, 90], ["from a corner", "4", -55, 28]];
+
+/** @returns {import("./actions.js").Action[]} */
+function actionsOf(/** @type {Hand} */ hand) {
+  return [
+    { menu: "File", name: "Open a problem", key: "Ctrl+O", act: () => input("file").click() },
+    { menu: "File", name: "Save the problem", key: "Ctrl+S", act: () => download("problem.json", studio.text() + "\n", "application/json") },
+    { menu: "File", name: "Save the model, proved", key: "Ctrl+Shift+S", act: () => exportAs("json") },
+    ...EXPORTS.map(([format, name]) => ({ menu: "File", name: `Export ${name}`, key: "", act: () => exportAs(format) })),
+    { menu: "File", name: "Save the picture", key: "", act: () => scene.canvas.toBlob((blob) => blob && download("taut.png", blob, "image/png")) },
+    { menu: "File", name: "Share by address", key: "", act: share },
+    { menu: "Edit", name: "Undo", key: "Ctrl+Z", act: () => studio.step("undo") },
+    { menu: "Edit", name: "Redo", key: "Ctrl+Shift+Z", act: () => studio.step("redo") },
+    { menu: "Edit", name: "Choose all points", key: "Ctrl+A", act: () => hand.choose(hand.places.map(({ pointer }) => pointer)) },
+    { menu: "Edit", name: "Choose none, or give up a drag", key: "Escape", act: () => hand.cancel() || hand.choose([]) },
+    { menu: "View", name: "All of it", key: "F", act: () => scene.frame(hand.places.map((place) => place.at)) },
+    ...views.map(([name, key, azimuth, elevation]) => ({ menu: "View", name: `Look ${name}`, key: String(key), act: () => scene.lookFrom(Number(azimuth), Number(elevation)) })),
+    ...turns.map(([key, right, up]) => ({ menu: "View", name: `Turn ${String(key).slice(5).toLowerCase()}`, key: String(key), act: () => scene.turn(Number(right), Number(up)) })),
+    { menu: "View", name: "Nearer", key: "+", act: () => scene.zoom(1.2) },
+    { menu: "View", name: "Farther", key: "-", act: () => scene.zoom(1 / 1.2) },
+    { menu: "View", name: "Net", key: "N", act: () => input("net").click() },
+    { menu: "View", name: "Colour by H", key: "H", act: () => showColour(scene.colour === "H" ? "none" : "H") },
+    { menu: "View", name: "Colour by K", key: "K", act: () => showColour(scene.colour === "K" ? "none" : "K") },
+    { menu: "View", name: "Light or dark", key: "D", act: toggleDark },
+    { menu: "Help", name: "Keys", key: "?", act: () => /** @type {HTMLDialogElement} */ (at("keys")).showModal() },
+  ];
+}
+
+const attempt = (/** @type {any} */ problem) => studio.load(problem).catch((error) => studio.views.fault(error));
+
+/** Example, file and drop. */
+function wireSources(/** @type {Record<string, any>} */ examples) {
+  const select = /** @type {HTMLSelectElement} */ (at("examples"));
+  select.append(new Option("choose one", ""), ...Object.keys(examples).map((name) => new Option(name, name)));
+  select.addEventListener("change", () => select.value !== "" && attempt(examples[select.value]));
+  input("file").addEventListener("change", async () => {
+    const file = input("file").files?.[0];
+    input("file").value = "";
+    if (file) await attempt(await file.text());
+  });
+  window.addEventListener("dragover", (event) => { event.preventDefault(); document.body.classList.add("drop"); });
+  window.addEventListener("dragleave", () => document.body.classList.remove("drop"));
+  window.addEventListener("drop", async (event) => {
+    event.preventDefault();
+    document.body.classList.remove("drop");
+    const file = event.dataTransfer?.files[0];
+    if (file) await attempt(await file.text());
+  });
+}
+
+function wireTools() {
+  input("net").addEventListener("change", () => scene.setNet(input("net").checked));
+  input("colour").addEventListener("change", () => showColour(input("colour").value));
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const follow = () => {
+    document.documentElement.classList.toggle("dark", dark.matches);
+    scene.restyle();
+  };
+  dark.addEventListener("change", follow);
+  if (dark.matches) follow();
+}
+
+/** What was edited last time, if it is another problem than the one that the page was written for. */
+function offerKept(/** @type {string | null} */ before, /** @type {any} */ given) {
+  if (before === null || before === JSON.stringify(given)) return;
+  at("resume").hidden = false;
+  at("resume-yes").addEventListener("click", () => { at("resume").hidden = true; attempt(before); });
+  at("resume-no").addEventListener("click", () => { at("resume").hidden = true; });
+}
+
+async function start() {
+  const [wasm, worker, schema, examples] = await Promise.all([bytesOf("wasm"), textOf("worker"), textOf("schema"), textOf("examples"), runPart("three")]);
+  const engine = new Engine(worker, wasm), before = kept();
+  scene = new Scene(/** @type {HTMLCanvasElement} */ (at("canvas")));
+  const panel = new Panel(at("panel"), JSON.parse(schema), (pointer, value) => studio.set(pointer, value));
+  studio = new Studio(engine, scene, viewsOf(panel));
+  /** @type {Hand} */
+  const hand = new Hand(scene, {
+    preview: (edits) => studio.preview(edits),
+    commit: (edits) => studio.commit(edits),
+    cancel: () => studio.cancel(),
+    chosen: () => showChosen(hand.chosen()),
+    mode: () => ({ axis: input("axis").value, step: Number(input("step").value) || 0 }),
+  });
+  studio.hand = hand;
+  const actions = new Actions(actionsOf(hand));
+  actions.showMenus(at("menus"));
+  actions.showKeys(at("key-table"));
+  wireSources(JSON.parse(examples));
+  wireTools();
+  scene.resize();
+  const given = JSON.parse(at("given").textContent ?? "null");
+  const shared = await documentOf(location.hash);
+  await studio.begin(shared !== null ? shared : given);
+  offerKept(before, studio.document);
+}
+
+const ready = start().catch((error) => {
+  at("fault").hidden = false;
+  at("fault").textContent = `The studio did not start: ${error.message}`;
+  throw error;
+});
+ready.catch(() => {});
+
+/** What scripts and tests see; errors have `reason`, `where` and `message`. */
+Object.assign(window, {
+  taut: Object.freeze({
+    version: VERSION,
+    ready,
+    problem: () => structuredClone(studio.document),
+    load: async (/** @type {any} */ problem) => { await ready; await studio.load(problem); },
+    set: async (/** @type {string} */ pointer, /** @type {unknown} */ value) => { await ready; await studio.set(pointer, value); },
+    model: async () => { await ready; return studio.model(); },
+    undo: async () => { await ready; return studio.step("undo"); },
+    redo: async () => { await ready; return studio.step("redo"); },
+    stats: () => ({ ...studio.engine.stats, frames: scene.frames }),
+  }),
+});

@@ -1,0 +1,173 @@
+// studio.js -- the document that is edited, and what follows it: picture, fields and proof.
+// @ts-check
+import { History } from "./history.js";
+import { edgesOf, placesOf } from "./places.js";
+import { withEdits, withValue } from "./pointer.js";
+
+const PROOF_FOLLOWS_MS = 60; // a proof as quick as this is made while dragging, too
+
+/**
+ * @typedef {import("./pointer.js").Edit} Edit
+ * @typedef {{ message: string, reason?: string, where?: string }} Failure
+ * @typedef {{ proof(certificate: any, isDraft: boolean): void, document(document: any): void, fault(error: Failure | null): void,
+ *   chosen(places: import("./places.js").Place[]): void, busy(word: string): void }} Views  what shows the state
+ */
+
+export class Studio {
+  /**
+   * @param {import("./engine.js").Engine} engine
+   * @param {import("./scene.js").Scene} scene
+   * @param {Views} views
+   */
+  constructor(engine, scene, views) {
+    this.engine = engine;
+    this.scene = scene;
+    this.views = views;
+    /** @type {History<any>} */
+    this.history = new History(null);
+    /** @type {import("./hand.js").Hand | null} */
+    this.hand = null;
+    /** @type {Promise<unknown>} */
+    this.last = Promise.resolve();
+    /** @type {any} */
+    this.certificate = null;
+  }
+
+  get document() {
+    return this.history.value;
+  }
+
+  text() {
+    return JSON.stringify(this.document);
+  }
+
+  /** One after another: what is asked for builds on what was asked for before, and a failure stops nothing. */
+  inOrder(/** @type {() => Promise<any>} */ task) {
+    const done = this.last.then(task);
+    this.last = done.catch(() => {});
+    return done;
+  }
+
+  /** The picture of a document; throws the library's error, and leaves the picture there was, greyed. */
+  async draw(/** @type {any} */ document) {
+    try {
+      const drawn = await this.engine.draft(JSON.stringify(document), false);
+      this.scene.setStale(false);
+      this.views.fault(null);
+      this.show(/** @type {any} */ (drawn));
+    } catch (/** @type {any} */ error) {
+      this.scene.setStale(true);
+      this.views.fault(error);
+      throw error;
+    }
+  }
+
+  show(/** @type {{ surfaces: any[], curves: Float32Array[] }} */ drawn) {
+    this.scene.show(drawn.surfaces);
+    this.scene.showCurves(drawn.curves);
+  }
+
+  /** What shows the document follows it, and the proof is begun. */
+  settle() {
+    const places = placesOf(this.document);
+    this.hand?.put(places, edgesOf(this.document, places));
+    this.views.document(this.document);
+    this.views.chosen(this.hand?.chosen() ?? []);
+    this.prove(this.text());
+  }
+
+  /** Shows the certificate once it is there, if it is still wanted. */
+  async prove(/** @type {string} */ text) {
+    this.views.proof(this.certificate, true);
+    const reply = await this.engine.proof(text).catch(() => null);
+    if (reply === null || (text !== this.text() && text !== this.moving)) return;
+    this.certificate = JSON.parse(reply.json).certificate;
+    this.views.proof(this.certificate, text !== this.text());
+  }
+
+  /** One step: the document as `next` makes it. */
+  change(/** @type {(document: any) => any} */ next) {
+    return this.inOrder(async () => {
+      const document = next(this.document);
+      await this.draw(document);
+      this.moving = undefined;
+      this.history.push(document);
+      this.settle();
+    });
+  }
+
+  set(/** @type {string} */ pointer, /** @type {unknown} */ value) {
+    return this.change((document) => withValue(document, pointer, value));
+  }
+
+  /** Another problem; the picture is framed anew. */
+  async load(/** @type {any} */ document) {
+    const given = typeof document === "string" ? parsed(document) : structuredClone(document);
+    this.certificate = null;
+    await this.change(() => given);
+    this.scene.frame(placesOf(given).map(({ at }) => at));
+    this.settle();
+  }
+
+  /** The first document: no step leads back beyond it. */
+  async begin(/** @type {any} */ document) {
+    await this.load(document);
+    this.history.past = [];
+  }
+
+  step(/** @type {"undo" | "redo"} */ way) {
+    return this.inOrder(async () => {
+      if (!this.history[way]()) return false;
+      await this.draw(this.document);
+      this.settle();
+      return true;
+    });
+  }
+
+  /** The model of the document, with its certificate. */
+  async model() {
+    await this.last;
+    return JSON.parse((await this.engine.model(this.text())).json);
+  }
+
+  // What a hand does between taking and letting go.
+
+  async preview(/** @type {Edit[]} */ edits) {
+    const document = withEdits(this.document, edits), text = JSON.stringify(document);
+    const places = placesOf(document);
+    this.moving = text;
+    this.hand?.put(places, edgesOf(document, places));
+    try {
+      const drawn = await this.engine.draft(text, true);
+      if (drawn === null || this.moving !== text) return;
+      this.scene.setStale(false);
+      this.views.fault(null);
+      this.show(drawn);
+      if (this.engine.stats.final_ms > 0 && this.engine.stats.final_ms < PROOF_FOLLOWS_MS) this.prove(text);
+    } catch (/** @type {any} */ error) {
+      this.scene.setStale(true);
+      this.views.fault(error);
+    }
+  }
+
+  commit(/** @type {Edit[]} */ edits) {
+    return this.change((document) => withEdits(document, edits)).catch(() => this.cancel(false));
+  }
+
+  /** Back to the document; `mayForget`: an error is forgotten, too. */
+  cancel(mayForget = true) {
+    this.moving = undefined;
+    const places = placesOf(this.document);
+    this.hand?.put(places, edgesOf(this.document, places));
+    if (mayForget) this.inOrder(() => this.draw(this.document)).catch(() => {});
+  }
+}
+
+/** A JSON text, or an error as the library's are. */
+function parsed(/** @type {string} */ text) {
+  try {
+    return JSON.parse(text);
+  } catch (/** @type {any} */ error) {
+    throw Object.assign(new Error(`this is no JSON text: ${error.message}`), { reason: "syntax", where: "" });
+  }
+}

@@ -1,0 +1,193 @@
+/* test_studio.js TAUT FOLDER [PICTURES] -- the page of `taut studio` in Chromium, from the disk: it loads without a complaint and without
+ * asking for any other address; window.taut makes, changes, undoes and proves; hands and keys do the same; what it saves and exports
+ * are the program's bytes. With PICTURES, states are written there as PNG, to be looked at. */
+'use strict';
+const { execFileSync, spawnSync } = require('node:child_process');
+const fs = require('node:fs');
+const path = require('node:path');
+const { Browser, Page, decode, differs } = require('../viewer/browser.js');
+
+const [taut, folder, pictures] = process.argv.slice(2);
+let failures = 0;
+
+function check(holds, what) {
+    if (!holds) {
+        failures++;
+        console.log('FAILED: ' + what);
+    }
+}
+
+function write(name, ...words) {
+    const file = path.join(folder, name + '.html');
+    execFileSync(taut, ['studio', ...words, '-o', file]);
+    return file;
+}
+
+async function open(browser, file, hash = '', width = 1280, height = 860) {
+    const page = await Page.open(browser, file + hash, width, height);
+    await page.evaluate('taut.ready.then(() => true)');
+    return page;
+}
+
+async function snap(page, name, selector) {
+    const image = await page.picture(selector);
+    if (pictures) {
+        fs.writeFileSync(path.join(pictures, name + '.png'), image);
+    }
+    return decode(image);
+}
+
+function quiet(page, what) {
+    check(page.complaints.length === 0, what + ' complains: ' + page.complaints.join('; '));
+    check(page.requests.every((url) => /^(file|data|blob):/.test(url)) && page.requests.filter((url) => url.startsWith('file:')).length === 1,
+        what + ' asks for ' + page.requests.join(' '));
+}
+
+const example = (name) => JSON.parse(execFileSync(taut, ['example', name]));
+const made = (document) => JSON.parse(execFileSync(taut, ['make', '-', '--quiet'], { input: JSON.stringify(document), maxBuffer: 1 << 28 }));
+const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+
+/* An error of an expression, as { reason, where, message }; null if there is none. */
+const failure = (page, expression) => page.evaluate(`(async () => { try { await ${expression}; return null; }
+    catch (e) { return { reason: e.reason, where: e.where, message: e.message }; } })()`);
+
+async function testScripts(browser) {
+    const page = await open(browser, write('tent'));
+    check(await page.evaluate('typeof taut.version === "string" && taut.version.length > 0'), 'a version');
+    const first = await page.evaluate('taut.problem()');
+    check(same(first, example('dirichlet-tent')), 'it opens with dirichlet-tent');
+    check(same(await page.evaluate('taut.model()'), made(first)), 'the model is the program\'s');
+    const before = await snap(page, 'tent', '#stage');
+    await page.evaluate('taut.set("/points/0/1", [-1, 0, 2.5])');
+    const changed = await page.evaluate('taut.problem()');
+    check(same(changed.points[0][1], [-1, 0, 2.5]), 'the document has the value');
+    check(same(await page.evaluate('taut.model()'), made(changed)), 'the changed model is the program\'s');
+    check(differs(before, await snap(page, 'tent-pulled', '#stage')) > 0.01, 'the picture follows');
+    await page.until('document.getElementById("proof").dataset.state === "proved"');
+
+    const stats = await page.evaluate('taut.stats()');
+    check(stats.solves >= 2 && stats.draft_ms > 0 && stats.final_ms > 0 && stats.frames > 0, 'stats ' + JSON.stringify(stats));
+    check(await page.evaluate('taut.undo()') === true && same(await page.evaluate('taut.problem()'), first), 'undo');
+    check(await page.evaluate('taut.undo()') === false, 'no undo beyond the first document');
+    check(await page.evaluate('taut.redo()') === true && same(await page.evaluate('taut.problem()'), changed), 'redo');
+
+    const error = await failure(page, 'taut.set("/u/degree", -2)');
+    const told = JSON.parse(spawnSync(taut, ['make', '-', '--json'], { input: JSON.stringify({ ...changed, u: { ...changed.u, degree: -2 } }) }).stderr).error;
+    check(error && error.reason === told.reason && error.where === told.where && error.message.length > 10,
+        'the library\'s error: ' + JSON.stringify(error) + ' for ' + JSON.stringify(told));
+    check(same(await page.evaluate('taut.problem()'), changed), 'a failure leaves the document');
+    check(same(await page.evaluate('taut.model()'), made(changed)), 'and the last good model');
+    check(await page.evaluate('!document.getElementById("fault").hidden'), 'the error is told in the picture');
+    await snap(page, 'tent-error');
+    check((await failure(page, 'taut.set("/points/9/9", [0, 0, 0])')).reason === 'missing', 'a pointer to nothing');
+    check((await failure(page, 'taut.load("{ nonsense")')).reason === 'syntax', 'no JSON');
+    await page.evaluate('Promise.all([0, 1, 2, 3].map((k) => taut.set("/points/0/1", [-1, 0, k])))');
+    check((await page.evaluate('taut.problem()')).points[0][1][2] === 3, 'changes at once come in order');
+    quiet(page, 'the page');
+    await page.close();
+}
+
+async function testExamples(browser) {
+    const page = await open(browser, write('scherk', 'plateau-scherk'));
+    for (const name of ['plateau-scherk', 'harmonic-extension', 'biharmonic-boundary', 'bonnet-enneper', 'pipe-straight', 'film-sail', 'trace-bonnet']) {
+        if (spawnSync(taut, ['example', name]).status !== 0) {
+            continue;
+        }
+        const document = example(name);
+        await page.evaluate(`taut.load(${JSON.stringify(document)})`);
+        check(same(await page.evaluate('taut.model()'), made(document)), name + ' is the program\'s');
+        await page.until('document.getElementById("proof").dataset.state !== "draft"');
+        await snap(page, name);
+    }
+    check((await page.evaluate('[...document.querySelectorAll("#examples option")].length')) > 60, 'all examples are in the page');
+    quiet(page, 'examples');
+    await page.close();
+}
+
+/* A point under a hand: where it is seen is asked of the page's own picture. */
+async function testHand(browser) {
+    const page = await open(browser, write('hand', 'dirichlet-tent'));
+    const before = await page.evaluate('taut.problem()');
+    await page.evaluate('document.getElementById("canvas").focus()');
+    await page.key('3', '3'); /* from above: x to the right, y up */
+    await page.settled();
+    const box = await page.evaluate('(() => { const r = document.getElementById("canvas").getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()');
+    /* a corner of a box that is framed in the middle */
+    const flat = before.points.flat().filter((p) => p !== null);
+    const low = [0, 1, 2].map((c) => Math.min(...flat.map((p) => p[c]))), high = [0, 1, 2].map((c) => Math.max(...flat.map((p) => p[c])));
+    const half = Math.hypot(...low.map((x, c) => (high[c] - x) / 2)), scale = Math.min(box[2], box[3]) / 2 / 1.25 / half;
+    const seen = (p) => [box[0] + box[2] / 2 + (p[0] - (low[0] + high[0]) / 2) * scale, box[1] + box[3] / 2 - (p[1] - (low[1] + high[1]) / 2) * scale];
+    const [x, y] = seen(before.points[0][0]);
+    await page.mouse('mouseMoved', x, y, { button: 'none' });
+    await page.mouse('mousePressed', x, y, { buttons: 1 });
+    for (let k = 1; k <= 10; k++) {
+        await page.mouse('mouseMoved', x - 4 * k, y + 3 * k, { buttons: 1 });
+    }
+    await snap(page, 'hand-drag');
+    await page.mouse('mouseReleased', x - 40, y + 30);
+    const corner = before.points[0][0];
+    await page.until(`taut.problem().points[0][0][0] !== ${corner[0]}`);
+    const after = await page.evaluate('taut.problem()'), moved = after.points[0][0];
+    check(Math.abs(moved[0] - corner[0] + 40 / scale) < 0.02 && Math.abs(moved[1] - corner[1] + 30 / scale) < 0.02 &&
+        Math.abs(moved[2] - corner[2]) < 0.01, `a corner at ${corner} was dragged to ${moved}`);
+    check(same(after.points.map((row) => row.slice(1)), before.points.map((row) => row.slice(1))), 'the others stay');
+    check(same(await page.evaluate('taut.model()'), made(after)), 'the dragged model is the program\'s');
+    check(await page.evaluate('document.querySelectorAll("#chosen input").length') === 3, 'its numbers can be typed');
+    await page.send('Input.dispatchKeyEvent', { type: 'keyDown', key: 'z', modifiers: 2, windowsVirtualKeyCode: 90 });
+    await page.until(`JSON.stringify(taut.problem()) === ${JSON.stringify(JSON.stringify(before))}`);
+    quiet(page, 'hands');
+    await page.close();
+}
+
+/* Random gestures: drags anywhere, keys, wheels; the page never complains, and its model is the program's at the end. */
+async function testGestures(browser, count) {
+    const page = await open(browser, write('gestures', 'dirichlet-tent'));
+    let seed = 12345;
+    const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+    for (let k = 0; k < count; k++) {
+        const x = 20 + 860 * random(), y = 90 + 700 * random();
+        await page.mouse('mousePressed', x, y, { buttons: 1 });
+        await page.mouse('mouseMoved', x + 60 * (random() - 0.5), y + 60 * (random() - 0.5), { buttons: 1 });
+        await page.mouse('mouseReleased', x + 60 * (random() - 0.5), y + 60 * (random() - 0.5));
+        if (k % 5 === 0) {
+            await page.key(['n', 'h', 'k', 'f', 'ArrowLeft', 'd'][Math.floor(6 * random())]);
+        }
+    }
+    const document = await page.evaluate('taut.problem()');
+    check(same(await page.evaluate('taut.model()'), made(document)), 'after gestures the model is the program\'s');
+    quiet(page, 'gestures');
+    await page.close();
+}
+
+async function testShare(browser) {
+    const file = write('share', 'dirichlet-tent');
+    const page = await open(browser, file);
+    await page.evaluate('taut.set("/points/0/1", [-1, 0, 7])');
+    await page.evaluate('[...document.querySelectorAll("details.menu button")].find((b) => b.textContent.startsWith("Share")).click()');
+    await page.until('location.hash.length > 20');
+    const hash = await page.evaluate('location.hash');
+    await page.close();
+    const other = await open(browser, file, hash, 420, 800);
+    check((await other.evaluate('taut.problem()')).points[0][1][2] === 7, 'a shared address holds the problem');
+    await snap(other, 'phone');
+    await other.close();
+}
+
+async function main() {
+    const browser = new Browser(process.env.CHROMIUM || 'chromium');
+    try {
+        check(fs.statSync(write('size')).size <= 1.6e6, 'the page is ' + fs.statSync(write('size')).size + ' bytes');
+        await testScripts(browser);
+        await testHand(browser);
+        await testShare(browser);
+        await testExamples(browser);
+        await testGestures(browser, 100);
+    } catch (error) {
+        failures++;
+        console.log('FAILED: ' + error.stack);
+    }
+    await browser.close();
+    process.exit(failures > 0 ? 1 : 0);
+}
+
+main();
