@@ -28,6 +28,27 @@ function waysOf(/** @type {Schema} */ root, /** @type {Schema} */ schema) {
   return [whole, ...(whole.oneOf ?? []), ...(whole.anyOf ?? [])].map((way) => resolve(root, way));
 }
 
+/** Does an object have the members that this way has, and the words that it wants? */
+function fits(/** @type {Schema} */ root, /** @type {Schema} */ way, /** @type {any} */ value) {
+  const known = way.properties ?? {};
+  return way.properties !== undefined && Object.entries(value).every(([name, member]) => {
+    const wanted = name in known ? resolve(root, known[name]).const : undefined;
+    return name in known && (wanted === undefined || wanted === member);
+  });
+}
+
+/** The members that an object may have, as their schemas: of the ways that it takes, or of all; of words that tell the ways apart all. */
+export function membersOf(/** @type {Schema} */ root, /** @type {Schema} */ schema, /** @type {any} */ value) {
+  const ways = waysOf(root, schema), own = ways.filter((way) => fits(root, way, value ?? {}));
+  /** @type {Record<string, Schema>} */
+  const members = Object.assign({}, ...(own.length > 0 ? own : ways).map((way) => way.properties ?? {}));
+  for (const name of Object.keys(members)) {
+    const words = ways.map((way) => resolve(root, way.properties?.[name] ?? {}).const).filter((word) => typeof word === "string");
+    if (words.length > 1) members[name] = { ...members[name], enum: [...new Set(words)] };
+  }
+  return members;
+}
+
 /** What a field for a value is: "number", "choice", "flag", "text" or null. */
 export function kindOf(/** @type {Schema[]} */ ways, /** @type {unknown} */ value) {
   const has = (/** @type {string} */ type) => ways.some((way) => way.type === type || (Array.isArray(way.type) && way.type.includes(type)));
@@ -75,8 +96,7 @@ export class Panel {
    * @returns {HTMLElement[]}
    */
   fieldsOf(value, schema, pointer, depth) {
-    const ways = waysOf(this.root, schema);
-    const known = Object.assign({}, ...ways.map((way) => way.properties ?? {}));
+    const known = membersOf(this.root, schema, value);
     const names = [...new Set([...Object.keys(value ?? {}), ...Object.keys(known)])];
     return names.flatMap((name) => APART.has(name) ? [] : this.field(name, value?.[name], known[name] ?? {}, below(pointer, name), depth));
   }
@@ -120,7 +140,7 @@ export class Panel {
     input.id = "field" + pointer;
     if (input instanceof HTMLInputElement) {
       input.type = kind === "flag" ? "checkbox" : kind === "number" ? "number" : "text";
-      input.step = "any";
+      input.step = ways.some((way) => way.type === "integer") ? "1" : "any";
       input.checked = value === true;
       if (kind !== "flag") input.value = value === undefined ? "" : String(value);
       const usual = ways.find((way) => way.default !== undefined)?.default;
@@ -152,13 +172,12 @@ export class Panel {
   slider(/** @type {Schema[]} */ ways, /** @type {number} */ value, /** @type {string} */ pointer, /** @type {HTMLInputElement} */ input) {
     const limit = (/** @type {string[]} */ names) => ways.flatMap((way) => names.map((name) => way[name])).find((x) => typeof x === "number");
     const low = limit(["minimum", "exclusiveMinimum"]), high = limit(["maximum", "exclusiveMaximum"]);
-    const whole = ways.some((way) => way.type === "integer");
-    if (whole && high === undefined) return null;
+    if (ways.some((way) => way.type === "integer")) return null; // arrows of the field serve better
     const reach = Math.max(Math.abs(value), 0.5), slider = globalThis.document.createElement("input");
     slider.type = "range";
     slider.min = String(low ?? value - reach);
     slider.max = String(high !== undefined && high - value < 20 * reach ? high : value + reach);
-    slider.step = whole ? "1" : "any";
+    slider.step = "any";
     slider.value = String(value);
     slider.setAttribute("aria-label", pointer);
     slider.addEventListener("input", () => { input.value = String(Number(Number(slider.value).toPrecision(4))); });

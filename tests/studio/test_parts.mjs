@@ -12,7 +12,7 @@ import { Channel } from "../../studio/channel.js";
 import { alongAxis, distanceTo, editsOf, tidy } from "../../studio/hand.js";
 import { History } from "../../studio/history.js";
 import { readable } from "../../studio/number.js";
-import { kindOf, resolve, schemaOf } from "../../studio/panel.js";
+import { kindOf, membersOf, resolve, schemaOf } from "../../studio/panel.js";
 import { edgesOf, placesOf } from "../../studio/places.js";
 import { below, valueAt, withEdits, withValue } from "../../studio/pointer.js";
 import { placeOnBar, wordOf } from "../../studio/proof.js";
@@ -113,6 +113,9 @@ test("every construction of the examples has fields", () => {
   assert.equal(kindOf([resolve(schema, { type: "number" })], undefined), "number");
   assert.equal(kindOf([{ enum: ["a"] }], "a"), "choice");
   assert.equal(kindOf([{}], [1]), null);
+  const basis = membersOf(schema, { $ref: "#/$defs/basis" }, { type: "bspline", degree: 3, count: 8 });
+  assert.deepEqual(Object.keys(basis).sort(), ["count", "degree", "type"]);
+  assert.ok(basis.type.enum.includes("bezier") && basis.type.enum.includes("c-bspline"));
 });
 
 test("a document travels in an address", async () => {
