@@ -55,7 +55,8 @@ static taut_status read(const void *context, void **result, taut_error *error)
 {
     taut_problem *problem = *result;
     taut_model *model = NULL;
-    const taut_status status = taut_problem_or_model_read(context, &problem, &model, error);
+    const taut_status status =
+        taut_problem_or_model_read_with(context, NULL, &problem, &model, error);
     *result = problem;
     return status;
 }
