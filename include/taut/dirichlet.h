@@ -16,6 +16,15 @@
 extern "C" {
 #endif
 
+/* A point that the surface passes through: S(u, v) = point, with u and v in their ranges, or both
+ * NaN: those of the nearest point of the surface that passes through none. */
+typedef struct taut_through {
+    double u, v;
+    double point[3];
+} taut_through;
+
+enum { TAUT_THROUGH_MAX = 1000 }; /* points to pass through, at most */
+
 typedef struct taut_dirichlet_problem {
     const char *name;    /* of the surface; NULL: "dirichlet" */
     const taut_basis *u; /* any basis but ce-bezier */
@@ -27,6 +36,8 @@ typedef struct taut_dirichlet_problem {
                                  * 0 means 1 */
     int aspect_auto;            /* nonzero: minimise over lambda as well (section 7.3) */
     int regular; /* nonzero: the certificate claims `regular`: x_u and x_v nowhere parallel or 0 */
+    const taut_through *through; /* taut_through[through_count], or NULL; not with aspect_auto */
+    int through_count;           /* 0..TAUT_THROUGH_MAX */
 } taut_dirichlet_problem;
 
 /* What may be wrong with a problem that is well formed: the word in error->reason, its meaning, a
@@ -34,6 +45,8 @@ typedef struct taut_dirichlet_problem {
 #define TAUT_DIRICHLET_REASON_LIST(X)                                                              \
     X("basis", "a basis of type \"ce-bezier\" is for curves", "take any other type")               \
     X("nothing-known", "no point of the net is known", "give at least one point")                  \
+    X("through", "a point to pass through contradicts known points, or another such point",        \
+      "move the one that the message names, or leave it out")                                      \
     X("no-best-aspect", "the energy keeps falling as the aspect goes to 0 or to infinity",         \
       "give the aspect as a number")                                                               \
     X("overflow", "a point of the solution is beyond the range of double precision",               \
@@ -47,7 +60,8 @@ typedef struct taut_dirichlet_problem {
 
 /* Makes the model with its one surface. details: unknowns; known ("boundary", "all" or "pattern");
  * method ("none", "fast-diagonalisation" or "conjugate-gradients"); iterations; and, if an aspect
- * was given or searched for, aspect and aspect_energy, the D_lambda that was minimised. Errors as
+ * was given or searched for, aspect and aspect_energy, the D_lambda that was minimised; of points to
+ * pass through a list, u and v of each. Errors as
  * taut_make; a net with no known point is TAUT_NO_SOLUTION, and so is the search for an aspect when
  * the surface is a curve. Known points come out bit for bit. Cost and accuracy: docs/dirichlet.md.
  */
@@ -55,7 +69,8 @@ TAUT_API taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
                                          const taut_make_options *options, taut_model **model,
                                          taut_error *error);
 
-/* The certificate. Claims: `stationary`, with a problem `known`, after a search `aspect`, where the
+/* The certificate. Claims: `stationary` (where points are passed through: but for what holds the
+ * surface there), with a problem `known` and `through`, after a search `aspect`, where the
  * problem asks `regular`; figures dirichlet_energy (aspect 1), area, isothermality and, with an
  * aspect, aspect_energy, with `regular` regular_bound. problem
  * NULL: judged from the model's details where they say that the boundary or all points were known,

@@ -64,7 +64,8 @@ class ClaimStruct(Structure):
 
 class DirichletProblem(Structure):
     _fields_ = [("name", c_char_p), ("u", c_void_p), ("v", c_void_p), ("points", c_void_p), ("known", c_void_p),
-                ("weights", c_void_p), ("aspect", c_double), ("aspect_auto", c_int), ("regular", c_int)]
+                ("weights", c_void_p), ("aspect", c_double), ("aspect_auto", c_int), ("regular", c_int),
+                ("through", c_void_p), ("through_count", c_int)]
 
 
 class GradientRequest(Structure):

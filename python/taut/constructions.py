@@ -104,8 +104,8 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         weights: npt.ArrayLike | None = None, aspect: Union[float, Literal["auto"]] | None = None,
         boundary: str | None = None, degree: npt.ArrayLike | None = None, refine: npt.ArrayLike | None = None,
-        regular: bool | None = None, known: npt.ArrayLike | None = None, tolerance: float | None = None,
-        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        regular: bool | None = None, through: Sequence[Any] | None = None, known: npt.ArrayLike | None = None,
+        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """The surface of least Dirichlet energy through the known points of a net; any bases but ce-bezier.
 
     points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; points[i][j];
@@ -121,10 +121,11 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
     refine                 how often the spans along u and v are halved
     regular                true: the certificate claims `regular`, the surface has a tangent plane everywhere; false if
                            not given
+    through                points that the surface passes through; not with "aspect": "auto"
     known                  (nu, nv) of truth values: which points are given
     """
     said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "weights": weights,
-        "aspect": aspect, "boundary": boundary, "degree": degree, "refine": refine, "regular": regular}
+        "aspect": aspect, "boundary": boundary, "degree": degree, "refine": refine, "regular": regular, "through": through}
     return made_of("dirichlet", said, known, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 

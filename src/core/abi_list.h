@@ -129,7 +129,9 @@
     X(taut_dirichlet_problem, weights, "const double *") \
     X(taut_dirichlet_problem, aspect, "double") \
     X(taut_dirichlet_problem, aspect_auto, "int") \
-    X(taut_dirichlet_problem, regular, "int")
+    X(taut_dirichlet_problem, regular, "int") \
+    X(taut_dirichlet_problem, through, "const taut_through *") \
+    X(taut_dirichlet_problem, through_count, "int")
 
 #define TAUT_ABI_MEMBERS_taut_edge_measure(X) \
     X(taut_edge_measure, length, "double") \
@@ -395,6 +397,11 @@
     X(taut_surface_measure, singular_points, "int64_t") \
     X(taut_surface_measure, jacobian, "taut_jacobian")
 
+#define TAUT_ABI_MEMBERS_taut_through(X) \
+    X(taut_through, u, "double") \
+    X(taut_through, v, "double") \
+    X(taut_through, point, "double[3]")
+
 #define TAUT_ABI_MEMBERS_taut_trace_problem(X) \
     X(taut_trace_problem, model, "const taut_model *") \
     X(taut_trace_problem, of, "const taut_problem *") \
@@ -495,6 +502,7 @@
     X(taut_plateau_problem) \
     X(taut_read_options) \
     X(taut_surface_measure) \
+    X(taut_through) \
     X(taut_trace_problem) \
     X(taut_trace_seed) \
     X(taut_write_options)
@@ -698,6 +706,7 @@
     X(TAUT_ASYMPTOTIC_U0V1, "TAUT_ASYMPTOTIC_U0V1") \
     X(TAUT_ASYMPTOTIC_U1V1, "TAUT_ASYMPTOTIC_U1V1") \
     X(TAUT_ORDER_MAX, "TAUT_ORDER_MAX") \
+    X(TAUT_THROUGH_MAX, "TAUT_THROUGH_MAX") \
     X(TAUT_FILM_POINTS_MAX, "TAUT_FILM_POINTS_MAX") \
     X(TAUT_DEGREE_MAX, "TAUT_DEGREE_MAX") \
     X(TAUT_COUNT_MAX, "TAUT_COUNT_MAX") \

@@ -4,6 +4,8 @@
 #include "fault.h"
 #include "problems.h"
 
+#include <math.h>
+
 typedef struct fixture {
     test_problem problem;
     taut_model *model;
@@ -45,6 +47,8 @@ int main(void)
     fixture pattern = {problem_example(3), NULL};
     fixture rational = {problem_example(1), NULL};
     fixture searched = {problem_example(1), NULL};
+    fixture held = {problem_example(4), NULL};
+    static const taut_through through[2] = {{0.5, 0.5, {0, 0, 1}}, {NAN, NAN, {0.25, 0.25, 0.5}}};
 
     random_seed(20260305);
     run("box", &box);
@@ -55,5 +59,8 @@ int main(void)
     run("rational", &rational);
     searched.problem.data.aspect_auto = 1;
     run("aspect", &searched);
+    held.problem.data.through = through;
+    held.problem.data.through_count = 2;
+    run("through", &held);
     return check_failures != 0;
 }

@@ -280,6 +280,7 @@ static const attack_row rows[] = {
     {"dirichlet", "stationary", "dirichlet-bicubic", inside, OPEN},
     {"dirichlet", "known", "dirichlet-bicubic", corner, 0},
     {"dirichlet", "aspect", "dirichlet-aspect", stretch, ONE_WAY | OPEN},
+    {"dirichlet", "through", "dirichlet-through", inside, OPEN},
     {"plateau", "stationary", "plateau-bicubic", along_z, OPEN},
     {"plateau", "known", "plateau-bicubic", corner, 0},
     {"plateau", "boundary", "plateau-curves", rim, OPEN},

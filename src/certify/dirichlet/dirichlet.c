@@ -10,7 +10,10 @@
  *
  *               G the largest gross sum at an unknown point, g the largest derivative: storing the
  *               points in doubles leaves 2^-53 G, and summing leaves a few times that.
+ *               Where the problem passes through points, the part that holds the surface there is taken
+ *               off first (certify/common/through.h).
  *   known       largest distance of a known point from the problem's, over their size; 0 exactly.
+ *   through     the largest distance from a point to pass through (certify/common/through.h).
  *   aspect      where the aspect was searched for: |log(lambda^2 iint |x_u|^2 / iint |x_v|^2)|
  *               (section 7.3), with the remainder of the rule and rounding.
  *   regular     where the problem asks (certify/common/regular.h).
@@ -21,6 +24,7 @@
 #include "certify/common/figures.h"
 #include "certify/common/known.h"
 #include "certify/common/regular.h"
+#include "certify/common/through.h"
 #include "certify/common/verdict.h"
 #include "certify/dirichlet/gradient.h"
 #include "core/constants.h"
@@ -50,6 +54,9 @@ typedef struct request {
     double aspect;
     int has_aspect, is_searched;
     int threads;
+    taut_arena *arena;    /* of what follows */
+    taut_through *places; /* to pass through, with parameters; NULL: none */
+    int place_count;
 } request;
 
 static int is_known(const request *r, int i, int j)
@@ -71,6 +78,10 @@ static taut_status read_details(const taut_model *model, request *r, taut_error 
 {
     const taut_record *details = taut_model_details(model);
     const char *known = taut_record_text(taut_record_get(details, "known"));
+
+    if (taut_record_get(details, "through") != NULL) {
+        return ask_for_problem("/details/through", "the surface was to pass through points", error);
+    }
 
     r->boundary_only = strcmp(known, "boundary") == 0;
     if (!r->boundary_only && strcmp(known, "all") != 0) {
@@ -129,7 +140,12 @@ static taut_status read_request(const taut_model *model, const taut_dirichlet_pr
                          "belong together",
                          r->nu, r->nv, taut_basis_count(problem->u), taut_basis_count(problem->v));
     }
-    return read_aspect(model, r, error);
+    if (problem != NULL && problem->through_count > 0) {
+        r->place_count = problem->through_count;
+        r->arena = taut_arena_new();
+        status = taut_certify_through_places(model, problem, r->arena, &r->places, error);
+    }
+    return status == TAUT_OK ? read_aspect(model, r, error) : status;
 }
 
 /* What a gradient says: the largest derivatives, and the rounding to be expected. */
@@ -150,11 +166,12 @@ static double reach_of(const double *weights, double heaviest, size_t at)
     return weights != NULL ? heaviest / weights[at] : 1;
 }
 
-static finding judge_gradient(const request *r, const taut_dirichlet_gradient *gradient)
+static finding judge_released(const request *r, const taut_dirichlet_gradient *gradient,
+                              double held)
 {
     const double *weights = taut_surface_weights(r->surface);
     finding found = {.residual = 0};
-    double unknown = 0, all = 0, gross = 0, longest = 1, heaviest = 0;
+    double unknown = 0, all = held, gross = 0, longest = 1, heaviest = 0;
 
     for (int k = 0; weights != NULL && k < r->nu * r->nv; k++) {
         heaviest = fmax(heaviest, weights[k]);
@@ -189,6 +206,23 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
     return found;
 }
 
+/* TAUT_NO_MEMORY. */
+static taut_status judge_gradient(const request *r, taut_dirichlet_gradient *gradient,
+                                  finding *found)
+{
+    double held = 0;
+    const taut_status status =
+        r->place_count == 0
+            ? TAUT_OK
+            : taut_certify_release(r->surface, r->problem->known, r->places, r->place_count,
+                                   gradient->values, gradient->gross, &held);
+
+    if (status == TAUT_OK) {
+        *found = judge_released(r, gradient, held);
+    }
+    return status;
+}
+
 /* Does what is proved about the residual decide the claim? */
 static int is_decided(const finding *found)
 {
@@ -212,7 +246,10 @@ static taut_status find_bounded(const request *r, taut_dirichlet_gradient *gradi
     if (status != TAUT_OK) {
         return status;
     }
-    *found = judge_gradient(r, gradient);
+    status = judge_gradient(r, gradient, found);
+    if (status != TAUT_OK) {
+        return status;
+    }
     if (is_decided(found)) {
         *kind = TAUT_BOUND;
         found->residual += found->error;
@@ -236,7 +273,10 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
     if (status != TAUT_OK) {
         return status;
     }
-    *found = judge_gradient(r, gradient);
+    status = judge_gradient(r, gradient, found);
+    if (status != TAUT_OK) {
+        return status;
+    }
     while (!*settled && isfinite(found->residual) && taut_gradient_raise(&rule, gradient)) {
         const double before = found->residual;
         taut_dirichlet_gradient_clear(gradient);
@@ -244,7 +284,10 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
         if (status != TAUT_OK) {
             return status;
         }
-        *found = judge_gradient(r, gradient);
+        status = judge_gradient(r, gradient, found);
+        if (status != TAUT_OK) {
+            return status;
+        }
         *settled = fabs(found->residual - before) <=
                        fmax(0.25 * found->limit, 0x1p-10 * fmin(found->residual, before)) ||
                    fmax(found->residual, before) <= found->limit;
@@ -411,6 +454,12 @@ static taut_status add_claims(const request *r, taut_dirichlet_gradient *gradien
             return status;
         }
     }
+    if (r->place_count > 0) {
+        status = taut_certify_add_through(r->surface, r->problem, r->places, certificate);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
     if (r->is_searched) {
         status = add_aspect(r, gradient, &found, kind, certificate);
         if (status != TAUT_OK) {
@@ -425,16 +474,17 @@ static taut_status certify(const taut_model *model, const void *data,
                            taut_error *error)
 {
     taut_dirichlet_gradient gradient = {.unit = 0};
-    request r;
+    request r = {.arena = NULL};
     taut_status status = read_request(model, data, &r, error);
 
-    if (status != TAUT_OK) {
-        return status;
+    if (status == TAUT_OK) {
+        r.threads = options->threads > 0 ? options->threads : 1;
+        status = add_claims(&r, &gradient, certificate);
+        taut_dirichlet_gradient_clear(&gradient);
+        status = status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
     }
-    r.threads = options->threads > 0 ? options->threads : 1;
-    status = add_claims(&r, &gradient, certificate);
-    taut_dirichlet_gradient_clear(&gradient);
-    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    taut_arena_free(r.arena);
+    return status;
 }
 
 static void identify(const taut_model *model, const void *data, taut_identity *identity)

@@ -4,7 +4,9 @@
  *     2. move and scale the known points to [-1, 1]^3 (construct/common/scaling.h)
  *     3. Gram matrices of both bases (geometry/nurbs/gram.h), the form made of them (form.h)
  *     4. solve A x = 0 at the unknown points (system.h), for the aspect given or the best
- *     5. put the solution back between the known points, which stay bit for bit
+ *     5. with points to pass through, find their parameters and the multipliers that hold the
+ *        surface there (through.h)
+ *     6. put the solution back between the known points, which stay bit for bit
  *
  * [WuWang2011] section 3; aspect 7.3, weights 7.5, masks 7.6. The system is positive definite as
  * soon as one point is known: D(x) = 0 makes x constant, so it vanishes with that point.
@@ -15,8 +17,10 @@
 #include "construct/common/scaling.h"
 #include "construct/construct_ops.h"
 #include "construct/dirichlet/system.h"
+#include "construct/dirichlet/through.h"
 #include "core/arena.h"
 #include "core/fail.h"
+#include "geometry/nearest.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -110,7 +114,13 @@ static taut_status check_problem(const taut_dirichlet_problem *problem, taut_err
             "a basis of type \"%s\" carries no weights",
             taut_basis_type(taut_basis_allows_weights(problem->u) ? problem->v : problem->u));
     }
-    return check_numbers(problem, error);
+    if (problem->through_count > 0 && problem->aspect_auto) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/through", taut_none, taut_none,
+                         "points to pass through want an aspect that is given, not \"auto\"");
+    }
+    status =
+        taut_through_check(problem->u, problem->v, problem->through, problem->through_count, error);
+    return status == TAUT_OK ? check_numbers(problem, error) : status;
 }
 
 static int has_aspect(const taut_dirichlet_problem *problem)
@@ -146,9 +156,104 @@ typedef struct work {
     taut_mask mask;
     taut_dirichlet_form form;
     taut_dirichlet_system *system;
-    double *net; /* [nu][nv][3]: the finished control points in the end */
+    double *net;           /* [nu][nv][3]: the finished control points in the end */
+    taut_through *through; /* the problem's, every one with its parameters */
     outcome out;
 } work;
+
+/* The scaling of known points and points to pass through together. */
+static taut_status find_scaling(const taut_dirichlet_problem *problem, work *w,
+                                taut_scaling *scaling)
+{
+    const size_t count = (size_t)w->mask.nu * (size_t)w->mask.nv;
+    const size_t all = count + (size_t)problem->through_count;
+
+    if (problem->through_count == 0) {
+        *scaling = taut_scaling_of(count, problem->points, problem->known);
+        return TAUT_OK;
+    }
+    double *points = taut_arena_take(w->arena, 3 * all, sizeof(double));
+    unsigned char *known = taut_arena_take(w->arena, all, 1);
+    if (points == NULL || known == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    memcpy(points, problem->points, 3 * count * sizeof(double));
+    memcpy(known, problem->known, count);
+    for (int k = 0; k < problem->through_count; k++) {
+        memcpy(points + 3 * (count + (size_t)k), problem->through[k].point, 3 * sizeof(double));
+        known[count + (size_t)k] = 1;
+    }
+    *scaling = taut_scaling_of(all, points, known);
+    return TAUT_OK;
+}
+
+/* w->through: in the units of the scaled net, its missing parameters those of the nearest point. */
+static taut_status find_parameters(const taut_dirichlet_problem *problem,
+                                   const taut_scaling *scaling, work *w, taut_error *error)
+{
+    const size_t count = (size_t)problem->through_count;
+    taut_surface *surface = NULL;
+    taut_status status =
+        taut_surface_new("free", problem->u, problem->v, w->net, problem->weights, &surface, error);
+
+    w->through = taut_arena_take(w->arena, count, sizeof *w->through);
+    if (status == TAUT_OK && w->through == NULL) {
+        status = taut_fail_memory(error);
+    }
+    for (size_t k = 0; status == TAUT_OK && k < count; k++) {
+        taut_through *to = &w->through[k];
+        *to = problem->through[k];
+        taut_scaling_apply(scaling, 1, problem->through[k].point, NULL, to->point);
+        if (isnan(to->u) && taut_surface_nearest(surface, to->point, &to->u, &to->v) != TAUT_OK) {
+            status = taut_fail_memory(error);
+        }
+    }
+    taut_surface_free(surface);
+    return status;
+}
+
+/* The scaled net passes through the points. */
+static taut_status pass_through(const taut_dirichlet_problem *problem, const taut_scaling *scaling,
+                                work *w, taut_error *error)
+{
+    taut_conditions conditions;
+
+    if (problem->through_count == 0) {
+        return TAUT_OK;
+    }
+    taut_status status = find_parameters(problem, scaling, w, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (taut_conditions_new(problem->u, problem->v, problem->weights, w->through,
+                            problem->through_count, w->arena, &conditions) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = taut_dirichlet_through_solve(w->system, w->out.aspect, &w->mask, &conditions, w->arena,
+                                          w->net, error);
+    if (status == TAUT_OK && w->system != NULL && has_aspect(problem)) {
+        double halves[2];
+        taut_dirichlet_system_energies(w->system, w->net, halves);
+        w->out.energy = w->out.aspect * halves[0] + halves[1] / w->out.aspect;
+    }
+    return status;
+}
+
+/* Every point is known: the net is the problem's, and points to pass through are only looked at. */
+static taut_status fill_known(const taut_dirichlet_problem *problem, work *w, taut_error *error)
+{
+    const size_t count = (size_t)w->mask.nu * (size_t)w->mask.nv;
+    taut_scaling scaling;
+
+    w->out.aspect = problem->aspect > 0 ? problem->aspect : 1;
+    if (find_scaling(problem, w, &scaling) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    taut_scaling_apply(&scaling, count, problem->points, problem->known, w->net);
+    const taut_status status = pass_through(problem, &scaling, w, error);
+    memcpy(w->net, problem->points, 3 * count * sizeof(double));
+    return status;
+}
 
 /* Fills the net with the finished control points. */
 static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_monitor *monitor,
@@ -159,9 +264,7 @@ static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_mo
     taut_status status = TAUT_OK;
 
     if (w->mask.unknowns == 0) {
-        memcpy(w->net, problem->points, 3 * count * sizeof(double));
-        w->out.aspect = problem->aspect > 0 ? problem->aspect : 1;
-        return TAUT_OK;
+        return fill_known(problem, w, error);
     }
     status = taut_dirichlet_form_new(problem->u, problem->v, problem->weights, &w->form, error);
     if (status != TAUT_OK) {
@@ -171,9 +274,15 @@ static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_mo
     if (status != TAUT_OK) {
         return status;
     }
-    scaling = taut_scaling_of(count, problem->points, problem->known);
+    if (find_scaling(problem, w, &scaling) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
     taut_scaling_apply(&scaling, count, problem->points, problem->known, w->net);
     status = solve_net(problem, w->system, w->net, &w->out, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = pass_through(problem, &scaling, w, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -182,9 +291,22 @@ static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_mo
                              error);
 }
 
-static taut_record *details_of(const taut_dirichlet_problem *problem, const taut_mask *mask,
-                               const outcome *out)
+static void add_through(const taut_dirichlet_problem *problem, const taut_through *through,
+                        taut_record *details)
 {
+    taut_record *list =
+        problem->through_count > 0 ? taut_record_add_list(details, "through") : NULL;
+    for (int k = 0; k < problem->through_count; k++) {
+        taut_record *at = taut_record_add_object(list, NULL);
+        taut_record_add_number(at, "u", through[k].u);
+        taut_record_add_number(at, "v", through[k].v);
+    }
+}
+
+static taut_record *details_of(const taut_dirichlet_problem *problem, const work *w)
+{
+    const taut_mask *mask = &w->mask;
+    const outcome *out = &w->out;
     taut_record *details = taut_record_new();
     taut_record_add_number(details, "unknowns", (double)mask->unknowns);
     taut_record_add_text(details, "known",
@@ -197,6 +319,7 @@ static taut_record *details_of(const taut_dirichlet_problem *problem, const taut
         taut_record_add_number(details, "aspect", out->aspect);
         taut_record_add_number(details, "aspect_energy", out->energy);
     }
+    add_through(problem, w->through, details);
     return details;
 }
 
@@ -219,7 +342,7 @@ static taut_status make_model(const taut_dirichlet_problem *problem, const work 
         taut_model_free(made);
         return taut_fail_memory(error);
     }
-    details = details_of(problem, &w->mask, &w->out);
+    details = details_of(problem, w);
     status = taut_record_status(details);
     taut_model_set_details(made, details);
     if (status != TAUT_OK) {

@@ -30,6 +30,7 @@ struct taut_dirichlet_system {
     double *hull;
     const double *right; /* of the unknowns, a net; NULL: 0 */
     int is_damped;       /* the solver's matrices are near the hull's, not equal to them */
+    int is_settled;      /* a rule was found by which a solution settles */
     int iterations;
 };
 
@@ -516,11 +517,12 @@ taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double as
     if (status != TAUT_OK) {
         return status;
     }
-    if (system->form->rational != NULL) {
+    if (system->form->rational != NULL && !(system->is_settled && system->right != NULL)) {
         status = settle_quadrature(system, net, &omega, error);
         if (status != TAUT_OK) {
             return status;
         }
+        system->is_settled = 1;
     }
     limit = rounding_of(system, net);
     if (!(omega <= limit)) {

@@ -33,7 +33,7 @@ void taut_dirichlet_system_free(taut_dirichlet_system *system); /* NULL is fine 
 taut_status taut_dirichlet_system_solve(taut_dirichlet_system *system, double aspect, double *net,
                                         taut_error *error);
 
-/* The same with A x = right at the unknown points: right double[nu][nv][3], 0 at known points and
+/* The same with A x = right at the unknown points, by the rule that the last solution without one settled by, if there was one: right double[nu][nv][3], 0 at known points and
  * about 1 at the largest elsewhere. */
 taut_status taut_dirichlet_system_solve_right(taut_dirichlet_system *system, double aspect,
                                               const double *right, double *net, taut_error *error);

@@ -111,6 +111,12 @@ taut_status taut_dirichlet_gradient(const taut_dirichlet_problem *problem, const
                                     "as a number",
                                     error);
     }
+    if (problem->through_count > 0) {
+        return taut_gradient_refuse(
+            "points to pass through hold the surface besides those that are known: "
+            "leave them out",
+            error);
+    }
     const taut_gradient_net net = {problem->u, problem->v, problem->points, problem->known, 0};
     return taut_gradient_run(&net, model, request, pull_problem, problem, gradient, error);
 }

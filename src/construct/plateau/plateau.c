@@ -115,6 +115,10 @@ static taut_status check_problem(const taut_plateau_problem *problem, taut_error
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a problem of least area needs two bases, and a net or four curves");
     }
+    if (net->through_count != 0) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/through", net->through_count, 0,
+                         "points to pass through are for surfaces of least Dirichlet energy");
+    }
     if (!(problem->tolerance >= 0) || problem->tolerance >= 1) {
         return taut_fail(error, TAUT_BAD_INPUT, "value", "/tolerance", problem->tolerance, 1,
                          "tolerance is %.17g, expected a number above 0 and below 1",

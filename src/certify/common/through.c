@@ -1,0 +1,279 @@
+#include "certify/common/through.h"
+
+#include "certify/common/verdict.h"
+#include "core/constants.h"
+#include "core/fail.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ROUNDINGS = 64, PASSES = 3 };
+/* A place whose functions are, to this share of their square, those of places before. */
+static const double dependent = 1e-12;
+
+/* The share of every control point in S at a place; 0 at known ones. */
+typedef struct share {
+    int first[2];
+    double *values; /* [local of u][local of v] */
+} share;
+
+typedef struct release {
+    const taut_surface *surface;
+    int count, nv, local[2];
+    share *at;
+    double *gram;          /* [count][count], then its factor in the lower triangle */
+    unsigned char *is_out; /* [count]: a combination of those before */
+    double *mu, *part;     /* [count][3] */
+} release;
+
+/* ---- the places ---- */
+
+static int is_in_range(const taut_basis *basis, double t)
+{
+    return t >= taut_basis_lo(basis) && t <= taut_basis_hi(basis);
+}
+
+taut_status taut_certify_through_places(const taut_model *model,
+                                        const taut_dirichlet_problem *problem, taut_arena *arena,
+                                        taut_through **places, taut_error *error)
+{
+    const taut_record *list = taut_record_get(taut_model_details(model), "through");
+    const size_t count = (size_t)problem->through_count;
+    taut_through *made = taut_arena_take(arena, count, sizeof *made);
+
+    if (made == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (size_t k = 0; k < count; k++) {
+        const taut_record *told = k < taut_record_count(list) ? taut_record_at(list, k) : NULL;
+        made[k] = problem->through[k];
+        if (isnan(made[k].u)) {
+            made[k].u = taut_record_number(taut_record_get(told, "u"));
+            made[k].v = taut_record_number(taut_record_get(told, "v"));
+        }
+        if (!is_in_range(problem->u, made[k].u) || !is_in_range(problem->v, made[k].v)) {
+            char where[64];
+            snprintf(where, sizeof where, "/details/through/%zu", k);
+            return taut_fail(error, TAUT_BAD_INPUT, "details", where, taut_none, taut_none,
+                             "the model does not say at which u and v it passes through point %zu",
+                             k);
+        }
+    }
+    *places = made;
+    return TAUT_OK;
+}
+
+/* ---- the claim ---- */
+
+/* Half the largest coordinate that the problem tells, and half the largest difference of one from the
+ * first point to pass through: what the surface says of itself is no measure of it. */
+static void find_halves(const taut_dirichlet_problem *problem, double *largest, double *size)
+{
+    const size_t count =
+        (size_t)taut_basis_count(problem->u) * (size_t)taut_basis_count(problem->v);
+    const double *origin = problem->through[0].point;
+
+    *largest = *size = 0;
+    for (size_t i = 0; i < count + (size_t)problem->through_count; i++) {
+        const double *p = i < count ? problem->points + 3 * i : problem->through[i - count].point;
+        for (int c = 0; (i >= count || problem->known[i]) && c < 3; c++) {
+            *largest = taut_certify_max(*largest, fabs(p[c] / 2));
+            *size = taut_certify_max(*size, fabs(p[c] / 2 - origin[c] / 2));
+        }
+    }
+}
+
+taut_status taut_certify_add_through(const taut_surface *surface,
+                                     const taut_dirichlet_problem *problem,
+                                     const taut_through *places, taut_certificate *certificate)
+{
+    char where[64] = "";
+    double largest, size, worst = 0;
+    taut_claim claim = {.claim = "through", .kind = TAUT_CHECK, .where = where};
+
+    find_halves(problem, &largest, &size);
+    for (int k = 0; k < problem->through_count; k++) {
+        double x[3] = {NAN, NAN, NAN}, apart = 0;
+        taut_surface_eval(surface, places[k].u, places[k].v, 0, x);
+        for (int c = 0; c < 3; c++) {
+            apart = taut_certify_max(apart, fabs(x[c] / 2 - places[k].point[c] / 2));
+        }
+        if (k == 0 || !(apart <= worst)) {
+            worst = apart;
+            snprintf(where, sizeof where, "/through/%d", k);
+        }
+    }
+    const int local =
+        taut_basis_local(taut_surface_u(surface)) + taut_basis_local(taut_surface_v(surface));
+    claim.residual = worst == 0 ? 0 : worst / size;
+    claim.limit = fmin(ROUNDINGS * local * TAUT_UNIT_ROUNDOFF * fmax(1, largest / size), 1e-6);
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    return taut_certificate_add(certificate, &claim);
+}
+
+/* ---- the multipliers ---- */
+
+static void fill_share(const release *r, const unsigned char *known, const taut_through *place,
+                       double *const functions[2], share *to)
+{
+    const taut_basis *const basis[2] = {taut_surface_u(r->surface), taut_surface_v(r->surface)};
+    const double *weights = taut_surface_weights(r->surface);
+    const double t[2] = {place->u, place->v};
+    double weight = 0;
+
+    for (int d = 0; d < 2; d++) {
+        const int span = taut_basis_span(basis[d], t[d]);
+        taut_basis_eval(basis[d], span, t[d], 0, functions[d]);
+        to->first[d] = taut_basis_first(basis[d], span);
+    }
+    for (int k = 0; k < r->local[0] * r->local[1]; k++) {
+        const int a = k / r->local[1], b = k % r->local[1];
+        const size_t at = (size_t)(to->first[0] + a) * (size_t)r->nv + (size_t)(to->first[1] + b);
+        const double own = functions[0][a] * functions[1][b] * (weights != NULL ? weights[at] : 1);
+        weight += own;
+        to->values[k] = known[at] ? 0 : own;
+    }
+    for (int k = 0; weights != NULL && k < r->local[0] * r->local[1]; k++) {
+        to->values[k] /= weight;
+    }
+}
+
+/* Where number k of a share stands in the net. */
+static size_t at_of(const release *r, const share *s, int k)
+{
+    return (size_t)(s->first[0] + k / r->local[1]) * (size_t)r->nv +
+           (size_t)(s->first[1] + k % r->local[1]);
+}
+
+static double product(const release *r, const share *x, const share *y)
+{
+    double sum = 0;
+    for (int k = 0; k < r->local[0] * r->local[1]; k++) {
+        const int a = x->first[0] + k / r->local[1] - y->first[0];
+        const int b = x->first[1] + k % r->local[1] - y->first[1];
+        if (a >= 0 && a < r->local[0] && b >= 0 && b < r->local[1]) {
+            sum += x->values[k] * y->values[a * r->local[1] + b];
+        }
+    }
+    return sum;
+}
+
+/* Cholesky's factor, row by row, without the places that bring nothing new. */
+static void factorise(release *r)
+{
+    const size_t n = (size_t)r->count;
+    for (size_t k = 0; k < n; k++) {
+        double *row = r->gram + k * n;
+        const double own = row[k];
+        for (size_t i = 0; i < k; i++) {
+            const double *other = r->gram + i * n;
+            for (size_t j = 0; j < i; j++) {
+                row[i] -= row[j] * other[j];
+            }
+            row[i] = r->is_out[i] ? 0 : row[i] / other[i];
+            row[k] -= row[i] * row[i];
+        }
+        r->is_out[k] = !(row[k] > dependent * own);
+        row[k] = r->is_out[k] ? 1 : sqrt(row[k]);
+    }
+}
+
+/* part = the multipliers of least squares for what is left of the gradient. */
+static void solve(release *r, const double *gradient)
+{
+    const size_t n = (size_t)r->count;
+    for (int c = 0; c < 3; c++) {
+        for (size_t k = 0; k < n; k++) {
+            double sum = 0;
+            for (int i = 0; i < r->local[0] * r->local[1]; i++) {
+                sum += r->at[k].values[i] * gradient[3 * at_of(r, &r->at[k], i) + (size_t)c];
+            }
+            for (size_t j = 0; j < k; j++) {
+                sum -= r->gram[k * n + j] * r->part[3 * j + (size_t)c];
+            }
+            r->part[3 * k + (size_t)c] = r->is_out[k] ? 0 : sum / r->gram[k * n + k];
+        }
+        for (size_t k = n; k-- > 0;) {
+            double sum = r->part[3 * k + (size_t)c];
+            for (size_t j = k + 1; j < n; j++) {
+                sum -= r->gram[j * n + k] * r->part[3 * j + (size_t)c];
+            }
+            r->part[3 * k + (size_t)c] = r->is_out[k] ? 0 : sum / r->gram[k * n + k];
+        }
+    }
+}
+
+static void take_away(release *r, double *gradient)
+{
+    for (int k = 0; k < r->count; k++) {
+        for (int i = 0; i < r->local[0] * r->local[1]; i++) {
+            double *g = gradient + 3 * at_of(r, &r->at[k], i);
+            for (int c = 0; c < 3; c++) {
+                g[c] -= r->part[3 * k + c] * r->at[k].values[i];
+            }
+        }
+        for (int c = 0; c < 3; c++) {
+            r->mu[3 * k + c] += r->part[3 * k + c];
+        }
+    }
+}
+
+/* Each term of the sums rounds a few times, and so do the functions in it. */
+static void count_roundings(const release *r, double *gross, double *held)
+{
+    const double times = r->count + ROUNDINGS * (r->local[0] + r->local[1]);
+
+    *held = 0;
+    for (int k = 0; k < r->count; k++) {
+        const double *mu = r->mu + 3 * k;
+        const double most =
+            taut_certify_max(fabs(mu[0]), taut_certify_max(fabs(mu[1]), fabs(mu[2])));
+        for (int i = 0; i < r->local[0] * r->local[1]; i++) {
+            const double taken = most * fabs(r->at[k].values[i]);
+            gross[at_of(r, &r->at[k], i)] += times * taken;
+            *held = taut_certify_max(*held, taken);
+        }
+    }
+}
+
+taut_status taut_certify_release(const taut_surface *surface, const unsigned char *known,
+                                 const taut_through *places, int count, double *gradient,
+                                 double *gross, double *held)
+{
+    const size_t n = (size_t)count;
+    taut_arena *arena = taut_arena_new();
+    release r = {.surface = surface,
+                 .count = count,
+                 .nv = taut_basis_count(taut_surface_v(surface)),
+                 .local = {taut_basis_local(taut_surface_u(surface)),
+                           taut_basis_local(taut_surface_v(surface))}};
+    const size_t alive = (size_t)r.local[0] * (size_t)r.local[1];
+    double *const functions[2] = {taut_arena_take(arena, (size_t)r.local[0], sizeof(double)),
+                                  taut_arena_take(arena, (size_t)r.local[1], sizeof(double))};
+
+    r.at = taut_arena_take(arena, n, sizeof *r.at);
+    r.gram = taut_arena_take(arena, n * n, sizeof(double));
+    r.is_out = taut_arena_take(arena, n, 1);
+    r.mu = taut_arena_take(arena, 3 * n, sizeof(double));
+    r.part = taut_arena_take(arena, 3 * n, sizeof(double));
+    double *values = taut_arena_take(arena, n * alive, sizeof(double));
+    const taut_status status = taut_arena_status(arena);
+    if (status == TAUT_OK) {
+        for (size_t k = 0; k < n; k++) {
+            r.at[k].values = values + k * alive;
+            fill_share(&r, known, &places[k], functions, &r.at[k]);
+            for (size_t j = 0; j <= k; j++) {
+                r.gram[k * n + j] = product(&r, &r.at[k], &r.at[j]);
+            }
+        }
+        factorise(&r);
+        for (int pass = 0; pass < PASSES; pass++) {
+            solve(&r, gradient);
+            take_away(&r, gradient);
+        }
+        count_roundings(&r, gross, held);
+    }
+    taut_arena_free(arena);
+    return status;
+}
