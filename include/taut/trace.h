@@ -108,8 +108,8 @@ TAUT_API taut_status taut_trace_make(const taut_trace_problem *problem,
                                      const taut_make_options *options, taut_model **model,
                                      taut_error *error);
 
-/* The certificate: claims on-surface, asymptotic (principal, geodesic), length, ends, nodes,
- * complete, and with the problem `surface` and `spacing`. docs/trace.md says what each is held
+/* The certificate: claims on-surface, asymptotic (principal, geodesic, isoparametric), length, ends,
+ * nodes, complete, and with the problem `surface`. docs/trace.md says what each is held
  * against. */
 TAUT_API taut_status taut_trace_certify(const taut_model *model, const taut_trace_problem *problem,
                                         const taut_certify_options *options,

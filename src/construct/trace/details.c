@@ -3,6 +3,7 @@
 #include "core/constants.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
+#include "trace/bending.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -16,66 +17,9 @@ static const double kink_warning = 1e-6;
 
 /* ---- what a lath does between its stations ---- */
 
-enum { K_N, K_G, TAU_G, BENDINGS };
-
-typedef struct bendings {
-    double value[BENDINGS];
-} bendings;
-
-/* At t of a segment, by the formulas at the window's quintic. */
-static bendings bendings_at(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
-                            const double window[TAUT_QUINTIC][2], double t)
-{
-    const taut_linefield_kind kind = {net->problem->net, lath->family};
-    double work[TAUT_QUINTIC][2], x[TAUT_CARRIER_VECTORS][3], ab[2], bend[2], out[3], tangent[3],
-        sideways[3], way[2] = {0, 0};
-    taut_form_pair forms;
-    bendings b = {{0}};
-
-    memcpy(work, window, sizeof work);
-    for (int level = TAUT_QUINTIC - 1; level > 0; level--) {
-        for (int d = 0; d < 2; d++) {
-            way[d] = work[1][d] - work[0][d];
-        }
-        for (int k = 0; k < level; k++) {
-            for (int d = 0; d < 2; d++) {
-                work[k][d] += t * (work[k + 1][d] - work[k][d]);
-            }
-        }
-    }
-    taut_carrier_at(net->carrier, segment->start.span, work[0], 3, x);
-    taut_carrier_forms((const double(*)[3])x, &forms);
-    const double square =
-        forms.e * way[0] * way[0] + 2 * forms.f * way[0] * way[1] + forms.g * way[1] * way[1];
-    ab[0] = way[0] / sqrt(square);
-    ab[1] = way[1] / sqrt(square);
-    if (kind.net != TAUT_TRACE_GEODESIC) {
-        double exact[2];
-        if (taut_linefield_direction(net->carrier, kind, &forms, exact) != TAUT_LINEFIELD_FINE) {
-            return b;
-        }
-        const double sign = exact[0] * (forms.e * ab[0] + forms.f * ab[1]) +
-                                        exact[1] * (forms.f * ab[0] + forms.g * ab[1]) <
-                                    0
-                                ? -1
-                                : 1;
-        ab[0] = sign * exact[0];
-        ab[1] = sign * exact[1];
-    }
-    b.value[K_N] = taut_linefield_normal_curvature(&forms, ab);
-    b.value[TAU_G] = taut_linefield_torsion(&forms, ab);
-    if (taut_linefield_bend(kind.net, (const double(*)[3])x, &forms, ab, bend)) {
-        taut_linefield_tangent((const double(*)[3])x, ab, tangent);
-        taut_linefield_acceleration((const double(*)[3])x, ab, bend, out);
-        taut_cross(forms.normal, tangent, sideways);
-        b.value[K_G] = taut_dot(out, sideways);
-    }
-    return b;
-}
-
 typedef struct summary {
     double turn;
-    double most[BENDINGS], most_at[BENDINGS];
+    double most[TAUT_BENDINGS], most_at[TAUT_BENDINGS];
 } summary;
 
 static void take_most(summary *s, int k, double value, double at)
@@ -87,26 +31,27 @@ static void take_most(summary *s, int k, double value, double at)
 }
 
 /* The largest of |value| near a node of the rule that is larger than its neighbours. */
-static void climb(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
-                  const double window[TAUT_QUINTIC][2], int k, double low, double high, summary *s)
+static void climb(const taut_net *net, const taut_lath *lath, const taut_segment *segment, int k,
+                  double low, double high, summary *s)
 {
+    const taut_linefield_kind kind = {net->problem->net, lath->family};
     const double golden = 0.6180339887498949, length = segment->to.s - segment->from.s;
     double a = high - golden * (high - low), b = low + golden * (high - low);
-    double at_a = fabs(bendings_at(net, lath, segment, window, a).value[k]);
-    double at_b = fabs(bendings_at(net, lath, segment, window, b).value[k]);
+    double at_a = fabs(taut_bending_at(net->carrier, kind, segment, a).value[k]);
+    double at_b = fabs(taut_bending_at(net->carrier, kind, segment, b).value[k]);
     for (int round = 0; round < ROUNDS; round++) {
         if (at_a > at_b) {
             high = b;
             b = a;
             at_b = at_a;
             a = high - golden * (high - low);
-            at_a = fabs(bendings_at(net, lath, segment, window, a).value[k]);
+            at_a = fabs(taut_bending_at(net->carrier, kind, segment, a).value[k]);
         } else {
             low = a;
             a = b;
             at_a = at_b;
             b = low + golden * (high - low);
-            at_b = fabs(bendings_at(net, lath, segment, window, b).value[k]);
+            at_b = fabs(taut_bending_at(net->carrier, kind, segment, b).value[k]);
         }
     }
     take_most(s, k, at_a, segment->from.s + a * length);
@@ -115,29 +60,29 @@ static void climb(const taut_net *net, const taut_lath *lath, const taut_segment
 static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
                         summary *s)
 {
+    const taut_linefield_kind kind = {net->problem->net, lath->family};
     const double length = segment->to.s - segment->from.s;
-    double nodes[NODES], weights[NODES], window[TAUT_QUINTIC][2], t[NODES + 2];
-    bendings at[NODES + 2];
+    double nodes[NODES], weights[NODES], t[NODES + 2];
+    taut_bending at[NODES + 2];
 
     taut_gauss_rule(NODES, nodes, weights);
-    taut_segment_window(segment, window);
-    at[0] = (bendings){{segment->from.k_n, segment->from.k_g, segment->from.tau_g}};
-    at[NODES + 1] = (bendings){{segment->to.k_n, segment->to.k_g, segment->to.tau_g}};
+    at[0] = (taut_bending){{segment->from.k_n, segment->from.k_g, segment->from.tau_g}};
+    at[NODES + 1] = (taut_bending){{segment->to.k_n, segment->to.k_g, segment->to.tau_g}};
     t[0] = 0;
     t[NODES + 1] = 1;
     for (int i = 0; i < NODES; i++) {
         t[i + 1] = (1 + nodes[i]) / 2;
-        at[i + 1] = bendings_at(net, lath, segment, (const double(*)[2])window, t[i + 1]);
-        s->turn += weights[i] / 2 * length * fabs(at[i + 1].value[K_G]);
+        at[i + 1] = taut_bending_at(net->carrier, kind, segment, t[i + 1]);
+        s->turn += weights[i] / 2 * length * fabs(at[i + 1].value[TAUT_K_G]);
     }
-    for (int k = 0; k < BENDINGS; k++) {
+    for (int k = 0; k < TAUT_BENDINGS; k++) {
         for (int i = 0; i < NODES + 2; i++) {
             const double here = fabs(at[i].value[k]);
             const int is_top = i > 0 && i < NODES + 1 && here >= fabs(at[i - 1].value[k]) &&
                                here >= fabs(at[i + 1].value[k]);
             take_most(s, k, here, segment->from.s + t[i] * length);
             if (is_top && here > s->most[k] * 0.9 && here > 0) {
-                climb(net, lath, segment, (const double(*)[2])window, k, t[i - 1], t[i + 1], s);
+                climb(net, lath, segment, k, t[i - 1], t[i + 1], s);
             }
         }
     }
@@ -195,7 +140,7 @@ static void describe_lath(const taut_net *net, int index, taut_record *list)
     const int scale = net->carrier->scale;
     taut_record *at = taut_record_add_object(list, NULL);
     summary s = {0};
-    const double seed[BENDINGS] = {lath->at_seed.k_n, lath->at_seed.k_g, lath->at_seed.tau_g};
+    const double seed[TAUT_BENDINGS] = {lath->at_seed.k_n, lath->at_seed.k_g, lath->at_seed.tau_g};
     static const char *const names[] = {"k_n", "k_g", "tau_g"};
 
     for (int k = 0; k < lath->count; k++) {
@@ -214,7 +159,7 @@ static void describe_lath(const taut_net *net, int index, taut_record *list)
     taut_record_add_number(at, "turn", s.turn);
     taut_record_add_number(at, "steps", lath->steps);
     add_nodes_of(net, index, at);
-    for (int k = 0; k < BENDINGS; k++) {
+    for (int k = 0; k < TAUT_BENDINGS; k++) {
         taut_record *bending = taut_record_add_object(at, names[k]);
         taut_record_add_number(bending, "seed", ldexp(seed[k], -scale));
         taut_record_add_number(bending, "max", ldexp(s.most[k], -scale));
@@ -257,10 +202,7 @@ static double hyperbolic_share(const taut_carrier *carrier)
                 carrier->lo[1] + (carrier->hi[1] - carrier->lo[1]) * j / (GRID - 1)};
             double x[TAUT_CARRIER_VECTORS][3];
             taut_form_pair forms;
-            int span[2];
-            taut_carrier_cell(carrier, at, NULL, span);
-            taut_carrier_at(carrier, span, at, 2, x);
-            taut_carrier_forms((const double(*)[3])x, &forms);
+            taut_carrier_forms_at(carrier, at, x, &forms);
             count += forms.w > 0 && forms.l * forms.n - forms.m * forms.m < 0;
         }
     }
