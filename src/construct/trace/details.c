@@ -2,13 +2,12 @@
 
 #include "core/constants.h"
 #include "core/vec3.h"
-#include "numeric/quadrature.h"
 #include "trace/bending.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { NODES = 8, GRID = 101, ROUNDS = 40 };
+enum { GRID = 101 };
 static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
 static const char *const families[4][2] = {{"+", "-"}, {"max", "min"}, {"G", "G"}, {"u", "v"}};
 static const char *const edges[] = {"u0", "u1", "v0", "v1"};
@@ -19,42 +18,12 @@ static const double kink_warning = 1e-6;
 
 typedef struct summary {
     double turn;
-    double most[TAUT_BENDINGS], most_at[TAUT_BENDINGS];
+    taut_lath_most most[TAUT_BENDINGS];
 } summary;
 
-static void take_most(summary *s, int k, double value, double at)
+static double size_of(const taut_lath_bending *bending, const void *which)
 {
-    if (fabs(value) > s->most[k]) {
-        s->most[k] = fabs(value);
-        s->most_at[k] = at;
-    }
-}
-
-/* The largest of |value| near a node of the rule that is larger than its neighbours. */
-static void climb(const taut_net *net, const taut_lath *lath, const taut_segment *segment, int k,
-                  double low, double high, summary *s)
-{
-    const taut_linefield_kind kind = {net->problem->net, lath->family};
-    const double golden = 0.6180339887498949, length = segment->to.s - segment->from.s;
-    double a = high - golden * (high - low), b = low + golden * (high - low);
-    double at_a = fabs(taut_bending_at(net->carrier, kind, segment, a).value[k]);
-    double at_b = fabs(taut_bending_at(net->carrier, kind, segment, b).value[k]);
-    for (int round = 0; round < ROUNDS; round++) {
-        if (at_a > at_b) {
-            high = b;
-            b = a;
-            at_b = at_a;
-            a = high - golden * (high - low);
-            at_a = fabs(taut_bending_at(net->carrier, kind, segment, a).value[k]);
-        } else {
-            low = a;
-            a = b;
-            at_a = at_b;
-            b = low + golden * (high - low);
-            at_b = fabs(taut_bending_at(net->carrier, kind, segment, b).value[k]);
-        }
-    }
-    take_most(s, k, at_a, segment->from.s + a * length);
+    return fabs(bending->value[*(const int *)which]);
 }
 
 static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
@@ -62,29 +31,14 @@ static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_s
 {
     const taut_linefield_kind kind = {net->problem->net, lath->family};
     const double length = segment->to.s - segment->from.s;
-    double nodes[NODES], weights[NODES], t[NODES + 2];
-    taut_bending at[NODES + 2];
+    taut_lath_samples samples;
 
-    taut_gauss_rule(NODES, nodes, weights);
-    at[0] = (taut_bending){{segment->from.k_n, segment->from.k_g, segment->from.tau_g}};
-    at[NODES + 1] = (taut_bending){{segment->to.k_n, segment->to.k_g, segment->to.tau_g}};
-    t[0] = 0;
-    t[NODES + 1] = 1;
-    for (int i = 0; i < NODES; i++) {
-        t[i + 1] = (1 + nodes[i]) / 2;
-        at[i + 1] = taut_bending_at(net->carrier, kind, segment, t[i + 1]);
-        s->turn += weights[i] / 2 * length * fabs(at[i + 1].value[TAUT_K_G]);
+    taut_lath_bending_sample(net->carrier, kind, segment, &samples);
+    for (int i = 1; i <= TAUT_BENDING_NODES; i++) {
+        s->turn += samples.weight[i] * length * fabs(samples.at[i].value[TAUT_K_G]);
     }
     for (int k = 0; k < TAUT_BENDINGS; k++) {
-        for (int i = 0; i < NODES + 2; i++) {
-            const double here = fabs(at[i].value[k]);
-            const int is_top = i > 0 && i < NODES + 1 && here >= fabs(at[i - 1].value[k]) &&
-                               here >= fabs(at[i + 1].value[k]);
-            take_most(s, k, here, segment->from.s + t[i] * length);
-            if (is_top && here > s->most[k] * 0.9 && here > 0) {
-                climb(net, lath, segment, k, t[i - 1], t[i + 1], s);
-            }
-        }
+        taut_lath_take_most(&samples, size_of, &k, &s->most[k]);
     }
 }
 
@@ -134,7 +88,76 @@ static void add_nodes_of(const taut_net *net, int index, taut_record *lath)
     }
 }
 
-static void describe_lath(const taut_net *net, int index, taut_record *list)
+static void add_if_finite(taut_record *at, const char *name, double value)
+{
+    if (isfinite(value)) {
+        taut_record_add_number(at, name, value);
+    }
+}
+
+static void describe_stress(const taut_net *net, const taut_strip_stress *stress,
+                            taut_record *strip)
+{
+    const int scale = net->carrier->scale;
+    taut_record *at = taut_record_add_object(strip, "stress");
+    taut_record_add_number(at, "bending", stress->bending);
+    taut_record_add_number(at, "torsion", stress->torsion);
+    taut_record_add_number(at, "helix", stress->helix);
+    taut_record_add_number(at, "combined", stress->combined);
+    taut_record_add_number(at, "use", stress->use);
+    taut_record_add_number(at, "at", ldexp(stress->at, scale));
+    add_if_finite(at, "t_max", ldexp(stress->thickest, scale));
+    add_if_finite(at, "w_max", ldexp(stress->widest, scale));
+}
+
+static void describe_slots(const taut_net *net, const taut_strip *strip, taut_record *lath)
+{
+    const int scale = net->carrier->scale;
+    taut_record *list = taut_record_add_list(lath, "slots");
+    for (int k = 0; k < strip->slot_count; k++) {
+        const taut_slot *slot = &strip->slots[k];
+        taut_record *at = taut_record_add_object(list, NULL);
+        char name[2 * TAUT_LATH_NAME + 8];
+        node_name(net, &net->nodes.list[slot->node], name, sizeof name);
+        taut_record_add_text(at, "node", name);
+        taut_record_add_number(at, "at", ldexp(slot->at, scale));
+        taut_record_add_text(at, "from", slot->side == 0 ? "n" : "-n");
+        taut_record_add_number(at, "width", ldexp(slot->width, scale));
+        taut_record_add_number(at, "depth", ldexp(slot->depth, scale));
+    }
+}
+
+static void describe_strip(const taut_net *net, const taut_strip *strip, taut_record *at)
+{
+    const taut_trace_laths *laths = net->problem->laths;
+    const int scale = net->carrier->scale;
+
+    if (laths->width > 0) {
+        taut_record_add_number(at, "width", laths->width);
+    }
+    if (laths->thickness > 0) {
+        taut_record_add_number(at, "thickness", laths->thickness);
+    }
+    add_if_finite(at, "least_radius", ldexp(strip->least_radius, scale));
+    if (laths->width > 0) {
+        taut_record_add_number(at, "edge_length", ldexp(strip->edge_length, scale));
+        taut_record_add_number(at, "mean_stretch", ldexp(strip->mean_stretch, scale));
+    }
+    taut_record_add_number(at, "cut_length", ldexp(strip->cut_length, scale));
+    taut_record *end = taut_record_add_list(at, "pattern_end");
+    taut_record_add_number(end, NULL, ldexp(strip->end[0], scale));
+    taut_record_add_number(end, NULL, ldexp(strip->end[1], scale));
+    taut_record_add_number(end, NULL, strip->end[2]);
+    if (strip->has_stress) {
+        describe_stress(net, &strip->stress, at);
+    }
+    if (strip->slots != NULL) {
+        describe_slots(net, strip, at);
+    }
+}
+
+static void describe_lath(const taut_net *net, int index, const taut_strip *strip,
+                          taut_record *list)
 {
     const taut_lath *lath = &net->laths[index];
     const int scale = net->carrier->scale;
@@ -162,8 +185,26 @@ static void describe_lath(const taut_net *net, int index, taut_record *list)
     for (int k = 0; k < TAUT_BENDINGS; k++) {
         taut_record *bending = taut_record_add_object(at, names[k]);
         taut_record_add_number(bending, "seed", ldexp(seed[k], -scale));
-        taut_record_add_number(bending, "max", ldexp(s.most[k], -scale));
-        taut_record_add_number(bending, "max_at", ldexp(s.most_at[k], scale));
+        taut_record_add_number(bending, "max", ldexp(s.most[k].value, -scale));
+        taut_record_add_number(bending, "max_at", ldexp(s.most[k].at, scale));
+    }
+    if (strip != NULL) {
+        describe_strip(net, strip, at);
+    }
+}
+
+/* Of laths that stand: the slots of both, the larger one. */
+static void add_twisted(const taut_net *net, const taut_node *node, taut_record *at)
+{
+    const taut_trace_laths *laths = net->problem->laths;
+    if (laths == NULL || laths->strip != TAUT_TRACE_STANDING || !(laths->width > 0)) {
+        return;
+    }
+    const double width = ldexp(laths->width, -net->carrier->scale);
+    const double first = taut_slot_twisted(net, node, 0, width);
+    const double second = taut_slot_twisted(net, node, 1, width);
+    if (first > 0 && second > 0) {
+        taut_record_add_number(at, "slot_twisted", fmax(first, second));
     }
 }
 
@@ -187,6 +228,7 @@ static void describe_node(const taut_net *net, const taut_node *node, taut_recor
     taut_record_add_number(s, NULL, ldexp(node->s[0], scale));
     taut_record_add_number(s, NULL, ldexp(node->s[1], scale));
     taut_record_add_number(at, "slot", taut_cos(node->angle / 2) / taut_sin(node->angle / 2));
+    add_twisted(net, node, at);
     if (node->is_on_border) {
         taut_record_add_bool(at, "border", 1);
     }
@@ -243,12 +285,25 @@ static void describe_kinks(const taut_net *net, taut_record *details, taut_recor
     }
 }
 
-void taut_trace_describe(const taut_net *net, taut_record *details)
+static void warn_of_use(const taut_net *net, const taut_strip *strips, taut_record *warnings)
+{
+    for (int k = 0; strips != NULL && k < net->count; k++) {
+        const taut_strip_stress *stress = &strips[k].stress;
+        if (strips[k].has_stress && stress->use > 1) {
+            char text[120];
+            snprintf(text, sizeof text, "over: %s has %.4g times its strength, %.6g along it",
+                     net->laths[k].name, stress->use, ldexp(stress->at, net->carrier->scale));
+            taut_record_add_text(warnings, NULL, text);
+        }
+    }
+}
+
+void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_record *details)
 {
     taut_record_add_text(details, "trace", nets[net->problem->net]);
     taut_record *laths = taut_record_add_list(details, "laths");
     for (int k = 0; k < net->count; k++) {
-        describe_lath(net, k, laths);
+        describe_lath(net, k, strips != NULL ? &strips[k] : NULL, laths);
     }
     taut_record *nodes = taut_record_add_list(details, "nodes");
     for (int k = 0; k < net->nodes.count; k++) {
@@ -258,6 +313,7 @@ void taut_trace_describe(const taut_net *net, taut_record *details)
     describe_left_out(net, details);
     taut_record *warnings = taut_record_new_list();
     describe_kinks(net, details, warnings);
+    warn_of_use(net, strips, warnings);
     if (net->left_count > 0) {
         char text[80];
         snprintf(text, sizeof text, "%d seed%s left out", net->left_count,
