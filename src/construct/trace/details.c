@@ -264,17 +264,26 @@ static void describe_left_out(const taut_net *net, taut_record *details)
     }
 }
 
-static void describe_kinks(const taut_net *net, taut_record *details, taut_record *warnings)
+static void describe_kinks(const taut_net *net, taut_record *details)
 {
     taut_record *list = taut_record_add_list(details, "kinks");
     for (int k = 0; k < net->count; k++) {
         const taut_lath *lath = &net->laths[k];
         for (int i = 0; i < lath->kink_count; i++) {
-            const taut_kink *kink = &lath->kinks[i];
             taut_record *at = taut_record_add_object(list, NULL);
             taut_record_add_text(at, "lath", lath->name);
-            taut_record_add_numbers(at, "at", 2, kink->at);
-            taut_record_add_number(at, "angle", kink->angle);
+            taut_record_add_numbers(at, "at", 2, lath->kinks[i].at);
+            taut_record_add_number(at, "angle", lath->kinks[i].angle);
+        }
+    }
+}
+
+static void warn_of_kinks(const taut_net *net, taut_record *warnings)
+{
+    for (int k = 0; k < net->count; k++) {
+        const taut_lath *lath = &net->laths[k];
+        for (int i = 0; i < lath->kink_count; i++) {
+            const taut_kink *kink = &lath->kinks[i];
             if (kink->angle > kink_warning) {
                 char text[160];
                 snprintf(text, sizeof text, "%s has a corner of %.3g degrees at (%.6g, %.6g)",
@@ -311,8 +320,9 @@ void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_rec
     }
     taut_record_add_number(details, "hyperbolic_share", hyperbolic_share(net->carrier));
     describe_left_out(net, details);
-    taut_record *warnings = taut_record_new_list();
-    describe_kinks(net, details, warnings);
+    describe_kinks(net, details);
+    taut_record *warnings = taut_record_add_list(details, "warnings");
+    warn_of_kinks(net, warnings);
     warn_of_use(net, strips, warnings);
     if (net->left_count > 0) {
         char text[80];
@@ -320,8 +330,6 @@ void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_rec
                  net->left_count == 1 ? " was" : "s were");
         taut_record_add_text(warnings, NULL, text);
     }
-    taut_record_add_record(details, "warnings", warnings);
-    taut_record_free(warnings);
 }
 
 void taut_trace_describe_part(const taut_lath *lath, const taut_lath_part *part,
