@@ -106,7 +106,7 @@ static void climb(const taut_lath_samples *samples, taut_lath_measure *measure, 
 }
 
 void taut_lath_take_most(const taut_lath_samples *samples, taut_lath_measure *measure,
-                         const void *context, taut_lath_most *most)
+                         const void *context, int ends, taut_lath_most *most)
 {
     double value[SAMPLES];
 
@@ -114,11 +114,12 @@ void taut_lath_take_most(const taut_lath_samples *samples, taut_lath_measure *me
         value[i] = measure(&samples->at[i], context);
     }
     for (int i = 0; i < SAMPLES; i++) {
-        const int is_top =
-            i > 0 && i < SAMPLES - 1 && value[i] >= value[i - 1] && value[i] >= value[i + 1];
+        const int before = i > 0 ? i - 1 : i, after = i < SAMPLES - 1 ? i + 1 : i;
+        const int is_top = (ends || before + after == 2 * i) && value[i] >= value[before] &&
+                           value[i] >= value[after];
         take_most(samples, value[i], samples->t[i], most);
         if (is_top && value[i] > most->value * 0.9 && value[i] > 0) {
-            climb(samples, measure, context, samples->t[i - 1], samples->t[i + 1], most);
+            climb(samples, measure, context, samples->t[before], samples->t[after], most);
         }
     }
 }

@@ -35,8 +35,9 @@ typedef struct taut_lath_most {
 } taut_lath_most;
 
 /* The larger of *most and the largest on the segment: by its samples, and by golden section round
- * one that is larger than its neighbours. */
+ * one that is larger than its neighbours; `ends`: round the segment's ends too, where the largest may lie
+ * before the first node. */
 void taut_lath_take_most(const taut_lath_samples *samples, taut_lath_measure *measure,
-                         const void *context, taut_lath_most *most);
+                         const void *context, int ends, taut_lath_most *most);
 
 #endif /* TAUT_TRACE_BENDING_H */

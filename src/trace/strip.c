@@ -210,11 +210,11 @@ static taut_status make_strip(const cut *c, const taut_lath *lath, taut_strip *s
         taut_lath_samples at;
         taut_lath_bending_sample(c->net->carrier, kind, &lath->segments[k], &at);
         add_between(c, &at, 1, &sum);
-        taut_lath_take_most(&at, weak_size, c, &most.weak);
-        taut_lath_take_most(&at, flat_size, c, &most.flat);
-        taut_lath_take_most(&at, twist_size, c, &most.twist);
-        taut_lath_take_most(&at, ribbon_size, c, &most.ribbon);
-        taut_lath_take_most(&at, combined_size, c, &most.combined);
+        taut_lath_take_most(&at, weak_size, c, 1, &most.weak);
+        taut_lath_take_most(&at, flat_size, c, 1, &most.flat);
+        taut_lath_take_most(&at, twist_size, c, 1, &most.twist);
+        taut_lath_take_most(&at, ribbon_size, c, 1, &most.ribbon);
+        taut_lath_take_most(&at, combined_size, c, 1, &most.combined);
     }
     if (most.flat.value * c->width >= 2) {
         const int scale = c->net->carrier->scale;

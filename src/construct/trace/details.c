@@ -38,7 +38,7 @@ static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_s
         s->turn += samples.weight[i] * length * fabs(samples.at[i].value[TAUT_K_G]);
     }
     for (int k = 0; k < TAUT_BENDINGS; k++) {
-        taut_lath_take_most(&samples, size_of, &k, &s->most[k]);
+        taut_lath_take_most(&samples, size_of, &k, 0, &s->most[k]);
     }
 }
 
