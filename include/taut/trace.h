@@ -66,6 +66,34 @@ typedef struct taut_trace_seed {
     double cell; /* in the document's unit (conformal: in that of the measure) */
 } taut_trace_seed;
 
+/* How a lath sits on its curve. */
+typedef enum taut_trace_strip {
+    TAUT_TRACE_STANDING = 0, /* along the normal */
+    TAUT_TRACE_PLANK         /* along the surface */
+} taut_trace_strip;
+
+/* How long a lath is cut that is longer at its edges, as it twists. */
+typedef enum taut_trace_cut {
+    TAUT_TRACE_CUT_MEAN = 0, /* the mean over its width: no force along it */
+    TAUT_TRACE_CUT_AXIS      /* its axis */
+} taut_trace_cut;
+
+/* Moduli of elasticity and shear, and strength, in N/mm^2, all above 0; or all 0: not told. */
+typedef struct taut_trace_material {
+    double e, g, strength;
+} taut_trace_material;
+
+/* The laths of a net. Zero: not told; without a width no stretch, without a thickness no slots,
+ * without a thickness or a material no stresses. Lengths in the document's unit. */
+typedef struct taut_trace_laths {
+    taut_trace_strip strip;
+    double width, thickness;
+    taut_trace_material material;
+    taut_trace_cut cut;
+    int has_play; /* nonzero, or slots have a play of 0.2 mm, at most the thickness */
+    double play;  /* not negative */
+} taut_trace_laths;
+
 /* Zero means default everywhere. One of `model` and `of`. */
 typedef struct taut_trace_problem {
     const taut_model *model; /* the surface is in it */
@@ -75,7 +103,8 @@ typedef struct taut_trace_problem {
     int families;   /* 1 or 2: the first or the second alone; 0: both */
     int seed_count; /* 0: { cells: 8 } */
     const taut_trace_seed *seeds;
-    double max_length; /* 0: 20 times the size of the surface */
+    double max_length;             /* 0: 20 times the size of the surface */
+    const taut_trace_laths *laths; /* NULL: curves alone */
 } taut_trace_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -99,6 +128,13 @@ typedef struct taut_trace_problem {
       "scale it")                                                                                  \
     X("stalled", "a curve could not be followed on", "seed elsewhere")                             \
     X("too-many-laths", "the net would have too many curves", "ask for fewer")                     \
+    X("width", "the width of laths is no positive number", "give one, in the document's unit")     \
+    X("material", "a material that has no numbers above 0, or a name that is not known",           \
+      "give E, G and strength in N/mm^2, or a name that the message tells")                        \
+    X("folds", "a strip bends so much in its own plane that it folds over itself",                 \
+      "take a width below the one that the message tells")                                         \
+    X("slots", "slots overlap, or laths turn into each other within their width",                  \
+      "take thinner or less wide laths, or fewer")                                                 \
     X("trace-not-yet", "a member or a word of nets that this version cannot do", "leave it out")
 
 /* Makes the model: the surface and a curve a lath, quintic B-splines over arc length, named A1, B1,
@@ -108,8 +144,8 @@ TAUT_API taut_status taut_trace_make(const taut_trace_problem *problem,
                                      const taut_make_options *options, taut_model **model,
                                      taut_error *error);
 
-/* The certificate: claims on-surface, asymptotic (principal, geodesic), length, ends, nodes,
- * complete, and with the problem `surface` and `spacing`. docs/trace.md says what each is held
+/* The certificate: claims on-surface, asymptotic (principal, geodesic, isoparametric), length, ends,
+ * nodes, complete, and with the problem `surface`. docs/trace.md says what each is held
  * against. */
 TAUT_API taut_status taut_trace_certify(const taut_model *model, const taut_trace_problem *problem,
                                         const taut_certify_options *options,

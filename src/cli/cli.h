@@ -39,6 +39,12 @@ typedef struct cli_options {
     const char *cell;
     const char *by;
     const char *max_length;
+    const char *strip;
+    const char *lath_width;
+    const char *thickness;
+    const char *material;
+    const char *cut;
+    const char *play;
     int cells;
     int both;
     double tolerance;
@@ -125,7 +131,7 @@ typedef struct cli_command {
         "--surface", CLI_TEXT, offsetof(cli_options, surface), 0, 0, 0, "NAME",                    \
             "only the surface of this name"                                                        \
     }
-#define CLI_FIGURE                                                                                 \
+#define CLI_FIGURE_BUT_WIDTH                                                                       \
     {"--colour",                                                                                   \
      CLI_TEXT,                                                                                     \
      offsetof(cli_options, colour),                                                                \
@@ -166,8 +172,6 @@ typedef struct cli_command {
          0,                                                                                        \
          NULL,                                                                                     \
          "figures: each surface apart, such as the frames of a deformation"},                      \
-        {"--width",      CLI_INTEGER, offsetof(cli_options, width),  0, 16,                        \
-         TAUT_WIDTH_MAX, "PIXELS",    "png: how wide (default 1200)"},                             \
         {"--view", CLI_TEXT, offsetof(cli_options, view), 0, 0,                                    \
          0,        "AZ,EL",  "figures: camera in degrees"},                                        \
         {"--title", CLI_TEXT, offsetof(cli_options, title), 0, 0,                                  \
@@ -175,6 +179,12 @@ typedef struct cli_command {
     {                                                                                              \
         "--no-net", CLI_FLAG, offsetof(cli_options, no_net), 0, 0, 0, NULL,                        \
             "figures: leave the control net out"                                                   \
+    }
+#define CLI_FIGURE                                                                                 \
+    CLI_FIGURE_BUT_WIDTH,                                                                          \
+    {                                                                                              \
+        "--width", CLI_INTEGER, offsetof(cli_options, width), 0, 16, TAUT_WIDTH_MAX, "PIXELS",     \
+            "png: how wide (default 1200)"                                                         \
     }
 #define CLI_EXACT                                                                                  \
     {                                                                                              \

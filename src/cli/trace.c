@@ -2,6 +2,7 @@
 #include "cli/cli.h"
 #include "cli/make.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -171,6 +172,46 @@ static int put_seeds(const cli_options *options, text *t)
     return code;
 }
 
+/* A number of the command line as a member of laths. */
+static int put_length(const char *option, const char *word, const char *member, text *t)
+{
+    double value = 0;
+    if (word == NULL) {
+        return 0;
+    }
+    if (!cli_number(word, &value)) {
+        return cli_misuse_value(option, word, "a number");
+    }
+    put(t, ", \"%s\": %.17g", member, value);
+    return 0;
+}
+
+static void put_named(const char *word, const char *member, text *t)
+{
+    if (word != NULL) {
+        put(t, ", \"%s\": ", member);
+        put_word(t, word);
+    }
+}
+
+static int put_laths(const cli_options *options, text *t)
+{
+    const int any = options->thickness != NULL || options->material != NULL ||
+                    options->cut != NULL || options->play != NULL;
+    if (options->strip == NULL) {
+        return any ? cli_misuse("option", "`taut trace`: laths need --strip") : 0;
+    }
+    put(t, ", \"laths\": { \"strip\": ");
+    put_word(t, options->strip);
+    int code = put_length("--width", options->lath_width, "width", t);
+    code = code == 0 ? put_length("--thickness", options->thickness, "thickness", t) : code;
+    put_named(options->material, "material", t);
+    put_named(options->cut, "cut", t);
+    code = code == 0 ? put_length("--play", options->play, "play", t) : code;
+    put(t, " }");
+    return code;
+}
+
 /* The document that the words ask for. 0, or the exit code after one message. */
 static int write_document(const cli_options *options, text *t)
 {
@@ -195,7 +236,8 @@ static int write_document(const cli_options *options, text *t)
         }
         put(t, ", \"max_length\": %.17g", most);
     }
-    const int code = put_seeds(options, t);
+    int code = put_seeds(options, t);
+    code = code == 0 ? put_laths(options, t) : code;
     put(t, " }");
     return code == 0 && t->failed ? cli_no_memory() : code;
 }
@@ -230,12 +272,31 @@ static int run_words(const cli_options *options)
     return code;
 }
 
-static int run(const cli_options *options)
+/* Where there are no laths, --width is that of pictures, as for other commands. */
+static int take_width(cli_options *options)
 {
+    double pixels = 0;
+    if (options->lath_width == NULL || options->strip != NULL) {
+        return 0;
+    }
+    if (!cli_number(options->lath_width, &pixels) || pixels != floor(pixels) || pixels < 16 ||
+        pixels > TAUT_WIDTH_MAX) {
+        return cli_misuse_value("--width", options->lath_width,
+                                "a whole number from 16 to %d, or --strip too", TAUT_WIDTH_MAX);
+    }
+    options->width = (int)pixels;
+    return 0;
+}
+
+static int run(const cli_options *said)
+{
+    cli_options own = *said;
+    const cli_options *options = &own;
     taut_problem *problem = NULL;
     taut_error error;
     int code = cli_check_outputs(options);
 
+    code = code == 0 ? take_width(&own) : code;
     if (code != 0) {
         return code;
     }
@@ -278,6 +339,17 @@ static const cli_option options_of_trace[] = {
      "equal parts are measured by conformal, length or parameter"},
     {"--max-length", CLI_TEXT, offsetof(cli_options, max_length), 0, 0, 0, "L",
      "of a curve, each way (default 20 sizes)"},
+    {"--strip", CLI_TEXT, offsetof(cli_options, strip), 0, 0, 0, "S",
+     "laths on the curves: standing or plank"},
+    {"--width", CLI_TEXT, offsetof(cli_options, lath_width), 0, 0, 0, "W",
+     "of the laths of --strip; without it PNG: how wide (default 1200)"},
+    {"--thickness", CLI_TEXT, offsetof(cli_options, thickness), 0, 0, 0, "T", "of the laths"},
+    {"--material", CLI_TEXT, offsetof(cli_options, material), 0, 0, 0, "M",
+     "of the laths: steel-s235 or timber-c24"},
+    {"--cut", CLI_TEXT, offsetof(cli_options, cut), 0, 0, 0, "CUT",
+     "laths are cut as long as the mean of their width (default), or as their axis"},
+    {"--play", CLI_TEXT, offsetof(cli_options, play), 0, 0, 0, "P",
+     "of the slots (default 0.2 mm, at most the thickness)"},
     CLI_SURFACE,
     CLI_OUTPUT,
     {"--report", CLI_TEXT, offsetof(cli_options, report), 0, 0, 0, "FILE",
@@ -285,7 +357,7 @@ static const cli_option options_of_trace[] = {
     CLI_TOLERANCE,
     CLI_DIVIDE,
     CLI_THREADS,
-    CLI_FIGURE,
+    CLI_FIGURE_BUT_WIDTH,
     {"--json", CLI_FLAG, offsetof(cli_options, json), 0, 0, 0, NULL,
      "report, and tell what goes wrong, as JSON on standard error"},
     {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},

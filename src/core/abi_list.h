@@ -402,6 +402,20 @@
     X(taut_through, v, "double") \
     X(taut_through, point, "double[3]")
 
+#define TAUT_ABI_MEMBERS_taut_trace_laths(X) \
+    X(taut_trace_laths, strip, "taut_trace_strip") \
+    X(taut_trace_laths, width, "double") \
+    X(taut_trace_laths, thickness, "double") \
+    X(taut_trace_laths, material, "taut_trace_material") \
+    X(taut_trace_laths, cut, "taut_trace_cut") \
+    X(taut_trace_laths, has_play, "int") \
+    X(taut_trace_laths, play, "double")
+
+#define TAUT_ABI_MEMBERS_taut_trace_material(X) \
+    X(taut_trace_material, e, "double") \
+    X(taut_trace_material, g, "double") \
+    X(taut_trace_material, strength, "double")
+
 #define TAUT_ABI_MEMBERS_taut_trace_problem(X) \
     X(taut_trace_problem, model, "const taut_model *") \
     X(taut_trace_problem, of, "const taut_problem *") \
@@ -410,7 +424,8 @@
     X(taut_trace_problem, families, "int") \
     X(taut_trace_problem, seed_count, "int") \
     X(taut_trace_problem, seeds, "const taut_trace_seed *") \
-    X(taut_trace_problem, max_length, "double")
+    X(taut_trace_problem, max_length, "double") \
+    X(taut_trace_problem, laths, "const taut_trace_laths *")
 
 #define TAUT_ABI_MEMBERS_taut_trace_seed(X) \
     X(taut_trace_seed, kind, "taut_trace_seed_kind") \
@@ -503,6 +518,8 @@
     X(taut_read_options) \
     X(taut_surface_measure) \
     X(taut_through) \
+    X(taut_trace_laths) \
+    X(taut_trace_material) \
     X(taut_trace_problem) \
     X(taut_trace_seed) \
     X(taut_write_options)
@@ -644,6 +661,10 @@
     X(TAUT_TRACE_LENGTH, "length") \
     X(TAUT_TRACE_PARAMETER, "parameter")
 
+#define TAUT_ABI_VALUES_taut_trace_cut(X) \
+    X(TAUT_TRACE_CUT_MEAN, "mean") \
+    X(TAUT_TRACE_CUT_AXIS, "axis")
+
 #define TAUT_ABI_VALUES_taut_trace_net(X) \
     X(TAUT_TRACE_ASYMPTOTIC, "asymptotic") \
     X(TAUT_TRACE_PRINCIPAL, "principal") \
@@ -657,6 +678,10 @@
     X(TAUT_TRACE_LATH, "lath") \
     X(TAUT_TRACE_CELL, "cell") \
     X(TAUT_TRACE_CELLS, "cells")
+
+#define TAUT_ABI_VALUES_taut_trace_strip(X) \
+    X(TAUT_TRACE_STANDING, "standing") \
+    X(TAUT_TRACE_PLANK, "plank")
 
 #define TAUT_ABI_VALUES_taut_verdict(X) \
     X(TAUT_FALSE, "false") \
@@ -690,8 +715,10 @@
     X(taut_record_kind) \
     X(taut_status) \
     X(taut_trace_by) \
+    X(taut_trace_cut) \
     X(taut_trace_net) \
     X(taut_trace_seed_kind) \
+    X(taut_trace_strip) \
     X(taut_verdict)
 
 #define TAUT_ABI_CONSTANT_LIST(X) \

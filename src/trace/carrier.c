@@ -189,6 +189,15 @@ void taut_carrier_cell(const taut_carrier *carrier, const double at[2], const do
     }
 }
 
+void taut_carrier_forms_at(const taut_carrier *carrier, const double at[2],
+                           double x[TAUT_CARRIER_VECTORS][3], taut_form_pair *forms)
+{
+    int span[2];
+    taut_carrier_cell(carrier, at, NULL, span);
+    taut_carrier_at(carrier, span, at, 2, x);
+    taut_carrier_forms((const double(*)[3])x, forms);
+}
+
 static int make_net(taut_arena *arena, taut_carrier *carrier)
 {
     const taut_surface *surface = carrier->surface;
@@ -226,10 +235,7 @@ static void look(taut_carrier *carrier)
                 carrier->lo[1] + (carrier->hi[1] - carrier->lo[1]) * (j + 0.5) / GRID};
             double x[TAUT_CARRIER_VECTORS][3];
             taut_form_pair forms;
-            int span[2];
-            taut_carrier_cell(carrier, at, NULL, span);
-            taut_carrier_at(carrier, span, at, 2, x);
-            taut_carrier_forms((const double(*)[3])x, &forms);
+            taut_carrier_forms_at(carrier, at, x, &forms);
             if (forms.w > 0) {
                 carrier->widest = fmax(carrier->widest, forms.w);
                 carrier->roundest = fmax(carrier->roundest, taut_form_pair_radius(&forms));
@@ -246,13 +252,10 @@ static int is_seam(const taut_carrier *carrier, int d)
         taut_form_pair forms[2];
         for (int side = 0; side < 2; side++) {
             double at[2];
-            int span[2];
             at[d] = side == 0 ? carrier->lo[d] : carrier->hi[d];
             at[1 - d] =
                 carrier->lo[1 - d] + (carrier->hi[1 - d] - carrier->lo[1 - d]) * (i + 0.5) / GRID;
-            taut_carrier_cell(carrier, at, NULL, span);
-            taut_carrier_at(carrier, span, at, 2, x[side]);
-            taut_carrier_forms((const double(*)[3])x[side], &forms[side]);
+            taut_carrier_forms_at(carrier, at, x[side], &forms[side]);
         }
         if (!(taut_length_between(x[0][0], x[1][0]) <= same_line * carrier->size) ||
             !(taut_length_between(forms[0].normal, forms[1].normal) <= same_normal) ||

@@ -62,4 +62,8 @@ void taut_carrier_point(const taut_carrier *carrier, const double x[3], double p
 void taut_carrier_cell(const taut_carrier *carrier, const double at[2], const double *direction,
                        int span[2]);
 
+/* The derivatives up to the second and the forms at `at`, of the cell of the place. */
+void taut_carrier_forms_at(const taut_carrier *carrier, const double at[2],
+                           double x[TAUT_CARRIER_VECTORS][3], taut_form_pair *forms);
+
 #endif /* TAUT_TRACE_CARRIER_H */

@@ -53,18 +53,17 @@ void taut_segment_window(const taut_segment *segment, double points[TAUT_QUINTIC
     window_between(&segment->from, &segment->to, points);
 }
 
-/* Value and two derivatives over t in [0, 1] by de Casteljau. */
-static void quintic_at(int dim, const double *points, double t, double *value, double *slope,
-                       double *second)
+void taut_quintic_at(int dim, const double *points, double t, double *value, double *step,
+                     double *bend)
 {
     double work[TAUT_QUINTIC * 3];
     memcpy(work, points, (size_t)(TAUT_QUINTIC * dim) * sizeof(double));
     for (int level = TAUT_QUINTIC - 1; level > 0; level--) {
         for (int c = 0; c < dim && level == 2; c++) {
-            second[c] = 20 * (work[2 * dim + c] - 2 * work[dim + c] + work[c]);
+            bend[c] = work[2 * dim + c] - 2 * work[dim + c] + work[c];
         }
         for (int c = 0; c < dim && level == 1; c++) {
-            slope[c] = 5 * (work[dim + c] - work[c]);
+            step[c] = work[dim + c] - work[c];
         }
         for (int k = 0; k < level * dim; k++) {
             work[k] += t * (work[k + dim] - work[k]);
@@ -86,8 +85,12 @@ static void judge(const taut_carrier *carrier, taut_linefield_kind kind, const t
 
     space_between(&piece->from, &piece->to, space);
     window_between(&piece->from, &piece->to, window);
-    quintic_at(2, window[0], t, at, ab, second);
-    quintic_at(3, space[0], t, x, tangent, second);
+    taut_quintic_at(2, window[0], t, at, ab, second);
+    taut_quintic_at(3, space[0], t, x, tangent, second);
+    for (int c = 0; c < 3; c++) {
+        tangent[c] *= 5;
+        second[c] *= 20;
+    }
     taut_carrier_at(carrier, piece->start.span, at, 2, on);
     taut_carrier_forms((const double(*)[3])on, &forms);
     *distance = taut_length_between(x, on[0]);

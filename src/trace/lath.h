@@ -51,6 +51,10 @@ taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kin
 /* The quintics of a segment, as the lath runs. */
 void taut_segment_space(const taut_segment *segment, double points[TAUT_QUINTIC][3]);
 void taut_segment_window(const taut_segment *segment, double points[TAUT_QUINTIC][2]);
+/* A quintic in `dim` (at most 3) coordinates at t in [0, 1] by de Casteljau: its value, a fifth of its
+ * first derivative and a twentieth of its second. */
+void taut_quintic_at(int dim, const double *points, double t, double *value, double *step,
+                     double *bend);
 
 /* The state at s of the lath on a segment, by one full step, and the station. 0 where there is none. */
 int taut_segment_state(const taut_carrier *carrier, taut_linefield_kind kind,

@@ -530,10 +530,7 @@ static taut_status seed_cells(taut_net *net, const taut_trace_seed *seed, int fa
     } else {
         double x[TAUT_CARRIER_VECTORS][3];
         taut_form_pair forms;
-        int span[2];
-        taut_carrier_cell(net->carrier, at, NULL, span);
-        taut_carrier_at(net->carrier, span, at, 2, x);
-        taut_carrier_forms((const double(*)[3])x, &forms);
+        taut_carrier_forms_at(net->carrier, at, x, &forms);
         part = ldexp(seed->cell, -net->carrier->scale) *
                (by_measure ? taut_linefield_measure(net->problem->net, &forms) : 1);
     }
@@ -562,10 +559,7 @@ static int nearest_saddle(const taut_net *net, const double at[2], double found[
                 carrier->lo[1] + (carrier->hi[1] - carrier->lo[1]) * j / (LOOK - 1)};
             double x[TAUT_CARRIER_VECTORS][3];
             taut_form_pair forms;
-            int span[2];
-            taut_carrier_cell(carrier, place, NULL, span);
-            taut_carrier_at(carrier, span, place, 2, x);
-            taut_carrier_forms((const double(*)[3])x, &forms);
+            taut_carrier_forms_at(carrier, place, x, &forms);
             const double square = forms.m * forms.m - forms.l * forms.n;
             const double away = taut_hypot(place[0] - at[0], place[1] - at[1]);
             const double radius = taut_form_pair_radius(&forms);
@@ -584,10 +578,7 @@ static taut_status elliptic(const taut_net *net, const char *where, const double
 {
     double x[TAUT_CARRIER_VECTORS][3], found[2];
     taut_form_pair forms;
-    int span[2];
-    taut_carrier_cell(net->carrier, at, NULL, span);
-    taut_carrier_at(net->carrier, span, at, 2, x);
-    taut_carrier_forms((const double(*)[3])x, &forms);
+    taut_carrier_forms_at(net->carrier, at, x, &forms);
     const double gauss = ldexp(taut_form_pair_gauss(&forms), -2 * net->carrier->scale);
     if (!nearest_saddle(net, at, found)) {
         const double radius = taut_form_pair_radius(&forms);
@@ -618,10 +609,7 @@ static taut_status fault_of(const taut_net *net, int seed, const double at[2],
     if (fault == TAUT_LINEFIELD_ROUND) {
         double x[TAUT_CARRIER_VECTORS][3];
         taut_form_pair forms;
-        int span[2];
-        taut_carrier_cell(net->carrier, at, NULL, span);
-        taut_carrier_at(net->carrier, span, at, 2, x);
-        taut_carrier_forms((const double(*)[3])x, &forms);
+        taut_carrier_forms_at(net->carrier, at, x, &forms);
         const int is_flat = !(fabs(taut_form_pair_mean(&forms)) * net->carrier->size > 1e-9);
         return taut_fail(error, TAUT_NO_SOLUTION, is_flat ? "flat" : "umbilic", where, taut_none,
                          taut_none,

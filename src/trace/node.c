@@ -79,7 +79,6 @@ static void describe(const search *w, const taut_station at[2], taut_node *node)
 {
     double on[TAUT_CARRIER_VECTORS][3], across[3];
     taut_form_pair forms;
-    int span[2];
 
     *node = (taut_node){.laths = {w->index[0], w->index[1]},
                         .occurrence = 1,
@@ -88,9 +87,7 @@ static void describe(const search *w, const taut_station at[2], taut_node *node)
     for (int d = 0; d < 2; d++) {
         node->at[d] = fmin(fmax(node->at[d], w->carrier->lo[d]), w->carrier->hi[d]);
     }
-    taut_carrier_cell(w->carrier, node->at, NULL, span);
-    taut_carrier_at(w->carrier, span, node->at, 2, on);
-    taut_carrier_forms((const double(*)[3])on, &forms);
+    taut_carrier_forms_at(w->carrier, node->at, on, &forms);
     memcpy(node->x, on[0], sizeof node->x);
     memcpy(node->normal, forms.normal, sizeof node->normal);
     taut_cross(at[0].tangent, at[1].tangent, across);

@@ -30,6 +30,33 @@ run 0 trace words.json --net asymptotic --cell 0.9 --quiet -o cell.json
 run 0 schema trace
 contains out.txt '#/\$defs/trace'
 
+# Laths: the words and the document, and pictures as wide as they are asked for.
+run 0 trace roof.json --net asymptotic --cells 3 --strip standing --width 0.02 --thickness 0.001 --material steel-s235 --quiet -o laths.json
+contains laths.json '"slot_twisted": 1'
+contains laths.json '"cut_length"'
+echo '{ "taut": 1, "trace": "asymptotic", "of": "roof.json", "seeds": [{ "cells": 3 }], "laths": { "strip": "standing", "width": 0.02, "thickness": 0.001,
+    "material": { "E": 210000, "G": 81000, "strength": 235 }, "cut": "mean" } }' > with-laths.json
+run 0 make with-laths.json --quiet -o with-laths-made.json
+cmp laths.json with-laths-made.json || complain "the words make other laths than the document"
+run 0 trace roof.json --net geodesic --seed 0,0.2 --direction 1,0.5 --strip plank --cut axis --play 0 --quiet -o plank.json
+contains plank.json '"pattern_end"'
+run 0 trace roof.json --net asymptotic --cells 2 --width 64 --quiet -o narrow.svg
+refused 2 'value --width 3.5' trace roof.json --net asymptotic --width 3.5 -o none.json
+refused 2 'value --width x' trace roof.json --net asymptotic --strip standing --width x -o none.json
+refused 2 'option' trace roof.json --net asymptotic --thickness 1 -o none.json
+refused 2 'value' trace roof.json --net asymptotic --strip standing --width -1 -o none.json
+for wrong in 'width /laths/width: "strip": "standing", "width": 0' 'value /laths/thickness: "strip": "standing", "thickness": -1' \
+    'value /laths/play: "strip": "standing", "play": -1' 'material /laths/material: "strip": "plank", "material": "butter"' \
+    'material /laths/material/G: "strip": "plank", "material": { "E": 1, "G": 0, "strength": 1 }' \
+    'missing /laths/material/strength: "strip": "plank", "material": { "E": 1, "G": 1 }' 'missing /laths/strip: "width": 1' \
+    'trace-not-yet /laths/strip: "strip": "developable"' 'trace-not-yet /laths/strip: "strip": "envelope"' 'name /laths/strip: "strip": "lying"' \
+    'name /laths/cut: "strip": "plank", "cut": "long"'; do
+    echo "{ \"taut\": 1, \"trace\": \"asymptotic\", \"of\": \"roof.json\", \"laths\": { ${wrong#*: } } }" > wrong.json
+    refused 3 "${wrong%%:*}" make wrong.json -o none.json --quiet
+done
+echo '{ "taut": 1, "trace": "asymptotic", "of": "roof.json", "seeds": [{ "cells": 5 }], "laths": { "strip": "standing", "width": 0.1, "thickness": 5 } }' > thick.json
+refused 4 'slots /laths/thickness' make thick.json -o none.json --quiet
+
 # What is wrong.
 refused 2 'value' trace roof.json --net wavy -o none.json
 refused 2 'option' trace roof.json -o none.json
@@ -44,7 +71,7 @@ echo '{ "taut": 1, "trace": "asymptotic", "of": "document.json" }' > nested.json
 refused 3 'kind /of' make nested.json -o none.json --quiet
 echo '{ "taut": 1, "trace": "asymptotic", "of": "self.json" }' > self.json
 refused 3 'kind /of' make self.json -o none.json --quiet
-for member in '"panels": true' '"laths": {}' '"sheet": {}'; do
+for member in '"panels": true' '"sheet": {}'; do
     name=$(echo "$member" | sed 's/^"\([a-z]*\)".*/\1/')
     echo "{ \"taut\": 1, \"trace\": \"asymptotic\", \"of\": \"roof.json\", $member }" > later.json
     refused 3 "trace-not-yet /$name" make later.json -o none.json --quiet

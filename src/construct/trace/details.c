@@ -2,12 +2,12 @@
 
 #include "core/constants.h"
 #include "core/vec3.h"
-#include "numeric/quadrature.h"
+#include "trace/bending.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { NODES = 8, GRID = 101, ROUNDS = 40 };
+enum { GRID = 101 };
 static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
 static const char *const families[4][2] = {{"+", "-"}, {"max", "min"}, {"G", "G"}, {"u", "v"}};
 static const char *const edges[] = {"u0", "u1", "v0", "v1"};
@@ -16,130 +16,29 @@ static const double kink_warning = 1e-6;
 
 /* ---- what a lath does between its stations ---- */
 
-enum { K_N, K_G, TAU_G, BENDINGS };
-
-typedef struct bendings {
-    double value[BENDINGS];
-} bendings;
-
-/* At t of a segment, by the formulas at the window's quintic. */
-static bendings bendings_at(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
-                            const double window[TAUT_QUINTIC][2], double t)
-{
-    const taut_linefield_kind kind = {net->problem->net, lath->family};
-    double work[TAUT_QUINTIC][2], x[TAUT_CARRIER_VECTORS][3], ab[2], bend[2], out[3], tangent[3],
-        sideways[3], way[2] = {0, 0};
-    taut_form_pair forms;
-    bendings b = {{0}};
-
-    memcpy(work, window, sizeof work);
-    for (int level = TAUT_QUINTIC - 1; level > 0; level--) {
-        for (int d = 0; d < 2; d++) {
-            way[d] = work[1][d] - work[0][d];
-        }
-        for (int k = 0; k < level; k++) {
-            for (int d = 0; d < 2; d++) {
-                work[k][d] += t * (work[k + 1][d] - work[k][d]);
-            }
-        }
-    }
-    taut_carrier_at(net->carrier, segment->start.span, work[0], 3, x);
-    taut_carrier_forms((const double(*)[3])x, &forms);
-    const double square =
-        forms.e * way[0] * way[0] + 2 * forms.f * way[0] * way[1] + forms.g * way[1] * way[1];
-    ab[0] = way[0] / sqrt(square);
-    ab[1] = way[1] / sqrt(square);
-    if (kind.net != TAUT_TRACE_GEODESIC) {
-        double exact[2];
-        if (taut_linefield_direction(net->carrier, kind, &forms, exact) != TAUT_LINEFIELD_FINE) {
-            return b;
-        }
-        const double sign = exact[0] * (forms.e * ab[0] + forms.f * ab[1]) +
-                                        exact[1] * (forms.f * ab[0] + forms.g * ab[1]) <
-                                    0
-                                ? -1
-                                : 1;
-        ab[0] = sign * exact[0];
-        ab[1] = sign * exact[1];
-    }
-    b.value[K_N] = taut_linefield_normal_curvature(&forms, ab);
-    b.value[TAU_G] = taut_linefield_torsion(&forms, ab);
-    if (taut_linefield_bend(kind.net, (const double(*)[3])x, &forms, ab, bend)) {
-        taut_linefield_tangent((const double(*)[3])x, ab, tangent);
-        taut_linefield_acceleration((const double(*)[3])x, ab, bend, out);
-        taut_cross(forms.normal, tangent, sideways);
-        b.value[K_G] = taut_dot(out, sideways);
-    }
-    return b;
-}
-
 typedef struct summary {
     double turn;
-    double most[BENDINGS], most_at[BENDINGS];
+    taut_lath_most most[TAUT_BENDINGS];
 } summary;
 
-static void take_most(summary *s, int k, double value, double at)
+static double size_of(const taut_lath_bending *bending, const void *which)
 {
-    if (fabs(value) > s->most[k]) {
-        s->most[k] = fabs(value);
-        s->most_at[k] = at;
-    }
-}
-
-/* The largest of |value| near a node of the rule that is larger than its neighbours. */
-static void climb(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
-                  const double window[TAUT_QUINTIC][2], int k, double low, double high, summary *s)
-{
-    const double golden = 0.6180339887498949, length = segment->to.s - segment->from.s;
-    double a = high - golden * (high - low), b = low + golden * (high - low);
-    double at_a = fabs(bendings_at(net, lath, segment, window, a).value[k]);
-    double at_b = fabs(bendings_at(net, lath, segment, window, b).value[k]);
-    for (int round = 0; round < ROUNDS; round++) {
-        if (at_a > at_b) {
-            high = b;
-            b = a;
-            at_b = at_a;
-            a = high - golden * (high - low);
-            at_a = fabs(bendings_at(net, lath, segment, window, a).value[k]);
-        } else {
-            low = a;
-            a = b;
-            at_a = at_b;
-            b = low + golden * (high - low);
-            at_b = fabs(bendings_at(net, lath, segment, window, b).value[k]);
-        }
-    }
-    take_most(s, k, at_a, segment->from.s + a * length);
+    return fabs(bending->value[*(const int *)which]);
 }
 
 static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
                         summary *s)
 {
+    const taut_linefield_kind kind = {net->problem->net, lath->family};
     const double length = segment->to.s - segment->from.s;
-    double nodes[NODES], weights[NODES], window[TAUT_QUINTIC][2], t[NODES + 2];
-    bendings at[NODES + 2];
+    taut_lath_samples samples;
 
-    taut_gauss_rule(NODES, nodes, weights);
-    taut_segment_window(segment, window);
-    at[0] = (bendings){{segment->from.k_n, segment->from.k_g, segment->from.tau_g}};
-    at[NODES + 1] = (bendings){{segment->to.k_n, segment->to.k_g, segment->to.tau_g}};
-    t[0] = 0;
-    t[NODES + 1] = 1;
-    for (int i = 0; i < NODES; i++) {
-        t[i + 1] = (1 + nodes[i]) / 2;
-        at[i + 1] = bendings_at(net, lath, segment, (const double(*)[2])window, t[i + 1]);
-        s->turn += weights[i] / 2 * length * fabs(at[i + 1].value[K_G]);
+    taut_lath_bending_sample(net->carrier, kind, segment, &samples);
+    for (int i = 1; i <= TAUT_BENDING_NODES; i++) {
+        s->turn += samples.weight[i] * length * fabs(samples.at[i].value[TAUT_K_G]);
     }
-    for (int k = 0; k < BENDINGS; k++) {
-        for (int i = 0; i < NODES + 2; i++) {
-            const double here = fabs(at[i].value[k]);
-            const int is_top = i > 0 && i < NODES + 1 && here >= fabs(at[i - 1].value[k]) &&
-                               here >= fabs(at[i + 1].value[k]);
-            take_most(s, k, here, segment->from.s + t[i] * length);
-            if (is_top && here > s->most[k] * 0.9 && here > 0) {
-                climb(net, lath, segment, (const double(*)[2])window, k, t[i - 1], t[i + 1], s);
-            }
-        }
+    for (int k = 0; k < TAUT_BENDINGS; k++) {
+        taut_lath_take_most(&samples, size_of, &k, 0, &s->most[k]);
     }
 }
 
@@ -189,13 +88,82 @@ static void add_nodes_of(const taut_net *net, int index, taut_record *lath)
     }
 }
 
-static void describe_lath(const taut_net *net, int index, taut_record *list)
+static void add_if_finite(taut_record *at, const char *name, double value)
+{
+    if (isfinite(value)) {
+        taut_record_add_number(at, name, value);
+    }
+}
+
+static void describe_stress(const taut_net *net, const taut_strip_stress *stress,
+                            taut_record *strip)
+{
+    const int scale = net->carrier->scale;
+    taut_record *at = taut_record_add_object(strip, "stress");
+    taut_record_add_number(at, "bending", stress->bending);
+    taut_record_add_number(at, "torsion", stress->torsion);
+    taut_record_add_number(at, "helix", stress->helix);
+    taut_record_add_number(at, "combined", stress->combined);
+    taut_record_add_number(at, "use", stress->use);
+    taut_record_add_number(at, "at", ldexp(stress->at, scale));
+    add_if_finite(at, "t_max", ldexp(stress->thickest, scale));
+    add_if_finite(at, "w_max", ldexp(stress->widest, scale));
+}
+
+static void describe_slots(const taut_net *net, const taut_strip *strip, taut_record *lath)
+{
+    const int scale = net->carrier->scale;
+    taut_record *list = taut_record_add_list(lath, "slots");
+    for (int k = 0; k < strip->slot_count; k++) {
+        const taut_slot *slot = &strip->slots[k];
+        taut_record *at = taut_record_add_object(list, NULL);
+        char name[2 * TAUT_LATH_NAME + 8];
+        node_name(net, &net->nodes.list[slot->node], name, sizeof name);
+        taut_record_add_text(at, "node", name);
+        taut_record_add_number(at, "at", ldexp(slot->at, scale));
+        taut_record_add_text(at, "from", slot->side == 0 ? "n" : "-n");
+        taut_record_add_number(at, "width", ldexp(slot->width, scale));
+        taut_record_add_number(at, "depth", ldexp(slot->depth, scale));
+    }
+}
+
+static void describe_strip(const taut_net *net, const taut_strip *strip, taut_record *at)
+{
+    const taut_trace_laths *laths = net->problem->laths;
+    const int scale = net->carrier->scale;
+
+    if (laths->width > 0) {
+        taut_record_add_number(at, "width", laths->width);
+    }
+    if (laths->thickness > 0) {
+        taut_record_add_number(at, "thickness", laths->thickness);
+    }
+    add_if_finite(at, "least_radius", ldexp(strip->least_radius, scale));
+    if (laths->width > 0) {
+        taut_record_add_number(at, "edge_length", ldexp(strip->edge_length, scale));
+        taut_record_add_number(at, "mean_stretch", ldexp(strip->mean_stretch, scale));
+    }
+    taut_record_add_number(at, "cut_length", ldexp(strip->cut_length, scale));
+    taut_record *end = taut_record_add_list(at, "pattern_end");
+    taut_record_add_number(end, NULL, ldexp(strip->end[0], scale));
+    taut_record_add_number(end, NULL, ldexp(strip->end[1], scale));
+    taut_record_add_number(end, NULL, strip->end[2]);
+    if (strip->has_stress) {
+        describe_stress(net, &strip->stress, at);
+    }
+    if (strip->slots != NULL) {
+        describe_slots(net, strip, at);
+    }
+}
+
+static void describe_lath(const taut_net *net, int index, const taut_strip *strip,
+                          taut_record *list)
 {
     const taut_lath *lath = &net->laths[index];
     const int scale = net->carrier->scale;
     taut_record *at = taut_record_add_object(list, NULL);
     summary s = {0};
-    const double seed[BENDINGS] = {lath->at_seed.k_n, lath->at_seed.k_g, lath->at_seed.tau_g};
+    const double seed[TAUT_BENDINGS] = {lath->at_seed.k_n, lath->at_seed.k_g, lath->at_seed.tau_g};
     static const char *const names[] = {"k_n", "k_g", "tau_g"};
 
     for (int k = 0; k < lath->count; k++) {
@@ -214,11 +182,29 @@ static void describe_lath(const taut_net *net, int index, taut_record *list)
     taut_record_add_number(at, "turn", s.turn);
     taut_record_add_number(at, "steps", lath->steps);
     add_nodes_of(net, index, at);
-    for (int k = 0; k < BENDINGS; k++) {
+    for (int k = 0; k < TAUT_BENDINGS; k++) {
         taut_record *bending = taut_record_add_object(at, names[k]);
         taut_record_add_number(bending, "seed", ldexp(seed[k], -scale));
-        taut_record_add_number(bending, "max", ldexp(s.most[k], -scale));
-        taut_record_add_number(bending, "max_at", ldexp(s.most_at[k], scale));
+        taut_record_add_number(bending, "max", ldexp(s.most[k].value, -scale));
+        taut_record_add_number(bending, "max_at", ldexp(s.most[k].at, scale));
+    }
+    if (strip != NULL) {
+        describe_strip(net, strip, at);
+    }
+}
+
+/* Of laths that stand: the slots of both, the larger one. */
+static void add_twisted(const taut_net *net, const taut_node *node, taut_record *at)
+{
+    const taut_trace_laths *laths = net->problem->laths;
+    if (laths == NULL || laths->strip != TAUT_TRACE_STANDING || !(laths->width > 0)) {
+        return;
+    }
+    const double width = ldexp(laths->width, -net->carrier->scale);
+    const double first = taut_slot_twisted(net, node, 0, width);
+    const double second = taut_slot_twisted(net, node, 1, width);
+    if (first > 0 && second > 0) {
+        taut_record_add_number(at, "slot_twisted", fmax(first, second));
     }
 }
 
@@ -242,6 +228,7 @@ static void describe_node(const taut_net *net, const taut_node *node, taut_recor
     taut_record_add_number(s, NULL, ldexp(node->s[0], scale));
     taut_record_add_number(s, NULL, ldexp(node->s[1], scale));
     taut_record_add_number(at, "slot", taut_cos(node->angle / 2) / taut_sin(node->angle / 2));
+    add_twisted(net, node, at);
     if (node->is_on_border) {
         taut_record_add_bool(at, "border", 1);
     }
@@ -257,10 +244,7 @@ static double hyperbolic_share(const taut_carrier *carrier)
                 carrier->lo[1] + (carrier->hi[1] - carrier->lo[1]) * j / (GRID - 1)};
             double x[TAUT_CARRIER_VECTORS][3];
             taut_form_pair forms;
-            int span[2];
-            taut_carrier_cell(carrier, at, NULL, span);
-            taut_carrier_at(carrier, span, at, 2, x);
-            taut_carrier_forms((const double(*)[3])x, &forms);
+            taut_carrier_forms_at(carrier, at, x, &forms);
             count += forms.w > 0 && forms.l * forms.n - forms.m * forms.m < 0;
         }
     }
@@ -280,17 +264,26 @@ static void describe_left_out(const taut_net *net, taut_record *details)
     }
 }
 
-static void describe_kinks(const taut_net *net, taut_record *details, taut_record *warnings)
+static void describe_kinks(const taut_net *net, taut_record *details)
 {
     taut_record *list = taut_record_add_list(details, "kinks");
     for (int k = 0; k < net->count; k++) {
         const taut_lath *lath = &net->laths[k];
         for (int i = 0; i < lath->kink_count; i++) {
-            const taut_kink *kink = &lath->kinks[i];
             taut_record *at = taut_record_add_object(list, NULL);
             taut_record_add_text(at, "lath", lath->name);
-            taut_record_add_numbers(at, "at", 2, kink->at);
-            taut_record_add_number(at, "angle", kink->angle);
+            taut_record_add_numbers(at, "at", 2, lath->kinks[i].at);
+            taut_record_add_number(at, "angle", lath->kinks[i].angle);
+        }
+    }
+}
+
+static void warn_of_kinks(const taut_net *net, taut_record *warnings)
+{
+    for (int k = 0; k < net->count; k++) {
+        const taut_lath *lath = &net->laths[k];
+        for (int i = 0; i < lath->kink_count; i++) {
+            const taut_kink *kink = &lath->kinks[i];
             if (kink->angle > kink_warning) {
                 char text[160];
                 snprintf(text, sizeof text, "%s has a corner of %.3g degrees at (%.6g, %.6g)",
@@ -301,12 +294,25 @@ static void describe_kinks(const taut_net *net, taut_record *details, taut_recor
     }
 }
 
-void taut_trace_describe(const taut_net *net, taut_record *details)
+static void warn_of_use(const taut_net *net, const taut_strip *strips, taut_record *warnings)
+{
+    for (int k = 0; strips != NULL && k < net->count; k++) {
+        const taut_strip_stress *stress = &strips[k].stress;
+        if (strips[k].has_stress && stress->use > 1) {
+            char text[120];
+            snprintf(text, sizeof text, "over: %s has %.4g times its strength, %.6g along it",
+                     net->laths[k].name, stress->use, ldexp(stress->at, net->carrier->scale));
+            taut_record_add_text(warnings, NULL, text);
+        }
+    }
+}
+
+void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_record *details)
 {
     taut_record_add_text(details, "trace", nets[net->problem->net]);
     taut_record *laths = taut_record_add_list(details, "laths");
     for (int k = 0; k < net->count; k++) {
-        describe_lath(net, k, laths);
+        describe_lath(net, k, strips != NULL ? &strips[k] : NULL, laths);
     }
     taut_record *nodes = taut_record_add_list(details, "nodes");
     for (int k = 0; k < net->nodes.count; k++) {
@@ -314,16 +320,16 @@ void taut_trace_describe(const taut_net *net, taut_record *details)
     }
     taut_record_add_number(details, "hyperbolic_share", hyperbolic_share(net->carrier));
     describe_left_out(net, details);
-    taut_record *warnings = taut_record_new_list();
-    describe_kinks(net, details, warnings);
+    describe_kinks(net, details);
+    taut_record *warnings = taut_record_add_list(details, "warnings");
+    warn_of_kinks(net, warnings);
+    warn_of_use(net, strips, warnings);
     if (net->left_count > 0) {
         char text[80];
         snprintf(text, sizeof text, "%d seed%s left out", net->left_count,
                  net->left_count == 1 ? " was" : "s were");
         taut_record_add_text(warnings, NULL, text);
     }
-    taut_record_add_record(details, "warnings", warnings);
-    taut_record_free(warnings);
 }
 
 void taut_trace_describe_part(const taut_lath *lath, const taut_lath_part *part,

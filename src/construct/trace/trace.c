@@ -10,9 +10,12 @@
 #include "construct/construct_ops.h"
 #include "construct/trace/details.h"
 #include "core/fail.h"
+#include "core/unit.h"
 #include "geometry/keep.h"
+#include "problem/problem.h"
 #include "trace/curve.h"
 #include "trace/net.h"
+#include "trace/strip.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,6 +29,33 @@ typedef struct request {
     const taut_trace_problem *problem;
     const taut_make_options *options;
 } request;
+
+static taut_status check_laths(const taut_trace_laths *laths, taut_error *error)
+{
+    const struct {
+        const char *where, *reason;
+        double value;
+    } numbers[] = {{"/laths/width", "width", laths->width},
+                   {"/laths/thickness", "value", laths->thickness},
+                   {"/laths/play", "value", laths->play},
+                   {"/laths/material/E", "material", laths->material.e},
+                   {"/laths/material/G", "material", laths->material.g},
+                   {"/laths/material/strength", "material", laths->material.strength}};
+    const int told =
+        (laths->material.e > 0) + (laths->material.g > 0) + (laths->material.strength > 0);
+
+    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+        if (!(numbers[k].value >= 0) || isinf(numbers[k].value)) {
+            return taut_fail(error, TAUT_BAD_INPUT, numbers[k].reason, numbers[k].where,
+                             numbers[k].value, 0, "found %.17g, expected a positive number",
+                             numbers[k].value);
+        }
+    }
+    return told == 0 || told == 3
+               ? TAUT_OK
+               : taut_fail(error, TAUT_BAD_INPUT, "material", "/laths/material", told, 3,
+                           "found %d numbers above 0, expected E, G and strength", told);
+}
 
 static taut_status check_problem(const taut_trace_problem *problem, taut_error *error)
 {
@@ -42,7 +72,7 @@ static taut_status check_problem(const taut_trace_problem *problem, taut_error *
         return taut_fail(error, TAUT_BAD_INPUT, "net", "/seeds", taut_none, taut_none,
                          "geodesics need seeds with a place and a direction");
     }
-    return TAUT_OK;
+    return problem->laths != NULL ? check_laths(problem->laths, error) : TAUT_OK;
 }
 
 /* The surface of a name, or the only one. */
@@ -106,11 +136,23 @@ static taut_status add_lath(const taut_net *net, const taut_lath *lath, taut_are
     return taut_construct_add_curve(model, curve, error);
 }
 
+/* In the document's unit, which is that of the surface. */
+static double play_of(const request *r)
+{
+    static const double play_default = 0.2; /* mm */
+    const taut_trace_laths *laths = r->problem->laths;
+    const char *unit =
+        r->problem->of != NULL ? r->problem->of->unit : taut_model_unit(r->problem->model);
+    return laths->has_play ? laths->play
+                           : fmin(play_default * taut_unit_ratio("mm", unit), laths->thickness);
+}
+
 static taut_status fill(const request *r, const taut_model *of, const taut_net *net,
                         taut_arena *arena, taut_model *model, taut_error *error)
 {
     taut_record *details = taut_record_new();
     taut_surface *surface = NULL;
+    taut_strip *strips = NULL;
     taut_status status = taut_surface_copy(net->carrier->surface, &surface);
 
     if (status != TAUT_OK || details == NULL) {
@@ -119,7 +161,10 @@ static taut_status fill(const request *r, const taut_model *of, const taut_net *
         return taut_fail_memory(error);
     }
     status = taut_construct_add_surface(model, surface, error);
-    taut_trace_describe(net, details);
+    if (status == TAUT_OK && r->problem->laths != NULL) {
+        status = taut_strips_new(net, play_of(r), &strips, error);
+    }
+    taut_trace_describe(net, strips, details);
     taut_record *domain = taut_record_add_list(details, "domain");
     for (int k = 0; status == TAUT_OK && k < net->count; k++) {
         status = add_lath(net, &net->laths[k], arena, model, domain, error);

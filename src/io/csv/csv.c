@@ -11,16 +11,26 @@
 #include <string.h>
 
 /* Text with a comma, a quote or an end of line goes in quotes, its own doubled. */
-static void write_text(taut_sink *sink, const char *text)
+static int is_plain(const char *text)
 {
-    const int is_plain = strpbrk(text, ",\"\r\n") == NULL;
+    return strpbrk(text, ",\"\r\n") == NULL;
+}
 
-    taut_sink_text(sink, is_plain ? "" : "\"");
+static void write_inside(taut_sink *sink, const char *text)
+{
     for (const char *c = text; *c != '\0'; c++) {
         taut_sink_bytes(sink, c, 1);
         taut_sink_text(sink, *c == '"' ? "\"" : "");
     }
-    taut_sink_text(sink, is_plain ? "" : "\"");
+}
+
+static void write_text(taut_sink *sink, const char *text)
+{
+    const char *quote = is_plain(text) ? "" : "\"";
+
+    taut_sink_text(sink, quote);
+    write_inside(sink, text);
+    taut_sink_text(sink, quote);
 }
 
 static void write_cell(taut_sink *sink, const taut_record *cell)
@@ -34,6 +44,50 @@ static void write_cell(taut_sink *sink, const taut_record *cell)
     }
 }
 
+static int is_kind(const taut_record *record, taut_record_kind kind)
+{
+    return record != NULL && taut_record_kind_of(record) == kind;
+}
+
+/* The text that item i of a list begins with; "" where it begins with none. */
+static const char *first_text(const taut_record *list, size_t i)
+{
+    const taut_record *item = taut_record_at(list, i);
+    const taut_record *first = is_kind(item, TAUT_RECORD_LIST) && taut_record_count(item) > 0
+                                   ? taut_record_at(item, 0)
+                                   : NULL;
+    return is_kind(first, TAUT_RECORD_TEXT) ? taut_record_text(first) : "";
+}
+
+static void write_list(taut_sink *sink, const taut_record *list)
+{
+    const size_t count = is_kind(list, TAUT_RECORD_LIST) ? taut_record_count(list) : 0;
+    const char *quote = "";
+
+    for (size_t i = 0; i < count; i++) {
+        quote = is_plain(first_text(list, i)) ? quote : "\"";
+    }
+    taut_sink_text(sink, quote);
+    for (size_t i = 0; i < count; i++) {
+        taut_sink_text(sink, i > 0 ? " " : "");
+        write_inside(sink, first_text(list, i));
+    }
+    taut_sink_text(sink, quote);
+}
+
+static void write_column(taut_sink *sink, const taut_csv_column *column, const taut_record *row)
+{
+    const taut_record *cell = taut_record_get(row, column->member);
+    if (column->is_list) {
+        write_list(sink, cell);
+        return;
+    }
+    if (column->inner != NULL) {
+        cell = is_kind(cell, TAUT_RECORD_OBJECT) ? taut_record_get(cell, column->inner) : NULL;
+    }
+    write_cell(sink, cell);
+}
+
 static void write_row(taut_sink *sink, const taut_csv_column *columns, const taut_record *row)
 {
     for (int c = 0; columns[c].member != NULL; c++) {
@@ -41,7 +95,7 @@ static void write_row(taut_sink *sink, const taut_csv_column *columns, const tau
         if (row == NULL) {
             taut_sink_text(sink, columns[c].title);
         } else if (taut_record_kind_of(row) == TAUT_RECORD_OBJECT) {
-            write_cell(sink, taut_record_get(row, columns[c].member));
+            write_column(sink, &columns[c], row);
         }
     }
     taut_sink_text(sink, "\n");
@@ -56,9 +110,10 @@ static taut_status write_csv(const taut_model *model, const taut_write_options *
 
     (void)options; /* the table is of the whole model */
     if (kind == NULL) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "no-table", "/details", taut_none, taut_none,
-                         "the model has no table, as cables of a film are one: write another "
-                         "format");
+        return taut_fail(
+            error, TAUT_NO_SOLUTION, "no-table", "/details", taut_none, taut_none,
+            "the model has no table, as cables of a film or curves of a net are one: write another "
+            "format");
     }
     sink = taut_sink_to(out);
     write_row(&sink, kind->columns, NULL);

@@ -1,12 +1,28 @@
 #include "io/csv/table.h"
 
-static const taut_csv_column cables[] = {{"edge", "edge"},
-                                         {"force", "force"},
-                                         {"length", "length"},
-                                         {"unstressed", "unstressed_length"},
-                                         {NULL, NULL}};
+static const taut_csv_column cables[] = {
+    {.member = "edge", .title = "edge"},
+    {.member = "force", .title = "force"},
+    {.member = "length", .title = "length"},
+    {.member = "unstressed", .title = "unstressed_length"},
+    {.member = NULL},
+};
 
-static const taut_csv_kind kinds[] = {{"cables", cables}};
+static const taut_csv_column laths[] = {
+    {.member = "name", .title = "name"},
+    {.member = "family", .title = "family"},
+    {.member = "length", .title = "length"},
+    {.member = "cut_length", .title = "cut_length"},
+    {.member = "width", .title = "width"},
+    {.member = "thickness", .title = "thickness"},
+    {.member = "least_radius", .title = "least_radius"},
+    {.member = "twist", .title = "twist"},
+    {.member = "stress", .inner = "use", .title = "use"},
+    {.member = "nodes", .is_list = 1, .title = "nodes"},
+    {.member = NULL},
+};
+
+static const taut_csv_kind kinds[] = {{"cables", cables}, {"laths", laths}};
 
 const taut_csv_kind *taut_csv_table(const taut_model *model, const taut_record **rows)
 {

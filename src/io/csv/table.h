@@ -11,6 +11,8 @@
 /* A column: a member of each object, and how the table calls it. */
 typedef struct taut_csv_column {
     const char *member, *title;
+    const char *inner; /* not NULL: a member of that member, which is an object */
+    int is_list; /* nonzero: of a list of lists the texts they begin with, with spaces between */
 } taut_csv_column;
 
 typedef struct taut_csv_kind {

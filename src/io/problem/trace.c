@@ -24,7 +24,7 @@ enum { PATH_ROOM = 4096 };
 
 static const char *const members[] = {"trace",      "of",     "surface", "families", "seeds",
                                       "max_length", "panels", "laths",   "sheet",    NULL};
-static const char *const not_yet[] = {"panels", "laths", "sheet", NULL};
+static const char *const not_yet[] = {"panels", "sheet", NULL};
 static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric", NULL};
 static const char *const families[4][3] = {
     {"+", "-", NULL}, {"max", "min", NULL}, {"G", NULL, NULL}, {"u", "v", NULL}};
@@ -33,6 +33,18 @@ static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const seed_members[] = {"at",        "edge", "count", "by",    "ends",
                                            "line",      "lath", "cell",  "cells", "family",
                                            "direction", "both", "to",    NULL};
+
+static const char *const lath_members[] = {"strip", "width", "thickness", "material",
+                                           "cut",   "play",  NULL};
+static const char *const strips[] = {"standing", "plank", NULL};
+static const char *const strips_not_yet[] = {"developable", "envelope", NULL};
+static const char *const cuts[] = {"mean", "axis", NULL};
+static const char *const material_members[] = {"E", "G", "strength", NULL};
+/* EN 1993-1-1 and EN 338. */
+static const struct {
+    const char *name;
+    taut_trace_material material;
+} materials[] = {{"steel-s235", {210000, 81000, 235}}, {"timber-c24", {11000, 690, 24}}};
 
 /* ---- what it is traced on ---- */
 
@@ -361,6 +373,108 @@ static void read_seeds(taut_reader *document, taut_arena *arena, taut_trace_prob
     data->seed_count = s.count;
 }
 
+/* ---- laths ---- */
+
+static taut_status read_positive(const taut_json *at, double *value, const char *reason,
+                                 taut_error *error)
+{
+    const taut_status status = taut_json_number(at, value, error);
+    return status == TAUT_OK && !(*value > 0)
+               ? taut_json_refuse(at, error, reason, "a positive number")
+               : status;
+}
+
+static taut_status read_width(const taut_json *at, void *value, taut_error *error)
+{
+    return read_positive(at, value, "width", error);
+}
+
+static taut_status read_modulus(const taut_json *at, void *value, taut_error *error)
+{
+    return read_positive(at, value, "material", error);
+}
+
+static taut_status read_play(const taut_json *at, void *into, taut_error *error)
+{
+    taut_trace_laths *laths = into;
+    const taut_status status = taut_json_number(at, &laths->play, error);
+    laths->has_play = 1;
+    return status == TAUT_OK && !(laths->play >= 0)
+               ? taut_json_expected(at, error, "a number that is not negative")
+               : status;
+}
+
+static taut_status read_material(const taut_json *at, void *into, taut_error *error)
+{
+    taut_trace_material *material = into;
+    const char *name = taut_json_text_at(at);
+
+    for (size_t k = 0; name != NULL && k < sizeof materials / sizeof materials[0]; k++) {
+        if (strcmp(name, materials[k].name) == 0) {
+            *material = materials[k].material;
+            return TAUT_OK;
+        }
+    }
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
+        return taut_json_refuse(at, error, "material", "\"%s\", \"%s\" or E, G and strength",
+                                materials[0].name, materials[1].name);
+    }
+    taut_reader in = taut_reader_of(at, material_members, error);
+    taut_reader_member(&in, "E", read_modulus, &material->e);
+    taut_reader_member(&in, "G", read_modulus, &material->g);
+    taut_reader_member(&in, "strength", read_modulus, &material->strength);
+    return in.status;
+}
+
+static void read_strip(taut_reader *in, taut_trace_laths *laths)
+{
+    const taut_json at = taut_json_member(in->object, "strip");
+    const char *word = at.value != NULL ? taut_json_text_at(&at) : NULL;
+    int strip = 0;
+
+    for (int k = 0; in->status == TAUT_OK && word != NULL && strips_not_yet[k] != NULL; k++) {
+        if (strcmp(word, strips_not_yet[k]) == 0) {
+            in->status = taut_json_fail(&at, in->error, "trace-not-yet", taut_none, taut_none,
+                                        "found \"%s\", which this version cannot cut: "
+                                        "take \"standing\" or \"plank\"",
+                                        word);
+        }
+    }
+    taut_reader_word(in, "strip", strips, &strip);
+    laths->strip = (taut_trace_strip)strip;
+}
+
+static taut_status read_laths(const taut_json *at, void *into, taut_error *error)
+{
+    taut_trace_laths *laths = into;
+    taut_reader in = taut_reader_of(at, lath_members, error);
+    int cut = 0;
+
+    read_strip(&in, laths);
+    taut_reader_optional(&in, "width", read_width, &laths->width);
+    taut_reader_optional(&in, "thickness", read_cell, &laths->thickness);
+    taut_reader_optional(&in, "material", read_material, &laths->material);
+    taut_reader_optional_word(&in, "cut", cuts, &cut);
+    laths->cut = (taut_trace_cut)cut;
+    taut_reader_optional(&in, "play", read_play, laths);
+    return in.status;
+}
+
+static void take_laths(taut_reader *document, taut_arena *arena, taut_trace_problem *data)
+{
+    taut_trace_laths *laths = NULL;
+    if (document->status != TAUT_OK || !taut_reader_has(document, "laths")) {
+        return;
+    }
+    laths = taut_arena_take(arena, 1, sizeof *laths);
+    if (laths == NULL) {
+        document->status = taut_fail_memory(document->error);
+        return;
+    }
+    taut_reader_member(document, "laths", read_laths, laths);
+    data->laths = laths;
+}
+
 static void refuse_members(taut_reader *in)
 {
     for (int k = 0; in->status == TAUT_OK && not_yet[k] != NULL; k++) {
@@ -393,6 +507,7 @@ static void trace_read(taut_reader *document, taut_problem *problem, void *into)
     read_families(document, data);
     read_seeds(document, problem->arena, data);
     taut_reader_optional(document, "max_length", read_cell, &data->max_length);
+    take_laths(document, problem->arena, data);
 }
 
 const taut_document_ops taut_document_trace = {

@@ -1,0 +1,125 @@
+#include "trace/bending.h"
+
+#include "core/vec3.h"
+#include "numeric/quadrature.h"
+
+enum { SAMPLES = TAUT_BENDING_NODES + 2, ROUNDS = 40 };
+
+taut_lath_bending taut_lath_bending_at(const taut_carrier *carrier, taut_linefield_kind kind,
+                                       const taut_segment *segment, double t)
+{
+    double window[TAUT_QUINTIC][2], x[TAUT_CARRIER_VECTORS][3], at[2], way[2], ab[2], bend[2];
+    double out[3], tangent[3], sideways[3];
+    taut_form_pair forms;
+    taut_lath_bending b = {{0}};
+
+    taut_segment_window(segment, window);
+    taut_quintic_at(2, window[0], t, at, way, bend);
+    taut_carrier_at(carrier, segment->start.span, at, 3, x);
+    taut_carrier_forms((const double(*)[3])x, &forms);
+    const double square =
+        forms.e * way[0] * way[0] + 2 * forms.f * way[0] * way[1] + forms.g * way[1] * way[1];
+    ab[0] = way[0] / sqrt(square);
+    ab[1] = way[1] / sqrt(square);
+    if (kind.net != TAUT_TRACE_GEODESIC) {
+        double exact[2];
+        if (taut_linefield_direction(carrier, kind, &forms, exact) != TAUT_LINEFIELD_FINE) {
+            return b;
+        }
+        const double sign = exact[0] * (forms.e * ab[0] + forms.f * ab[1]) +
+                                        exact[1] * (forms.f * ab[0] + forms.g * ab[1]) <
+                                    0
+                                ? -1
+                                : 1;
+        ab[0] = sign * exact[0];
+        ab[1] = sign * exact[1];
+    }
+    b.value[TAUT_K_N] = taut_linefield_normal_curvature(&forms, ab);
+    b.value[TAUT_TAU_G] = taut_linefield_torsion(&forms, ab);
+    if (taut_linefield_bend(kind.net, (const double(*)[3])x, &forms, ab, bend)) {
+        taut_linefield_tangent((const double(*)[3])x, ab, tangent);
+        taut_linefield_acceleration((const double(*)[3])x, ab, bend, out);
+        taut_cross(forms.normal, tangent, sideways);
+        b.value[TAUT_K_G] = taut_dot(out, sideways);
+    }
+    return b;
+}
+
+void taut_lath_bending_sample(const taut_carrier *carrier, taut_linefield_kind kind,
+                              const taut_segment *segment, taut_lath_samples *samples)
+{
+    const taut_station *from = &segment->from, *to = &segment->to;
+    double nodes[TAUT_BENDING_NODES], weights[TAUT_BENDING_NODES];
+
+    *samples = (taut_lath_samples){.carrier = carrier, .kind = kind, .segment = segment};
+    taut_gauss_rule(TAUT_BENDING_NODES, nodes, weights);
+    samples->at[0] = (taut_lath_bending){{from->k_n, from->k_g, from->tau_g}};
+    samples->at[SAMPLES - 1] = (taut_lath_bending){{to->k_n, to->k_g, to->tau_g}};
+    samples->t[SAMPLES - 1] = 1;
+    for (int i = 0; i < TAUT_BENDING_NODES; i++) {
+        samples->t[i + 1] = (1 + nodes[i]) / 2;
+        samples->weight[i + 1] = weights[i] / 2;
+        samples->at[i + 1] = taut_lath_bending_at(carrier, kind, segment, samples->t[i + 1]);
+    }
+}
+
+static double measure_at(const taut_lath_samples *samples, taut_lath_measure *measure,
+                         const void *context, double t)
+{
+    const taut_lath_bending here =
+        taut_lath_bending_at(samples->carrier, samples->kind, samples->segment, t);
+    return measure(&here, context);
+}
+
+static void take_most(const taut_lath_samples *samples, double value, double t,
+                      taut_lath_most *most)
+{
+    const double from = samples->segment->from.s, length = samples->segment->to.s - from;
+    if (value > most->value) {
+        *most = (taut_lath_most){value, from + t * length};
+    }
+}
+
+static void climb(const taut_lath_samples *samples, taut_lath_measure *measure, const void *context,
+                  double low, double high, taut_lath_most *most)
+{
+    const double golden = 0.6180339887498949;
+    double a = high - golden * (high - low), b = low + golden * (high - low);
+    double at_a = measure_at(samples, measure, context, a);
+    double at_b = measure_at(samples, measure, context, b);
+    for (int round = 0; round < ROUNDS; round++) {
+        if (at_a > at_b) {
+            high = b;
+            b = a;
+            at_b = at_a;
+            a = high - golden * (high - low);
+            at_a = measure_at(samples, measure, context, a);
+        } else {
+            low = a;
+            a = b;
+            at_a = at_b;
+            b = low + golden * (high - low);
+            at_b = measure_at(samples, measure, context, b);
+        }
+    }
+    take_most(samples, at_a, a, most);
+}
+
+void taut_lath_take_most(const taut_lath_samples *samples, taut_lath_measure *measure,
+                         const void *context, int ends, taut_lath_most *most)
+{
+    double value[SAMPLES];
+
+    for (int i = 0; i < SAMPLES; i++) {
+        value[i] = measure(&samples->at[i], context);
+    }
+    for (int i = 0; i < SAMPLES; i++) {
+        const int before = i > 0 ? i - 1 : i, after = i < SAMPLES - 1 ? i + 1 : i;
+        const int is_top = (ends || before + after == 2 * i) && value[i] >= value[before] &&
+                           value[i] >= value[after];
+        take_most(samples, value[i], samples->t[i], most);
+        if (is_top && value[i] > most->value * 0.9 && value[i] > 0) {
+            climb(samples, measure, context, samples->t[before], samples->t[after], most);
+        }
+    }
+}

@@ -1,0 +1,412 @@
+/* strip.c
+ *
+ *     of each segment: mu, the edge's stretch and the pattern's angle by Gauss's rule, the angle at
+ *                      its nodes by the rule again; the largest stress by its samples
+ *     of each node: a slot in both laths, its place by the same sums up to there
+ *
+ * A fibre at height h of a strip that twists by tau is sqrt(1 + h^2 tau^2) as long as the axis. With
+ * y = w tau / 2 the mean over the width is mu = (sqrt(1 + y^2) + asinh(y)/y) / 2: the length of a strip
+ * that no force pulls. Its stresses are those of bending, of
+ * Saint-Venant's torsion of a thin rectangle, and of the fibres that the twist has made longer than
+ * the mean. */
+#include "trace/strip.h"
+
+#include "core/constants.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+#include "numeric/quadrature.h"
+#include "trace/bending.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { NODES = TAUT_BENDING_NODES, HEIGHTS = 16 };
+/* From this y on mu - 1 by its closed form loses no more than a digit. */
+static const double closed_form = 0.5;
+
+/* ---- how it is cut ---- */
+
+/* What a strip is, in the carrier's unit. */
+typedef struct cut {
+    const taut_net *net;
+    const taut_trace_laths *laths;
+    double width, thickness, play;
+    int weak, flat;  /* which of a bending it bends by, which one its pattern has */
+    int is_straight; /* the pattern: what it would have vanishes on this net */
+} cut;
+
+static cut cut_of(const taut_net *net, double play)
+{
+    const taut_trace_laths *laths = net->problem->laths;
+    const int scale = net->carrier->scale, is_plank = laths->strip == TAUT_TRACE_PLANK;
+    return (cut){.net = net,
+                 .laths = laths,
+                 .width = ldexp(laths->width, -scale),
+                 .thickness = ldexp(laths->thickness, -scale),
+                 .play = ldexp(play, -scale),
+                 .weak = is_plank ? TAUT_K_N : TAUT_K_G,
+                 .flat = is_plank ? TAUT_K_G : TAUT_K_N,
+                 .is_straight =
+                     net->problem->net == (is_plank ? TAUT_TRACE_GEODESIC : TAUT_TRACE_ASYMPTOTIC)};
+}
+
+static double flat_curvature(const cut *c, const taut_lath_bending *b)
+{
+    return c->is_straight ? 0 : b->value[c->flat];
+}
+
+/* mu - 1. */
+static double mean_stretch(double y)
+{
+    double nodes[2 * NODES], weights[2 * NODES], sum = 0;
+    if (y > closed_form) {
+        const double root = sqrt(1 + y * y);
+        return (root + taut_log(y + root) / y) / 2 - 1;
+    }
+    taut_gauss_rule(2 * NODES, nodes, weights);
+    for (int k = NODES; k < 2 * NODES; k++) {
+        const double x = y * nodes[k];
+        sum += weights[k] * x * x / (1 + sqrt(1 + x * x));
+    }
+    return sum;
+}
+
+/* ---- sums along a lath ---- */
+
+typedef struct sums {
+    double edge,
+        stretch; /* of the twist: what the edge, and the mean, are longer by than the axis */
+    double cut, x, y, theta;
+} sums;
+
+/* The angle that the pattern turns by from `from` to `to` of a segment. */
+static double turn_between(const cut *c, const taut_lath_samples *at, double from, double to)
+{
+    double nodes[NODES], weights[NODES], sum = 0;
+    if (c->is_straight) {
+        return 0;
+    }
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int k = 0; k < NODES; k++) {
+        const taut_lath_bending b = taut_lath_bending_at(at->carrier, at->kind, at->segment,
+                                                         from + (to - from) * (1 + nodes[k]) / 2);
+        sum += weights[k] / 2 * flat_curvature(c, &b);
+    }
+    return sum * (to - from) * (at->segment->to.s - at->segment->from.s);
+}
+
+/* Adds what lies between the beginning of a segment and t. */
+static void add_between(const cut *c, const taut_lath_samples *at, double t, sums *sum)
+{
+    const double length = t * (at->segment->to.s - at->segment->from.s);
+    const double theta = sum->theta;
+    for (int k = 1; k <= NODES; k++) {
+        const double here = t * at->t[k], ds = at->weight[k] * length;
+        const taut_lath_bending b =
+            t == 1 ? at->at[k] : taut_lath_bending_at(at->carrier, at->kind, at->segment, here);
+        const double y = c->width * fabs(b.value[TAUT_TAU_G]) / 2, more = mean_stretch(y);
+        const double cut_ds = (c->laths->cut == TAUT_TRACE_CUT_AXIS ? 1 : 1 + more) * ds;
+        const double angle = theta + turn_between(c, at, 0, here);
+        sum->edge += y * y / (1 + sqrt(1 + y * y)) * ds;
+        sum->stretch += more * ds;
+        sum->cut += cut_ds;
+        sum->x += taut_cos(angle) * cut_ds;
+        sum->y += taut_sin(angle) * cut_ds;
+    }
+    sum->theta = theta + turn_between(c, at, 0, t);
+}
+
+/* ---- stresses ---- */
+
+static double weak_size(const taut_lath_bending *b, const void *context)
+{
+    const cut *c = context;
+    return fabs(b->value[c->weak]);
+}
+
+static double flat_size(const taut_lath_bending *b, const void *context)
+{
+    return fabs(flat_curvature(context, b));
+}
+
+static double twist_size(const taut_lath_bending *b, const void *context)
+{
+    (void)context;
+    return fabs(b->value[TAUT_TAU_G]);
+}
+
+/* Of the ribbon: the largest curvature of a line in it. */
+static double ribbon_size(const taut_lath_bending *b, const void *context)
+{
+    const double half = weak_size(b, context) / 2;
+    return half + taut_hypot(half, b->value[TAUT_TAU_G]);
+}
+
+static taut_strip_stress stress_of(const cut *c, double k, double tau)
+{
+    const taut_trace_material *m = &c->laths->material;
+    taut_strip_stress s = {.bending = m->e * (c->thickness * k) / 2,
+                           .torsion = m->g * (c->thickness * tau),
+                           .helix = m->e * (c->width * tau) * (c->width * tau) / 12};
+    s.combined = taut_hypot(s.bending + s.helix, sqrt(3) * s.torsion);
+    s.use = s.combined / m->strength;
+    return s;
+}
+
+static double combined_size(const taut_lath_bending *b, const void *context)
+{
+    return stress_of(context, weak_size(b, context), twist_size(b, context)).combined;
+}
+
+/* The bending at s of a lath. */
+static taut_lath_bending bending_at(const taut_net *net, const taut_lath *lath, double s,
+                                    int *segment)
+{
+    const taut_linefield_kind kind = {net->problem->net, lath->family};
+    int k = 0;
+    while (k + 1 < lath->count && s > lath->segments[k].to.s) {
+        k++;
+    }
+    const taut_segment *on = &lath->segments[k];
+    const double length = on->to.s - on->from.s;
+    const double t = length > 0 ? fmin(fmax((s - on->from.s) / length, 0), 1) : 0;
+    if (segment != NULL) {
+        *segment = k;
+    }
+    return taut_lath_bending_at(net->carrier, kind, on, t);
+}
+
+/* ---- one lath ---- */
+
+typedef struct extremes {
+    taut_lath_most weak, flat, twist, ribbon, combined;
+} extremes;
+
+static void take_stress(const cut *c, const taut_lath *lath, const extremes *most,
+                        taut_strip *strip)
+{
+    const taut_trace_material *m = &c->laths->material;
+    const taut_lath_bending b = bending_at(c->net, lath, most->combined.at, NULL);
+    strip->has_stress = c->thickness > 0 && m->e > 0;
+    if (!strip->has_stress) {
+        return;
+    }
+    strip->stress = stress_of(c, weak_size(&b, c), twist_size(&b, c));
+    strip->stress.at = most->combined.at;
+    strip->stress.thickest =
+        most->weak.value > 0 ? 2 * m->strength / (m->e * most->weak.value) : INFINITY;
+    strip->stress.widest =
+        most->twist.value > 0 ? sqrt(12 * m->strength / m->e) / most->twist.value : INFINITY;
+}
+
+static taut_status make_strip(const cut *c, const taut_lath *lath, taut_strip *strip,
+                              taut_error *error)
+{
+    const taut_linefield_kind kind = {c->net->problem->net, lath->family};
+    extremes most = {0};
+    sums sum = {0};
+
+    for (int k = 0; k < lath->count; k++) {
+        taut_lath_samples at;
+        taut_lath_bending_sample(c->net->carrier, kind, &lath->segments[k], &at);
+        add_between(c, &at, 1, &sum);
+        taut_lath_take_most(&at, weak_size, c, 1, &most.weak);
+        taut_lath_take_most(&at, flat_size, c, 1, &most.flat);
+        taut_lath_take_most(&at, twist_size, c, 1, &most.twist);
+        taut_lath_take_most(&at, ribbon_size, c, 1, &most.ribbon);
+        taut_lath_take_most(&at, combined_size, c, 1, &most.combined);
+    }
+    if (most.flat.value * c->width >= 2) {
+        const int scale = c->net->carrier->scale;
+        return taut_fail(
+            error, TAUT_NO_SOLUTION, "folds", "/laths/width", c->laths->width,
+            ldexp(2 / most.flat.value, scale),
+            "%s folds over itself %.6g along it: it is %.6g wide, and bends in its own "
+            "plane on a radius of %.6g",
+            lath->name, ldexp(most.flat.at, scale), c->laths->width,
+            ldexp(1 / most.flat.value, scale));
+    }
+    strip->edge_length = lath->length + sum.edge;
+    strip->mean_stretch = sum.stretch;
+    strip->cut_length = sum.cut;
+    strip->end[0] = sum.x;
+    strip->end[1] = sum.y;
+    strip->end[2] = sum.theta;
+    strip->least_radius = most.ribbon.value > 0 ? 1 / most.ribbon.value : INFINITY;
+    take_stress(c, lath, &most, strip);
+    return TAUT_OK;
+}
+
+/* ---- slots ---- */
+
+/* The angle about n from the first lath of a node to the second, at height h. */
+static double angle_at(const taut_lath_bending b[2], double angle, double h)
+{
+    double turned[2];
+    for (int i = 0; i < 2; i++) {
+        turned[i] = taut_atan2(-h * b[i].value[TAUT_TAU_G], 1 - h * b[i].value[TAUT_K_N]);
+    }
+    return angle + turned[1] - turned[0];
+}
+
+/* The signed angle on the surface, from 0 to pi: the tangents by their segments. */
+static double directed_angle(const taut_net *net, const taut_node *node, taut_lath_bending b[2])
+{
+    double tangent[2][3], across[3];
+    for (int i = 0; i < 2; i++) {
+        const taut_lath *lath = &net->laths[node->laths[i]];
+        const taut_linefield_kind kind = {net->problem->net, lath->family};
+        taut_station at = {0};
+        int segment = 0;
+        b[i] = bending_at(net, lath, node->s[i], &segment);
+        if (!taut_segment_state(net->carrier, kind, &lath->segments[segment], node->s[i], &at)) {
+            at = lath->segments[segment].from;
+        }
+        memcpy(tangent[i], at.tangent, sizeof at.tangent);
+    }
+    taut_cross(tangent[0], tangent[1], across);
+    const double angle =
+        taut_atan2(taut_dot(across, node->normal), taut_dot(tangent[0], tangent[1]));
+    return angle < 0 ? angle + TAUT_PI : angle;
+}
+
+double taut_slot_twisted(const taut_net *net, const taut_node *node, int side, double width)
+{
+    taut_lath_bending b[2];
+    const double angle = directed_angle(net, node, b);
+    double least = TAUT_PI / 2;
+
+    for (int k = 0; k <= HEIGHTS; k++) {
+        const double h = (side == 0 ? 1 : -1) * width / 2 * k / HEIGHTS;
+        const double here = angle_at(b, angle, h);
+        if (!(here > 0) || !(here < TAUT_PI)) {
+            return 0;
+        }
+        least = fmin(least, fmin(here, TAUT_PI - here));
+    }
+    return taut_cos(least / 2) / taut_sin(least / 2);
+}
+
+/* How far along the pattern s of the lath is. */
+static double place_on(const cut *c, const taut_lath *lath, double s)
+{
+    const taut_linefield_kind kind = {c->net->problem->net, lath->family};
+    sums sum = {0};
+    for (int k = 0; k < lath->count && lath->segments[k].from.s < s; k++) {
+        const taut_segment *on = &lath->segments[k];
+        taut_lath_samples at;
+        taut_lath_bending_sample(c->net->carrier, kind, on, &at);
+        add_between(c, &at, s < on->to.s ? (s - on->from.s) / (on->to.s - on->from.s) : 1, &sum);
+    }
+    return sum.cut;
+}
+
+static taut_status add_slot(const cut *c, int index, int side, taut_strip *strip, taut_error *error)
+{
+    const taut_node *node = &c->net->nodes.list[index];
+    const taut_lath *lath = &c->net->laths[node->laths[side]];
+    const double twisted = taut_slot_twisted(c->net, node, side, c->width);
+    int k = strip->slot_count;
+
+    if (twisted == 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "slots", "/laths/width", c->laths->width,
+                         taut_none,
+                         "%s and %s turn into each other between their node and the edge of %s: "
+                         "take laths less wide than %.6g",
+                         c->net->laths[node->laths[0]].name, c->net->laths[node->laths[1]].name,
+                         lath->name, c->laths->width);
+    }
+    for (; k > 0 && strip->slots[k - 1].s > node->s[side]; k--) {
+        strip->slots[k] = strip->slots[k - 1];
+    }
+    strip->slots[k] = (taut_slot){.node = index,
+                                  .side = side,
+                                  .s = node->s[side],
+                                  .at = place_on(c, lath, node->s[side]),
+                                  .width = twisted * c->thickness + c->play,
+                                  .depth = c->width / 2};
+    strip->slot_count++;
+    return TAUT_OK;
+}
+
+/* The thickness below which two slots leave something between them; of a play that is not given no
+ * more than the thickness. */
+static double thickness_between(const cut *c, double gap, double need)
+{
+    const double slope = (need - c->play) / c->thickness, by_play = (gap - c->play) / slope;
+    return fmax(c->laths->has_play ? by_play : fmax(by_play, gap / (slope + 1)), 0);
+}
+
+/* Slots side by side must leave something between them, on all laths. */
+static taut_status check_slots(const cut *c, const taut_strip *strips, taut_error *error)
+{
+    const int scale = c->net->carrier->scale;
+    double least = INFINITY, where = 0;
+    int worst = 0;
+
+    for (int lath = 0; lath < c->net->count; lath++) {
+        for (int k = 1; k < strips[lath].slot_count; k++) {
+            const taut_slot *a = &strips[lath].slots[k - 1], *b = &strips[lath].slots[k];
+            const double gap = b->at - a->at, need = (a->width + b->width) / 2;
+            const double thickness = thickness_between(c, gap, need);
+            if (need >= gap && thickness < least) {
+                least = thickness;
+                worst = lath;
+                where = a->s;
+            }
+        }
+    }
+    if (least == INFINITY) {
+        return TAUT_OK;
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "slots", "/laths/thickness", c->laths->thickness,
+                     ldexp(least, scale),
+                     "slots of %s overlap, %.6g along it: take laths thinner than %.6g, or fewer",
+                     c->net->laths[worst].name, ldexp(where, scale), ldexp(least, scale));
+}
+
+static taut_status make_slots(const cut *c, taut_strip *strips, taut_error *error)
+{
+    const taut_net *net = c->net;
+    taut_status status = TAUT_OK;
+    int *count = taut_arena_take(net->arena, (size_t)net->count + 1, sizeof *count);
+
+    if (count == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k < net->nodes.count; k++) {
+        for (int side = 0; side < 2; side++) {
+            count[net->nodes.list[k].laths[side]]++;
+        }
+    }
+    for (int k = 0; k < net->count; k++) {
+        strips[k].slots =
+            taut_arena_take(net->arena, (size_t)count[k] + 1, sizeof *strips[k].slots);
+        if (strips[k].slots == NULL) {
+            return taut_fail_memory(error);
+        }
+    }
+    for (int k = 0; status == TAUT_OK && k < 2 * net->nodes.count; k++) {
+        const int lath = net->nodes.list[k / 2].laths[k % 2];
+        status = add_slot(c, k / 2, k % 2, &strips[lath], error);
+    }
+    return status == TAUT_OK ? check_slots(c, strips, error) : status;
+}
+
+taut_status taut_strips_new(const taut_net *net, double play, taut_strip **strips,
+                            taut_error *error)
+{
+    const cut c = cut_of(net, play);
+    taut_strip *list = taut_arena_take(net->arena, (size_t)net->count + 1, sizeof *list);
+    taut_status status = list != NULL ? TAUT_OK : taut_fail_memory(error);
+
+    for (int k = 0; status == TAUT_OK && k < net->count; k++) {
+        status = make_strip(&c, &net->laths[k], &list[k], error);
+    }
+    if (status == TAUT_OK && c.laths->strip == TAUT_TRACE_STANDING && c.width > 0 &&
+        c.thickness > 0) {
+        status = make_slots(&c, list, error);
+    }
+    *strips = list;
+    return status;
+}

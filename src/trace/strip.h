@@ -1,0 +1,44 @@
+/* strip.h -- laths cut flat and straight: what bending and twisting does to them, how long they are
+ * cut, where their slots are. Lengths in the carrier's unit.
+ *
+ *     standing: x + h n, which bends by k_g and is cut along a curve of curvature k_n
+ *     plank:    x + h S, which bends by k_n and is cut along a curve of curvature k_g
+ */
+#ifndef TAUT_TRACE_STRIP_H
+#define TAUT_TRACE_STRIP_H
+
+#include "trace/net.h"
+
+typedef struct taut_slot {
+    int node;                /* of the net's */
+    int side;                /* 0: cut from the +n side, 1: from the other */
+    double s;                /* of the lath */
+    double at, width, depth; /* on the pattern, along its axis */
+} taut_slot;
+
+typedef struct taut_strip_stress {
+    double bending, torsion, helix, combined, use; /* where `combined` is the largest; N/mm^2 */
+    double at;
+    double thickest, widest; /* what bending alone, or helix alone, would allow; INFINITY: any */
+} taut_strip_stress;
+
+typedef struct taut_strip {
+    double edge_length, mean_stretch, cut_length;
+    double end[3];       /* x, y, theta of the pattern's axis */
+    double least_radius; /* INFINITY: it stays flat */
+    int has_stress;
+    taut_strip_stress stress;
+    taut_slot *slots; /* along the lath */
+    int slot_count;
+} taut_strip;
+
+/* A strip a lath, in the net's arena; play: of the slots, in the document's unit. TAUT_NO_MEMORY;
+ * TAUT_NO_SOLUTION, reasons "folds" and "slots". */
+taut_status taut_strips_new(const taut_net *net, double play, taut_strip **strips,
+                            taut_error *error);
+
+/* The largest cot(gamma/2) over the heights of the slot that the lath `side` (0, 1) of a node has, gamma
+ * the acute angle there of what crosses; 0 where they fall together on the way. */
+double taut_slot_twisted(const taut_net *net, const taut_node *node, int side, double width);
+
+#endif /* TAUT_TRACE_STRIP_H */
