@@ -99,7 +99,7 @@ taut_status taut_certify_add_through(const taut_surface *surface,
         for (int c = 0; c < 3; c++) {
             apart = taut_certify_max(apart, fabs(x[c] / 2 - places[k].point[c] / 2));
         }
-        if (k == 0 || !(apart <= worst)) {
+        if (k == 0 || (!isnan(worst) && !(apart <= worst))) { /* what cannot be told is the worst */
             worst = apart;
             snprintf(where, sizeof where, "/through/%d", k);
         }
