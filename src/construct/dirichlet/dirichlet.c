@@ -132,7 +132,6 @@ static int has_aspect(const taut_dirichlet_problem *problem)
 static taut_status solve_net(const taut_dirichlet_problem *problem, taut_dirichlet_system *system,
                              double *net, outcome *out, taut_error *error)
 {
-    double halves[2] = {0, 0};
     taut_status status = TAUT_OK;
 
     out->aspect = problem->aspect > 0 ? problem->aspect : 1;
@@ -140,10 +139,6 @@ static taut_status solve_net(const taut_dirichlet_problem *problem, taut_dirichl
                                   : taut_dirichlet_system_solve(system, out->aspect, net, error);
     if (status != TAUT_OK) {
         return status;
-    }
-    if (has_aspect(problem)) {
-        taut_dirichlet_system_energies(system, net, halves);
-        out->energy = out->aspect * halves[0] + halves[1] / out->aspect;
     }
     out->method = taut_dirichlet_system_method(system);
     out->iterations = taut_dirichlet_system_iterations(system);
@@ -192,19 +187,23 @@ static taut_status find_parameters(const taut_dirichlet_problem *problem,
                                    const taut_scaling *scaling, work *w, taut_error *error)
 {
     const size_t count = (size_t)problem->through_count;
-    taut_surface *surface = NULL;
-    taut_status status =
-        taut_surface_new("free", problem->u, problem->v, w->net, problem->weights, &surface, error);
+    taut_surface *surface = NULL; /* made where parameters are missing */
+    taut_status status = TAUT_OK;
 
     w->through = taut_arena_take(w->arena, count, sizeof *w->through);
-    if (status == TAUT_OK && w->through == NULL) {
-        status = taut_fail_memory(error);
+    if (w->through == NULL) {
+        return taut_fail_memory(error);
     }
     for (size_t k = 0; status == TAUT_OK && k < count; k++) {
         taut_through *to = &w->through[k];
         *to = problem->through[k];
         taut_scaling_apply(scaling, 1, problem->through[k].point, NULL, to->point);
-        if (isnan(to->u) && taut_surface_nearest(surface, to->point, &to->u, &to->v) != TAUT_OK) {
+        if (isnan(to->u) && surface == NULL) {
+            status = taut_surface_new("free", problem->u, problem->v, w->net, problem->weights,
+                                      &surface, error);
+        }
+        if (isnan(to->u) && status == TAUT_OK &&
+            taut_surface_nearest(surface, to->point, &to->u, &to->v) != TAUT_OK) {
             status = taut_fail_memory(error);
         }
     }
@@ -229,14 +228,20 @@ static taut_status pass_through(const taut_dirichlet_problem *problem, const tau
                             problem->through_count, w->arena, &conditions) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    status = taut_dirichlet_through_solve(w->system, w->out.aspect, &w->mask, &conditions, w->arena,
-                                          w->net, error);
-    if (status == TAUT_OK && w->system != NULL && has_aspect(problem)) {
-        double halves[2];
-        taut_dirichlet_system_energies(w->system, w->net, halves);
-        w->out.energy = w->out.aspect * halves[0] + halves[1] / w->out.aspect;
+    return taut_dirichlet_through_solve(w->system, w->out.aspect, &w->mask, &conditions, w->arena,
+                                        w->net, error);
+}
+
+/* D_aspect of the scaled net, where an aspect was asked for. */
+static double energy_of(const taut_dirichlet_problem *problem, const work *w)
+{
+    double halves[2] = {0, 0};
+
+    if (!has_aspect(problem)) {
+        return taut_none;
     }
-    return status;
+    taut_dirichlet_system_energies(w->system, w->net, halves);
+    return w->out.aspect * halves[0] + halves[1] / w->out.aspect;
 }
 
 /* Every point is known: the net is the problem's, and points to pass through are only looked at. */
@@ -245,7 +250,11 @@ static taut_status fill_known(const taut_dirichlet_problem *problem, work *w, ta
     const size_t count = (size_t)w->mask.nu * (size_t)w->mask.nv;
     taut_scaling scaling;
 
+    memcpy(w->net, problem->points, 3 * count * sizeof(double));
     w->out.aspect = problem->aspect > 0 ? problem->aspect : 1;
+    if (problem->through_count == 0) {
+        return TAUT_OK;
+    }
     if (find_scaling(problem, w, &scaling) != TAUT_OK) {
         return taut_fail_memory(error);
     }
@@ -286,7 +295,7 @@ static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_mo
     if (status != TAUT_OK) {
         return status;
     }
-    w->out.energy = taut_scaling_undo_square(&scaling, w->out.energy);
+    w->out.energy = taut_scaling_undo_square(&scaling, energy_of(problem, w));
     return taut_scaling_undo(&scaling, count, problem->points, problem->known, w->net, w->net,
                              error);
 }
