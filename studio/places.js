@@ -2,7 +2,7 @@
 // @ts-check
 import { below } from "./pointer.js";
 
-/** @typedef {{ pointer: string, at: number[], corner: boolean }} Place */
+/** @typedef {{ pointer: string, at: number[] }} Place */
 /** @typedef {{ name: string, members: number[] }} Edge  places by their number, in order */
 
 // Triples that are no places: vectors, and numbers that happen to be three.
@@ -15,19 +15,18 @@ const isPoint = (/** @type {any} */ value) =>
 export function placesOf(/** @type {any} */ document) {
   /** @type {Place[]} */
   const places = [];
-  /** @type {(value: any, pointer: string, corner: boolean) => void} */
-  const visit = (value, pointer, corner) => {
-    if (isPoint(value)) places.push({ pointer, at: value, corner });
+  /** @type {(value: any, pointer: string) => void} */
+  const visit = (value, pointer) => {
+    if (isPoint(value)) places.push({ pointer, at: value });
     else if (Array.isArray(value)) {
-      const ends = [0, value.length - 1];
-      value.forEach((item, i) => visit(item, below(pointer, i), corner && ends.includes(i)));
+      value.forEach((item, i) => visit(item, below(pointer, i)));
     } else if (value !== null && typeof value === "object") {
       for (const [name, item] of Object.entries(value)) {
-        if (!NO_PLACES.has(name)) visit(item, below(pointer, name), true);
+        if (!NO_PLACES.has(name)) visit(item, below(pointer, name));
       }
     }
   };
-  visit(document, "", true);
+  visit(document, "");
   return places;
 }
 

@@ -85,13 +85,17 @@ export class Studio {
     this.views.proof(this.certificate, text !== this.text());
   }
 
-  /** One step: the document as `next` makes it. */
-  change(/** @type {(document: any) => any} */ next) {
+  /** One step: the document as `next` makes it; `isOther`: another problem, whose picture is framed anew. */
+  change(/** @type {(document: any) => any} */ next, isOther = false) {
     return this.inOrder(async () => {
       const document = next(this.document);
       await this.draw(document);
       this.moving = undefined;
       this.history.push(document);
+      if (isOther) {
+        this.certificate = null;
+        this.scene.frame(placesOf(document).map(({ at }) => at));
+      }
       this.settle();
     });
   }
@@ -103,10 +107,7 @@ export class Studio {
   /** Another problem; the picture is framed anew. */
   async load(/** @type {any} */ document) {
     const given = typeof document === "string" ? parsed(document) : structuredClone(document);
-    this.certificate = null;
-    await this.change(() => given);
-    this.scene.frame(placesOf(given).map(({ at }) => at));
-    this.settle();
+    await this.change(() => given, true);
   }
 
   /** The first document: no step leads back beyond it. */

@@ -69,7 +69,7 @@ test("a hand moves along its axis, on its grid, to no more digits than it sees",
   assert.ok(Object.is(tidy(-1e-9, 0.01, 0), 0));
   assert.equal(distanceTo([0, 1], [-1, 0], [1, 0]), 1);
   assert.equal(distanceTo([3, 0], [-1, 0], [1, 0]), 2);
-  assert.deepEqual(editsOf([{ pointer: "/p", at: [0.1, 0.2, 0.3], corner: true }], [1, 0, 0], 0.01, 0), [{ pointer: "/p", value: [1.1, 0.2, 0.3] }]);
+  assert.deepEqual(editsOf([{ pointer: "/p", at: [0.1, 0.2, 0.3] }], [1, 0, 0], 0.01, 0), [{ pointer: "/p", value: [1.1, 0.2, 0.3] }]);
 });
 
 test("of questions that a newer one may replace only the newest waits, and failures are errors", async () => {

@@ -4,6 +4,21 @@
 
 #include "taut/taut.h"
 
+/* Surfaces for `of`, as JSON: minimal ones, and x y. */
+#define BONNET(theta)                                                                              \
+    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.29, \"sign\": \"-\", \"alpha\": "     \
+    "1.2, \"beta\": 0.9, \"theta\": " theta " }"
+#define CATENOID                                                                                   \
+    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", \"alpha\": 2, "     \
+    "\"beta\": 2, \"start\": [-1, -1] }"
+#define HELICOID                                                                                   \
+    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", \"theta\": "        \
+    "1.5707963267948966, \"alpha\": 3, \"beta\": 2.5, \"start\": [-1, -1.5] }"
+#define BILINEAR                                                                                   \
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 1, \"range\": "    \
+    "[-1, 1] }, \"v\": { \"type\": \"bezier\", \"degree\": 1, \"range\": [-1, 1] }, \"points\": "  \
+    "[[[-1, -1, 1.1], [-1, 1, -1.1]], [[1, -1, -1.1], [1, 1, 1.1]]] }] }"
+
 typedef struct made_net {
     taut_problem *problem;
     taut_model *model;

@@ -7,19 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-#define BONNET(theta)                                                                              \
-    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.29, \"sign\": \"-\", \"alpha\": "     \
-    "1.2, \"beta\": 0.9, \"theta\": " theta " }"
-#define CATENOID                                                                                   \
-    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", \"alpha\": 2, "     \
-    "\"beta\": 2, \"start\": [-1, -1] }"
-#define HELICOID                                                                                   \
-    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", \"theta\": "        \
-    "1.5707963267948966, \"alpha\": 3, \"beta\": 2.5, \"start\": [-1, -1.5] }"
-#define BILINEAR                                                                                   \
-    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 1, \"range\": "    \
-    "[-1, 1] }, \"v\": { \"type\": \"bezier\", \"degree\": 1, \"range\": [-1, 1] }, \"points\": "  \
-    "[[[-1, -1, 1.1], [-1, 1, -1.1]], [[1, -1, -1.1], [1, 1, 1.1]]] }] }"
 /* On the helicoid the helix at radius sinh v: k_g = sinh v / cosh^2 v, tau_g = -1 / cosh^2 v. */
 #define HELIX "\"seeds\": [{ \"at\": [0.3, 0.590143685781959], \"family\": \"-\" }]"
 

@@ -8,25 +8,12 @@
 
 #include <string.h>
 
-#define BONNET(theta)                                                                              \
-    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.29, \"sign\": \"-\", \"alpha\": "     \
-    "1.2, \"beta\": 0.9, \"theta\": " theta " }"
-#define CATENOID                                                                                   \
-    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", \"alpha\": 2, "     \
-    "\"beta\": 2, \"start\": [-1, -1] }"
 #define CATENOID_LONG                                                                              \
     "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", \"alpha\": 2, "     \
     "\"beta\": 3, \"mesh\": \"bspline\", \"segments\": [2, 1], \"start\": [0, -1] }"
-#define HELICOID                                                                                   \
-    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", \"theta\": "        \
-    "1.5707963267948966, \"alpha\": 3, \"beta\": 2.5, \"start\": [-1, -1.5] }"
 #define ENNEPER(start, side)                                                                       \
     "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 1, \"normalize\": true, \"sign\": "     \
     "\"-\", \"alpha\": " side ", \"start\": [" start ", " start "] }"
-#define BILINEAR                                                                                   \
-    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 1, \"range\": "    \
-    "[-1, 1] }, \"v\": { \"type\": \"bezier\", \"degree\": 1, \"range\": [-1, 1] }, \"points\": "  \
-    "[[[-1, -1, 1.1], [-1, 1, -1.1]], [[1, -1, -1.1], [1, 1, 1.1]]] }] }"
 /* z = 0.4 x^2 + 0.25 y^3 on [-1, 1]^2 */
 #define CUSPED                                                                                     \
     "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 2, \"range\": "    \
