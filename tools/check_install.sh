@@ -132,7 +132,7 @@ ask() { # ask WORD...: what the last word may become
 PREFIX=$1
 ask me
 ask make --rep
-ask example dirichlet-t
+ask example dirichlet-te
 ask make --threads ''
 ask panels --kind ''
 ask join nothing-here u
