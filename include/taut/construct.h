@@ -65,6 +65,8 @@ typedef struct taut_certify_options {
     int threads;      /* 0: 1 */
     double tolerance; /* that the model was made to, where a claim depends on it; 0: 1e-6 */
     int exact; /* nonzero: the claim `harmonic` in rational arithmetic, its limit 0; as above */
+    taut_monitor
+        monitor; /* TAUT_INTERRUPTED where it says stop, or enough: a certificate is whole */
 } taut_certify_options;
 
 /* What a certificate may miss: the word in error->reason, its meaning, a remedy. */

@@ -13,6 +13,7 @@
 #define TAUT_MEASURE_H
 
 #include "taut/curve.h"
+#include "taut/monitor.h"
 #include "taut/record.h"
 #include "taut/surface.h"
 
@@ -57,6 +58,7 @@ TAUT_API taut_status taut_surface_forms_points(const taut_surface *surface, int 
 typedef struct taut_measure_options {
     int grid;    /* extremes over grid x grid parameters; 0: 101; 2..TAUT_GRID_MAX */
     int threads; /* 0: 1; the result is the same for any number */
+    taut_monitor monitor;
 } taut_measure_options;
 
 typedef struct taut_edge_measure {
@@ -113,7 +115,8 @@ typedef struct taut_surface_measure {
     taut_jacobian jacobian;     /* of planar surfaces */
 } taut_surface_measure;
 
-/* All of the above at once. TAUT_BAD_ARGUMENT (NULL, an option out of range), TAUT_NO_MEMORY. */
+/* All of the above at once. TAUT_BAD_ARGUMENT (NULL, an option out of range), TAUT_NO_MEMORY,
+ * TAUT_INTERRUPTED where the monitor says stop, or enough. */
 TAUT_API taut_status taut_measure_surface(const taut_surface *surface,
                                           const taut_measure_options *options,
                                           taut_surface_measure *measure, taut_error *error);

@@ -33,11 +33,11 @@ class MakeOptions(Structure):
 
 
 class CertifyOptions(Structure):
-    _fields_ = [("threads", c_int), ("tolerance", c_double), ("exact", c_int)]
+    _fields_ = [("threads", c_int), ("tolerance", c_double), ("exact", c_int), ("monitor", MonitorStruct)]
 
 
 class MeasureOptions(Structure):
-    _fields_ = [("grid", c_int), ("threads", c_int)]
+    _fields_ = [("grid", c_int), ("threads", c_int), ("monitor", MonitorStruct)]
 
 
 class WriteOptions(Structure):

@@ -127,8 +127,7 @@ def _made(problem: Any, options: c.MakeOptions, proof: c.CertifyOptions, make: A
     return Model._of(handle)
 
 
-def _strict(model: Model, strict: bool) -> Model:
-    certificate = model.certificate
+def _strict(model: Model, certificate: Certificate | None, strict: bool) -> Model:
     if strict and certificate is not None and certificate.holds is False:
         names = ", ".join(one.claim for one in certificate.claims if one.holds is False)
         failure = CheckFailed(f"{certificate.construct}: a claim does not hold: {names}", "", "claim")
@@ -177,12 +176,12 @@ def make(document: Document, tolerance: float | None = None, threads: int | None
     options, proof = _options(tolerance, threads, exact)
     models = []
     with Watch(progress) as watch:
-        options.monitor = watch.monitor
+        options.monitor = proof.monitor = watch.monitor
         for i in range(library.taut_problem_list_count(problems.pointer)):
             models.append(_made(library.taut_problem_list_at(problems.pointer, i), options, proof, library.taut_make,
                                 library.taut_certify))
     for model in models:
-        _strict(model, strict)
+        _strict(model, model.certificate, strict)
     return models if library.taut_problem_list_is_list(problems.pointer) else models[0]
 
 
@@ -192,13 +191,18 @@ def read(path: str | os.PathLike[str]) -> Model:
 
 
 def certify(model: Model, problem: Document | None = None, tolerance: float | None = None, threads: int | None = None,
-            exact: bool = False) -> Certificate:
-    """Proves a model again from its numbers alone, against its problem where that is given."""
+            exact: bool = False, progress: Progress | None = None, strict: bool = False) -> Certificate:
+    """Proves a model again from its numbers alone, against its problem where that is given. Arguments as of make; with strict
+    CheckFailed.model is the model."""
     options = _options(tolerance, threads, exact)[1]
     problems = None if problem is None else _problems(problem)
     one = None if problems is None else library.taut_problem_list_at(problems.pointer, 0)
-    certificate = made(library.taut_certify, library.taut_certificate_free, model._pointer, one, byref(options))
-    return certificate_of(certificate.pointer)
+    with Watch(progress) as watch:
+        options.monitor = watch.monitor
+        handle = made(library.taut_certify, library.taut_certificate_free, model._pointer, one, byref(options))
+    certificate = certificate_of(handle.pointer)
+    _strict(model, certificate, strict)
+    return certificate
 
 
 def dirichlet_direct(points: Any, u: Basis, v: Basis, known: Any, weights: Any, aspect: Any, regular: bool, name: str | None,
@@ -210,9 +214,9 @@ def dirichlet_direct(points: Any, u: Basis, v: Basis, known: Any, weights: Any, 
                                  regular=int(regular))
     options, proof = _options(tolerance, threads, False)
     with Watch(progress) as watch:
-        options.monitor = watch.monitor
+        options.monitor = proof.monitor = watch.monitor
         model = _made(byref(problem), options, proof, library.taut_dirichlet_make, library.taut_dirichlet_certify)
-    return _strict(model, strict)
+    return _strict(model, model.certificate, strict)
 
 
 __all__ = ["certify", "make", "read"]

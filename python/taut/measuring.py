@@ -9,6 +9,7 @@ from . import _library as c
 from ._handle import Handle, encoded, library, made, text_of
 from .errors import InputError, raise_for
 from .geometry import Curve, Surface
+from .making import Progress, Watch
 from .model import Model
 
 _EDGES = ("u0", "u1", "v0", "v1")
@@ -40,17 +41,20 @@ def _measured(one: Surface | Curve, options: c.MeasureOptions) -> dict[str, Any]
     return dict(_record(lambda pointer: record(one._pointer, room, pointer)))
 
 
-def measure(what: Union[Model, Surface, Curve], grid: int = 101, threads: int | None = None) -> dict[str, Any]:
+def measure(what: Union[Model, Surface, Curve], grid: int = 101, threads: int | None = None,
+            progress: Progress | None = None) -> dict[str, Any]:
     """Areas, energies, curvatures, lengths: as `taut measure --json` says them.
 
     A model gives {"surfaces": [...], "curves": [...]}; a surface or curve its own object. Extremes are over grid x grid
-    parameters; integrals are good to 1e-10 relative, or come with their error.
+    parameters; integrals are good to 1e-10 relative, or come with their error. progress as of make.
     """
     options = c.MeasureOptions(grid=grid, threads=threads or 0)
-    if isinstance(what, Model):
-        return {"surfaces": [_measured(one, options) for one in what.surfaces],
-                "curves": [_measured(one, options) for one in what.curves]}
-    return _measured(what, options)
+    with Watch(progress) as watch:
+        options.monitor = watch.monitor
+        if isinstance(what, Model):
+            return {"surfaces": [_measured(one, options) for one in what.surfaces],
+                    "curves": [_measured(one, options) for one in what.curves]}
+        return _measured(what, options)
 
 
 def join(a: Surface, edge_a: str, b: Surface, edge_b: str) -> dict[str, Any]:

@@ -163,6 +163,25 @@ def test_progress_and_what_it_raises():
         taut.make(path, progress=stop)
     assert taut.make(path) == model
 
+    for work in (lambda **said: taut.certify(model, path, **said), lambda **said: taut.measure(model, **said)):
+        told.clear()
+        result = work(progress=lambda done, what: told.append(what))
+        assert set(told) <= {"proving", "measuring"} and told
+        with pytest.raises(RuntimeError, match="enough"):
+            work(progress=stop)
+        again = work()
+        assert again.claims == result.claims if isinstance(again, taut.Certificate) else again == result
+
+
+def test_strict_proof():
+    model = taut.make(ROOT / "examples/dirichlet-tent.json")
+    other = json.loads((ROOT / "examples/dirichlet-tent.json").read_text())
+    other["aspect"] = 3
+    assert taut.certify(model, other).holds is False
+    with pytest.raises(taut.CheckFailed) as caught:
+        taut.certify(model, other, strict=True)
+    assert caught.value.model is model
+
 
 SLOW = '''
 import signal, sys

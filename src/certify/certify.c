@@ -3,6 +3,8 @@
 #include "core/fail.h"
 #include "problem/problem.h"
 
+#include <math.h>
+
 static const taut_certify_ops *const ops_table[] = {
 #define TAUT_CERTIFY_ROW(identifier, name) &taut_certify_##identifier,
     TAUT_CONSTRUCT_LIST(TAUT_CERTIFY_ROW)
@@ -42,13 +44,23 @@ static taut_status certify(const taut_certify_ops *ops, const char *construct,
                            taut_error *error)
 {
     static const taut_certify_options none;
+    const taut_certify_options *asked = options != NULL ? options : &none;
+    taut_pulse pulse = {.monitor = &asked->monitor, .what = "proving", .done = NAN};
+    const taut_audit audit = {.tolerance = asked->tolerance,
+                              .exact = asked->exact,
+                              .crew = {.threads = asked->threads, .pulse = &pulse}};
     taut_certificate *made = NULL;
     taut_status status = TAUT_OK;
 
     if (taut_certificate_new(construct, &made) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    status = ops->certify(model, data, options != NULL ? options : &none, made, error);
+    if (!taut_pulse_report(&pulse)) {
+        status = ops->certify(model, data, &audit, made, error);
+    }
+    if (pulse.is_stopped) {
+        status = taut_fail_status(error, TAUT_INTERRUPTED);
+    }
     if (status == TAUT_OK && add_identity(ops, model, data, unit, made) != TAUT_OK) {
         status = taut_fail_memory(error);
     }

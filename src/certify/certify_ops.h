@@ -2,19 +2,19 @@
 #ifndef TAUT_CERTIFY_OPS_H
 #define TAUT_CERTIFY_OPS_H
 
+#include "certify/common/audit.h"
 #include "certify/common/identity.h"
 #include "problem/construct_list.h"
 #include "taut/construct.h"
 
 typedef struct taut_certify_ops {
-    /* data: the problem's struct, or NULL when there is only the model. options is never NULL.
+    /* data: the problem's struct, or NULL when there is only the model.
      * `certificate` is new and carries the construction's name: add claims and figures. */
-    taut_status (*certify)(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error);
+    taut_status (*certify)(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error);
     /* Names the objects that the claims are about, as they are to be; data as above. */
     void (*identify)(const taut_model *model, const void *data, taut_identity *identity);
-    int exact; /* nonzero: knows options->exact */
+    int exact; /* nonzero: knows audit->exact */
 } taut_certify_ops;
 
 /* The public function of one construction: checks the arguments, makes a certificate with the

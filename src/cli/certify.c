@@ -21,8 +21,10 @@ static int print_certificate(const cli_options *options, const taut_certificate 
 
 static int run(const cli_options *options)
 {
-    const taut_certify_options chosen = {
-        .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};
+    const taut_certify_options chosen = {.threads = options->threads,
+                                         .tolerance = options->tolerance,
+                                         .exact = options->exact,
+                                         .monitor = cli_monitor(options->json)};
     taut_model *model = NULL;
     taut_problem *problem = NULL;
     taut_certificate *certificate = NULL;
@@ -38,6 +40,7 @@ static int run(const cli_options *options)
     if (status == TAUT_OK) {
         at = 0;
         status = taut_certify(model, problem, &chosen, &certificate, &error);
+        cli_monitor_done();
     }
     code = status == TAUT_OK ? print_certificate(options, certificate, taut_model_unit(model))
                              : cli_fail_in(options->files[at], &error);

@@ -12,8 +12,10 @@ int cli_make_model(const taut_problem *problem, const cli_options *options, cons
                                       .monitor = cli_monitor(options->quiet || options->json),
                                       .exact = options->exact,
                                       .time_limit = options->time_limit};
-    const taut_certify_options proof = {
-        .threads = options->threads, .tolerance = options->tolerance, .exact = options->exact};
+    const taut_certify_options proof = {.threads = options->threads,
+                                        .tolerance = options->tolerance,
+                                        .exact = options->exact,
+                                        .monitor = chosen.monitor};
     cli_report *report = &made->report;
     taut_model *model = NULL;
     taut_certificate *certificate = NULL;

@@ -9,7 +9,8 @@
 static taut_status measure_model(const taut_model *model, const cli_options *options,
                                  taut_record *record, taut_error *error)
 {
-    const taut_measure_options chosen = {.grid = options->grid, .threads = options->threads};
+    const taut_measure_options chosen = {
+        .grid = options->grid, .threads = options->threads, .monitor = cli_monitor(options->json)};
     taut_record *surfaces = taut_record_add_list(record, "surfaces");
     taut_record *curves = taut_record_add_list(record, "curves");
     taut_status status = TAUT_OK;
@@ -122,6 +123,7 @@ static int run(const cli_options *options)
     if (status == TAUT_OK) {
         record = taut_record_new();
         status = measure_model(model, options, record, &error);
+        cli_monitor_done();
     }
     if (status == TAUT_OK) {
         taut_record_add_text(record, "unit", taut_model_unit(model));

@@ -104,7 +104,8 @@
 #define TAUT_ABI_MEMBERS_taut_certify_options(X) \
     X(taut_certify_options, threads, "int") \
     X(taut_certify_options, tolerance, "double") \
-    X(taut_certify_options, exact, "int")
+    X(taut_certify_options, exact, "int") \
+    X(taut_certify_options, monitor, "taut_monitor")
 
 #define TAUT_ABI_MEMBERS_taut_claim(X) \
     X(taut_claim, claim, "const char *") \
@@ -273,7 +274,8 @@
 
 #define TAUT_ABI_MEMBERS_taut_measure_options(X) \
     X(taut_measure_options, grid, "int") \
-    X(taut_measure_options, threads, "int")
+    X(taut_measure_options, threads, "int") \
+    X(taut_measure_options, monitor, "taut_monitor")
 
 #define TAUT_ABI_MEMBERS_taut_mesh_group(X) \
     X(taut_mesh_group, name, "const char *") \

@@ -6,6 +6,7 @@
 #include "taut/measure.h"
 
 #include "core/arena.h"
+#include "core/crew.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -25,7 +26,7 @@ enum { GRID = 101 };
 static taut_status settle_options(const taut_measure_options *given, taut_measure_options *options,
                                   taut_error *error)
 {
-    *options = given != NULL ? *given : (taut_measure_options){0, 0};
+    *options = given != NULL ? *given : (taut_measure_options){.grid = 0};
     options->grid = options->grid == 0 ? GRID : options->grid;
     options->threads = options->threads == 0 ? 1 : options->threads;
     if (options->grid < 2 || options->grid > TAUT_GRID_MAX) {
@@ -147,14 +148,14 @@ static taut_status measure_edge(taut_arena *arena, const taut_surface *surface, 
 
 /* All but the options' range; what fails here is memory. */
 static taut_status measure_surface(taut_arena *arena, const taut_surface *surface,
-                                   const taut_measure_options *options,
+                                   const taut_measure_options *options, const taut_crew *crew,
                                    taut_surface_measure *measure)
 {
     taut_extremes extremes;
     taut_surface_integrals integrals;
 
-    if (taut_surface_integrals_of(surface, 2, options->threads, &integrals) != TAUT_OK ||
-        taut_extremes_of(surface, options->grid, options->threads, &extremes) != TAUT_OK) {
+    if (taut_surface_integrals_of(surface, 2, crew, &integrals) != TAUT_OK ||
+        taut_extremes_of(surface, options->grid, crew, &extremes) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     for (int edge = 0; edge < 4; edge++) {
@@ -162,7 +163,7 @@ static taut_status measure_surface(taut_arena *arena, const taut_surface *surfac
             return TAUT_NO_MEMORY;
         }
     }
-    taut_box_of(surface, measure->box);
+    taut_box_of(surface, crew, measure->box);
     take_figures(&integrals, &extremes, measure);
     return taut_surface_jacobian(surface, &measure->jacobian);
 }
@@ -183,9 +184,16 @@ taut_status taut_measure_surface(const taut_surface *surface, const taut_measure
         return status;
     }
     memset(&made, 0, sizeof made);
-    taut_arena *arena = taut_arena_new();
-    status = measure_surface(arena, surface, &settled, &made);
-    taut_arena_free(arena);
+    taut_pulse pulse = {.monitor = &settled.monitor, .what = "measuring", .done = NAN};
+    const taut_crew crew = {settled.threads, &pulse};
+    if (!taut_pulse_report(&pulse)) {
+        taut_arena *arena = taut_arena_new();
+        status = measure_surface(arena, surface, &settled, &crew, &made);
+        taut_arena_free(arena);
+    }
+    if (pulse.is_stopped) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
     if (status != TAUT_OK) {
         return taut_fail_memory(error);
     }
@@ -241,6 +249,10 @@ taut_status taut_measure_curve(const taut_curve *curve, const taut_measure_optio
     status = settle_options(options, &settled, error);
     if (status != TAUT_OK) {
         return status;
+    }
+    taut_pulse pulse = {.monitor = &settled.monitor, .what = "measuring", .done = NAN};
+    if (taut_pulse_report(&pulse)) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
     }
     taut_arena *arena = taut_arena_new();
     status = measure_curve(arena, curve, settled.grid, measure);

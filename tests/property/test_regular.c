@@ -153,7 +153,7 @@ static void check_regular(const taut_surface *surface, double c, double d, int l
     static net n;
     taut_regular found;
     double least = 0;
-    CHECK(taut_certify_regular(surface, &found) == TAUT_OK, "%s", what);
+    CHECK(taut_certify_regular(surface, NULL, &found) == TAUT_OK, "%s", what);
     fill_net(surface, &n);
     least = search(&n, c, d, lows);
     all->holds += found.holds == TAUT_TRUE;

@@ -287,7 +287,7 @@ static taut_status add_weights(double weight, const char *where, taut_certificat
 /* parts and problem: at unit size, by 2^exponent; weight: of the model itself. */
 static taut_status add_all(const taut_asymptotic_model *parts,
                            const taut_asymptotic_problem *problem, int exponent, double weight,
-                           const char *where, taut_certificate *certificate)
+                           const char *where, const taut_crew *crew, taut_certificate *certificate)
 {
     taut_edge_proof proofs[4];
     taut_regular regular;
@@ -303,7 +303,7 @@ static taut_status add_all(const taut_asymptotic_model *parts,
             add_edges(proofs, size_of(parts), exponent, edges_are_elsewhere(parts), certificate);
     }
     if (status == TAUT_OK) {
-        status = taut_certify_regular(parts->patch, &regular);
+        status = taut_certify_regular(parts->patch, crew, &regular);
     }
     if (status == TAUT_OK) {
         status = taut_certify_add_regular(&regular, certificate);
@@ -315,9 +315,8 @@ static taut_status add_all(const taut_asymptotic_model *parts,
                              : status;
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
 {
     taut_asymptotic_model parts, unit;
     taut_asymptotic_problem scaled;
@@ -325,7 +324,6 @@ static taut_status certify(const taut_model *model, const void *data,
     char where[TAUT_PLACE_TEXT];
     int exponent = 0;
     taut_status status = find_parts(model, &parts, error);
-    (void)options;
     if (status != TAUT_OK) {
         return status;
     }
@@ -334,8 +332,8 @@ static taut_status certify(const taut_model *model, const void *data,
     if (status == TAUT_OK) {
         const double weight = smallest_weight(parts.patch, where);
         fill_sizes(&unit);
-        status =
-            add_all(&unit, data != NULL ? &scaled : NULL, exponent, weight, where, certificate);
+        status = add_all(&unit, data != NULL ? &scaled : NULL, exponent, weight, where,
+                         &audit->crew, certificate);
     }
     taut_arena_free(arena);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;

@@ -371,13 +371,12 @@ static taut_status add_all(const taut_model *model, const taut_biharmonic_proble
     return status == TAUT_OK ? add_figures(model, certificate) : status;
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
 {
     const taut_status status = check_model(model, data, error);
 
-    (void)options;
+    (void)audit;
     if (status != TAUT_OK) {
         return status;
     }

@@ -366,14 +366,13 @@ static taut_status add_all(const taut_model *model, const taut_bonnet_problem *p
     return status == TAUT_OK ? add_figures(&r, certificate) : status;
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
 {
     taut_record *lists = NULL;
     taut_status status = check_surfaces(model, data, error);
 
-    (void)options;
+    (void)audit;
     if (status != TAUT_OK) {
         return status;
     }

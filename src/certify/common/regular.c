@@ -44,8 +44,9 @@ enum {
     GRID = 33,             /* of one span; less of many */
     GRID_LEAST = 4,
     STEPS = 40,
-    CLOSER = 512,    /* places seen in twice the precision */
-    ZERO_DEPTH = 28, /* halvings before a piece around a zero of R_u or R_v is left */
+    CLOSER = 512,     /* places seen in twice the precision */
+    PIECE_WORK = 100, /* operations at a coefficient of a piece, as pulses count them */
+    ZERO_DEPTH = 28,  /* halvings before a piece around a zero of R_u or R_v is left */
     ZEROS = 16
 };
 static const double share = 0.5;          /* of the smallest sine found */
@@ -64,6 +65,7 @@ typedef struct leaf {
 typedef struct work {
     taut_regular *found;
     const taut_surface *surface;
+    const taut_crew *crew;
     double origin[3];
     int exponent[2]; /* of points and weights: unit size */
     int span[2];
@@ -304,6 +306,7 @@ static void look_at_corners(work *w, const leaf *l)
 static void look_at(work *w, leaf *l)
 {
     w->found->pieces++;
+    w->done = w->done || taut_crew_beat(w->crew, PIECE_WORK * (double)w->size);
     look_at_corners(w, l);
     l->bound = taut_tangents_bound(&l->tangents, &l->direction);
     if (l->depth[l->direction] >= DEPTH) {
@@ -628,7 +631,8 @@ static taut_status visit_surface(work *w)
     return status;
 }
 
-taut_status taut_certify_regular(const taut_surface *surface, taut_regular *regular)
+taut_status taut_certify_regular(const taut_surface *surface, const taut_crew *crew,
+                                 taut_regular *regular)
 {
     work *const w = taut_alloc_zero(1, sizeof *w);
     taut_status status = TAUT_NO_MEMORY;
@@ -641,7 +645,11 @@ taut_status taut_certify_regular(const taut_surface *surface, taut_regular *regu
     regular->bound = 1;
     w->found = regular;
     w->surface = surface;
+    w->crew = crew;
     status = visit_surface(w);
+    if (crew != NULL && taut_pulse_is_stopped(crew->pulse)) {
+        status = TAUT_INTERRUPTED;
+    }
     for (int k = 0; k < LEVELS; k++) {
         taut_free(w->stack[k].block);
     }
@@ -678,11 +686,11 @@ void taut_certify_regular_figure(const taut_regular *regular, taut_record *figur
     }
 }
 
-taut_status taut_certify_add_regular_of(const taut_surface *surface, taut_certificate *certificate,
-                                        taut_record *figures)
+taut_status taut_certify_add_regular_of(const taut_surface *surface, const taut_crew *crew,
+                                        taut_certificate *certificate, taut_record *figures)
 {
     taut_regular regular;
-    const taut_status status = taut_certify_regular(surface, &regular);
+    const taut_status status = taut_certify_regular(surface, crew, &regular);
     if (status != TAUT_OK) {
         return status;
     }

@@ -9,6 +9,7 @@
 #ifndef TAUT_CERTIFY_COMMON_REGULAR_H
 #define TAUT_CERTIFY_COMMON_REGULAR_H
 
+#include "core/crew.h"
 #include "taut/certify.h"
 #include "taut/surface.h"
 
@@ -27,14 +28,15 @@ typedef struct taut_regular {
     char where[TAUT_REGULAR_TEXT];
 } taut_regular;
 
-/* TAUT_NO_MEMORY. */
-taut_status taut_certify_regular(const taut_surface *surface, taut_regular *regular);
+/* TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
+taut_status taut_certify_regular(const taut_surface *surface, const taut_crew *crew,
+                                 taut_regular *regular);
 
 /* The claim; and the figure `regular_bound`, null where nothing is proved. */
 taut_status taut_certify_add_regular(const taut_regular *regular, taut_certificate *certificate);
 void taut_certify_regular_figure(const taut_regular *regular, taut_record *figures);
 /* All of it at once. TAUT_NO_MEMORY. */
-taut_status taut_certify_add_regular_of(const taut_surface *surface, taut_certificate *certificate,
-                                        taut_record *figures);
+taut_status taut_certify_add_regular_of(const taut_surface *surface, const taut_crew *crew,
+                                        taut_certificate *certificate, taut_record *figures);
 
 #endif /* TAUT_CERTIFY_COMMON_REGULAR_H */

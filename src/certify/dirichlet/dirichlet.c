@@ -53,7 +53,7 @@ typedef struct request {
     int boundary_only; /* without a problem: the boundary is known; else every point is */
     double aspect;
     int has_aspect, is_searched;
-    int threads;
+    const taut_crew *crew;
     taut_arena *arena;    /* of what follows */
     taut_through *places; /* to pass through, with parameters; NULL: none */
     int place_count;
@@ -120,7 +120,6 @@ static taut_status read_request(const taut_model *model, const taut_dirichlet_pr
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "the problem needs two bases, points and which of them are known");
     }
-    memset(r, 0, sizeof *r);
     r->surface = taut_model_surface(model, 0);
     r->problem = problem;
     if (r->surface == NULL) {
@@ -235,12 +234,11 @@ static taut_status find_bounded(const request *r, taut_dirichlet_gradient *gradi
                                 taut_claim_kind *kind)
 {
     taut_gradient_rule rule = {.nodes = 0};
-    taut_status status = taut_gradient_plan(r->surface, 0, r->aspect, &rule);
+    taut_status status = taut_gradient_plan(r->surface, 0, r->aspect, r->crew, &rule);
 
     if (status != TAUT_OK || rule.nodes == 0) {
         return status;
     }
-    rule.threads = r->threads;
     status = taut_dirichlet_gradient_new(r->surface, r->aspect, &rule, gradient);
     taut_gradient_rule_clear(&rule);
     if (status != TAUT_OK) {
@@ -267,7 +265,7 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
     const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
     const int local =
         taut_basis_local(u) > taut_basis_local(v) ? taut_basis_local(u) : taut_basis_local(v);
-    taut_gradient_rule rule = {.nodes = local + 6, .threads = r->threads};
+    taut_gradient_rule rule = {.nodes = local + 6, .crew = r->crew};
     taut_status status = taut_dirichlet_gradient_new(r->surface, r->aspect, &rule, gradient);
 
     if (status != TAUT_OK) {
@@ -409,7 +407,7 @@ static taut_status add_figures(const request *r, const taut_dirichlet_gradient *
 {
     const double a = gradient->halves[0], b = gradient->halves[1];
     taut_surface_integrals found;
-    taut_status status = taut_surface_integrals_of(r->surface, 1, r->threads, &found);
+    taut_status status = taut_surface_integrals_of(r->surface, 1, r->crew, &found);
     taut_record *figures = NULL;
 
     if (status != TAUT_OK) {
@@ -426,7 +424,7 @@ static taut_status add_figures(const request *r, const taut_dirichlet_gradient *
         taut_record_add_number(figures, "aspect_energy", found.dirichlet * share);
     }
     if (r->problem != NULL && r->problem->regular) {
-        status = taut_certify_add_regular_of(r->surface, certificate, figures);
+        status = taut_certify_add_regular_of(r->surface, r->crew, certificate, figures);
     }
     status = status == TAUT_OK ? taut_record_status(figures) : status;
     taut_certificate_set_figures(certificate, figures);
@@ -469,16 +467,14 @@ static taut_status add_claims(const request *r, taut_dirichlet_gradient *gradien
     return add_figures(r, gradient, certificate);
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
 {
     taut_dirichlet_gradient gradient = {.unit = 0};
-    request r = {.arena = NULL};
+    request r = {.arena = NULL, .crew = &audit->crew};
     taut_status status = read_request(model, data, &r, error);
 
     if (status == TAUT_OK) {
-        r.threads = options->threads > 0 ? options->threads : 1;
         status = add_claims(&r, &gradient, certificate);
         taut_dirichlet_gradient_clear(&gradient);
         status = status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);

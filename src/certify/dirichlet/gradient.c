@@ -30,7 +30,8 @@ enum {
     BLOCK = 4,    /* sets of lines a task, at least */
     HALVINGS = 6, /* of cells, for the sake of a bound */
     ROUNDS = 10,  /* of halvings, for the sake of fewer nodes */
-    FEW_NODES = 20
+    FEW_NODES = 20,
+    NODE_WORK = 200 /* operations at a node */
 };
 
 /* A remainder this small, of the integral of the absolute value, is no more than the rounding of the
@@ -455,9 +456,16 @@ static void take_sums(const job *j, taut_dirichlet_gradient *g)
     }
 }
 
+/* Operations of a block, as pulses count them. */
+static double work_of_block(const job *j)
+{
+    return NODE_WORK * (double)(BLOCK * j->set) * j->w->v.count;
+}
+
 /* Blocks of even number, which share nothing, then those of odd number: any number of threads gives
  * the same sums in the same order. */
-static taut_status integrate_surface(const work *w, int threads, taut_dirichlet_gradient *g)
+static taut_status integrate_surface(const work *w, const taut_crew *crew,
+                                     taut_dirichlet_gradient *g)
 {
     job j = {.w = w, .g = g, .set = (w->nodes + TAUT_SHEAF - 1) / TAUT_SHEAF * TAUT_SHEAF};
 
@@ -465,7 +473,7 @@ static taut_status integrate_surface(const work *w, int threads, taut_dirichlet_
         return TAUT_NO_MEMORY;
     }
     begin_net(w, &j);
-    const int workers = taut_parallel_workers(threads, (j.count + 1) / 2);
+    const int workers = taut_crew_workers(crew, (j.count + 1) / 2);
     j.rows = taut_gradient_scratch(j.net.local, w->nodes);
     j.n = j.rows + TAUT_CHANNELS * (size_t)j.most * (size_t)w->nv;
     j.numbers = j.n + 2 * (size_t)j.most * TAUT_SHEAF;
@@ -475,7 +483,10 @@ static taut_status integrate_surface(const work *w, int threads, taut_dirichlet_
     }
     for (j.parity = 0; j.parity < 2; j.parity++) {
         const int tasks = (j.count + 1 - j.parity) / 2;
-        taut_parallel_run(taut_parallel_workers(workers, tasks), tasks, integrate_block, &j);
+        if (taut_crew_run(crew, taut_parallel_workers(workers, tasks), tasks, work_of_block(&j),
+                          integrate_block, &j)) {
+            return TAUT_INTERRUPTED;
+        }
     }
     take_sums(&j, g);
     return TAUT_OK;
@@ -497,7 +508,7 @@ static taut_status find_gradient(const taut_surface *surface, double aspect,
     if (made->values == NULL || made->gross == NULL) {
         return TAUT_NO_MEMORY;
     }
-    return integrate_surface(w, rule->threads, made);
+    return integrate_surface(w, rule->crew, made);
 }
 
 static taut_status gradient_new(const taut_surface *surface, int is_area, double aspect,
@@ -557,7 +568,8 @@ static void take_rule(plan *p, const double remainder[TAUT_REMAINDER_RULES])
         if (points <= points_most && isfinite(remainder[k]) &&
             (enough ? !p->is_enough || points < p->cost
                     : !p->is_enough && remainder[k] < p->best.remainder)) {
-            p->best = (taut_gradient_rule){.nodes = nodes, .remainder = remainder[k]};
+            p->best =
+                (taut_gradient_rule){.nodes = nodes, .remainder = remainder[k], .crew = p->in.crew};
             memcpy(p->taken, p->cells, sizeof p->taken);
             p->cost = points;
             p->is_enough = enough;
@@ -673,15 +685,16 @@ static taut_status search_rule(plan *p)
 }
 
 static taut_status plan_rule(const taut_surface *surface, int is_area, double aspect,
-                             taut_arena *arena, taut_gradient_rule *rule)
+                             const taut_crew *crew, taut_arena *arena, taut_gradient_rule *rule)
 {
     plan p = {
         .arena = arena,
         .in = {.basis = {taut_surface_u(surface), taut_surface_v(surface)},
                .weights = taut_surface_weights(surface),
-               .is_area = is_area},
+               .is_area = is_area,
+               .crew = crew},
         .cost = INFINITY,
-        .best = {.remainder = INFINITY},
+        .best = {.remainder = INFINITY, .crew = crew},
     };
     work w = {.arena = arena, .weights = p.in.weights};
     taut_status status = TAUT_OK;
@@ -708,16 +721,17 @@ static taut_status plan_rule(const taut_surface *surface, int is_area, double as
 }
 
 taut_status taut_gradient_plan(const taut_surface *surface, int is_area, double aspect,
-                               taut_gradient_rule *rule)
+                               const taut_crew *crew, taut_gradient_rule *rule)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const int local =
         taut_basis_local(u) > taut_basis_local(v) ? taut_basis_local(u) : taut_basis_local(v);
-    taut_gradient_rule made = {.remainder = INFINITY};
+    taut_gradient_rule made = {.remainder = INFINITY, .crew = crew};
 
     if (!is_area && taut_surface_weights(surface) == NULL && taut_basis_degree(u) >= 0 &&
         taut_basis_degree(v) >= 0) {
-        *rule = (taut_gradient_rule){.nodes = local + 1}; /* exact with one node less */
+        *rule =
+            (taut_gradient_rule){.nodes = local + 1, .crew = crew}; /* exact with one node less */
         return TAUT_OK;
     }
     if (taut_weight_spread(surface) > TAUT_SPREAD_MAX) {
@@ -725,7 +739,7 @@ taut_status taut_gradient_plan(const taut_surface *surface, int is_area, double 
         return TAUT_OK;
     }
     taut_arena *arena = taut_arena_new();
-    const taut_status status = plan_rule(surface, is_area, aspect, arena, &made);
+    const taut_status status = plan_rule(surface, is_area, aspect, crew, arena, &made);
 
     taut_arena_free(arena);
     if (status == TAUT_OK) {

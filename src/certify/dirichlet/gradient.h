@@ -10,6 +10,7 @@
 #ifndef TAUT_CERTIFY_DIRICHLET_GRADIENT_H
 #define TAUT_CERTIFY_DIRICHLET_GRADIENT_H
 
+#include "core/crew.h"
 #include "geometry/nurbs/cells.h"
 #include "taut/surface.h"
 
@@ -35,16 +36,17 @@ typedef struct taut_dirichlet_gradient {
 /* Where the nodes are: so many Gauss nodes (1..TAUT_GAUSS_MAX) a cell. */
 typedef struct taut_gradient_rule {
     int nodes;
-    int halvings;         /* of every cell (geometry/nurbs/cells.h), unless they are told: */
-    double remainder;     /* no derivative is off by more, rounding aside; INFINITY: not known */
-    taut_cells *cells[2]; /* of u and of v, or NULL */
-    int threads;          /* 0: 1; the gradient is the same for any number */
+    int halvings;          /* of every cell (geometry/nurbs/cells.h), unless they are told: */
+    double remainder;      /* no derivative is off by more, rounding aside; INFINITY: not known */
+    taut_cells *cells[2];  /* of u and of v, or NULL */
+    const taut_crew *crew; /* or NULL; the gradient is the same for any number of threads */
 } taut_gradient_rule;
 
 /* A rule whose remainder is below the rounding of the sums, or else the best that can be afforded,
- * with nodes 0 where there is none (certify/dirichlet/remainder.h); to be cleared. TAUT_NO_MEMORY. */
+ * with nodes 0 where there is none (certify/dirichlet/remainder.h); to be cleared. rule->crew is the
+ * crew. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
 taut_status taut_gradient_plan(const taut_surface *surface, int is_area, double aspect,
-                               taut_gradient_rule *rule);
+                               const taut_crew *crew, taut_gradient_rule *rule);
 void taut_gradient_rule_clear(taut_gradient_rule *rule);
 
 /* rule->nodes half as many again, at most TAUT_GAUSS_MAX; or 0 where that is reached, or where they would be more than
@@ -52,7 +54,7 @@ void taut_gradient_rule_clear(taut_gradient_rule *rule);
  * far apart do not pay for more. `before` is the gradient by the rule as it stands. */
 int taut_gradient_raise(taut_gradient_rule *rule, const taut_dirichlet_gradient *before);
 
-/* TAUT_NO_MEMORY. */
+/* TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
 taut_status taut_dirichlet_gradient_new(const taut_surface *surface, double aspect,
                                         const taut_gradient_rule *rule,
                                         taut_dirichlet_gradient *gradient);

@@ -7,7 +7,11 @@
 #include <math.h>
 #include <string.h>
 
-enum { RHOS = 11, REAL = 0 /* the first: the interval itself */ };
+enum {
+    RHOS = 11,
+    REAL = 0,       /* the first: the interval itself */
+    CELL_WORK = 400 /* operations of a cell and function alive, as pulses count them */
+};
 const int taut_remainder_nodes[TAUT_REMAINDER_RULES] = {4,  6,  8,  10, 12, 14,
                                                         16, 20, 24, 32, 40, 48};
 static const double rhos[RHOS] = {1, 1.3, 1.6, 2, 2.5, 3, 4, 5.5, 8, 12, 20};
@@ -519,6 +523,9 @@ taut_status taut_gradient_remainder(const taut_remainder_request *request, taut_
                 missed != NULL ? missed + 2 * ((size_t)k * (size_t)cv->count + (size_t)l) : NULL;
             add_cell(w, &slices[0], &slices[1 + l], (size_t)first_u * nv + (size_t)first_v, count,
                      missed);
+        }
+        if (taut_crew_beat(request->crew, CELL_WORK * (double)(local[0] * local[1]) * cv->count)) {
+            return TAUT_INTERRUPTED;
         }
     }
     for (int k = 0; k <= TAUT_REMAINDER_RULES; k++) {

@@ -18,6 +18,7 @@
 #define TAUT_CERTIFY_DIRICHLET_REMAINDER_H
 
 #include "core/arena.h"
+#include "core/crew.h"
 #include "geometry/nurbs/cells.h"
 
 enum { TAUT_REMAINDER_RULES = 12, TAUT_REMAINDER_FEW = 6 /* the rule of 16 nodes */ };
@@ -31,6 +32,7 @@ typedef struct taut_remainder_request {
     const double *weights; /* [nu][nv] or NULL */
     double fu, fv;         /* factors of the Dirichlet energy */
     int is_area;
+    const taut_crew *crew; /* or NULL */
     const double *moves; /* [nu][nv][3] at most about 1, or NULL: the second derivative of the area
                           * along them instead, of which the remainders are */
     double
@@ -41,7 +43,7 @@ typedef struct taut_remainder_request {
 /* remainder[r]: the largest over the points, of the rule of taut_remainder_nodes[r] nodes a cell;
  * *scale: the same of a bound of the integral of the absolute value, INFINITY where a cell has
  * none; with moves, of what a relative error of all that the integrand is made of makes of it.
- * Scratch from the arena. TAUT_NO_MEMORY. */
+ * Scratch from the arena. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
 taut_status taut_gradient_remainder(const taut_remainder_request *request, taut_arena *arena,
                                     double remainder[TAUT_REMAINDER_RULES], double *scale);
 

@@ -603,7 +603,7 @@ static taut_status fill_figures(const request *r, const finding *found, taut_are
     taut_status status = taut_film_sheet_new(r->surface, r->problem, SECOND_EXTRA, arena, &sheet);
 
     if (status == TAUT_OK) {
-        status = taut_mean_largest(r->surface, GRID, &largest);
+        status = taut_mean_largest(r->surface, GRID, NULL, &largest);
     }
     if (status != TAUT_OK) {
         return TAUT_NO_MEMORY;
@@ -665,14 +665,13 @@ static taut_status prove(const request *r, taut_certificate *certificate)
     return status == TAUT_OK ? add_figures(r, &found, certificate) : status;
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
 {
     request r;
     taut_status status = read_request(model, data, &r, error);
 
-    (void)options; /* nothing here takes long enough for threads */
+    (void)audit; /* nothing here takes long enough for threads */
     if (status == TAUT_OK) {
         status = add_boundary(&r, certificate, error);
     }

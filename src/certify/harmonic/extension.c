@@ -226,13 +226,13 @@ static taut_status add_meeting(const taut_model *model,
 }
 
 static taut_status add_all(const taut_model *model, const taut_harmonic_extension_problem *problem,
-                           const taut_certify_options *options, taut_certificate *certificate,
+                           const taut_audit *audit, taut_certificate *certificate,
                            taut_error *error)
 {
     const int g1 =
         problem != NULL ? problem->given == TAUT_EXTENSION_G1 : taut_model_surface_count(model) < 3;
     taut_status status = taut_harmonic_add_harmonic(
-        model, options->exact, g1 ? 0 : carried_of(model, problem), certificate, error);
+        model, audit->exact, g1 ? 0 : carried_of(model, problem), certificate, error);
 
     if (status == TAUT_OK && problem != NULL) {
         status = add_boundary(model, problem->surface, certificate);
@@ -244,9 +244,8 @@ static taut_status add_all(const taut_model *model, const taut_harmonic_extensio
     return status == TAUT_OK ? add_figures(model, certificate) : status;
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
 {
     const taut_harmonic_extension_problem *problem = data;
     const int merged = problem != NULL && problem->given != TAUT_EXTENSION_G1;
@@ -255,7 +254,7 @@ static taut_status certify(const taut_model *model, const void *data,
     if (status != TAUT_OK) {
         return status;
     }
-    status = add_all(model, data, options, certificate, error);
+    status = add_all(model, data, audit, certificate, error);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
 

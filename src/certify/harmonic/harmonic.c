@@ -255,11 +255,11 @@ static void add_gap(const taut_model *model, const taut_harmonic_problem *p, tau
 
 /* The claims, and figures: every other failure than these tell of is one of memory. */
 static taut_status add_all(const taut_model *model, const taut_harmonic_problem *problem,
-                           const taut_certify_options *options, taut_certificate *certificate,
+                           const taut_audit *audit, taut_certificate *certificate,
                            taut_error *error)
 {
     taut_record *figures = NULL;
-    taut_status status = taut_harmonic_add_harmonic(model, options->exact, 0, certificate, error);
+    taut_status status = taut_harmonic_add_harmonic(model, audit->exact, 0, certificate, error);
 
     if (status == TAUT_OK && problem != NULL) {
         status = add_boundary(model, problem, certificate, error);
@@ -274,16 +274,15 @@ static taut_status add_all(const taut_model *model, const taut_harmonic_problem 
     return status == TAUT_OK ? taut_record_status(figures) : status;
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
 {
     taut_status status = taut_harmonic_check_model(model, 1, error);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = add_all(model, data, options, certificate, error);
+    status = add_all(model, data, audit, certificate, error);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
 

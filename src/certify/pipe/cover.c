@@ -390,6 +390,9 @@ taut_status taut_pipe_cover_round(const taut_pipe_sweep *sweep, taut_pipe_cover 
         }
         status = taut_arena_status(arena);
         taut_arena_free(arena);
+        if (taut_crew_beat(sweep->parts->crew, TAUT_PULSE_WORK)) {
+            return TAUT_INTERRUPTED;
+        }
     }
     return status;
 }

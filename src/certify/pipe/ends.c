@@ -163,6 +163,7 @@ static taut_status goal_of(const taut_pipe_parts *parts, const double shape[3], 
     return status;
 }
 
+enum { GOAL_WORK = 2500000 }; /* operations that find one goal, as pulses count them */
 static const double low[3] = {-3, -3, -3}, high[3] = {1, 3, 1};
 
 /* Neighbour `code` (three digits to base 3) at a part `step` of the box; 0 where it is outside or
@@ -196,6 +197,9 @@ taut_status taut_pipe_claim_optimal(const taut_pipe_parts *parts, taut_certifica
             continue;
         }
         status = goal_of(parts, other, here, &there, error);
+        if (taut_crew_beat(parts->crew, GOAL_WORK)) {
+            return TAUT_INTERRUPTED;
+        }
         if (status == TAUT_OK && (here - there) / here > saved) {
             saved = (here - there) / here;
             snprintf(where, sizeof where, "alpha = %.6g, beta = %.6g, gamma = %.6g", other[0],

@@ -2,6 +2,7 @@
 #ifndef TAUT_CERTIFY_PIPE_PARTS_H
 #define TAUT_CERTIFY_PIPE_PARTS_H
 
+#include "certify/common/audit.h"
 #include "certify/pipe/axis.h"
 #include "taut/pipe.h"
 
@@ -28,6 +29,7 @@ typedef struct taut_pipe_parts {
     double drawn[2];               /* how long the straight pipes should be, local */
     double size;                   /* the largest coordinate of any control point, */
     double sizes[3];               /* and the largest x, y, z */
+    const taut_crew *crew;
 } taut_pipe_parts;
 
 /* How far rounding moves one control point against another at right angles to the axis, where both
@@ -103,7 +105,7 @@ void taut_pipe_add_sizes(const taut_surface *surface, taut_pipe_parts *parts);
 /* Is this the model of a run? Its certificate. */
 int taut_pipe_is_run(const taut_model *model);
 taut_status taut_pipe_claim_run(const taut_model *model, const taut_pipe_run_problem *problem,
-                                const taut_certify_options *options, taut_certificate *certificate,
+                                const taut_audit *audit, taut_certificate *certificate,
                                 taut_error *error);
 /* The figure total_torsion, null with the reason where it is not to be had. */
 void taut_pipe_add_torsion(taut_record *figures, double torsion);

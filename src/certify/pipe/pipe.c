@@ -212,10 +212,10 @@ static taut_status add_claims(const taut_model *model, const taut_pipe_parts *pa
 }
 
 static taut_status claim_blend(const taut_model *model, taut_pipe_parts *parts, taut_arena *arena,
-                               const taut_certify_options *options, taut_certificate *certificate,
+                               const taut_audit *audit, taut_certificate *certificate,
                                taut_error *error)
 {
-    const double tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default;
+    const double tolerance = audit->tolerance > 0 ? audit->tolerance : tolerance_default;
     taut_status status = taut_pipe_line_of(parts->axis, arena, &parts->line, error);
     if (status != TAUT_OK) {
         return status;
@@ -227,7 +227,7 @@ static taut_status claim_blend(const taut_model *model, taut_pipe_parts *parts, 
         return status;
     }
     status = taut_pipe_find_figures(parts);
-    if (status != TAUT_OK) {
+    if (status != TAUT_OK || taut_crew_beat(parts->crew, TAUT_PULSE_WORK)) {
         return status;
     }
     return add_claims(model, parts, tolerance, certificate, error);
@@ -254,7 +254,7 @@ static taut_pipe_run_problem run_of_blend(const taut_pipe_problem *blend)
 }
 
 static taut_status certify_run(const taut_model *model, const taut_pipe_request *request,
-                               const taut_certify_options *options, taut_certificate *certificate,
+                               const taut_audit *audit, taut_certificate *certificate,
                                taut_error *error)
 {
     const taut_pipe_run_problem *asked = request != NULL && request->is_run ? &request->run : NULL;
@@ -263,7 +263,7 @@ static taut_status certify_run(const taut_model *model, const taut_pipe_request 
         other = run_of_blend(&request->blend);
         asked = &other;
     }
-    return taut_pipe_claim_run(model, asked, options, certificate, error);
+    return taut_pipe_claim_run(model, asked, audit, certificate, error);
 }
 
 /* The largest coordinate of a surface or curve. */
@@ -301,13 +301,12 @@ static taut_status check_range(const taut_model *model, taut_error *error)
     return TAUT_OK;
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
 {
     const taut_pipe_request *request = data;
     taut_pipe_problem asked;
-    taut_pipe_parts parts = {.size = 0};
+    taut_pipe_parts parts = {.crew = &audit->crew};
     taut_arena *arena = NULL;
     taut_status status = check_range(model, error);
 
@@ -315,7 +314,7 @@ static taut_status certify(const taut_model *model, const void *data,
         return status;
     }
     if (taut_pipe_is_run(model)) {
-        return certify_run(model, request, options, certificate, error);
+        return certify_run(model, request, audit, certificate, error);
     }
     if (request != NULL) {
         asked = request->is_run ? blend_of_run(&request->run) : request->blend;
@@ -326,7 +325,7 @@ static taut_status certify(const taut_model *model, const void *data,
         return status;
     }
     arena = taut_arena_new();
-    status = claim_blend(model, &parts, arena, options, certificate, error);
+    status = claim_blend(model, &parts, arena, audit, certificate, error);
     taut_arena_free(arena);
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }

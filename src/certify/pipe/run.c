@@ -440,7 +440,7 @@ static taut_status add_claims(const taut_pipe_run_parts *run, double tolerance,
     if (status == TAUT_OK && run->parts.quintic) {
         status = claim_joints(run, 1, certificate);
     }
-    if (status != TAUT_OK) {
+    if (status != TAUT_OK || taut_crew_beat(run->parts.crew, TAUT_PULSE_WORK)) {
         return status;
     }
     status = claim_embedded(run, certificate);
@@ -485,18 +485,18 @@ static taut_status claim_run(taut_pipe_run_parts *run, taut_arena *arena, double
                          "the run begins on its own axis: it has no radius");
     }
     status = taut_pipe_find_figures(&run->parts);
-    if (status != TAUT_OK) {
+    if (status != TAUT_OK || taut_crew_beat(run->parts.crew, TAUT_PULSE_WORK)) {
         return status;
     }
     return add_claims(run, tolerance, certificate);
 }
 
 taut_status taut_pipe_claim_run(const taut_model *model, const taut_pipe_run_problem *problem,
-                                const taut_certify_options *options, taut_certificate *certificate,
+                                const taut_audit *audit, taut_certificate *certificate,
                                 taut_error *error)
 {
-    const double tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default;
-    taut_pipe_run_parts run = {.model = model, .problem = problem};
+    const double tolerance = audit->tolerance > 0 ? audit->tolerance : tolerance_default;
+    taut_pipe_run_parts run = {.model = model, .problem = problem, .parts = {.crew = &audit->crew}};
     taut_arena *const arena = taut_arena_new();
     const taut_status status = claim_run(&run, arena, tolerance, certificate, error);
     taut_arena_free(arena);

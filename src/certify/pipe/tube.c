@@ -299,6 +299,9 @@ taut_status taut_pipe_claim_run_tube(const taut_pipe_parts *parts, int count,
         status = add_sweep(parts, surfaces[i], curves[i], tolerance, &sweep, arena, &all);
         *fit_error = is_blend ? taut_certify_max(*fit_error, all.worst.bound) : *fit_error;
         all.worst.bound = taut_certify_max(before, all.worst.bound);
+        if (taut_crew_beat(parts->crew, TAUT_PULSE_WORK)) {
+            status = TAUT_INTERRUPTED;
+        }
     }
     status = status == TAUT_OK ? taut_arena_status(arena) : status;
     taut_arena_free(arena);

@@ -20,7 +20,7 @@
 #include <math.h>
 #include <stddef.h>
 
-enum { LINES = 16 /* evaluated at once */, VALUES = 9 };
+enum { LINES = 16 /* evaluated at once */, VALUES = 9, POINT_WORK = 500 /* as pulses count */ };
 
 /* A remainder this small, of what a relative error of 1 could do, needs no more nodes; and Gauss
  * points there may be. */
@@ -130,6 +130,9 @@ static taut_status integrate(work *w, double *second)
             }
             *second += w->u.weights[from + i] * sum;
         }
+        if (taut_crew_beat(w->rule->crew, POINT_WORK * (double)count * w->v.count)) {
+            return TAUT_INTERRUPTED;
+        }
     }
     return TAUT_OK;
 }
@@ -157,6 +160,7 @@ static taut_status prepare(work *w, const taut_surface *surface, const double *p
         .points = points,
         .weights = taut_surface_weights(surface),
         .is_area = 1,
+        .crew = w->rule->crew,
         .moves = moves,
     };
     taut_status status = keep_net(surface, points, w->arena, &w->surface);

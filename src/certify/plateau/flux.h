@@ -33,6 +33,7 @@
 #ifndef TAUT_CERTIFY_PLATEAU_FLUX_H
 #define TAUT_CERTIFY_PLATEAU_FLUX_H
 
+#include "core/crew.h"
 #include "taut/surface.h"
 
 /* What is to be compared: a film on polynomial bases, and psi on the same breaks. */
@@ -46,6 +47,7 @@ typedef struct taut_flux_task {
     int exponent;        /* the film is scaled by 2^-exponent */
     int weight_exponent; /* weights are scaled by 2 to minus this */
     double sign;         /* of J, once it is known; 0 before */
+    const taut_crew *crew;
 } taut_flux_task;
 
 typedef enum taut_flux_verdict {
@@ -64,7 +66,7 @@ typedef struct taut_flux_bound {
     double shadow;              /* the area of its projection is no less */
 } taut_flux_bound;
 
-/* Sets task->sign. TAUT_NO_MEMORY. */
+/* Sets task->sign. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
 taut_status taut_certify_flux(taut_flux_task *task, taut_flux_bound *bound);
 
 #endif /* TAUT_CERTIFY_PLATEAU_FLUX_H */

@@ -202,6 +202,7 @@ static const char *read_witness(const taut_least_request *request, taut_arena *a
 
     task->surface = request->surface;
     task->frame_error = frame_error;
+    task->crew = request->crew;
     task->wanted = request->gap > 0 ? request->gap : limit_default;
     if (e == NULL || !make_frame(e, task->frame)) {
         return "witness: its direction is none";

@@ -2,6 +2,7 @@
 #ifndef TAUT_CERTIFY_PLATEAU_LEAST_H
 #define TAUT_CERTIFY_PLATEAU_LEAST_H
 
+#include "core/crew.h"
 #include "taut/certify.h"
 #include "taut/record.h"
 #include "taut/surface.h"
@@ -13,6 +14,7 @@ typedef struct taut_least_request {
     int is_declined;            /* the document says "least": false */
     double gap;                 /* asked for, or 0 */
     double area, area_error;    /* of the surface, as measured */
+    const taut_crew *crew;
 } taut_least_request;
 
 /* Adds the claim, and to figures lower_bound, gap and direction where there are any. TAUT_NO_MEMORY.

@@ -71,6 +71,7 @@ typedef struct request {
     const taut_record *least; /* the witness that the model carries, or NULL */
     double tolerance;
     double deviation; /* of the edges from the curves, that the model tells; else 0 */
+    const taut_crew *crew;
 } request;
 
 typedef struct finding {
@@ -276,7 +277,7 @@ static taut_status prove_witness(request *r, const taut_surface *witness)
     request other = *r;
     taut_gradient_rule rule = {.nodes = 0};
     taut_dirichlet_gradient gradient = {.unit = 0};
-    taut_status status = taut_gradient_plan(witness, 0, told > 0 ? told : 1, &rule);
+    taut_status status = taut_gradient_plan(witness, 0, told > 0 ? told : 1, r->crew, &rule);
 
     r->unproved = "witness: the energy of details.dirichlet is not shown to be at rest";
     other.surface = witness;
@@ -330,7 +331,7 @@ static taut_status find_bounded(const request *r, taut_gradient_rule *rule,
                                 taut_dirichlet_gradient *gradient, finding *found,
                                 taut_claim_kind *kind)
 {
-    taut_status status = taut_gradient_plan(r->surface, 1, 1, rule);
+    taut_status status = taut_gradient_plan(r->surface, 1, 1, r->crew, rule);
 
     if (status != TAUT_OK || rule->nodes == 0) {
         return status;
@@ -360,7 +361,7 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
     const int local =
         taut_basis_local(u) > taut_basis_local(v) ? taut_basis_local(u) : taut_basis_local(v);
     const double spans = (double)taut_basis_span_count(u) * taut_basis_span_count(v);
-    taut_gradient_rule rule = {.nodes = local + 5};
+    taut_gradient_rule rule = {.nodes = local + 5, .crew = r->crew};
     taut_status status = taut_area_gradient_new(r->surface, &rule, gradient);
 
     if (status != TAUT_OK) {
@@ -442,7 +443,7 @@ static taut_status find_change(const request *r, const taut_dirichlet_gradient *
                                double step, const double *g, double *change)
 {
     const size_t count = 3 * (size_t)r->nu * (size_t)r->nv;
-    const taut_gradient_rule rule = {.nodes = 32};
+    const taut_gradient_rule rule = {.nodes = 32, .crew = r->crew};
     taut_dirichlet_gradient there = {.unit = 0};
     taut_surface *surface = NULL;
     taut_status status = move_surface(r, gradient, step, g, &surface);
@@ -573,18 +574,17 @@ static taut_status add_least(const request *r, const taut_mean_figures *measure,
         .gap = problem != NULL ? problem->gap : 0,
         .area = isfinite(measure->area_error) ? measure->area : (double)NAN,
         .area_error = isfinite(measure->area_error) ? measure->area_error : 0,
+        .crew = r->crew,
     };
 
     return taut_certify_add_least(&wanted, figures, certificate);
 }
 
-static taut_status add_figures(const request *r, const taut_certify_options *options,
-                               taut_certificate *certificate, taut_error *error)
+static taut_status add_figures(const request *r, taut_certificate *certificate, taut_error *error)
 {
-    const int threads = options->threads > 0 ? options->threads : 1;
     taut_mean_figures measure;
     taut_record *figures = NULL;
-    taut_status status = taut_mean_figures_of(r->surface, GRID, threads, &measure);
+    taut_status status = taut_mean_figures_of(r->surface, GRID, r->crew, &measure);
 
     if (status != TAUT_OK) {
         return taut_fail_memory(error);
@@ -599,7 +599,7 @@ static taut_status add_figures(const request *r, const taut_certify_options *opt
         status = add_least(r, &measure, figures, certificate);
     }
     if (status == TAUT_OK && r->problem != NULL && r->problem->net.regular) {
-        status = taut_certify_add_regular_of(r->surface, certificate, figures);
+        status = taut_certify_add_regular_of(r->surface, r->crew, certificate, figures);
     }
     status = status == TAUT_OK ? taut_record_status(figures) : status;
     taut_certificate_set_figures(certificate, figures);
@@ -765,8 +765,7 @@ static taut_status prove_stationary(const request *r, taut_dirichlet_gradient *g
                              : status;
 }
 
-static taut_status prove(const request *r, const taut_certify_options *options,
-                         taut_certificate *certificate, taut_error *error)
+static taut_status prove(const request *r, taut_certificate *certificate, taut_error *error)
 {
     taut_dirichlet_gradient gradient = {.unit = 0};
     taut_status status = prove_stationary(r, &gradient, certificate);
@@ -784,21 +783,20 @@ static taut_status prove(const request *r, const taut_certify_options *options,
                taut_certify_add_known(r->surface, &r->problem->net, certificate) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    return add_figures(r, options, certificate, error);
+    return add_figures(r, certificate, error);
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
 {
-    request r = {.surface = NULL};
+    request r = {.crew = &audit->crew};
     taut_status status = read_request(model, data, &r, error);
 
     if (status == TAUT_OK && r.is_normal) {
         status = find_directions(taut_model_details(model), &r, error);
     }
     if (status == TAUT_OK) {
-        status = prove(&r, options, certificate, error);
+        status = prove(&r, certificate, error);
     }
     taut_free(r.directions);
     return status;

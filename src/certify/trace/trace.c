@@ -49,6 +49,7 @@ typedef struct request {
     double size;     /* of it */
     double roundest; /* the largest R of a grid */
     double tolerance;
+    const taut_crew *crew;
 } request;
 
 /* A place of a curve. */
@@ -466,12 +467,15 @@ static const taut_surface *named(const taut_model *model, const char *name)
 
 /* What was made first, proved by its own problem: the surface alone, under the details it was made
  * with. */
-static taut_status prove_first(const request *r, taut_arena *arena,
-                               const taut_certify_options *options, taut_claim *claim,
-                               taut_error *error)
+static taut_status prove_first(const request *r, taut_arena *arena, const taut_audit *audit,
+                               taut_claim *claim, taut_error *error)
 {
     const taut_record *of = taut_record_get(taut_model_details(r->lines.model), "of");
     const taut_record *details = taut_record_get(of, "details");
+    const taut_certify_options options = {.threads = audit->crew.threads,
+                                          .tolerance = audit->tolerance,
+                                          .exact = audit->exact,
+                                          .monitor = *audit->crew.pulse->monitor};
     taut_certificate *inner = NULL;
     taut_surface *surface = NULL;
     taut_model *model = NULL;
@@ -492,13 +496,16 @@ static taut_status prove_first(const request *r, taut_arena *arena,
         taut_model_set_details(model, copy);
     }
     taut_model_set_unit(model, r->problem->of->unit);
-    const taut_status status = taut_certify(model, r->problem->of, options, &inner, NULL);
+    const taut_status status = taut_certify(model, r->problem->of, &options, &inner, NULL);
     claim->kind = TAUT_CHECK;
+    if (status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED) {
+        return taut_fail_status(error, status);
+    }
     if (status != TAUT_OK) {
         claim->holds = TAUT_UNDECIDED;
         claim->residual = NAN;
         claim->where = "what was made first cannot be certified by its surface alone";
-        return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : TAUT_OK;
+        return TAUT_OK;
     }
     claim->residual = 0;
     for (int k = 0; k < taut_certificate_claim_count(inner); k++) {
@@ -510,9 +517,8 @@ static taut_status prove_first(const request *r, taut_arena *arena,
     return TAUT_OK;
 }
 
-static taut_status add_surface(const request *r, taut_arena *arena,
-                               const taut_certify_options *options, taut_certificate *certificate,
-                               taut_error *error)
+static taut_status add_surface(const request *r, taut_arena *arena, const taut_audit *audit,
+                               taut_certificate *certificate, taut_error *error)
 {
     taut_claim claim = {.claim = "surface", .kind = TAUT_EXACT, .limit = 0, .where = ""};
     taut_status status = TAUT_OK;
@@ -521,7 +527,7 @@ static taut_status add_surface(const request *r, taut_arena *arena,
         return TAUT_OK;
     }
     if (r->problem->of != NULL) {
-        status = prove_first(r, arena, options, &claim, error);
+        status = prove_first(r, arena, audit, &claim, error);
     } else {
         const taut_surface *given = named(r->problem->model, r->problem->surface);
         claim.residual = given != NULL ? differences(given, r->lines.surface) : 1;
@@ -579,6 +585,9 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
 
     for (int k = 0; k < r->lines.count; k++) {
         look_at_line(r, &r->lines.lines[k], &f);
+        if (taut_crew_beat(r->crew, TAUT_PULSE_WORK)) {
+            return TAUT_INTERRUPTED;
+        }
     }
     status = add(certificate, "on-surface", TAUT_CHECK, &f.distance, r->tolerance);
     if (status == TAUT_OK) {
@@ -600,12 +609,12 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
 }
 
 static taut_status certify_in(taut_arena *arena, const taut_model *model,
-                              const taut_trace_problem *problem,
-                              const taut_certify_options *options, taut_certificate *certificate,
-                              taut_error *error)
+                              const taut_trace_problem *problem, const taut_audit *audit,
+                              taut_certificate *certificate, taut_error *error)
 {
     request r = {.problem = problem,
-                 .tolerance = options->tolerance > 0 ? options->tolerance : tolerance_default};
+                 .tolerance = audit->tolerance > 0 ? audit->tolerance : tolerance_default,
+                 .crew = &audit->crew};
     taut_status status = taut_net_lines_new(arena, model, problem, &r.lines, error);
 
     if (status != TAUT_OK) {
@@ -618,20 +627,19 @@ static taut_status certify_in(taut_arena *arena, const taut_model *model,
     }
     r.size = ldexp(r.lines.size, -r.unit);
     look_around(&r);
-    status = add_surface(&r, arena, options, certificate, error);
+    status = add_surface(&r, arena, audit, certificate, error);
     if (status != TAUT_OK) {
         return status;
     }
     return prove(&r, arena, certificate) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
-static taut_status certify(const taut_model *model, const void *data,
-                           const taut_certify_options *options, taut_certificate *certificate,
-                           taut_error *error)
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
 {
     taut_arena *arena = taut_arena_new();
     const taut_status status = arena != NULL
-                                   ? certify_in(arena, model, data, options, certificate, error)
+                                   ? certify_in(arena, model, data, audit, certificate, error)
                                    : taut_fail_memory(error);
     taut_arena_free(arena);
     return status;

@@ -11,10 +11,11 @@
 
 #include <float.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
-enum { CLIMBS = 3, STEPS = 60, SAMPLES_MAX = 24 };
+enum { CLIMBS = 3, STEPS = 60, SAMPLES_MAX = 24, CELL_WORK = 1000 /* as pulses count */ };
 
 typedef struct climb {
     const taut_surface *surface;
@@ -142,41 +143,53 @@ static double search_cell(const climb *c)
     return largest;
 }
 
-/* The largest sign * coordinate of the net alive on a cell. */
-static double net_reach(const taut_surface *surface, int su, int sv, int axis, double sign)
+/* Widens the box to hold x. */
+static void take_into_box(const double x[3], double box[2][3])
 {
-    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    const double *points = taut_surface_points(surface);
-    const int64_t columns = taut_basis_count(v);
-    double reach = -INFINITY;
-    for (int a = 0; a < taut_basis_local(u); a++) {
-        const double *row =
-            points + 3 * ((taut_basis_first(u, su) + a) * columns + taut_basis_first(v, sv));
-        for (int b = 0; b < taut_basis_local(v); b++) {
-            reach = fmax(reach, sign * row[3 * b + axis]);
-        }
+    for (int c = 0; c < 3; c++) {
+        box[0][c] = x[c] < box[0][c] ? x[c] : box[0][c];
+        box[1][c] = x[c] > box[1][c] ? x[c] : box[1][c];
     }
-    return reach;
 }
 
-/* The box of the corners of all cells. */
-static void corner_box(const taut_surface *surface, double box[2][3])
+static void empty_box(double box[2][3])
 {
-    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    const double *bu = taut_basis_breaks(u), *bv = taut_basis_breaks(v);
     for (int c = 0; c < 3; c++) {
         box[0][c] = INFINITY;
         box[1][c] = -INFINITY;
     }
+}
+
+/* The box of the net alive on a cell. */
+static void net_box(const taut_surface *surface, const int span[2], double box[2][3])
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const double *points = taut_surface_points(surface);
+    const int64_t columns = taut_basis_count(v);
+
+    empty_box(box);
+    for (int a = 0; a < taut_basis_local(u); a++) {
+        const double *row = points + 3 * ((taut_basis_first(u, span[0]) + a) * columns +
+                                          taut_basis_first(v, span[1]));
+        for (int b = 0; b < taut_basis_local(v); b++) {
+            take_into_box(row + 3 * (ptrdiff_t)b, box);
+        }
+    }
+}
+
+/* The box of the corners of all cells. */
+static void corner_box(const taut_surface *surface, const taut_crew *crew, double box[2][3])
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const double *bu = taut_basis_breaks(u), *bv = taut_basis_breaks(v);
+    empty_box(box);
     for (int i = 0; i <= taut_basis_span_count(u); i++) {
         for (int j = 0; j <= taut_basis_span_count(v); j++) {
             double x[3];
             taut_surface_eval(surface, bu[i], bv[j], 0, x);
-            for (int c = 0; c < 3; c++) {
-                box[0][c] = fmin(box[0][c], x[c]);
-                box[1][c] = fmax(box[1][c], x[c]);
-            }
+            take_into_box(x, box);
         }
+        taut_crew_beat(crew, CELL_WORK * (double)taut_basis_span_count(v));
     }
 }
 
@@ -196,33 +209,43 @@ static void clip_to_net(const taut_surface *surface, double slack, double box[2]
     }
 }
 
-void taut_box_of(const taut_surface *surface, double box[2][3])
+/* Searches the cell at hand for what its net has outside the box. */
+static void search_beyond(climb *c, double slack, double box[2][3])
+{
+    const double *breaks[2] = {taut_basis_breaks(taut_surface_u(c->surface)),
+                               taut_basis_breaks(taut_surface_v(c->surface))};
+    double net[2][3];
+
+    net_box(c->surface, c->span, net);
+    for (int d = 0; d < 2; d++) {
+        c->lo[d] = breaks[d][c->span[d]];
+        c->hi[d] = breaks[d][c->span[d] + 1];
+    }
+    for (int side = 0; side < 6; side++) {
+        double *found = &box[side / 3][side % 3];
+        c->axis = side % 3;
+        c->sign = side < 3 ? -1 : 1;
+        if (c->sign * net[side / 3][side % 3] > c->sign * *found + slack) {
+            *found = c->sign * fmax(c->sign * *found, ldexp(search_cell(c), c->scale));
+        }
+    }
+}
+
+void taut_box_of(const taut_surface *surface, const taut_crew *crew, double box[2][3])
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    const double *bu = taut_basis_breaks(u), *bv = taut_basis_breaks(v);
     const double size = taut_half_size(taut_point_count(surface), taut_surface_points(surface));
     const double slack = 1e-12 * size;
     climb c = {.surface = surface, .scale = taut_exponent(size) + 1};
 
     c.shift[0] = taut_range_exponent(u);
     c.shift[1] = taut_range_exponent(v);
-    corner_box(surface, box);
+    corner_box(surface, crew, box);
     for (c.span[0] = 0; c.span[0] < taut_basis_span_count(u); c.span[0]++) {
         for (c.span[1] = 0; c.span[1] < taut_basis_span_count(v); c.span[1]++) {
-            for (int d = 0; d < 2; d++) {
-                c.lo[d] = (d == 0 ? bu : bv)[c.span[d]];
-                c.hi[d] = (d == 0 ? bu : bv)[c.span[d] + 1];
-            }
-            for (int side = 0; side < 6; side++) {
-                double *found = &box[side / 3][side % 3];
-                c.axis = side % 3;
-                c.sign = side < 3 ? -1 : 1;
-                if (net_reach(surface, c.span[0], c.span[1], c.axis, c.sign) >
-                    c.sign * *found + slack) {
-                    *found = c.sign * fmax(c.sign * *found, ldexp(search_cell(&c), c.scale));
-                }
-            }
+            search_beyond(&c, slack, box);
         }
+        taut_crew_beat(crew, CELL_WORK * (double)taut_basis_span_count(v));
     }
     clip_to_net(surface, slack, box);
 }

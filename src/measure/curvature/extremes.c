@@ -3,7 +3,6 @@
 
 #include "core/vec3.h"
 #include "measure/curvature/scan.h"
-#include "platform/parallel.h"
 #include "taut/measure.h"
 
 #include <math.h>
@@ -17,6 +16,8 @@ typedef struct search {
     size_t room;         /* numbers of scratch a worker has: polygons, values, flags */
     double *scratch;     /* [workers][room] */
 } search;
+
+enum { POINT_WORK = 300 }; /* operations at a point, as pulses count them */
 
 static const taut_extremes nothing = {
     .max_e_minus_g = 0, .max_f = 0, .max_laplacian = 0, .singular = 0};
@@ -97,11 +98,11 @@ static void join_rows(const search *s, taut_extremes *all)
 }
 
 static taut_status search_grid(taut_arena *arena, const taut_surface *surface, int grid,
-                               int threads, taut_extremes *extremes)
+                               const taut_crew *crew, taut_extremes *extremes)
 {
     const taut_parameters *u = taut_parameters_new(arena, taut_surface_u(surface), grid, 0);
     const taut_parameters *v = taut_parameters_new(arena, taut_surface_v(surface), grid, 0);
-    const int workers = taut_parallel_workers(threads, grid);
+    const int workers = taut_crew_workers(crew, grid);
     search s = {.u = u, .v = v};
 
     if (taut_scan_new(arena, surface, u, v, &s.scan) != TAUT_OK) {
@@ -113,16 +114,19 @@ static taut_status search_grid(taut_arena *arena, const taut_surface *surface, i
     if (s.scratch == NULL) {
         return TAUT_NO_MEMORY;
     }
-    taut_parallel_run(workers, grid, search_row, &s);
+    if (taut_crew_run(crew, workers, grid, POINT_WORK * (double)(u->count / grid) * v->count,
+                      search_row, &s)) {
+        return TAUT_INTERRUPTED;
+    }
     join_rows(&s, extremes);
     return TAUT_OK;
 }
 
-taut_status taut_extremes_of(const taut_surface *surface, int grid, int threads,
+taut_status taut_extremes_of(const taut_surface *surface, int grid, const taut_crew *crew,
                              taut_extremes *extremes)
 {
     taut_arena *arena = taut_arena_new();
-    const taut_status status = search_grid(arena, surface, grid, threads, extremes);
+    const taut_status status = search_grid(arena, surface, grid, crew, extremes);
     taut_arena_free(arena);
     return status;
 }

@@ -2,6 +2,7 @@
 #ifndef TAUT_MEASURE_CURVATURE_EXTREMES_H
 #define TAUT_MEASURE_CURVATURE_EXTREMES_H
 
+#include "core/crew.h"
 #include "taut/surface.h"
 
 #include <stdint.h>
@@ -15,7 +16,7 @@ typedef struct taut_extremes {
 } taut_extremes;
 
 /* TAUT_NO_MEMORY. */
-taut_status taut_extremes_of(const taut_surface *surface, int grid, int threads,
+taut_status taut_extremes_of(const taut_surface *surface, int grid, const taut_crew *crew,
                              taut_extremes *extremes);
 
 #endif /* TAUT_MEASURE_CURVATURE_EXTREMES_H */

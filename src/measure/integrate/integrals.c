@@ -275,7 +275,7 @@ taut_status taut_surface_area(const taut_surface *surface, double *area, double 
     if (surface == NULL || area == NULL) {
         return TAUT_BAD_ARGUMENT;
     }
-    const taut_status status = taut_integrate(surface, &integrand, 1, &in);
+    const taut_status status = taut_integrate(surface, &integrand, NULL, &in);
     if (status != TAUT_OK) {
         return status;
     }
@@ -293,7 +293,7 @@ static taut_status integrate_to(const taut_surface *surface, const taut_integran
                                 double *figure)
 {
     taut_integrals in;
-    const taut_status status = taut_integrate(surface, integrand, 1, &in);
+    const taut_status status = taut_integrate(surface, integrand, NULL, &in);
     if (status != TAUT_OK) {
         return status;
     }
@@ -326,7 +326,7 @@ taut_status taut_surface_bending_of(const taut_surface *surface, double *energy,
     const taut_integrand integrand = {bending_fields, 3, 2, is_polynomial(surface),
                                       square_goals,   0, 0};
     taut_integrals in;
-    const taut_status status = taut_integrate(surface, &integrand, 1, &in);
+    const taut_status status = taut_integrate(surface, &integrand, NULL, &in);
 
     if (status != TAUT_OK) {
         return status;
@@ -375,12 +375,12 @@ static void first_fields(int count, int stride, const double *x, const taut_boun
     isothermality_fields(count, stride, x, bounds, ratio, out + 2 * stride);
 }
 
-static taut_status integrate_first(const taut_surface *surface, int threads,
+static taut_status integrate_first(const taut_surface *surface, const taut_crew *crew,
                                    taut_surface_integrals *made)
 {
     const taut_integrand first = {first_fields, 4, 1, 0, all_goals, 1, 1};
     taut_integrals in;
-    const taut_status status = taut_integrate(surface, &first, threads, &in);
+    const taut_status status = taut_integrate(surface, &first, crew, &in);
 
     if (status != TAUT_OK) {
         return status;
@@ -391,12 +391,12 @@ static taut_status integrate_first(const taut_surface *surface, int threads,
     return TAUT_OK;
 }
 
-static taut_status integrate_all(const taut_surface *surface, int threads,
+static taut_status integrate_all(const taut_surface *surface, const taut_crew *crew,
                                  taut_surface_integrals *made)
 {
     const taut_integrand all = {all_fields, 9, 2, 0, all_goals, 2, 0};
     taut_integrals in;
-    const taut_status status = taut_integrate(surface, &all, threads, &in);
+    const taut_status status = taut_integrate(surface, &all, crew, &in);
 
     if (status != TAUT_OK) {
         return status;
@@ -412,24 +412,24 @@ static taut_status integrate_all(const taut_surface *surface, int threads,
     return TAUT_OK;
 }
 
-taut_status taut_surface_integrals_of(const taut_surface *surface, int order, int threads,
+taut_status taut_surface_integrals_of(const taut_surface *surface, int order, const taut_crew *crew,
                                       taut_surface_integrals *integrals)
 {
     taut_surface_integrals made = {.bending = 0};
-    const taut_status status = order > 1 ? integrate_all(surface, threads, &made)
-                                         : integrate_first(surface, threads, &made);
+    const taut_status status =
+        order > 1 ? integrate_all(surface, crew, &made) : integrate_first(surface, crew, &made);
     if (status == TAUT_OK) {
         *integrals = made;
     }
     return status;
 }
 
-taut_status taut_surface_mean(const taut_surface *surface, int threads,
+taut_status taut_surface_mean(const taut_surface *surface, const taut_crew *crew,
                               taut_surface_integrals *integrals)
 {
     const taut_integrand integrand = {bent_fields, 3, 2, 0, mean_goals, 2, 0};
     taut_integrals in;
-    const taut_status status = taut_integrate(surface, &integrand, threads, &in);
+    const taut_status status = taut_integrate(surface, &integrand, crew, &in);
 
     if (status != TAUT_OK) {
         return status;

@@ -2,6 +2,7 @@
 #ifndef TAUT_MEASURE_INTEGRATE_INTEGRALS_H
 #define TAUT_MEASURE_INTEGRATE_INTEGRALS_H
 
+#include "core/crew.h"
 #include "taut/surface.h"
 
 /* A number beyond the range of doubles is NaN. Errors are 0 where they are below 1e-10 of the
@@ -17,14 +18,14 @@ typedef struct taut_surface_integrals {
 } taut_surface_integrals;
 
 /* order 1: those of first derivatives; 2: all. TAUT_NO_MEMORY. */
-taut_status taut_surface_integrals_of(const taut_surface *surface, int order, int threads,
+taut_status taut_surface_integrals_of(const taut_surface *surface, int order, const taut_crew *crew,
                                       taut_surface_integrals *integrals);
 
 /* The bending energy alone. TAUT_NO_MEMORY. */
 taut_status taut_surface_bending_of(const taut_surface *surface, double *energy, double *error);
 
 /* Of these only the area and those of H; the others 0. */
-taut_status taut_surface_mean(const taut_surface *surface, int threads,
+taut_status taut_surface_mean(const taut_surface *surface, const taut_crew *crew,
                               taut_surface_integrals *integrals);
 
 /* What a certificate of least area tells of the mean curvature, and no more: figures of
@@ -37,10 +38,11 @@ typedef struct taut_mean_figures {
 } taut_mean_figures;
 
 /* grid 2..TAUT_GRID_MAX parameters a direction. TAUT_NO_MEMORY. */
-taut_status taut_mean_figures_of(const taut_surface *surface, int grid, int threads,
+taut_status taut_mean_figures_of(const taut_surface *surface, int grid, const taut_crew *crew,
                                  taut_mean_figures *figures);
 
 /* Of these the largest alone, which no integral has to be found for. TAUT_NO_MEMORY. */
-taut_status taut_mean_largest(const taut_surface *surface, int grid, double *most);
+taut_status taut_mean_largest(const taut_surface *surface, int grid, const taut_crew *crew,
+                              double *most);
 
 #endif /* TAUT_MEASURE_INTEGRATE_INTEGRALS_H */

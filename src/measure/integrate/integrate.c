@@ -18,7 +18,10 @@
 #include <string.h>
 
 enum {
-    SHARE = 8,           /* cells per task */
+    SHARE = 8,       /* cells per task */
+    NODE_WORK = 200, /* operations at a node, as pulses count them; and so many times as
+                            many for second derivatives: */
+    SECOND_WORK = 5,
     ROUNDS_MAX = 40,     /* a corner's share is then below 2^-80 of its cell */
     ACTIVE_MAX = 1 << 18 /* cells in one round, over four times those of the first: then errors are
                             taken as they are */
@@ -197,7 +200,7 @@ static taut_status cut_direction(const taut_scaled_surface *scaled, int directio
 }
 
 /* What the first pass needs; the scratch of all workers lies in the arena. */
-static taut_status begin_job(const taut_surface *surface, int threads, taut_job *job)
+static taut_status begin_job(const taut_surface *surface, const taut_crew *crew, taut_job *job)
 {
     taut_scaled_surface_init(surface, &job->scaled);
     for (int d = 0; d < 2; d++) {
@@ -222,7 +225,7 @@ static taut_status begin_job(const taut_surface *surface, int threads, taut_job 
         job->blocks[d] = (job->cells[d]->count + job->side - 1) / job->side;
     }
     job->share_count = (int64_t)job->blocks[0] * job->blocks[1];
-    job->worker_count = taut_parallel_workers(threads, INT64_C(1) << 30);
+    job->worker_count = taut_crew_workers(crew, INT64_C(1) << 30);
     job->workers = taut_arena_take(job->arena, (size_t)job->worker_count, sizeof *job->workers);
     job->hard =
         taut_arena_take(job->arena, (size_t)job->cells[0]->count * (size_t)job->cells[1]->count, 1);
@@ -333,6 +336,19 @@ static taut_status quarter_cells(taut_job *job)
     return TAUT_OK;
 }
 
+/* Operations, as pulses count them, of the first two rules in one cell. */
+static double work_of_cell(const taut_job *job)
+{
+    const taut_rule(*rule)[TAUT_LEVELS_MAX] = job->rules.at[TAUT_WHOLE];
+    return NODE_WORK * (job->integrand->order > 1 ? SECOND_WORK : 1.0) *
+           (rule[0][0].count * rule[1][0].count + rule[0][1].count * rule[1][1].count);
+}
+
+static double work_of_block(const taut_job *job)
+{
+    return work_of_cell(job) * job->side * job->side;
+}
+
 /* What a cell of this round may keep: an equal part of a sixteenth of the goal, as other rounds
  * take theirs too. */
 static void allow_errors(taut_job *job, const taut_sum *value, const double *pending)
@@ -346,8 +362,9 @@ static void allow_errors(taut_job *job, const taut_sum *value, const double *pen
     }
 }
 
-/* The rounds over the cells marked hard. TAUT_NO_MEMORY. */
-static taut_status run_rounds(taut_job *job, taut_sum *value, taut_sum *error, double *pending)
+/* The rounds over the cells marked hard. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
+static taut_status run_rounds(taut_job *job, const taut_crew *crew, taut_sum *value,
+                              taut_sum *error, double *pending)
 {
     taut_status status = collect_hard(job);
     const int64_t most = ACTIVE_MAX + 4 * job->active_count;
@@ -363,26 +380,33 @@ static taut_status run_rounds(taut_job *job, taut_sum *value, taut_sum *error, d
             return TAUT_NO_MEMORY;
         }
         allow_errors(job, value, pending);
-        taut_parallel_run(job->worker_count, job->share_count, round_task, job);
+        if (taut_crew_run(crew, job->worker_count, job->share_count, SHARE * work_of_cell(job),
+                          round_task, job)) {
+            return TAUT_INTERRUPTED;
+        }
         gather_shares(job, value, error, pending);
         status = quarter_cells(job);
     }
     return status;
 }
 
-static taut_status run_job(const taut_surface *surface, int threads, taut_job *job,
+static taut_status run_job(const taut_surface *surface, const taut_crew *crew, taut_job *job,
                            taut_integrals *integrals)
 {
     taut_sum value[TAUT_FIELDS_MAX] = {{0, 0}}, error[TAUT_FIELDS_MAX] = {{0, 0}};
     double pending[TAUT_FIELDS_MAX];
 
-    if (begin_job(surface, threads, job) != TAUT_OK) {
+    if (begin_job(surface, crew, job) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    taut_parallel_run(job->worker_count, job->share_count, first_task, job);
+    if (taut_crew_run(crew, job->worker_count, job->share_count, work_of_block(job), first_task,
+                      job)) {
+        return TAUT_INTERRUPTED;
+    }
     gather_shares(job, value, error, pending);
-    if (run_rounds(job, value, error, pending) != TAUT_OK) {
-        return TAUT_NO_MEMORY;
+    const taut_status status = run_rounds(job, crew, value, error, pending);
+    if (status != TAUT_OK) {
+        return status;
     }
     for (int f = 0; f < 2 * job->integrand->count; f++) {
         integrals->value[f] = taut_sum_total(&value[f]);
@@ -405,13 +429,13 @@ static taut_status find_nothing(const taut_integrand *integrand, taut_integrals 
 }
 
 taut_status taut_integrate(const taut_surface *surface, const taut_integrand *integrand,
-                           int threads, taut_integrals *integrals)
+                           const taut_crew *crew, taut_integrals *integrals)
 {
     taut_job job = {.integrand = integrand};
     if (taut_weight_spread(surface) > TAUT_SPREAD_MAX) {
         return find_nothing(integrand, integrals);
     }
-    const taut_status status = run_job(surface, threads, &job, integrals);
+    const taut_status status = run_job(surface, crew, &job, integrals);
     clear_job(&job);
     return status;
 }

@@ -13,6 +13,7 @@
 #ifndef TAUT_MEASURE_INTEGRATE_INTEGRATE_H
 #define TAUT_MEASURE_INTEGRATE_INTEGRATE_H
 
+#include "core/crew.h"
 #include "taut/surface.h"
 
 enum { TAUT_FIELDS_MAX = 22 };
@@ -60,8 +61,9 @@ typedef struct taut_integrals {
     int scale, shift[2];
 } taut_integrals;
 
-/* All NaN where weights are further apart than TAUT_SPREAD_MAX (geometry/nurbs/spread.h). TAUT_NO_MEMORY. */
+/* All NaN where weights are further apart than TAUT_SPREAD_MAX (geometry/nurbs/spread.h). TAUT_NO_MEMORY,
+ * TAUT_INTERRUPTED. */
 taut_status taut_integrate(const taut_surface *surface, const taut_integrand *integrand,
-                           int threads, taut_integrals *integrals);
+                           const taut_crew *crew, taut_integrals *integrals);
 
 #endif /* TAUT_MEASURE_INTEGRATE_INTEGRATE_H */

@@ -15,6 +15,8 @@
 
 #include <math.h>
 
+enum { POINT_WORK = 200 }; /* operations at a point, as pulses count them */
+
 /* Products of up to nine of these neither overflow nor underflow. */
 static const double smallest = 0x1p-100, largest = 0x1p100;
 /* Above W^2 / (E G) the relative rounding of W is below 1e-9; that of the sum is `noise` of its
@@ -72,7 +74,8 @@ static double raise_largest(int count, const double *values, double *bounds, dou
     return most;
 }
 
-static taut_status look(taut_arena *arena, const taut_surface *surface, int grid, double *most)
+static taut_status look(taut_arena *arena, const taut_surface *surface, int grid,
+                        const taut_crew *crew, double *most)
 {
     const taut_parameters *u = taut_parameters_new(arena, taut_surface_u(surface), grid, 0);
     const taut_parameters *v = taut_parameters_new(arena, taut_surface_v(surface), grid, 0);
@@ -91,25 +94,29 @@ static taut_status look(taut_arena *arena, const taut_surface *surface, int grid
     for (int i = 0; i < u->count; i++) {
         taut_scan_line(scan, i, scratch, values);
         found = raise_largest(v->count, values, bounds, found);
+        if (taut_crew_beat(crew, POINT_WORK * v->count)) {
+            return TAUT_INTERRUPTED;
+        }
     }
     *most = found >= 0 ? found : nan("");
     return TAUT_OK;
 }
 
-taut_status taut_mean_largest(const taut_surface *surface, int grid, double *most)
+taut_status taut_mean_largest(const taut_surface *surface, int grid, const taut_crew *crew,
+                              double *most)
 {
     taut_arena *arena = taut_arena_new();
-    const taut_status status = look(arena, surface, grid, most);
+    const taut_status status = look(arena, surface, grid, crew, most);
 
     taut_arena_free(arena);
     return status;
 }
 
-taut_status taut_mean_figures_of(const taut_surface *surface, int grid, int threads,
+taut_status taut_mean_figures_of(const taut_surface *surface, int grid, const taut_crew *crew,
                                  taut_mean_figures *figures)
 {
     taut_surface_integrals integrals;
-    taut_status status = taut_surface_mean(surface, threads, &integrals);
+    taut_status status = taut_surface_mean(surface, crew, &integrals);
     if (status != TAUT_OK) {
         return status;
     }
@@ -117,7 +124,7 @@ taut_status taut_mean_figures_of(const taut_surface *surface, int grid, int thre
                               .area_error = integrals.area_error,
                               .mean_abs = integrals.mean_abs,
                               .rms = sqrt(integrals.mean_square)};
-    status = taut_mean_largest(surface, grid, &made.max_abs);
+    status = taut_mean_largest(surface, grid, crew, &made.max_abs);
     if (status != TAUT_OK) {
         return status;
     }

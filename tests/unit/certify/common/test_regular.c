@@ -40,7 +40,7 @@ static taut_surface *bezier(int p, int q, const double *points, const double *we
 static taut_regular judged(taut_surface *surface)
 {
     taut_regular found;
-    CHECK(taut_certify_regular(surface, &found) == TAUT_OK, "judged");
+    CHECK(taut_certify_regular(surface, NULL, &found) == TAUT_OK, "judged");
     taut_surface_free(surface);
     return found;
 }
@@ -200,7 +200,7 @@ static void test_quasi(void)
         taut_surface *const surface = surface_on(&u, &v, &points[0][0][0], NULL);
         taut_regular found;
         double least = 1;
-        CHECK(taut_certify_regular(surface, &found) == TAUT_OK, "regular");
+        CHECK(taut_certify_regular(surface, NULL, &found) == TAUT_OK, "regular");
         for (int k = 0; k < 21 * 21; k++) {
             double x[3][3], n[3];
             CHECK(taut_surface_eval(surface, k / 21 / 20.0 * taut_basis_hi(taut_surface_u(surface)),

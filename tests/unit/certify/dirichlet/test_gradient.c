@@ -151,7 +151,8 @@ static void test_against_plain_sums(void)
         const int count = taut_basis_count(taut_surface_u(s)) * taut_basis_count(taut_surface_v(s));
         const double lu = taut_basis_hi(taut_surface_u(s)) - taut_basis_lo(taut_surface_u(s));
         const double lv = taut_basis_hi(taut_surface_v(s)) - taut_basis_lo(taut_surface_v(s));
-        const taut_gradient_rule rule = {.nodes = random_int(2, 19), .threads = random_int(0, 3)};
+        const taut_crew crew = {random_int(0, 3), NULL};
+        const taut_gradient_rule rule = {.nodes = random_int(2, 19), .crew = &crew};
         double values[3 * POINTS] = {0};
         taut_dirichlet_gradient g = {.unit = 0};
 
@@ -189,7 +190,8 @@ static void test_same_bits(void)
         CHECK(make(s, trial % 2, &rule, &first) == TAUT_OK, "gradient");
         for (int k = 0; k < 3; k++) {
             setenv("TAUT_KERNEL", kernels[k], 1); /* one that is not there is passed over */
-            rule.threads = k + 1;
+            const taut_crew crew = {k + 1, NULL};
+            rule.crew = &crew;
             CHECK(make(s, trial % 2, &rule, &again) == TAUT_OK, "gradient");
             check_same(&first, &again, count, kernels[k]);
             taut_dirichlet_gradient_clear(&again);

@@ -154,7 +154,7 @@ static void test_bounds(kind which, const char *name)
         taut_dirichlet_gradient fine, found;
         double largest = 0;
 
-        CHECK(taut_gradient_plan(s, is_area, 1, &rule) == TAUT_OK, "%s", name);
+        CHECK(taut_gradient_plan(s, is_area, 1, NULL, &rule) == TAUT_OK, "%s", name);
         if (make_gradient(s, is_area, &finest, &fine)) {
             if (rule.nodes > 0 && make_gradient(s, is_area, &rule, &found)) {
                 const double off = missed(count, &found, &fine, &largest);
@@ -228,7 +228,7 @@ static void test_second(kind which, const char *name)
         CHECK(taut_surface_new("", taut_surface_u(s), taut_surface_v(s), d, w, &moves, NULL) ==
                   TAUT_OK,
               "moves");
-        CHECK(taut_gradient_plan(s, 1, 1, &rule) == TAUT_OK, "cells");
+        CHECK(taut_gradient_plan(s, 1, 1, NULL, &rule) == TAUT_OK, "cells");
         const int pairs = rule.nodes > 0 ? rule.cells[0]->count * rule.cells[1]->count : 0;
         const taut_remainder_request request = {
             .basis = {taut_surface_u(s), taut_surface_v(s)},
@@ -272,10 +272,11 @@ static void test_collapsed(void)
 {
     taut_surface *s = shape_octant(1);
     taut_gradient_rule rule = {.nodes = 1};
-    CHECK(taut_gradient_plan(s, 1, 1, &rule) == TAUT_OK, "octant");
+    CHECK(taut_gradient_plan(s, 1, 1, NULL, &rule) == TAUT_OK, "octant");
     CHECK(rule.nodes == 0 && !isfinite(rule.remainder), "octant: %d nodes, %g", rule.nodes,
           rule.remainder);
-    CHECK(taut_gradient_plan(s, 0, 1, &rule) == TAUT_OK && rule.nodes > 0, "its energy is smooth");
+    CHECK(taut_gradient_plan(s, 0, 1, NULL, &rule) == TAUT_OK && rule.nodes > 0,
+          "its energy is smooth");
     taut_gradient_rule_clear(&rule);
     taut_surface_free(s);
 }

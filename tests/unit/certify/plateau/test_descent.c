@@ -106,7 +106,7 @@ static double bound_of(const taut_surface *s, const double *d, double error)
     taut_dirichlet_gradient gradient = {.unit = 0};
     double gain = NAN;
 
-    CHECK(taut_gradient_plan(s, 1, 1, &rule) == TAUT_OK, "plan");
+    CHECK(taut_gradient_plan(s, 1, 1, NULL, &rule) == TAUT_OK, "plan");
     if (rule.nodes > 0) {
         CHECK(taut_area_gradient_new(s, &rule, &gradient) == TAUT_OK, "gradient");
         CHECK(taut_certify_descent(s, &rule, &gradient, error, d, &gain) == TAUT_OK, "descent");
