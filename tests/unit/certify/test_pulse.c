@@ -155,6 +155,15 @@ static void test_measure(int count)
     problem_free(&made);
 }
 
+static _Thread_local int is_caller; /* on the thread of main */
+
+static int report_here(void *context, double done, const char *what)
+{
+    const taut_monitor inner = monitor_of(context);
+    CHECK(is_caller, "a report from another thread");
+    return inner.progress(inner.context, done, what);
+}
+
 static void count_task(void *context, int worker, int64_t task)
 {
     atomic_int *done = context;
@@ -169,7 +178,7 @@ static void test_crew(void)
     for (int threads = 1; threads <= 4; threads++) {
         for (int stop_at = 0; stop_at <= TASKS + 1; stop_at++) {
             watch w = {.stop_at = stop_at};
-            const taut_monitor monitor = monitor_of(&w);
+            const taut_monitor monitor = {report_here, &w};
             taut_pulse pulse = {.monitor = &monitor, .what = "tasks", .done = NAN};
             const taut_crew crew = {threads, &pulse};
             atomic_int done[TASKS];
@@ -193,6 +202,7 @@ static void test_crew(void)
 
 int main(void)
 {
+    is_caller = 1;
     test_crew();
     test_examples();
     test_net(160);
