@@ -35,7 +35,10 @@ enum { TAUT_PLATEAU_LEAST_MAX = 10000 };
 
 /* Zero means default everywhere. */
 typedef struct taut_plateau_problem {
-    taut_dirichlet_problem net;  /* as for dirichlet; name NULL: "plateau" */
+    taut_dirichlet_problem net;  /* as for dirichlet; name NULL: "plateau". net.through: with
+                                  * TAUT_PLATEAU_NORMAL ("full" folds around a point inside), and
+                                  * none of refine, tolerance_area, gap; nearest points are those of
+                                  * the film that passes through none */
     const taut_curve *curves[4]; /* u0, u1 along v; v0, v1 along u; all NULL: none. Given, they are
                                   * fitted to the bases of the net and are its boundary: points and
                                   * known are not read, weights must be NULL */
@@ -96,7 +99,8 @@ typedef struct taut_plateau_problem {
 
 /* Makes the model with its one surface; details: iterations, products, dirichlet_area, areas (one
  * an iteration), residual, tolerance, unknowns, known, method, solver; with TAUT_PLATEAU_NORMAL
- * also directions [nu][nv][3]; with curves deviation; with refine, tolerance_area or gap refinement;
+ * also directions [nu][nv][3]; with points to pass through `through`, as of dirichlet, and where one
+ * is inside a warning; with curves deviation; with refine, tolerance_area or gap refinement;
  * where a witness was found least (docs/least.md).
  * TAUT_BAD_INPUT: numbers out of range, error->where the member.
  * TAUT_NO_SOLUTION: the known points span no area, or a free edge lets the surface shrink away.
@@ -105,7 +109,7 @@ TAUT_API taut_status taut_plateau_make(const taut_plateau_problem *problem,
                                        const taut_make_options *options, taut_model **model,
                                        taut_error *error);
 
-/* The certificate: claims `stationary`, `least` and, with a problem, `known`, where net.regular asks
+/* The certificate: claims `stationary`, `least` and, with a problem, `known` and `through`, where net.regular asks
  * `regular`; figures area, mean_abs_mean_curvature, max_abs_mean_curvature, of `least` lower_bound,
  * gap, direction, of `regular` regular_bound. */
 TAUT_API taut_status taut_plateau_certify(const taut_model *model,

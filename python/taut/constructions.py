@@ -262,8 +262,9 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
         max_iterations: int | None = None, method: Literal["full", "normal"] | None = None,
         curves: Mapping[str, CurveLike] | None = None, boundary: str | None = None, degree: npt.ArrayLike | None = None,
         refine: Union[int, npt.ArrayLike] | None = None, tolerance_area: float | None = None, least: bool | None = None,
-        gap: float | None = None, regular: bool | None = None, known: npt.ArrayLike | None = None,
-        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        gap: float | None = None, regular: bool | None = None, through: Sequence[Any] | None = None,
+        known: npt.ArrayLike | None = None, threads: int | None = None, progress: Progress | None = None,
+        strict: bool = False) -> Model:
     """The surface of least area through the known points of a net; any bases but ce-bezier.
 
     points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; points[i][j];
@@ -287,12 +288,13 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
                            above 1e-12
     regular                true: the certificate claims `regular`, the surface has a tangent plane everywhere; false if
                            not given
+    through                points that the surface passes through; not with refine, tolerance_area or gap
     known                  (nu, nv) of truth values: which points are given
     """
     said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "weights": weights,
         "start": start, "tolerance": tolerance, "max_iterations": max_iterations, "method": method, "curves": curves,
         "boundary": boundary, "degree": degree, "refine": refine, "tolerance_area": tolerance_area, "least": least,
-        "gap": gap, "regular": regular}
+        "gap": gap, "regular": regular, "through": through}
     return made_of("plateau", said, known, threads=threads, progress=progress, strict=strict)
 
 

@@ -284,6 +284,7 @@ static const attack_row rows[] = {
     {"plateau", "stationary", "plateau-bicubic", along_z, OPEN},
     {"plateau", "known", "plateau-bicubic", corner, 0},
     {"plateau", "boundary", "plateau-curves", rim, OPEN},
+    {"plateau", "through", "plateau-mast", inside, OPEN},
     {"plateau", "least", "plateau-scherk", along_z, OPEN},
     {"film", "stationary", "film-sail", inside, OPEN},
     {"film", "held", "film-sail", corner, 0},

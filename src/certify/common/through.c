@@ -3,6 +3,8 @@
 #include "certify/common/verdict.h"
 #include "core/constants.h"
 #include "core/fail.h"
+#include "core/vec3.h"
+#include "geometry/exponent.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -20,11 +22,13 @@ typedef struct share {
 
 typedef struct release {
     const taut_surface *surface;
-    int count, nv, local[2];
+    int count, nv,
+        local[2]; /* count: of shares, three of a place where points move along directions */
+    int parts;    /* numbers of a point: 3, or 1 along its direction */
     share *at;
     double *gram;          /* [count][count], then its factor in the lower triangle */
     unsigned char *is_out; /* [count]: a combination of those before */
-    double *mu, *part;     /* [count][3] */
+    double *mu, *part;     /* [count][parts] */
 } release;
 
 /* ---- the places ---- */
@@ -179,42 +183,44 @@ static void factorise(release *r)
     }
 }
 
-/* part = the multipliers of least squares for what is left of the gradient. */
+/* part = the multipliers of least squares for what is left of the gradient, [nu][nv][parts]. */
 static void solve(release *r, const double *gradient)
 {
-    const size_t n = (size_t)r->count;
-    for (int c = 0; c < 3; c++) {
+    const size_t n = (size_t)r->count, parts = (size_t)r->parts;
+    for (size_t c = 0; c < parts; c++) {
         for (size_t k = 0; k < n; k++) {
             double sum = 0;
             for (int i = 0; i < r->local[0] * r->local[1]; i++) {
-                sum += r->at[k].values[i] * gradient[3 * at_of(r, &r->at[k], i) + (size_t)c];
+                sum += r->at[k].values[i] * gradient[parts * at_of(r, &r->at[k], i) + c];
             }
             for (size_t j = 0; j < k; j++) {
-                sum -= r->gram[k * n + j] * r->part[3 * j + (size_t)c];
+                sum -= r->gram[k * n + j] * r->part[parts * j + c];
             }
-            r->part[3 * k + (size_t)c] = r->is_out[k] ? 0 : sum / r->gram[k * n + k];
+            r->part[parts * k + c] = r->is_out[k] ? 0 : sum / r->gram[k * n + k];
         }
         for (size_t k = n; k-- > 0;) {
-            double sum = r->part[3 * k + (size_t)c];
+            double sum = r->part[parts * k + c];
             for (size_t j = k + 1; j < n; j++) {
-                sum -= r->gram[j * n + k] * r->part[3 * j + (size_t)c];
+                sum -= r->gram[j * n + k] * r->part[parts * j + c];
             }
-            r->part[3 * k + (size_t)c] = r->is_out[k] ? 0 : sum / r->gram[k * n + k];
+            r->part[parts * k + c] = r->is_out[k] ? 0 : sum / r->gram[k * n + k];
         }
     }
 }
 
 static void take_away(release *r, double *gradient)
 {
-    for (int k = 0; k < r->count; k++) {
+    const size_t parts = (size_t)r->parts;
+
+    for (size_t k = 0; k < (size_t)r->count; k++) {
         for (int i = 0; i < r->local[0] * r->local[1]; i++) {
-            double *g = gradient + 3 * at_of(r, &r->at[k], i);
-            for (int c = 0; c < 3; c++) {
-                g[c] -= r->part[3 * k + c] * r->at[k].values[i];
+            double *g = gradient + parts * at_of(r, &r->at[k], i);
+            for (size_t c = 0; c < parts; c++) {
+                g[c] -= r->part[parts * k + c] * r->at[k].values[i];
             }
         }
-        for (int c = 0; c < 3; c++) {
-            r->mu[3 * k + c] += r->part[3 * k + c];
+        for (size_t c = 0; c < parts; c++) {
+            r->mu[parts * k + c] += r->part[parts * k + c];
         }
     }
 }
@@ -226,9 +232,10 @@ static void count_roundings(const release *r, double *gross, double *held)
 
     *held = 0;
     for (int k = 0; k < r->count; k++) {
-        const double *mu = r->mu + 3 * k;
-        const double most =
-            taut_certify_max(fabs(mu[0]), taut_certify_max(fabs(mu[1]), fabs(mu[2])));
+        double most = 0;
+        for (int c = 0; c < r->parts; c++) {
+            most = taut_certify_max(most, fabs(r->mu[r->parts * k + c]));
+        }
         for (int i = 0; i < r->local[0] * r->local[1]; i++) {
             const double taken = most * fabs(r->at[k].values[i]);
             gross[at_of(r, &r->at[k], i)] += times * taken;
@@ -237,42 +244,91 @@ static void count_roundings(const release *r, double *gross, double *held)
     }
 }
 
-taut_status taut_certify_release(const taut_surface *surface, const unsigned char *known,
-                                 const taut_through *places, int count, double *gradient,
-                                 double *gross, double *held)
+/* shares[count], of place k or, along directions, of coordinate k % 3 of place k / 3. */
+static void fill_shares(release *r, const unsigned char *known, const double *directions,
+                        const taut_through *places, double *const functions[2], double *values)
 {
-    const size_t n = (size_t)count;
+    const int alive = r->local[0] * r->local[1], each = directions != NULL ? 3 : 1;
+
+    for (int k = 0; k < r->count; k++) {
+        share *to = &r->at[k];
+        to->values = values + (size_t)k * (size_t)alive;
+        fill_share(r, known, &places[k / each], functions, to);
+        for (int i = 0; directions != NULL && i < alive; i++) {
+            to->values[i] *= directions[3 * at_of(r, to, i) + (size_t)(k % 3)];
+        }
+        for (int j = 0; j <= k; j++) {
+            r->gram[(size_t)k * (size_t)r->count + (size_t)j] = product(r, to, &r->at[j]);
+        }
+    }
+}
+
+static taut_status take_release(release *r, taut_arena *arena)
+{
+    const size_t n = (size_t)r->count;
+
+    r->at = taut_arena_take(arena, n, sizeof *r->at);
+    r->gram = taut_arena_take(arena, n * n, sizeof(double));
+    r->is_out = taut_arena_take(arena, n, 1);
+    r->mu = taut_arena_take(arena, n * (size_t)r->parts, sizeof(double));
+    r->part = taut_arena_take(arena, n * (size_t)r->parts, sizeof(double));
+    return taut_arena_status(arena);
+}
+
+static void free_gradient(release *r, double *gradient, double *gross, double *held)
+{
+    factorise(r);
+    for (int pass = 0; pass < PASSES; pass++) {
+        solve(r, gradient);
+        take_away(r, gradient);
+    }
+    count_roundings(r, gross, held);
+}
+
+/* The parts of the gradient along directions, 0 at known points; or what is left of them put back. */
+static void go_along(size_t count, const unsigned char *known, const double *directions, int back,
+                     double *along, double *gradient)
+{
+    for (size_t i = 0; i < count; i++) {
+        const double *d = directions + 3 * i;
+        double *g = gradient + 3 * i;
+        if (!back) {
+            along[i] = known[i] ? 0 : taut_dot(d, g);
+        }
+        for (int c = 0; back && !known[i] && c < 3; c++) {
+            g[c] = along[i] * d[c];
+        }
+    }
+}
+
+taut_status taut_certify_release(const taut_surface *surface, const unsigned char *known,
+                                 const double *directions, const taut_through *places, int count,
+                                 double *gradient, double *gross, double *held)
+{
     taut_arena *arena = taut_arena_new();
+    const size_t points = taut_point_count(surface);
     release r = {.surface = surface,
-                 .count = count,
+                 .count = directions != NULL ? 3 * count : count,
+                 .parts = directions != NULL ? 1 : 3,
                  .nv = taut_basis_count(taut_surface_v(surface)),
                  .local = {taut_basis_local(taut_surface_u(surface)),
                            taut_basis_local(taut_surface_v(surface))}};
     const size_t alive = (size_t)r.local[0] * (size_t)r.local[1];
     double *const functions[2] = {taut_arena_take(arena, (size_t)r.local[0], sizeof(double)),
                                   taut_arena_take(arena, (size_t)r.local[1], sizeof(double))};
+    double *values = taut_arena_take(arena, (size_t)r.count * alive, sizeof(double));
+    double *along = directions != NULL ? taut_arena_take(arena, points, sizeof(double)) : gradient;
+    const taut_status status = take_release(&r, arena);
 
-    r.at = taut_arena_take(arena, n, sizeof *r.at);
-    r.gram = taut_arena_take(arena, n * n, sizeof(double));
-    r.is_out = taut_arena_take(arena, n, 1);
-    r.mu = taut_arena_take(arena, 3 * n, sizeof(double));
-    r.part = taut_arena_take(arena, 3 * n, sizeof(double));
-    double *values = taut_arena_take(arena, n * alive, sizeof(double));
-    const taut_status status = taut_arena_status(arena);
     if (status == TAUT_OK) {
-        for (size_t k = 0; k < n; k++) {
-            r.at[k].values = values + k * alive;
-            fill_share(&r, known, &places[k], functions, &r.at[k]);
-            for (size_t j = 0; j <= k; j++) {
-                r.gram[k * n + j] = product(&r, &r.at[k], &r.at[j]);
-            }
+        fill_shares(&r, known, directions, places, functions, values);
+        if (directions != NULL) {
+            go_along(points, known, directions, 0, along, gradient);
         }
-        factorise(&r);
-        for (int pass = 0; pass < PASSES; pass++) {
-            solve(&r, gradient);
-            take_away(&r, gradient);
+        free_gradient(&r, along, gross, held);
+        if (directions != NULL) {
+            go_along(points, known, directions, 1, along, gradient);
         }
-        count_roundings(&r, gross, held);
     }
     taut_arena_free(arena);
     return status;

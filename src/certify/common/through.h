@@ -27,10 +27,11 @@ taut_status taut_certify_add_through(const taut_surface *surface,
                                      const taut_dirichlet_problem *problem,
                                      const taut_through *places, taut_certificate *certificate);
 
-/* gradient double[nu][nv][3] less sum mu_k c_k at the unknown points; gross double[nu][nv] more by what rounding of
+/* gradient double[nu][nv][3] less sum mu_k c_k at the unknown points; with directions double[nu][nv][3], unit ones, along which the
+ * points move, at unknown points what is left of its part along them, times them; gross double[nu][nv] more by what rounding of
  * that acts on; *held the largest of what was taken. TAUT_NO_MEMORY. */
 taut_status taut_certify_release(const taut_surface *surface, const unsigned char *known,
-                                 const taut_through *places, int count, double *gradient,
-                                 double *gross, double *held);
+                                 const double *directions, const taut_through *places, int count,
+                                 double *gradient, double *gross, double *held);
 
 #endif /* TAUT_CERTIFY_COMMON_THROUGH_H */

@@ -213,7 +213,7 @@ static taut_status judge_gradient(const request *r, taut_dirichlet_gradient *gra
     const taut_status status =
         r->place_count == 0
             ? TAUT_OK
-            : taut_certify_release(r->surface, r->problem->known, r->places, r->place_count,
+            : taut_certify_release(r->surface, r->problem->known, NULL, r->places, r->place_count,
                                    gradient->values, gradient->gross, &held);
 
     if (status == TAUT_OK) {

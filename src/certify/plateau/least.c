@@ -262,6 +262,9 @@ static const char *find_obstacle(const taut_least_request *request)
     if (request->is_declined) {
         return "declined: the document says \"least\": false";
     }
+    if (request->is_held) {
+        return "inside: the surface is held at points to pass through";
+    }
     if (!request->boundary_only) {
         return "inside: other points than those of the boundary are known, or not all of those";
     }

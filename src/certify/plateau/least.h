@@ -11,6 +11,7 @@ typedef struct taut_least_request {
     const taut_surface *surface;
     const taut_record *witness; /* details.least, or NULL */
     int boundary_only;          /* the boundary is known and nothing else */
+    int is_held;                /* points to pass through hold it */
     int is_declined;            /* the document says "least": false */
     double gap;                 /* asked for, or 0 */
     double area, area_error;    /* of the surface, as measured */

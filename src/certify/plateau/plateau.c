@@ -34,6 +34,7 @@
 #include "certify/common/figures.h"
 #include "certify/common/known.h"
 #include "certify/common/regular.h"
+#include "certify/common/through.h"
 #include "certify/common/verdict.h"
 #include "certify/dirichlet/gradient.h"
 #include "certify/plateau/descent.h"
@@ -72,6 +73,10 @@ typedef struct request {
     double tolerance;
     double deviation; /* of the edges from the curves, that the model tells; else 0 */
     const taut_crew *crew;
+    taut_arena *arena;             /* of what follows: */
+    taut_dirichlet_problem net;    /* the points that are known, and those to pass through, */
+    taut_through *places;          /* all with parameters; NULL: none */
+    taut_dirichlet_gradient freed; /* the last gradient less what holds the surface there */
 } request;
 
 typedef struct finding {
@@ -199,6 +204,42 @@ static taut_status read_request(const taut_model *model, const taut_plateau_prob
     return TAUT_OK;
 }
 
+/* Where the surface passes through points. A net of its own has the known points that the surface has: that they are right is
+ * another claim's. */
+static taut_status read_places(const taut_model *model, request *r, taut_error *error)
+{
+    const size_t count = (size_t)r->nu * (size_t)r->nv;
+    const taut_record *told = taut_record_get(taut_model_details(model), "through");
+
+    if (r->problem == NULL && told != NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "needs-problem", "/details/through", taut_none,
+                         taut_none,
+                         "the surface was to pass through points: give the problem the model was "
+                         "made from too");
+    }
+    if (r->problem == NULL || r->problem->net.through_count == 0) {
+        return TAUT_OK;
+    }
+    r->arena = taut_arena_new();
+    unsigned char *known = taut_arena_take(r->arena, count, 1);
+    r->freed.values = taut_arena_take(r->arena, 3 * count, sizeof(double));
+    r->freed.gross = taut_arena_take(r->arena, count, sizeof(double));
+    if (taut_arena_status(r->arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (size_t i = 0; i < count; i++) {
+        known[i] = is_known(r, (int)(i / (size_t)r->nv), (int)(i % (size_t)r->nv)) != 0;
+    }
+    r->net = r->problem->net;
+    r->net.known = known;
+    if (has_new_net(r->problem)) {
+        r->net.u = taut_surface_u(r->surface);
+        r->net.v = taut_surface_v(r->surface);
+        r->net.points = taut_surface_points(r->surface);
+    }
+    return taut_certify_through_places(model, &r->net, r->arena, &r->places, error);
+}
+
 /* How much more than its own gradient says a point does: the moves of one of very little weight are as
  * long as that is small, and there its homogeneous coordinates are what is compared. */
 static double reach_of(const double *weights, double heaviest, size_t at)
@@ -206,11 +247,11 @@ static double reach_of(const double *weights, double heaviest, size_t at)
     return weights != NULL && weights[at] < little_weight * heaviest ? heaviest / weights[at] : 1;
 }
 
-static finding judge_gradient(const request *r, const taut_dirichlet_gradient *gradient)
+static finding judge_freed(const request *r, const taut_dirichlet_gradient *gradient, double held)
 {
     const double *weights = taut_surface_weights(r->surface);
     finding found = {.residual = 0};
-    double unknown = 0, all = 0, gross = 0, longest = 1, heaviest = 0;
+    double unknown = 0, all = held, gross = 0, longest = 1, heaviest = 0;
 
     for (int k = 0; weights != NULL && k < r->nu * r->nv; k++) {
         heaviest = fmax(heaviest, weights[k]);
@@ -249,6 +290,31 @@ static finding judge_gradient(const request *r, const taut_dirichlet_gradient *g
     return found;
 }
 
+/* TAUT_NO_MEMORY. */
+static taut_status judge_gradient(request *r, const taut_dirichlet_gradient *gradient,
+                                  finding *found)
+{
+    const size_t count = (size_t)r->nu * (size_t)r->nv;
+    double *values = r->freed.values, *gross = r->freed.gross, held = 0;
+
+    if (r->places == NULL) {
+        *found = judge_freed(r, gradient, 0);
+        return TAUT_OK;
+    }
+    r->freed = *gradient;
+    r->freed.values = values;
+    r->freed.gross = gross;
+    memcpy(values, gradient->values, 3 * count * sizeof(double));
+    memcpy(gross, gradient->gross, count * sizeof(double));
+    const taut_status status =
+        taut_certify_release(r->surface, r->net.known, r->directions, r->places,
+                             r->net.through_count, values, gross, &held);
+    if (status == TAUT_OK) {
+        *found = judge_freed(r, &r->freed, held);
+    }
+    return status;
+}
+
 /* The limits that the residual may be within: rounding, the tolerance. */
 static double allowed_of(const request *r, const finding *found)
 {
@@ -282,12 +348,14 @@ static taut_status prove_witness(request *r, const taut_surface *witness)
     r->unproved = "witness: the energy of details.dirichlet is not shown to be at rest";
     other.surface = witness;
     other.directions = NULL;
+    other.places = NULL; /* it passes through no points */
     if (status == TAUT_OK && rule.nodes > 0) {
         status = taut_dirichlet_gradient_new(witness, told > 0 ? told : 1, &rule, &gradient);
     }
     if (status == TAUT_OK && gradient.values != NULL) {
-        const finding found = judge_gradient(&other, &gradient);
-        if (found.residual + found.error <= allowed_of(r, &found)) {
+        finding found;
+        status = judge_gradient(&other, &gradient, &found);
+        if (status == TAUT_OK && found.residual + found.error <= allowed_of(r, &found)) {
             r->unproved = NULL;
         }
     }
@@ -327,7 +395,7 @@ static taut_status find_directions(const taut_record *details, request *r, taut_
 
 /* The gradient by a rule whose remainder is bounded. *kind is TAUT_BOUND where that decides: what is
  * proved is within the limits, or beyond the largest of them, or its error is small beside it. */
-static taut_status find_bounded(const request *r, taut_gradient_rule *rule,
+static taut_status find_bounded(request *r, taut_gradient_rule *rule,
                                 taut_dirichlet_gradient *gradient, finding *found,
                                 taut_claim_kind *kind)
 {
@@ -340,7 +408,10 @@ static taut_status find_bounded(const request *r, taut_gradient_rule *rule,
     if (status != TAUT_OK) {
         return status;
     }
-    *found = judge_gradient(r, gradient);
+    status = judge_gradient(r, gradient, found);
+    if (status != TAUT_OK) {
+        return status;
+    }
     if (found->residual + found->error <= allowed_of(r, found) ||
         found->error <= 0.1 * found->residual) {
         *kind = TAUT_BOUND;
@@ -354,7 +425,7 @@ static taut_status find_bounded(const request *r, taut_gradient_rule *rule,
 /* Where no bound decides: nodes raised by half until the judgement stays, within the noise, or a
  * hundredth of itself; above so many Gauss points that more cost much, within a quarter of the
  * tolerance. *settled tells whether it did. */
-static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradient, finding *found,
+static taut_status find_settled(request *r, taut_dirichlet_gradient *gradient, finding *found,
                                 int *settled)
 {
     const taut_basis *u = taut_surface_u(r->surface), *v = taut_surface_v(r->surface);
@@ -367,7 +438,10 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
     if (status != TAUT_OK) {
         return status;
     }
-    *found = judge_gradient(r, gradient);
+    status = judge_gradient(r, gradient, found);
+    if (status != TAUT_OK) {
+        return status;
+    }
     while (!*settled && isfinite(found->residual) && taut_gradient_raise(&rule, gradient)) {
         const double before = found->residual;
         taut_dirichlet_gradient_clear(gradient);
@@ -375,7 +449,10 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
         if (status != TAUT_OK) {
             return status;
         }
-        *found = judge_gradient(r, gradient);
+        status = judge_gradient(r, gradient, found);
+        if (status != TAUT_OK) {
+            return status;
+        }
         const double apart = fabs(found->residual - before);
         const double enough = spans * rule.nodes * rule.nodes > many ? 0.25 * r->tolerance : 0;
         *settled = fmax(found->residual, before) <= found->noise ||
@@ -385,7 +462,7 @@ static taut_status find_settled(const request *r, taut_dirichlet_gradient *gradi
     return TAUT_OK;
 }
 
-static taut_status find_gradient(const request *r, taut_gradient_rule *rule,
+static taut_status find_gradient(request *r, taut_gradient_rule *rule,
                                  taut_dirichlet_gradient *gradient, finding *found,
                                  taut_claim_kind *kind, int *settled)
 {
@@ -409,7 +486,7 @@ static void find_free_part(const request *r, const taut_dirichlet_gradient *grad
     for (int i = 0; i < r->nu; i++) {
         for (int j = 0; j < r->nv; j++) {
             const size_t at = 3 * ((size_t)i * (size_t)r->nv + (size_t)j);
-            const double *g = gradient->values + at;
+            const double *g = (r->places != NULL ? &r->freed : gradient)->values + at;
             const double *d = r->directions != NULL ? r->directions + at : NULL;
             for (size_t c = 0; c < 3; c++) {
                 out[at + c] = is_known(r, i, j) ? 0 : d != NULL ? taut_dot(d, g) * d[c] : g[c];
@@ -570,6 +647,7 @@ static taut_status add_least(const request *r, const taut_mean_figures *measure,
         .surface = r->surface,
         .witness = r->least,
         .boundary_only = knows_boundary_only(r),
+        .is_held = r->places != NULL,
         .is_declined = problem != NULL && problem->without_least,
         .gap = problem != NULL ? problem->gap : 0,
         .area = isfinite(measure->area_error) ? measure->area : (double)NAN,
@@ -748,7 +826,7 @@ static taut_status judge_flatness(const request *r, const taut_gradient_rule *ru
 }
 
 /* The claim `stationary`. */
-static taut_status prove_stationary(const request *r, taut_dirichlet_gradient *gradient,
+static taut_status prove_stationary(request *r, taut_dirichlet_gradient *gradient,
                                     taut_certificate *certificate)
 {
     finding found = {.residual = 0};
@@ -765,7 +843,7 @@ static taut_status prove_stationary(const request *r, taut_dirichlet_gradient *g
                              : status;
 }
 
-static taut_status prove(const request *r, taut_certificate *certificate, taut_error *error)
+static taut_status prove(request *r, taut_certificate *certificate, taut_error *error)
 {
     taut_dirichlet_gradient gradient = {.unit = 0};
     taut_status status = prove_stationary(r, &gradient, certificate);
@@ -783,6 +861,10 @@ static taut_status prove(const request *r, taut_certificate *certificate, taut_e
                taut_certify_add_known(r->surface, &r->problem->net, certificate) != TAUT_OK) {
         return taut_fail_memory(error);
     }
+    if (r->places != NULL &&
+        taut_certify_add_through(r->surface, &r->net, r->places, certificate) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
     return add_figures(r, certificate, error);
 }
 
@@ -792,6 +874,9 @@ static taut_status certify(const taut_model *model, const void *data, const taut
     request r = {.crew = &audit->crew};
     taut_status status = read_request(model, data, &r, error);
 
+    if (status == TAUT_OK) {
+        status = read_places(model, &r, error);
+    }
     if (status == TAUT_OK && r.is_normal) {
         status = find_directions(taut_model_details(model), &r, error);
     }
@@ -799,6 +884,7 @@ static taut_status certify(const taut_model *model, const void *data, const taut
         status = prove(&r, certificate, error);
     }
     taut_free(r.directions);
+    taut_arena_free(r.arena);
     return status;
 }
 

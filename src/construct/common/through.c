@@ -123,3 +123,14 @@ void taut_condition_add(const taut_conditions *all, int k, double factor, double
         }
     }
 }
+
+void taut_through_describe(const taut_through *through, int count, taut_record *details)
+{
+    taut_record *list = taut_record_add_list(details, "through");
+
+    for (int k = 0; k < count; k++) {
+        taut_record *at = taut_record_add_object(list, NULL);
+        taut_record_add_number(at, "u", through[k].u);
+        taut_record_add_number(at, "v", through[k].v);
+    }
+}

@@ -7,6 +7,7 @@
 
 #include "core/arena.h"
 #include "taut/dirichlet.h"
+#include "taut/record.h"
 
 typedef struct taut_condition {
     int first[2];         /* of the points with a share */
@@ -28,6 +29,9 @@ taut_status taut_through_check(const taut_basis *u, const taut_basis *v,
 taut_status taut_conditions_new(const taut_basis *u, const taut_basis *v, const double *weights,
                                 const taut_through *through, int count, taut_arena *arena,
                                 taut_conditions *conditions);
+
+/* The member `through` of details: u and v of each. */
+void taut_through_describe(const taut_through *through, int count, taut_record *details);
 
 /* sum c_ij of component `component` of net double[nu][nv][3]. */
 double taut_condition_sum(const taut_conditions *all, int k, const double *net, int component);

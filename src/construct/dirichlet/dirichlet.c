@@ -300,18 +300,6 @@ static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_mo
                              error);
 }
 
-static void add_through(const taut_dirichlet_problem *problem, const taut_through *through,
-                        taut_record *details)
-{
-    taut_record *list =
-        problem->through_count > 0 ? taut_record_add_list(details, "through") : NULL;
-    for (int k = 0; k < problem->through_count; k++) {
-        taut_record *at = taut_record_add_object(list, NULL);
-        taut_record_add_number(at, "u", through[k].u);
-        taut_record_add_number(at, "v", through[k].v);
-    }
-}
-
 static taut_record *details_of(const taut_dirichlet_problem *problem, const work *w)
 {
     const taut_mask *mask = &w->mask;
@@ -328,7 +316,9 @@ static taut_record *details_of(const taut_dirichlet_problem *problem, const work
         taut_record_add_number(details, "aspect", out->aspect);
         taut_record_add_number(details, "aspect_energy", out->energy);
     }
-    add_through(problem, w->through, details);
+    if (problem->through_count > 0) {
+        taut_through_describe(w->through, problem->through_count, details);
+    }
     return details;
 }
 

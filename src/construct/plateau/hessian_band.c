@@ -394,6 +394,54 @@ void taut_area_hessian_stiffen(taut_area_hessian *hessian, const double *directi
     }
 }
 
+/* Where number k of a condition stands among the unknowns; -1: at a known point. */
+static int index_of(const taut_area_hessian *hessian, const taut_conditions *all,
+                    const taut_condition *c, int k)
+{
+    const size_t i = (size_t)(c->first[0] + k / all->local[1]);
+    const size_t j = (size_t)(c->first[1] + k % all->local[1]);
+    return hessian->index[i * (size_t)all->nv + j];
+}
+
+/* A hundred times the metric's largest number there, over c . c. */
+static double weight_of(const taut_area_hessian *hessian, const taut_conditions *all,
+                        const taut_condition *c)
+{
+    double largest = 0, square = 0;
+
+    for (int k = 0; k < all->local[0] * all->local[1]; k++) {
+        const int a = index_of(hessian, all, c, k);
+        if (a >= 0) {
+            largest = fmax(largest, taut_band_row(&hessian->metric, a)[0]);
+            square += c->coefficients[k] * c->coefficients[k];
+        }
+    }
+    return square > 0 ? 100 * largest / square : 0;
+}
+
+static void hold(taut_area_hessian *hessian, const taut_conditions *all, const taut_condition *c)
+{
+    const double weight = weight_of(hessian, all, c);
+
+    for (int k = 0; k < all->local[0] * all->local[1]; k++) {
+        const int a = index_of(hessian, all, c, k);
+        for (int m = 0; a >= 0 && m < all->local[0] * all->local[1]; m++) {
+            const int b = index_of(hessian, all, c, m);
+            for (int e = 0; b >= 0 && b <= a && e < 3; e++) {
+                taut_band_row(&hessian->second, 3 * a + e)[3 * (a - b)] +=
+                    weight * c->coefficients[k] * c->coefficients[m];
+            }
+        }
+    }
+}
+
+void taut_area_hessian_hold(taut_area_hessian *hessian, const taut_conditions *conditions)
+{
+    for (int k = 0; k < conditions->count; k++) {
+        hold(hessian, conditions, &conditions->at[k]);
+    }
+}
+
 /* factor = (1 - theta) hessian + theta metric (x) I. */
 static void combine_matrices(taut_area_hessian *hessian, double theta)
 {

@@ -12,6 +12,7 @@
 #define TAUT_CONSTRUCT_PLATEAU_HESSIAN_BAND_H
 
 #include "construct/common/mask.h"
+#include "construct/common/through.h"
 #include "construct/plateau/area.h"
 #include "numeric/band.h"
 
@@ -36,6 +37,10 @@ void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_func
  * block of H, P the projector of its two directions, double[nu][nv][2][3], unit and orthogonal, the
  * second 0 where there is one. The steps of factor 0 are then along them, to 1 / weight. */
 void taut_area_hessian_stiffen(taut_area_hessian *hessian, const double *directions, double weight);
+
+/* Stiffens the surface against leaving places: adds c c^T of each condition to H, by the weight that makes it a hundred times as
+ * stiff there as the metric. Moves that leave them alone do not feel it. */
+void taut_area_hessian_hold(taut_area_hessian *hessian, const taut_conditions *conditions);
 
 /* Factors B = (1 - theta) H + theta L_g over the unknown points. TAUT_NO_SOLUTION when B is not
  * positive definite: there are no factors then. */

@@ -34,6 +34,8 @@ struct taut_newton_step {
     double *hull;
     double *residual, *smooth, *search, *image; /* unknowns */
     double *move, *force;                       /* nets */
+    const taut_conditions *conditions;          /* or NULL */
+    taut_held *held;                            /* or NULL */
 };
 
 int taut_newton_step_parts(const taut_newton_step *newton)
@@ -157,10 +159,12 @@ void taut_newton_step_reduce(const taut_newton_step *newton, const double *net, 
     if (newton->directions == NULL) {
         memcpy(z, net, 3 * count * sizeof(double));
         taut_mask_clear_known(newton->mask, z);
-        return;
     }
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; newton->directions != NULL && i < count; i++) {
         z[i] = known[i] ? 0 : taut_dot(newton->directions + 3 * i, net + 3 * i);
+    }
+    if (newton->held != NULL) {
+        taut_held_project(newton->held, z);
     }
 }
 
@@ -197,7 +201,7 @@ void taut_newton_step_product(taut_newton_step *newton, double theta, const doub
 }
 
 /* smooth = M^-1 residual, by the hull and back. */
-static taut_status smoothen_residual(taut_newton_step *newton)
+static taut_status precondition(taut_newton_step *newton)
 {
     const taut_mask *p = newton->mask;
     const size_t parts = (size_t)newton->parts, nv = (size_t)p->nv;
@@ -223,6 +227,62 @@ static taut_status smoothen_residual(taut_newton_step *newton)
         }
     }
     return status;
+}
+
+/* The same among the moves that are allowed. */
+static taut_status smoothen_residual(taut_newton_step *newton)
+{
+    const taut_status status = precondition(newton);
+    if (newton->held != NULL) {
+        taut_held_correct(newton->held, newton->smooth);
+    }
+    return status;
+}
+
+/* The images of the rows that hold, by the preconditioner, which stays. */
+static taut_status precondition_rows(taut_newton_step *newton)
+{
+    taut_held *held = newton->held;
+    taut_status status = TAUT_OK;
+
+    for (int r = 0; status == TAUT_OK && r < held->count; r++) {
+        memcpy(newton->residual, taut_held_row(held, r), newton->size * sizeof(double));
+        status = precondition(newton);
+        memcpy(taut_held_image(held, r), newton->smooth, newton->size * sizeof(double));
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return taut_held_factor(held) ? TAUT_OK : TAUT_NOT_CONVERGED;
+}
+
+taut_status taut_newton_step_hold(taut_newton_step *newton, const taut_conditions *conditions,
+                                  taut_held *held)
+{
+    newton->conditions = conditions;
+    newton->held = held;
+    return newton->hessian == NULL ? precondition_rows(newton) : TAUT_OK;
+}
+
+/* The images of the rows that hold, by the factors at hand. */
+static taut_status solve_rows(taut_newton_step *newton)
+{
+    taut_held *held = newton->held;
+
+    for (int r = 0; r < held->count; r++) {
+        memcpy(taut_held_image(held, r), taut_held_row(held, r), newton->size * sizeof(double));
+        taut_area_hessian_solve(newton->hessian, taut_held_image(held, r));
+    }
+    return taut_held_factor(held) ? TAUT_OK : TAUT_NO_SOLUTION;
+}
+
+/* z = B^-1 z by the factors, among the moves that are allowed. */
+static void solve_by_factors(taut_newton_step *newton, double *z)
+{
+    taut_area_hessian_solve(newton->hessian, z);
+    if (newton->held != NULL) {
+        taut_held_correct(newton->held, z);
+    }
 }
 
 /* One step of conjugate gradients: *rho = residual . smooth on entry and return. */
@@ -285,17 +345,23 @@ taut_status taut_newton_step_solve(taut_newton_step *newton, double theta, doubl
     }
     if (!newton->is_assembled) {
         taut_area_hessian_assemble(newton->hessian, functional);
+        if (newton->held != NULL) {
+            taut_area_hessian_hold(newton->hessian, newton->conditions);
+        }
         newton->is_assembled = 1;
         functional->work += taut_area_hessian_assembly_cost(functional);
     }
     status = taut_area_hessian_factor(newton->hessian, theta);
     functional->work += taut_area_hessian_factor_cost(functional, newton->mask);
     newton->products++;
+    if (status == TAUT_OK && newton->held != NULL) {
+        status = solve_rows(newton);
+    }
     if (status != TAUT_OK) {
         return status;
     }
     memcpy(z, b, newton->size * sizeof(double));
-    taut_area_hessian_solve(newton->hessian, z);
+    solve_by_factors(newton, z);
     *model = 0.5 * taut_newton_step_dot(newton, z, b);
     return TAUT_OK;
 }
@@ -308,5 +374,5 @@ int taut_newton_step_has_factors(const taut_newton_step *newton)
 void taut_newton_step_again(taut_newton_step *newton, double *z)
 {
     assert(newton->hessian != NULL);
-    taut_area_hessian_solve(newton->hessian, z);
+    solve_by_factors(newton, z);
 }

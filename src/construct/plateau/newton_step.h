@@ -13,6 +13,7 @@
 #include "construct/common/mask.h"
 #include "construct/dirichlet/form.h"
 #include "construct/plateau/area.h"
+#include "construct/plateau/held.h"
 #include "taut/monitor.h"
 
 typedef struct taut_newton_step taut_newton_step;
@@ -24,6 +25,11 @@ taut_status taut_newton_step_new(taut_area_functional *functional, const taut_di
                                  const taut_mask *mask, const double *directions, double aspect,
                                  const taut_monitor *monitor, taut_newton_step **newton);
 void taut_newton_step_free(taut_newton_step *newton); /* NULL is fine */
+
+/* From now on steps leave the surface where the conditions hold it. Both are borrowed, `held` is worked in.
+ * TAUT_NO_MEMORY; TAUT_NOT_CONVERGED as above; TAUT_INTERRUPTED. */
+taut_status taut_newton_step_hold(taut_newton_step *newton, const taut_conditions *conditions,
+                                  taut_held *held);
 
 /* Tells the monitor that work goes on; TAUT_INTERRUPTED when it asks to stop. */
 taut_status taut_newton_step_report(taut_newton_step *newton);

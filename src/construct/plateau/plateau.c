@@ -9,6 +9,7 @@
  */
 #include "taut/plateau.h"
 
+#include "construct/common/through.h"
 #include "construct/construct_ops.h"
 #include "construct/plateau/refine.h"
 #include "construct/plateau/solve.h"
@@ -16,6 +17,7 @@
 #include "construct/plateau/witness.h"
 #include "core/fail.h"
 #include "core/pace.h"
+#include "geometry/nearest.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -103,6 +105,20 @@ static taut_status check_refine(const taut_plateau_problem *problem, taut_error 
     return TAUT_OK;
 }
 
+static taut_status check_through(const taut_plateau_problem *problem, taut_error *error)
+{
+    const taut_dirichlet_problem *net = &problem->net;
+
+    if (net->through_count > 0 &&
+        (problem->refine > 0 || problem->tolerance_area > 0 || problem->gap > 0)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/through", taut_none, taut_none,
+                         "a point holds an area by a spike as wide as its knots, and finer spaces "
+                         "end at the surface that passes it by: expected none of refine, "
+                         "tolerance_area and gap beside through");
+    }
+    return taut_through_check(net->u, net->v, net->through, net->through_count, error);
+}
+
 /* What dirichlet does not check, or is needed before it does. */
 static taut_status check_problem(const taut_plateau_problem *problem, taut_error *error)
 {
@@ -114,10 +130,6 @@ static taut_status check_problem(const taut_plateau_problem *problem, taut_error
         (curves == 0 && (net->points == NULL || net->known == NULL))) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a problem of least area needs two bases, and a net or four curves");
-    }
-    if (net->through_count != 0) {
-        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/through", net->through_count, 0,
-                         "points to pass through are for surfaces of least Dirichlet energy");
     }
     if (!(problem->tolerance >= 0) || problem->tolerance >= 1) {
         return taut_fail(error, TAUT_BAD_INPUT, "value", "/tolerance", problem->tolerance, 1,
@@ -137,7 +149,7 @@ static taut_status check_problem(const taut_plateau_problem *problem, taut_error
                          TAUT_PLATEAU_REFINE_MAX, "refine is %d, expected 0 to %d", problem->refine,
                          TAUT_PLATEAU_REFINE_MAX);
     }
-    if (check_refine(problem, error) != TAUT_OK) {
+    if (check_refine(problem, error) != TAUT_OK || check_through(problem, error) != TAUT_OK) {
         return TAUT_BAD_INPUT;
     }
     return check_spaces(problem, error);
@@ -166,6 +178,8 @@ static taut_status make_model(taut_plateau_solution *solution, taut_model **mode
 
 /* What a make holds on the way. */
 typedef struct parts {
+    taut_arena *arena;
+    taut_through *through; /* the problem's, every one with its parameters; or NULL */
     taut_plateau_space *space;
     taut_plateau_solution solution;
     taut_plateau_witness *witness; /* or NULL */
@@ -175,7 +189,8 @@ typedef struct parts {
 static taut_status add_witness(const taut_plateau_problem *problem,
                                const taut_make_options *options, parts *p, taut_error *error)
 {
-    const int is_fit = problem->curves[0] != NULL || taut_plateau_knows_boundary(&problem->net);
+    const int is_fit = problem->net.through_count == 0 &&
+                       (problem->curves[0] != NULL || taut_plateau_knows_boundary(&problem->net));
 
     if (p->witness == NULL && is_fit && !problem->without_least) {
         const taut_status status =
@@ -188,6 +203,36 @@ static taut_status add_witness(const taut_plateau_problem *problem,
         taut_plateau_witness_describe(p->witness, p->solution.details);
     }
     return TAUT_OK;
+}
+
+/* A point that holds the inside of an area is a statement about the space. */
+static void add_warning(const taut_dirichlet_problem *net, taut_record *details)
+{
+    int inside = 0;
+
+    for (int k = 0; k < net->through_count; k++) {
+        const taut_through *at = &net->through[k];
+        inside += at->u > taut_basis_lo(net->u) && at->u < taut_basis_hi(net->u) &&
+                  at->v > taut_basis_lo(net->v) && at->v < taut_basis_hi(net->v);
+    }
+    if (inside > 0) {
+        taut_record_add_text(
+            taut_record_add_list(details, "warnings"), NULL,
+            "a point inside holds the area by a spike as wide as its knots, which finer nets make "
+            "narrower and lower in area: for a mast, give a ring around it, or cables that carry "
+            "it (`film`)");
+    }
+}
+
+static void describe(const parts *p)
+{
+    const taut_dirichlet_problem *net = &p->space->problem.net;
+
+    taut_plateau_space_describe(p->space, p->solution.details);
+    if (net->through_count > 0) {
+        taut_through_describe(net->through, net->through_count, p->solution.details);
+        add_warning(net, p->solution.details);
+    }
 }
 
 /* The finer spaces that are asked for, and the witness of the last. */
@@ -207,15 +252,68 @@ static taut_status refine_parts(const taut_plateau_problem *problem,
     if (status != TAUT_OK) {
         return status;
     }
-    taut_plateau_space_describe(p->space, p->solution.details);
+    describe(p);
     return add_witness(problem, options, p, error);
 }
 
-static taut_status make_parts(const taut_plateau_problem *problem, const taut_make_options *options,
+/* The parameters of points that have none: those of the nearest point of the surface that passes through no point. */
+static taut_status find_nearest(const taut_plateau_problem *problem,
+                                const taut_make_options *options, parts *p, taut_error *error)
+{
+    taut_plateau_problem freed = *problem;
+    taut_plateau_space *space = NULL;
+    taut_plateau_solution solution = {NULL, NULL, 0};
+
+    freed.net.through_count = 0;
+    taut_status status = taut_plateau_space_new(&freed, NULL, &space, error);
+    if (status == TAUT_OK) {
+        status = taut_plateau_solve(&space->problem, options, &solution, error);
+    }
+    for (int k = 0; k < problem->net.through_count && status == TAUT_OK; k++) {
+        taut_through *to = &p->through[k];
+        if (isnan(to->u) &&
+            taut_surface_nearest(solution.surface, to->point, &to->u, &to->v) != TAUT_OK) {
+            status = taut_fail_memory(error);
+        }
+    }
+    taut_plateau_solution_clear(&solution);
+    taut_plateau_space_free(space);
+    return status;
+}
+
+/* p->through. */
+static taut_status find_through(const taut_plateau_problem *problem,
+                                const taut_make_options *options, parts *p, taut_error *error)
+{
+    const size_t count = (size_t)problem->net.through_count;
+    int missing = 0;
+
+    if (count == 0) {
+        return TAUT_OK;
+    }
+    p->arena = taut_arena_new();
+    p->through = taut_arena_copy(p->arena, problem->net.through, count, sizeof *p->through);
+    if (p->through == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (size_t k = 0; k < count; k++) {
+        missing += isnan(p->through[k].u);
+    }
+    return missing > 0 ? find_nearest(problem, options, p, error) : TAUT_OK;
+}
+
+static taut_status make_parts(const taut_plateau_problem *given, const taut_make_options *options,
                               parts *p, taut_error *error)
 {
-    taut_status status = taut_plateau_space_new(problem, NULL, &p->space, error);
+    taut_plateau_problem held = *given;
+    const taut_plateau_problem *problem = &held;
+    taut_status status = find_through(given, options, p, error);
 
+    if (status != TAUT_OK) {
+        return status;
+    }
+    held.net.through = p->through;
+    status = taut_plateau_space_new(problem, NULL, &p->space, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -231,14 +329,14 @@ static taut_status make_parts(const taut_plateau_problem *problem, const taut_ma
 static void describe_end(const taut_pace *pace, parts *p)
 {
     taut_record_add_text(p->solution.details, "stopped", taut_pace_reason(pace));
-    taut_plateau_space_describe(p->space, p->solution.details);
+    describe(p);
 }
 
 taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_make_options *options,
                               taut_model **model, taut_error *error)
 {
     static const taut_make_options none;
-    parts p = {NULL, {NULL, NULL, 0}, NULL};
+    parts p = {.arena = NULL};
     taut_pace pace;
     taut_status status = TAUT_OK;
 
@@ -263,6 +361,7 @@ taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_ma
     taut_plateau_witness_free(p.witness);
     taut_plateau_solution_clear(&p.solution);
     taut_plateau_space_free(p.space);
+    taut_arena_free(p.arena);
     return status;
 }
 

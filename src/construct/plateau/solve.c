@@ -5,7 +5,8 @@
  *     rule  = the first number of Gauss nodes that the next one agrees with on the area of net
  *     hardly any area: no solution
  *     net   = the points to start from, if they are given, and a rule for them
- *     net so large that factors do not pay: come near along normals (construct/plateau/approach.h)
+ *     net so large that factors do not pay: come near along normals (construct/plateau/approach.h), unless points are passed
+ *         through: then steps leave the surface there (construct/plateau/held.h)
  *     repeat
  *         minimise the area from net, by rule (construct/plateau/trust_region.h)
  *         rule = the first from here on that the next one agrees with on the area of net
@@ -58,6 +59,7 @@ static const struct {
     double work_steps;   /* ... or so many of the first steps, as if no span were cut for weights */
     double area_none;    /* of sqrt(iint |x_u|^2 iint |x_v|^2): no area at all, but rounding */
     double stretch_most; /* of the preconditioner either way: beyond it the net is no guide */
+    double held_most;    /* numbers of steps that places to pass through answer with: 400 MB */
 } limits = {
     .area_agreement = 2e-14,
     .area_unsettled = 1e-9,
@@ -72,6 +74,7 @@ static const struct {
     .work_steps = 200,
     .area_none = 1e-12,
     .stretch_most = 1e4,
+    .held_most = 5e7,
 };
 
 /* What is being made. */
@@ -79,6 +82,7 @@ typedef struct work {
     const taut_plateau_problem *problem;
     const taut_make_options *options;
     taut_model *first; /* the Dirichlet surface */
+    taut_model *free;  /* the same that passes through no points; NULL where that is `first` */
     const taut_surface *surface;
     taut_arena *arena;
     taut_mask mask;
@@ -86,9 +90,12 @@ typedef struct work {
     taut_dirichlet_form form;
     taut_area_functional *functional;
     size_t count;
-    double *net;        /* scaled */
-    double *points;     /* the same in the user's units, in the end */
-    double *directions; /* or NULL */
+    double *net;                /* scaled */
+    double *points;             /* the same in the user's units, in the end */
+    double *directions;         /* or NULL */
+    taut_conditions conditions; /* points to pass through, */
+    taut_held *held;            /* and the moves that leave them alone; NULL: none */
+    double *first_net;          /* with them: that of the Dirichlet surface, scaled */
     double dirichlet_area, aspect;
     double first_area; /* of the net that the steps begin from; 0 before there is one */
     taut_trust_region region;
@@ -103,7 +110,48 @@ static void work_clear(work *w)
     taut_dirichlet_form_clear(&w->form);
     taut_area_functional_free(w->functional);
     taut_model_free(w->first);
+    taut_model_free(w->free);
     taut_arena_free(w->arena);
+}
+
+/* What directions are normals of: normals of a surface that is pulled to a point meet above it. */
+static const taut_surface *guide_of(const work *w)
+{
+    return w->free != NULL ? taut_model_surface(w->free, 0) : w->surface;
+}
+
+static taut_status make_free(work *w, taut_error *error)
+{
+    taut_dirichlet_problem net = w->problem->net;
+
+    if (net.through_count == 0 || w->problem->method != TAUT_PLATEAU_NORMAL) {
+        return TAUT_OK;
+    }
+    net.through_count = 0;
+    return taut_dirichlet_make(&net, w->options, &w->free, error);
+}
+
+/* What holds the surface at the points it passes through. Every one has its parameters. */
+static taut_status hold_points(work *w, taut_error *error)
+{
+    const taut_dirichlet_problem *net = &w->problem->net;
+    const double numbers = taut_held_numbers(net->through_count, w->count, w->directions != NULL);
+    const double most = floor(limits.held_most * net->through_count / numbers);
+
+    if (numbers > limits.held_most) {
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/through", net->through_count, most,
+                         "%d points to pass through in a net of %zu points, expected at most %.0f",
+                         net->through_count, w->count, most);
+    }
+    w->held = taut_arena_take(w->arena, 1, sizeof *w->held);
+    w->first_net = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
+    if (taut_arena_status(w->arena) != TAUT_OK ||
+        taut_conditions_new(net->u, net->v, net->weights, net->through, net->through_count,
+                            w->arena, &w->conditions) != TAUT_OK ||
+        taut_held_new(&w->conditions, &w->mask, w->directions, w->arena, w->held) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return TAUT_OK;
 }
 
 /* What is needed beside the Dirichlet surface. */
@@ -126,11 +174,28 @@ static taut_status prepare(work *w, taut_error *error)
     if (w->problem->method == TAUT_PLATEAU_NORMAL) {
         w->directions = taut_arena_take(w->arena, 3 * w->count, sizeof(double));
         if (w->directions == NULL ||
-            taut_plateau_directions(w->surface, w->directions) != TAUT_OK) {
+            taut_plateau_directions(guide_of(w), w->directions) != TAUT_OK) {
             return taut_fail_memory(error);
         }
     }
-    return TAUT_OK;
+    return w->problem->net.through_count > 0 ? hold_points(w, error) : TAUT_OK;
+}
+
+/* The net moved as little as lets it pass through the points that the Dirichlet surface passes through. */
+static void settle_net(work *w)
+{
+    const size_t size = 3 * w->count;
+
+    if (w->held == NULL || w->directions != NULL) { /* along directions it does not drift */
+        return;
+    }
+    for (size_t i = 0; i < size; i++) {
+        w->net[i] -= w->first_net[i];
+    }
+    taut_held_project(w->held, w->net);
+    for (size_t i = 0; i < size; i++) {
+        w->net[i] += w->first_net[i];
+    }
 }
 
 /* net = points, scaled. */
@@ -282,7 +347,7 @@ static int has_free_edge(const taut_mask *p)
 static int is_large(const work *w)
 {
     return w->directions == NULL && w->problem->start == NULL && !w->region.has_free_edge &&
-           !w->is_rough && !taut_area_hessian_pays(w->functional, &w->mask);
+           w->held == NULL && !w->is_rough && !taut_area_hessian_pays(w->functional, &w->mask);
 }
 
 /* Spans over cells. Weights that vary from point to point cut the spans into thousands, and 200
@@ -302,10 +367,15 @@ static taut_status minimise(work *w, taut_error *error)
     taut_status status = taut_newton_step_new(w->functional, &w->form, &w->mask, w->directions,
                                               w->aspect, &w->options->monitor, &newton);
 
+    if (status == TAUT_OK && w->held != NULL) {
+        status = taut_newton_step_hold(newton, &w->conditions, w->held);
+    }
     if (status == TAUT_NO_MEMORY) {
+        taut_newton_step_free(newton);
         return taut_fail_memory(error);
     }
     if (status != TAUT_OK) {
+        taut_newton_step_free(newton);
         return taut_fail(error, TAUT_NOT_CONVERGED, "ill-conditioned", NULL, taut_none, taut_none,
                          "the system is too ill-conditioned for double precision: the "
                          "knots, the degree or the weights are too extreme");
@@ -318,6 +388,7 @@ static taut_status minimise(work *w, taut_error *error)
     status = taut_trust_region_minimise(w->functional, newton, &w->region, w->net, error);
     w->products += taut_newton_step_products(newton);
     taut_newton_step_free(newton);
+    settle_net(w);
     return status;
 }
 
@@ -337,6 +408,9 @@ static taut_status measure_first(work *w, taut_error *error)
                          spread, TAUT_SPREAD_MAX);
     }
     scale_points(w, taut_surface_points(w->surface));
+    if (w->held != NULL) {
+        memcpy(w->first_net, w->net, 3 * w->count * sizeof(double));
+    }
     status = find_rule(w, &w->dirichlet_area, error);
     if (status != TAUT_OK) {
         return status;
@@ -363,9 +437,15 @@ static taut_status find_residual(const work *w, taut_area_functional *functional
     }
     taut_area_functional_gradient(functional, w->net, gradient);
     for (size_t i = 0; i < w->count; i++) {
+        all = fmax(all, taut_largest_coordinate(gradient + 3 * i));
+    }
+    if (w->held != NULL) { /* "full": "normal" does not come here */
+        taut_mask_clear_known(&w->mask, gradient);
+        taut_held_project(w->held, gradient);
+    }
+    for (size_t i = 0; i < w->count; i++) {
         const double *g = gradient + 3 * i;
         const double size = taut_largest_coordinate(g);
-        all = fmax(all, size);
         if (!w->mask.known[i]) {
             unknown = fmax(unknown,
                            w->directions == NULL ? size : fabs(taut_dot(w->directions + 3 * i, g)));
@@ -464,6 +544,7 @@ static taut_status find_net(work *w, taut_error *error)
     }
     if (w->problem->start != NULL) {
         scale_points(w, w->problem->start);
+        settle_net(w);
         status = find_rule(w, &area, error);
         if (status != TAUT_OK) {
             return status;
@@ -564,7 +645,7 @@ static taut_record *details_of(const work *w)
     taut_record_add_number(details, "residual", w->region.residual);
     taut_record_add_number(details, "tolerance", w->region.tolerance);
     if (is_normal && p->unknowns > 0) {
-        add_vectors(w, details, "dirichlet", taut_surface_points(w->surface));
+        add_vectors(w, details, "dirichlet", taut_surface_points(guide_of(w)));
         add_vectors(w, details, "directions", w->directions);
     }
     taut_record *areas = taut_record_add_list(details, "areas");
@@ -609,6 +690,10 @@ static taut_status solve(work *w, taut_plateau_solution *solution, taut_error *e
     taut_status made = TAUT_OK;
     taut_status status = taut_dirichlet_make(&w->problem->net, w->options, &w->first, error);
 
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = make_free(w, error);
     if (status != TAUT_OK) {
         return status;
     }

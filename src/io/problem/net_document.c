@@ -261,3 +261,42 @@ taut_status taut_net_document_read_known(const taut_json *object, taut_arena *ar
 {
     return read_net(object, arena, 0, net, error);
 }
+
+static const char *const through_members[] = {"u", "v", "point", NULL};
+
+static taut_status read_through_item(const taut_json *at, void *into, taut_error *error)
+{
+    taut_through *const to = into;
+    taut_reader in = taut_reader_of(at, through_members, error);
+
+    to->u = to->v = NAN;
+    taut_reader_numbers(&in, "point", 3, to->point);
+    if (taut_reader_has(&in, "u") || taut_reader_has(&in, "v")) {
+        taut_reader_number(&in, "u", &to->u);
+        taut_reader_number(&in, "v", &to->v);
+    }
+    return in.status;
+}
+
+void taut_net_document_through(taut_reader *document, taut_arena *arena,
+                               taut_dirichlet_problem *data)
+{
+    size_t count = 0;
+
+    if (!taut_reader_has(document, "through")) {
+        return;
+    }
+    taut_reader_array(document, "through", 1, TAUT_THROUGH_MAX, "points to pass through", &count);
+    if (document->status != TAUT_OK) {
+        return;
+    }
+    taut_through *all = taut_arena_take(arena, count, sizeof *all);
+    if (all == NULL) {
+        document->status = taut_fail_memory(document->error);
+        return;
+    }
+    taut_reader_items(document, "through", count, "points to pass through", read_through_item, all,
+                      sizeof *all);
+    data->through = all;
+    data->through_count = document->status == TAUT_OK ? (int)count : 0;
+}

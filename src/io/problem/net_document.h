@@ -6,6 +6,7 @@
 #include "core/arena.h"
 #include "io/json/in.h"
 #include "taut/basis.h"
+#include "taut/dirichlet.h"
 
 /* A net of a problem: some points may be unknown. */
 typedef struct taut_net_document {
@@ -42,5 +43,9 @@ void taut_net_document_texts(const taut_json *at, int rows, int columns, const c
 /* weights double[rows][columns], positive; rows 0 as above. */
 taut_status taut_net_document_weights(const taut_json *at, int rows, int columns, double *weights,
                                       taut_error *error);
+
+/* The member `through`, if it is there; points without u and v have NaN for them. */
+void taut_net_document_through(taut_reader *document, taut_arena *arena,
+                               taut_dirichlet_problem *data);
 
 #endif /* TAUT_IO_PROBLEM_NET_DOCUMENT_H */

@@ -11,11 +11,11 @@
 
 #include <limits.h>
 
-static const char *const members[] = {"name",           "u",      "v",      "points",
-                                      "weights",        "curves", "start",  "tolerance",
-                                      "max_iterations", "method", "refine", "tolerance_area",
-                                      "boundary",       "degree", "least",  "gap",
-                                      "regular",        NULL};
+static const char *const members[] = {"name",           "u",       "v",      "points",
+                                      "weights",        "curves",  "start",  "tolerance",
+                                      "max_iterations", "method",  "refine", "tolerance_area",
+                                      "boundary",       "degree",  "least",  "gap",
+                                      "regular",        "through", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 
 static taut_status read_tolerance(const taut_json *at, void *tolerance, taut_error *error)
@@ -52,6 +52,7 @@ static void read_options(taut_reader *document, taut_plateau_problem *data)
 
     taut_reader_optional(document, "tolerance", read_tolerance, &data->tolerance);
     taut_reader_optional_integer(document, "max_iterations", 1, INT_MAX, &data->max_iterations);
+    word = taut_reader_has(document, "through") ? 1 : 0; /* "full" folds around a point */
     taut_reader_optional_word(document, "method", methods, &word);
     data->method = word == 1 ? TAUT_PLATEAU_NORMAL : TAUT_PLATEAU_FULL;
     if (!taut_boundary_document_is(document)) { /* else it is a pair */
@@ -133,6 +134,7 @@ static void plateau_read(taut_reader *document, taut_problem *problem, void *int
     } else {
         taut_boundary_document_net(document, problem, &data->net);
     }
+    taut_net_document_through(document, problem->arena, &data->net);
     taut_net_document_check_bases(document, data->net.u, data->net.v);
     if (document->status == TAUT_OK && taut_reader_has(document, "start")) {
         document->status = read_start(document->object, problem->arena, data, document->error);
