@@ -49,6 +49,7 @@ typedef struct cli_options {
     int both;
     double tolerance;
     double time_limit;
+    double sheet; /* make and convert --thickness */
     int threads;
     int grid;
     int divide;
@@ -114,6 +115,11 @@ typedef struct cli_command {
     {                                                                                              \
         "--threads", CLI_INTEGER, offsetof(cli_options, threads), 0, 1, TAUT_THREADS_MAX, "N",     \
             "use N threads (the result is the same for any number)"                                \
+    }
+#define CLI_SHEET                                                                                  \
+    {                                                                                              \
+        "--thickness", CLI_NUMBER, offsetof(cli_options, sheet), 0, 1e-9, 1e9, "T",                \
+            "meshes: surfaces as sheets of this thickness, in the model's unit, closed"            \
     }
 #define CLI_TOLERANCE                                                                              \
     {                                                                                              \

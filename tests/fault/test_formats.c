@@ -91,6 +91,16 @@ static taut_status write_glb(const void *context, void **result, taut_error *err
     return status;
 }
 
+static taut_status write_3mf(const void *context, void **result, taut_error *error)
+{
+    const taut_write_options options = {.divide = 1, .thickness = 0.01};
+    const char *const path = in_folder("a.3mf");
+    const taut_status status = taut_model_write(context, path, &options, error);
+    (void)result;
+    CHECK((unlink(path) == 0) == (status == TAUT_OK), "a.3mf is there although it failed");
+    return status;
+}
+
 static taut_status write_csv(const void *context, void **result, taut_error *error)
 {
     (void)result;
@@ -157,6 +167,7 @@ int main(void)
     fault_check("step", write_step, NULL, sheets, 20);
     fault_check("step of a body", write_step, NULL, body, 20);
     fault_check("glb", write_glb, NULL, surfaces, 20);
+    fault_check("3mf", write_3mf, NULL, sheets, 30);
     fault_check("csv", write_csv, NULL, cables, 3);
     fault_check("boundary", fit, NULL, frame, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {

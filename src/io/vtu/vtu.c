@@ -52,7 +52,9 @@ static taut_status choose_parts(const taut_model *model, const taut_write_option
         return taut_fail(error, TAUT_NO_SOLUTION, "empty", NULL, taut_none, taut_none,
                          "the model has no surface to make a grid of");
     }
-    return inexact > 0 ? taut_mesh_out_new(model, options, &file->mesh, error) : TAUT_OK;
+    taut_write_options thin = *options; /* as the exact cells are */
+    thin.thickness = 0;
+    return inexact > 0 ? taut_mesh_out_new(model, &thin, &file->mesh, error) : TAUT_OK;
 }
 
 static const taut_mesh_group *group_of(const taut_mesh *mesh, int surface)
