@@ -34,6 +34,8 @@ extern "C" {
     X("cells", "a grid of more points than a file may have", "ask for a coarser one")              \
     X("no-table", "the model is of no kind that has a table, or its table is empty",               \
       "write another format")                                                                      \
+    X("no-drawing", "the model has neither curves nor panels, which is what DXF holds",            \
+      "write another format, or `taut panels`")                                                    \
     X("single-precision", "a coordinate is too large for the single precision of the format",      \
       "write .ply or .obj")                                                                        \
     X("single-point", "a surface is one point, which no STEP file gives back",                     \

@@ -211,8 +211,8 @@ class Model:
         return self._text
 
     def write(self, path: str | os.PathLike[str], tolerance: float = 0.0, threads: int | None = None, **options: Any) -> None:
-        """To a file whose ending says the format: .json, .step, .iges, .obj, .stl, .ply, .glb, .3mf, .vtu, .csv, .svg,
-        .pdf, .png, .html.
+        """To a file whose ending says the format: .json, .step, .iges, .obj, .stl, .ply, .glb, .3mf, .vtu, .dxf, .csv,
+        .svg, .pdf, .png, .html.
 
         tolerance   0: the format's own (1e-3 of the size for meshes)
         options     divide, thickness (of meshes), surface (name), colour ("plain", "mean", "gaussian", "isothermality", "gap"), no_net,

@@ -101,6 +101,12 @@ static taut_status write_3mf(const void *context, void **result, taut_error *err
     return status;
 }
 
+static taut_status write_dxf(const void *context, void **result, taut_error *error)
+{
+    (void)result;
+    return write_file(context, "a.dxf", error);
+}
+
 static taut_status write_csv(const void *context, void **result, taut_error *error)
 {
     (void)result;
@@ -168,6 +174,7 @@ int main(void)
     fault_check("step of a body", write_step, NULL, body, 20);
     fault_check("glb", write_glb, NULL, surfaces, 20);
     fault_check("3mf", write_3mf, NULL, sheets, 30);
+    fault_check("dxf", write_dxf, NULL, frame, 20);
     fault_check("csv", write_csv, NULL, cables, 3);
     fault_check("boundary", fit, NULL, frame, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
