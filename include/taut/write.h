@@ -92,8 +92,8 @@ typedef struct taut_write_options {
     /* NULL, or where a format that approximates within a proved bound puts it: a length, 0 where
      * all is exact. Other formats leave it alone. */
     double *bound;
-    double
-        thickness; /* obj, stl, ply, glb, 3mf: of a sheet (taut/mesh.h), in the model's unit; 0: none */
+    double thickness; /* meshes: of a sheet (taut/mesh.h), in the model's unit; 0: none */
+    int coefficients; /* vtu: nonzero: fields of Bezier cells as coefficients, not as values */
 } taut_write_options;
 
 /* The library's own formats, i = 0 .. count-1: its ending without the dot, and one line on what it holds. */

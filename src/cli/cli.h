@@ -50,6 +50,7 @@ typedef struct cli_options {
     double tolerance;
     double time_limit;
     double sheet; /* make and convert --thickness */
+    int coefficients;
     int threads;
     int grid;
     int divide;
@@ -120,6 +121,11 @@ typedef struct cli_command {
     {                                                                                              \
         "--thickness", CLI_NUMBER, offsetof(cli_options, sheet), 0, 1e-9, 1e9, "T",                \
             "meshes: surfaces as sheets of this thickness, in the model's unit, closed"            \
+    }
+#define CLI_COEFFICIENTS                                                                           \
+    {                                                                                              \
+        "--coefficients", CLI_FLAG, offsetof(cli_options, coefficients), 0, 0, 0, NULL,            \
+            "VTU: fields as coefficients of Bezier cells, nearer between points, not in range"     \
     }
 #define CLI_TOLERANCE                                                                              \
     {                                                                                              \

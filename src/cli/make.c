@@ -125,6 +125,7 @@ static const cli_option options_of_make[] = {
      "end each making after S seconds with the best so far, which need not pass its proof"},
     CLI_DIVIDE,
     CLI_SHEET,
+    CLI_COEFFICIENTS,
     CLI_THREADS,
     CLI_FIGURE,
     CLI_EXACT,

@@ -464,7 +464,8 @@
     X(taut_write_options, labels, "const char *const *") \
     X(taut_write_options, monitor, "taut_monitor") \
     X(taut_write_options, bound, "double *") \
-    X(taut_write_options, thickness, "double")
+    X(taut_write_options, thickness, "double") \
+    X(taut_write_options, coefficients, "int")
 
 #define TAUT_ABI_STRUCT_LIST(X) \
     X(taut_abi_enum) \

@@ -44,6 +44,7 @@ static taut_status choose_parts(const taut_model *model, const taut_write_option
             part->surface = taut_model_surface(model, i);
             part->index = i;
             part->is_exact = taut_vtu_cells_plan(part->surface, options->divide, &part->cells);
+            part->cells.coefficients = options->coefficients;
             inexact += !part->is_exact;
             file->count++;
         }
