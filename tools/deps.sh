@@ -46,6 +46,8 @@ check cmd:nm                         binutils               lists the library's 
 check cmd:dpkg-shlibdeps             dpkg-dev               what the Debian package depends on
 check cmd:lintian                     lintian                the Debian package
 check cmd:gmsh                       gmsh                   reads STEP and IGES back
+check file:/usr/lib/x86_64-linux-gnu/lib3MF.so.1 lib3mf1     the 3MF Consortium's reader
+check py:ezdxf                       python3-ezdxf          reads DXF back
 check cmd:evolver                evolver                Surface Evolver, which finds the same sails
 check cmd:node                       nodejs                 runs the Khronos validator of glTF
 check cmd:npm                        npm                    fetches it

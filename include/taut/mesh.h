@@ -15,6 +15,11 @@
  * One cell a span of surfaces of bidegree (1, 1) without weights, as panels are, has their control
  * points for vertices, digit by digit, and welds collapsed edges only where they are points to
  * rounding.
+ *
+ * With a thickness T each surface is a sheet: every vertex x becomes two, x + T/2 n and x - T/2 n, where surfaces meet
+ * in an edge at T/2 from both (x + T/2 (n + m) / (1 + n . m)), and along edges that are open the two are joined by a strip. What
+ * comes out is closed: a plate of an open sheet, a wall of an open tube, a hollow of a closed body. The groups are first the
+ * surfaces on the sides that they are turned to, then in the same order the other sides, then the strips.
  */
 #ifndef TAUT_MESH_H
 #define TAUT_MESH_H
@@ -38,6 +43,7 @@ typedef struct taut_mesh_options {
     int threads;         /* 0: 1 */
     const char *surface; /* only surfaces of this name; NULL: all */
     taut_monitor monitor;
+    double thickness; /* of a sheet, in the model's unit; 0: none */
 } taut_mesh_options;
 
 /* One surface: vertices first_vertex + i*nv + j at line i of u and line j of v, and the
@@ -52,7 +58,9 @@ typedef struct taut_mesh_group {
 } taut_mesh_group;
 
 /* Meshes the surfaces of a model. TAUT_BAD_ARGUMENT: an option out of its range, or more than
- * TAUT_POINTS_MAX vertices asked for; TAUT_NO_SOLUTION: the model has no such surface;
+ * TAUT_POINTS_MAX vertices asked for; TAUT_NO_SOLUTION: the model has no such surface; with a thickness "fold":
+ * T/2 times the largest curvature at a vertex is 1 or more, or a triangle of a side looks the other way than that of the
+ * surface; "sheet": surfaces meet so that they have no two sides. Sides that meet far from where the surface does are not looked for;
  * TAUT_NO_MEMORY; TAUT_INTERRUPTED. Cost: evaluation at some samples per span and at the vertices.
  */
 TAUT_API taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *options,

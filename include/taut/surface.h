@@ -32,6 +32,8 @@ typedef struct taut_surface taut_surface;
       "keep to the largest degree that the message names")                                         \
     X("empty", "a model or a file holds no surface and no curve, or none that the format takes",   \
       "give one that holds some")                                                                  \
+    X("fold", "a sheet given a thickness folds over itself",                                       \
+      "take a smaller thickness, or a coarser mesh")                                               \
     X("gap", "four curves do not close",                                                           \
       "move the ends that the message names together, or allow a larger gap")                      \
     X("no-such-object", "nothing in the model has this name",                                      \
@@ -48,6 +50,8 @@ typedef struct taut_surface taut_surface;
     X("not-in-family", "the surface is no minimal surface with planar curvature lines",            \
       "give a net on the bases that hold the family")                                              \
     X("parameter", "a parameter is not inside the open range", "give one between the ends")        \
+    X("sheet", "surfaces meet so that they have no two sides to give a thickness to",              \
+      "part them, or write them one by one: --surface")                                            \
     X("tolerance", "a tolerance is below what rounding leaves", "ask for the limit at least")      \
     X("too-fine", "a mesh would have too many vertices", "ask for a coarser one")                  \
     X("too-large", "coordinates are too large to prove a distance", "scale them")                  \

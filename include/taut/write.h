@@ -34,6 +34,8 @@ extern "C" {
     X("cells", "a grid of more points than a file may have", "ask for a coarser one")              \
     X("no-table", "the model is of no kind that has a table, or its table is empty",               \
       "write another format")                                                                      \
+    X("no-drawing", "the model has neither curves nor panels, which is what DXF holds",            \
+      "write another format, or `taut panels`")                                                    \
     X("single-precision", "a coordinate is too large for the single precision of the format",      \
       "write .ply or .obj")                                                                        \
     X("single-point", "a surface is one point, which no STEP file gives back",                     \
@@ -90,6 +92,8 @@ typedef struct taut_write_options {
     /* NULL, or where a format that approximates within a proved bound puts it: a length, 0 where
      * all is exact. Other formats leave it alone. */
     double *bound;
+    double thickness; /* meshes: of a sheet (taut/mesh.h), in the model's unit; 0: none */
+    int coefficients; /* vtu: nonzero: fields of Bezier cells as coefficients, not as values */
 } taut_write_options;
 
 /* The library's own formats, i = 0 .. count-1: its ending without the dot, and one line on what it holds. */

@@ -44,11 +44,13 @@ class WriteOptions(Structure):
     _fields_ = [("tolerance", c_double), ("divide", c_int), ("threads", c_int), ("format", c_char_p), ("formats", c_void_p),
                 ("surface", c_char_p), ("short_knots", c_int), ("colour", c_int), ("no_net", c_int), ("has_view", c_int), ("view", c_double * 2),
                 ("title", c_char_p), ("isolines", c_int), ("reflections", c_int), ("combs", c_int), ("side_by_side", c_int),
-                ("width", c_int), ("labels", POINTER(c_char_p)), ("monitor", MonitorStruct), ("bound", POINTER(c_double))]
+                ("width", c_int), ("labels", POINTER(c_char_p)), ("monitor", MonitorStruct), ("bound", POINTER(c_double)),
+                ("thickness", c_double), ("coefficients", c_int)]
 
 
 class MeshOptions(Structure):
-    _fields_ = [("tolerance", c_double), ("divide", c_int), ("threads", c_int), ("surface", c_char_p), ("monitor", MonitorStruct)]
+    _fields_ = [("tolerance", c_double), ("divide", c_int), ("threads", c_int), ("surface", c_char_p), ("monitor", MonitorStruct),
+                ("thickness", c_double)]
 
 
 class BasisSpec(Structure):

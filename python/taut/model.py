@@ -211,12 +211,13 @@ class Model:
         return self._text
 
     def write(self, path: str | os.PathLike[str], tolerance: float = 0.0, threads: int | None = None, **options: Any) -> None:
-        """To a file whose ending says the format: .json, .step, .iges, .obj, .stl, .ply, .glb, .vtu, .csv, .svg, .pdf,
-        .png, .html.
+        """To a file whose ending says the format: .json, .step, .iges, .obj, .stl, .ply, .glb, .3mf, .vtu, .dxf, .csv,
+        .svg, .pdf, .png, .html.
 
         tolerance   0: the format's own (1e-3 of the size for meshes)
-        options     divide, surface (name), colour ("plain", "mean", "gaussian", "isothermality", "gap"), no_net, view (azimuth,
-                    elevation in degrees), title, isolines, reflections, combs, side_by_side, width
+        options     divide, thickness (of meshes), coefficients (of VTU), surface (name), colour ("plain", "mean", "gaussian",
+                    "isothermality", "gap"), no_net,
+                    view (azimuth, elevation in degrees), title, isolines, reflections, combs, side_by_side, width
         """
         error, chosen = c.ErrorStruct(), write_options(tolerance, threads, options)
         status = library.taut_model_write(self._pointer, encoded(os.fspath(path)), byref(chosen), byref(error))
@@ -227,13 +228,15 @@ class Model:
         """The bytes that `write` would put into a file of this ending, such as "svg"."""
         return text_of(library.taut_model_write_text, self._pointer, encoded(format), byref(write_options(tolerance, threads, options)))
 
-    def mesh(self, tolerance: float = 0.0, divide: int = 0, surface: str | None = None, threads: int | None = None) -> Mesh:
+    def mesh(self, tolerance: float = 0.0, divide: int = 0, surface: str | None = None, threads: int | None = None,
+             thickness: float = 0.0) -> Mesh:
         """Vertices, normals and faces of all surfaces, or of the one named; closed where the surfaces are.
 
         tolerance   largest chord error over the size of the model; 0: 1e-3
         divide      cells for each knot span, in place of a tolerance
+        thickness   of sheets, which are closed then, in the model's unit; 0: none
         """
-        options = c.MeshOptions(tolerance=tolerance, divide=divide, threads=threads or 0, surface=encoded(surface))
+        options = c.MeshOptions(tolerance=tolerance, divide=divide, threads=threads or 0, surface=encoded(surface), thickness=thickness)
         return Mesh(made(library.taut_mesh_new, library.taut_mesh_free, self._pointer, byref(options)))
 
     def plot(self, ax: Any = None, net: bool = False, tolerance: float = 0.0) -> Any:
@@ -307,7 +310,9 @@ def write_options(tolerance: float, threads: int | None, options: Mapping[str, A
             setattr(chosen, name, encoded(value))
         elif name in ("divide", "isolines", "reflections", "width"):
             setattr(chosen, name, int(value))
-        elif name in ("no_net", "combs", "side_by_side", "short_knots"):
+        elif name == "thickness":
+            chosen.thickness = float(value)
+        elif name in ("no_net", "combs", "side_by_side", "short_knots", "coefficients"):
             setattr(chosen, name, int(bool(value)))
         else:
             raise TypeError(f"there is no option {name!r}")

@@ -98,7 +98,7 @@ def test_errors_are_data(document, kind, where):
 
 def test_files(tmp_path, net):
     model = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))
-    for ending in ("json", "step", "obj", "stl", "ply", "glb", "vtu", "svg"):
+    for ending in ("json", "step", "obj", "stl", "ply", "glb", "3mf", "vtu", "svg"):
         path = tmp_path / f"m.{ending}"
         model.write(path)
         assert path.stat().st_size > 100
@@ -126,6 +126,17 @@ def test_mesh(net):
     vertices = mesh.vertices
     del mesh, model
     assert np.isfinite(vertices).all()
+
+
+def test_mesh_of_a_sheet():
+    """A plate of 2 x 3 x 1/4: its volume by the divergence theorem, and refused where it folds."""
+    plane = taut.dirichlet(np.array([[[0, 0, 0], [0, 3, 0]], [[2, 0, 0], [2, 3, 0]]], float), u=taut.bezier(1), v=taut.bezier(1))
+    mesh = plane.mesh(divide=2, thickness=0.25)
+    assert np.abs(np.abs(mesh.vertices[:, 2]) - 0.125).max() == 0
+    assert len(mesh.triangles) == 32
+    assert plane.to_text("3mf", thickness=0.25)[:4] == b"PK\x03\x04"
+    with pytest.raises(taut.Error):
+        plane.mesh(thickness=-1.0)
 
 
 def test_measure_is_the_programs(program, tmp_path, net):

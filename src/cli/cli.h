@@ -49,6 +49,8 @@ typedef struct cli_options {
     int both;
     double tolerance;
     double time_limit;
+    double sheet; /* make and convert --thickness */
+    int coefficients;
     int threads;
     int grid;
     int divide;
@@ -114,6 +116,16 @@ typedef struct cli_command {
     {                                                                                              \
         "--threads", CLI_INTEGER, offsetof(cli_options, threads), 0, 1, TAUT_THREADS_MAX, "N",     \
             "use N threads (the result is the same for any number)"                                \
+    }
+#define CLI_SHEET                                                                                  \
+    {                                                                                              \
+        "--thickness", CLI_NUMBER, offsetof(cli_options, sheet), 0, 1e-9, 1e9, "T",                \
+            "meshes: surfaces as sheets of this thickness, in the model's unit, closed"            \
+    }
+#define CLI_COEFFICIENTS                                                                           \
+    {                                                                                              \
+        "--coefficients", CLI_FLAG, offsetof(cli_options, coefficients), 0, 0, 0, NULL,            \
+            "VTU: fields as coefficients of Bezier cells, nearer between points, not in range"     \
     }
 #define CLI_TOLERANCE                                                                              \
     {                                                                                              \

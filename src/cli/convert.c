@@ -93,6 +93,8 @@ static const cli_option options_of_convert[] = {
     CLI_OUTPUT,
     CLI_TOLERANCE,
     CLI_DIVIDE,
+    CLI_SHEET,
+    CLI_COEFFICIENTS,
     {"--pieces", CLI_FLAG, offsetof(cli_options, pieces), 0, 0, 0, NULL,
      "every knot span on its own, on bezier, c-bezier or h-bezier bases"},
     CLI_SURFACE,

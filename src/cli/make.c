@@ -124,6 +124,8 @@ static const cli_option options_of_make[] = {
     {"--time-limit", CLI_NUMBER, offsetof(cli_options, time_limit), 0, 1e-6, 1e9, "S",
      "end each making after S seconds with the best so far, which need not pass its proof"},
     CLI_DIVIDE,
+    CLI_SHEET,
+    CLI_COEFFICIENTS,
     CLI_THREADS,
     CLI_FIGURE,
     CLI_EXACT,

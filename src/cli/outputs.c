@@ -70,6 +70,8 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
     *chosen = (taut_write_options){.tolerance = options->tolerance,
                                    .formats = taut_draw_formats(),
                                    .divide = options->divide,
+                                   .thickness = options->sheet,
+                                   .coefficients = options->coefficients,
                                    .threads = options->threads,
                                    .surface = options->surface,
                                    .short_knots = options->short_knots,

@@ -291,7 +291,8 @@
     X(taut_mesh_options, divide, "int") \
     X(taut_mesh_options, threads, "int") \
     X(taut_mesh_options, surface, "const char *") \
-    X(taut_mesh_options, monitor, "taut_monitor")
+    X(taut_mesh_options, monitor, "taut_monitor") \
+    X(taut_mesh_options, thickness, "double")
 
 #define TAUT_ABI_MEMBERS_taut_monitor(X) \
     X(taut_monitor, progress, "int (*)(void *context, double done, const char *what)") \
@@ -464,7 +465,9 @@
     X(taut_write_options, width, "int") \
     X(taut_write_options, labels, "const char *const *") \
     X(taut_write_options, monitor, "taut_monitor") \
-    X(taut_write_options, bound, "double *")
+    X(taut_write_options, bound, "double *") \
+    X(taut_write_options, thickness, "double") \
+    X(taut_write_options, coefficients, "int")
 
 #define TAUT_ABI_STRUCT_LIST(X) \
     X(taut_abi_enum) \

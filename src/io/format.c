@@ -165,7 +165,8 @@ taut_status taut_format_check(const taut_model *model, const taut_write_options 
 {
     int named = 0;
     if (!(options->tolerance >= 0) || isinf(options->tolerance) || options->divide < 0 ||
-        options->threads < 0 || options->threads > TAUT_THREADS_MAX) {
+        options->threads < 0 || options->threads > TAUT_THREADS_MAX || !(options->thickness >= 0) ||
+        isinf(options->thickness)) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an option of writing is out of its range");
     }

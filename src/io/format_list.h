@@ -6,7 +6,9 @@
 
 /*    identifier, ending, what it holds */
 #define TAUT_FORMAT_LIST(X)                                                                        \
-    X(csv, "csv", "table: cables of a film, with force and length")                                \
+    X(threemf, "3mf", "mesh: bodies for printing, with unit, colours and names; --thickness")      \
+    X(csv, "csv", "table: cables of a film, laths of a net, bends of a pipe")                      \
+    X(dxf, "dxf", "drawing: curves on layers as lines and splines, or flat panels, 1:1")           \
     X(geomdl, "geomdl.json", "NURBS-Python's exchange JSON, within --tolerance (1e-6)")            \
     X(glb, "glb", "mesh: triangles with normals for renderers, glTF 2.0 in metres; --colour")      \
     X(iges, "iges", "CAD: NURBS within --tolerance (1e-6) of the model, mostly exact")             \

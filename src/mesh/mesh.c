@@ -1,4 +1,4 @@
-/* mesh.c -- from a model to its mesh: how many lines, then vertices, normals and faces. */
+/* mesh.c -- from a model to its mesh: how many lines, then vertices, normals and faces; then its thickness (thicken.c). */
 #include "taut/mesh.h"
 
 #include "core/arena.h"
@@ -8,6 +8,7 @@
 #include "core/vec3.h"
 #include "geometry/whole.h"
 #include "mesh/lines.h"
+#include "mesh/parts.h"
 #include "mesh/seams.h"
 
 #include <math.h>
@@ -19,15 +20,6 @@ static const double default_tolerance = 1e-3;
 /* Surfaces thinner than the model by more than this are taken for slivers, and cut no finer. */
 static const double thin_most = 1000;
 static const double weld_of_tolerance = 0.01, weld_of_size = 1e-6;
-
-struct taut_mesh {
-    taut_arena *arena; /* owns all arrays */
-    size_t vertex_count, quad_count;
-    double *positions, *normals, *parameters;
-    uint32_t *quads, *triangles, *welded;
-    taut_mesh_group *groups;
-    int group_count;
-};
 
 /* What is decided about one surface before memory is taken for its vertices. */
 typedef struct mesh_plan {
@@ -226,20 +218,6 @@ static taut_status plan_mesh(taut_mesh *mesh, mesh_plan *plan, const taut_mesh_o
     return TAUT_OK;
 }
 
-static taut_status take_arrays(taut_mesh *mesh, taut_error *error)
-{
-    mesh->positions = taut_arena_take(mesh->arena, mesh->vertex_count, 3 * sizeof(double));
-    mesh->normals = taut_arena_take(mesh->arena, mesh->vertex_count, 3 * sizeof(double));
-    mesh->parameters = taut_arena_take(mesh->arena, mesh->vertex_count, 2 * sizeof(double));
-    mesh->quads = taut_arena_take(mesh->arena, mesh->quad_count, 4 * sizeof(uint32_t));
-    mesh->triangles = taut_arena_take(mesh->arena, mesh->quad_count, 6 * sizeof(uint32_t));
-    mesh->welded = taut_arena_take(mesh->arena, mesh->vertex_count, sizeof(uint32_t));
-    if (taut_arena_status(mesh->arena) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    return TAUT_OK;
-}
-
 /* Position and unit normal out of x, x_u, x_v. */
 static void make_vertex(const double *x, double speeds, double *position, double *normal)
 {
@@ -278,76 +256,6 @@ static taut_status evaluate_vertices(const taut_surface *surface, int nu, const 
     return status;
 }
 
-static double distance(const double *positions, uint32_t a, uint32_t b)
-{
-    return taut_length_between(positions + 3 * (size_t)a, positions + 3 * (size_t)b);
-}
-
-/* quads uint32_t[(nu-1)(nv-1)][4], triangles [..][2][3] of a grid whose first vertex is `first`;
- * positions are those of the whole mesh. */
-static void list_faces(int nu, int nv, uint32_t first, const double *positions, uint32_t *quads,
-                       uint32_t *triangles)
-{
-    for (int i = 0; i + 1 < nu; i++) {
-        for (int j = 0; j + 1 < nv; j++) {
-            const uint32_t a = first + (uint32_t)i * (uint32_t)nv + (uint32_t)j;
-            const uint32_t b = a + (uint32_t)nv, c = b + 1, d = a + 1;
-            const int along_ac = distance(positions, a, c) <= distance(positions, b, d);
-            const uint32_t quad[4] = {a, b, c, d};
-            const uint32_t pair[2][6] = {{a, b, d, b, c, d}, {a, b, c, a, c, d}};
-            memcpy(quads, quad, sizeof quad);
-            memcpy(triangles, pair[along_ac], sizeof pair[0]);
-            quads += 4;
-            triangles += 6;
-        }
-    }
-}
-
-/* Adds the area vector of the quad whose lowest corner is (i, j): half the cross product of its
- * diagonals. */
-static void add_face(int nv, int i, int j, const double *positions, double *sum)
-{
-    const double *a = positions + 3 * ((size_t)i * (size_t)nv + (size_t)j);
-    const double *d = a + 3, *b = a + 3 * (size_t)nv, *c = b + 3;
-    double ac[3], bd[3], n[3];
-    taut_difference(c, a, ac);
-    taut_difference(d, b, bd);
-    taut_cross(ac, bd, n);
-    for (int k = 0; k < 3; k++) {
-        sum[k] += n[k] / 2;
-    }
-}
-
-static void mend_normal(int nu, int nv, int i, int j, const double *positions, double *normal)
-{
-    double sum[3] = {0, 0, 0};
-    for (int di = -1; di <= 0; di++) {
-        for (int dj = -1; dj <= 0; dj++) {
-            if (i + di >= 0 && i + di + 1 < nu && j + dj >= 0 && j + dj + 1 < nv) {
-                add_face(nv, i + di, j + dj, positions, sum);
-            }
-        }
-    }
-    const double size = taut_length(sum);
-    for (int k = 0; k < 3; k++) {
-        normal[k] = size > 0 && isfinite(size) ? sum[k] / size : k == 2;
-    }
-}
-
-/* Gives vertices without a normal the mean of the faces around them; (0, 0, 1) where these have
- * none either. */
-static void mend_normals(int nu, int nv, const double *positions, double *normals)
-{
-    for (int i = 0; i < nu; i++) {
-        for (int j = 0; j < nv; j++) {
-            double *normal = normals + 3 * ((size_t)i * (size_t)nv + (size_t)j);
-            if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0) {
-                mend_normal(nu, nv, i, j, positions, normal);
-            }
-        }
-    }
-}
-
 /* The vertices of one surface. TAUT_NO_MEMORY. */
 static taut_status fill_vertices(taut_mesh *mesh, const mesh_plan *plan, int i, int threads)
 {
@@ -372,14 +280,6 @@ static taut_status fill_vertices(taut_mesh *mesh, const mesh_plan *plan, int i, 
     return TAUT_OK;
 }
 
-static void fill_faces(taut_mesh *mesh, const taut_mesh_group *group)
-{
-    list_faces(group->nu, group->nv, (uint32_t)group->first_vertex, mesh->positions,
-               mesh->quads + 4 * group->first_quad, mesh->triangles + 6 * group->first_quad);
-    mend_normals(group->nu, group->nv, mesh->positions + 3 * group->first_vertex,
-                 mesh->normals + 3 * group->first_vertex);
-}
-
 static taut_status fill_mesh(taut_mesh *mesh, const mesh_plan *plan,
                              const taut_mesh_options *options, taut_error *error)
 {
@@ -402,7 +302,7 @@ static taut_status fill_mesh(taut_mesh *mesh, const mesh_plan *plan,
         return taut_fail_memory(error);
     }
     for (int i = 0; i < mesh->group_count; i++) {
-        fill_faces(mesh, &mesh->groups[i]);
+        taut_mesh_fill_faces(mesh, &mesh->groups[i]);
     }
     return TAUT_OK;
 }
@@ -421,8 +321,28 @@ static taut_status make_mesh(taut_mesh *mesh, const taut_model *model,
     if (status != TAUT_OK) {
         return status;
     }
-    status = take_arrays(mesh, error);
+    status = taut_mesh_take_arrays(mesh, error);
     return status == TAUT_OK ? fill_mesh(mesh, &plan, options, error) : status;
+}
+
+/* The mesh, thickened where that is asked for: then `thin` is what it stands on. */
+static taut_status make_thick(taut_mesh *thin, const taut_model *model,
+                              const taut_mesh_options *options, taut_mesh **made, taut_error *error)
+{
+    taut_mesh *thick = taut_alloc_zero(1, sizeof *thick);
+    taut_status status = TAUT_OK;
+
+    if (thick == NULL) {
+        return taut_fail_memory(error);
+    }
+    thick->arena = taut_arena_new();
+    status = taut_mesh_thicken(thin, model, options->thickness, options->threads, thick, error);
+    if (status != TAUT_OK) {
+        taut_mesh_free(thick);
+        return status;
+    }
+    *made = thick;
+    return TAUT_OK;
 }
 
 taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *options,
@@ -435,7 +355,8 @@ taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *opti
     taut_status status = TAUT_OK;
 
     if (model == NULL || mesh == NULL || !(chosen->tolerance >= 0) || isinf(chosen->tolerance) ||
-        chosen->divide < 0 || chosen->threads < 0 || chosen->threads > TAUT_THREADS_MAX) {
+        chosen->divide < 0 || chosen->threads < 0 || chosen->threads > TAUT_THREADS_MAX ||
+        !(chosen->thickness >= 0) || isinf(chosen->thickness)) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "an argument of taut_mesh_new is out of its range");
     }
@@ -447,6 +368,13 @@ taut_status taut_mesh_new(const taut_model *model, const taut_mesh_options *opti
     scratch = taut_arena_new();
     status = make_mesh(made, model, chosen, scratch, error);
     taut_arena_free(scratch);
+    if (status == TAUT_OK && chosen->thickness > 0) {
+        taut_mesh *thin = made;
+        status = make_thick(thin, model, chosen, &made, error);
+        if (status == TAUT_OK) {
+            taut_mesh_free(thin);
+        }
+    }
     if (status != TAUT_OK) {
         taut_mesh_free(made);
         return status;

@@ -1,34 +1,11 @@
 /* weld.c -- vertices along seams become one place, and surfaces that meet are turned alike. */
 #include "core/vec3.h"
+#include "mesh/run.h"
 #include "mesh/seams.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
-
-/* The vertices of one edge: first, first + stride, ... */
-typedef struct edge_run {
-    size_t first, stride;
-    int count;
-} edge_run;
-
-static edge_run run_of(const taut_weld *weld, int edge)
-{
-    const taut_mesh_group *group = &weld->groups[edge / 4];
-    const size_t nu = (size_t)group->nu, nv = (size_t)group->nv;
-    const edge_run runs[4] = {{0, 1, group->nv},
-                              {(nu - 1) * nv, 1, group->nv},
-                              {0, nv, group->nu},
-                              {nv - 1, nv, group->nu}};
-    edge_run run = runs[edge % 4];
-    run.first += group->first_vertex;
-    return run;
-}
-
-static size_t vertex_at(const edge_run *run, int k)
-{
-    return run->first + run->stride * (size_t)k;
-}
 
 static uint32_t root_of(uint32_t *welded, uint32_t vertex)
 {
@@ -71,16 +48,17 @@ static int are_one(const taut_weld *weld, size_t a, size_t b)
 }
 
 /* Vertex k of b, the other edge of a seam. */
-static size_t partner_at(const taut_seam *seam, const edge_run *b, int k)
+static size_t partner_at(const taut_seam *seam, const taut_edge_run *b, int k)
 {
-    return vertex_at(b, seam->reversed ? b->count - 1 - k : k);
+    return taut_edge_run_at(b, seam->reversed ? b->count - 1 - k : k);
 }
 
 /* Do opposite edges of one net of control points meet beside its extent in each coordinate? Where
  * one extent is 1e15 times another, edges may be near beside the whole and yet at either end. */
 static int meets_itself(const taut_weld *weld, const taut_seam *seam)
 {
-    const edge_run a = run_of(weld, seam->a), b = run_of(weld, seam->b);
+    const taut_edge_run a = taut_edge_run_of(weld->groups, seam->a),
+                        b = taut_edge_run_of(weld->groups, seam->b);
     const taut_mesh_group *group = &weld->groups[seam->a / 4];
     const double *points = weld->positions + 3 * group->first_vertex;
     double apart[3] = {0, 0, 0}, size[3] = {0, 0, 0};
@@ -89,7 +67,7 @@ static int meets_itself(const taut_weld *weld, const taut_seam *seam)
         size[k % 3] = fmax(size[k % 3], fabs(points[k]));
     }
     for (size_t k = 0; k < 3 * (size_t)a.count; k++) {
-        const size_t i = vertex_at(&a, (int)(k / 3)), j = partner_at(seam, &b, (int)(k / 3));
+        const size_t i = taut_edge_run_at(&a, (int)(k / 3)), j = partner_at(seam, &b, (int)(k / 3));
         apart[k % 3] = fmax(apart[k % 3],
                             fabs(weld->positions[3 * i + k % 3] - weld->positions[3 * j + k % 3]));
     }
@@ -99,51 +77,47 @@ static int meets_itself(const taut_weld *weld, const taut_seam *seam)
 /* Are the edges of a seam cut alike, vertex by vertex? */
 static int is_closed(const taut_weld *weld, const taut_seam *seam)
 {
-    const edge_run a = run_of(weld, seam->a), b = run_of(weld, seam->b);
+    const taut_edge_run a = taut_edge_run_of(weld->groups, seam->a),
+                        b = taut_edge_run_of(weld->groups, seam->b);
     int k = 0;
     while (k < a.count && a.count == b.count &&
-           are_near(weld, vertex_at(&a, k), partner_at(seam, &b, k))) {
+           are_near(weld, taut_edge_run_at(&a, k), partner_at(seam, &b, k))) {
         k++;
     }
     return k == a.count && (!weld->own || seam->a / 4 != seam->b / 4 || meets_itself(weld, seam));
 }
 
-/* Around a surface, seen from its normal, the edges v0 and u1 are run along their parameter, v1 and
- * u0 against it. */
-static int is_along(int edge)
-{
-    static const int along[4] = {0, 1, 1, 0};
-    return along[edge % 4];
-}
-
 /* Two neighbours are turned alike if they run along their seam in opposite senses. */
 static int are_opposed(const taut_seam *seam)
 {
-    return is_along(seam->a) ^ is_along(seam->b) ^ seam->reversed;
+    return taut_edge_run_is_along(seam->a) ^ taut_edge_run_is_along(seam->b) ^ seam->reversed;
 }
 
 /* Does an edge come back to where it begins, as the end of a tube does? */
 static int is_ring(const taut_weld *weld, int edge)
 {
-    const edge_run run = run_of(weld, edge);
-    return weld->welded[vertex_at(&run, 0)] == weld->welded[vertex_at(&run, run.count - 1)];
+    const taut_edge_run run = taut_edge_run_of(weld->groups, edge);
+    return weld->welded[taut_edge_run_at(&run, 0)] ==
+           weld->welded[taut_edge_run_at(&run, run.count - 1)];
 }
 
 /* 24 times the signed volume between `at` and a lid on a ring: the fan of triangles from the mean of
  * its vertices, turned as the surface is. */
 static double volume_of_lid(const taut_weld *weld, int edge, const double *at)
 {
-    const edge_run run = run_of(weld, edge);
+    const taut_edge_run run = taut_edge_run_of(weld->groups, edge);
     double mean[3] = {0, 0, 0}, sum = 0;
 
     for (int k = 1; k < run.count; k++) {
         for (int c = 0; c < 3; c++) {
-            mean[c] += weld->positions[3 * vertex_at(&run, k) + (size_t)c] / (run.count - 1);
+            mean[c] += weld->positions[3 * taut_edge_run_at(&run, k) + (size_t)c] / (run.count - 1);
         }
     }
     for (int k = 1; k < run.count; k++) {
-        const double *x = weld->positions + 3 * vertex_at(&run, k - is_along(edge));
-        const double *y = weld->positions + 3 * vertex_at(&run, k - !is_along(edge));
+        const double *x =
+            weld->positions + 3 * taut_edge_run_at(&run, k - taut_edge_run_is_along(edge));
+        const double *y =
+            weld->positions + 3 * taut_edge_run_at(&run, k - !taut_edge_run_is_along(edge));
         double p[3], q[3], n[3], r[3];
         taut_difference(y, mean, p);
         taut_difference(x, mean, q);
@@ -234,11 +208,11 @@ static void weld_collapsed(const taut_weld *weld, unsigned char *shut)
 {
     for (int e = 0; e < 4 * weld->group_count; e++) {
         if (weld->collapsed[e]) {
-            const edge_run run = run_of(weld, e);
+            const taut_edge_run run = taut_edge_run_of(weld->groups, e);
             shut[e] = 1;
             for (int k = 1; k < run.count; k++) {
-                if (are_one(weld, run.first, vertex_at(&run, k))) {
-                    unite_vertices(weld->welded, run.first, vertex_at(&run, k));
+                if (are_one(weld, run.first, taut_edge_run_at(&run, k))) {
+                    unite_vertices(weld->welded, run.first, taut_edge_run_at(&run, k));
                 } else {
                     shut[e] &= !weld->own;
                 }
@@ -249,9 +223,10 @@ static void weld_collapsed(const taut_weld *weld, unsigned char *shut)
 
 static void weld_seam(const taut_weld *weld, const taut_seam *seam)
 {
-    const edge_run a = run_of(weld, seam->a), b = run_of(weld, seam->b);
+    const taut_edge_run a = taut_edge_run_of(weld->groups, seam->a),
+                        b = taut_edge_run_of(weld->groups, seam->b);
     for (int k = 0; k < a.count; k++) {
-        unite_vertices(weld->welded, vertex_at(&a, k), partner_at(seam, &b, k));
+        unite_vertices(weld->welded, taut_edge_run_at(&a, k), partner_at(seam, &b, k));
     }
 }
 

@@ -32,5 +32,9 @@ typedef struct taut_shell_content {
 size_t taut_shell_volume_room(const taut_surface *surface);
 taut_status taut_shell_add_volume(const taut_surface *surface, const double origin[3], int scale,
                                   double sign, double *room, taut_shell_content *content);
+/* The same of a lid on edge 4 f + e of surface f, which is a loop: the cone from where the loop begins, turned as the surface
+ * is. Its area is left out. */
+taut_status taut_shell_add_lid(const taut_surface *surface, int edge, const double origin[3],
+                               int scale, double sign, double *room, taut_shell_content *content);
 
 #endif /* TAUT_SHELL_PARTS_H */

@@ -4,6 +4,7 @@
  *     closed shells: volume V, area A                            (volume.c)
  *         |V| <= thin A: sheets on top of each other, no body: its faces are parted, and turned anew
  *         V < 0: all its faces are turned
+ *     tubes, open at loops only: V with a lid on each; V < -thin A: all its faces are turned
  *     number edges, by their first sides, and vertices: corners that poles, closed edges and joined
  *     edges make one
  */
@@ -21,7 +22,7 @@ typedef struct finding {
     const taut_surface *const *surfaces;
     int count;
     taut_shell_joints joints;
-    unsigned char *turned, *closed, *solid; /* [count]: of faces; of shells */
+    unsigned char *turned, *closed, *tube, *solid; /* [count]: of faces; of shells */
     int *shell, *queue;
     int shells;
     int *corner; /* [4 count]: the same corner, or a lower one of the same vertex */
@@ -45,6 +46,7 @@ static taut_status take_room(finding *f, taut_arena *arena)
     f->scale = taut_exponent(half) + 1;
     f->turned = taut_arena_take(arena, faces, 1);
     f->closed = taut_arena_take(arena, faces, 1);
+    f->tube = taut_arena_take(arena, faces, 1);
     f->solid = taut_arena_take(arena, faces, 1);
     f->shell = taut_arena_take(arena, faces, sizeof *f->shell);
     f->queue = taut_arena_take(arena, faces, sizeof *f->queue);
@@ -55,16 +57,23 @@ static taut_status take_room(finding *f, taut_arena *arena)
     return taut_arena_status(arena);
 }
 
-/* Turns faces, and sees which shells have no edge with one use. */
+/* Has edge 4 f + e one use only? */
+static int is_open(const finding *f, int e)
+{
+    return f->joints.partner[e] < 0 && !f->joints.pole[e];
+}
+
+/* Turns faces, and sees which shells have no edge with one use, or loops only. */
 static void turn_faces(finding *f)
 {
     f->shells = taut_shell_turn(f->count, &f->joints, f->turned, f->shell, f->queue);
     for (int s = 0; s < f->shells; s++) {
-        f->closed[s] = 1;
+        f->closed[s] = f->tube[s] = 1;
     }
     for (int e = 0; e < 4 * f->count; e++) {
-        if (f->joints.partner[e] < 0 && !f->joints.pole[e]) {
+        if (is_open(f, e)) {
             f->closed[f->shell[e / 4]] = 0;
+            f->tube[f->shell[e / 4]] &= f->joints.loop[e];
         }
     }
 }
@@ -83,7 +92,22 @@ static int stand_alone(finding *f, int face)
     return parted;
 }
 
-/* Volume and area of each closed shell; origin[s] is its first face's first point. */
+/* Adds a face, and the lids on its open edges. */
+static taut_status weigh_face(finding *f, int face, const double *origin,
+                              taut_shell_content *content)
+{
+    const taut_surface *surface = f->surfaces[face];
+    const double sign = f->turned[face] ? -1 : 1;
+    taut_status status = taut_shell_add_volume(surface, origin, f->scale, sign, f->room, content);
+    for (int e = 4 * face; e < 4 * face + 4 && status == TAUT_OK; e++) {
+        if (is_open(f, e)) {
+            status = taut_shell_add_lid(surface, e, origin, f->scale, sign, f->room, content);
+        }
+    }
+    return status;
+}
+
+/* Volume and area of each closed shell and each tube; its origin is its first face's first point. */
 static taut_status weigh_shells(finding *f)
 {
     for (int s = 0; s < f->shells; s++) {
@@ -94,10 +118,9 @@ static taut_status weigh_shells(finding *f)
         const int s = f->shell[i];
         taut_status status = TAUT_OK;
         f->queue[s] = f->queue[s] < 0 ? i : f->queue[s];
-        if (f->closed[s]) {
+        if (f->tube[s]) {
             status =
-                taut_shell_add_volume(f->surfaces[i], taut_surface_points(f->surfaces[f->queue[s]]),
-                                      f->scale, f->turned[i] ? -1 : 1, f->room, &f->contents[s]);
+                weigh_face(f, i, taut_surface_points(f->surfaces[f->queue[s]]), &f->contents[s]);
         }
         if (status != TAUT_OK) {
             return status;
@@ -106,19 +129,24 @@ static taut_status weigh_shells(finding *f)
     return TAUT_OK;
 }
 
-/* Which closed shells are bodies, turned outwards; *parted if one that is none has lost joints. */
+/* A closed shell or a tube that is thinner than one point, as a flat ring is, has no inside. */
+static int holds_volume(const finding *f, int shell)
+{
+    const taut_shell_content *content = &f->contents[shell];
+    return f->tube[shell] && fabs(content->volume) > thin_of_size * content->area;
+}
+
+/* Which closed shells are bodies; these and tubes are turned outwards; *parted if one that is none has lost joints. */
 static taut_status judge_bodies(finding *f, int *parted)
 {
     const taut_status status = weigh_shells(f);
     *parted = 0;
     for (int i = 0; i < f->count && status == TAUT_OK; i++) {
         const int s = f->shell[i];
-        const taut_shell_content *content = &f->contents[s];
-        f->solid[s] =
-            (unsigned char)(f->closed[s] && fabs(content->volume) > thin_of_size * content->area);
+        f->solid[s] = (unsigned char)(f->closed[s] && holds_volume(f, s));
         if (f->closed[s] && !f->solid[s]) {
             *parted |= stand_alone(f, i);
-        } else if (f->solid[s] && content->volume < 0) {
+        } else if (holds_volume(f, s) && f->contents[s].volume < 0) {
             f->turned[i] = !f->turned[i];
         }
     }

@@ -2,6 +2,8 @@
  *
  *     V = sum of  1/3 int (x - o) . (x_u x x_v) du dv,    A = sum of  int |x_u x x_v| du dv
  *
+ *     lid on a loop from p:   1/6 (p - o) . int (x - o) x x' dt,  against the way round the surface
+ *
  * by Gauss rules on each pair of spans. Only the sign of V, and V / A against what counts as one
  * point, are used: four nodes a span are exact for V up to degree 2 and near it for what is smooth.
  */
@@ -88,5 +90,35 @@ taut_status taut_shell_add_volume(const taut_surface *surface, const double orig
                     sign, content);
         }
     }
+    return TAUT_OK;
+}
+
+taut_status taut_shell_add_lid(const taut_surface *surface, int edge, const double origin[3],
+                               int scale, double sign, double *room, taut_shell_content *content)
+{
+    const int along_v = edge % 4 < 2;
+    const taut_basis *basis = along_v ? taut_surface_v(surface) : taut_surface_u(surface);
+    const taut_basis *held = along_v ? taut_surface_u(surface) : taut_surface_v(surface);
+    const double at = edge % 2 ? taut_basis_hi(held) : taut_basis_lo(held);
+    const size_t count = node_count(basis);
+    double *t = room, *weight = t + count, apex[3] = {0, 0, 0}, sum[3] = {0, 0, 0};
+
+    fill_nodes(basis, t, weight);
+    for (size_t i = 0; i < count; i++) {
+        double values[3 * VECTORS], arm[3], way[3], turn[3];
+        const taut_status status =
+            taut_surface_eval(surface, along_v ? at : t[i], along_v ? t[i] : at, 1, values);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        for (int c = 0; c < 3; c++) {
+            arm[c] = ldexp(values[c] - origin[c], -scale);
+            way[c] = ldexp(values[(along_v ? 6 : 3) + c], -scale);
+            apex[c] = i == 0 ? arm[c] : apex[c];
+        }
+        taut_cross(arm, way, turn);
+        taut_add_scaled(weight[i], turn, sum);
+    }
+    content->volume += (taut_shell_is_along(edge) ? -sign : sign) * taut_dot(apex, sum) / 6;
     return TAUT_OK;
 }

@@ -67,4 +67,54 @@ for name in plateau-enneper film-none; do
     absent beside.json
     absent none.csv
 done
+# Bends of pipes: who bends a tube by LRA comes to the corners of XYZ, and at the end of it to the end of the run. The corners are
+# those of the document; each straight piece, with what arcs take of it, is as long as the way between corners.
+printf '{ "taut": 1, "construct": "pipe", "radius": 2, "run": [[0,0,0],[100,0,0],[100,80,0],[30,120,60],[30,120,160],[-50,100,120]], "bend_radius": 8 }' > bent-problem.json
+"$TAUT" example pipe-run > run-problem.json
+"$TAUT" example pipe-run-closed > ring-problem.json
+for name in bent run ring; do
+    run 0 make $name-problem.json --quiet -o $name.json -o $name.csv
+    python3 - $name-problem.json $name.json $name.csv <<'END' || complain "the bends of $name lead elsewhere"
+import csv, json, math, sys
+problem, model = (json.load(open(f)) for f in sys.argv[1:3])
+rows = [{k: float(v) if v else None for k, v in row.items()} for row in csv.DictReader(open(sys.argv[3], newline=""))]
+assert list(rows[0]) == ["point", "x", "y", "z", "length", "rotation", "angle", "radius"]
+corners = [[r["x"], r["y"], r["z"]] for r in rows]
+closed = problem.get("closed", False)
+given = problem["run"]
+wanted = given[1:] + given[:1] if closed else given[1:-1]
+assert corners[1:-1] == wanted, (corners, wanted)
+assert (corners[0] == corners[-1]) if closed else (corners[0] == given[0] and corners[-1] == given[-1])
+assert all(r["radius"] == problem["bend_radius"] for r in rows[1:-1]) and rows[0]["length"] is None and rows[-1]["angle"] is None
+dot = lambda a, b: sum(x * y for x, y in zip(a, b))
+cross = lambda a, b: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+minus = lambda a, b: [x - y for x, y in zip(a, b)]
+unit = lambda a: [x / math.hypot(*a) for x in a]
+def turn(v, axis, degrees): # Rodrigues' formula
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return [c * x + s * y + (1 - c) * dot(axis, v) * a for x, y, a in zip(v, cross(axis, v), axis)]
+# the bender's own frame: along the tube, and the axis of the first bend
+at, along = corners[0], unit(minus(corners[1], corners[0]))
+axis = unit(cross(along, minus(corners[2], corners[1])))
+worst = 0
+for row in rows[1:-1]:
+    at = [x + row["length"] * d for x, d in zip(at, along)]
+    axis = turn(axis, along, row["rotation"])
+    centre = [x + row["radius"] * d for x, d in zip(at, cross(axis, along))]
+    reach = row["radius"] * math.tan(math.radians(row["angle"]) / 2)
+    worst = max(worst, math.dist([x + reach * d for x, d in zip(at, along)], [row["x"], row["y"], row["z"]]))
+    at = [x + y for x, y in zip(centre, turn(minus(at, centre), axis, row["angle"]))]
+    along = turn(along, axis, row["angle"])
+at = [x + rows[-1]["length"] * d for x, d in zip(at, along)]
+worst = max(worst, math.dist(at, corners[-1]))
+assert worst < 1e-14 * max(abs(x) for p in corners for x in p), worst # 2e-15 of it seen
+END
+done
+"$TAUT" example pipe-run-harness > harness.json
+refused 4 'no-table /details' make harness.json -o none.csv
+"$TAUT" example pipe-elbow > elbow.json
+refused 4 'no-table /details' make elbow.json -o none.csv
+printf '%s' '{ "taut": 1, "curves": [{ "t": { "type": "bezier", "degree": 1 }, "points": [[0,0,0],[1,0,0]] }], "details": { "blends": [7], "bend_radius": "x" } }' > wrong.json
+refused 4 'no-table /details' convert wrong.json -o none.csv
+absent none.csv
 finish

@@ -89,6 +89,25 @@ fi
 # VTK: the area of the exact cells, cut finely, and the fields at their points.
 if python_with vtkmodules.vtkIOXML; then
     "$PYTHON" "$SOURCE/tests/cli/read_vtu.py" tube.vtu quasi.vtu > said.txt 2>&1 || complain "VTK: $(cat said.txt)"
+    run 0 convert tube.json -o tube-coefficients.vtu --coefficients
+    "$PYTHON" "$SOURCE/tests/cli/read_vtu.py" tube-coefficients.vtu quasi.vtu > said.txt 2>&1 || complain "VTK: $(cat said.txt)"
+    "$TAUT" example dirichlet-bicubic > sheet-problem.json
+    run 0 make sheet-problem.json --quiet -o sheet.vtu --divide 4
+    run 0 make sheet-problem.json --quiet -o coefficients.vtu --divide 4 --coefficients
+    "$PYTHON" "$SOURCE/tests/cli/read_fields.py" 4 sheet.vtu coefficients.vtu > said.txt 2>&1 || complain "fields: $(cat said.txt)"
+    "$PYTHON" - > said.txt 2>&1 <<'PY' || complain "fields at poles: $(cat said.txt)"
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+reader = vtkXMLUnstructuredGridReader()
+reader.SetFileName("ball.vtu")
+reader.Update()
+grid = reader.GetOutput()
+part, data = grid.GetCellData().GetArray("part"), grid.GetPointData()
+points = [grid.GetCell(i).GetPointId(k) for i in range(grid.GetNumberOfCells()) if part.GetTuple1(i) == 0
+          for k in range(grid.GetCell(i).GetNumberOfPoints())]
+for p in points: # 1.3e-12 seen
+    assert abs(abs(data.GetArray("H").GetTuple1(p)) - 1) < 1e-11 and abs(data.GetArray("K").GetTuple1(p) - 1) < 1e-11, p
+    assert 0 <= data.GetArray("isothermality").GetTuple1(p) <= 1, p
+PY
     "$PYTHON" "$SOURCE/tests/cli/read_meshes.py" cube ball pipe > said.txt 2>&1 || complain "VTK: $(cat said.txt)"
 else
     missing VTK 'tools/deps.sh check'

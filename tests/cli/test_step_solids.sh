@@ -83,6 +83,23 @@ PY
         contains freecad.txt '^LOOK True 1 True '
         near "$(sed -n 's/^LOOK True 1 True //p' freecad.txt)" "$(figure $name.json)" 3e-4 "$name.step, FreeCAD" # its mesh's: shape.Volume has gmsh's rule
     done
+    # an open pipe shows its outside: in each face the normal points away from the middle of the ring through it
+    cat > look.py <<PY
+import Part
+shape = Part.Shape()
+shape.read("$PWD/open.step")
+outwards = 0
+for face in shape.Faces:
+    u0, u1, v0, v1 = face.ParameterRange
+    u, v = (u0 + u1) / 2, (v0 + v1) / 2
+    around = face.valueAt(u0, v).distanceToPoint(face.valueAt(u1, v)) < 1e-6
+    ring = [face.valueAt(u0 + (u1 - u0) * k / 16, v) if around else face.valueAt(u, v0 + (v1 - v0) * k / 16) for k in range(16)]
+    middle = sum(ring[1:], ring[0]) * (1 / 16)
+    outwards += (face.valueAt(u, v) - middle).dot(face.normalAt(u, v)) > 0
+print("LOOK", shape.isValid(), len(shape.Faces), outwards)
+PY
+    freecadcmd look.py > freecad.txt 2>&1
+    contains freecad.txt '^LOOK True 3 3'
 else
     echo 'left out: FreeCAD is not here: apt-get install freecad (1 GB; continuous integration goes without)'
 fi

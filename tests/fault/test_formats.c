@@ -43,6 +43,13 @@ static const char cables_text[] =
     "{\"taut\": 1, \"curves\": [{\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": "
     "[[0,0,0],[2,0,0]]}], \"details\": {\"cables\": [{\"edge\": \"u0\", \"force\": 2}]}}";
 
+/* An elbow at a corner. */
+static const char bends_text[] =
+    "{\"taut\": 1, \"curves\": [{\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": "
+    "[[0,0,0],[2,0,0]]}, {\"t\": {\"type\": \"bezier\", \"degree\": 1}, \"points\": "
+    "[[4,2,0],[4,4,0]]}], \"details\": {\"blends\": [{\"polygon\": "
+    "[[2,0,0],[4,0,0],[4,0,0],[4,2,0]], \"least_bend_radius\": 1}]}}";
+
 /* Writes the model in the format of its name and takes the file away again. */
 static taut_status write_file(const taut_model *model, const char *name, taut_error *error)
 {
@@ -89,6 +96,22 @@ static taut_status write_glb(const void *context, void **result, taut_error *err
     (void)result;
     CHECK((unlink(path) == 0) == (status == TAUT_OK), "a.glb is there although it failed");
     return status;
+}
+
+static taut_status write_3mf(const void *context, void **result, taut_error *error)
+{
+    const taut_write_options options = {.divide = 1, .thickness = 0.01};
+    const char *const path = in_folder("a.3mf");
+    const taut_status status = taut_model_write(context, path, &options, error);
+    (void)result;
+    CHECK((unlink(path) == 0) == (status == TAUT_OK), "a.3mf is there although it failed");
+    return status;
+}
+
+static taut_status write_dxf(const void *context, void **result, taut_error *error)
+{
+    (void)result;
+    return write_file(context, "a.dxf", error);
 }
 
 static taut_status write_csv(const void *context, void **result, taut_error *error)
@@ -141,7 +164,7 @@ int main(void)
     const char *path = NULL;
     char *single = strdup(frame_text);
     taut_model *surfaces = model_of(surfaces_text), *frame = model_of(frame_text);
-    taut_model *cables = model_of(cables_text);
+    taut_model *cables = model_of(cables_text), *bends = model_of(bends_text);
     taut_model *sheets = model_of(sheets_text), *body = shape_model(shape_sphere(2));
 
     folder_make();
@@ -157,7 +180,10 @@ int main(void)
     fault_check("step", write_step, NULL, sheets, 20);
     fault_check("step of a body", write_step, NULL, body, 20);
     fault_check("glb", write_glb, NULL, surfaces, 20);
+    fault_check("3mf", write_3mf, NULL, sheets, 30);
+    fault_check("dxf", write_dxf, NULL, frame, 20);
     fault_check("csv", write_csv, NULL, cables, 3);
+    fault_check("bends", write_csv, NULL, bends, 3);
     fault_check("boundary", fit, NULL, frame, 20);
     for (size_t i = 0; i < sizeof problems / sizeof problems[0]; i++) {
         path = in_folder("problem.json");
@@ -173,6 +199,7 @@ int main(void)
     taut_model_free(frame);
     taut_model_free(sheets);
     taut_model_free(cables);
+    taut_model_free(bends);
     taut_model_free(body);
     free(single);
     folder_remove();

@@ -325,3 +325,20 @@ double shape_apart(const taut_surface *a, const taut_surface *b, double *largest
     }
     return most;
 }
+
+taut_surface *shape_strip(void)
+{
+    double points[7][2][3];
+    const double ring[7][2] = {{1, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}, {1, 0}};
+    for (int i = 0; i < 7; i++) {
+        const double angle = acos(-1) * i / 6;
+        for (int j = 0; j < 2; j++) {
+            const double out = (2 * j - 1) * 0.4;
+            const double z = out * sin(angle);
+            points[i][j][0] = ring[i][0] * (1 + (i % 6 == 0 ? 1 : 0.5) * out * cos(angle));
+            points[i][j][1] = ring[i][1];
+            points[i][j][2] = i % 6 == 0 ? 0 : z;
+        }
+    }
+    return shape_surface(shape_bezier(6, 0, 1), shape_bezier(1, 0, 1), &points[0][0][0], NULL);
+}

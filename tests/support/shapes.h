@@ -41,6 +41,9 @@ taut_surface *shape_cylinder(double radius, double height, int degree);
 /* (u, v, c u v) over [0, 1]^2, bilinear. */
 taut_surface *shape_saddle(double c);
 
+/* A band with a half twist, of bidegree (6, 1): its edges u0 and u1 are one, reversed. */
+taut_surface *shape_strip(void);
+
 /* Random net of size about 1. */
 taut_surface *shape_random(int degree_u, int degree_v, int rational);
 

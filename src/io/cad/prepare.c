@@ -63,7 +63,7 @@ static taut_status check_degree(const char *name, const taut_basis *basis, taut_
     return degree <= DEGREE_MAX
                ? TAUT_OK
                : taut_fail(error, TAUT_NO_SOLUTION, "degree", NULL, degree, DEGREE_MAX,
-                           "\"%.100s\" has degree %d, and OpenCASCADE reads none above %d", name,
+                           "\"%.100s\" has degree %d, and CAD systems read none above %d", name,
                            degree, DEGREE_MAX);
 }
 

@@ -1,13 +1,15 @@
 /* csv.c -- the format `csv` (RFC 4180): the table of the model's kind (io/csv/table.h).
  *
- * A line of titles, then one an object; a cell that its object has not is empty. Lengths are in the
+ * A line of titles, then one an object, or of a pipe one a bend (io/csv/bends.h); a cell that its object has not is empty. Lengths are in the
  * model's unit, numbers the shortest that come back as the same doubles, lines end as in other text
  * of taut's. */
 #include "core/fail.h"
+#include "io/csv/bends.h"
 #include "io/csv/table.h"
 #include "io/file/sink.h"
 #include "io/format.h"
 
+#include <math.h>
 #include <string.h>
 
 /* Text with a comma, a quote or an end of line goes in quotes, its own doubled. */
@@ -101,6 +103,48 @@ static void write_row(taut_sink *sink, const taut_csv_column *columns, const tau
     taut_sink_text(sink, "\n");
 }
 
+/* The lines of a bend table; a number that is none is an empty cell. */
+static void write_bends(taut_sink *sink, const taut_bend *bends, size_t count)
+{
+    taut_sink_text(sink, "point,x,y,z,length,rotation,angle,radius\n");
+    for (size_t k = 0; k < count; k++) {
+        const taut_bend *b = &bends[k];
+        const double row[] = {b->point[0], b->point[1], b->point[2], b->length,
+                              b->rotation, b->angle,    b->radius};
+        taut_sink_count(sink, k + 1);
+        for (size_t c = 0; c < sizeof row / sizeof row[0]; c++) {
+            taut_sink_text(sink, ",");
+            if (isfinite(row[c])) {
+                taut_sink_number(sink, row[c]);
+            }
+        }
+        taut_sink_text(sink, "\n");
+    }
+}
+
+/* A model without a list of its own: the bends of a pipe, or nothing. */
+static taut_status write_other(const taut_model *model, FILE *out, taut_error *error)
+{
+    taut_arena *arena = taut_arena_new();
+    size_t count = 0;
+    const taut_bend *bends = taut_bends_of(model, arena, &count);
+    const taut_status memory = taut_arena_status(arena);
+    taut_status status = TAUT_OK;
+    if (bends != NULL) {
+        taut_sink sink = taut_sink_to(out);
+        write_bends(&sink, bends, count);
+        status = taut_sink_finish(&sink) == TAUT_NO_MEMORY ? taut_fail_memory(error) : TAUT_OK;
+    } else if (memory != TAUT_OK) {
+        status = taut_fail_memory(error);
+    } else {
+        status = taut_fail(error, TAUT_NO_SOLUTION, "no-table", "/details", taut_none, taut_none,
+                           "the model has no table, as cables of a film, curves of a net or elbows "
+                           "of a pipe are one: write another format");
+    }
+    taut_arena_free(arena);
+    return status;
+}
+
 static taut_status write_csv(const taut_model *model, const taut_write_options *options, FILE *out,
                              taut_error *error)
 {
@@ -110,10 +154,7 @@ static taut_status write_csv(const taut_model *model, const taut_write_options *
 
     (void)options; /* the table is of the whole model */
     if (kind == NULL) {
-        return taut_fail(
-            error, TAUT_NO_SOLUTION, "no-table", "/details", taut_none, taut_none,
-            "the model has no table, as cables of a film or curves of a net are one: write another "
-            "format");
+        return write_other(model, out, error);
     }
     sink = taut_sink_to(out);
     write_row(&sink, kind->columns, NULL);

@@ -90,6 +90,15 @@ void taut_sink_count(taut_sink *sink, size_t n)
     taut_sink_bytes(sink, begin, (size_t)(text + sizeof text - begin));
 }
 
+void taut_sink_low_bytes(taut_sink *sink, uint64_t value, size_t count)
+{
+    char bytes[8];
+    for (size_t i = 0; i < count; i++) {
+        bytes[i] = (char)(unsigned char)(value >> (8 * i) & 0xff);
+    }
+    taut_sink_bytes(sink, bytes, count);
+}
+
 taut_status taut_sink_finish(taut_sink *sink)
 {
     if (sink->file != NULL) {

@@ -8,6 +8,7 @@
 #include "taut/status.h"
 
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 typedef struct taut_sink {
@@ -24,6 +25,8 @@ void taut_sink_bytes(taut_sink *sink, const char *bytes, size_t length);
 void taut_sink_text(taut_sink *sink, const char *text);
 void taut_sink_number(taut_sink *sink, double x); /* null where it is not finite */
 void taut_sink_count(taut_sink *sink, size_t n);
+/* The `count` lowest bytes of a number, the lowest first; 8 at most. */
+void taut_sink_low_bytes(taut_sink *sink, uint64_t value, size_t count);
 /* Sends what is left to the file and frees the buffer; errno is the reason with TAUT_IO. Into
  * memory: the text stays in sink->text, ended by a 0 byte, and is the caller's (taut_free), or is
  * freed on failure. */

@@ -133,7 +133,7 @@ static void put_nodes(taut_json_out *out, const glb_plan *plan, const taut_model
 
 static void put_meshes(taut_json_out *out, const glb_plan *plan)
 {
-    const int views = views_of(plan);
+    const int views = views_of(plan), surfaces = taut_mesh_out_surfaces(plan->mesh);
     taut_json_open_pair(out, "meshes", '[');
     for (int g = 0; g < plan->count; g++) {
         char room[TAUT_NAME_MAX + 1];
@@ -150,7 +150,10 @@ static void put_meshes(taut_json_out *out, const glb_plan *plan)
         }
         taut_json_close(out, '}');
         taut_json_pair_number(out, "indices", views * g + views - 1);
-        taut_json_pair_number(out, "material", plan->values != NULL ? 0 : g % PLAIN_COLOURS);
+        taut_json_pair_number(out, "material",
+                              plan->values != NULL
+                                  ? 0
+                                  : taut_mesh_out_colour(plan->mesh, surfaces, g) % PLAIN_COLOURS);
         taut_json_close(out, '}');
         taut_json_close(out, ']');
         taut_json_close(out, '}');
@@ -162,7 +165,8 @@ static void put_meshes(taut_json_out *out, const glb_plan *plan)
  * colours of figures. */
 static void put_materials(taut_json_out *out, const glb_plan *plan)
 {
-    const int some = plan->count < PLAIN_COLOURS ? plan->count : PLAIN_COLOURS;
+    const int surfaces = taut_mesh_out_surfaces(plan->mesh);
+    const int some = surfaces < PLAIN_COLOURS ? surfaces : PLAIN_COLOURS;
     const int count = plan->values != NULL ? 1 : some;
     taut_json_open_pair(out, "materials", '[');
     for (int i = 0; i < count; i++) {

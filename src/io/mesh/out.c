@@ -11,8 +11,8 @@
 taut_status taut_mesh_out_new(const taut_model *model, const taut_write_options *options,
                               taut_mesh **mesh, taut_error *error)
 {
-    const taut_mesh_options wish = {options->tolerance, options->divide, options->threads,
-                                    options->surface, options->monitor};
+    const taut_mesh_options wish = {options->tolerance, options->divide,  options->threads,
+                                    options->surface,   options->monitor, options->thickness};
     return taut_mesh_new(model, &wish, mesh, error);
 }
 
@@ -77,23 +77,14 @@ taut_status taut_mesh_out_check_float(const taut_mesh *mesh, const char *format,
     return TAUT_OK;
 }
 
-static void put_low_bytes(taut_sink *sink, uint64_t value, size_t count)
-{
-    char bytes[8];
-    for (size_t i = 0; i < count; i++) {
-        bytes[i] = (char)(unsigned char)(value >> (8 * i) & 0xff);
-    }
-    taut_sink_bytes(sink, bytes, count);
-}
-
 void taut_mesh_out_u16(taut_sink *sink, unsigned value)
 {
-    put_low_bytes(sink, value, 2);
+    taut_sink_low_bytes(sink, value, 2);
 }
 
 void taut_mesh_out_u32(taut_sink *sink, uint32_t value)
 {
-    put_low_bytes(sink, value, 4);
+    taut_sink_low_bytes(sink, value, 4);
 }
 
 void taut_mesh_out_f32(taut_sink *sink, double value)
@@ -101,14 +92,40 @@ void taut_mesh_out_f32(taut_sink *sink, double value)
     const float rounded = (float)value;
     uint32_t bits = 0;
     memcpy(&bits, &rounded, sizeof bits);
-    put_low_bytes(sink, bits, 4);
+    taut_sink_low_bytes(sink, bits, 4);
 }
 
 void taut_mesh_out_f64(taut_sink *sink, double value)
 {
     uint64_t bits = 0;
     memcpy(&bits, &value, sizeof bits);
-    put_low_bytes(sink, bits, 8);
+    taut_sink_low_bytes(sink, bits, 8);
+}
+
+int taut_mesh_out_surfaces(const taut_mesh *mesh)
+{
+    const int groups = taut_mesh_group_count(mesh);
+    int count = groups > 0;
+    while (count < groups && taut_mesh_group_at(mesh, count)->surface >
+                                 taut_mesh_group_at(mesh, count - 1)->surface) {
+        count++;
+    }
+    return count;
+}
+
+int taut_mesh_out_colour(const taut_mesh *mesh, int surfaces, int g)
+{
+    const int wanted = taut_mesh_group_at(mesh, g)->surface;
+    int lo = 0, hi = surfaces - 1;
+    while (lo < hi) {
+        const int middle = lo + (hi - lo) / 2;
+        if (taut_mesh_group_at(mesh, middle)->surface < wanted) {
+            lo = middle + 1;
+        } else {
+            hi = middle;
+        }
+    }
+    return lo;
 }
 
 const char *taut_mesh_out_name(const taut_mesh_group *group, char *room)

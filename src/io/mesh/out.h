@@ -40,6 +40,11 @@ void taut_mesh_out_u32(taut_sink *sink, uint32_t value);
 void taut_mesh_out_f32(taut_sink *sink, double value);
 void taut_mesh_out_f64(taut_sink *sink, double value);
 
+/* The surfaces of the mesh: as many of its groups come first, one each. */
+int taut_mesh_out_surfaces(const taut_mesh *mesh);
+/* The number of the colour of group g: the first group of its surface, out of that many. */
+int taut_mesh_out_colour(const taut_mesh *mesh, int surfaces, int g);
+
 /* The group's name, or "surface<i>" where it has none, in room for TAUT_NAME_MAX + 1 bytes. */
 const char *taut_mesh_out_name(const taut_mesh_group *group, char *room);
 

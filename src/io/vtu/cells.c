@@ -3,11 +3,14 @@
  * Every span is cut into equal cells by de Casteljau's algorithm in homogeneous coordinates
  * ([Farin2002] 5.4), which changes nothing. A field f is no polynomial: VTK shows
  *
- *     sum_ij w_ij f_ij B_i B_j / sum_ij w_ij B_i B_j,
+ *     sum_ij w_ij f_ij B_i B_j / sum_ij w_ij B_i B_j.
  *
- * so that the f_ij are found such that this equals f at the Chebyshev points of the cell, which lie
- * inside, away from edges that may be collapsed: with A_ki = B_i(t_k) and W = sum w_ij B_i B_j,
- *     w_ij f_ij = sum_kl inv(A_u)_ik inv(A_v)_jl (f W)(s_k, t_l). */
+ * Its f_ij are the values of f at the places (i / p, j / q) of the cell, so that the array, and what is drawn, which is a mean of
+ * them, stays within the range of f, and corners have f itself; where f has no value, as at a pole, that of a place a little
+ * inside. Asked for coefficients, they are found such that what is drawn equals f at the Chebyshev points of
+ * the cell: with A_ki = B_i(t_k) and W = sum w_ij B_i B_j,
+ *     w_ij f_ij = sum_kl inv(A_u)_ik inv(A_v)_jl (f W)(s_k, t_l).
+ */
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "geometry/keep.h"
@@ -81,9 +84,15 @@ static void invert(node_rule *rule)
     }
 }
 
-static void make_rule(int degree, node_rule *rule)
+static void make_rule(int degree, int coefficients, node_rule *rule)
 {
     rule->order = degree + 1;
+    if (!coefficients) {
+        for (int k = 0; k <= degree; k++) {
+            rule->nodes[k] = (double)k / degree;
+        }
+        return;
+    }
     for (int k = 0; k <= degree; k++) {
         rule->nodes[k] = (1 - taut_cos(taut_acos(-1) * (2 * k + 1) / (2 * degree + 2))) / 2;
         taut_bernstein_eval(degree, 0, rule->nodes[k], rule->values[k]);
@@ -201,12 +210,27 @@ static void cut_net(const taut_surface *piece, cell_work *work, int a, int b)
     }
 }
 
-/* Coefficients of every field on the cell whose points begin at `first` and whose nodes along v
- * begin at column `column`. */
+/* The fields at node (k, l) of the cell whose nodes along v begin at column `column`. */
+static const double *fields_at(const cell_work *work, int k, int l, int column)
+{
+    const size_t columns = (size_t)work->plan->count[1] * (size_t)work->rules[1].order;
+    return work->fields + TAUT_FIELDS * ((size_t)k * columns + (size_t)(column + l));
+}
+
+/* The values of every field on the cell whose points begin at `first`. */
+static void put_values(const cell_work *work, taut_vtu_grid *grid, size_t first, int column)
+{
+    const int nu = work->rules[0].order, nv = work->rules[1].order;
+    for (int i = 0; i < nu * nv; i++) {
+        memcpy(grid->fields + TAUT_FIELDS * (first + (size_t)i),
+               fields_at(work, i / nv, i % nv, column), TAUT_FIELDS * sizeof(double));
+    }
+}
+
+/* Their coefficients. */
 static void fit_fields(cell_work *work, taut_vtu_grid *grid, size_t first, int column)
 {
     const int nu = work->rules[0].order, nv = work->rules[1].order;
-    const int columns = work->plan->count[1] * nv;
     double weights[ORDER_MAX * ORDER_MAX], at_nodes[ORDER_MAX * ORDER_MAX];
     for (int i = 0; i < nu * nv; i++) {
         weights[i] = work->net[i][3];
@@ -215,10 +239,7 @@ static void fit_fields(cell_work *work, taut_vtu_grid *grid, size_t first, int c
     for (int f = 0; f < TAUT_FIELDS; f++) {
         for (int k = 0; k < nu; k++) {
             for (int l = 0; l < nv; l++) {
-                work->at[k * nv + l] =
-                    at_nodes[k * nv + l] * work->fields[TAUT_FIELDS * ((size_t)k * (size_t)columns +
-                                                                       (size_t)(column + l)) +
-                                                        (size_t)f];
+                work->at[k * nv + l] = at_nodes[k * nv + l] * fields_at(work, k, l, column)[f];
             }
         }
         apply_both(work, work->rules[0].inverse, work->rules[1].inverse, work->at, work->half,
@@ -241,16 +262,42 @@ static void add_cell(cell_work *work, int index, int column, taut_vtu_grid *grid
         taut_vtu_grid_add_point(grid, point, w);
     }
     order_corners(p, q, first, corners);
-    fit_fields(work, grid, first, column);
+    if (work->plan->coefficients) {
+        fit_fields(work, grid, first, column);
+    } else {
+        put_values(work, grid, first, column);
+    }
 }
 
-/* Node k of cell `cell`, counted over all spans. */
+/* Node k of cell `cell`, counted over all spans; the end of a span is the span's, as what has a kink there has other values beyond. */
 static double node_at(const taut_basis *basis, int per_span, int cell, double node)
 {
     const double *breaks = taut_basis_breaks(basis);
     const int span = cell / per_span;
     const double share = (cell % per_span + node) / per_span;
-    return fmin(breaks[span] + share * (breaks[span + 1] - breaks[span]), breaks[span + 1]);
+    return fmin(breaks[span] + share * (breaks[span + 1] - breaks[span]),
+                nextafter(breaks[span + 1], breaks[span]));
+}
+
+static const double inwards = 0.02; /* of a cell, where a node has no value */
+
+/* Gives node (k, l) of the row of cells `row` the fields of a place a little inside of its cell. */
+static taut_status mend_fields(const taut_surface *surface, int row, int k, int l, cell_work *work)
+{
+    const taut_vtu_cells *plan = work->plan;
+    const int order = work->rules[1].order;
+    const double s = inwards + (1 - 2 * inwards) * work->rules[0].nodes[k];
+    const double t = inwards + (1 - 2 * inwards) * work->rules[1].nodes[l % order];
+    double vectors[18];
+    const taut_status status = taut_surface_eval(
+        surface, node_at(taut_surface_u(surface), plan->per_span[0], row, s),
+        node_at(taut_surface_v(surface), plan->per_span[1], l / order, t), 2, vectors);
+    if (status == TAUT_OK) {
+        taut_fields_of(vectors, work->fields + TAUT_FIELDS * ((size_t)k * (size_t)plan->count[1] *
+                                                                  (size_t)order +
+                                                              (size_t)l));
+    }
+    return status;
 }
 
 /* The fields at the nodes of one row of cells. */
@@ -264,8 +311,11 @@ static taut_status sample_row(const taut_surface *surface, int row, cell_work *w
             node_at(taut_surface_u(surface), plan->per_span[0], row, work->rules[0].nodes[k]);
         status = taut_surface_eval_grid(surface, 1, &u, columns, work->v, 2, 1, work->vectors);
         for (int l = 0; status == TAUT_OK && l < columns; l++) {
-            taut_fields_of(work->vectors + 18 * (size_t)l,
-                           work->fields + TAUT_FIELDS * ((size_t)k * (size_t)columns + (size_t)l));
+            double *fields = work->fields + TAUT_FIELDS * ((size_t)k * (size_t)columns + (size_t)l);
+            taut_fields_of(work->vectors + 18 * (size_t)l, fields);
+            if (isnan(fields[TAUT_FIELD_H]) && !plan->coefficients) {
+                status = mend_fields(surface, row, k, l, work);
+            }
         }
     }
     return status;
@@ -313,8 +363,8 @@ static taut_status add_surface(const taut_surface *surface, const taut_vtu_cells
         return status;
     }
     *work = (cell_work){.plan = plan, .v = v, .vectors = vectors, .fields = fields};
-    make_rule(plan->degree[0], &work->rules[0]);
-    make_rule(plan->degree[1], &work->rules[1]);
+    make_rule(plan->degree[0], plan->coefficients, &work->rules[0]);
+    make_rule(plan->degree[1], plan->coefficients, &work->rules[1]);
     if (!taut_keep_model(arena, pieces) ||
         add_cells(surface, pieces, index, work, grid) != TAUT_OK) {
         return taut_fail_memory(error);

@@ -34,10 +34,11 @@ int64_t *taut_vtu_grid_add_cell(taut_vtu_grid *grid, int type, size_t corners, i
 /* Adds a point with a weight; its fields are NaN. Returns its index. */
 size_t taut_vtu_grid_add_point(taut_vtu_grid *grid, const double *position, double weight);
 
-/* A surface as Bezier cells: what it is, exactly, with fields that interpolate at Chebyshev points
- * inside each cell. */
+/* A surface as Bezier cells: what it is, exactly, with the values of fields on a grid in each cell, or coefficients that
+ * interpolate at Chebyshev points inside. */
 typedef struct taut_vtu_cells {
     int degree[2], per_span[2], count[2]; /* cells in all along u and v */
+    int coefficients;                     /* nonzero: those of the fields */
 } taut_vtu_cells;
 
 /* Can it be? Then how many cells, for `divide` of them per span (0: by the number of spans). */

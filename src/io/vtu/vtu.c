@@ -44,6 +44,7 @@ static taut_status choose_parts(const taut_model *model, const taut_write_option
             part->surface = taut_model_surface(model, i);
             part->index = i;
             part->is_exact = taut_vtu_cells_plan(part->surface, options->divide, &part->cells);
+            part->cells.coefficients = options->coefficients;
             inexact += !part->is_exact;
             file->count++;
         }
@@ -52,7 +53,9 @@ static taut_status choose_parts(const taut_model *model, const taut_write_option
         return taut_fail(error, TAUT_NO_SOLUTION, "empty", NULL, taut_none, taut_none,
                          "the model has no surface to make a grid of");
     }
-    return inexact > 0 ? taut_mesh_out_new(model, options, &file->mesh, error) : TAUT_OK;
+    taut_write_options thin = *options; /* as the exact cells are */
+    thin.thickness = 0;
+    return inexact > 0 ? taut_mesh_out_new(model, &thin, &file->mesh, error) : TAUT_OK;
 }
 
 static const taut_mesh_group *group_of(const taut_mesh *mesh, int surface)

@@ -7,7 +7,6 @@
 #include "taut/mesh.h"
 #include "taut/operations.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static taut_model *new_model(void)
@@ -20,73 +19,6 @@ static taut_model *new_model(void)
 static void add(taut_model *model, taut_surface *surface)
 {
     CHECK(taut_model_add_surface(model, surface) == TAUT_OK, "add");
-}
-
-/* A run from one place to another: from, to, and how often. */
-typedef struct run {
-    uint32_t from, to;
-} run;
-
-static int by_ends(const void *a, const void *b)
-{
-    const run *x = a, *y = b;
-    if (x->from != y->from) {
-        return x->from < y->from ? -1 : 1;
-    }
-    return x->to < y->to ? -1 : x->to > y->to;
-}
-
-/* What all triangles with three places say, turned as their groups are. */
-typedef struct body {
-    size_t open;   /* runs without one run the other way, or run twice */
-    double volume; /* six times the sum of a . (b x c), over 6 */
-} body;
-
-static double triple(const double *a, const double *b, const double *c)
-{
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-           a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
-static size_t collect(const taut_mesh *mesh, run *runs, double *volume)
-{
-    const uint32_t *welded = taut_mesh_welded(mesh);
-    const double *x = taut_mesh_positions(mesh);
-    size_t n = 0;
-    for (int g = 0; g < taut_mesh_group_count(mesh); g++) {
-        const taut_mesh_group *group = taut_mesh_group_at(mesh, g);
-        const uint32_t *triangles = taut_mesh_triangles(mesh) + 6 * group->first_quad;
-        for (int t = 0; t < 2 * (group->nu - 1) * (group->nv - 1); t++) {
-            uint32_t p[3];
-            for (int c = 0; c < 3; c++) {
-                p[c] = welded[triangles[3 * t + (group->turned ? 2 - c : c)]];
-            }
-            if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) {
-                continue;
-            }
-            *volume += triple(x + 3 * (size_t)p[0], x + 3 * (size_t)p[1], x + 3 * (size_t)p[2]) / 6;
-            for (int c = 0; c < 3; c++) {
-                runs[n++] = (run){p[c], p[(c + 1) % 3]};
-            }
-        }
-    }
-    return n;
-}
-
-static body look_at(const taut_mesh *mesh)
-{
-    run *runs = malloc(6 * taut_mesh_quad_count(mesh) * sizeof *runs);
-    body found = {0, 0};
-    const size_t n = collect(mesh, runs, &found.volume);
-    qsort(runs, n, sizeof *runs, by_ends);
-    for (size_t i = 0; i < n; i++) {
-        const run back = {runs[i].to, runs[i].from};
-        const run *partner = bsearch(&back, runs, n, sizeof *runs, by_ends);
-        const int twice = i + 1 < n && by_ends(&runs[i], &runs[i + 1]) == 0;
-        found.open += partner == NULL || twice;
-    }
-    free(runs);
-    return found;
 }
 
 /* Welded vertices are in the same place bit for bit, and each stands for itself or an earlier one.
@@ -106,7 +38,7 @@ static void check_closed(const taut_model *model, double tolerance, int divide, 
                          double error, const char *what)
 {
     taut_mesh *mesh = mesh_of(model, tolerance, divide);
-    const body found = look_at(mesh);
+    const mesh_body found = mesh_look_at(mesh);
     CHECK(found.open == 0, "%s: %zu open edges", what, found.open);
     CHECK_NEAR(found.volume, volume, error, "%s", what);
     check_places(mesh);
@@ -179,7 +111,7 @@ static void test_open(void)
 {
     taut_model *box = any_cube(5);
     taut_mesh *mesh = mesh_of(box, 0, 1);
-    CHECK(look_at(mesh).open > 0, "a box without a lid is closed");
+    CHECK(mesh_look_at(mesh).open > 0, "a box without a lid is closed");
     taut_mesh_free(mesh);
     taut_model_free(box);
 }
@@ -237,26 +169,14 @@ static void test_pieces(void)
     taut_model_free(quarters);
 }
 
-/* A strip with a half twist, degree 6 in u: its edges u0 and u1 are one, reversed; v0 and v1 are
+/* A strip with a half twist: its edges u0 and u1 are one, reversed; v0 and v1 are
  * free, and run into each other. */
 static void test_strip(void)
 {
-    double points[7][2][3];
-    const double ring[7][2] = {{1, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}, {1, 0}};
     taut_model *model = new_model();
     taut_mesh *mesh = NULL;
     const taut_mesh_group *group = NULL;
-    for (int i = 0; i < 7; i++) {
-        const double angle = acos(-1) * i / 6;
-        for (int j = 0; j < 2; j++) {
-            const double out = (2 * j - 1) * 0.4;
-            const double z = out * sin(angle);
-            points[i][j][0] = ring[i][0] * (1 + (i % 6 == 0 ? 1 : 0.5) * out * cos(angle));
-            points[i][j][1] = ring[i][1];
-            points[i][j][2] = i % 6 == 0 ? 0 : z;
-        }
-    }
-    add(model, shape_surface(shape_bezier(6, 0, 1), shape_bezier(1, 0, 1), &points[0][0][0], NULL));
+    add(model, shape_strip());
     mesh = mesh_of(model, 0, 4);
     group = taut_mesh_group_at(mesh, 0);
     for (int j = 0; j < group->nv; j++) {

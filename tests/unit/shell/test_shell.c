@@ -327,6 +327,60 @@ static void test_other_bases(void)
     }
 }
 
+/* Eight plane sides around an axis, from radius 1 at z = shift to radius 1 + more at z = shift + height: the lid on the wide end
+ * holds most of its volume. */
+static taut_surface *funnel(double more, double height, double shift)
+{
+    static const double ring[9][2] = {{1, 0},   {1, 1},  {0, 1},  {-1, 1}, {-1, 0},
+                                      {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
+    double points[9][2][3];
+    for (int k = 0; k < 18; k++) {
+        const double r = 1 + k % 2 * more;
+        points[k / 2][k % 2][0] = shift + r * ring[k / 2][0];
+        points[k / 2][k % 2][1] = r * ring[k / 2][1];
+        points[k / 2][k % 2][2] = shift + k % 2 * height;
+    }
+    return shape_surface(shape_bspline(1, 9), shape_bezier(1, 0, 1), &points[0][0][0], NULL);
+}
+
+/* Tubes, whole and of two halves, show their outside, whichever way their parameters run; a flat ring, which has
+ * none, stays as its parameters are. */
+static void test_tubes(void)
+{
+    static const double middle[3] = {0, 0, 1.5}, high[3] = {0, 0, 2.5};
+    for (int way = 0; way < 8; way++) {
+        body b = {.count = 0};
+        taut_model *halves = NULL;
+        taut_surface *tube = shape_cylinder(2, 3, 1 + way % 2), *half = NULL;
+        add_face(&b, turned(shape_cylinder(2, 3, 2), way));
+        find_shells(&b, 0);
+        check_first(&b, 0, 0, "tube");
+        check_outwards(&b, middle, "tube");
+        drop(&b);
+        CHECK(taut_surface_split(tube, TAUT_ALONG_V, 0.5 * taut_basis_hi(taut_surface_v(tube)),
+                                 &halves, NULL) == TAUT_OK,
+              "split");
+        for (int i = 0; i < 2; i++) {
+            CHECK(taut_surface_copy(taut_model_surface(halves, i), &half) == TAUT_OK, "half");
+            add_face(&b, turned(half, i == 0 ? way : 7 - way));
+        }
+        taut_model_free(halves);
+        find_shells(&b, 0);
+        CHECK(b.shells.shell_count == 1, "two halves are %d shells", b.shells.shell_count);
+        check_outwards(&b, middle, "halves");
+        drop(&b);
+        taut_surface_free(tube);
+        add_face(&b, turned(funnel(3, 3, 0), way));
+        find_shells(&b, 0);
+        check_outwards(&b, high, "funnel");
+        drop(&b);
+        add_face(&b, turned(funnel(1, 0, 1000), way));
+        find_shells(&b, 0);
+        CHECK(!b.shells.faces[0].turned, "way %d: a flat ring is turned", way);
+        drop(&b);
+    }
+}
+
 int main(void)
 {
     random_seed(20261120);
@@ -338,6 +392,7 @@ int main(void)
     test_twisted();
     test_not_joined();
     test_thin();
+    test_tubes();
     test_other_bases();
     return check_failures != 0;
 }
