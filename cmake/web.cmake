@@ -24,6 +24,9 @@ list(JOIN loops "|" loops)
 set(loop_sources ${web_sources})
 list(FILTER loop_sources INCLUDE REGEX "/src/(${loops})")
 set_source_files_properties(${loop_sources} PROPERTIES COMPILE_OPTIONS "-O2")
+# Kernels whose lanes lie side by side gain nothing by unrolling.
+list(FILTER loop_sources EXCLUDE REGEX "/src/(measure|certify)/")
+set_property(SOURCE ${loop_sources} APPEND PROPERTY COMPILE_OPTIONS -fno-unroll-loops)
 # Vectors where loops over numbers are. Not elsewhere, and not out of straight code: of that clang 14 makes wrong code with
 # them (a choice between two structs of two doubles, in certify/bonnet/proof.c, took the second where it was to take the first).
 set(vector_sources ${web_sources})
