@@ -37,7 +37,8 @@ preset() { # preset NAME [CTEST-ARGUMENT...]: configured, built, tested
 do_compilers() { tools/same_bytes.sh --build; }
 do_musl() { preset musl && tools/same_bytes.sh "$native" build/musl/bin/taut; }
 do_aarch64() {
-    preset aarch64 -R '^unit/(basis|core|geometry|io|numeric|platform|problem)/' &&
+    # a test that starts itself anew would start qemu; solvers of some hundred unknowns take half an hour there
+    preset aarch64 -R '^unit/(basis|core|geometry|io|numeric|platform|problem)/' -E '^unit/io/cad/helper$' --timeout 3600 &&
         tools/same_bytes.sh "$native" 'qemu-aarch64 build/aarch64/bin/taut'
 }
 do_windows() { tools/deps.sh windows && preset mingw; }

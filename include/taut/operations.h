@@ -134,6 +134,13 @@ TAUT_API taut_status taut_model_pieces(const taut_model *model, const char *name
 TAUT_API taut_status taut_model_to_nurbs(const taut_model *model, double tolerance,
                                          taut_model **nurbs, double *bound, taut_error *error);
 
+/* The curves that a document's "boundary" may name, as a model of curves in the same unit: first those of the model, as they are, then
+ * the edges u0, u1, v0, v1 of its surfaces, named "SURFACE.u0" (or "surface3.u0" of the third one, where it has no name), along the
+ * parameter of the surface. Edges that are a point, and those that are no row of the net (on bases that do not end in their points), are left
+ * out. TAUT_NO_SOLUTION: more than TAUT_OBJECTS_MAX; TAUT_NO_MEMORY. */
+TAUT_API taut_status taut_model_boundary(const taut_model *model, taut_model **curves,
+                                         taut_error *error);
+
 /* The same model told in another unit, "mm", "cm", "m", "in" or "ft": coordinates times one number, the ratio of the two rounded
  * to a double. TAUT_BAD_ARGUMENT: no such unit. TAUT_NO_SOLUTION: a coordinate leaves the range of doubles. */
 TAUT_API taut_status taut_model_to_unit(const taut_model *model, const char *unit,

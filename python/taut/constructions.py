@@ -26,8 +26,8 @@ def asymptotic(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, degr
         corners: Mapping[str, npt.ArrayLike] | None = None, edges: Mapping[str, Mapping[str, npt.ArrayLike]] | None = None,
         curves: Mapping[str, CurveLike] | None = None, branch: str | None = None,
         surface: Literal["5n-7", "n+3"] | None = None, singular: Literal["refuse", "report"] | None = None,
-        free: Literal["points", "all"] | None = None, boundary: str | None = None, tolerance: float | None = None,
-        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        free: Literal["points", "all"] | None = None, boundary: Union[str, Mapping[str, Any]] | None = None,
+        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """A patch whose four edges are asymptotic curves: corner data, or the four curves.
 
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
@@ -39,7 +39,8 @@ def asymptotic(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, degr
     surface                one of "5n-7", "n+3"; "5n-7" if not given
     singular               one of "refuse", "report"; "refuse" if not given
     free                   one of "points", "all"; "points" if not given
-    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net
+    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net; or a
+                           file and which of its curves and edges
     """
     said: dict[str, Any] = {"unit": unit, "degree": degree, "corners": corners, "edges": edges, "curves": curves,
         "branch": branch, "surface": surface, "singular": singular, "free": free, "boundary": boundary}
@@ -103,9 +104,10 @@ def bonnet(*, sign: Literal["+", "-"], alpha: float, beta: float, unit: Literal[
 def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: BasisLike | None = None,
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         weights: npt.ArrayLike | None = None, aspect: Union[float, Literal["auto"]] | None = None,
-        boundary: str | None = None, degree: npt.ArrayLike | None = None, refine: npt.ArrayLike | None = None,
-        regular: bool | None = None, through: Sequence[Any] | None = None, known: npt.ArrayLike | None = None,
-        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        boundary: Union[str, Mapping[str, Any]] | None = None, degree: npt.ArrayLike | None = None,
+        refine: npt.ArrayLike | None = None, regular: bool | None = None, through: Sequence[Any] | None = None,
+        known: npt.ArrayLike | None = None, tolerance: float | None = None, threads: int | None = None,
+        progress: Progress | None = None, strict: bool = False) -> Model:
     """The surface of least Dirichlet energy through the known points of a net; any bases but ce-bezier.
 
     points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; points[i][j];
@@ -116,7 +118,8 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
     name                   at most 255 bytes of UTF-8
     weights                weights[i][j], the shape of points
     aspect                 1 if not given
-    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net
+    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net; or a
+                           file and which of its curves and edges
     degree                 at least these along u and v
     refine                 how often the spans along u and v are halved
     regular                true: the certificate claims `regular`, the surface has a tangent plane everywhere; false if
@@ -162,10 +165,10 @@ def harmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None,
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         from_: Literal["derivative"] | None = None, edge: npt.ArrayLike | None = None,
         cross_derivative: npt.ArrayLike | None = None, even: Literal["refuse", "corner", "project", "raise"] | None = None,
-        allow_ill_conditioned: bool | None = None, fit: bool | None = None, boundary: str | None = None,
-        known: Literal["u", "v"] | None = None, widths: npt.ArrayLike | None = None, tolerance: float | None = None,
-        threads: int | None = None, progress: Progress | None = None, strict: bool = False, exact: bool = False,
-        **members: Any) -> Model:
+        allow_ill_conditioned: bool | None = None, fit: bool | None = None,
+        boundary: Union[str, Mapping[str, Any]] | None = None, known: Literal["u", "v"] | None = None,
+        widths: npt.ArrayLike | None = None, tolerance: float | None = None, threads: int | None = None,
+        progress: Progress | None = None, strict: bool = False, exact: bool = False, **members: Any) -> Model:
     """The harmonic Bezier surface through two opposite edges, or from one edge and the derivative across it.
 
     points                 (nu, nv, 3); a point with a NaN is to be found; two opposite boundary rows or columns; null
@@ -180,7 +183,8 @@ def harmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None,
     even                   one of "refuse", "corner", "project", "raise"; "refuse" if not given
     allow_ill_conditioned  build also where rounding grows past 1e15; false if not given
     fit                    the harmonic surface nearest to four boundary rows; false if not given
-    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net
+    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net; or a
+                           file and which of its curves and edges
     known                  with boundary: edges u0 and u1, or v0 and v1, are kept; one of "u", "v"; "v" if not given
     widths                 with boundary: of the parameter rectangle; [1, 1] if not given
     members                also as the document spells them: from, insist
@@ -260,11 +264,11 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         weights: npt.ArrayLike | None = None, start: SurfaceLike | None = None, tolerance: float | None = None,
         max_iterations: int | None = None, method: Literal["full", "normal"] | None = None,
-        curves: Mapping[str, CurveLike] | None = None, boundary: str | None = None, degree: npt.ArrayLike | None = None,
-        refine: Union[int, npt.ArrayLike] | None = None, tolerance_area: float | None = None, least: bool | None = None,
-        gap: float | None = None, regular: bool | None = None, through: Sequence[Any] | None = None,
-        known: npt.ArrayLike | None = None, threads: int | None = None, progress: Progress | None = None,
-        strict: bool = False) -> Model:
+        curves: Mapping[str, CurveLike] | None = None, boundary: Union[str, Mapping[str, Any]] | None = None,
+        degree: npt.ArrayLike | None = None, refine: Union[int, npt.ArrayLike] | None = None,
+        tolerance_area: float | None = None, least: bool | None = None, gap: float | None = None,
+        regular: bool | None = None, through: Sequence[Any] | None = None, known: npt.ArrayLike | None = None,
+        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """The surface of least area through the known points of a net; any bases but ce-bezier.
 
     points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; points[i][j];
@@ -279,7 +283,8 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
     max_iterations         at least 1; 500 if not given
     method                 one of "full", "normal"; "full" if not given
     curves                 the boundary, in place of points: fitted to u and v
-    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net
+    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net; or a
+                           file and which of its curves and edges
     degree                 with boundary: at least these along u and v
     refine                 how many finer spaces tell of the least area; with boundary: how often its spans are halved
     tolerance_area         at least 1e-11

@@ -12,6 +12,7 @@
     X(split)                                                                                       \
     X(refine)                                                                                      \
     X(convert)                                                                                     \
+    X(boundary)                                                                                    \
     X(panels)                                                                                      \
     X(trace)                                                                                       \
     X(view)                                                                                        \

@@ -143,4 +143,63 @@ run 0 make problem.json --quiet --report loose.txt -o made.json
     complain "$file: bending energy $(figure bending_energy loose.txt), not $(figure bending_energy named.txt)"
 printf '{ "taut": 1, "construct": "asymptotic", "boundary": "loose.json", "branch": "lowest" }\n' > problem.json
 refused 3 'conflict /branch' make problem.json
+
+# Curves and edges picked out of a file that has more of them, by name, by number, or both: the same surface again.
+picked() { # picked FILE EDGES: the energy
+    printf '{ "taut": 1, "construct": "dirichlet", "boundary": { "file": "%s", "edges": %s } }\n' "$1" "$2" > beside/problem.json
+    run 0 make beside/problem.json --quiet -o made.json --report report.json
+    run 0 certify made.json beside/problem.json
+    [ "$(figure dirichlet_energy report.json)" = "$(figure dirichlet_energy net.txt)" ] ||
+        complain "$1 $2: energy $(figure dirichlet_energy report.json), not $(figure dirichlet_energy net.txt)"
+}
+sed 's/"curves": \[/"curves": [ { "name": "other", "t": { "type": "bezier", "degree": 1 }, "points": [[7,7,7],[8,8,8]] },/' frame.json > beside/more.json
+cp once.json beside/once.json
+picked more.json '["left", "top", "right", "bottom"]'
+picked more.json '[5, "right", 3, 2]'
+picked once.json '["dirichlet.u0", "dirichlet.v1", "dirichlet.u1", "dirichlet.v0"]'
+picked once.json '[3, 1, 4, 2]'
+case $files in
+*frame.step*)
+    run 0 convert once.json -o beside/once.step
+    picked once.step '["dirichlet.u0", "dirichlet.v1", "dirichlet.u1", "dirichlet.v0"]'
+    ;;
+esac
+printf '{ "taut": 1, "construct": "dirichlet", "boundary": { "file": "frame.json" } }' > beside/problem.json
+run 0 make beside/problem.json --quiet -o made.json
+refuse_edges() { # refuse_edges PATTERN MEMBERS
+    printf '{ "taut": 1, "construct": "dirichlet", "boundary": { %s } }\n' "$2" > beside/problem.json
+    refused 3 "$1" make beside/problem.json
+}
+refuse_edges 'name /boundary/edges/2' '"file": "once.json", "edges": [1, 2, "dirichlet.w0", 4]'
+refuse_edges 'value /boundary/edges/3 found 5' '"file": "once.json", "edges": [1, 2, 3, 5]'
+refuse_edges 'value /boundary/edges/0 found 0' '"file": "once.json", "edges": [0, 2, 3, 4]'
+refuse_edges 'type /boundary/edges/1' '"file": "once.json", "edges": [1, null, 3, 4]'
+refuse_edges 'size /boundary/edges' '"file": "once.json", "edges": [1, 2, 3]'
+refuse_edges 'missing /boundary/file' '"edges": [1, 2, 3, 4]'
+refuse_edges 'unknown-member /boundary/edge' '"file": "once.json", "edge": [1, 2, 3, 4]'
+sed 's/"right"/"left"/' beside/more.json > beside/twice.json
+refuse_edges 'name /boundary/edges/0' '"file": "twice.json", "edges": ["left", "top", 4, "bottom"]'
+contains err.txt '2 have this one'
+
+# The list of them: numbers, names, lengths (by Simpson's rule on the cubic), ends.
+run 0 boundary beside/more.json
+contains out.txt '^ *2  curve  left  .* mm  from 0 3 0  to 0 0 0$'
+run 0 boundary once.json
+[ "$(grep -c '  edge   dirichlet\.[uv][01]  ' out.txt)" = 4 ] || complain "edges: $(cat out.txt)"
+run 0 boundary beside/more.json --json
+python3 - beside/more.json out.txt <<'PY' || complain "the list of curves is not that of the file"
+import json, math, sys
+model, listed = (json.load(open(f)) for f in sys.argv[1:3])
+assert listed["unit"] == "mm" and len(listed["curves"]) == len(model["curves"]) == 5
+def speed(p, t):
+    n = len(p) - 1
+    d = [[n * (b - a) for a, b in zip(p[i], p[i + 1])] for i in range(n)]
+    return math.hypot(*(sum(math.comb(n - 1, i) * t ** i * (1 - t) ** (n - 1 - i) * d[i][c] for i in range(n)) for c in range(3)))
+for i, (row, curve) in enumerate(zip(listed["curves"], model["curves"])):
+    p = curve["points"]
+    assert (row["number"], row["name"], row["kind"]) == (i + 1, curve["name"], "curve") and row["from"] == p[0] and row["to"] == p[-1]
+    length = sum((1 if k in (0, 400) else 4 if k % 2 else 2) * speed(p, k / 400) for k in range(401)) / 1200
+    assert abs(row["length"] / length - 1) < 1e-9, (row["length"], length)
+PY
+refused 5 'read' boundary nowhere.step
 finish

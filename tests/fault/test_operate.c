@@ -52,6 +52,7 @@ MAKER(model_split_named, taut_model,
       taut_model_split(f->model, "s", TAUT_ALONG_U, 0.4, &made, error))
 MAKER(model_refine, taut_model, taut_model_refine(f->model, NULL, 0, 0, &made, error))
 MAKER(model_to_unit, taut_model, taut_model_to_unit(f->model, "ft", &made, error))
+MAKER(model_boundary, taut_model, taut_model_boundary(f->model, &made, error))
 MAKER(model_pieces, taut_model, taut_model_pieces(f->model, NULL, &made, error))
 MAKER(model_to_nurbs, taut_model, taut_model_to_nurbs(f->model, 1e-2, &made, NULL, error))
 
@@ -174,6 +175,7 @@ static void test_types(int type_u, int type_v)
         {"taut_model_pieces", model_pieces, release_model, &f},
         {"taut_model_to_nurbs", model_to_nurbs, release_model, &f},
         {"taut_model_to_unit", model_to_unit, release_model, &f},
+        {"taut_model_boundary", model_boundary, release_model, &f},
     };
     const fault_call polynomial[] = {
         {"taut_curve_insert", curve_insert, release_curve, &f},

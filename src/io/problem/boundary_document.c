@@ -61,22 +61,109 @@ static taut_status blame_file(const taut_json *at, const taut_error *found, taut
     return status;
 }
 
-static taut_status order_sides(const taut_json *at, const taut_model *model,
-                               taut_curve *sides[TAUT_SIDES], taut_error *error)
+/* What "boundary" says: a file, or an object of a file and the curves and edges to take out of it. */
+typedef struct boundary_source {
+    const taut_json *at;
+    taut_json file, edges;
+    int picks; /* there are edges */
+} boundary_source;
+
+static taut_status find_source(const taut_json *at, boundary_source *source, taut_error *error)
+{
+    static const char *const members[] = {"file", "edges", NULL};
+    *source = (boundary_source){.at = at, .file = *at};
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
+        return TAUT_OK;
+    }
+    source->file = taut_json_member(at, "file");
+    source->edges = taut_json_member(at, "edges");
+    source->picks = source->edges.value != NULL;
+    return taut_json_object(at, members, error);
+}
+
+/* All four curves of the file. */
+static taut_status take_all(const taut_json *at, const taut_model *model,
+                            const taut_curve *curves[TAUT_SIDES], taut_error *error)
 {
     const int count = taut_model_curve_count(model);
-    const taut_curve *curves[TAUT_SIDES];
-    taut_error found = {.status = TAUT_OK};
-
     if (count != TAUT_SIDES) {
         return taut_json_fail(at, error, "size", count, TAUT_SIDES,
-                              "found %d curves in that file, expected %d", count, TAUT_SIDES);
+                              "found %d curves in that file, expected %d: `taut boundary` lists "
+                              "what \"edges\" may pick",
+                              count, TAUT_SIDES);
     }
     for (int i = 0; i < TAUT_SIDES; i++) {
         curves[i] = taut_model_curve(model, i);
     }
-    const taut_status status = taut_boundary_order(curves, closed, sides, &found);
-    return blame_file(at, &found, status, error);
+    return TAUT_OK;
+}
+
+/* The curve of this name, which is to be one. */
+static taut_status find_named(const taut_json *at, const taut_model *listed, int *found,
+                              taut_error *error)
+{
+    const char *name = NULL;
+    int count = 0;
+    const taut_status status = taut_json_text(at, &name, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int i = 0; i < taut_model_curve_count(listed); i++) {
+        if (strcmp(taut_curve_name(taut_model_curve(listed, i)), name) == 0) {
+            *found = i;
+            count++;
+        }
+    }
+    return count == 1 ? TAUT_OK
+                      : taut_json_refuse(at, error, "name",
+                                         "the name of one curve or edge, as `taut boundary` lists "
+                                         "them (%d have this one)",
+                                         count);
+}
+
+/* Those that "edges" picks by number, from 1, or name. */
+static taut_status take_picked(const taut_json *edges, const taut_model *listed,
+                               const taut_curve *curves[TAUT_SIDES], taut_error *error)
+{
+    size_t count = 0;
+    taut_status status = taut_json_array(edges, TAUT_SIDES, TAUT_SIDES,
+                                         "curves or edges, by number or name", &count, error);
+    for (size_t i = 0; i < TAUT_SIDES && status == TAUT_OK; i++) {
+        const taut_json item = taut_json_item(edges, i);
+        int number = 0;
+        if (taut_json_kind_at(&item) == TAUT_JSON_NUMBER) {
+            status = taut_json_integer(&item, 1, taut_model_curve_count(listed), &number, error);
+            number--;
+        } else {
+            status = find_named(&item, listed, &number, error);
+        }
+        if (status == TAUT_OK) {
+            curves[i] = taut_model_curve(listed, number);
+        }
+    }
+    return status;
+}
+
+static taut_status order_sides(const boundary_source *source, const taut_model *model,
+                               taut_curve *sides[TAUT_SIDES], taut_error *error)
+{
+    const taut_curve *curves[TAUT_SIDES];
+    taut_error found = {.status = TAUT_OK};
+    taut_model *listed = NULL;
+    taut_status status = TAUT_OK;
+
+    if (source->picks) {
+        status = blame_file(source->at, &found, taut_model_boundary(model, &listed, &found), error);
+        status = status == TAUT_OK ? take_picked(&source->edges, listed, curves, error) : status;
+    } else {
+        status = take_all(source->at, model, curves, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_boundary_order(curves, closed, sides, &found);
+        status = blame_file(source->at, &found, status, error);
+    }
+    taut_model_free(listed);
+    return status;
 }
 
 /* A file in another unit than the document is told in the document's, and that is said. */
@@ -103,26 +190,30 @@ static taut_status convert_unit(const taut_json *at, taut_problem *problem, taut
 }
 
 /* The four sides out of the file that "boundary" names (any that taut reads, beside the problem's
- * own document), in order and closed; the caller's. */
+ * own document), all of its curves or those that are picked, in order and closed; the caller's. */
 static taut_status read_sides(const taut_json *at, taut_problem *problem,
                               taut_curve *sides[TAUT_SIDES], taut_error *error)
 {
     taut_error found = {.status = TAUT_OK};
     taut_model *model = NULL;
-    const taut_read_options whole = {.untrim = 1}; /* faces are not asked for */
+    boundary_source source;
     char path[PATH_ROOM];
-    taut_status status = find_path(at, problem, path, error);
+    taut_status status = find_source(at, &source, error);
 
+    if (status == TAUT_OK) {
+        status = find_path(&source.file, problem, path, error);
+    }
     if (status != TAUT_OK) {
         return status;
     }
+    const taut_read_options whole = {.untrim = !source.picks}; /* else no faces are asked for */
     status = taut_model_read_with(path, &whole, &model, &found);
     if (status != TAUT_OK) {
         return blame_file(at, &found, status, error);
     }
-    status = convert_unit(at, problem, &model, error);
+    status = convert_unit(&source.file, problem, &model, error);
     if (status == TAUT_OK) {
-        status = order_sides(at, model, sides, error);
+        status = order_sides(&source, model, sides, error);
     }
     taut_model_free(model);
     return status;

@@ -437,7 +437,8 @@ static void test_more_formats(void)
     CHECK(strcmp(taut_formats_ending(more, "a.geomdl.json", NULL), "geomdl.json") == 0, "longer");
     CHECK(taut_formats_ending(more, "a.b", &error) == NULL, "none");
     CHECK(strcmp(error.message,
-                 "the ending of a.b is not one of .csv, .geomdl.json, .glb, .html, .iges, .igs, "
+                 "the ending of a.b is not one of .3mf, .csv, .dxf, .geomdl.json, .glb, .html, "
+                 ".iges, .igs, "
                  ".json, .obj, .pdf, .ply, .png, .step, .stl, .stp, .svg, .vtu") == 0,
           "\"%s\"", error.message);
     CHECK(taut_formats_ending(&newer, "a.svg", &error) == NULL &&
