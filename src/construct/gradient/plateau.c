@@ -393,6 +393,12 @@ taut_status taut_plateau_gradient(const taut_plateau_problem *problem, const tau
     if (problem->net.aspect_auto) {
         return taut_gradient_refuse("an aspect that is searched for moves with the points", error);
     }
+    if (problem->net.through_count > 0) {
+        return taut_gradient_refuse(
+            "points to pass through hold the surface besides those that are known: "
+            "leave them out",
+            error);
+    }
     if (problem->method == TAUT_PLATEAU_FULL && request != NULL &&
         request->of != TAUT_GRADIENT_AREA) {
         return taut_gradient_refuse("with the method \"full\" only the area is determined, not "

@@ -262,6 +262,13 @@ static void test_refused(void)
     refused(TAUT_BAD_ARGUMENT, "no-gradient",
             taut_dirichlet_gradient(&made.net, model, NULL, gradient, &error), &error, gradient);
     made.net.aspect_auto = 0;
+    made.net.through = &(taut_through){0.5, 0.5, {0}};
+    made.net.through_count = 1;
+    refused(TAUT_BAD_ARGUMENT, "no-gradient",
+            taut_plateau_gradient(&made, model, NULL, gradient, &error), &error, gradient);
+    refused(TAUT_BAD_ARGUMENT, "no-gradient",
+            taut_dirichlet_gradient(&made.net, model, NULL, gradient, &error), &error, gradient);
+    made.net.through_count = 0;
     request.factors = factors;
     refused(TAUT_BAD_ARGUMENT, "argument",
             taut_dirichlet_gradient(&made.net, model, &request, gradient, &error), &error,
