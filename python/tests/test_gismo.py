@@ -97,3 +97,11 @@ def test_wrong_files(tmp_path):
         gismo.read(tmp_path / "none.xml")
     with pytest.raises(taut.FileError):
         gismo.write([], tmp_path / "none" / "out.xml")
+
+
+def test_tolerance(tmp_path):
+    """A basis of sines is written within the tolerance."""
+    curve, t = taut.Curve(taut.c_bezier(1.2), np.eye(4, 3)), np.linspace(0, 1.2, 50)
+    gismo.write([curve], tmp_path / "out.xml", tolerance=1e-6)
+    spline, = gismo.read(tmp_path / "out.xml")
+    assert 0 < np.abs(spline(t * spline.t.range[1] / 1.2) - curve(t * curve.t.range[1] / 1.2)).max() < 1e-6
