@@ -20,6 +20,9 @@
 #include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 enum { TRIES = 64, LINKS_MAX = 40, STACK = 4 << 20 /* musl gives 128 KiB */ };
 
@@ -553,10 +556,21 @@ int taut_system_spooled(FILE *spool, char **text, size_t *length)
 
 /* ---- the program ---- */
 
+/* What is freed stays with the process, which soon takes it again: a proof takes and frees megabytes for each span, and pages that
+ * are given back to the system are faulted in anew. */
+static void keep_memory(void)
+{
+#if defined(__GLIBC__)
+    mallopt(M_MMAP_THRESHOLD, 32 << 20); /* 32 MB: the most that it knows */
+    mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
+}
+
 int taut_system_begin(int *count, char ***words)
 {
     (void)count;
     (void)words;
+    keep_memory();
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, told once, */
     signal(SIGXFSZ, SIG_IGN); /* and so is a file that grows past its limit */
     return 0;

@@ -159,7 +159,7 @@ int taut_system_cut(FILE *stream, double length);
 /* ---- the program: nothing of this in wasi.c, where there is none ---- */
 
 /* Once, first of all: words in UTF-8, standard streams that pass bytes on as they are, a write that
- * cannot be done an error and not the end. */
+ * cannot be done an error and not the end; memory that is freed is kept for what comes, where the C library can. */
 int taut_system_begin(int *count, char ***words);
 
 /* Is this stream a terminal that a person sees, which understands "\r\033[K"? */
