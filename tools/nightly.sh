@@ -6,6 +6,7 @@
 #     compilers  every example by gcc's program and by clang's, byte for byte
 #     musl       another C library: the C tests that need no library, every example byte for byte
 #     aarch64    another processor, by qemu, which is fifty times slower: the rooms that compute least, every example byte for byte
+#     sanitize   all tests with addresses and undefined behaviour watched
 #     windows    all C tests under wine, and every example
 #     wasm       every example in the WebAssembly module, byte for byte
 #     fuzz       every fuzz target, NIGHTLY_FUZZ seconds in all (3600)
@@ -14,7 +15,7 @@
 #     forge      forgeries of models against the judge from outside, seed NIGHTLY_SEED (the day)
 set -u
 cd "$(dirname "$0")/.." || exit 1
-all="compilers musl aarch64 windows wasm fuzz mutants generated forge"
+all="compilers musl aarch64 sanitize windows wasm fuzz mutants generated forge"
 page=docs/nightly.md logs=build/nightly
 for name in "$@"; do
     case " $all " in *" $name "*) ;; *)
@@ -41,6 +42,7 @@ do_aarch64() {
     preset aarch64 -R '^unit/(basis|core|geometry|io|numeric|platform|problem)/' -E '^unit/io/cad/helper$' --timeout 3600 &&
         tools/same_bytes.sh "$native" 'qemu-aarch64 build/aarch64/bin/taut'
 }
+do_sanitize() { tools/deps.sh check && preset sanitize; }
 do_windows() { tools/deps.sh windows && preset mingw; }
 do_wasm() {
     tools/deps.sh wasm && cmake --preset wasm > /dev/null && cmake --build --preset wasm -j "$jobs" &&
